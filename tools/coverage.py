@@ -2,7 +2,7 @@
 """Writes glib/README.md: every scene with what it shows and where it comes from.
 
 The first line of a scene and of each of its shaders begins with the ids of the exercises that it answers, for example
-`SH033`. This program turns the ids into the book and its chapters.
+`SH033`. This program turns the ids into the book and its chapters; the window reads them from the page.
 
 usage: tools/coverage.py [--check]     --check writes nothing and fails if the file is not current
 """
@@ -11,10 +11,11 @@ import re
 import sys
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-IDENTIFIER = re.compile(r"\b(?:(?:GX|SH|EX|PF|NM|D|B|X)\d{2,3}(?:\.\d+)?|G\d{1,2}\.\w+|S\d{2})\b")
+IDENTIFIER = re.compile(r"\b(?:(?:GX|SH|EX|PF|NM|D|B|X)\d{2,3}(?:\.\d+)?|Gx?\d{1,2}(?:\.\w+)?|S\d{2})\b")
 STAGE = re.compile(r"^\s*(?:Vertex|TessControl|TessEvaluation|Geometry|Fragment|Compute)\s+(\S+)", re.IGNORECASE)
 
-# The chapters of the book. GX: scenes, SH: shaders, D: pictures. An entry holds from its number on, up to the next one.
+# The chapters of "Graphics Shaders". GX: scenes, SH: shaders, D: pictures. An entry holds from its number on, up to the
+# next one. The ids of "OpenGL with Java" (G, Gx) begin with the chapter, and those of the slides (S) have none.
 CHAPTERS = {
     "GX": {1: 3, 3: 4, 7: 7, 8: 9, 10: 11, 13: 12, 14: 13, 18: 15},
     "SH": {1: 3, 8: 4, 10: 6, 16: 7, 20: 8, 27: 9, 36: 10, 45: 11, 74: 12, 78: 13, 94: 14, 95: 15, 113: 16},
@@ -55,34 +56,46 @@ def identifiers(scene, topic):
     return found
 
 
-def chapter(identifier):
-    """The number of a chapter, "G4" for chapter 4 of the second book, or "S" for the slides."""
-    if re.match(r"G\d", identifier):
-        return identifier.split(".")[0]
+def place(identifier):
+    """The source and the chapter; 0 for slides, which have none."""
+    if match := re.match(r"Gx?(\d+)", identifier):
+        return "OpenGL with Java", int(match.group(1))
     if re.match(r"S\d", identifier):
-        return "S"
+        return "GLSL slides", 0
     family = identifier.rstrip("0123456789.")
     number = int(re.sub(r"\D", "", identifier.split(".")[0]))
     starts = [start for start in CHAPTERS[family] if start <= number]
-    return CHAPTERS[family][max(starts)]
+    return "Graphics Shaders", CHAPTERS[family][max(starts)]
 
 
 def source(ids):
-    chapters = sorted({chapter(each) for each in ids}, key=lambda each: (isinstance(each, str), each))
-    return ", ".join(str(each) for each in chapters) if chapters else "-"
+    """For example "Graphics Shaders, chapters 4 and 9; OpenGL with Java, chapter 14"."""
+    chapters = {}
+    for title, chapter in sorted({place(each) for each in ids}):
+        chapters.setdefault(title, []).append(str(chapter))
+    texts = []
+    for title, numbers in chapters.items():
+        if numbers == ["0"]:
+            texts.append(title)
+        elif len(numbers) == 1:
+            texts.append(f"{title}, chapter {numbers[0]}")
+        else:
+            texts.append(f"{title}, chapters {', '.join(numbers[:-1])} and {numbers[-1]}")
+    return "; ".join(texts) if texts else "-"
 
 
 def table():
     lines = ["# The example scenes", "",
              "There is one folder per topic. Shaders are in `shaders/TOPIC`, pictures and volumes in",
              "[textures](../textures/README.md), models in [scenes/models](../scenes/models/README.md).", "",
-             "Nearly all scenes answer exercises of the book \"Graphics Shaders: Theory and Practice\" (Bailey, Cunningham,",
-             "second edition, 2012). The shaders were written anew from the behaviour that the book describes; the column",
-             "\"chapter\" names the chapters. G and a number is a chapter of \"Computer Graphics Programming in OpenGL with",
-             "Java\" (Gordon, Clevenger, third edition). S is a set of lecture slides about GLSL. The first lines of scenes and shaders",
-             "have the exact ids of the exercises.", "",
-             "`tools/coverage.py` writes this page from those first lines.", "",
-             "| scene | what it shows | chapter |", "|---|---|---|"]
+             "The last column says which book and chapter a scene is about, as the window does in its examples:", "",
+             "- Graphics Shaders: \"Graphics Shaders: Theory and Practice\" (Bailey, Cunningham, second edition, 2012). The shaders",
+             "  were written anew from the behaviour that the book describes.",
+             "- OpenGL with Java: \"Computer Graphics Programming in OpenGL with Java\" (Gordon, Clevenger, third edition).",
+             "- GLSL slides: a set of lecture slides about GLSL.", "",
+             "`tools/coverage.py` writes this page from the numbers of exercises (such as SH033) in the first lines of the scenes and",
+             "their shaders.", "",
+             "| scene | what it shows | source |", "|---|---|---|"]
     folder = os.path.join(ROOT, "glib")
     for topic in sorted(os.listdir(folder)):
         if not os.path.isdir(os.path.join(folder, topic)):

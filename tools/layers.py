@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Checks that no include runs upward.
 
-The rooms and their order are declared in CMakeLists.txt and cmake/*.cmake: glibra_room(NAME ROOMS ...) may include
+The rooms and their order are declared in CMakeLists.txt and tools/cmake/*.cmake: glibra_room(NAME ROOMS ...) may include
 itself, the rooms that it names, and the rooms that those name. Programs (src/cli, src/view/window and a
 room's folder program) may include every room and the command line, and no room may include them. Inside glsl the
 sub-folders have an order of their own. Prints each include that breaks the order, as file:line, and exits with status 1
@@ -34,7 +34,7 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"')
 def declared_rooms():
     """Room to all rooms that it may include."""
     rooms = {}
-    for file in [ROOT / "CMakeLists.txt", *sorted((ROOT / "cmake").glob("*.cmake"))]:
+    for file in [ROOT / "CMakeLists.txt", *sorted((ROOT / "tools" / "cmake").glob("*.cmake"))]:
         text = re.sub(r"#[^\n]*", "", file.read_text())
         for call in re.findall(r"^\s*glibra_room\(([^)]*)\)", text, re.MULTILINE):
             words = call.split()

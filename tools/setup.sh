@@ -12,7 +12,7 @@ images_packages="libopenimageio-dev"
 bench_packages="libboost-dev"
 # What the tests need besides all of these.
 test_packages="clang-19 libclang-rt-19-dev clang-format clang-tidy libgtest-dev libtinyobjloader-dev libpng-dev libegl-dev
- glslang-tools python3 chromium chromium-driver imagemagick procps xvfb xdotool openbox libx11-dev shellcheck"
+ glslang-tools python3 chromium chromium-driver imagemagick procps xvfb x11-utils xdotool openbox libx11-dev shellcheck"
 
 # ccache takes precompiled headers only with these.
 export CCACHE_SLOPPINESS=pch_defines,time_macros

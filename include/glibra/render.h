@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -53,6 +54,9 @@ struct ViewState {
     friend bool operator==(const ViewState&, const ViewState&) = default;
 };
 
+/// The corner of the picture that shows the values of uniform variables; `none` shows none.
+enum class LabelCorner { none, bottomLeft, bottomRight, topLeft, topRight };
+
 /// The limits of RenderOptions::width, height and maxError, in pixels.
 inline constexpr int kLargestPictureSide = 65'536;
 inline constexpr double kLeastMaxError = 1e-9, kLargestMaxError = 1e6;
@@ -70,11 +74,12 @@ struct RenderOptions {
     /// scene leaves open, so that nothing is drawn further from its place, at the least cost. 0: the
     /// language's defaults.
     double maxError = 0;
-    bool overrideCounts = false;  ///< with maxError: also chooses numbers that the scene states
-    bool axes = false;            ///< draws axes two units long at the origin of eye space
-    bool alpha = false;           ///< keeps the window's alpha; otherwise pictures are opaque
-    bool floatPixels = false;     ///< 32-bit float pixels, not limited to 0..1
-    bool strict = false;          ///< warnings are errors
+    bool overrideCounts = false;             ///< with maxError: also chooses numbers that the scene states
+    bool axes = false;                       ///< draws axes 1.5 units long at the origin of world space
+    LabelCorner labels = LabelCorner::none;  ///< writes the values of uniform variables over the picture
+    bool alpha = false;                      ///< keeps the window's alpha; otherwise pictures are opaque
+    bool floatPixels = false;                ///< 32-bit float pixels, not limited to 0..1
+    bool strict = false;                     ///< warnings are errors
     /// Draws what does not need the files that are missing or wrong, with a striped border around the
     /// picture. The result has the errors and the picture.
     bool incomplete = false;
@@ -89,6 +94,9 @@ struct RenderOptions {
     bool checks = false;  ///< what Expect statements read is made, even if the picture does not show it
     /// The text of the scene; nothing: what its file has. With a text the file need not exist.
     std::optional<std::string> sceneText{};
+    /// Texts in place of what files have: of the scene, of shaders, and of files that these include. The
+    /// paths are those under which the scene finds the files.
+    std::map<std::filesystem::path, std::string> texts{};
     int tileSize = 0;  ///< pixels per side of the tiles of a large picture; 0: as large as the driver allows
     ViewState viewState{};
     /// Textures of a modern scene, or parts of them, that are drawn even if the picture does not show them:

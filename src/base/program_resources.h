@@ -55,6 +55,14 @@ struct ActiveInput {
     int arraySize = 1;
 };
 
+/// A colour output of the fragment stage. Its elements, if it is an array, have consecutive locations.
+struct ActiveOutput {
+    std::string name;  ///< in the compiled source
+    int location = -1;
+    ValueType type{};
+    int arraySize = 1;
+};
+
 struct UniformBlock {
     std::string name;    ///< of the block, not of its instance; "Lights[2]" for an array of blocks
     int bytes = 0;       ///< size of the buffer that it needs
@@ -87,13 +95,14 @@ struct CounterBuffer {
     std::vector<std::string> counters;  ///< names
 };
 
-/// Everything that a linked program reads.
+/// Everything that a linked program reads, and where it writes colours.
 struct ActiveResources {
     std::vector<ActiveUniform> uniforms;
     std::vector<UniformBlock> blocks;
     std::vector<StorageBlock> storageBlocks;  ///< empty below GL 4.3; likewise counterBuffers
     std::vector<CounterBuffer> counterBuffers;
-    std::vector<ActiveInput> inputs;  ///< of the vertex stage, without gl_VertexID and other built-ins
+    std::vector<ActiveInput> inputs;    ///< of the vertex stage, without gl_VertexID and other built-ins
+    std::vector<ActiveOutput> outputs;  ///< without gl_FragDepth and other built-ins; empty below GL 4.3
 };
 
 }  // namespace glibra::base

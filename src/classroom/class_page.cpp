@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/page_template.h"
 #include "base/utf8.h"
 #include "classroom/grades.h"
 #include "classroom/review.h"
@@ -17,7 +18,7 @@
 #include "embedded/report_page.h"
 #include "glib/text.h"
 #include "suite/report/escape_xml.h"
-#include "suite/report/page_template.h"
+#include "suite/report/plain_page.h"
 #include "suite/results/figures.h"
 
 namespace glibra::classroom {
@@ -346,7 +347,7 @@ std::string classPage(const Classroom& room) {
                                              {"drawn", "Drawn", &drawn},
                                              {"leftout", "Left out", &leftOut}})
         if (!content->empty()) parts += fmt::format("<a href=\"#{}\">{}</a> ", id, title);
-    const suite::Slot slots[] = {
+    const base::Slot slots[] = {
         {"title", escapeXml(summary(room) + " - glibra")},
         {"headline", escapeXml(summary(room))},
         {"runDetails", detailsHtml(room)},
@@ -360,7 +361,7 @@ std::string classPage(const Classroom& room) {
         {"leftOut", leftOut},
         {"gram", fmt::format("{}", kLongestUnseen + 1)},
     };
-    return suite::filled(class_page::class_html(), slots);
+    return suite::loadingFirstScreen(base::filled(class_page::class_html(), slots));
 }
 
 Diagnostics writeSite(const Classroom& room, const fs::path& site) {

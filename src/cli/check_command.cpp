@@ -86,7 +86,7 @@ class SceneChecker {
     /// What drawing the scene reports in addition, and its checks that do not hold.
     Diagnostics runOf(const std::string& scene, const RenderOptions& options, Diagnostics checked) {
         if (hasError(checked)) return render::withoutExpected(render::checksOf(scene, options), checked);
-        return render::runChecks(*context_, scene, options);
+        return render::runChecks(*context_, scene, options, std::move(checked));
     }
 
     const CheckArguments& arguments_;
@@ -198,6 +198,7 @@ void addCheck(CommandLine& program, int& status) {
     command
         .option("--translated", arguments->translated,
                 "folder for the shaders after translation, as the driver compiles them")
+        .written()
         .rare();
     command.find("--untrusted").rare();
     command.flag("--run", arguments->run, "draw the scenes and answer their Expect statements");

@@ -172,6 +172,7 @@ void addClass(CommandLine& program, int& status) {
                 "the scene to compare with; or a suite of it (.toml), whose shots are the pictures to draw")
         .required();
     command.option("-o,--output", to.site, "folder for index.html, grades.csv and the pictures")
+        .written()
         .withDefault();
     command.option("--scene", to.scene, "the scene in each folder, as 'project2.glib' or 'src/*.glib'");
     command.repeated(

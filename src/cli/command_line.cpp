@@ -195,6 +195,15 @@ Option& Option::existingFile() {
     return *this;
 }
 
+Option& Option::written() {
+    option_->check([](const std::string& text) -> std::string {
+        if (text != "-") return {};
+        return "'-' does not mean standard output here; name a file or folder (./- for one with the name "
+               "'-')";
+    });
+    return *this;
+}
+
 Option& Option::rare() {
     option_->group(kRare);
     return *this;

@@ -40,6 +40,9 @@ class Option {
     Option& withDefault();
     /// The value is the name of a file that exists.
     Option& existingFile();
+    /// The value is the name of a file or folder to write. "-" is refused: it does not mean standard output
+    /// here.
+    Option& written();
     /// --help does not list it, --help-all does: for what few users need.
     Option& rare();
     /// Neither lists it.

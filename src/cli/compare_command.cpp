@@ -232,6 +232,7 @@ void addCompare(CommandLine& program, int& status) {
         .option("--heatmap", arguments->heatMap,
                 "picture file (or folder) that shows where and how much they differ; with --flip, the FLIP "
                 "errors")
+        .written()
         .placeholder("FILE");
     command
         .option("--max", tolerance.largest, "difference that a component of every pixel may have, in 255ths")

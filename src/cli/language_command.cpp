@@ -12,14 +12,17 @@
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/language_page.h"
-#include "cli/shader_names.h"
 #include "glib/command_table.h"
 #include "glib/diagnostic_catalogue.h"
 #include "glib/modern/statement_table.h"
 #include "image/file.h"
+#include "scene/shader_names.h"
 
 namespace glibra::cli {
 namespace {
+
+using scene::ShaderName;
+using scene::shaderNames;
 
 struct LanguageArguments {
     std::string word;

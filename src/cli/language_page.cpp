@@ -11,7 +11,6 @@
 #include <span>
 #include <vector>
 
-#include "cli/shader_names.h"
 #include "expression/functions.h"
 #include "expression/name_table.h"
 #include "glib/command_table.h"
@@ -22,10 +21,14 @@
 #include "image/format.h"
 #include "scene/interpret.h"
 #include "scene/primitives.h"
+#include "scene/shader_names.h"
 #include "suite/options/option_table.h"
 
 namespace glibra::cli {
 namespace {
+
+using scene::ShaderName;
+using scene::shaderNames;
 
 /// Text as it stands in a cell of a table.
 std::string cell(std::string_view text) {

@@ -94,8 +94,11 @@ void addNoise(CommandLine& program, int& status) {
                    Words<noise::ColorScale>{{"grey", noise::ColorScale::grey},
                                             {"rainbow", noise::ColorScale::rainbow},
                                             {"heated", noise::ColorScale::heated},
-                                            {"uniform", noise::ColorScale::uniform}},
-                   "colors in two dimensions: grey, rainbow, heated or uniform");
+                                            {"uniform", noise::ColorScale::uniform},
+                                            {"sky", noise::ColorScale::sky},
+                                            {"fire", noise::ColorScale::fire}},
+                   "colors in two dimensions: grey, rainbow (blue, green, red), heated (black, red, yellow, "
+                   "white), uniform, sky (blue, white) or fire (red, yellow)");
     command.option("--octaves", options.octaves, "number of octaves").within(1, noise::kMostGraphOctaves);
     command.option("--points", options.cells, "points per period").within(2, noise::kMostGraphCells);
     command.option("--seed", options.seed, "seed of the random values");
@@ -108,6 +111,7 @@ void addNoise(CommandLine& program, int& status) {
     command
         .option("-o,--output", to.output,
                 "output file; .svg is a graph, .tex a raw float texture, any other ending a graph or picture")
+        .written()
         .withDefault();
     command.onRun([arguments, &status] { status = run(*arguments); });
 }

@@ -16,11 +16,25 @@
 #include "cli/suite_options.h"
 #include "cli/suite_render.h"
 #include "cli/untrusted.h"
+#include "image/video/video_file.h"
 
 namespace glibra::cli {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Prints why an animation cannot go into the file that -o names. Returns the exit status; kDone if it can.
+int checkFilm(const RenderArguments& arguments) {
+    if (arguments.outputIsFolder || !arguments.suite.suites.empty()) return kDone;
+    if (arguments.frames == 1 && image::isVideo(arguments.output)) {
+        printError("-o " + arguments.output +
+                   ": a video has several frames; add --frames 60, or name a .png for one picture");
+        return kWrongUsage;
+    }
+    if (arguments.frames == 1 || !image::holdsAnimation(arguments.output) || image::hasFfmpeg()) return kDone;
+    printError("-o " + arguments.output + ": " + image::kFfmpegIsMissing);
+    return kNoDriver;
+}
 
 /// Checks what CLI11 cannot check, and renders.
 int run(RenderArguments& arguments) {
@@ -34,7 +48,8 @@ int run(RenderArguments& arguments) {
     // A filter: the scene comes in, the picture goes out.
     if (arguments.standardInput && arguments.output.empty() && !arguments.outputIsFolder)
         arguments.output = "-";
-    if (arguments.output == "-" && arguments.outputIsFolder) {
+    const bool isMany = arguments.outputIsFolder || !arguments.suite.suites.empty();
+    if (arguments.output == "-" && isMany) {
         printError("-o - writes the pictures of one scene, not of several; name a folder");
         return kWrongUsage;
     }
@@ -42,12 +57,22 @@ int run(RenderArguments& arguments) {
         printError("a picture cannot be shown on a terminal; name a file with -o, or add > FILE");
         return kWrongUsage;
     }
+    if (arguments.statsFile == "-" && (arguments.output == "-" || arguments.explain)) {
+        printError(std::string("--stats - writes to standard output, and so does ") +
+                   (arguments.explain ? "--explain" : "the picture") + "; name a file for one of them");
+        return kWrongUsage;
+    }
     if (!acceptsSet(arguments.picture.options.set)) return kWrongUsage;
+    if (const int status = checkFilm(arguments); status != kDone) return status;
     std::set<fs::path> names{fs::path(arguments.output).filename()};
     for (const std::string& each : arguments.saves) {
         const auto save = readSave(each);
         if (!save) {
             printError("--save " + each + ": expected NAME=FILE, such as shadow=shadow.exr");
+            return kWrongUsage;
+        }
+        if (save->file == "-") {
+            printError("--save " + each + ": '-' does not mean standard output here; name a file");
             return kWrongUsage;
         }
         if (!names.insert(save->file.filename()).second) {
@@ -84,7 +109,7 @@ void addRender(CommandLine& program, int& status) {
         "render", "renders scenes to pictures, without a window or a display",
         "glibra render teapot.glib                            # writes teapot.png\n"
         "glibra render scenes/ -o pictures/ --size 800x600    # all scenes of a folder\n"
-        "glibra render arrow.glib --frames 60 -o film.png     # film_0000.png, film_0001.png ...");
+        "glibra render arrow.glib --frames 60 -o film.mp4     # or film.gif; film.png: film_0000.png ...");
     RenderArguments& to = *arguments;
     const Option scenes =
         command.list("SCENE", to.scenes, "scene files (.glib) or folders of them; - is standard input");
@@ -98,7 +123,8 @@ void addRender(CommandLine& program, int& status) {
     addPictureOptions(command, to.picture);
     command
         .option("--frames", to.frames,
-                "render an animation of so many frames, to NAME_0000.png, NAME_0001.png, ...")
+                "render an animation of so many frames: to one .mp4, .webm, .mkv, .mov, .avi or .gif (by the "
+                "program ffmpeg), or else to NAME_0000.png, NAME_0001.png, ...")
         .within(1, 1'000'000);
     command.option("--fps", to.framesPerSecond, "frames per second of an animation")
         .within(1e-3, 1e6)
@@ -114,7 +140,8 @@ void addRender(CommandLine& program, int& status) {
         .placeholder("NAME=FILE");
     command.flag("--explain", to.explain, "print what was made, what was skipped and why");
     addUntrustedOption(command, to.untrusted);
-    command.option("--stats", to.statsFile, "file for the times and counts of every stage, as JSON");
+    command.option("--stats", to.statsFile,
+                   "file for the times and counts of every stage, as JSON; - is standard output");
     for (const char* each : {"--driver", "--stats", "--save", "--untrusted"}) command.find(each).rare();
     excludePictureOptions(command, suite);
     for (const char* each : {"--frames", "--fps", "--save", "--explain", "--stats"})

@@ -17,6 +17,7 @@
 #include "base/utf8.h"
 #include "base/workers.h"
 #include "cli/commands.h"
+#include "cli/film.h"
 #include "cli/interruption.h"
 #include "cli/render_answer.h"
 #include "cli/scene_arguments.h"
@@ -24,6 +25,7 @@
 #include "gpu/context/context.h"
 #include "gpu/context/hardware.h"
 #include "image/file.h"
+#include "image/video/video_file.h"
 #include "render/file/animation.h"
 #include "render/file/job.h"
 #include "suite/run/run.h"
@@ -70,6 +72,17 @@ constexpr Deed kDrawing{"drew", "drawn"};
 
 int jobsOf(const RenderArguments& arguments) {
     return arguments.jobs > 0 ? arguments.jobs : suite::defaultJobs();
+}
+
+/// True if all frames go into one file.
+bool isFilm(const RenderArguments& arguments) {
+    return arguments.frames > 1 && !arguments.outputIsFolder && !fs::is_directory(arguments.output) &&
+           image::holdsAnimation(arguments.output);
+}
+
+/// The file, or the first of the files, that a worker writes for a film.
+fs::path framesOf(fs::path film) {
+    return film.replace_extension(".png");
 }
 
 std::uint64_t memoryOf(const RenderArguments& arguments, std::size_t pieces) {
@@ -142,9 +155,11 @@ class JobRunner {
         const auto fileOf = [&](const fs::path& file) {
             return staging_ && file != "-" ? staging_->fileOf(piece, file) : file;
         };
-        job.output = fileOf(outputs_[index]);
+        job.output = fileOf(isFilm(arguments_) ? framesOf(outputs_[index]) : outputs_[index]);
+        if (staging_ && arguments_.output != "-") job.targets.push_back(outputs_[index]);
         for (const std::string& each : arguments_.saves) {
             render::Job::Save save = readSave(each).value();
+            if (staging_) job.targets.push_back(save.file);
             save.file = fileOf(save.file);
             job.saves.push_back(std::move(save));
         }
@@ -227,6 +242,7 @@ class SceneBatch {
             [this](std::size_t piece, const std::string& text) {
                 countFrames(piece, countIn(text, arguments_.frames));
             });
+        if (isFilm(arguments_)) joinFrames();
         staging_.reset();
         removeEmptyFolders();
         progress_.clear();
@@ -252,14 +268,30 @@ class SceneBatch {
             fs::remove(*each, notEmpty);
     }
 
-    /// With --untrusted the workers write to a folder of their own.
+    /// With --untrusted, and for the frames of a film, the workers write to a folder of their own.
     void confine() {
-        if (!sandbox_) return;
-        if (arguments_.output == "-") sandbox_->standardOutput = true;
+        if (!sandbox_ && !isFilm(arguments_)) return;
+        if (sandbox_ && arguments_.output == "-") sandbox_->standardOutput = true;
         const std::vector<fs::path> files = writtenFiles();
         if (files.empty()) return;
         staging_.emplace(files.front().parent_path());
-        sandbox_->writable.push_back(staging_->path());
+        if (sandbox_) sandbox_->writable.push_back(staging_->path());
+    }
+
+    /// Makes the film of the frames that the workers have drawn.
+    void joinFrames() {
+        const auto stop = [this] { return interruption_.signal() != 0; };
+        const auto fileOf = [this](int frame) {
+            const fs::path file = render::frameFile(framesOf(outputs_.front()), frame, arguments_.frames);
+            for (std::size_t piece = 0; piece < parts_; ++piece)
+                if (auto found = staging_->find(piece, file)) return found;
+            return std::optional<fs::path>();
+        };
+        Diagnostics problems =
+            writeFilm({outputs_.front(), arguments_.frames, arguments_.framesPerSecond}, fileOf, stop);
+        if (problems.empty()) return;
+        status_ = std::max(status_, kSceneIsWrong);
+        remarks_.push_back({std::move(problems), {}});
     }
 
     /// The pictures and the saved textures, without standard output.
@@ -284,7 +316,7 @@ class SceneBatch {
             image::removeTemporaryFiles(outputs_[index].parent_path(), outcome.process);
         Diagnostics undelivered;
         std::vector<fs::path> delivered;
-        if (staging_ && arguments_.output != "-") delivered.push_back(outputs_[index]);
+        if (staging_ && arguments_.output != "-" && !isFilm(arguments_)) delivered.push_back(outputs_[index]);
         if (staging_)
             for (const std::string& each : arguments_.saves) delivered.push_back(readSave(each).value().file);
         for (const fs::path& file : delivered)
@@ -328,6 +360,11 @@ class SceneBatch {
             if (!each.empty()) all += (all.empty() ? "" : ",\n") + each;
         if (arguments_.scenes.size() > 1) all = "[" + all + "]";
         all += '\n';
+        if (arguments_.statsFile == "-") {
+            const std::string safe = base::printableText(all, true);
+            std::fwrite(safe.data(), 1, safe.size(), stdout);
+            return;
+        }
         const Diagnostics problems =
             image::writeFileAtomically(arguments_.statsFile, std::as_bytes(std::span(all)));
         print(problems);

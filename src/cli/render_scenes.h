@@ -19,7 +19,7 @@ struct RenderArguments {
     std::optional<std::string> standardInput;
     std::string output;           ///< file or folder; empty: the scenes' names in the current folder
     bool outputIsFolder = false;  ///< `output` is a folder, whether it exists or not
-    std::string statsFile;        ///< --stats
+    std::string statsFile;        ///< --stats; "-" is standard output
     suite::Shot picture;          ///< what the options of a picture state
     Driver driver = Driver::automatic;
     int frames = 1;

@@ -84,6 +84,7 @@ int merge(const TestArguments& arguments) {
         roots.texts.add(each);
         roots.pictures.add(each);
     }
+    if (arguments.suites.timeout) roots.decoder.seconds = *arguments.suites.timeout;
     return merged ? std::max(status, report(*merged, arguments, roots)) : status;
 }
 
@@ -286,11 +287,14 @@ void addTest(CommandLine& program, int& status) {
                  "with --update: write goldens for this family of drivers only, as NAME.nvidia.png");
     addSelectionOptions(command, to.suites);
     command.option("--results", to.results, "folder for the results and the pictures of failures")
+        .written()
         .withDefault();
-    command.option("--report", to.report, "folder for a report that a browser shows");
-    command.option("--junit", to.junit, "file for a JUnit report (XML)");
-    command.option("--goldens", to.goldens,
-                   "folder with one folder of goldens per suite, instead of the suites' own");
+    command.option("--report", to.report, "folder for a report that a browser shows").written();
+    command.option("--junit", to.junit, "file for a JUnit report (XML)").written();
+    command
+        .option("--goldens", to.goldens,
+                "folder with one folder of goldens per suite, instead of the suites' own")
+        .written();
     command.flag(
         "--allow-outside", to.allowOutside,
         "let --update write goldens outside of the suite's folder, and follow goldens that are links "

@@ -158,6 +158,13 @@ fs::path StagingFolder::fileOf(std::size_t piece, const fs::path& target) const 
     return folder / target.filename();
 }
 
+std::optional<fs::path> StagingFolder::find(std::size_t piece, const fs::path& target) const {
+    fs::path file = path_ / std::to_string(piece) / target.filename();
+    struct stat status {};
+    if (::lstat(file.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
+    return file;
+}
+
 Diagnostics StagingFolder::deliver(std::size_t piece, const fs::path& target) const {
     const fs::path file = path_ / std::to_string(piece) / target.filename();
     const auto refuse = [&](const std::string& why) {

@@ -40,7 +40,7 @@ std::optional<base::Sandbox> sandboxOf(const Selection& selection, Driver driver
 void makeWritableFolders(const base::Sandbox& sandbox);
 
 /// A new hidden folder, the only one that confined workers of `glibra render` write to. Their files are moved
-/// out of it when they are complete. It is removed with the object.
+/// out of it when they are complete. The frames of a film are there, too. It is removed with the object.
 class StagingFolder {
   public:
     /// Makes the folder inside of this one.
@@ -52,6 +52,9 @@ class StagingFolder {
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
     /// Where the worker of a piece writes the file that will be `target`.
     [[nodiscard]] std::filesystem::path fileOf(std::size_t piece, const std::filesystem::path& target) const;
+    /// Where that file is, if the worker has written it as an ordinary file.
+    [[nodiscard]] std::optional<std::filesystem::path> find(std::size_t piece,
+                                                            const std::filesystem::path& target) const;
     /// Moves the file to its place, if there is one. Only ordinary files are moved, and only such are
     /// replaced. Empty on success, otherwise one file-E10.
     [[nodiscard]] Diagnostics deliver(std::size_t piece, const std::filesystem::path& target) const;

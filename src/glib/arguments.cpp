@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -182,11 +183,14 @@ void reportMissing(const CommandRow& row, const Command& command, MessageLog& lo
 
 }  // namespace
 
-ReadNumber readNumber(const Token& token, MessageLog& log) {
+ReadNumber readNumber(const Token& token, MessageLog& log, std::string_view hint) {
     const std::optional<NumberPrefix> number =
         token.kind == TokenKind::number ? numberPrefix(token.text) : std::optional<NumberPrefix>();
     if (!number) {
-        log.report("glib-W05", fmt::format("{} is not a number, 0 used", inQuotes(token.text)),
+        const bool isName =
+            !token.text.empty() && std::isalpha(static_cast<unsigned char>(token.text[0])) != 0;
+        log.report("glib-W05",
+                   fmt::format("{} is not a number, 0 used{}", inQuotes(token.text), isName ? hint : ""),
                    token.position);
         return {0, "0"};
     }
@@ -234,10 +238,14 @@ std::vector<Token> plainArguments(const Statement& statement, MessageLog& log) {
     return plain;
 }
 
+/// For `Texture name ...`.
+static constexpr std::string_view kNamedTextureHint = "; a texture with a name is declared by Texture2D NAME";
+
 double readArgument(const Argument& argument, std::size_t index, const Token& token, std::string_view command,
                     MessageLog& log) {
     const std::size_t errors = log.errorCount();
-    const ReadNumber number = readNumber(token, log);
+    const ReadNumber number =
+        readNumber(token, log, command == "Texture" && index == 0 ? kNamedTextureHint : std::string_view());
     if (log.errorCount() > errors) return 0;
     return checkArgument({argument, index, command, number.value, number.text, token.position}, true, log);
 }

@@ -20,8 +20,8 @@ struct ReadNumber {
     std::string_view text;
 };
 
-/// Reads any token as a number. Reports glib-W04, W05, E05.
-ReadNumber readNumber(const Token& token, MessageLog& log);
+/// Reads any token as a number. Reports glib-W04, W05, E05; `hint` follows glib-W05 about a name.
+ReadNumber readNumber(const Token& token, MessageLog& log, std::string_view hint = {});
 
 /// Returns the tokens without brackets, which have no meaning around plain arguments. Reports glib-W10, W08,
 /// W09.

@@ -71,6 +71,7 @@ constexpr CatalogueRow kRows[] = {
     {"glib-W35", "no-break space read as a blank"},
     {"glib-W36", "the noise texture on unit 3 is replaced"},
     {"glib-W37", "uniform 'uTime' of 'Ripples' is not set; it is 0"},
+    {"glib-W38", "camera 'main' is not used; the camera 'eye' sees the window"},
     {"glib-N01", "MessageBox: Move the scene back"},
     {"glib-N02", "Sphere: 3719 vertices, 7080 triangles, program 'Dots'"},
     // Expressions
@@ -94,6 +95,10 @@ constexpr CatalogueRow kRows[] = {
     {"draw-E09",
      "sampler2D 'uSky' (lit.frag:3) cannot read 'sky' (line 4), which is a cube map; write samplerCube"},
     {"draw-E10", "'glow.level(5)' does not exist: 'glow' has 3 levels (line 4)"},
+    {"draw-E11",
+     "fragment output 'color' is of type vec4, but target 'ids' (line 4) holds unsigned integers; declare "
+     "the "
+     "output as uvec4"},
     {"draw-W01", "Program 'Dots' has no fragment stage; a flat colour is used"},
     {"draw-W02", "sampler 'uTexUnit' reads unit 5 / 3D, which is empty"},
     {"draw-W03", "vertex input 'aPos' is not supplied; it reads 0 0 0 1"},
@@ -113,6 +118,8 @@ constexpr CatalogueRow kRows[] = {
      "Sphere with 20 slices, 20 stacks, as the scene states, is up to 3.86 px off; use --override-counts to "
      "choose "
      "finer ones"},
+    {"draw-N04",
+     "Program 'Dots' stands after everything that is drawn, so nothing uses it; move it before the shapes"},
     // Buffers, compute and steps
     {"memory-E01", "Dispatch needs a driver with OpenGL 4.3; this one has 4.1"},
     {"memory-E02",
@@ -184,6 +191,8 @@ constexpr CatalogueRow kRows[] = {
     {"file-E12",
      "'../ana/a.frag' lies outside of the scene's folder and the library, and this scene may read only files "
      "inside"},
+    {"file-E13",
+     "the scene reads 'wood.png', so nothing is written over it; choose another output name (-o, --save)"},
     {"file-W01", "'Giraffe.obj' found as 'giraffe.obj'"},
     {"file-W02", "'C:\\models\\cow.obj' found as 'cow.obj' beside the scene"},
     {"file-W03", "'posx.bmp' is a JPEG picture"},
@@ -252,6 +261,7 @@ constexpr CatalogueRow kRows[] = {
     {"view-E02",
      "no display found (X11: The DISPLAY environment variable is missing); `glibra render SCENE` writes a "
      "picture without one"},
+    {"view-E03", "this scene is an example of glibra; save a copy to keep your values"},
     {"view-W01",
      "Sphere is left out of the debug view 'texture coordinates': its stages pass no vST to the fragment "
      "stage"},

@@ -16,6 +16,7 @@
 #include "glib/message_log.h"
 #include "glib/modern/blocks.h"
 #include "glib/modern/match.h"
+#include "glib/modern/pieces.h"
 #include "glib/modern/statement_table.h"
 #include "glib/number.h"
 #include "glib/script.h"
@@ -34,11 +35,13 @@ bool belongsToList(CommandId id) {
 class Parser {
   public:
     Parser(std::string_view text, bool isModern, MessageLog& log)
-        : text_(text), reader_(text, isModern, log), log_(log), blocks_(log) {}
+        : text_(text), reader_(text, isModern, log), log_(log), blocks_(log), isModern_(isModern) {}
 
     /// True if the scene has a modern statement, and a line that would mean something else if that were
     /// known.
-    [[nodiscard]] bool hasToReadAgain() const { return isModern_ && reader_.wasAmbiguous(); }
+    [[nodiscard]] bool hasToReadAgain() const {
+        return isModern_ && (reader_.wasAmbiguous() || seesFormula_);
+    }
     [[nodiscard]] bool isModern() const { return isModern_; }
 
     std::vector<Command> parse() {
@@ -136,7 +139,9 @@ class Parser {
         if (isRead) blocks_.checkPlace(row, command);
         finishModern(row, command);
         const bool faulty = statement.faulty || log_.errorCount() > errors || losesStage(row.id);
-        if (row.id == CommandId::compute) isComputeLost_ = faulty;
+        if (row.id == CommandId::compute || (statement.faulty && statement.row != nullptr &&
+                                             row.syntax.find("inline") != std::string_view::npos))
+            isStageLost_ = faulty;
         if (!faulty) commands_.push_back(std::move(command));
         blocks_.follow(row, statement.word.position, faulty, commands_);
     }
@@ -185,8 +190,9 @@ class Parser {
         takeUniforms(command);
     }
 
-    /// True for the program of a faulty Compute statement, which would be a program that draws.
-    bool losesStage(CommandId id) { return id == CommandId::program && std::exchange(isComputeLost_, false); }
+    /// True for the program of a shader that is not closed, and of a faulty Compute statement, which would be
+    /// a program that draws.
+    bool losesStage(CommandId id) { return id == CommandId::program && std::exchange(isStageLost_, false); }
 
     static void setText(Command& command) {
         command.text = command.values.front().text;
@@ -232,12 +238,17 @@ class Parser {
         log_.report("glib-E15", fmt::format("more than {} programs", kMostPrograms), command.position);
     }
 
-    /// Reports glib-E19 for a declared name among the numbers of a classic command, which would count as 0.
+    /// Reports glib-E19 for a declared name or an expression without parentheses among the numbers of a
+    /// classic command, which would count as 0 or be cut. Classic scenes keep such expressions.
     bool refusesNames(const Statement& statement) {
-        if (statement.row->form != ArgumentForm::numbers || names_.empty()) return false;
+        if (statement.row->form != ArgumentForm::numbers) return false;
         for (const Token& token : statement.arguments) {
             const std::string_view head = token.text.substr(0, token.text.find('.'));
-            if (token.kind != TokenKind::word || !names_.contains(std::string(head))) continue;
+            const bool isName = token.kind == TokenKind::word && names_.contains(std::string(head));
+            const bool isFormula = (token.kind == TokenKind::word || token.kind == TokenKind::number) &&
+                                   looksLikeExpression(token.text);
+            if (isFormula && !isModern_) seesFormula_ = true;
+            if (!isName && !(isFormula && isModern_)) continue;
             log_.report("glib-E19",
                         fmt::format("{}: expected a number, found {}; write ({}) for its value",
                                     statement.row->name(), inQuotes(token.text), token.text),
@@ -276,16 +287,17 @@ class Parser {
     StatementReader reader_;
     MessageLog& log_;
     BlockStack blocks_;
+    bool isModern_ = false;
+    bool seesFormula_ = false;                      ///< where a modern scene would have an error
     std::unordered_set<std::string> names_;         ///< of textures, buffers, samplers, cameras and variables
     std::set<std::string, std::less<>> lostNames_;  ///< that statements so far would declare
     bool declaresNames_ = false;
     bool hasInclude_ = false;
-    bool isModern_ = false;
     std::vector<Command> commands_;
     std::string fragmentFile_;  ///< the name in the last Fragment statement
     std::size_t programs_ = 0;
     bool inFaultyList_ = false;
-    bool isComputeLost_ = false;
+    bool isStageLost_ = false;
 };
 
 /// Reads the commands. Returns true if the scene has modern statements.

@@ -33,6 +33,10 @@ struct UniformSpec {
     Position tagPosition;
     Position valuePosition;
     bool mayBeUnknown = false;  ///< set for all draws of a scope: a program without the uniform is no mistake
+    std::string resembles{};    ///< KeyedValues::resembles
+    /// The word of a choice whose number `values` holds, or a word that may name a function of a subroutine
+    /// uniform; then there are no values.
+    std::string word{};
 };
 
 /// One statement. The form in the command's row decides which members are filled:

@@ -68,6 +68,18 @@ Parentheses parenthesesOf(std::string_view text, const LineRange& range, const S
     return !row || takesExpressions(*row) ? Parentheses::byContent : Parentheses::brackets;
 }
 
+/// True for a line that is no line of a shader, because it states another shader or a program.
+bool endsShader(std::string_view line) {
+    constexpr std::string_view kEnd = "End";
+    std::string_view word = line.substr(0, line.find_first_of(" \t"));
+    const bool isEnd = word.starts_with(kEnd) && word.size() == line.size();
+    if (isEnd) word.remove_prefix(kEnd.size());
+    const StatementRow* row = modernFormOf(word);
+    if (row == nullptr) row = findStatement(word);
+    if (row == nullptr || row->name != word) return false;
+    return row->syntax.find("inline") != std::string_view::npos || (row->id == CommandId::program && !isEnd);
+}
+
 /// What the line says, without blanks at either end.
 std::string_view trimmed(std::string_view line) {
     constexpr std::string_view kBlanks = " \t\v\f";
@@ -217,8 +229,15 @@ void StatementReader::readBody(Statement& statement) {
         statement.end = line->end;
         return;
     }
+    // The rest of the shader is skipped, up to the next statement about shaders or the end of the file.
     lines_ = start;
     bodiesWithoutEnd_.insert(stage);
+    for (LineSplitter here = lines_; const std::optional<LineRange> line = lines_.next(); here = lines_) {
+        const std::string_view words = trimmed(text_.substr(line->begin, line->end - line->begin));
+        if (!endsShader(words)) continue;
+        if (!words.starts_with("End")) lines_ = here;
+        break;
+    }
     log_.report("glib-E22", fmt::format("'{} inline' is not closed by a line '{}'", stage, end),
                 statement.word.position);
     statement.faulty = true;

@@ -48,6 +48,8 @@ struct KeyedValues {
     std::vector<NamePart> path;  ///< the parts of a tag, if it has a point or a subscript
     Position position;
     std::vector<Value> values;
+    /// Of a tag: the key of the statement that it may be, misspelt. It is none if the program has the tag.
+    std::string resembles{};
 };
 
 /// The place of a byte of an expression's text.

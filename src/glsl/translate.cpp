@@ -91,7 +91,7 @@ void applyRules(ProgramUnits& program) {
     modernizeQualifiers(program);
     renameTakenWords(program);
     refuse(program);
-    for (Unit& unit : program.units) resolveSubroutines(unit, report);
+    resolveSubroutines(program);
     retypeSamplers(program);
     for (std::size_t i = 0; i < walks.size(); ++i) modernizeFunctions(program.units[i], walks[i]);
     supplyBuiltins(program);

@@ -55,9 +55,10 @@ GraphPoint graphPoint(const GraphOptions& options, int point);
 /// middle by 1/4 in a cubic and by 5/16 in a quintic, and in two dimensions both axes do so.
 double graphRange(const GraphOptions& options);
 
-enum class ColorScale { grey, rainbow, heated, uniform };
-/// Returns red, green and blue in 0..1 for t in 0..1. `heated`: from black over red and yellow to white, like
-/// hot metal. `uniform`: the lightness in OKLab (Ottosson, 2020) rises evenly.
+enum class ColorScale { grey, rainbow, heated, uniform, sky, fire };
+/// Returns red, green and blue in 0..1 for t in 0..1. `rainbow`: from blue over green to red. `heated`: from
+/// black over red and yellow to white, like hot metal. `uniform`: the lightness in OKLab (Ottosson, 2020)
+/// rises evenly. `sky`: from blue to white. `fire`: from red to yellow.
 std::array<double, 3> colorOf(ColorScale scale, double t);
 
 /// Returns the graph over one period as the text of an SVG file of this size, with axis, points and curve.

@@ -68,6 +68,10 @@ std::array<double, 3> colorOf(ColorScale scale, double t) {
         case ColorScale::heated:
             return {std::clamp(3 * t, 0.0, 1.0), std::clamp(3 * t - 1, 0.0, 1.0),
                     std::clamp(3 * t - 2, 0.0, 1.0)};
+        case ColorScale::sky:
+            return {t, t, 1};
+        case ColorScale::fire:
+            return {1, t, 0};
         case ColorScale::uniform:
             break;
     }

@@ -33,6 +33,7 @@ std::string noiseCommand(const NoiseFile& noise, const std::string& file);
 inline constexpr std::array<const char*, 3> kLatticeWords{"value", "gradient", "both"};
 inline constexpr std::array<const char*, 2> kSmoothnessWords{"cubic", "quintic"};
 inline constexpr std::array<const char*, 2> kSlopesWords{"zero", "catmull-rom"};
-inline constexpr std::array<const char*, 4> kColorWords{"grey", "rainbow", "heated", "uniform"};
+inline constexpr std::array<const char*, 6> kColorWords{"grey",    "rainbow", "heated",
+                                                        "uniform", "sky",     "fire"};
 
 }  // namespace glibra::noise

@@ -68,6 +68,30 @@ std::vector<ObjectUse> shaderUses(const PlannedProgram& program, const std::vect
     return uses;
 }
 
+bool readsCamera(const PlannedProgram& program) {
+    using glsl::Builtin;
+    const auto isOfCamera = [](const UniformBinding& each) {
+        const auto* supplied = std::get_if<Supplied>(&each.value);
+        if (supplied == nullptr) return false;
+        switch (supplied->value) {
+            case Builtin::timer:
+            case Builtin::noise2:
+            case Builtin::noise3:
+            case Builtin::currentColor:
+            case Builtin::pointSize:
+            case Builtin::textureMatrix:
+            case Builtin::textureMatrixInverse:
+            case Builtin::textureMatrixTranspose:
+            case Builtin::textureMatrixInverseTranspose:
+                return false;
+            default:
+                return true;
+        }
+    };
+    return program.interface->facts.suppliesVertexStage &&
+           std::any_of(program.values.begin(), program.values.end(), isOfCamera);
+}
+
 std::vector<ObjectUse> usesOf(const FramePlan& plan, std::size_t node) {
     std::vector<ObjectUse> uses;
     const scene::NodeIndex& at = plan.order.at(node);

@@ -37,6 +37,10 @@ std::map<scene::TextureIndex, scene::TextureIndex> sharedTargets(const scene::Sc
                                                                  const FramePlan& plan,
                                                                  const std::vector<scene::ObjectView>& roots);
 
+/// True if a draw that covers its target reads matrices or the place of the camera, by glibra's vertex stage
+/// (ProgramVariant::isFullScreen).
+bool readsCamera(const PlannedProgram& program);
+
 /// True if the shaders of the program may write to an image, a storage block or an atomic counter.
 bool writesMemory(const PlannedProgram& program, const std::vector<TextureUse>& textures);
 

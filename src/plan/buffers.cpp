@@ -93,7 +93,9 @@ class LayoutFinder {
                                     "the same members and layout",
                                     first.from, first.place.file, first.place.line, what, use.place.file,
                                     use.place.line, name));
-        if (pattern->least > first.bytes) reportSmall(index, first.bytes, *pattern, what);
+        const std::uint64_t made =
+            pattern->isRuntimeSized() ? std::max(first.bytes, kLeastBufferBytes) : first.bytes;
+        if (pattern->least > made) reportSmall(index, first.bytes, *pattern, what);
     }
 
     void reportSmall(scene::BufferIndex index, std::uint64_t bytes, const MemoryPattern& pattern,

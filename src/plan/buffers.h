@@ -38,6 +38,10 @@ Result<std::vector<BlockUse>> blockUses(const scene::Scene& scene, const scene::
 /// The declared name of a block in messages: "storage block 'Particles'".
 std::string describe(const BlockUse& use, const ProgramInterface& interface);
 
+/// Every buffer gets at least these bytes on the device: GL has none without bytes, and drivers round the
+/// size of a block that ends in a runtime-sized array up to them.
+inline constexpr std::uint64_t kLeastBufferBytes = 16;
+
 /// How a buffer lies in memory.
 struct BufferLayout {
     MemoryPattern pattern;

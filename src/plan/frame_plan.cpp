@@ -11,9 +11,9 @@
 #include <utility>
 
 #include "plan/accesses.h"
-#include "plan/loop_rounds.h"
+#include "plan/fragment_outputs.h"
 #include "plan/needs.h"
-#include "plan/overrides.h"
+#include "plan/planned_programs.h"
 #include "plan/skipped.h"
 #include "plan/submission.h"
 #include "plan/texture_binding.h"
@@ -24,24 +24,14 @@
 namespace glibra::plan {
 namespace {
 
-/// The planner's private data about a PlannedProgram.
-struct ProgramState {
-    Diagnostics diagnostics;  ///< from translating, compiling and linking, and about its pairs
-    std::vector<UnitUse> units;
-    Diagnostics unitProblems;  ///< draw-E05, reported at each draw
-    Diagnostics badBindings;   ///< draw-E09, draw-E10: nothing is drawn with it
-    bool isAnnounced = false;  ///< its diagnostics are in the plan
-};
-
 class FramePlanner {
   public:
     FramePlanner(const scene::Scene& scene, const scene::NodeList& nodes, const InterfaceOf& interfaceOf,
                  const PlanOptions& options)
         : scene_(scene),
           nodes_(nodes),
-          interfaceOf_(interfaceOf),
           options_(options),
-          usedOverrides_(options.overrides.size()),
+          programs_(scene, interfaceOf, options, plan_),
           meshOfShape_(scene.shapes.size()),
           reads_(scene.shapes.size()) {}
 
@@ -55,7 +45,11 @@ class FramePlanner {
         for (const scene::BufferIndex each : scene_.buffers.indices())
             if (needs.buffers.size() > each.position() && needs.buffers[each]) plan_.buffers.push_back(each);
         listAttributes();
-        if (options_.reportsOverrides) reportOverrides();
+        if (options_.reportsOverrides) {
+            const FramePlan* own = &plan_;
+            for (const Diagnostic& each : reportOverrides(scene_, {&own, 1}, options_.overrides))
+                report(each);
+        }
         if (scene_.isModern) {
             plan_.exchanges = exchangesOf(scene_, plan_);
             findBeginnings(scene_, plan_);
@@ -67,19 +61,11 @@ class FramePlanner {
     }
 
   private:
-    using VariantKey = std::tuple<scene::ProgramIndex, bool, int, bool, bool, scene::UniformSetIndex>;
-
-    const scene::Program* sceneProgram(scene::ProgramIndex index) const {
-        return index ? &scene_.programs[index] : nullptr;
-    }
-    ProgramState& state(PlannedProgramIndex program) { return states_[program]; }
-    const PlannedProgram& planned(PlannedProgramIndex program) const { return plan_.programs[program]; }
-
     Needs needs(const MayWriteImages& mayWriteImages) {
         NeedQuestions questions;
         questions.texturesOf = [this](const scene::Draw& draw, const scene::Pass& pass) {
             std::vector<scene::TextureIndex> textures;
-            for (const TextureUse& use : usesOf(draw, programOf(draw, pass)))
+            for (const TextureUse& use : programs_.texturesOf(draw, programs_.of(draw, pass)))
                 textures.push_back(use.view.texture);
             return textures;
         };
@@ -87,40 +73,12 @@ class FramePlanner {
         if (!options_.everything) questions.outOfSight = options_.outOfSight;
         if (!scene_.isModern) return findNeeds(scene_, nodes_, questions, options_.everything);
         questions.usesOf = [this](const scene::Draw& draw, const scene::Pass& pass) {
-            return objectUses(draw, pass);
+            return programs_.usesOf(draw, pass);
         };
-        questions.usesOfDispatch = [this](const scene::Dispatch& dispatch) { return objectUses(dispatch); };
+        questions.usesOfDispatch = [this](const scene::Dispatch& dispatch) {
+            return programs_.usesOf(dispatch);
+        };
         return findLiveNeeds(scene_, nodes_, questions, options_.roots, options_.everything);
-    }
-
-    /// What a draw does with objects, besides the targets of its pass.
-    std::vector<ObjectUse> objectUses(const scene::Draw& draw, const scene::Pass& pass) {
-        const PlannedProgramIndex program = programOf(draw, pass);
-        std::vector<ObjectUse> uses = shaderUses(planned(program), usesOf(draw, program));
-        const auto read = [&](const scene::BufferView& view) {
-            if (view.buffer) uses.push_back({view});
-        };
-        read(draw.instancesFrom);
-        read(draw.verticesFrom);
-        for (const InputSource& each : plan_.inputs[inputsOf(draw, program)].sources)
-            if (const auto* view = std::get_if<scene::BufferView>(&each.from)) read(*view);
-        return uses;
-    }
-
-    std::vector<ObjectUse> objectUses(const scene::Dispatch& dispatch) {
-        if (!options_.lacksCompute.empty()) return {};
-        const PlannedProgramIndex program = programOf(dispatch);
-        std::vector<ObjectUse> uses = shaderUses(planned(program), usesOf(dispatch, program));
-        if (const auto* groups = std::get_if<scene::GroupsFrom>(&dispatch.groups))
-            uses.push_back({groups->buffer});
-        if (const scene::ObjectView* size = sizeOf(dispatch))  // its content is not read
-            uses.push_back({*size, false, false});
-        return uses;
-    }
-    /// The object whose size is the number of invocations, or null.
-    static const scene::ObjectView* sizeOf(const scene::Dispatch& dispatch) {
-        const auto* over = std::get_if<scene::Over>(&dispatch.groups);
-        return over != nullptr ? std::get_if<scene::ObjectView>(&over->what) : nullptr;
     }
 
     /// Adds the diagnostic unless an equal one at the same place exists.
@@ -132,102 +90,6 @@ class FramePlanner {
             plan_.diagnostics.push_back(diagnostic);
     }
 
-    PlannedProgramIndex programOf(const scene::Draw& draw, const scene::Pass& pass) {
-        return programOf(variantOf(scene_, draw, pass), draw.uniforms);
-    }
-    PlannedProgramIndex programOf(const scene::Dispatch& dispatch) {
-        return programOf(ProgramVariant{.program = dispatch.program, .inPieces = dispatch.tiles > 1},
-                         dispatch.uniforms);
-    }
-
-    /// Returns the index of the variant with these values in the plan. The first call asks for its interface.
-    PlannedProgramIndex programOf(const ProgramVariant& variant, scene::UniformSetIndex uniforms = {}) {
-        if (!variant.program) uniforms = {};  // the built-in program reads none of them
-        PlannedProgramIndex& index =
-            programs_[VariantKey{variant.program, variant.flatColors, variant.colorTargets,
-                                 variant.isFullScreen, variant.inPieces, uniforms}];
-        if (index) return index;
-        const ProgramInterface& interface = interfaceOf_(variant);
-        PlannedProgram program{variant, &interface, {}, {}, {}};
-        ProgramState state;
-        state.diagnostics = interface.facts.diagnostics;
-        if (interface.usable) {
-            const scene::Program noPairs;
-            const scene::Program* own = sceneProgram(variant.program);
-            scene::Program merged;  // what a draw sets comes after what the Program statement sets
-            if (own != nullptr && uniforms) {
-                merged = *own;
-                const std::vector<glib::UniformSpec>& set = scene_.uniformSets[uniforms].values;
-                merged.uniforms.insert(merged.uniforms.end(), set.begin(), set.end());
-                own = &merged;
-            }
-            if (own != nullptr) {
-                Result<std::vector<BlockUse>> blocks = blockUses(scene_, *own, uniforms, interface);
-                append(state.diagnostics, std::move(blocks.diagnostics));
-                if (blocks) program.blocks = std::move(*blocks);
-            }
-            const std::span<const Override> overrides(options_.overrides);
-            const DrawValues drawn{scene_.isModern ? &scene_ : nullptr,
-                                   uniforms ? &scene_.uniformSets[uniforms] : nullptr,
-                                   [&](const ActiveUniform& each) { return isInBuffer(program, each); }};
-            UniformResolution resolution =
-                resolveUniforms(own != nullptr ? *own : noPairs, scene_.path, interface,
-                                own != nullptr ? overrides : overrides.first(0), usedOverrides_, drawn);
-            program.foundByName = std::move(resolution.foundByName);
-            if (scene_.isModern && own != nullptr) listNamedInputs(interface, program.foundByName);
-            state.badBindings = std::move(resolution.badBindings);
-            program.values = std::move(resolution.values);
-            program.controls = std::move(resolution.controls);
-            append(state.diagnostics, std::move(resolution.diagnostics));
-            auto units =
-                assignUnits(interface, resolution.samplers, options_.maxTextureUnits, options_.maxImageUnits);
-            if (units) state.units = std::move(*units);
-            state.unitProblems = std::move(units.diagnostics);
-        }
-        append(state.diagnostics, reportLongLoops(program, [this] { return loopLimit(); }));
-        states_.push_back(std::move(state));
-        return index = plan_.programs.add(std::move(program));
-    }
-
-    /// True for members of a uniform block whose values are in a buffer of the scene.
-    static bool isInBuffer(const PlannedProgram& program, const ActiveUniform& uniform) {
-        return uniform.block >= 0 &&
-               std::any_of(program.blocks.begin(), program.blocks.end(), [&](const BlockUse& each) {
-                   return each.kind == BlockUse::Kind::uniform &&
-                          each.index == static_cast<std::size_t>(uniform.block);
-               });
-    }
-
-    /// Adds the vertex inputs whose names are in the table of well-known names.
-    static void listNamedInputs(const ProgramInterface& interface, std::vector<std::string>& to) {
-        for (const ActiveInput& input : interface.inputs) {
-            if (glsl::findBuiltinInput(input.name) != nullptr) continue;
-            if (const auto* row = glsl::findWellKnownInput(input.name, input.type.word))
-                to.push_back(
-                    fmt::format("vertex input '{}' is the attribute {}", input.name, row->attribute));
-        }
-    }
-
-    /// True if the scene would supply the input if it were modern.
-    [[nodiscard]] bool suppliesIfModern(const ActiveInput& input) const {
-        return !scene_.isModern && glsl::findWellKnownInput(input.name, input.type.word) != nullptr;
-    }
-
-    int loopLimit() {
-        if (!loopLimit_) loopLimit_ = options_.loopLimit ? options_.loopLimit() : 0;
-        return *loopLimit_;
-    }
-
-    /// The textures that a draw's samplers read. Draws with equal program, slots and wrap share them.
-    template <class Reader>  // Draw or Dispatch
-    const std::vector<TextureUse>& usesOf(const Reader& reader, PlannedProgramIndex program) {
-        const auto [entry, isNew] = uses_.try_emplace({program, reader.slots, reader.sampling.clamp});
-        if (isNew)
-            entry->second = textureUses(scene_, reader.slots, reader.sampling, *planned(program).interface,
-                                        state(program).units);
-        return entry->second;
-    }
-
     void planNode(const scene::NodeIndex& node, const Needs& needs) {
         switch (node.kind) {
             case scene::NodeIndex::Kind::pass:
@@ -235,7 +97,10 @@ class FramePlanner {
                 break;
             case scene::NodeIndex::Kind::dispatch:
                 reportLackOfCompute(nodes_.dispatches[node.index]);
-                if (needs.dispatches[node.index]) planDispatch(node.index);
+                if (needs.dispatches[node.index])
+                    planDispatch(node.index);
+                else
+                    reportWithoutEffect(nodes_.dispatches[node.index]);
                 break;
             case scene::NodeIndex::Kind::clear:
                 if (!needs.clears[node.index]) break;
@@ -251,20 +116,31 @@ class FramePlanner {
             diagnose("memory-E01", "Dispatch needs a driver with " + options_.lacksCompute, dispatch.place));
     }
 
+    /// A dispatch that writes nothing is skipped, which may be due to a mistake in its program.
+    void reportWithoutEffect(const scene::Dispatch& dispatch) {
+        if (!options_.lacksCompute.empty()) return;
+        const std::vector<ObjectUse> uses = programs_.usesOf(dispatch);
+        const PlannedProgramIndex program = programs_.of(dispatch);
+        if (std::none_of(uses.begin(), uses.end(), [](const ObjectUse& each) { return each.writes; }))
+            announce(program);
+        for (const Diagnostic& each : programs_.state(program).diagnostics)
+            if (each.id == "glib-E16") report(each);  // a key of the statement, misspelt
+    }
+
     void planDispatch(std::size_t index) {
         const scene::Dispatch& dispatch = nodes_.dispatches[index];
-        const PlannedProgramIndex program = programOf(dispatch);
+        const PlannedProgramIndex program = programs_.of(dispatch);
         announce(program);
-        if (!planned(program).interface->usable) return;
-        Diagnostics problems = state(program).badBindings;
-        for (Diagnostic each : state(program).unitProblems) {
+        if (!programs_[program].interface->usable) return;
+        Diagnostics problems = programs_.state(program).badBindings;
+        for (Diagnostic each : programs_.state(program).unitProblems) {
             each.place = dispatch.place;
             each.text = "Dispatch: " + each.text;
             problems.push_back(std::move(each));
         }
         for (const Diagnostic& each : problems) report(each);
         if (hasError(problems)) return;
-        const std::vector<TextureUse>& uses = usesOf(dispatch, program);
+        const std::vector<TextureUse>& uses = programs_.texturesOf(dispatch, program);
         reportEmptySlots(dispatch.place, program, uses);
         plan_.order.push_back({scene::NodeIndex::Kind::dispatch, plan_.dispatches.size()});
         plan_.dispatches.push_back({index, program, uses});
@@ -288,37 +164,31 @@ class FramePlanner {
     void planDraw(scene::StepIndex step, PlannedPass& result) {
         const scene::Pass& pass = nodes_.passes[step.pass];
         const scene::Draw& draw = nodes_.draw(step);
-        const PlannedProgramIndex index = programOf(draw, pass);
-        const ProgramInterface& interface = *planned(index).interface;
-        const scene::Program* program = sceneProgram(planned(index).variant.program);
+        const PlannedProgramIndex index = programs_.of(draw, pass);
+        const ProgramInterface& interface = *programs_[index].interface;
+        const scene::Program* program = programs_.declared(programs_[index].variant.program);
         announce(index);
         reportMissingStage(draw, pass);
 
         if (!interface.usable) return planUnusable(step, index, result);
         const Result<Submission> submission = submissionOf(scene_, draw, program, interface);
         Diagnostics problems = submission.diagnostics;
-        for (Diagnostic each : state(index).unitProblems) {
+        for (Diagnostic each : programs_.state(index).unitProblems) {
             each.place = draw.place;
             each.text = draw.word + ": " + each.text;
             problems.push_back(std::move(each));
         }
-        append(problems, state(index).badBindings);
-        const std::vector<TextureUse>& uses = usesOf(draw, index);
+        append(problems, programs_.state(index).badBindings);
+        const std::vector<TextureUse>& uses = programs_.texturesOf(draw, index);
         append(problems, feedback(draw, pass, index, uses));
+        append(problems, outputProblems(scene_, draw, pass, interface));
         for (const Diagnostic& each : problems) report(each);
         if (!submission || hasError(problems)) return;
 
         reportRemarks(draw, index, program, *submission, uses);
-        const PlannedInputsIndex inputs = inputsOf(draw, index);
+        const PlannedInputsIndex inputs = programs_.inputsOf(draw, index);
         result.steps.emplace_back(PlannedDraw{step, index, meshOf(draw, index, inputs, submission->topology),
                                               *submission, uses, inputs});
-    }
-
-    PlannedInputsIndex inputsOf(const scene::Draw& draw, PlannedProgramIndex program) {
-        PlannedInputsIndex& index = inputs_[{program, draw.attributes}];
-        if (!index)
-            index = plan_.inputs.add({inputSources(scene_, draw.attributes, *planned(program).interface)});
-        return index;
     }
 
     /// The program has no usable stages, so a window shows the shape in one colour. It cannot show patches
@@ -332,22 +202,25 @@ class FramePlanner {
     }
 
     void announce(PlannedProgramIndex program) {
-        if (std::exchange(state(program).isAnnounced, true)) return;
-        for (const Diagnostic& each : state(program).diagnostics) report(each);
+        if (std::exchange(programs_.state(program).isAnnounced, true)) return;
+        for (const Diagnostic& each : programs_.state(program).diagnostics) report(each);
     }
 
     /// Reports draw-W01 once per program.
     void reportMissingStage(const scene::Draw& draw, const scene::Pass& pass) {
         if (!draw.program || !usesBuiltin(scene_, draw, pass) || !incomplete_.insert(draw.program).second)
             return;
-        const scene::Program& program = *sceneProgram(draw.program);
+        const scene::Program& program = *programs_.declared(draw.program);
         const bool hasVertex = program.hasStage(glsl::Stage::vertex);
         const bool hasFragment = program.hasStage(glsl::Stage::fragment);
         const char* missing = hasVertex     ? "no fragment stage"
                               : hasFragment ? "no vertex stage"
                                             : "no vertex and no fragment stage";
         report(diagnose("draw-W01",
-                        fmt::format("Program '{}' has {}; a flat colour is used", program.name, missing),
+                        fmt::format("Program '{}' has {}; a flat colour is used{}", program.name, missing,
+                                    hasVertex || hasFragment || !scene_.hasStages
+                                        ? ""
+                                        : "; the statements Vertex and Fragment stand before their Program"),
                         draw.place));
     }
 
@@ -359,7 +232,7 @@ class FramePlanner {
         for (std::size_t i = 0; i < uses.size(); ++i) {
             if (uses[i].isImage || !uses[i].view.texture || !drawsInto(pass, uses[i])) continue;
             const scene::Texture& texture = scene_.textures[uses[i].view.texture];
-            const int unit = texture.name.empty() ? state(program).units.at(i).binding.unit : 0;
+            const int unit = texture.name.empty() ? programs_.state(program).units.at(i).binding.unit : 0;
             if (!seen.emplace(uses[i].view.texture, unit).second) continue;
             std::string text =
                 fmt::format("{} samples unit {} while rendering into it (RenderToTexture on line {})",
@@ -389,21 +262,21 @@ class FramePlanner {
                        const Submission& submission, const std::vector<TextureUse>& uses) {
         reportEmptySlots(draw.place, index, uses);
         reportUnknownInputs(draw, index);
-        if (ignoresPointSize(draw, program, *planned(index).interface, submission))
+        if (ignoresPointSize(draw, program, *programs_[index].interface, submission))
             reportIgnoredPointSize(draw, index, *program);
     }
 
     void warnOnce(const Place& place, PlannedProgramIndex index, const char* id, const std::string& text) {
-        if (remarks_.emplace(planned(index).variant.program, id, text).second)
+        if (remarks_.emplace(programs_[index].variant.program, id, text).second)
             report(diagnose(id, text, place));
     }
 
     void reportEmptySlots(const Place& place, PlannedProgramIndex index,
                           const std::vector<TextureUse>& uses) {
         for (std::size_t i = 0; i < uses.size(); ++i) {
-            if (uses[i].view.texture) continue;
-            const ActiveUniform& sampler = at(planned(index).interface->uniforms, uses[i].uniform);
-            const int unit = state(index).units.at(i).binding.unit;
+            if (uses[i].view.texture || programs_.state(index).units.at(i).binding.isLost) continue;
+            const ActiveUniform& sampler = at(programs_[index].interface->uniforms, uses[i].uniform);
+            const int unit = programs_.state(index).units.at(i).binding.unit;
             const std::string slot = sampler.type.target ? slotText(unit, *sampler.type.target)
                                                          : fmt::format("{} / {}", unit, sampler.type.word);
             warnOnce(place, index, "draw-W02",
@@ -412,10 +285,15 @@ class FramePlanner {
         }
     }
 
+    /// True if the scene would supply the input if it were modern.
+    [[nodiscard]] bool suppliesIfModern(const ActiveInput& input) const {
+        return !scene_.isModern && glsl::findWellKnownInput(input.name, input.type.word) != nullptr;
+    }
+
     void reportUnknownInputs(const scene::Draw& draw, PlannedProgramIndex index) {
-        const ProgramInterface& interface = *planned(index).interface;
+        const ProgramInterface& interface = *programs_[index].interface;
         const scene::Shape& shape = scene_.shapes[draw.shape];
-        const std::vector<InputSource>& sources = plan_.inputs[inputsOf(draw, index)].sources;
+        const std::vector<InputSource>& sources = plan_.inputs[programs_.inputsOf(draw, index)].sources;
         for (std::size_t i = 0; i < sources.size(); ++i) {
             const std::string name = userNameOf(interface, interface.inputs[i].name);
             const bool isOfList = shape.list != nullptr && shape.list->attribute(name) != nullptr;
@@ -452,7 +330,8 @@ class FramePlanner {
             for (const InputSource& each : plan_.inputs[inputs].sources)
                 if (const auto* name = std::get_if<std::string>(&each.from)) reads_[draw.shape].insert(*name);
         // A window shows the draws of an unusable program in one colour, so it needs their positions.
-        if (!planned(program).interface->usable) reads_[draw.shape].insert(std::string(geometry::kPosition));
+        if (!programs_[program].interface->usable)
+            reads_[draw.shape].insert(std::string(geometry::kPosition));
         return mesh;
     }
 
@@ -486,71 +365,22 @@ class FramePlanner {
             const bool isDrawable = program.hasStage(glsl::Stage::fragment) &&
                                     (program.hasStage(glsl::Stage::vertex) || isFullScreen);
             if (drawn.contains(i) || !(isDrawable || isCompute)) continue;
-            announce(programOf(ProgramVariant{i, false, 1, isFullScreen}));
-        }
-    }
-
-    /// Reports glib-W23 for `--set` names that no program has. For a program that was not asked for or did
-    /// not link, only the pairs are known, so a name among them is accepted.
-    void reportOverrides() {
-        std::vector<std::string> names;
-        for (const scene::Variable& each : scene_.variables) names.push_back(each.name);
-        std::set<scene::ProgramIndex> known;
-        for (const PlannedProgram& program : plan_.programs) {
-            if (program.interface->usable) known.insert(program.variant.program);
-            for (const ActiveUniform& uniform : program.interface->uniforms)
-                if (!isInternalName(uniform.name) && suppliedBy(uniform) == nullptr)
-                    names.push_back(uniform.name);
-        }
-        for (const scene::ProgramIndex i : scene_.programs.indices()) {
-            if (known.contains(i)) continue;
-            for (const glib::UniformSpec& spec : scene_.programs[i].uniforms)
-                for (std::size_t each = 0; each < options_.overrides.size(); ++each)
-                    if (options_.overrides[each].name == spec.tag) usedOverrides_[each] = true;
-        }
-        reportInactiveOverrides();
-        for (const Diagnostic& each : unusedOverrides(options_.overrides, usedOverrides_, names))
-            report(each);
-    }
-
-    /// Reports glib-W24 for names that are declared but not active. Drivers differ in which unused uniforms
-    /// they keep.
-    void reportInactiveOverrides() {
-        const auto isDeclared = [this](const Override& override) {
-            const auto declares = [&](const PlannedProgram& program) {
-                const scene::Program* own = sceneProgram(program.variant.program);
-                return own != nullptr && isFor(override, *own) &&
-                       program.interface->facts.uniforms.contains(std::string(rootName(override.name)));
-            };
-            return std::any_of(plan_.programs.begin(), plan_.programs.end(), declares);
-        };
-        for (std::size_t i = 0; i < options_.overrides.size(); ++i) {
-            if (usedOverrides_[i] || !isDeclared(options_.overrides[i])) continue;
-            usedOverrides_[i] = true;
-            report(diagnose("glib-W24",
-                            fmt::format("uniform '{}' is declared but unused, so setting it has no effect",
-                                        options_.overrides[i].name)));
+            announce(programs_.of(ProgramVariant{i, false, 1, isFullScreen}));
         }
     }
 
     const scene::Scene& scene_;
     const scene::NodeList& nodes_;
-    const InterfaceOf& interfaceOf_;
     const PlanOptions& options_;
-    std::vector<bool> usedOverrides_;
-    std::map<VariantKey, PlannedProgramIndex> programs_;
-    scene::List<ProgramState, PlannedProgram> states_;
-    std::map<std::tuple<PlannedProgramIndex, scene::SlotTableIndex, bool>, std::vector<TextureUse>> uses_;
+    FramePlan plan_;
+    PlannedPrograms programs_;
     scene::List<PlannedMeshIndex, scene::Shape> meshOfShape_;
     std::map<std::pair<scene::ShapeIndex, geometry::Topology>, PlannedMeshIndex> adjacentMeshes_;
     scene::List<std::set<std::string>, scene::Shape> reads_;  ///< attributes that some program reads
-    std::map<std::pair<PlannedProgramIndex, scene::AttributeSetIndex>, PlannedInputsIndex> inputs_;
     bool reportedCompute_ = false;
-    std::optional<int> loopLimit_;
     std::set<scene::ProgramIndex> incomplete_;  ///< programs of draw-W01
     std::set<std::tuple<scene::ProgramIndex, std::string, std::string>> remarks_;
     std::set<std::tuple<std::string, std::string, std::string, int, int>> reported_;
-    FramePlan plan_;
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -149,7 +150,8 @@ struct FramePlan {
     std::vector<scene::TextureIndex> textures;  ///< those that must exist: sources and targets
     std::vector<scene::BufferIndex> buffers;    ///< those that must exist
     std::vector<Skipped> skipped;
-    Diagnostics diagnostics;  ///< draw-E.., draw-W.., and those of needed programs and uniforms
+    std::vector<bool> usedOverrides;  ///< one element per PlanOptions::overrides: a program has the uniform
+    Diagnostics diagnostics;          ///< draw-E.., draw-W.., and those of needed programs and uniforms
 
     [[nodiscard]] const scene::Draw& drawOf(const PlannedDraw& planned) const {
         return nodes->draw(planned.step);
@@ -180,10 +182,11 @@ struct PlanOptions {
     std::function<int()> loopLimit{};
     /// Objects of a modern scene whose content is wanted besides the window.
     std::vector<scene::ObjectView> roots{};
-    bool everything = false;       ///< for `glibra check` and --no-skip: skips nothing
-    bool reportsOverrides = true;  ///< false: one of several lists, whose programs have other uniforms
-    bool shareMeshes = true;       ///< false: one mesh per draw
-    bool shareTargets = false;     ///< textures may share memory; only `roots` keep their content
+    bool everything = false;  ///< for `glibra check` and --no-skip: skips nothing
+    bool reportsOverrides =
+        true;                   ///< false: one of several lists; reportOverrides() is called with all plans
+    bool shareMeshes = true;    ///< false: one mesh per draw
+    bool shareTargets = false;  ///< textures may share memory; only `roots` keep their content
     /// Returns in words why nothing of the draw is visible; empty if it may be visible or has effects besides
     /// those on its target. Called at most once per draw, before its program is asked for, and never with
     /// `everything`.
@@ -199,5 +202,12 @@ ProgramVariant variantOf(const scene::Scene& scene, const scene::Draw& draw, con
 /// the plan.
 FramePlan planFrame(const scene::Scene& scene, const scene::NodeList& nodes, const InterfaceOf& interfaceOf,
                     const MayWriteImages& mayWriteImages, const PlanOptions& options);
+
+/// glib-W23 for `--set` names that no program of the plans has, and glib-W24 for those that are declared but
+/// not active. `plans` are those of the scene's frame and of its Once and Step blocks, made with the same
+/// overrides. For a program that none of them asked for, or that did not link, only the pairs are known, so a
+/// name among them is accepted.
+Diagnostics reportOverrides(const scene::Scene& scene, std::span<const FramePlan* const> plans,
+                            std::span<const Override> overrides);
 
 }  // namespace glibra::plan

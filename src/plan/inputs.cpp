@@ -35,9 +35,9 @@ InputSource given(const scene::AttributeBinding& binding) {
 
 }  // namespace
 
-std::string userNameOf(const ProgramInterface& interface, const std::string& input) {
-    const auto found = interface.facts.userNames.find(input);
-    return found != interface.facts.userNames.end() ? found->second : input;
+std::string userNameOf(const ProgramInterface& interface, const std::string& name) {
+    const auto found = interface.facts.userNames.find(name);
+    return found != interface.facts.userNames.end() ? found->second : name;
 }
 
 std::vector<InputSource> inputSources(const scene::Scene& scene, scene::AttributeSetIndex attributes,

@@ -28,7 +28,7 @@ struct InputSource {
 std::vector<InputSource> inputSources(const scene::Scene& scene, scene::AttributeSetIndex attributes,
                                       const ProgramInterface& interface);
 
-/// The name of an input as the user wrote it.
-std::string userNameOf(const ProgramInterface& interface, const std::string& input);
+/// The name of an input or output as the user wrote it.
+std::string userNameOf(const ProgramInterface& interface, const std::string& name);
 
 }  // namespace glibra::plan

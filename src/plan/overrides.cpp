@@ -90,7 +90,7 @@ Result<Override> parseOverride(std::string_view text) {
         result.values = {value == "true" ? 1.0 : 0.0};
         return result;
     }
-    if (result.program.empty() && result.form == glib::UniformForm::number && isChoiceWord(value)) {
+    if (result.form == glib::UniformForm::number && isChoiceWord(value)) {
         result.word = value;
         return result;
     }
@@ -118,6 +118,18 @@ Diagnostic notAChoice(std::string_view name, std::string_view word) {
                                  name, word));
 }
 
+namespace {
+
+Diagnostic notAFunction(std::string_view program, std::string_view name, std::string_view word) {
+    return withoutId(
+        Severity::error,
+        fmt::format("--set {0}:{1}={2}: '{2}' is not a number, and program {3} has no subroutine "
+                    "uniform '{1}'",
+                    program, name, word, glib::inQuotes(program)));
+}
+
+}  // namespace
+
 bool isFor(const Override& override, const scene::Program& program) {
     return override.program.empty() || override.program == program.name ||
            override.program == std::to_string(program.place.line);
@@ -129,6 +141,11 @@ Diagnostics unusedOverrides(std::span<const Override> overrides, const std::vect
     for (std::size_t i = 0; i < overrides.size(); ++i) {
         if (i < used.size() && used[i]) continue;
         const auto& [name, form, values, program, written, word] = overrides[i];
+        if (!word.empty()) {
+            diagnostics.push_back(program.empty() ? notAChoice(name, word)
+                                                  : notAFunction(program, name, word));
+            continue;
+        }
         const std::string where =
             program.empty() ? "program of the scene" : "program " + glib::inQuotes(program);
         const bool isElsewhere = std::find(names.begin(), names.end(), name) != names.end();

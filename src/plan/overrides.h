@@ -9,8 +9,8 @@
 
 namespace glibra::plan {
 
-/// Returns glib-W23 for each override that no program used. `names` are the names of existing uniforms, for
-/// the suggestion. `used` has one element per override.
+/// Returns glib-W23 for each override that no program used, or notAChoice() for a word. `names` are the names
+/// of existing uniforms, for the suggestion. `used` has one element per override.
 Diagnostics unusedOverrides(std::span<const Override> overrides, const std::vector<bool>& used,
                             std::span<const std::string> names);
 

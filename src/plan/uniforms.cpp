@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "expression/name_table.h"
 #include "plan/texture_binding.h"
 #include "plan/type_table.h"
 #include "plan/uniform_names.h"
@@ -73,6 +74,7 @@ class Resolver {
           overrides_(overrides),
           drawn_(drawn),
           names_(interface),
+          lost_(interface.uniforms.size()),
           touched_(interface.uniforms.size()) {
         for (const ActiveUniform& uniform : interface.uniforms) {
             rows_.push_back(suppliedBy(uniform));
@@ -131,9 +133,12 @@ class Resolver {
         for (const Override& each : overrides_) {
             if (!isFor(each, program_)) continue;
             for (const NamedUniform& named : names_.find(each.name))
-                if (!readValue({each.name, each.form, each.values, {}, {}, each.written},
-                               uniform(named.uniform), named.oneElement)
-                         .ignored)
+                if (!each.word.empty()) {
+                    if (functionsOf(named.uniform) != nullptr)
+                        overridden_.insert({named.uniform, named.element});
+                } else if (!readValue({each.name, each.form, each.values, {}, {}, each.written},
+                                      uniform(named.uniform), named.oneElement)
+                                .ignored)
                     overridden_.insert({named.uniform, named.element});
         }
     }
@@ -146,9 +151,12 @@ class Resolver {
             const GivenValue given{spec.tag, spec.form, spec.values, place(spec.tagPosition),
                                    place(spec.valuePosition)};
             const std::vector<NamedUniform> named = names_.find(spec.tag);
-            if (named.empty() && !spec.mayBeUnknown) reportUnknown(given);
+            const bool isChosen = choosesObject(spec.tag);
+            if (named.empty() && !spec.mayBeUnknown && !(isChosen && namesMemory(spec.tag)))
+                reportUnknown(given, spec.resembles);
             for (const NamedUniform& each : named)
-                apply(given, each, overridden_.contains({each.uniform, each.element}));
+                if (!isChosen || !isOpaque(uniform(each.uniform)))
+                    apply(given, each, overridden_.contains({each.uniform, each.element}), spec.word);
         }
     }
 
@@ -158,34 +166,58 @@ class Resolver {
             const Override& each = overrides_[i];
             if (!isFor(each, program_)) continue;
             const GivenValue given{each.name, each.form, each.values, {}, {}, each.written};
-            const std::vector<NamedUniform> named = names_.find(each.name);
+            std::vector<NamedUniform> named = names_.find(each.name);
+            if (!each.word.empty())
+                std::erase_if(named, [&](const NamedUniform& one) { return !functionsOf(one.uniform); });
             if (!named.empty()) used[i] = true;
             if (named.empty() && isSuppliedName(each.name)) {
                 used[i] = true;
                 reportSupplied(given);
             }
-            for (const NamedUniform& one : named) apply(given, one, false);
+            for (const NamedUniform& one : named) apply(given, one, false, each.word);
         }
     }
 
     /// Binds the textures that the draw names to samplers and images. (Buffers belong to blocks.)
     void bindObjects() {
         if (drawn_.set == nullptr || drawn_.scene == nullptr) return;
+        for (const std::string& each : drawn_.set->lost)
+            for (const NamedUniform& one : names_.find(each))
+                touched_[one.uniform] = lost_[one.uniform] = true;
         for (const scene::ObjectBinding& each : drawn_.set->objects) {
             const auto* view = std::get_if<scene::TextureView>(&each.object);
-            if (view == nullptr) continue;
+            if (view == nullptr) {
+                if (!each.isChosen && !each.resembles.empty() && !namesMemory(each.tag))
+                    reportMisspelt(each.tag, each.resembles, place(each.tagPosition));
+                continue;
+            }
             const BoundTexture bound{*view, place(each.tagPosition)};
-            const std::vector<NamedUniform> named = names_.find(each.tag);
-            if (named.empty() && !each.mayBeUnknown)
-                reportUnknown({each.tag, glib::UniformForm::number, {}, bound.place, bound.place});
+            std::vector<NamedUniform> named = names_.find(each.tag);
+            if (each.isChosen)
+                std::erase_if(named,
+                              [&](const NamedUniform& one) { return !isOpaque(uniform(one.uniform)); });
+            else if (named.empty() && !each.mayBeUnknown)
+                reportUnknown({each.tag, glib::UniformForm::number, {}, bound.place, bound.place},
+                              each.resembles);
             for (const NamedUniform& one : named) bind(one, bound);
         }
     }
 
+    /// True for a tag whose word names a texture or buffer.
+    bool choosesObject(std::string_view tag) const {
+        return drawn_.set != nullptr && std::any_of(drawn_.set->objects.begin(), drawn_.set->objects.end(),
+                                                    [&](const scene::ObjectBinding& each) {
+                                                        return each.isChosen && each.tag == tag;
+                                                    });
+    }
+
     void bind(const NamedUniform& named, const BoundTexture& bound) {
         touched_[named.uniform] = true;
-        if (auto problem = bindingProblem(*drawn_.scene, interface_, uniform(named.uniform), bound))
+        if (auto problem = bindingProblem(*drawn_.scene, interface_, uniform(named.uniform), bound)) {
+            if (uniform(named.uniform).type.base == BaseType::image)
+                result_.refusedImages.push_back(bound.view);
             return result_.badBindings.push_back(*std::move(problem));
+        }
         std::vector<std::optional<BoundTexture>>& elements = bound_[named.uniform];
         for (std::size_t i = 0; i < elements.size(); ++i)
             if (!named.oneElement || i == static_cast<std::size_t>(named.element)) elements[i] = bound;
@@ -223,7 +255,13 @@ class Resolver {
         for (const glib::UniformSpec& spec : drawn_.scene->namedValues) {
             if (spec.tag != target.name) continue;
             const Place at = place(spec.tagPosition);
-            Reading reading = readValue({spec.tag, spec.form, spec.values, at, at}, target);
+            GivenValue given{spec.tag, spec.form, spec.values, at, at};
+            std::optional<double> number;
+            if (!spec.word.empty() && functionsOf(index) != nullptr) {
+                number = numberOf(spec.word, given, index);
+                if (number) given.values = {&*number, 1};
+            }
+            Reading reading = readValue(given, target);
             append(result_.diagnostics, std::move(reading.diagnostics));
             if (reading.ignored) return false;
             touched_[index] = true;
@@ -239,7 +277,51 @@ class Resolver {
         return declared != interface_.facts.uniforms.end() && declared->second.hasInitializer;
     }
 
-    void apply(const GivenValue& given, const NamedUniform& named, bool isOverridden) {
+    /// The functions that a subroutine uniform counts; null for other uniforms.
+    const std::vector<std::string>* functionsOf(UniformIndex index) const {
+        const auto declared = interface_.facts.uniforms.find(std::string(rootName(uniform(index).name)));
+        if (declared == interface_.facts.uniforms.end() || declared->second.subroutines.empty())
+            return nullptr;
+        return &declared->second.subroutines;
+    }
+
+    /// The number of the function that a word names. Nothing with glib-E27 reported.
+    std::optional<double> numberOf(std::string_view word, const GivenValue& given, UniformIndex index) {
+        const std::vector<std::string>* functions = functionsOf(index);
+        if (functions == nullptr) {
+            std::vector<std::string> names;
+            for (const scene::Variable& each : drawn_.scene->variables) names.push_back(each.name);
+            for (const scene::TextureIndex each : drawn_.scene->textures.indices())
+                names.push_back(drawn_.scene->textures[each].name);
+            for (const scene::BufferIndex each : drawn_.scene->buffers.indices())
+                names.push_back(drawn_.scene->buffers[each].name);
+            warn("glib-E27",
+                 fmt::format("'{}' is no variable, texture or buffer{}", word, suggestionFor(word, names)),
+                 given.valuePlace);
+            return std::nullopt;
+        }
+        const auto found = std::find(functions->begin(), functions->end(), word);
+        if (found != functions->end()) return static_cast<double>(found - functions->begin());
+        warn("glib-E27",
+             fmt::format("subroutine uniform '{}' has no function '{}'{}", given.tag, word,
+                         suggestionFor(word, *functions)),
+             given.valuePlace);
+        return std::nullopt;
+    }
+
+    /// `word`: UniformSpec::word.
+    void apply(GivenValue given, const NamedUniform& named, bool isOverridden, std::string_view word = {}) {
+        std::optional<double> number;
+        if (!word.empty() && (given.values.empty() || functionsOf(named.uniform) != nullptr ||
+                              isOpaque(uniform(named.uniform)))) {
+            number = numberOf(word, given, named.uniform);
+            if (!number) {
+                touched_[named.uniform] = true;
+                return;
+            }
+            given.form = glib::UniformForm::number;
+            given.values = {&*number, 1};
+        }
         const ActiveUniform& target = uniform(named.uniform);
         const glsl::BuiltinUniform* row = rows_[named.uniform];
         if (row != nullptr && !isNoise(*row)) return reportSupplied(given);
@@ -303,8 +385,23 @@ class Resolver {
              given.tagPlace);
     }
 
-    /// The tag names no active uniform: supplied but unused, declared but unused, or unknown.
-    void reportUnknown(const GivenValue& given) {
+    /// True for the name of a block, of its instance, of its last member, or of an atomic counter.
+    bool namesMemory(std::string_view tag) const {
+        const glsl::MemoryFacts& memory = interface_.facts.memory;
+        return memory.counters.contains(std::string(tag)) ||
+               std::any_of(memory.blocks.begin(), memory.blocks.end(), [&](const glsl::MemoryBlock& each) {
+                   return each.name == tag || each.instance == tag ||
+                          (!each.members.empty() && each.members.back().name == tag);
+               });
+    }
+
+    /// Only Dispatch has keys that its tags may resemble.
+    void reportMisspelt(std::string_view tag, std::string_view key, const Place& place) {
+        warn("glib-E16", fmt::format("Dispatch: unknown word '{}'; did you mean '{}'?", tag, key), place);
+    }
+
+    /// The tag names no active uniform: supplied but unused, declared but unused, a key misspelt, or unknown.
+    void reportUnknown(const GivenValue& given, std::string_view resembles = {}) {
         const std::string_view tag = given.tag;
         if (isSuppliedName(tag)) return reportSupplied(given);
         const std::string members = std::string(tag) + ".";
@@ -317,6 +414,7 @@ class Resolver {
             return warn("glib-W24",
                         fmt::format("uniform '{}' is declared but unused, so the tag has no effect", tag),
                         given.tagPlace);
+        if (member.empty() && !resembles.empty()) return reportMisspelt(tag, resembles, given.tagPlace);
         const std::string hint =
             member.empty() ? suggestionFor(tag, knownNames()) : "; did you mean '" + member + "'?";
         warn("glib-W23", fmt::format("no shader of '{}' has a uniform '{}'{}", program_.name, tag, hint),
@@ -350,6 +448,14 @@ class Resolver {
                 continue;
             }
             if (hasInitializer(each)) continue;
+            if (const std::vector<std::string>* functions = functionsOf(i)) {
+                const auto& declared = interface_.facts.uniforms.at(std::string(rootName(each.name)));
+                warn("glsl-W19",
+                     fmt::format("subroutine uniform '{}' uses its first function '{}'", rootName(each.name),
+                                 functions->front()),
+                     declared.place);
+                continue;
+            }
             warn("glib-W37",
                  fmt::format("uniform '{}' of '{}' is not set; it is 0{}", each.name, program_.name,
                              modernHint(each)),
@@ -357,10 +463,22 @@ class Resolver {
         }
     }
 
+    /// How a modern scene gives a uniform the value of the expressions' name that it has; empty if it has
+    /// none.
+    std::string expressionHint(const std::string& name) const {
+        const auto rows = expression::sceneNames();
+        if (!drawn_.scene->localNames.contains(name) &&
+            std::none_of(rows.begin(), rows.end(),
+                         [&](const expression::NameRow& each) { return each.path == name; }))
+            return {};
+        return fmt::format("; write '{0} ({0})' on the line of its Program, Fill or Dispatch", name);
+    }
+
     /// What a classic scene has to do to get a matrix with a well-known name; empty if it is none.
     std::string modernHint(const ActiveUniform& target) const {
+        if (drawn_.scene != nullptr) return expressionHint(target.name);
         const auto isUniform = [this](std::string_view name) { return names_.hasUniform(name); };
-        if (drawn_.scene != nullptr || target.isArray || target.block >= 0 ||
+        if (target.isArray || target.block >= 0 ||
             glsl::findWellKnownUniform(target.name, target.type.word, isUniform) == nullptr)
             return {};
         return "; scenes with a Camera or another modern statement supply it";
@@ -370,7 +488,7 @@ class Resolver {
         for (const UniformIndex i : units_.indices())
             for (std::size_t element = 0; element < units_[i].size(); ++element)
                 result_.samplers.push_back(
-                    {i, static_cast<int>(element), units_[i][element], bound_[i][element]});
+                    {i, static_cast<int>(element), units_[i][element], bound_[i][element], lost_[i]});
     }
 
     const scene::Program& program_;
@@ -383,6 +501,7 @@ class Resolver {
     scene::List<std::vector<int>, ActiveUniform> units_;  ///< of samplers and images, one per element
     /// Likewise; in place of the unit.
     scene::List<std::vector<std::optional<BoundTexture>>, ActiveUniform> bound_;
+    scene::List<bool, ActiveUniform> lost_;     ///< SamplerBinding::isLost
     scene::List<bool, ActiveUniform> touched_;  ///< a pair or an override gave it a value
     std::set<std::pair<UniformIndex, int>> overridden_;
     std::vector<std::string> knownNames_;

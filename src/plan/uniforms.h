@@ -50,6 +50,7 @@ struct SamplerBinding {
     int element = 0;  ///< of an array of samplers
     int unit = 0;     ///< 0..127
     std::optional<BoundTexture> bound{};
+    bool isLost = false;  ///< its tag has an error, which has been reported
 };
 
 /// What the window needs for a slider, a check box or a colour button.
@@ -65,6 +66,7 @@ struct UniformResolution {
     std::vector<Control> controls;
     Diagnostics diagnostics;
     Diagnostics badBindings;  ///< draw-E09, draw-E10: nothing can be drawn with these textures
+    std::vector<scene::TextureView> refusedImages;  ///< the textures of `badBindings` that images would write
     /// Where the value of a uniform comes from that nothing of the program sets, in words, for --explain:
     /// "'mv_matrix' is the model-view matrix".
     std::vector<std::string> foundByName;
@@ -88,7 +90,7 @@ struct Override {
     /// Name or line of the Program that it is for; empty: all programs that have the uniform.
     std::string program{};
     std::string written{};  ///< the value as typed, for messages
-    /// A word of the choice `name`. Only the scene knows whether there is one; it has no program.
+    /// A word of the choice `name`, or a function of the subroutine uniform `name`; it has no program.
     std::string word{};
 };
 /// Reads "NAME=VALUE": "uKd=.5", "uColor=1,.5,0", "uOn=true", "uM=[1 0 0 1]". "Dots:uKd=.5" and "12:uKd=.5"

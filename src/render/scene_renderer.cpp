@@ -10,6 +10,7 @@
 #include "plan/accesses.h"
 #include "render/draw/tiles.h"
 #include "render/file/incomplete_mark.h"
+#include "render/file/labels.h"
 #include "render/scene_state.h"
 
 namespace glibra::render {
@@ -286,7 +287,7 @@ Diagnostics SceneRenderer::State::drawTile(std::size_t index, double time, const
         const StageTimer timer(stats, "draw");
         const bool textures = index == 0 || !drawer->texturesComeFirst();
         append(diagnostics, drawer->draw(*window, {view, width, height, tile, time, textures, &still}));
-        if (axes) axes->draw(scene, view, tile, width, height);
+        if (axes) axes->draw(*window, scene, view, tile, width, height);
         window->resolve();
     }
     const StageTimer timer(stats, "readback");
@@ -302,6 +303,15 @@ Diagnostics SceneRenderer::State::drawTile(std::size_t index, double time, const
     append(diagnostics, pixels.diagnostics);
     if (pixels) pasteTile(*pixels, part, picture);
     return diagnostics;
+}
+
+void SceneRenderer::State::addLabels(image::Image& picture) const {
+    if (options.labels == LabelCorner::none) return;
+    std::vector<const plan::FramePlan*> plans{&plan};
+    if (simulation)
+        for (const plan::FramePlan* each : simulation->plans()) plans.push_back(each);
+    const LabelBlock block = labelBlock(width, height, labelsOf(scene, plans), options.labels);
+    drawLabels(picture, block, block.left, block.top);
 }
 
 Result<image::Image> SceneRenderer::draw(double time, Stats& stats) {
@@ -323,6 +333,7 @@ Result<image::Image> SceneRenderer::draw(double time, Stats& stats) {
     append(diagnostics, state.context.debugLog().takeDiagnostics());
     applyStrict(diagnostics, state.options.strict);
     if (state.isStopped(diagnostics)) return diagnostics;
+    state.addLabels(picture);
     if (state.isIncomplete) markIncomplete(picture);
     return {std::move(picture), std::move(diagnostics)};
 }

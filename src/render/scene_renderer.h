@@ -165,9 +165,10 @@ CheckResult checkScene(gpu::Context& context, const std::filesystem::path& scene
 std::vector<scene::Check> checksOf(const std::filesystem::path& scene, const RenderOptions& options);
 
 /// Draws the scene and answers its checks, for `glibra check --run`. The result has what was reported,
-/// without what Expect error asks for, and an error for each check that does not hold.
-Diagnostics runChecks(gpu::Context& context, const std::filesystem::path& scene,
-                      const RenderOptions& options);
+/// without what Expect error asks for, and an error for each check that does not hold. `known` is what
+/// checkScene() has reported, which the result keeps.
+Diagnostics runChecks(gpu::Context& context, const std::filesystem::path& scene, const RenderOptions& options,
+                      Diagnostics known = {});
 
 /// Removes repeated diagnostics. With `strict` every warning becomes an error with the same id and text.
 void applyStrict(Diagnostics& diagnostics, bool strict);

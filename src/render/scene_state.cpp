@@ -81,8 +81,6 @@ Diagnostics SceneRenderer::State::preparePlan(Stats& stats, bool everything) {
     std::erase_if(planOptions.overrides, [&](const plan::Override& each) {
         return each.program.empty() && scene.usedVariables.contains(each.name);
     });
-    for (const plan::Override& each : planOptions.overrides)
-        if (!each.word.empty()) return {plan::notAChoice(each.name, each.word)};
     for (const std::string& each : options.wantedTextures) {
         const Result<scene::TextureView> wanted = scene::textureNamed(scene, each);
         if (!wanted) return wanted.diagnostics;
@@ -101,6 +99,7 @@ Diagnostics SceneRenderer::State::preparePlan(Stats& stats, bool everything) {
     planOptions.loopLimit = [this] { return gpu::measureLoopLimit(context); };
     planOptions.everything = everything || !options.skip;
     planOptions.shareMeshes = options.skip;
+    planOptions.reportsOverrides = scene.once.empty() && scene.steps.empty();
     planOptions.shareTargets = options.skip && !options.checkNan;  // the search looks into every target
     Diagnostics diagnostics;
     // A picture of another moment would need other counts.
@@ -166,7 +165,6 @@ Diagnostics SceneRenderer::State::planSimulation(const plan::PlanOptions& planOp
     if (simulation) return simulation->check(plan);
     plan::PlanOptions listOptions = planOptions;
     listOptions.outOfSight = nullptr;
-    listOptions.reportsOverrides = false;
     listOptions.shareTargets = false;
     simulation.emplace(SimulationParts{context, scene, source.get(), programs, device, stats,
                                        [this, listOptions](const scene::NodeList& nodes,
@@ -176,6 +174,9 @@ Diagnostics SceneRenderer::State::planSimulation(const plan::PlanOptions& planOp
                                        }},
                        options.steps);
     Diagnostics diagnostics = simulation->plan(plan, changesWithTime, planOptions.roots);
+    std::vector<const plan::FramePlan*> all = simulation->plans();
+    all.push_back(&plan);
+    append(diagnostics, reportOverrides(scene, all, planOptions.overrides));
     explainSimulation(stats);
     return diagnostics;
 }
@@ -215,14 +216,7 @@ std::string SceneRenderer::State::outOfSight(const scene::Draw& draw, const scen
 
 /// A target that is drawn into or read before it is cleared in this frame shows the previous frame.
 bool SceneRenderer::State::mayShowEarlierFrames() {
-    if (scene.isModern) {
-        // What the frame writes begins as declared, except for pictures of files.
-        return std::any_of(plan.resets.begin(), plan.resets.end(), [this](const scene::ObjectView& each) {
-            const auto* written = std::get_if<scene::TextureView>(&each);
-            return written != nullptr &&
-                   !std::holds_alternative<scene::EmptySource>(scene.textures[written->texture].source);
-        });
-    }
+    if (scene.isModern) return false;  // what the frame writes begins as declared
     const bool writesImages =
         std::any_of(plan.programs.begin(), plan.programs.end(), [this](const plan::PlannedProgram& each) {
             return each.variant.program && programs.mayWriteImages(each.variant.program);

@@ -100,6 +100,8 @@ struct SceneRenderer::State {
     /// are reported later.
     std::string outOfSight(const scene::Draw& draw, const scene::Pass& pass, Diagnostics* remarks);
     [[nodiscard]] bool mayShowEarlierFrames();
+    /// Writes the values of uniform variables over the picture (options.labels).
+    void addLabels(image::Image& picture) const;
     Diagnostics drawTile(std::size_t index, double time, const plan::StillNodes& still, image::Image& picture,
                          Stats& stats);
 };

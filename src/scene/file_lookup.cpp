@@ -24,6 +24,11 @@ constexpr int kMostVisits = 10'000;
 /// Work (FolderListings::spend) for reading one entry of a folder, and for asking the system about a path.
 constexpr std::size_t kEntryWork = 1'000;
 constexpr std::size_t kPathWork = 5'000;
+/// How deep, and in how many folders, the library is searched for a name that its own folders do not have.
+constexpr int kDeepestFolder = 4;
+constexpr int kMostFolders = 200;
+/// The most places of such a name that a message lists.
+constexpr std::size_t kMostPlaces = 3;
 
 /// A name from a scene, converted to the path syntax of this system.
 struct CleanName {
@@ -186,6 +191,53 @@ void addRoot(SearchFolders& folders, const fs::path& root, const fs::path& scene
     add(root / "scenes" / "models");
 }
 
+/// Finds the files of a name in the folders below those of the library.
+class LibrarySearch {
+  public:
+    LibrarySearch(const SearchFolders& folders, FolderListings& listings)
+        : folders_(folders), listings_(listings) {}
+
+    /// The names by which a scene reaches the files, at most kMostPlaces, in the order of the search.
+    std::vector<std::string> find(const std::string& name) {
+        for (std::size_t i = 0; i < folders_.library.size() && found_.size() < kMostPlaces; ++i) {
+            // The folder of a topic is searched as a part of its root.
+            if (std::any_of(folders_.library.begin(), folders_.library.end(), [&](const fs::path& each) {
+                    const fs::path within = folders_.library[i].lexically_relative(each);
+                    return !within.empty() && within != "." && *within.begin() != "..";
+                }))
+                continue;
+            root_ = folders_.library[i];
+            search(root_, name, 0);
+        }
+        return std::move(found_);
+    }
+
+  private:
+    void search(const fs::path& folder, const std::string& name, int depth) {
+        if (++visited_ > kMostFolders || listings_.isSpent()) return;
+        for (const std::string& each : listings_.namesWithoutCase(folder, name)) {
+            if (found_.size() == kMostPlaces || !listings_.spend(kPathWork)) return;
+            if (isOrdinaryFile(folder / each) && folders_.mayRead(folder / each))
+                found_.push_back((folder / each).lexically_relative(root_).string());
+        }
+        if (depth == kDeepestFolder) return;
+        for (const std::string& each : listings_.names(folder)) {
+            if (found_.size() == kMostPlaces) return;
+            if (each.find('.') != std::string::npos) continue;  // no folder, or a hidden one
+            if (!listings_.spend(kPathWork)) return;
+            std::error_code failure;
+            if (fs::is_directory(fs::symlink_status(folder / each, failure)))
+                search(folder / each, name, depth + 1);
+        }
+    }
+
+    const SearchFolders& folders_;
+    FolderListings& listings_;
+    fs::path root_;
+    std::vector<std::string> found_;
+    int visited_ = 0;
+};
+
 std::string notFound(const CleanName& name, std::string_view written, const SearchFolders& folders,
                      FolderListings& listings) {
     std::vector<fs::path> searched;
@@ -207,6 +259,12 @@ std::string notFound(const CleanName& name, std::string_view written, const Sear
                                 [&](const std::string& one) { return folders.mayRead(each / one); });
         });
     std::string text = fmt::format("cannot find '{}'", written);
+    if (!name.last.empty() && !name.isAbsolute) {
+        const std::vector<std::string> elsewhere = LibrarySearch(folders, listings).find(name.last);
+        for (std::size_t i = 0; i < elsewhere.size(); ++i)
+            text += fmt::format("{} '{}'", i == 0 ? "; the library has it as" : " and", elsewhere[i]);
+        if (!elsewhere.empty()) return text;
+    }
     const std::vector<std::string> near = nearestFiles(name.last, searched, listings);
     for (std::size_t i = 0; i < near.size(); ++i)
         text += fmt::format("{} '{}'", i == 0 ? "; nearest:" : ",", near[i]);

@@ -76,11 +76,12 @@ SearchFolders searchFolders(const std::filesystem::path& scenePath, const Interp
 /// and translated shaders, because a scene of somebody else can name any file of this machine.
 base::Roots shownRoots(const SearchFolders& folders);
 
-/// Looks up a file. "a/../b" is looked up as "b". The result contains file-E01 with the nearest existing
-/// names if the file is missing, file-W01 if the case differs, file-W02 if only the last part of the name was
-/// found beside the scene, file-W12 if several names differ only in case, and file-W13, once per scene, if
-/// the budget of `listings` is spent: from then on names are found only as they are written, and messages
-/// name no others. A file that must not be read (SearchFolders::readable) is file-E12 and has no path.
+/// Looks up a file. "a/../b" is looked up as "b". The result contains file-E01 if the file is
+/// missing, with the names by which the library has it in other folders, or else the nearest existing names;
+/// file-W01 if the case differs, file-W02 if only the last part of the name was found beside the scene,
+/// file-W12 if several names differ only in case, and file-W13, once per scene, if the budget of `listings`
+/// is spent: from then on names are found only as they are written, and messages name no others. A file that
+/// must not be read (SearchFolders::readable) is file-E12 and has no path.
 FileReference findFile(std::string_view name, const Place& place, const SearchFolders& folders,
                        FolderListings& listings);
 

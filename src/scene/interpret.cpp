@@ -49,15 +49,31 @@ void noteLost(Interpreter& in, const glib::Command& command) {
     in.modern.lostNames.insert(name.path.empty() ? name.text : name.path.front().name);
 }
 
+/// Reports draw-N04 for the programs after the last statement that draws.
+void reportIdlePrograms(Interpreter& in) {
+    const std::vector<glib::Command>& commands = in.script->commands;
+    const auto last = std::find_if(commands.rbegin(), commands.rend(), [](const glib::Command& each) {
+        const CommandAction* action = actionOf(each.id);
+        return each.id == CommandId::include || (action != nullptr && action->draws);
+    });
+    if (last == commands.rend()) return;
+    for (auto each = last.base(); each != commands.end(); ++each)
+        if (each->id == CommandId::program)
+            in.reportAt(*each, "draw-N04",
+                        fmt::format("Program '{}' stands after everything that is drawn, so nothing uses it; "
+                                    "move it before the shapes",
+                                    each->text));
+}
+
 /// All actions by CommandId. The element of a command without an action has no handler.
 std::vector<CommandAction> allActions() {
     std::vector<CommandAction> all(static_cast<std::size_t>(CommandId::firstPrimitive));
     for (const auto& some :
          {viewActions(), drawActions(), listActions(), passActions(), textureActions(), programActions()})
         for (const CommandAction& each : some) all.at(static_cast<std::size_t>(each.id)) = each;
-    for (const auto& some :
-         {structureActions(), variableActions(), cameraActions(), objectActions(), targetActions(),
-          stateActions(), vertexActions(), bufferActions(), blockActions(), keyActions(), checkActions()})
+    for (const auto& some : {structureActions(), variableActions(), tagActions(), cameraActions(),
+                             objectActions(), targetActions(), stateActions(), vertexActions(),
+                             bufferActions(), blockActions(), keyActions(), checkActions()})
         for (CommandAction each : some) {
             each.isModern = true;
             all.at(static_cast<std::size_t>(each.id)) = each;
@@ -147,11 +163,26 @@ struct Interpretation::State {
     std::vector<NamedCamera> cameras;  ///< of the last scene
 
     Scene run(const FrameInputs& inputs);
+    /// Runs the frame before for its cameras, whatever ran last.
+    void runBefore(const FrameInputs& inputs);
 };
 
 namespace {
 
 constexpr double kFramesPerSecond = 60;
+
+/// Notes what messages about programs mention.
+void noteNames(Scene& scene, const glib::Script& script) {
+    for (const glib::Command& each : script.commands) {
+        if (each.id == CommandId::vertex || each.id == CommandId::fragment)
+            scene.hasStages = scene.hasStages || each.isModern || !each.text.empty();
+        if (each.id == CommandId::group)
+            for (const glib::KeyedValues& parameter : each.tags) scene.localNames.insert(parameter.key);
+        if (each.id != CommandId::repeat) continue;
+        const glib::KeyedValues* as = each.key("as");
+        scene.localNames.insert(as != nullptr ? as->values.front().text : "i");
+    }
+}
 
 /// The values of the names that every scene has.
 void setInputs(Interpreter& in) {
@@ -204,6 +235,7 @@ Scene Interpretation::State::run(const FrameInputs& inputs) {
     in.scene.verbose =
         std::any_of(script.commands.begin(), script.commands.end(),
                     [](const glib::Command& command) { return command.id == CommandId::verbose; });
+    noteNames(in.scene, script);
     shared.depends = expression::Depends::nothing;
     shared.foundAspects.clear();
     try {
@@ -214,6 +246,8 @@ Scene Interpretation::State::run(const FrameInputs& inputs) {
         checkStack(in);
         finishPasses(in);
         finishNoise(in);
+        reportIdlePrograms(in);
+        reportUnusedCameras(in);
         shared.cameras.clear();
         cameras.clear();
         for (const auto& [name, camera] : in.modern.cameras) {
@@ -228,6 +262,8 @@ Scene Interpretation::State::run(const FrameInputs& inputs) {
                  camera.clip || camera.aspect ? projectionOf(camera, aspect) : camera.projection,
                  camera.isMirrored});
         }
+        if (const CameraName eye{"eye", 0}; findCamera(in, eye) == nullptr)
+            shared.cameras[eye] = valuesOf(classicCamera(in), windowAspect(in));
         in.scene.namedValues = namedValues(in);
     } catch (const std::exception& problem) {
         in.report(diagnose("glib-E15", fmt::format("the scene cannot be run: {}", problem.what()),
@@ -237,10 +273,21 @@ Scene Interpretation::State::run(const FrameInputs& inputs) {
     return std::move(in.scene);
 }
 
+void Interpretation::State::runBefore(const FrameInputs& inputs) {
+    FrameInputs before = inputs;
+    before.time = std::max(0.0, inputs.time - 1 / shared.frameRate);
+    shared.previousCameras.clear();
+    shared.isTrial = true;
+    run(before);
+    shared.isTrial = false;
+    shared.previousCameras = std::move(shared.cameras);
+}
+
 Interpretation::Interpretation(glib::Script script, InterpretOptions options)
     : state_(std::make_unique<State>()) {
     state_->script = std::move(script);
     state_->folders = searchFolders(state_->script.path, options);
+    state_->shared.texts = options.texts;
     state_->options = std::move(options);
 }
 Interpretation::Interpretation(Interpretation&&) noexcept = default;
@@ -249,9 +296,14 @@ Interpretation::~Interpretation() = default;
 
 Scene Interpretation::at(const FrameInputs& inputs) {
     SharedState& shared = state_->shared;
-    Scene scene = state_->run(inputs);
+    const bool knewPrevious = shared.readsPrevious;
+    const auto run = [&] {
+        if (shared.readsPrevious) state_->runBefore(inputs);
+        return state_->run(inputs);
+    };
+    Scene scene = run();
     const auto runAgain = [&] {
-        Scene again = state_->run(inputs);
+        Scene again = run();
         addMissing(again.diagnostics, std::move(scene.diagnostics));
         scene = std::move(again);
     };
@@ -261,32 +313,17 @@ Scene Interpretation::at(const FrameInputs& inputs) {
         shared.aspects = shared.foundAspects;
         runAgain();
     }
-    if (!shared.readsPrevious) return scene;
-    // An expression reads a camera of the frame before, so that frame is run for its cameras.
-    FrameInputs before = inputs;
-    before.time = std::max(0.0, inputs.time - 1 / shared.frameRate);
-    state_->run(before);
-    shared.previousCameras = std::move(shared.cameras);
+    if (!shared.readsPrevious || knewPrevious) return scene;
+    // Problems of values count once the cameras of the frame before are known.
+    std::erase_if(scene.diagnostics, [](const Diagnostic& each) { return each.id == "expr-E06"; });
+    for (auto& [value, entry] : shared.expressions.entries) entry.isProblemReported = false;
     runAgain();
     return scene;
 }
 
-Result<bool> Interpretation::holds(
+Result<ConditionAnswer> Interpretation::answer(
     const Check& check, const std::function<std::vector<double>(const std::string& buffer)>& read) {
-    Environment& names = state_->shared.environment;
-    const glib::Position begin = glib::placeIn(*check.condition, 0);
-    static constexpr expression::Type kTypes[] = {expression::Type::boolean(), expression::Type::number()};
-    auto parsed = expression::parse(check.condition->text, {check.place.file, begin.line, begin.column},
-                                    names, {.types = kTypes});
-    if (!parsed) return parsed.problem.message;
-    for (const expression::Use& each : parsed->uses()) {
-        if (!any(each.symbol.depends & expression::Depends::buffer)) continue;
-        const std::string name = each.path.substr(0, each.path.find('.'));
-        names.setElements(name, read(name));
-    }
-    const auto value = parsed->evaluate(names);
-    if (!value) return value.problem.message;
-    return value->number() != 0;
+    return answerCondition(check, state_->shared.environment, read);
 }
 
 const glib::Script& Interpretation::script() const {

@@ -12,6 +12,7 @@
 
 #include "expression/names.h"
 #include "glib/script.h"
+#include "scene/modern/conditions.h"
 #include "scene/scene.h"
 
 namespace glibra::scene {
@@ -21,6 +22,8 @@ struct InterpretOptions {
     std::vector<std::filesystem::path> libraryRoots;
     /// If it is not empty, only files below this folder and below the library folders are found.
     std::filesystem::path within{};
+    /// Texts in place of what included scene files have, by path.
+    std::map<std::filesystem::path, std::string> texts{};
 };
 
 /// What a frame is a function of, besides the script and its files.
@@ -67,10 +70,9 @@ class Interpretation {
     /// of one script, as far as the same statements are executed; shapes have not.
     Scene at(const FrameInputs& inputs);
 
-    /// The value of a check's condition in the frame that was interpreted last. `read` returns the numbers of
-    /// a buffer. Reports why the condition has no value.
-    Result<bool> holds(const Check& check,
-                       const std::function<std::vector<double>(const std::string& buffer)>& read);
+    /// answerCondition() in the frame that was interpreted last.
+    Result<ConditionAnswer> answer(const Check& check,
+                                   const std::function<std::vector<double>(const std::string& buffer)>& read);
 
     [[nodiscard]] const glib::Script& script() const;
     /// The cameras that the last scene declares, sorted by name.

@@ -223,6 +223,8 @@ struct StepBlock {
     Place place;
     NodeList nodes;
     bool dependsOnTick = false;  ///< the nodes of another tick may have other values
+    /// The camera of a Fill changes with the tick, which matters if the program of the Fill reads it.
+    bool fillsDependOnTick = false;
 };
 
 /// The statements of a Once block.

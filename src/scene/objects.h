@@ -163,12 +163,17 @@ struct ObjectBinding {
     ObjectView object;
     glib::Position tagPosition{}, valuePosition{};
     bool mayBeUnknown = false;  ///< as in UniformSpec
+    std::string resembles{};    ///< KeyedValues::resembles
+    /// The value is a choice, or the counter of a Repeat over words, whose word names the object. Only a
+    /// sampler, an image or a block takes the object; other uniforms take the value of the same tag.
+    bool isChosen = false;
 };
 
 /// What draws set besides the values of their program's Program statement. Draws share these.
 struct UniformSet {
     std::vector<glib::UniformSpec> values;
     std::vector<ObjectBinding> objects;
+    std::vector<std::string> lost{};  ///< tags whose value has an error, which has been reported
 };
 
 /// A vertex input that an Attribute statement gives.

@@ -50,6 +50,8 @@ struct Scene : Declarations {
     std::vector<Variable> variables;
     std::set<std::string, std::less<>> usedVariables;  ///< names of FrameInputs::variables that exist
     bool isModern = false;                             ///< it has a modern statement or an expression
+    bool hasStages = false;                            ///< a Vertex or Fragment statement has a shader
+    std::set<std::string, std::less<>> localNames;  ///< the counters of Repeat and the parameters of groups
     bool verbose = false;  ///< Verbose: the diagnostics contain a glib-N02 for each executed operation
     Diagnostics diagnostics;
 };

@@ -179,6 +179,7 @@ std::span<const CommandAction> textureActions();    // interpret_textures.cpp
 std::span<const CommandAction> programActions();    // interpret_programs.cpp
 std::span<const CommandAction> structureActions();  // modern/structure.cpp
 std::span<const CommandAction> variableActions();   // modern/variables.cpp
+std::span<const CommandAction> tagActions();        // modern/tags.cpp
 std::span<const CommandAction> cameraActions();     // modern/cameras.cpp
 std::span<const CommandAction> objectActions();     // modern/textures.cpp
 std::span<const CommandAction> targetActions();     // modern/passes.cpp

@@ -206,7 +206,9 @@ TEST_F(Confined, StartsNoProgramAndNoProcess) {
         if (child == 0) ::_exit(0);
         return child > 0;
     });
-    isStopped("a name space", [] { return ::unshare(CLONE_FILES | CLONE_NEWUSER) == 0; });
+    // Containers and chroot allow no name spaces anyway.
+    const auto makesNameSpace = [] { return ::unshare(CLONE_FILES | CLONE_NEWUSER) == 0; };
+    if (inChild(makesNameSpace, nullptr) == 0) isStopped("a name space", makesNameSpace);
 }
 
 TEST_F(Confined, ReachesNoOtherProcess) {

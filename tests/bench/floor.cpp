@@ -8,7 +8,6 @@
 
 #define EGL_NO_X11
 #include <EGL/egl.h>
-#include <EGL/eglext.h>
 #include <GL/glcorearb.h>
 
 #include <cmath>
@@ -18,6 +17,7 @@
 #include <cstdlib>
 #include <vector>
 
+#include "bare/context.h"
 #include "bare/png_file.h"
 
 namespace {
@@ -115,24 +115,6 @@ Mesh sphere() {
         }
     for (int i = 0; i < kSlices; ++i) triangle(ring(kStacks - 1, i), ring(kStacks - 1, i + 1), north + i);
     return mesh;
-}
-
-void openContext() {
-    const auto getPlatformDisplay =
-        reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
-    if (!getPlatformDisplay) fail("no eglGetPlatformDisplayEXT");
-    EGLDisplay display = getPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-    if (!eglInitialize(display, nullptr, nullptr)) fail("eglInitialize");
-    eglBindAPI(EGL_OPENGL_API);
-    constexpr EGLint kAttributes[] = {EGL_CONTEXT_MAJOR_VERSION,
-                                      4,
-                                      EGL_CONTEXT_MINOR_VERSION,
-                                      5,
-                                      EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                      EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                      EGL_NONE};
-    const EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, kAttributes);
-    if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) fail("eglMakeCurrent");
 }
 
 /// Draws into an RGBA picture of `side` x `side` pixels, bottom row first; keeps the last of several frames.
@@ -271,7 +253,7 @@ int main(int count, char** arguments) {
     const int side = count > 2 ? std::atoi(arguments[2]) : kSide;  // NOLINT(cert-err34-c)
     const int frames = count > 3 ? std::atoi(arguments[3]) : 1;    // NOLINT(cert-err34-c)
     if (count < 2 || count > 4 || side < 1 || frames < 1) fail("use: floor OUT.png [SIDE [FRAMES]]");
-    openContext();
+    bare::openContext();
     const auto pixels = static_cast<std::size_t>(side);
     if (!bare::writePng(arguments[1], draw(sphere(), side, frames), pixels, pixels))
         fail("cannot write the picture");

@@ -85,6 +85,22 @@ TEST(ClassPage, ShowsEveryoneAndWhatStrangersWroteAsText) {
     EXPECT_FALSE(contains(page, "<script")) << "it has to work without";
 }
 
+TEST(ClassPage, ItsFirstPicturesDoNotWaitUntilTheyAreInView) {
+    Classroom room = sample();
+    for (int i = 0; i < 10; ++i) room.entries.push_back(room.entries[0]);
+    room.fingerprints.resize(room.entries.size());
+    const std::string page = classPage(room);
+    const auto count = [&](std::string_view part, std::size_t begin) {
+        int found = 0;
+        for (std::size_t at = page.find(part, begin); at != std::string::npos; at = page.find(part, at + 1))
+            ++found;
+        return found;
+    };
+    const int pictures = count("<img ", 0);
+    EXPECT_EQ(count("loading=\"lazy\"", 0), pictures - 24);
+    EXPECT_EQ(count("<img ", page.find("loading=\"lazy\"")), pictures - 25) << "the first ones of the page";
+}
+
 TEST(ClassPage, PassagesAreReadFromTheSubmissionsOwnFoldersOnly) {
     const suite::Folder made;
     const fs::path folder = made.path();

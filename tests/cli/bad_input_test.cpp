@@ -195,6 +195,46 @@ TEST_F(BadInput, TheTextOfAFileOutsideOfTheSceneIsNeverQuoted) {
     EXPECT_EQ(translated.find("#error"), std::string::npos) << "a library root may be shown";
 }
 
+TEST_F(BadInput, MessagesAboutTheScenesOwnShadersAreShownWithoutWordsOfFilesOutside) {
+    folder.write(
+        "common/light.glsl",
+        "// function type undeclared hunter2\n#define TOKEN hunter2\n#define SHORT qz\n"
+        "#define JOIN(a, b) a##b\nfloat secretDepth;\nvec3 light(vec3 n, float power) { return n * power; "
+        "}\n");
+    folder.write("scenes/a.vert", "#version 330 core\nvoid main() { gl_Position = aVertex; }\n");
+    folder.write("scenes/a.glib", "Vertex a.vert\nFragment a.frag\nProgram P\nQuadXY 0 1 1 1\n");
+    const auto contains = [](const std::string& text, std::string_view part) {
+        return text.find(part) != std::string::npos;
+    };
+    const auto messages = [&](const std::string& line) {
+        folder.write(
+            "scenes/a.frag",
+            "#version 330 core\n#include \"../common/light.glsl\"\nout vec4 f;\nvoid main() {\n    " + line +
+                "\n    f = vec4(1.);\n}\n");
+        const Finished finished = glibra(folder.path(), "render scenes/a.glib -o a.png");
+        EXPECT_EQ(finished.status, 3) << line << finished.err;
+        for (const char* secret : {"hunter2", "qz", "secretDepth", "power"})
+            EXPECT_EQ(finished.err.find(secret), std::string::npos) << line << finished.err;
+        return finished.err;
+    };
+    for (const char* line :
+         {"float x = bas(2.);", "vec3 c = light(1);", "float x = undeclaredName;", "float x = ;"}) {
+        const std::string shown = messages(line);
+        EXPECT_TRUE(contains(shown, "a.frag:5:")) << shown;
+        EXPECT_FALSE(contains(shown, "is not shown")) << shown;
+    }
+    EXPECT_TRUE(contains(messages("float x = bas(2.);"), "bas"));
+    EXPECT_TRUE(contains(messages("float x = undeclaredName;"), "`undeclaredName' undeclared"));
+    // Words that come from the other file, alone and joined with one of the shader.
+    for (const char* line : {"float x = TOKEN;", "float x = JOIN(my, TOKEN);", "float x = SHORT;",
+                             "float x = secretDepht;", "float secretDept = secretDepht; x"}) {
+        const std::string shown = messages(line);
+        EXPECT_TRUE(contains(shown, "a.frag:5:")) << shown;
+    }
+    EXPECT_TRUE(contains(messages("float x = TOKEN;"), "stands for words of '"))
+        << messages("float x = TOKEN;");
+}
+
 TEST_F(BadInput, IncludeRecursion) {
     writeShaders();
     folder.write("x.glsl", "#include \"y.glsl\"\n");

@@ -408,7 +408,7 @@ class WholeClass : public ClassCommand {
 TEST_F(WholeClass, OfTwoHundredNobodyIsLostAndTheHostileCostOnlyThemselves) {
     const Finished done = glibra(
         folder.path(), "class all --reference solution.glib -o site --size 160x120 --timeout 4 --memory 1G",
-        "GLIBRA_PATH=" + kRoot.string());
+        "GLIBRA_PATH='" + kRoot.string() + "'");
     ASSERT_EQ(done.status, 0) << done.err;
     const std::vector<std::vector<std::string>> rows = grades();
     ASSERT_EQ(rows.size(), kStudents + 1) << done.err;

@@ -11,7 +11,9 @@ namespace {
 
 #ifdef GLIBRA_JUMPING_CLOCK
 
-constexpr const char* kJumping = "LD_PRELOAD=" GLIBRA_JUMPING_CLOCK;
+std::string jumping() {
+    return preload(GLIBRA_JUMPING_CLOCK);
+}
 
 bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
@@ -45,7 +47,7 @@ class JumpingClock : public testing::Test {
 
 TEST_F(JumpingClock, TheShimMovesTheWallClock) {
     // date(1) shows whether the library does anything.
-    const Finished first = shell(folder.path(), std::string(kJumping) + " date +%Y");
+    const Finished first = shell(folder.path(), jumping() + " date +%Y");
     const Finished now = shell(folder.path(), "date +%Y");
     EXPECT_NE(first.out, now.out);
 }
@@ -54,7 +56,7 @@ TEST_F(JumpingClock, VerdictsAndTimeLimitsAreTheSame) {
     ASSERT_EQ(glibra(folder.path(), "test s.toml --update --only a --only b --only c").status, 0);
     for (const char* jobs : {"1", "2"}) {
         const auto start = std::chrono::steady_clock::now();
-        const Finished run = glibra(folder.path(), std::string("test s.toml --jobs ") + jobs, kJumping);
+        const Finished run = glibra(folder.path(), std::string("test s.toml --jobs ") + jobs, jumping());
         const double seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         EXPECT_EQ(run.status, 3) << run.out << run.err;
@@ -67,11 +69,11 @@ TEST_F(JumpingClock, VerdictsAndTimeLimitsAreTheSame) {
 
 TEST_F(JumpingClock, ScenesAndAnimationsAreTheSame) {
     ASSERT_EQ(glibra(folder.path(), "render a.glib --frames 12 -o free/f.png").status, 0);
-    ASSERT_EQ(glibra(folder.path(), "render a.glib --frames 12 -o jumping/f.png", kJumping).status, 0);
+    ASSERT_EQ(glibra(folder.path(), "render a.glib --frames 12 -o jumping/f.png", jumping()).status, 0);
     for (const char* each : {"f_0000.png", "f_0005.png", "f_0011.png"})
         EXPECT_EQ(readFile(folder.path() / "free" / each), readFile(folder.path() / "jumping" / each))
             << each;
-    EXPECT_EQ(glibra(folder.path(), "render e.glib --timeout 1", kJumping).status, 3);
+    EXPECT_EQ(glibra(folder.path(), "render e.glib --timeout 1", jumping()).status, 3);
 }
 
 #endif

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 
 #include "image/png/png_writer.h"
@@ -124,6 +125,49 @@ TEST_F(Containment, CompareEndsADecoderThatNeverEnds) {
     }
 }
 
+TEST_F(Containment, AMergeAndItsReportDecodeHostilePicturesWithinTheirLimits) {
+    // Results as a stranger may send them: the pictures of the shot are DDS files under several names, in the
+    // folder of the run and beside it.
+    folder.write("a.vert", "#version 330 core\nvoid main() { gl_Position = vec4(aVertex.xy, 0., 1.); }\n");
+    folder.write("a.frag",
+                 "#version 330 core\nout vec4 f;\nvoid main() { f = vec4(gl_FragCoord.x / 30.); }\n");
+    folder.write("a.glib", "Vertex a.vert\nFragment a.frag\nProgram P\nQuadXY 0 1 1 1\n");
+    folder.write("s.toml",
+                 "goldens = \"golden\"\n[defaults]\nsize = [30, 20]\n[[shot]]\nscript = \"a.glib\"\n");
+    ASSERT_EQ(run("test s.toml --update").status, 0);
+    folder.write("a.frag",
+                 "#version 330 core\nout vec4 f;\nvoid main() { f = vec4(gl_FragCoord.y / 30.); }\n");
+    ASSERT_EQ(run("test s.toml --results run").status, 1);
+    const std::string honest = readFile(folder / "run/results.jsonl");
+    writeEndlessPicture("golden/endless.dds");
+    const auto replaced = [&](const std::string& member, const std::string& value) {
+        const std::size_t at = honest.find("\"" + member + "\":");
+        EXPECT_NE(at, std::string::npos) << honest;
+        const std::size_t begin = honest.find('"', at + member.size() + 3), end = honest.find('"', begin + 1);
+        return honest.substr(0, begin + 1) + value + honest.substr(end);
+    };
+    for (const std::string name : {"endless.dds", "endless.png", "endless.exr"}) {
+        writeEndlessPicture("run/s/" + name);
+        folder.write("run/results.jsonl", replaced("got", "s/" + name));
+        const Finished merged = shell(
+            folder.path(), "timeout 40 '" GLIBRA_PROGRAM "' test --merge run --results all --report page");
+        EXPECT_EQ(merged.status, 1) << merged.out << merged.err;
+        expectContains(merged.err, "'s/" + name + "' is not a picture");
+        expectContains(merged.out, "1 failed");
+        EXPECT_TRUE(std::filesystem::exists(folder / "page/index.html"));
+    }
+    // Below a folder that the report may show, the picture is decoded, in a process of its own.
+    folder.write("run/results.jsonl", replaced("expected", (folder / "golden/endless.dds").string()));
+    const Finished shown =
+        shell(folder.path(), "timeout 40 '" GLIBRA_PROGRAM
+                             "' test --merge run --results all --report page --root golden "
+                             "--timeout 1");
+    if (shown.err.find("not installed") != std::string::npos) GTEST_SKIP() << shown.err;
+    EXPECT_EQ(shown.status, 1) << shown.out << shown.err;
+    expectContains(shown.err, "endless.dds': not decoded within 1 seconds");
+    expectContains(readFile(folder / "page/index.html"), "not decoded within 1 seconds");
+}
+
 TEST_F(Containment, CompareHasALimitOfMemory) {
     image::Image large{6000, 6000, 3, image::Component::u8, {}};
     large.data.resize(std::size_t{6000} * 6000 * 3);
@@ -131,7 +175,7 @@ TEST_F(Containment, CompareHasALimitOfMemory) {
     folder.write("a.png", {reinterpret_cast<const char*>(file.data()), file.size()});
     folder.write("b.png", readFile(folder / "a.png") + " ");  // not equal byte for byte
     EXPECT_EQ(run("compare a.png b.png --memory 2G").status, 0);
-#ifdef GLIBRA_SANITIZED
+#if GLIBRA_SANITIZED
     GTEST_SKIP() << "under the address sanitizer, an allocation that fails ends the process";
 #endif
     const Finished small = run("compare a.png b.png --memory 64M");

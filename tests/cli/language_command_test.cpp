@@ -141,8 +141,8 @@ TEST(LanguageCommand, TheSampleOfTheReadmeIsAFile) {
     const std::string sample = readme.substr(begin, readme.find("```", begin) - begin);
     EXPECT_EQ(scene.substr(scene.find("Perspective")), sample);
     const Folder folder;
-    EXPECT_EQ(glibra(folder.path(), "check " + (root / "docs/examples/dots.glib").string()).status, 0);
-    EXPECT_NE(readFile(root / "cmake/install.cmake").find("docs/examples"), std::string::npos);
+    EXPECT_EQ(glibra(folder.path(), "check '" + (root / "docs/examples/dots.glib").string() + "'").status, 0);
+    EXPECT_NE(readFile(root / "tools/cmake/install.cmake").find("docs/examples"), std::string::npos);
 }
 
 }  // namespace

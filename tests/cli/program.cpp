@@ -59,6 +59,13 @@ std::string Folder::listing() const {
     return lines;
 }
 
+std::string preload(const fs::path& library) {
+    static const Folder links;
+    const fs::path link = links / library.filename().string();
+    if (!fs::exists(link)) fs::create_symlink(library, link);
+    return "LD_PRELOAD=" + link.string();
+}
+
 std::string readFile(const fs::path& file) {
     std::ifstream stream(file, std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), {}};

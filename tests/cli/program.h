@@ -41,4 +41,8 @@ class Folder {
 
 std::string readFile(const std::filesystem::path& file);
 
+/// The setting that loads a library before all others: "LD_PRELOAD=...". The path in it is that of a link
+/// without blanks, which would separate libraries.
+std::string preload(const std::filesystem::path& library);
+
 }  // namespace glibra::test

@@ -88,5 +88,61 @@ TEST(RenderOptions, TheCommandOfAReportDrawsThePictureOfTheShot) {
     EXPECT_TRUE(readFile(folder / "one.png") == readFile(folder / "drawn/one.png")) << command;
 }
 
+/// A scene that draws a picture over the window.
+void writeSceneWithPicture(const Folder& folder, const std::string& picture) {
+    folder.write("red.glib", "WindowSize 8 8\nBackground 1 0 0\n");
+    ASSERT_EQ(glibra(folder.path(), "render red.glib -o '" + picture + "'").status, 0);
+    folder.write("a.glib", "WindowSize 8 8\nTexture2D 5 " + picture +
+                               "\nVertex a.vert\nFragment a.frag\nProgram P uMap 5\nQuadXY 0 1\n");
+    folder.write("a.vert",
+                 "#version 330 core\nout vec2 vST;\nvoid main() { vST = aTexCoord0.st; gl_Position = "
+                 "uModelViewProjectionMatrix * aVertex; }\n");
+    folder.write("a.frag",
+                 "#version 330 core\nin vec2 vST;\nuniform sampler2D uMap;\nout vec4 f;\nvoid main() { f = "
+                 "texture(uMap, vST).gbra; }\n");
+}
+
+TEST(RenderOutput, AFileThatTheSceneReadsIsNeverWritten) {
+    const Folder folder;
+    writeSceneWithPicture(folder, "a.png");
+    const std::string before = readFile(folder / "a.png");
+    const std::string scene = (folder / "a.glib").string();
+    for (const std::string& arguments :
+         {std::string("render a.glib"), std::string("render a.glib -o ./a.png"),
+          "render '" + scene + "' -o '" + (folder / "a.png").string() + "'",
+          std::string("render a.glib -o b.png --incomplete"), std::string("render a.glib --untrusted")}) {
+        const bool isOther = arguments.find("b.png") != std::string::npos;
+        const Finished run = glibra(folder.path(), arguments);
+        if (run.status == 4) continue;  // no sandbox on this machine
+        EXPECT_EQ(run.status, isOther ? 0 : 3) << arguments << run.err;
+        EXPECT_EQ(run.err.find("a.glib:2:13: error: the scene reads 'a.png', so nothing is written over it; "
+                               "choose another output name (-o, --save) [file-E13]") == std::string::npos,
+                  isOther)
+            << arguments << run.err;
+        EXPECT_TRUE(readFile(folder / "a.png") == before) << arguments;
+    }
+}
+
+TEST(RenderOutput, FramesAndSavedTexturesAreComparedUnderTheirFinalNames) {
+    const Folder folder;
+    writeSceneWithPicture(folder, "film_0002.png");
+    const std::string before = readFile(folder / "film_0002.png");
+    const Finished film = glibra(folder.path(), "render a.glib -o film.png --frames 3");
+    EXPECT_EQ(film.status, 3) << film.err;
+    EXPECT_NE(film.err.find("file-E13"), std::string::npos) << film.err;
+    EXPECT_EQ(glibra(folder.path(), "render a.glib -o film.png --frames 2").status, 0) << "it ends before";
+    EXPECT_EQ(glibra(folder.path(), "render a.glib -o film_0002.png --frames 2").status, 0)
+        << "it writes film_0002_0000.png";
+    folder.write(
+        "m.glib",
+        "WindowSize 8 8\nTexture2D picture film_0002.png\nFragment inline\n#version 330 core\nin vec2 "
+        "vST;\nuniform sampler2D m;\nout vec4 f;\nvoid main() { f = texture(m, vST); "
+        "}\nEndFragment\nProgram P m picture\nFill window with P\n");
+    const Finished save = glibra(folder.path(), "render m.glib -o b.png --save picture=film_0002.png");
+    EXPECT_EQ(save.status, 3) << save.err;
+    EXPECT_NE(save.err.find("file-E13"), std::string::npos) << save.err;
+    EXPECT_TRUE(readFile(folder / "film_0002.png") == before);
+}
+
 }  // namespace
 }  // namespace glibra::test

@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 TEST(NoSkip, EverySceneIsTheSameBitForBit) {
-#ifdef GLIBRA_SANITIZED
+#if GLIBRA_SANITIZED
     GTEST_SKIP()
         << "every scene is drawn four times; Scenes.AreDrawnAndNotOneColour draws them with sanitizers";
 #endif

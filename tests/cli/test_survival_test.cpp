@@ -37,11 +37,12 @@ class Survival : public testing::Test {
                          rounds + "] }\n");
     }
     Finished run(const std::string& arguments) { return glibra(folder.path(), "test " + arguments); }
-    /// Runs a shell script in the folder, with $GLIBRA set. Returns the exit status.
+    /// Runs a shell script in the folder, with $GLIBRA set. Returns the exit status, which is 124 after ten
+    /// minutes.
     int shell(const std::string& script) {
         folder.write("script.sh", "GLIBRA='" GLIBRA_PROGRAM "'\n" + script);
-        const int status =
-            std::system(("cd '" + folder.path().string() + "' && sh script.sh >log 2>&1").c_str());
+        const int status = std::system(
+            ("cd '" + folder.path().string() + "' && timeout 600 sh script.sh >log 2>&1").c_str());
         return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     }
     std::string log() { return readFile(folder / "log"); }
@@ -79,7 +80,7 @@ TEST_F(Survival, AKilledWorkerCostsOneShotAndTheRestGoesOn) {
     int status = 0;
     for (int i = 0; i < 5 && status == 0; ++i)
         status = shell(
-            "rm -rf glibra-results\n$GLIBRA test s.toml --jobs 1 & parent=$!\n"
+            "rm -rf glibra-results\n\"$GLIBRA\" test s.toml --jobs 1 & parent=$!\n"
             "until [ -s glibra-results/results.jsonl ] && worker=$(pgrep -P $parent); do sleep .01; done\n"
             "kill -9 $worker\nwait $parent\n");
     EXPECT_EQ(status, 3) << log();
@@ -98,14 +99,32 @@ TEST_F(Survival, AShotThatEndsItsWorkerWhileItIsPreparedIsTheOneThatIsBlamed) {
                  "[[shot]]\nscript = \"a.glib\"\nsweep = { uRounds = [203, 204] }\n");
     ASSERT_EQ(run("t.toml --update").status, 0);
     for (const std::string jobs : {"1", "2"}) {
-        const Finished end =
-            glibra(folder.path(), "test t.toml --jobs " + jobs, "LD_PRELOAD=" GLIBRA_END_ON_OPEN);
+        const Finished end = glibra(folder.path(), "test t.toml --jobs " + jobs, preload(GLIBRA_END_ON_OPEN));
         EXPECT_EQ(end.status, 3) << end.out << end.err;
         EXPECT_TRUE(contains(end.out, "1 crashed, 5 passed")) << end.out << end.err;
         EXPECT_TRUE(
             contains(end.out + end.err, "b.glib:1:1: error: the process that drew it ended with signal 6"))
             << end.out << end.err;
     }
+}
+#endif
+
+#ifdef GLIBRA_END_IN_DRAW
+TEST_F(Survival, ADriverThatDiesInTheMiddleOfASuiteCostsOneShot) {
+    ASSERT_EQ(run("s.toml --update").status, 0);
+    for (const std::string jobs : {"1", "2"})
+        for (const std::string draw : {"1", "4"}) {
+            fs::remove(folder / "ended");
+            const Finished end =
+                glibra(folder.path(), "test s.toml --jobs " + jobs,
+                       preload(GLIBRA_END_IN_DRAW) + " GLIBRA_ENDED=ended GLIBRA_END_IN_DRAW=" + draw);
+            ASSERT_TRUE(fs::exists(folder / "ended")) << "no process has drawn so often";
+            EXPECT_EQ(end.status, 3) << end.out << end.err;
+            EXPECT_TRUE(contains(end.out, "1 crashed, " + count(kShots - 1, "passed"))) << end.out << end.err;
+            EXPECT_TRUE(contains(end.out + end.err,
+                                 "a.glib:1:1: error: the process that drew it ended with signal 6"))
+                << end.out << end.err;
+        }
 }
 #endif
 
@@ -141,7 +160,7 @@ TEST_F(Survival, ABatchIsTheSameWhatEverIsPreparedBesideIt) {
 TEST_F(Survival, CtrlCLeavesWholeFilesAndResumeDoesTheRest) {
     // Background jobs of the shell ignore SIGINT; env restores the signal.
     const int status = shell(
-        "env --default-signal=INT $GLIBRA test s.toml --update --jobs 1 & parent=$!\n"
+        "env --default-signal=INT \"$GLIBRA\" test s.toml --update --jobs 1 & parent=$!\n"
         "until ls golden/*.png; do sleep .01; done\nkill -INT $parent\nwait $parent\n");
     EXPECT_EQ(status, 130) << log();
     EXPECT_TRUE(contains(log(), "skipped")) << log();
@@ -164,7 +183,7 @@ TEST_F(Survival, ResumeAfterAnUpdateComparesInsteadOfRepeatingThatThereWasOne) {
 TEST_F(Survival, AKilledRunContinuesWithWhatIsMissing) {
     ASSERT_EQ(run("s.toml --update").status, 0);
     shell(
-        "rm -r glibra-results\n$GLIBRA test s.toml --jobs 1 & parent=$!\n"
+        "rm -r glibra-results\n\"$GLIBRA\" test s.toml --jobs 1 & parent=$!\n"
         "until [ $(cat glibra-results/results.jsonl | wc -l) -gt 3 ]; do sleep .01; done\nkill -9 $parent\n"
         "wait $parent\ncp glibra-results/results.jsonl before\n");
     const std::string before = readFile(folder / "before");
@@ -183,7 +202,7 @@ TEST_F(Survival, AMergeOfKilledRunsIsAnErrorUntilTheyAreResumed) {
     // Shard 1 is killed after one result, shard 2 after three.
     shell(
         "for shard in 1 2; do\n"
-        "  $GLIBRA test s.toml --shard $shard/2 --results r$shard --jobs 1 & run=$!\n"
+        "  \"$GLIBRA\" test s.toml --shard $shard/2 --results r$shard --jobs 1 & run=$!\n"
         "  until [ $(cat r$shard/results.jsonl | wc -l) -gt $((shard * 2 - 1)) ]; do sleep .01; done\n"
         "  kill -9 $run\n  wait $run\ndone\n");
     const Finished early = run("--merge r1 r2 --results all --junit j.xml --report page");
@@ -203,7 +222,7 @@ TEST_F(Survival, AMergeOfKilledRunsIsAnErrorUntilTheyAreResumed) {
 TEST_F(Survival, AMergeOfAnInterruptedRunIsAnError) {
     ASSERT_EQ(run("s.toml --update").status, 0);
     const int status = shell(
-        "rm -r glibra-results\nenv --default-signal=INT $GLIBRA test s.toml --jobs 1 & parent=$!\n"
+        "rm -r glibra-results\nenv --default-signal=INT \"$GLIBRA\" test s.toml --jobs 1 & parent=$!\n"
         "until [ $(cat glibra-results/results.jsonl | wc -l) -gt 2 ]; do sleep .01; done\n"
         "kill -INT $parent\nwait $parent\n");
     EXPECT_EQ(status, 130) << log();
@@ -215,7 +234,7 @@ TEST_F(Survival, AMergeOfAnInterruptedRunIsAnError) {
 TEST_F(Survival, TwoRunsInOneFolderBothGiveRightResults) {
     ASSERT_EQ(run("s.toml --update").status, 0);
     const int status = shell(
-        "$GLIBRA test s.toml >one 2>&1 & a=$!\n$GLIBRA test s.toml >two 2>&1 & b=$!\n"
+        "\"$GLIBRA\" test s.toml >one 2>&1 & a=$!\n\"$GLIBRA\" test s.toml >two 2>&1 & b=$!\n"
         "wait $a && wait $b\n");
     EXPECT_EQ(status, 0) << readFile(folder / "one") << readFile(folder / "two");
     for (const char* each : {"one", "two"})
@@ -228,7 +247,8 @@ TEST_F(Survival, AMergeIntoTheFolderOfARunIsRefused) {
     const int status = shell(
         "mkdir glibra-results\nflock glibra-results sleep 60 & lock=$!\nwhile flock -n glibra-results true; "
         "do sleep 0.05; done\n"
-        "$GLIBRA test --merge part --results glibra-results >merged 2>&1\ncode=$?\nkill $lock\nexit $code\n");
+        "\"$GLIBRA\" test --merge part --results glibra-results >merged 2>&1\ncode=$?\nkill $lock\nexit "
+        "$code\n");
     EXPECT_EQ(status, 3) << log();
     EXPECT_TRUE(contains(readFile(folder / "merged"), "result-E02")) << readFile(folder / "merged");
 }
@@ -258,7 +278,8 @@ TEST_F(Survival, AFolderOfResultsWithLinksGetsNothingWrittenThroughThem) {
 
 TEST_F(Survival, TwoUpdatesAtOnceLeaveWholeGoldensAndAllHashes) {
     const int status = shell(
-        "$GLIBRA test s.toml --update --results r1 & a=$!\n$GLIBRA test s.toml --update --results r2 & b=$!\n"
+        "\"$GLIBRA\" test s.toml --update --results r1 & a=$!\n\"$GLIBRA\" test s.toml --update --results r2 "
+        "& b=$!\n"
         "wait $a && wait $b\n");
     EXPECT_EQ(status, 0) << log();
     const Finished check = run("s.toml");
@@ -290,7 +311,7 @@ TEST_F(Survival, GoldensThatCannotBeWrittenAreReportedAndStay) {
     const std::string user = root ? "setpriv --reuid=65534 --clear-groups " : "";
     const int status =
         shell("chmod 755 . && chmod -R a-w golden && mkdir out && chmod 777 out\n" + user +
-              "$GLIBRA test s.toml --update --results out/r\ncode=$?\nchmod -R u+w golden\nexit $code\n");
+              "\"$GLIBRA\" test s.toml --update --results out/r\ncode=$?\nchmod -R u+w golden\nexit $code\n");
     if (contains(log(), "setpriv")) GTEST_SKIP() << log();
     EXPECT_EQ(status, 1) << log();
     EXPECT_TRUE(contains(log(), "permission denied")) << log();
@@ -303,7 +324,7 @@ TEST_F(Survival, AFullDiskIsReportedAndNothingIsHalfWritten) {
     if (shell("mkdir small && mount -t tmpfs -o size=256k tmpfs small\n") != 0)
         GTEST_SKIP() << "mounting is not permitted: " << log();
     const int status = shell(
-        "$GLIBRA test s.toml --update --goldens small/g --results r; echo status $?\n"
+        "\"$GLIBRA\" test s.toml --update --goldens small/g --results r; echo status $?\n"
         "ls -la small/g/s\nfor i in small/g/s/*.png; do tail -c 8 $i | grep -q IEND || echo torn $i; done\n"
         "umount small\n");
     EXPECT_EQ(status, 0);
@@ -319,7 +340,7 @@ TEST_F(Survival, AFullDiskUnderTheResultsStopsTheRun) {
         GTEST_SKIP() << "mounting is not permitted: " << log();
     shell(
         "dd if=/dev/zero of=small/fill bs=1k count=8\n"
-        "$GLIBRA test s.toml --results small; echo status $?\numount small\n");
+        "\"$GLIBRA\" test s.toml --results small; echo status $?\numount small\n");
     EXPECT_TRUE(contains(log(), "o space left on device")) << log();
     EXPECT_TRUE(contains(log(), "status 3")) << log();
 }

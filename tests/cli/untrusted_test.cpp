@@ -203,7 +203,7 @@ TEST_F(Untrusted, AScenesEndsAreReportedAsWithoutASandbox) {
 TEST_F(Untrusted, AKernelWithoutASandboxIsNamedAndNothingIsDrawn) {
     for (const char* call : {"landlock", "seccomp"}) {
         const std::string without =
-            std::string("GLIBRA_REMOVE_CALL=") + call + " LD_PRELOAD=" GLIBRA_REMOVE_CALL;
+            std::string("GLIBRA_REMOVE_CALL=") + call + " " + preload(GLIBRA_REMOVE_CALL);
         for (const char* command : {"render in/a.glib -o x.png --untrusted", "check in/a.glib --untrusted",
                                     "test in --untrusted"}) {
             const Finished refused = run(command, without);

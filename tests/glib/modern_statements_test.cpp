@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "glib/limits.h"
@@ -184,10 +185,8 @@ TEST(ModernShaders, AreTakenRawUpToTheEndWord) {
     EXPECT_EQ(script.commands[0].body, "#version 410\nvoid main() { gl_Position = vec4(0); } // (\n");
     EXPECT_EQ(script.commands[0].bodyPosition, (Position{2, 1}));
     EXPECT_EQ(script.commands[1].position.line, 5);
-    EXPECT_EQ(
-        messageOf("Compute inline\nEndVertex\n"),
-        "1:1 glib-E22 'Compute inline' is not closed by a line 'EndCompute'2:1 glib-E21 EndVertex without "
-        "'Vertex inline'");
+    EXPECT_EQ(messageOf("Compute inline\nEndVertex\n"),
+              "1:1 glib-E22 'Compute inline' is not closed by a line 'EndCompute'");
     EXPECT_EQ(only("Compute inline\nEndCompute").body, "");
     EXPECT_EQ(only("Compute a.comp").text, "a.comp");
 }
@@ -231,6 +230,10 @@ TEST(ModernValues, OfNamesStandInParentheses) {
     EXPECT_EQ(messageOf("Let x 3\nTranslate 0 x 0"),
               "2:13 glib-E19 Translate: expected a number, found 'x'; write (x) for its value");
     EXPECT_EQ(messageOf("Let x 3\nTranslate 0 y 0"), "2:13 glib-W05 'y' is not a number, 0 used");
+    EXPECT_EQ(messageOf("Let x 3\nTexture kept 256 256 rgba8"),
+              "2:9 glib-W05 'kept' is not a number, 0 used; a texture with a name is declared by Texture2D "
+              "NAME");
+    EXPECT_EQ(messageOf("Texture2D ? a.png"), "1:11 glib-W05 '?' is not a number, 0 used");
     EXPECT_EQ(messageOf("Let speed 3\nWhen speed > 1\nEndWhen"),
               "2:6 glib-E19 When: expected a condition in parentheses, found 'speed'");
 }
@@ -258,6 +261,47 @@ TEST(ModernLimits, HaveMessages) {
     for (std::size_t i = 0; i <= kMostTags; ++i) tags += " \\\n u" + std::to_string(i) + " 1";
     EXPECT_EQ(idsOf(tags), Ids{"glib-E15"});
     EXPECT_EQ(idsOf("Set uA 1e99"), Ids{"glib-E05"});
+}
+
+/// The ids and texts of all messages.
+std::string messagesOf(std::string_view text) {
+    std::string all;
+    for (const Diagnostic& each : parse(text, "scene.glib").diagnostics)
+        all += each.id + " " + each.text + "\n";
+    return all;
+}
+
+TEST(Hints, ExpressionsWithoutParenthesesAreErrorsInModernScenesOnly) {
+    EXPECT_EQ(messagesOf("Let n 3\nTranslate 2*k 0 0\n"),
+              "glib-E19 Translate: expected a number, found '2*k'; write (2*k) for its value\n");
+    EXPECT_EQ(messagesOf("Sphere n/3\nLet n 3\n"),
+              "glib-E19 Sphere: expected a number, found 'n/3'; write (n/3) for its value\n")
+        << "also before the first modern statement";
+    EXPECT_EQ(messagesOf("Translate 2*k 0 0\n"), "glib-W04 '2*k' read as 2, '*k' ignored\n");
+    EXPECT_EQ(messagesOf("Let n 3\nTranslate 1e-3 1.5f 0\n"), "glib-W04 '1.5f' read as 1.5, 'f' ignored\n");
+    EXPECT_NE(messagesOf("Instances 2*n\n").find("write (2*n) for its value"), std::string::npos);
+}
+
+TEST(Hints, SayWhatToWriteInstead) {
+    const auto says = [](std::string_view text, std::string_view hint) {
+        const std::string all = messagesOf(text);
+        EXPECT_NE(all.find(hint), std::string::npos) << all;
+    };
+    says("Let y 2 + 3\n", "surplus argument '+'; write (2 + 3) for its value");
+    says("Pass window clear 0 0 0 1\nEndPass\n", "'0'; write {0 0 0 1}");
+    says("Expect pixel 3 3 1 0 0\n", "'1'; write [1 0 0]");
+    says("State culling back\n", "did you mean 'cull'?");
+    says("Repeat 2\nLet v 3\nEndRepeat\n", "move it out, or write (3), which may stand here");
+}
+
+TEST(Hints, AShaderWithoutItsEndIsReportedOnce) {
+    const std::string all = messagesOf(
+        "Camera eye LookAt 0 1 4  0 0 0  0 1 0  Perspective 45 .1 50\nVertex inline\n#version 330\n"
+        "in vec3 position;\nvoid main() { gl_Position = vec4(position, 1); }\nFragment inline\n"
+        "void main() {}\nEndFragment\nProgram P\nSphere\nSpere\n");
+    EXPECT_EQ(all.find("glib-E22 'Vertex inline' is not closed"), 0U) << all;
+    EXPECT_NE(all.find("glib-E01 unknown command 'Spere'"), std::string::npos) << "the rest is read: " << all;
+    EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 2) << all;
 }
 
 }  // namespace

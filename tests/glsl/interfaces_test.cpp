@@ -24,6 +24,19 @@ TEST(Interface, UnwrittenInputReadsZero) {
     EXPECT_EQ("", glslangErrors(translated));
 }
 
+TEST(Interface, UnwrittenInputNamesTheWrittenOutputThatIsNearest) {
+    const auto textOf = [](const std::string& outputs, const std::string& input) {
+        const TranslatedProgram translated =
+            pair(outputs + " void main() { vNormal = vec3(1.); gl_Position = aVertex; }",
+                 "in vec3 " + input + "; void main() { fColor = vec4(" + input + ", 1.); }");
+        return translated.diagnostics.empty() ? "" : translated.diagnostics[0].text;
+    };
+    EXPECT_EQ("'vNorml' is written by no earlier stage, it reads 0; did you mean 'vNormal'?",
+              textOf("out vec3 vNormal; out vec3 vNorm;", "vNorml"))
+        << "nothing writes vNorm";
+    EXPECT_EQ("'vColor' is written by no earlier stage, it reads 0", textOf("out vec3 vNormal;", "vColor"));
+}
+
 TEST(Interface, DeclaredButUnwrittenOutputCountsAsUnwritten) {
     EXPECT_EQ("glsl-W11", ids(pair("out vec3 v; void main() { gl_Position = aVertex; }",
                                    "in vec3 v; void main() { fColor = vec4(v, 1.); }")
@@ -196,16 +209,51 @@ TEST(Samplers, BindingsAreFacts) {
                      .textureBindings.at("s"));
 }
 
-TEST(Subroutines, FirstFunctionIsCalled) {
+TEST(Subroutines, BecomeNumbersOfFunctions) {
     const TranslatedProgram translated =
         translateSingle(Stage::fragment,
                         "#version 400\nsubroutine vec4 Shade(float x);\nsubroutine uniform Shade shade;\nout "
                         "vec4 o;\nvoid main() { o = shade(1.); }\nsubroutine(Shade) vec4 phong(float x) { "
                         "return vec4(x); }\nsubroutine(Shade) vec4 flatOne(float x) { return vec4(0.); }\n");
-    EXPECT_EQ("subroutine uniform 'shade' uses its first function 'phong'",
-              textOf(translated.diagnostics, "glsl-W19"));
+    EXPECT_EQ(translated.uniforms.at("shade").subroutines, (std::vector<std::string>{"phong", "flatOne"}));
     EXPECT_EQ(std::string::npos, sourceOf(translated, Stage::fragment).find("subroutine"));
+    EXPECT_EQ("", ids(translated.diagnostics));
     EXPECT_EQ("", glslangErrors(translated));
+}
+
+TEST(Subroutines, MayBeArraysReturnNothingAndHaveNamesOfKeywords) {
+    const TranslatedProgram translated = translateSingle(Stage::fragment, R"(#version 400
+subroutine void Work(inout vec4 color, const in float list[2]);
+subroutine float Next();
+layout(location = 2) subroutine uniform Work works[2];
+subroutine uniform Next next, other;
+subroutine(Work) void shared(inout vec4 color, const in float list[2]) { color.r = list[0]; }
+layout(index = 7) subroutine(Work) void twice(inout vec4 color, const in float list[2]) { color *= list[1]; }
+subroutine(Next) float one() { return 1.; }
+out vec4 o;
+void main() {
+    o = vec4(next(), other(), 0., 1.);
+    works[1](o, float[2](1., next()));
+    for (int i = 0; i < 2; ++i) works[i](o, float[2](1., 2.));
+}
+)");
+    EXPECT_EQ(translated.uniforms.at("works").subroutines, (std::vector<std::string>{"shared", "twice"}));
+    EXPECT_EQ(translated.uniforms.at("other").subroutines, (std::vector<std::string>{"one"}));
+    EXPECT_EQ("", glslangErrors(translated));
+}
+
+TEST(Subroutines, AreCountedOverAllStages) {
+    const std::string type = "subroutine float F(float x);\nsubroutine uniform F f;\n";
+    const TranslatedProgram translated = pair(
+        type +
+            "subroutine(F) float a(float x) { return x; }\nsubroutine(F) float b(float x) { return x; }\n"
+            "out float v;\nvoid main() { gl_Position = aVertex; v = f(1.); }",
+        "in float v;\n" + type +
+            "subroutine(F) float b(float x) { return x; }\nsubroutine(F) float c(float x) { return x; }\n"
+            "void main() { fColor = vec4(f(v)); }");
+    EXPECT_EQ(translated.uniforms.at("f").subroutines, (std::vector<std::string>{"a", "b", "c"}));
+    EXPECT_EQ("", glslangErrors(translated));
+    EXPECT_NE(std::string::npos, sourceOf(translated, Stage::fragment).find("glibra_which == 2"));
 }
 
 TEST(Buffers, AreRefused) {

@@ -37,6 +37,9 @@ TEST(CompileLog, Mesa) {
     EXPECT_EQ("dir/lib.glsl:2:1: error: oops [glsl-E01]", first("1:2(1): error: oops\n"));
     EXPECT_EQ("a.frag:4:1: error: Illegal non-directive after # [glsl-E01]",
               first("0:4(1): preprocessor error: Illegal non-directive after #\n"));
+    EXPECT_EQ("a.frag:4:1: error: cannot find it [glsl-E01]",
+              first("0:4(1): preprocessor error: #error cannot find it\n"));
+    EXPECT_EQ("a.frag:4:1: error: #error [glsl-E01]", first("0:4(1): preprocessor error: #error\n"));
 }
 
 TEST(CompileLog, MesaWithNames) {

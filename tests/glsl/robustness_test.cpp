@@ -58,7 +58,7 @@ void translateEverywhere(const std::string& text, std::uint32_t seed) {
 
 TEST(Robustness, MutatedSourcesEnd) {
     static const std::string kPieces = "(){}[];,.#\\\n\"/* =+<>?:0.xgl_";
-    for (std::uint32_t seed = 0; seed < 3000; ++seed) {
+    for (std::uint32_t seed = 0; seed < (GLIBRA_SANITIZED ? 1000 : 3000); ++seed) {
         std::string text = kSource;
         for (std::uint32_t k = 0; k < 1 + seed % 5; ++k) {
             const std::uint32_t random = mix(seed * 16 + k);
@@ -118,7 +118,8 @@ TEST(Robustness, DeepNestingEnds) {
                              "{{",        "#if 1\n",
                              "/*",        "#define A(x) x\n"})
         for (const char* before : {"void main() { x = ", "", "float a = ", "uniform "}) {
-            const std::string text = "#version 120\n" + std::string(before) + repeated(open, 40'000);
+            const std::string text =
+                "#version 120\n" + std::string(before) + repeated(open, GLIBRA_SANITIZED ? 5'000 : 40'000);
             for (const Stage stage : {Stage::vertex, Stage::geometry, Stage::fragment})
                 translateSingle(stage, text);
         }
@@ -146,7 +147,7 @@ TEST(Robustness, LargeSourcesEnd) {
           "#define X 1\n", "#if 0\n#endif\n", "gl_PositionIn[0];\n", "\\\n", "// \\\n",
           "varying vec3 a, b;\n", "0", "a", "\"", "struct S { int a; };\n"})
         for (const Stage stage : {Stage::vertex, Stage::geometry, Stage::fragment})
-            translateSingle(stage, "#version 120\n" + repeated(part, 300'000));
+            translateSingle(stage, "#version 120\n" + repeated(part, GLIBRA_SANITIZED ? 40'000 : 300'000));
 }
 
 TEST(Robustness, LineZeroCountsAsLineOne) {
@@ -160,7 +161,7 @@ TEST(Robustness, SubroutineUniformWithTheNameOfAnOldValue) {
         Stage::fragment,
         "#version 430\nsubroutine float A(float x);\nsubroutine(A) float one(float x) { return x; }\n"
         "subroutine uniform A gl_LightSource;\nvoid main() { }");
-    EXPECT_EQ("glsl-W19 glsl-W04", ids(translated.diagnostics));
+    EXPECT_EQ("glsl-W04", ids(translated.diagnostics));
 }
 
 }  // namespace

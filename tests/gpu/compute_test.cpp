@@ -49,7 +49,8 @@ TEST_F(ComputeTest, EveryInvocationRuns) {
     EXPECT_EQ(localSizeOf(*program), (std::array<int, 3>{4, 1, 1}));
     const Buffer buffer = bufferOf({10, 12, 16, 18, 50, 17});
     buffer.bindBase(GL_SHADER_STORAGE_BUFFER, 0);
-    dispatch(*program, {2, 1, 1});
+    program->use();
+    dispatch({2, 1, 1});
     finishShaderWrites();
     EXPECT_EQ(content(buffer), (std::vector<std::uint32_t>{20, 24, 32, 36, 100, 34}));
 }
@@ -66,7 +67,8 @@ TEST_F(ComputeTest, GroupCountsComeFromABuffer) {
     const Buffer buffer = bufferOf(std::vector<std::uint32_t>(12, 1));
     const Buffer groups = bufferOf({99, 2, 1, 1});
     buffer.bindBase(GL_SHADER_STORAGE_BUFFER, 0);
-    dispatchFrom(*program, groups, 4);
+    program->use();
+    dispatchFrom(groups, 4);
     finishShaderWrites();
     EXPECT_EQ(content(buffer), (std::vector<std::uint32_t>{2, 2, 2, 2, 2, 2, 2, 2, 1, 1, 1, 1}));
 }
@@ -80,7 +82,8 @@ void main() { atomicCounterIncrement(uCount); }
     ASSERT_TRUE(program);
     const Buffer counters = bufferOf({7, 0});
     counters.bindBase(GL_ATOMIC_COUNTER_BUFFER, 0);
-    dispatch(*program, {3, 5, 1});
+    program->use();
+    dispatch({3, 5, 1});
     finishShaderWrites();
     EXPECT_EQ(content(counters), (std::vector<std::uint32_t>{7, 3 * 5 * 16}));
 }
@@ -95,7 +98,8 @@ void main() { imageStore(uOut, ivec2(gl_GlobalInvocationID.xy), uvec4(7u)); }
 )");
     ASSERT_TRUE(program);
     texture->bindImage(0, 1, 2, GL_WRITE_ONLY);
-    dispatch(*program, {2, 2, 1});
+    program->use();
+    dispatch({2, 2, 1});
     finishShaderWrites();
     const auto bytes = texture->read(1, 1, TexelType::u32);
     ASSERT_TRUE(bytes);

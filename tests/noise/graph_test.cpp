@@ -173,6 +173,10 @@ TEST(ColorScale, HasTheDocumentedEndsAndTheUniformOneGrowsLighter) {
     EXPECT_EQ(colorOf(ColorScale::rainbow, 0), (std::array<double, 3>{0, 0, 1}));
     EXPECT_EQ(colorOf(ColorScale::rainbow, .5), (std::array<double, 3>{0, 1, 0}));
     EXPECT_EQ(colorOf(ColorScale::rainbow, 1), (std::array<double, 3>{1, 0, 0}));
+    EXPECT_EQ(colorOf(ColorScale::sky, 0), (std::array<double, 3>{0, 0, 1}));
+    EXPECT_EQ(colorOf(ColorScale::sky, 1), (std::array<double, 3>{1, 1, 1}));
+    EXPECT_EQ(colorOf(ColorScale::fire, 0), (std::array<double, 3>{1, 0, 0}));
+    EXPECT_EQ(colorOf(ColorScale::fire, 1), (std::array<double, 3>{1, 1, 0}));
     EXPECT_EQ(colorOf(ColorScale::heated, 0), (std::array<double, 3>{0, 0, 0}));
     EXPECT_EQ(colorOf(ColorScale::heated, 1), (std::array<double, 3>{1, 1, 1}));
     // CIE lightness, from luminance, is independent of OKLab, with which the scale is made.

@@ -47,8 +47,8 @@ TEST(OverrideText, HoldsAWordOfAChoice) {
     EXPECT_EQ(parseOverride("method=1")->word, "");
 }
 TEST(OverrideText, IsRejectedIfItIsMalformed) {
-    for (const char* text : {"uKd", "=5", "uKd=", "uKd=1,x", "Dots:uKd=five", "uKd=[five]", "uKd=[1",
-                             "uKd=[]", "uKd=inf", "uKd=nan", "uKd=1e99", "uKd=0x10", "uKd=1.5f", "uKd=[", ""})
+    for (const char* text : {"uKd", "=5", "uKd=", "uKd=1,x", "uKd=[five]", "uKd=[1", "uKd=[]", "uKd=inf",
+                             "uKd=nan", "uKd=1e99", "uKd=0x10", "uKd=1.5f", "uKd=[", ""})
         EXPECT_FALSE(parseOverride(text)) << text;
     EXPECT_FALSE(parseOverride("uKd=" + std::string(20000, '1')));
     std::string many = "uKd=";
@@ -144,6 +144,18 @@ TEST(UnusedOverride, IsReportedWithANearName) {
     EXPECT_EQ(textOf(diagnostics, "glib-W23"),
               "no program of the scene has a uniform 'ushrink'; did you mean 'uShrink'?");
     EXPECT_TRUE(diagnostics.front().place.file.empty());
+}
+TEST(UnusedOverride, ThatIsAWordIsAnError) {
+    const std::vector<Override> overrides{*parseOverride("uKd=five").value,
+                                          *parseOverride("Dots:uKd=five").value};
+    const Diagnostics diagnostics = unusedOverrides(overrides, {false, false}, {});
+    ASSERT_EQ(diagnostics.size(), 2U);
+    EXPECT_EQ(diagnostics[0].text,
+              "--set uKd=five: 'five' is not a number, and the scene has no choice 'uKd' with words");
+    EXPECT_EQ(
+        diagnostics[1].text,
+        "--set Dots:uKd=five: 'five' is not a number, and program 'Dots' has no subroutine uniform 'uKd'");
+    EXPECT_TRUE(hasError(diagnostics));
 }
 TEST(UnusedOverride, OfOneProgramNamesThatProgram) {
     const std::vector<Override> overrides{{"uKd", UniformForm::number, {1}, "Dost"}};

@@ -336,6 +336,53 @@ Fill window with Number
     EXPECT_EQ(many - few, 100U * 4U) << "program, buffer, dispatch, barrier";
 }
 
+TEST_F(KeptFrames, ADrawSetsNothingThatIsSet) {
+    const auto callsFor = [this](int boxes) {
+        write(std::string(kShow) + R"(
+Texture2D a 8 8 rgba8 nearest
+Texture2D b 8 8 rgba8 mipmap generate
+Buffer Shades float [.25 .5]
+Vertex inline
+#version 430 core
+uniform mat4 mvp_matrix;
+in vec3 vertPos;
+void main() { gl_Position = mvp_matrix * vec4(vertPos, 1.); }
+EndVertex
+Fragment inline
+#version 430 core
+uniform sampler2D uA, uB;
+uniform Tint { vec4 tint; };
+layout(std430) readonly buffer Shades { float shades[]; };
+out vec4 fColor;
+void main() { fColor = tint * shades[1] + texture(uA, vec2(.5)) + textureLod(uB, vec2(.5), 2.); }
+EndFragment
+Program Textured tint {1 1 1} uA a uB b
+Pass a clear {0 0 .5}
+EndPass
+Pass b clear {0 .25 0}
+EndPass
+Pass window from eye
+    Use Textured
+    Repeat )" +
+              std::to_string(boxes) +
+              R"( as k
+        Translate (.01*k) 0 0
+        Box .2
+    EndRepeat
+EndPass
+)");
+        Result<render::SceneRenderer> scene = load({});
+        EXPECT_TRUE(scene);
+        if (!scene) return std::uint64_t{0};
+        EXPECT_TRUE(scene->draw(0, stats));
+        const gpu::CallCounter counter;
+        EXPECT_TRUE(scene->draw(0, stats));
+        return counter.counts().calls;
+    };
+    const std::uint64_t few = callsFor(2), many = callsFor(12);
+    EXPECT_EQ(many - few, 10U * 2U) << "the matrix and the draw";
+}
+
 TEST_F(KeptFrames, MipmapsAreMadeOnlyForSamplersThatReadThem) {
     const auto scene = [this](const std::string& filter, const std::string& read) {
         draw("Texture2D a 8 8 rgba8 " + filter + " generate\n" + R"(

@@ -42,12 +42,138 @@ std::string showing(const std::string& type, const std::string& at) {
            " uT;\nvoid main() { c = texture(uT, " + at + "); }\nEndFragment\n";
 }
 
+TEST(ScriptChecks, LevelsAreGeneratedForTheCheck) {
+    EXPECT_EQ(problemsOf(R"(WindowSize 8 8
+Texture2D a 8 8 rgba8 mipmap levels 4 generate
+Fragment inline
+#version 430
+in vec2 vST; out vec4 c; void main(){ c=vec4(vST.x<.5,0,0,1); }
+EndFragment
+Program P
+Fill a with P
+Expect pixel 0 0 [.5] of a.level(3) within .01
+)"),
+              "");
+}
+
+TEST(ScriptChecks, AConditionThatFailsShowsBothSides) {
+    const auto found = [](const std::string& check) {
+        const std::string problems = problemsOf(
+            "Buffer sums uint [40 26 96]\nLet aim <0 3 9>\nFragment inline\n"
+            "#version 430\nlayout(std430) buffer sums { uint n[]; };\nout vec4 c;\n"
+            "void main() { c = vec4(n[0]); }\nEndFragment\nProgram P\nUse P\n"
+            "FullScreen\nExpect " +
+            check + "\n");
+        const std::size_t at = problems.find("expected true, found ");
+        return at == std::string::npos ? problems : problems.substr(at + 21, problems.rfind(" [") - at - 21);
+    };
+    EXPECT_EQ(found("(sums[0] == 40)"), "");
+    EXPECT_EQ(found("(sums[0] == 41)"), "40 == 41");
+    EXPECT_EQ(found("(sums[1] + 1 <= aim * (2 + aim))"), "27 <= 15");
+    EXPECT_EQ(found("(vec2(aim, 1) == vec2(1, 1))"), "[3 1] == [1 1]");
+    EXPECT_EQ(found("(sums[0] == 40 && sums[1] == 2)"), "false");
+    EXPECT_EQ(found("(aim - 3)"), "0");
+    EXPECT_NE(found("primitives (sums[0])")
+                  .find("'sums[0]' has no value here: only Expect (condition) reads the "
+                        "elements of buffers"),
+              std::string::npos);
+}
+
+TEST(ScriptChecks, OutputsFitTheirTargets) {
+    const auto drawn = [](const std::string& output, const std::string& format,
+                          const std::string& state = {}) {
+        return problemsOf(
+            "WindowSize 8 8\nTexture2D ids 8 8 " + format + "\nFragment inline\n#version 430\nout " + output +
+            " c;\nvoid main() { c = " + output + "(7); }\nEndFragment\nProgram P\nPass ids\n" + state +
+            "Use P\nFullScreen\nEndPass\nExpect pixel 2 2 [" + (state.empty() ? "7" : "0") + "] of ids\n");
+    };
+    EXPECT_EQ(drawn("uint", "r32ui"), "");
+    EXPECT_EQ(drawn("int", "r8i"), "");
+    EXPECT_EQ(drawn("float", "r32f"), "");
+    EXPECT_NE(drawn("vec4", "r32ui")
+                  .find("error: fragment output 'c' is of type vec4, but target 'ids' (line 2) "
+                        "holds unsigned integers; declare the output as uvec4"),
+              std::string::npos)
+        << drawn("vec4", "r32ui");
+    EXPECT_NE(drawn("uint", "r32i").find("holds signed integers; declare the output as int"),
+              std::string::npos);
+    EXPECT_NE(drawn("ivec2", "rg8").find("holds floating-point numbers; declare the output as vec2"),
+              std::string::npos);
+    EXPECT_EQ(drawn("vec4", "r32ui", "State write none\n"), "") << "nothing is written";
+}
+
+TEST(ScriptChecks, SmallBuffersLast) {
+    EXPECT_EQ(problemsOf(R"(Buffer b float 1
+Compute inline
+#version 430
+layout(local_size_x=1) in; layout(std430) buffer B { float b[]; };
+void main(){ b[0]+=1.; }
+EndCompute
+Program C
+Once
+    Dispatch C 1
+EndOnce
+Expect buffer b [1]
+)"),
+              "");
+}
+
+TEST(ScriptChecks, KeepWhatIsReportedWithoutDrawing) {
+    const SceneFolder folder("Sphere\nExpect error glib-W23\n");
+    const Diagnostics known = {diagnose("glib-W23", "a"), diagnose("glib-W24", "b")};
+    const std::string found = text(render::runChecks(sharedContext(), folder / "scene.glib", {}, known));
+    EXPECT_EQ(found.find("glib-W23"), std::string::npos) << found;
+    EXPECT_NE(found.find("glib-W24"), std::string::npos) << found;
+}
+
 TEST(ScriptChecks, ReportWhatDoesNotHold) {
     EXPECT_EQ(problemsOf("WindowSize 8 8\nPass window clear {1 0 0}\nEndPass\nExpect pixel 2 2 [1 0 0]\n"),
               "");
     EXPECT_NE(problemsOf("WindowSize 8 8\nPass window clear {1 0 0}\nEndPass\nExpect pixel 2 2 [0 1 0]\n")
                   .find("check-E01"),
               std::string::npos);
+}
+
+TEST(Choices, BindTheTextureOrBufferThatTheirWordNames) {
+    const std::string begin =
+        "WindowSize 8 8\nTexture2D red 8 8 rgba8\nTexture2D green 8 8 rgba8\nLet pic <green red>\n" +
+        showing("sampler2D", "vST") +
+        "Program Copy\nFragment inline\n#version 330\nin vec2 vST;\nout vec4 c;\nuniform sampler2D uT;\n"
+        "void main() { c = texture(uT, vST); }\nEndFragment\nProgram Tagged uT pic\n"
+        "Pass red clear {1 0 0}\nEndPass\nPass green clear {0 1 0}\nEndPass\n";
+    const std::string isGreen = "Expect pixel 3 3 [0 1 0]\n";
+    EXPECT_EQ(problemsOf(begin + "Fill window with Copy uT pic\n" + isGreen), "");
+    EXPECT_EQ(problemsOf(begin + "Fill window with Tagged\n" + isGreen), "");
+    EXPECT_EQ(problemsOf(begin + "Set uT pic\nFill window with Copy\n" + isGreen), "");
+    EXPECT_EQ(
+        problemsOf(begin + "Repeat [red green] as op\nFill window with Copy uT op\nEndRepeat\n" + isGreen),
+        "");
+    EXPECT_EQ(
+        problemsOf(begin + "Group g what red\nFill window with Copy uT what\nEndGroup\nDraw g what pic\n" +
+                   isGreen),
+        "");
+    EXPECT_EQ(problemsOf("WindowSize 8 8\nTexture2D red 8 8 rgba8\nTexture2D green 8 8 rgba8\n"
+                         "Let pic <red green>\nFragment inline\n#version 330\nuniform int uK;\nout vec4 c;\n"
+                         "void main() { c = vec4(0, uK == 1 ? 1 : 0, 0, 1); }\nEndFragment\nProgram Number\n"
+                         "Repeat [red green] as op\nFill window with Number uK op\nEndRepeat\n" +
+                         isGreen),
+              "")
+        << "other uniforms take the number";
+    EXPECT_NE(problemsOf(begin + "Let other <one two>\nFill window with Copy uT other\n")
+                  .find("'one' is no variable, texture or buffer"),
+              std::string::npos);
+}
+
+TEST(Messages, OfATagWithAnErrorAreNotRepeated) {
+    EXPECT_EQ(problemsOf("WindowSize 8 8\nTexture2D life 8 8 rgba8\n" + showing("sampler2D", "vST") +
+                         "Program Next uT life.prev\nFill window with Next\nExpect error glib-E27\n"),
+              "");
+    const std::string time = problemsOf(
+        "WindowSize 8 8\nLet k 1\nFragment inline\n#version 330\nuniform float time;\nout vec4 c;\n"
+        "void main() { c = vec4(time + .5); }\nEndFragment\nProgram P\nFill window with P\n");
+    EXPECT_NE(time.find("is not set; it is 0; write 'time (time)' on the line of its Program"),
+              std::string::npos)
+        << time;
 }
 
 TEST(Expressions, GoOnAfterABackslash) {
@@ -138,10 +264,8 @@ Expect pixel 0 0 [1065353216] of bits
               "");
 }
 
-TEST(ImageFormats, OfAnotherSizeAreReported) {
-    RenderOptions options;
-    options.skip = false;  // what is not bound counts as not written
-    const std::string problems = problemsOf(R"(Texture2D bits 4 4 rgba8
+TEST(ImageFormats, OfAnotherSizeAreReportedOnce) {
+    const std::string compute = R"(Texture2D bits 4 4 rgba8
 Compute inline
 #version 430
 layout(local_size_x = 4, local_size_y = 4) in;
@@ -150,11 +274,221 @@ void main() { imageStore(uImage, ivec2(gl_GlobalInvocationID.xy), vec4(1.)); }
 EndCompute
 Program Write uImage bits
 Dispatch Write over bits
-Expect pixel 0 0 [1] of bits
-)",
-                                            {}, options);
-    EXPECT_NE(problems.find("draw-E09"), std::string::npos) << problems;
-    EXPECT_NE(problems.find("8 bytes, not 4"), std::string::npos) << problems;
+)";
+    const std::string fragment = R"(Texture2D bits 4 4 rgba8
+Texture2D other 4 4 rgba8
+Fragment inline
+#version 430
+layout(rgba16f) uniform writeonly image2D uImage;
+out vec4 fColor;
+void main() { imageStore(uImage, ivec2(gl_FragCoord.xy), vec4(1.)); fColor = vec4(1.); }
+EndFragment
+Program Write uImage bits
+Fill other with Write
+)";
+    for (const std::string& scene : {compute, fragment})
+        for (const bool skips : {true, false}) {
+            RenderOptions options;
+            options.skip = skips;
+            const std::string problems =
+                problemsOf(scene + "Expect pixel 0 0 [1 1 1 1] of bits\n", {}, options);
+            const std::size_t first = problems.find("draw-E09");
+            EXPECT_NE(first, std::string::npos) << problems;
+            EXPECT_EQ(problems.find("draw-E09", first + 1), std::string::npos) << problems;
+            EXPECT_NE(problems.find("scene.glib:"), std::string::npos) << problems;
+            EXPECT_NE(problems.find("8 bytes, not 4"), std::string::npos) << problems;
+        }
+}
+
+TEST(Dispatch, ThatWritesNothingReportsItsProgram) {
+    const std::string problems = problemsOf(R"(Texture2D bits 4 4 rgba8
+Compute inline
+#version 430
+layout(local_size_x = 4, local_size_y = 4) in;
+layout(rgba8) uniform writeonly image2D uImage;
+void main() { imageStore(uImage, ivec2(gl_GlobalInvocationID.xy), vec4(1.)); }
+EndCompute
+Program Write uImagge bits
+Dispatch Write over bits
+Expect pixel 0 0 [0 0 0 0] of bits
+)");
+    EXPECT_NE(problems.find("uniform 'uImagge'; did you mean 'uImage'?"), std::string::npos) << problems;
+}
+
+TEST(Dispatch, TagsMayResembleKeysIfTheProgramHasThem) {
+    const std::string scene = R"(Buffer Found float 4
+Compute inline
+#version 430
+layout(local_size_x = 1) in;
+uniform float cover, tile;
+layout(std430) writeonly buffer Found { float found[]; };
+void main() { found[gl_GlobalInvocationID.x] = cover + tile; }
+EndCompute
+Program Write cover 0 tile 0
+)";
+    EXPECT_EQ(
+        problemsOf(scene + "Dispatch Write 4 1 1 cover .5 tile .25\nExpect buffer Found [.75 .75 .75 .75]\n"),
+        "");
+    for (const char* rest : {"", "Expect buffer Found [0 0 0 0]\n"}) {
+        const std::string problems = problemsOf(scene + "Dispatch Write 4 1 1 tilse 4\n" + rest);
+        EXPECT_NE(
+            problems.find("scene.glib:10:22: error: Dispatch: unknown word 'tilse'; did you mean 'tiles'?"),
+            std::string::npos)
+            << problems;
+        EXPECT_EQ(problems.find("tilse"), problems.rfind("tilse")) << problems;
+    }
+    EXPECT_NE(problemsOf(scene + "Dispatch Write 4 1 1 form Found\n").find("did you mean 'from'?"),
+              std::string::npos);
+}
+
+// ---- Subroutine uniforms.
+
+TEST(Subroutines, AreChosenByTheNamesOfTheirFunctions) {
+    const std::string shader = R"(Fragment inline
+#version 400 core
+subroutine vec4 Shade(float level);
+subroutine uniform Shade shade;
+subroutine(Shade) vec4 red(float level) { return vec4(level, 0., 0., 1.); }
+subroutine(Shade) vec4 green(float level) { return vec4(0., level, 0., 1.); }
+out vec4 fColor;
+void main() { fColor = shade(1.); }
+EndFragment
+)";
+    const std::string isGreen = "Expect pixel 1 1 [0 1 0]\n";
+    for (const char* rest : {
+             "Let some 1\nProgram P shade green\nFill window with P\n",
+             "Let some 1\nProgram P shade red\nFill window with P shade green\n",
+             "Program P shade 1\nFill window with P\n",
+             "Let way <green red>\nProgram P shade way\nFill window with P\n",
+             "Program P\nRepeat [red green] as which\n    Set shade which\n    Fill window with "
+             "P\nEndRepeat\n",
+         })
+        EXPECT_EQ(problemsOf("WindowSize 4 4\n" + shader + rest + isGreen), "") << rest;
+    RenderOptions options;
+    options.set = {"shade=green"};
+    for (const char* rest : {"Let shade <red green>\nProgram P\n", "Let some 1\nProgram P shade red\n"})
+        EXPECT_EQ(
+            problemsOf("WindowSize 4 4\n" + shader + rest + "Fill window with P\n" + isGreen, {}, options),
+            "")
+            << rest;
+    options.set = {"shade=gren"};
+    EXPECT_NE(problemsOf(shader + "Let some 1\nProgram P shade red\nFill window with P\n", {}, options)
+                  .find("subroutine uniform 'shade' has no function 'gren'; did you mean 'green'?"),
+              std::string::npos);
+}
+
+TEST(Subroutines, OfAStepAreChosenOnTheCommandLine) {
+    const std::string scene = R"(WindowSize 4 4
+Let some 1
+Texture2D kept 4 4 rgba8 nearest
+Fragment inline
+#version 400 core
+subroutine vec4 Shade(float level);
+subroutine uniform Shade shade;
+uniform float uLevel;
+subroutine(Shade) vec4 red(float level) { return vec4(level, 0., 0., 1.); }
+subroutine(Shade) vec4 green(float level) { return vec4(0., level, 0., 1.); }
+out vec4 fColor;
+void main() { fColor = shade(uLevel); }
+EndFragment
+Program P shade red uLevel (some)
+Once
+    Fill kept with P
+EndOnce
+Expect pixel 1 1 [0 1 0] of kept
+)";
+    RenderOptions options;
+    for (const char* set : {"shade=green", "P:shade=green"}) {
+        options.set = {set};
+        EXPECT_EQ(problemsOf(scene, {}, options), "") << set;
+    }
+    options.set = {"shade=green", "uLevel=.5"};
+    EXPECT_EQ(problemsOf(scene, {}, options).find("uLevel"), std::string::npos);
+    options.set = {"shade=green", "uLvl=.5"};
+    EXPECT_NE(problemsOf(scene, {}, options).find("has a uniform 'uLvl'"), std::string::npos);
+    options.set = {"P:uLevel=green"};
+    EXPECT_NE(problemsOf(scene, {}, options)
+                  .find("--set P:uLevel=green: 'green' is not a number, and program 'P' has no subroutine "
+                        "uniform 'uLevel'"),
+              std::string::npos);
+}
+
+TEST(Subroutines, ReportFunctionsThatDoNotExist) {
+    const std::string shader = R"(Let some 1
+Fragment inline
+#version 400 core
+subroutine vec4 Shade(float level);
+subroutine uniform Shade shade;
+uniform float uLevel;
+subroutine(Shade) vec4 red(float level) { return vec4(level, 0., 0., 1.); }
+subroutine(Shade) vec4 green(float level) { return vec4(0., level, 0., 1.); }
+out vec4 fColor;
+void main() { fColor = shade(uLevel); }
+EndFragment
+)";
+    const auto expect = [&](const std::string& program, const std::string& message) {
+        const std::string problems = problemsOf(shader + program + "\nFill window with P\n");
+        EXPECT_NE(problems.find(message), std::string::npos) << problems;
+    };
+    expect("Program P uLevel 1 shade gren",
+           "12:26: error: subroutine uniform 'shade' has no function 'gren'; did you mean 'green'?");
+    expect("Program P uLevel smoe shade green",
+           "'smoe' is no variable, texture or buffer; did you mean 'some'?");
+    expect("Program P uLevel 1", "5:26: warning: subroutine uniform 'shade' uses its first function 'red'");
+}
+
+// ---- Pictures that shaders write.
+
+/// Adds a tenth to each texel of the picture `map`, in `block` (Step or the frame).
+std::string growing(const std::string& block) {
+    return R"(WindowSize 4 4
+Texture2D map grey.bmp nearest
+Compute inline
+#version 430
+layout(local_size_x = 5, local_size_y = 3) in;
+layout(rgba8) uniform image2D uImage;
+void main() {
+    ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+    imageStore(uImage, at, imageLoad(uImage, at) + vec4(.1));
+}
+EndCompute
+Program Grow uImage map
+)" + showing("sampler2D", "vST") +
+           "Program Show uT map\n" + block + "Fill window with Show\n";
+}
+
+TEST(WrittenPictures, BeginAsTheirFileSays) {
+    const std::map<std::string, std::string> files{{"grey.bmp", bmp(5, 3, "\x33\x33\x33")}};
+    const auto reds = [&](const std::string& block, const std::vector<double>& times, bool skips = true) {
+        const SceneFolder folder(growing(block), files);
+        render::Stats stats;
+        RenderOptions options;
+        options.skip = skips;
+        auto scene = render::SceneRenderer::load(sharedContext(), folder / "scene.glib", options, stats);
+        EXPECT_TRUE(scene) << text(scene.diagnostics);
+        std::vector<int> found;
+        for (const double time : times) {
+            if (!scene) break;
+            const Result<image::Image> picture = scene->draw(time, stats);
+            EXPECT_TRUE(picture) << text(picture.diagnostics);
+            found.push_back(picture ? std::to_integer<int>(picture->data.front()) : -1);
+        }
+        found.resize(times.size());
+        return found;
+    };
+    // .2 in the file; each step adds 25.5 of 255, which is rounded to 26 or stored exactly.
+    const std::vector<int> steps = reds("Step 1\n    Dispatch Grow over map\nEndStep\n", {0, 2, 3, 1, 0, 2});
+    EXPECT_EQ(steps[0], 51);
+    EXPECT_NEAR(steps[1], 102, 1);
+    EXPECT_NEAR(steps[2], 128, 2);
+    EXPECT_NEAR(steps[3], 76.5, 1) << "going back begins anew";
+    EXPECT_EQ(steps[4], 51);
+    EXPECT_EQ(steps[5], steps[1]);
+    for (const bool skips : {true, false}) {
+        const std::vector<int> frames = reds("Dispatch Grow over map\n", {0, 1, 2}, skips);
+        EXPECT_NEAR(frames[0], 76.5, 1);
+        EXPECT_EQ(frames, std::vector<int>(3, frames[0])) << "a frame leaves nothing to the next one";
+    }
 }
 
 // ---- Parts of textures.

@@ -294,7 +294,7 @@ TEST(SkipRule, RandomScenesAreTheSameWholeAndInTiles) {
     std::mt19937 random(11);
     std::uint64_t left = 0;
     std::uint64_t all = 0;
-    for (int i = 0; i < 80; ++i) {
+    for (int i = 0; i < (GLIBRA_SANITIZED ? 40 : 80); ++i) {
         const std::string text = randomScene(random);
         const SceneFolder folder(text, kFiles);
         RenderOptions options;

@@ -268,6 +268,14 @@ class Report(unittest.TestCase):
         self.browser.wait("return document.querySelector('#commands .copy').textContent === 'Copied'")
         self.assertEqual(self.browser.run("return document.querySelectorAll('td.beyond').length"), 3)
 
+    def test_pictures_of_the_first_screen_do_not_wait_for_it(self):
+        early = self.browser.run("return [...document.querySelectorAll('#list img')].map((each) => each.loading)")
+        self.assertEqual(early[:24], ["eager"] * min(24, len(early)))
+        self.browser.run("document.querySelector('.group[data-verdict=passed] button[aria-expanded=false]')?.click()")
+        late = self.browser.run("return [...document.querySelectorAll('#list img')].map((each) => each.loading)")
+        self.assertEqual(late, ["eager"] * 24 + ["lazy"] * (len(late) - 24))
+        self.assertGreater(len(late), 24)
+
     def test_nothing_is_asked_of_the_network(self):
         for shot in ("sample/deep", "sample/within", "sample/scene"):
             self.browser.run("location.hash = '#' + encodeURIComponent(arguments[0])", shot)

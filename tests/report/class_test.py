@@ -125,6 +125,12 @@ class ClassPage(unittest.TestCase):
         self.assertEqual(self.browser.run("return document.querySelector('h1').textContent"),
                          "11 submissions: 9 drawn, 1 failed, 1 without a scene")
 
+    def test_pictures_of_the_first_screen_do_not_wait_for_it(self):
+        self.browser.wait("return document.readyState === 'complete'")
+        early = self.browser.run("return [...document.images].filter((each) => each.loading !== 'lazy').map((each) => each.complete && each.naturalWidth)")
+        self.assertEqual(early, [320] * 24)
+        self.assertGreater(self.browser.run("return [...document.images].filter((each) => each.loading === 'lazy').length"), 5)
+
     def test_pictures_are_beside_the_reference_in_its_size(self):
         pairs = self.browser.run("""return [...document.querySelectorAll('#drawn .pair')].map((pair) =>
             [...pair.querySelectorAll('img')].map((each) => { each.loading = 'eager'; return each.getAttribute('src'); }))""")

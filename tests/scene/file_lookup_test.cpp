@@ -153,6 +153,32 @@ TEST_F(FileLookup, AMissingFileIsAnErrorWithTheNearestNames) {
     EXPECT_EQ(file.remarks.at(0).severity, Severity::error);
 }
 
+TEST_F(FileLookup, AFileOfAnotherTopicIsNamedAsItCanBeWritten) {
+    const fs::path scene = folder.path() / "mine" / "a.glib";
+    const fs::path shader = folder.write("shaders/noise/Solid.vert");
+    folder.write("shaders/noise/deep/solid.vert");
+    folder.write("shaders/solit.vert");
+    EXPECT_EQ(textOf(scene::find("solid.vert", scene)),
+              "file-E01 cannot find 'solid.vert'; the library has it as 'noise/Solid.vert' and "
+              "'noise/deep/solid.vert'");
+    EXPECT_EQ(textOf(scene::find("shaders/old/solid.vert", scene)).substr(0, 62),
+              "file-E01 cannot find 'shaders/old/solid.vert'; the library has");
+    EXPECT_EQ(scene::find("noise/Solid.vert", scene).path, shader) << "the name works";
+    EXPECT_EQ(textOf(scene::find("solid.frag", scene)), "file-E01 cannot find 'solid.frag'")
+        << "nothing has that name";
+    EXPECT_EQ(textOf(scene::find("sorit.vert", scene)),
+              "file-E01 cannot find 'sorit.vert'; nearest: 'solit.vert'");
+}
+
+TEST_F(FileLookup, ALibraryOfManyFoldersIsNotSearchedToItsEnd) {
+    fs::path deep = folder.path() / "shaders";
+    for (int i = 0; i < 8; ++i) deep /= "f";
+    folder.write(deep.lexically_relative(folder.path()) / "solid.vert");
+    for (int i = 0; i < 300; ++i) folder.write("textures/" + std::to_string(i) + "/x");
+    folder.write("textures/zzz/solid.vert");
+    EXPECT_EQ(textOf(find("solid.vert")), "file-E01 cannot find 'solid.vert'");
+}
+
 TEST_F(FileLookup, NearNamesAreSearchedInTheFolderOfTheName) {
     folder.write("sub/cows.obj");
     EXPECT_EQ(textOf(find("sub/cow.obj")), "file-E01 cannot find 'sub/cow.obj'; nearest: 'cows.obj'");

@@ -33,6 +33,23 @@ TEST(Mistakes, GroupsThatDrawEachOther) {
               "2:1 glib-E28 group 'a' draws itself\n3:1 glib-E28 group 'a' draws itself");
 }
 
+TEST(Mistakes, CamerasThatSeeNothing) {
+    const auto warnings = [](const std::string& rest, const std::string& name = "main") {
+        return textsOf(
+            run("Camera " + name + " LookAt 0 0 5 0 0 0 0 1 0 Perspective 50 1 20\n" + rest).diagnostics);
+    };
+    EXPECT_EQ(warnings("Sphere\n"),
+              "1:1 glib-W38 camera 'main' is not used; the camera 'eye' sees the window");
+    EXPECT_EQ(warnings("Let domain 1\nSphere (domain)\n"),
+              "1:1 glib-W38 camera 'main' is not used; the camera 'eye' sees the window");
+    EXPECT_EQ(warnings("Pass window from main\nSphere\nEndPass\n"), "");
+    EXPECT_EQ(warnings("Camera eye Shift main .1 0 0\nSphere\n"), "");
+    EXPECT_EQ(warnings("Sphere (main.near)\n"), "");
+    EXPECT_EQ(warnings("When (main.near > 0)\nSphere\nEndWhen\n"), "");
+    EXPECT_EQ(warnings("Sphere\n", "eye"), "");
+    EXPECT_EQ(warnings("Pass window from main[1]\nSphere\nEndPass\n", "main[2]"), "");
+}
+
 TEST(Mistakes, FilesThatIncludeEachOther) {
     const TemporaryFolder folder;
     folder.write("a.glib", "Box\nInclude b.glib\n");
@@ -97,6 +114,14 @@ TEST(Mistakes, TargetsThatDoNotFitTogether) {
     EXPECT_EQ(errorOf("layers.layer(4)"), "12:6 glib-E26 layers.layer: 4 is not between 0 and 3");
     EXPECT_EQ(errorOf("wide.level(2)"), "12:16 glib-E26 wide.level: 2 is not between 0 and 1");
     EXPECT_EQ(errorOf("a.face(1)"), "12:6 glib-E27 'a' has no part 'face'; it has level, crisp");
+}
+
+TEST(Mistakes, MipmapsOfFormatsThatHaveNone) {
+    for (const char* format : {"depth24", "depth32f", "depth24_stencil8", "r32ui"}) {
+        const std::string errors =
+            errorsOf(std::string("Texture2D a 8 8 ") + format + " nearest_mipmap_nearest generate\n");
+        EXPECT_NE(errors.find("has no mipmaps"), std::string::npos) << format << errors;
+    }
 }
 
 TEST(Mistakes, FormatsThatAreNone) {
@@ -170,6 +195,11 @@ TEST(Mistakes, AVariableWithoutAValueForAMomentHasOneLater) {
     const Scene second = script.at({.time = .5});
     EXPECT_EQ(textsOf(second.diagnostics), "");
     EXPECT_EQ(tests::drawsOf(second).at(0).modelView[3].x, 2);
+}
+
+TEST(Mistakes, OfAVariableAreNotRepeatedByItsChecks) {
+    EXPECT_EQ(errorsOf("Let v (1 - sqrt(0 - 1))\nExpect (v == 1)\nBox\n"),
+              "1:12 expr-E06 'sqrt(0 - 1)': the result is not a number");
 }
 
 }  // namespace

@@ -148,6 +148,17 @@ TEST(Modern, TagsOfAProgramAreEvaluatedAtItsDraws) {
     EXPECT_EQ(scene.programs.at(0).uniforms.at(0).tag, "uPlain");
 }
 
+TEST(Modern, AVariableOfAnyMagnitudeIsATagsValue) {
+    for (const double value : {1e20, -1e20, .5}) {
+        const Scene scene =
+            run("Let k " + std::to_string(value) + "\nVertex a.vert\nFragment a.frag\nProgram P uK k\nBox\n");
+        const std::vector<Draw> draws = drawsOf(scene);
+        ASSERT_EQ(draws.size(), 1U);
+        EXPECT_EQ(valuesOf(scene, draws[0], "uK"), std::vector<double>{value});
+        EXPECT_EQ(uniformOf(scene, draws[0], "uK")->word, "") << value;
+    }
+}
+
 TEST(Modern, MaterialsSetTheirFourMembers) {
     const Scene scene = run("Vertex a.vert\nFragment a.frag\nProgram P\nMaterial gold\nBox\n");
     const Draw draw = drawsOf(scene).at(0);
@@ -391,6 +402,92 @@ TEST(Cameras, PrevIsTheCameraOneFrameBefore) {
     const Draw draw = drawsOf(scene).at(0);
     EXPECT_NEAR(valuesOf(scene, draw, "uNow").at(0), 2, 1e-14);
     EXPECT_NEAR(valuesOf(scene, draw, "uBefore").at(0), 1.9, 1e-14);
+}
+
+TEST(Cameras, PrevOfTheFirstPictureIsTheCameraItself) {
+    Interpretation script = scriptOf(
+        "Fps 10\nCamera eye LookAt (time) 0 5  (time) 0 0  0 1 0  Perspective 60 1 10\n"
+        "Let before (eye.prev.position.x)\nLet ratio (1 / (1 + before))\n"
+        "Vertex a.vert\nFragment a.frag\nProgram P uBefore (before) uRatio (ratio)\nBox\n");
+    const auto before = [&](double time) {
+        const Scene scene = at(script, time);
+        std::string errors;
+        for (const Diagnostic& each : scene.diagnostics)
+            if (each.severity == Severity::error) errors += each.text;
+        EXPECT_EQ(errors, "") << time;
+        return valuesOf(scene, drawsOf(scene).at(0), "uBefore").at(0);
+    };
+    EXPECT_EQ(before(0), 0);
+    EXPECT_NEAR(before(3), 2.9, 1e-14) << "whatever was drawn before";
+    EXPECT_NEAR(before(1), .9, 1e-14);
+    EXPECT_NEAR(before(.05), 0, 1e-14);
+}
+
+TEST(Cameras, PrevOfTheClassicViewHasAValue) {
+    Interpretation script = scriptOf(
+        "Fps 10\nLookAt (time) 0 5  0 0 0  0 1 0\nVertex a.vert\nFragment a.frag\n"
+        "Program P uBefore (eye.prev.position)\nBox\n");
+    const Scene scene = at(script, 2);
+    EXPECT_EQ(tests::textsOf(scene.diagnostics).find("expr-E"), std::string::npos)
+        << tests::textsOf(scene.diagnostics);
+    EXPECT_NEAR(valuesOf(scene, drawsOf(scene).at(0), "uBefore").at(0), 1.9, 1e-12);
+}
+
+TEST(Choices, NameTheTopologyOfVertices) {
+    const std::string text = "Vertices (k) 12\n";
+    const Scene chosen = run("Let k <triangles lines>\n" + text);
+    ASSERT_EQ(drawsOf(chosen).size(), 1U) << textsOf(chosen.diagnostics);
+    EXPECT_EQ(chosen.shapes[drawsOf(chosen)[0].shape].bare, geometry::Topology::triangles);
+    const Scene scene = run("Repeat [triangles line_strip] as k\n" + text + "EndRepeat\n");
+    ASSERT_EQ(tests::drawsOf(scene).size(), 2U) << textsOf(scene.diagnostics);
+    EXPECT_EQ(scene.shapes[tests::drawsOf(scene)[0].shape].bare, geometry::Topology::triangles);
+    EXPECT_EQ(scene.shapes[tests::drawsOf(scene)[1].shape].strip, geometry::ListTopology::lineStrip);
+}
+
+TEST(Choices, NameTexturesAndBuffersOnTags) {
+    const std::string begin =
+        "Texture2D red 8 8 rgba8 levels 2\nTexture2D blue 8 8 rgba8 levels 2\nLet pic <red blue>\n"
+        "Group g what red\nSet uWhat what\nBox\nEndGroup\nKey p pic blue\n";
+    const auto boundIn = [&](const std::string& text, const char* tag) -> std::string {
+        InterpretOptions options;
+        Interpretation script(glib::parse(begin + text, "scene.glib"), options);
+        FrameInputs inputs;
+        inputs.words["pic"] = "blue";
+        const Scene scene = script.at(inputs);
+        const Draw draw = drawsOf(scene).at(0);
+        if (!draw.uniforms) return "nothing " + textsOf(scene.diagnostics);
+        for (const ObjectBinding& each : scene.uniformSets[draw.uniforms].objects)
+            if (const auto* view = std::get_if<TextureView>(&each.object); view && each.tag == tag)
+                return scene.textures[view->texture].name +
+                       (view->level ? std::to_string(*view->level) : std::string()) +
+                       (each.isChosen ? " chosen" : "");
+        return "none " + textsOf(scene.diagnostics);
+    };
+    EXPECT_EQ(boundIn("Set photo pic\nBox\n", "photo"), "blue chosen");
+    EXPECT_EQ(boundIn("Set photo pic.level(1)\nBox\n", "photo"), "blue1");
+    EXPECT_EQ(boundIn("Vertex a.vert\nFragment a.frag\nProgram P photo pic\nBox\n", "photo"), "blue chosen");
+    EXPECT_EQ(boundIn("Repeat [blue red] as op\nSet photo op\nBox\nEndRepeat\n", "photo"), "blue chosen");
+    EXPECT_EQ(boundIn("Draw g what pic\n", "uWhat"), "blue");
+}
+
+TEST(Arrays, MayGetAnotherLength) {
+    const TemporaryFolder folder;
+    folder.write("chain.glib",
+                 "Let links 2\nLet reach[links + 1] (i * 10)\nBox (reach[links]) (reach.count) 1\n");
+    const glib::Script text =
+        glib::parse("Include chain.glib links 2\nInclude chain.glib links 4\nInclude chain.glib links 3\n",
+                    folder.write("scene.glib", "").string());
+    Interpretation script(text, {});
+    for (int frame = 0; frame < 3; ++frame) {
+        const Scene scene = script.at({});
+        EXPECT_EQ(textsOf(scene.diagnostics), "");
+        std::vector<double> sizes;
+        for (const Draw& each : drawsOf(scene)) {
+            sizes.push_back(scene.shapes[each.shape].numbers.at(0));
+            sizes.push_back(scene.shapes[each.shape].numbers.at(1));
+        }
+        EXPECT_EQ(sizes, (std::vector<double>{20, 3, 40, 5, 30, 4}));
+    }
 }
 
 }  // namespace

@@ -154,5 +154,19 @@ TEST(Limits, AScriptMadeByHandCannotBreakAnything) {
     }
 }
 
+TEST(Programs, OneAfterEverythingThatIsDrawnIsNoted) {
+    const auto messages = [](std::string_view text) { return textsOf(run(text).diagnostics); };
+    const std::string camera = "LookAt 0 0 5 0 0 0 0 1 0\n";
+    EXPECT_EQ(messages(camera + "Sphere\nProgram Lit\nColor 1 0 0\n"),
+              "3:1 draw-N04 Program 'Lit' stands after everything that is drawn, so nothing uses it; move it "
+              "before the shapes");
+    EXPECT_EQ(idsOf(run(camera + "Program A\nSphere\nProgram B\nProgram C\n").diagnostics),
+              "draw-N04 draw-N04");
+    for (const char* each : {"Program A\nSphere\n", "Sphere\nProgram A\nObjAdj cow.obj\n",
+                             "Sphere\nProgram A\nglBegin points\nglVertex 0 0 0\nglEnd\n", "Program A\n",
+                             "Let late <false>\nSphere\nProgram A\nWhen (late)\nSphere\nEndWhen\n"})
+        EXPECT_EQ(messages(camera + each).find("draw-N04"), std::string::npos) << each;
+}
+
 }  // namespace
 }  // namespace glibra::scene

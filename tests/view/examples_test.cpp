@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "image/read.h"
+#include "render/scene_renderer.h"
 #include "scene_folder.h"
 #include "view/browse/example_scenes.h"
 #include "view/browse/folder_list.h"
@@ -74,6 +75,36 @@ TEST(Thumbnails, ShowTheSceneAndAreKept) {
     fs::last_write_time(folder / "color.glsl", fs::file_time_type::clock::now() + std::chrono::hours(1));
     EXPECT_EQ(view::findThumbnail(cache, folder.scene()).state, Thumbnail::State::missing)
         << "an included file has changed";
+}
+
+/// The first three components of every pixel.
+std::vector<std::byte> colorsOf(const std::vector<std::byte>& pixels, int components) {
+    std::vector<std::byte> colors;
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+        if (i % static_cast<std::size_t>(components) < 3) colors.push_back(pixels[i]);
+    return colors;
+}
+
+TEST(Thumbnails, OfTexturesInTheWindowsSizeAreWhatRenderDraws) {
+    const SceneFolder folder("");
+    for (const char* name : {"start/pass", "modern/ambient_occlusion", "modern/ink", "modern/glass_lists"}) {
+        const fs::path scene = fs::path(GLIBRA_SOURCE_DIR) / "glib" / (std::string(name) + ".glib");
+        const Thumbnail made = view::makeThumbnail(context(), folder / "cache", scene, {});
+        ASSERT_EQ(made.state, Thumbnail::State::ready) << made.problem;
+        const auto thumbnail = image::readImage(made.picture);
+        ASSERT_TRUE(thumbnail) << name;
+        RenderOptions options;
+        options.width = view::kThumbnailWidth;
+        options.height = view::kThumbnailHeight;
+        render::Stats stats;
+        auto renderer = render::SceneRenderer::load(context(), scene, options, stats);
+        ASSERT_TRUE(renderer) << text(renderer.diagnostics);
+        const auto picture = renderer->draw(0, stats);
+        ASSERT_TRUE(picture) << text(picture.diagnostics);
+        EXPECT_TRUE(colorsOf(thumbnail->data, thumbnail->components) ==
+                    colorsOf(picture->data, picture->components))
+            << name;
+    }
 }
 
 TEST(Thumbnails, OfAWrongSceneAreNotTriedAgainUntilItChanges) {

@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <condition_variable>
+#include <filesystem>
 #include <fstream>
 #include <mutex>
+#include <thread>
 
 #include "scene_folder.h"
 
@@ -58,6 +61,45 @@ TEST(FileWatch, ReportsAMissingFileThatAppears) {
     folder.write("cow.obj", "v 0 0 0\n");
     woken.wait();
     EXPECT_EQ(watch.takeChanged().files, std::vector<std::filesystem::path>{folder / "cow.obj"});
+}
+
+TEST(FileWatch, ReportsAFileThatIsRemovedOrMovedAwayAndThatComesBack) {
+    const SceneFolder folder("", {{"pictures/wood.bmp", "1"}});
+    const std::filesystem::path wood = folder / "pictures/wood.bmp";
+    Woken woken;
+    view::FileWatch watch([&] { woken.wake(); });
+    if (!watch.isWorking()) GTEST_SKIP() << "no inotify";
+    watch.watch({folder.scene(), wood}, {});
+    std::filesystem::remove(wood);
+    woken.wait();
+    EXPECT_EQ(watch.takeChanged().files, std::vector<std::filesystem::path>{wood});
+    // The scene does not find the file any more, so it is only known by its name.
+    watch.watch({folder.scene()}, {"wood.bmp"});
+    folder.write("pictures/wood.bmp", "2");
+    woken.wait();
+    EXPECT_EQ(watch.takeChanged().files, std::vector<std::filesystem::path>{wood});
+    watch.watch({folder.scene(), wood}, {});
+    std::filesystem::rename(wood, folder / "pictures/other.bmp");
+    woken.wait();
+    EXPECT_EQ(watch.takeChanged().files, std::vector<std::filesystem::path>{wood});
+}
+
+TEST(FileWatch, AFileThatAnEditorWritesAnewIsReportedOnceWhenItIsThere) {
+    const SceneFolder folder("", {{"a.frag", "1"}, {"b.frag", "1"}});
+    Woken woken;
+    view::FileWatch watch([&] { woken.wake(); });
+    if (!watch.isWorking()) GTEST_SKIP() << "no inotify";
+    watch.watch({folder / "a.frag", folder / "b.frag"}, {});
+    std::filesystem::rename(folder / "a.frag", folder / "a.frag~");
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    EXPECT_TRUE(watch.takeChanged().files.empty()) << "it may come back";
+    folder.write("a.frag", "2");
+    woken.wait();
+    EXPECT_EQ(watch.takeChanged().files, std::vector<std::filesystem::path>{folder / "a.frag"});
+    // A file that stays away ends the wait for what else may be reported about the first.
+    std::filesystem::remove(folder / "b.frag");
+    woken.wait();
+    EXPECT_EQ(watch.takeChanged().files, std::vector<std::filesystem::path>{folder / "b.frag"});
 }
 
 TEST(FileWatch, WaitsUntilTheWriterHasClosed) {

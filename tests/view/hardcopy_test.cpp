@@ -1,10 +1,12 @@
 #include "view/export/hardcopy_job.h"
-#include "view/export/video_encoder.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <span>
 
 #include "image/read.h"
+#include "image/video/video_file.h"
 #include "render/draw/view_matrices.h"
 #include "scene_folder.h"
 
@@ -107,7 +109,7 @@ TEST_F(ChangedScene, FramesGoOnFromThePresentTime) {
 }
 
 TEST_F(ChangedScene, AVideoHoldsTheFramesAsked) {
-    if (!view::hasFfmpeg()) GTEST_SKIP() << "no ffmpeg";
+    if (!image::hasFfmpeg()) GTEST_SKIP() << "no ffmpeg";
     const view::Hardcopy wanted{folder / "a.mp4", 65, 41, 7, 10};
     const Diagnostics problems = writeAll(session, wanted);
     ASSERT_FALSE(hasError(problems)) << text(problems);
@@ -118,8 +120,143 @@ TEST_F(ChangedScene, AVideoHoldsTheFramesAsked) {
     EXPECT_EQ(folder.read("probe.txt"), "66,7\n");
 }
 
-TEST_F(ChangedScene, AStoppedVideoLeavesNoFile) {
-    if (!view::hasFfmpeg()) GTEST_SKIP() << "no ffmpeg";
+/// A script in place of ffmpeg, first in PATH. It keeps the pixels that it gets.
+class FakeFfmpeg {
+  public:
+    explicit FakeFfmpeg(const SceneFolder& folder) : before_(std::getenv("PATH")) {
+        folder.write(
+            "ffmpeg",
+            "#!/bin/sh\nfor last; do :; done\ncat >\"${0%/*}/pixels\"\necho film >\"${last#file:}\"\n");
+        std::filesystem::permissions(folder / "ffmpeg", std::filesystem::perms::owner_all);
+        ::setenv("PATH", ((folder / "").string() + ":" + before_).c_str(), 1);
+    }
+    ~FakeFfmpeg() { ::setenv("PATH", before_.c_str(), 1); }
+    FakeFfmpeg(const FakeFfmpeg&) = delete;
+    FakeFfmpeg& operator=(const FakeFfmpeg&) = delete;
+
+  private:
+    std::string before_;
+};
+
+TEST_F(ChangedScene, AFilmGetsThePixelsOfItsFrames) {
+    const FakeFfmpeg ffmpeg(folder);
+    Result<view::HardcopyJob> job =
+        view::HardcopyJob::begin(context(), session, {folder / "a.webm", 0, 0, 2, 4});
+    ASSERT_TRUE(job) << text(job.diagnostics);
+    EXPECT_FALSE(hasError(job->step()));
+    EXPECT_EQ(job->filesWritten(), "") << "the film is not complete";
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.webm"));
+    EXPECT_FALSE(hasError(job->step()));
+    EXPECT_TRUE(job->isDone());
+    EXPECT_EQ(job->filesWritten(), (folder / "a.webm").string() + ": 2 frames of 300 x 200 pixels");
+    EXPECT_EQ(folder.read("a.webm"), "film\n");
+    const std::string pixels = folder.read("pixels");
+    ASSERT_EQ(pixels.size(), std::size_t{2} * 300 * 200 * 3);
+    const std::vector<std::byte> screen = pixelsOf(session);
+    EXPECT_TRUE(std::equal(screen.begin(), screen.end(), std::as_bytes(std::span(pixels)).begin()));
+}
+
+TEST_F(ChangedScene, WithoutFfmpegAFilmIsAnErrorWithAHint) {
+    const std::string before = std::getenv("PATH");
+    ::setenv("PATH", "/nowhere", 1);
+    const Diagnostics problems = writeAll(session, {folder / "a.gif", 0, 0, 2, 4});
+    ::setenv("PATH", before.c_str(), 1);
+    EXPECT_NE(text(problems).find("ffmpeg is not installed"), std::string::npos) << text(problems);
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.gif"));
+}
+
+TEST_F(ChangedScene, LabelsAreInTheFileWhenTheyAreOnTheScreen) {
+    session.setLabels(LabelCorner::bottomLeft);
+    const view::Hardcopy wanted{folder / "a.png", 600, 600};
+    ASSERT_FALSE(hasError(writeAll(session, wanted)));
+    const auto labelled = image::readImage(wanted.file);
+    session.setLabels(LabelCorner::none);
+    ASSERT_FALSE(hasError(writeAll(session, wanted)));
+    const auto plain = image::readImage(wanted.file);
+    ASSERT_TRUE(labelled && plain);
+    // Only the lower left part differs, and it has as many lines as the scene has values.
+    int left = 600, right = 0, top = 600, bottom = 0;
+    for (int y = 0; y < 600; ++y)
+        for (int x = 0; x < 600; ++x) {
+            const auto at = static_cast<std::size_t>(4 * (y * 600 + x));
+            if (std::equal(labelled->data.begin() + static_cast<std::ptrdiff_t>(at),
+                           labelled->data.begin() + static_cast<std::ptrdiff_t>(at) + 4,
+                           plain->data.begin() + static_cast<std::ptrdiff_t>(at)))
+                continue;
+            left = std::min(left, x);
+            right = std::max(right, x);
+            top = std::min(top, y);
+            bottom = std::max(bottom, y);
+        }
+    EXPECT_LT(left, 8);
+    EXPECT_LT(right, 400);
+    EXPECT_GT(bottom, 570);
+    const auto lines = static_cast<int>(session.live().labels().size());
+    EXPECT_GT(lines, 4);
+    EXPECT_NEAR(bottom - top, lines * 16, 12);
+}
+
+TEST_F(ChangedScene, LabelsHaveTheFormOfGlman) {
+    const std::vector<std::string> labels = session.live().labels();
+    const auto has = [&](const char* line) {
+        return std::find(labels.begin(), labels.end(), line) != labels.end();
+    };
+    EXPECT_TRUE(has("OvalNoise : uAd = 0.3100")) << labels.front();
+    EXPECT_TRUE(has("OvalNoise : uDotColor = 0.2000 0.7000 0.1000"));
+    EXPECT_TRUE(has("OvalNoise : uUseChromaDepth = false"));
+}
+
+TEST_F(ChangedScene, TheCommandOfALabelledHardcopyGivesTheSameBytes) {
+    session.setLabels(LabelCorner::topRight);
+    const view::Hardcopy hardcopy{folder / "a.png", 640, 480};
+    ASSERT_FALSE(hasError(writeAll(session, hardcopy)));
+    std::string command = view::renderCommand(session, {folder / "b.png", 640, 480});
+    EXPECT_NE(command.find("--labels top-right"), std::string::npos) << command;
+    command = GLIBRA_PROGRAM + command.substr(6);
+    ASSERT_EQ(std::system(command.c_str()), 0) << command;
+    const auto first = image::readImage(hardcopy.file);
+    const auto second = image::readImage(folder / "b.png");
+    ASSERT_TRUE(first && second);
+    EXPECT_TRUE(first->data == second->data);
+}
+
+TEST_F(ChangedScene, TheFilesThatExistAreNamed) {
+    auto job = view::HardcopyJob::begin(context(), session, {folder / "a.png", 30, 20, 3, 4});
+    ASSERT_TRUE(job) << text(job.diagnostics);
+    EXPECT_EQ(job->filesWritten(), "");
+    EXPECT_FALSE(hasError(job->step()));
+    EXPECT_EQ(job->filesWritten(), (folder / "a_0000.png").string() + ": 30 x 20 pixels");
+    EXPECT_FALSE(hasError(job->step()));
+    EXPECT_EQ(job->filesWritten(),
+              (folder / "a_0000.png").string() + " to a_0001.png: 2 files of 30 x 20 pixels");
+}
+
+TEST(HardcopyName, IsFreeAndCountsOn) {
+    const SceneFolder folder("");
+    const auto next = [&](const char* name, int frames = 1) {
+        return view::freeName({folder / name, 0, 0, frames}).filename().string();
+    };
+    EXPECT_EQ(next("a.png"), "a.png");
+    folder.write("a.png", "x");
+    EXPECT_EQ(next("a.png"), "a-2.png");
+    EXPECT_EQ(next("a.bmp"), "a.bmp");
+    folder.write("a-2.png", "x");
+    folder.write("a-4.png", "x");
+    EXPECT_EQ(next("a.png"), "a-3.png");
+    EXPECT_EQ(next("a-4.png"), "a-5.png");
+    EXPECT_EQ(next("a.png", 7), "a.png") << "the frames have other names";
+    folder.write("a_0000.png", "x");
+    EXPECT_EQ(next("a.png", 7), "a-2.png");
+    folder.write("film.mp4", "x");
+    EXPECT_EQ(next("film.mp4", 7), "film-2.mp4");
+    folder.write("scan-20260101.png", "x");
+    EXPECT_EQ(next("scan-20260101.png"), "scan-20260101-2.png") << "a date is no number to count on";
+    EXPECT_TRUE(view::replacesFile({folder / "a.png"}));
+    EXPECT_FALSE(view::replacesFile({folder / "b.png"}));
+}
+
+TEST_F(ChangedScene, AStoppedFilmLeavesNoFile) {
+    const FakeFfmpeg ffmpeg(folder);
     {
         auto job = view::HardcopyJob::begin(context(), session, {folder / "a.mp4", 64, 40, 5, 10});
         ASSERT_TRUE(job) << text(job.diagnostics);
@@ -131,7 +268,8 @@ TEST_F(ChangedScene, AStoppedVideoLeavesNoFile) {
     std::vector<std::string> left;
     for (const auto& each : std::filesystem::directory_iterator(folder / ""))
         left.push_back(each.path().filename());
-    EXPECT_EQ(left, std::vector<std::string>{"scene.glib"});
+    std::sort(left.begin(), left.end());
+    EXPECT_EQ(left, (std::vector<std::string>{"ffmpeg", "pixels", "scene.glib"}));
 }
 
 TEST_F(ChangedScene, ARunningHardcopyKeepsTheStateItBeganWith) {

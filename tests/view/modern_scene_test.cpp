@@ -1,6 +1,8 @@
 // Modern scenes in a window: steps and sliders, reloading, keys, cameras, the mouse, buffers, costs.
 
+#include "image/image.h"
 #include "render/draw/simulation.h"
+#include "render/scene_renderer.h"
 #include "scene_folder.h"
 #include "view/debug_view/buffer_table.h"
 #include "view/session/frame_cost.h"
@@ -296,6 +298,26 @@ TEST(BufferTable, NamesTheMembersOfUniformBlocks) {
     for (const view::BufferColumn& each : table.head) names += each.name + " ";
     for (const view::BufferColumn& each : table.columns) names += each.name + " ";
     EXPECT_EQ(names, "place power color ");
+}
+
+TEST(ModernScene, TexturesOfTheWindowsSizeFollowIt) {
+    const std::filesystem::path scene = GLIBRA_SOURCE_DIR "/glib/start/pass.glib";  // 800 x 600
+    Session session(context(), {});
+    ASSERT_TRUE(session.open(scene)) << text(session.diagnostics());
+    session.drawIfNeeded();
+    for (const auto& [width, height] : {std::pair(300, 700), std::pair(900, 200), std::pair(200, 150)}) {
+        session.resize(width, height);
+        session.drawIfNeeded();
+        render::Stats stats;
+        RenderOptions options;
+        options.width = width;
+        options.height = height;
+        auto renderer = render::SceneRenderer::load(context(), scene, options, stats);
+        ASSERT_TRUE(renderer) << text(renderer.diagnostics);
+        const auto picture = renderer->draw(0, stats);
+        ASSERT_TRUE(picture) << text(picture.diagnostics);
+        EXPECT_TRUE(pixelsOf(session) == picture->data) << width << " x " << height;
+    }
 }
 
 }  // namespace

@@ -86,5 +86,31 @@ TEST(Picking, TheObjectTransformMovesThePickedOneOnly) {
     EXPECT_EQ(pixelOf(session, 30, 10), (std::array<int, 3>{0, 255, 0}));
 }
 
+TEST(Picking, KnowsTheMiddleAndTheSizeOfTheObject) {
+    const SceneFolder folder("WindowSize 40 40\nOrtho -2 2 -2 2\nTranslate .5 0 0\nBox 1 2 .5\n");
+    Session session(context(), {});
+    ASSERT_TRUE(session.open(folder.scene()));
+    session.pickAt(27, 25);
+    ASSERT_TRUE(session.picked());
+    EXPECT_EQ(session.picked()->centre, glm::dvec3(0));
+    EXPECT_EQ(session.picked()->half, glm::dvec3(.5, 1, .25));
+    EXPECT_NE(session.picked()->point, glm::dvec3(0));
+}
+
+TEST(Picking, TakesThePointWhereAProgramMovesTheVertices) {
+    const SceneFolder folder(
+        "WindowSize 40 40\nOrtho -2 2 -2 2\nVertex a.vert\nFragment a.frag\nProgram P\nBox 1\n",
+        {{"a.vert",
+          "#version 330\nvoid main() { gl_Position = uModelViewProjectionMatrix * (aVertex * "
+          "vec4(2., 2., 2., 1.)); }\n"},
+         {"a.frag", "#version 330\nout vec4 c;\nvoid main() { c = vec4(1.); }\n"}});
+    Session session(context(), {});
+    ASSERT_TRUE(session.open(folder.scene()));
+    session.pickAt(25, 25);
+    ASSERT_TRUE(session.picked());
+    EXPECT_EQ(session.picked()->centre, session.picked()->point);
+    EXPECT_EQ(session.picked()->half, glm::dvec3(0));
+}
+
 }  // namespace
 }  // namespace glibra::test

@@ -171,6 +171,13 @@ TEST(Reload, ReadsAnEditedIncludeAndTextureAndModel) {
     session.drawIfNeeded();
     EXPECT_EQ(pixelOf(session, 12, 4), (Color{50, 0, 0}));
     EXPECT_EQ(pixelOf(session, 4, 12), (Color{18, 27, 33})) << "background";
+
+    std::filesystem::remove(folder / "p.bmp");
+    session.reload();
+    session.drawIfNeeded();
+    EXPECT_TRUE(hasError(session.diagnostics()));
+    EXPECT_NE(text(session.diagnostics()).find("p.bmp"), std::string::npos) << text(session.diagnostics());
+    EXPECT_EQ(pixelOf(session, 12, 4), (Color{0, 0, 0})) << "what a missing texture reads";
 }
 
 TEST(Reload, ASceneThatIsGoneLeavesWhatIsShown) {

@@ -34,6 +34,7 @@ SceneFolder::~SceneFolder() {
 }
 
 void SceneFolder::write(std::string_view name, std::string_view content) const {
+    std::filesystem::create_directories((folder_ / name).parent_path());
     std::ofstream(folder_ / name, std::ios::binary) << content;
 }
 

@@ -28,6 +28,7 @@ class SceneFolder {
 
     [[nodiscard]] std::filesystem::path scene() const { return folder_ / "scene.glib"; }
     [[nodiscard]] std::filesystem::path operator/(std::string_view name) const { return folder_ / name; }
+    /// Writes a file and makes its folders.
     void write(std::string_view name, std::string_view content) const;
     [[nodiscard]] std::string read(std::string_view name) const;
 

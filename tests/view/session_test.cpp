@@ -335,5 +335,63 @@ TEST(Projection, PerspectiveShowsTheMiddleOfABoxAsLargeAsTheBoxDoes) {
     EXPECT_EQ(pixelsOf(session), flat);
 }
 
+TEST(Session, GoesThroughTheProjectionsThatTheSceneDoesNotHave) {
+    const auto round = [](const std::string& projections) {
+        const SceneFolder folder("WindowSize 16 16\n" + projections);
+        Session session(context(), {});
+        EXPECT_TRUE(session.open(folder.scene()));
+        std::vector<ProjectionMode> seen;
+        do {
+            session.nextProjection();
+            seen.push_back(session.view().projection);
+        } while (seen.back() != ProjectionMode::scene && seen.size() < 9);
+        return seen;
+    };
+    using Modes = std::vector<ProjectionMode>;
+    const std::string deep = "Perspective 50 .1 100\nSphere\n", flat = "Ortho -1 1 -1 1\nQuadXY 0 1\n";
+    EXPECT_EQ(round(deep), (Modes{ProjectionMode::orthographic, ProjectionMode::scene}));
+    EXPECT_EQ(round(flat), (Modes{ProjectionMode::perspective, ProjectionMode::scene}));
+    EXPECT_EQ(round(deep + flat),
+              (Modes{ProjectionMode::orthographic, ProjectionMode::perspective, ProjectionMode::scene}));
+    EXPECT_EQ(round(""), Modes{ProjectionMode::scene});
+}
+
+TEST(Session, LeavesTheTimeOfASceneThatDoesNotUseIt) {
+    const SceneFolder still("WindowSize 16 16\nSphere\n");
+    Session session(context(), {});
+    ASSERT_TRUE(session.open(still.scene()));
+    session.advance(.5);
+    EXPECT_EQ(session.clock().time(), 0);
+    const SceneFolder moving("WindowSize 16 16\nTranslate (time) 0 0\nSphere\n");
+    ASSERT_TRUE(session.open(moving.scene()));
+    session.advance(.5);
+    EXPECT_EQ(session.clock().time(), .5);
+}
+
+TEST(Session, MeasuresObjectsAndNotClears) {
+    const std::string heavy =
+        "#version 330\nout vec4 c;\nvoid main() { float x = gl_FragCoord.x; for (int i = 0; i < 4000; ++i) x "
+        "= sin(x + "
+        "float(i)); c = vec4(x); }\n";
+    const auto measure = [&](const std::string& statements) {
+        const SceneFolder folder("WindowSize 200 200\nOrtho -1 1 -1 1\n" + statements,
+                                 {{"a.vert", kPlainVertex}, {"a.frag", heavy}});
+        Session session(context(), {});
+        EXPECT_TRUE(session.open(folder.scene()));
+        EXPECT_FALSE(hasError(session.diagnostics())) << text(session.diagnostics());
+        session.setMeasuresObjects(true);
+        for (int i = 0; i < 2; ++i) {  // the first one compiles
+            session.setNeedsFrame();
+            session.drawIfNeeded();
+        }
+        return session.objectMilliseconds().value_or(-1);
+    };
+    const double drawn = measure("Vertex a.vert\nFragment a.frag\nProgram P\nQuadXY 0 1\n");
+    EXPECT_GT(drawn, 1);
+    const double cleared = measure("Clear\nClear\n");
+    EXPECT_EQ(cleared, 0);
+    EXPECT_LT(measure("QuadXY 0 .01\n"), drawn / 4);
+}
+
 }  // namespace
 }  // namespace glibra::test

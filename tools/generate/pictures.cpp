@@ -76,7 +76,7 @@ int main(int argc, char** argv) {
         save((std::string("courtyard_") + faces[f]).c_str(), [&] {
             return cubeFace(courtyardStage(), {0, 1.9, 0}, f, 360);
         });
-    save("planet", [] { return planetMap(512, 256); });
+    save("planet_map", [] { return planetMap(512, 256); });
     save("random", [] { return randomMap(256); });
     return 0;
 }

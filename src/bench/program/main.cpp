@@ -16,10 +16,10 @@ void addMeasure(cli::CommandLine& line, MeasureArguments& to) {
     line.list("SUBJECT", to.subjects, "what to measure; all subjects if none is named");
     line.flag("--list", to.list, "print the names of the subjects");
     line.flag("--quick", to.options.quick, "fewer settings and measurements: seconds, for CI");
-    line.option("-o,--output", to.folder, "folder for bench.csv, bench.json and bench.html");
-    line.option("--csv", to.csv, "write one row per point");
-    line.option("--json", to.json, "write the whole run, for a later --against");
-    line.option("--html", to.html, "write one page with all diagrams and tables");
+    line.option("-o,--output", to.folder, "folder for bench.csv, bench.json and bench.html").written();
+    line.option("--csv", to.csv, "write one row per point").written();
+    line.option("--json", to.json, "write the whole run, for a later --against").written();
+    line.option("--html", to.html, "write one page with all diagrams and tables").written();
     line.option("--against", to.against,
                 "bench.json of an earlier run: print what changed; exit status 1 if an error grew");
     line.option("--tolerance", to.comparison.errorTolerance,

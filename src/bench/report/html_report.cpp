@@ -7,6 +7,7 @@
 #include <span>
 #include <string_view>
 
+#include "base/page_template.h"
 #include "bench/core/fit.h"
 #include "bench/report/plot.h"
 #include "embedded/bench_page.h"
@@ -162,25 +163,6 @@ std::string comparisonSection(const RunComparison& comparison) {
         isWorse(comparison) ? "worse" : "nothing is worse", escapeHtml(comparisonText(comparison)));
 }
 
-struct Slot {
-    std::string_view name;
-    std::string text;
-};
-
-/// Replaces {{name}} in the template. Inserted text is not searched again.
-std::string filled(std::string_view page, std::span<const Slot> slots) {
-    std::string text;
-    while (true) {
-        const std::size_t open = page.find("{{"), close = page.find("}}", open);
-        text += page.substr(0, open);
-        if (open == std::string_view::npos || close == std::string_view::npos) return text;
-        const std::string_view wanted = page.substr(open + 2, close - open - 2);
-        for (const Slot& slot : slots)
-            if (slot.name == wanted) text += slot.text;
-        page.remove_prefix(close + 2);
-    }
-}
-
 }  // namespace
 
 std::string htmlReport(const Report& report, const RunComparison* comparison) {
@@ -192,7 +174,7 @@ std::string htmlReport(const Report& report, const RunComparison* comparison) {
         for (const Figure& figure : subject.figures)
             for (const Curve& curve : figure.curves) points += curve.points.size();
     }
-    const Slot slots[] = {
+    const base::Slot slots[] = {
         {"style", std::string(bench_page::bench_css())},
         {"script", std::string(bench_page::bench_js())},
         {"extent", counted(report.subjects.size(), "subject") + ", " + counted(figures, "diagram") + ", " +
@@ -201,7 +183,7 @@ std::string htmlReport(const Report& report, const RunComparison* comparison) {
         {"contents", contents(report)},
         {"body", std::move(body)},
     };
-    return filled(bench_page::page_html(), slots);
+    return base::filled(bench_page::page_html(), slots);
 }
 
 }  // namespace glibra::bench

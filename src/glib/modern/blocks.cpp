@@ -6,6 +6,7 @@
 #include <string>
 
 #include "glib/limits.h"
+#include "glib/number.h"
 
 namespace glibra::glib {
 namespace {
@@ -36,9 +37,14 @@ void BlockStack::checkPlace(const StatementRow& row, const Command& command) {
     };
     const auto found = std::find_if(blocks_.begin(), blocks_.end(), hinders);
     if (found == blocks_.end()) return;
+    const bool isNumber = command.id == CommandId::let && command.values.size() > 1 &&
+                          command.values[1].kind == Value::Kind::number;
     log_.report("glib-E23",
-                fmt::format("{} cannot stand inside {} (line {}); move it out", row.name, found->row->name,
-                            found->position.line),
+                fmt::format("{} cannot stand inside {} (line {}); move it out{}", row.name, found->row->name,
+                            found->position.line,
+                            isNumber ? fmt::format(", or write ({}), which may stand here",
+                                                   numberText(command.values[1].number))
+                                     : std::string()),
                 command.position);
 }
 

@@ -66,7 +66,8 @@ void build(const StatementRow& row, const std::vector<Event>& events, Pieces pie
             command.keys.push_back({event.node->text, lower(afterPoint(first.text)), {}, first.position, {}});
             place = &command.keys.back().values;
         } else if (event.kind == Event::Kind::tag) {
-            KeyedValues tag{pieces.written(event.begin, event.end), {}, {}, first.position, {}};
+            KeyedValues tag{
+                pieces.written(event.begin, event.end), {}, {}, first.position, {}, event.resembles};
             std::vector<NamePart> path = pieces.pathOf(event.begin, event.end);
             if (path.size() > 1 || !path.front().index.empty()) tag.path = std::move(path);
             command.tags.push_back(std::move(tag));

@@ -21,6 +21,7 @@ struct Event {
     const SyntaxNode* node = nullptr;
     std::size_t begin = 0;  ///< pieces
     std::size_t end = 0;
+    std::string resembles{};  ///< KeyedValues::resembles
 };
 
 /// Fills `values`, `keys` and `tags` of the command. Reports glib-E15 for too many tags and glib-E18 for a

@@ -317,16 +317,20 @@ class Matcher {
         bool any = false;
         while (at < pieces_.size()) {
             const std::size_t tag = pieces_.tagEnd(at);
-            if (tag == at || isUnusedKey(pieces_[at])) {
+            std::string key = unusedKeyNear(pieces_[at]);
+            if (tag == at || sameWord(key, pieces_[at].text)) {
                 mismatch_.expect(at, "a tag");
                 break;
             }
             const std::size_t end = anyEnd(tag);
             if (end == tag) {
-                mismatch_.expect(tag, fmt::format("a value of '{}'", pieces_.written(at, tag)));
+                if (key.empty())
+                    mismatch_.expect(tag, fmt::format("a value of '{}'", pieces_.written(at, tag)));
+                else
+                    mismatch_.expect(at, "a tag");
                 break;
             }
-            events_.push_back({Event::Kind::tag, &node, at, tag});
+            events_.push_back({Event::Kind::tag, &node, at, tag, std::move(key)});
             events_.push_back({Event::Kind::value, &node, tag, end});
             at = end;
             any = true;
@@ -335,8 +339,10 @@ class Matcher {
         return any || !node.needsOne;
     }
 
-    /// True if a word where a tag may stand is a key that could still stand here, or such a key misspelt.
-    bool isUnusedKey(const Value& value) const {
+    /// The key of the statement that is not used yet and that a word where a tag may stand is, or may be,
+    /// misspelt. Empty if there is none.
+    std::string unusedKeyNear(const Value& value) const {
+        if (!isUnquoted(value)) return {};
         std::vector<std::string_view> keys;
         for (const std::string& each : syntax_.keys)
             if (std::none_of(events_.begin(), events_.end(), [&](const Event& event) {
@@ -344,8 +350,8 @@ class Matcher {
                 }))
                 keys.push_back(each);
         const auto isKey = [&](std::string_view each) { return sameWord(each, value.text); };
-        return isUnquoted(value) &&
-               (std::any_of(keys.begin(), keys.end(), isKey) || !base::nearestName(value.text, keys).empty());
+        const auto found = std::find_if(keys.begin(), keys.end(), isKey);
+        return found != keys.end() ? std::string(*found) : std::string(base::nearestName(value.text, keys));
     }
 
     std::size_t anyEnd(std::size_t at) const {

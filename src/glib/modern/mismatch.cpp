@@ -50,6 +50,12 @@ std::string Mismatch::suggested(std::string_view word) const {
         if (each.isWord) words.push_back(std::string_view(each.text).substr(1, each.text.size() - 2));
     std::string nearest = base::nearestName(word, words);
     if (nearest.empty()) nearest = base::nearestName(beforePoint(word), words);
+    // `culling` for `cull`: the longest word with which it begins.
+    constexpr std::size_t kLeast = 3;
+    for (const std::string_view each : nearest.empty() ? words : std::vector<std::string_view>())
+        if (each.size() >= kLeast && each.size() > nearest.size() &&
+            sameWord(each, word.substr(0, each.size())))
+            nearest = each;
     return nearest;
 }
 
@@ -59,9 +65,29 @@ std::string Mismatch::valueHint(const Value& found, const DeclaredNames& names) 
     const bool expectsNumber = std::any_of(expected_.begin(), expected_.end(), [](const Expectation& each) {
         return each.text.starts_with("a number") || each.text.starts_with("number ");
     });
+    if (expectsNumber && isUnquoted(found) && looksLikeExpression(found.text))
+        return fmt::format("; write ({}) for its value", found.text);
     if (!isUnquoted(found) || !isDotted(found.text, false)) return {};
     if (!names.has(head) && !(expectsNumber && head == kCounter)) return {};
     return fmt::format("; write ({}) for its value", found.text);
+}
+
+std::string Mismatch::bracketHint(const Pieces& pieces, std::size_t at) const {
+    const Value& found = pieces[at];
+    if (at > 0 && isUnquoted(found) && found.text.size() == 1 &&
+        std::string_view("+-*/%").find(found.text) != std::string_view::npos && at + 1 < pieces.size())
+        return fmt::format("; write ({}) for its value", pieces.written(at - 1, pieces.size()));
+    const auto wants = [&](std::string_view what) {
+        return std::any_of(expected_.begin(), expected_.end(),
+                           [&](const Expectation& each) { return each.text.starts_with(what); });
+    };
+    const bool isColor = wants("a colour"), isList = wants("components");
+    std::size_t end = at;
+    constexpr std::size_t kMost = 4;
+    while (end < pieces.size() && end - at < kMost && pieces[end].kind == Value::Kind::number) ++end;
+    if ((!isColor && !isList) || end - at < (isColor ? 3 : 1)) return {};
+    const std::string numbers = pieces.written(at, end);
+    return isColor ? fmt::format("; write {{{}}}", numbers) : fmt::format("; write [{}]", numbers);
 }
 
 void Mismatch::report(const StatementRow& row, const Pieces& pieces, const DeclaredNames& names, bool matched,
@@ -98,8 +124,11 @@ void Mismatch::report(const StatementRow& row, const Pieces& pieces, const Decla
                             : fmt::format("unknown word {}; did you mean '{}'?", text, nearest));
     }
     if (matched && furthest_ == at)
-        return reportAt("glib-E18", furthest_, fmt::format("surplus argument {}", text));
-    reportAt("glib-E19", furthest_, fmt::format("expected {}, found {}{}", listOfExpected(), text, hint));
+        return reportAt("glib-E18", furthest_,
+                        fmt::format("surplus argument {}{}", text, bracketHint(pieces, furthest_)));
+    reportAt("glib-E19", furthest_,
+             fmt::format("expected {}, found {}{}", listOfExpected(), text,
+                         hint.empty() ? bracketHint(pieces, furthest_) : hint));
 }
 
 }  // namespace glibra::glib

@@ -42,6 +42,10 @@ class Mismatch {
     /// mistake.
     [[nodiscard]] std::string valueHint(const Value& found, const DeclaredNames& names) const;
 
+    /// The brackets that are missing around the pieces from `at` on, or around an operator there; empty if
+    /// none are.
+    [[nodiscard]] std::string bracketHint(const Pieces& pieces, std::size_t at) const;
+
     std::size_t furthest_ = 0;
     std::vector<Expectation> expected_;
     std::optional<std::pair<std::size_t, std::size_t>> conflict_;  ///< the earlier and the later piece

@@ -1,5 +1,10 @@
 #include "glib/modern/pieces.h"
 
+#include <algorithm>
+
+#include "glib/number.h"
+#include "glib/text.h"
+
 namespace glibra::glib {
 namespace {
 
@@ -23,6 +28,15 @@ bool isNumeric(const Value& value) {
 }
 bool isUnquoted(const Value& value) {
     return (value.kind == Kind::word || value.kind == Kind::truth) && !value.text.empty();
+}
+
+bool looksLikeExpression(std::string_view word) {
+    if (isCompleteNumber(word)) return false;
+    const std::size_t at = word.find_first_of("*/%+-");
+    const auto isOperand = [](char c) { return isLetter(c) || (c >= '0' && c <= '9') || c == '_'; };
+    return at != std::string_view::npos && at + 1 < word.size() &&
+           (isOperand(word[at + 1]) || word[at + 1] == '.' || word[at + 1] == '-') &&
+           std::any_of(word.begin(), word.end(), isOperand);
 }
 
 bool isDotted(std::string_view text, bool hasHead) {

@@ -16,6 +16,8 @@ namespace glibra::glib {
 bool isNumeric(const Value& value);
 /// A word without quotes, or `true` and `false`.
 bool isUnquoted(const Value& value);
+/// True for a word that is an expression without its parentheses: `2*k`, `n/3`, `-k`.
+bool looksLikeExpression(std::string_view word);
 
 /// The text before its first point, and the text after it; nothing after it if there is no point.
 std::string_view beforePoint(std::string_view text);

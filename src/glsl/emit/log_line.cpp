@@ -85,6 +85,11 @@ void dropCode(std::string_view& text) {
     skipBlanks(text);
 }
 
+/// Takes the "#error " that drivers repeat from the shader: the severity says it already.
+void dropDirective(std::string_view& text) {
+    if (text.size() > 7 && take(text, "#error ")) skipBlanks(text);
+}
+
 /// Reads "ERROR: 0:12: text".
 std::optional<LogLine> parsePrefixed(std::string_view text, std::span<const std::string> files) {
     LogLine line;
@@ -109,6 +114,7 @@ std::optional<LogLine> parsePrefixed(std::string_view text, std::span<const std:
         dropCode(rest);
         text = rest;
     }
+    dropDirective(text);
     line.text = text;
     return line;
 }
@@ -125,6 +131,7 @@ std::optional<LogLine> parseMesa(std::string_view text, std::span<const std::str
     skipBlanks(text);
     if (!takeSeverity(text, line.isWarning)) return std::nullopt;
     dropCode(text);
+    dropDirective(text);
     line.text = text;
     return line;
 }
@@ -140,6 +147,7 @@ std::optional<LogLine> parseNvidia(std::string_view text, std::span<const std::s
     skipBlanks(text);
     if (!takeSeverity(text, line.isWarning)) return std::nullopt;
     dropCode(text);
+    dropDirective(text);
     line.text = text;
     return line;
 }

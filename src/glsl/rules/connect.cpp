@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
 
+#include "base/suggest.h"
 #include "glsl/parse/types.h"
 #include "glsl/parse/usage.h"
 #include "glsl/rules/rules.h"
@@ -155,12 +159,23 @@ class Interface {
                                                 : kMostVertices;
     }
 
+    /// "; did you mean 'vNormal'?": the output of the stage before whose name is nearest; or nothing.
+    [[nodiscard]] std::string suggestion(const std::string& input) const {
+        std::vector<std::string_view> outputs;
+        for (const Variable& each : writer_.variables)
+            if (each.storage == Storage::output && !each.removed && !each.name.starts_with("gl_") &&
+                isWritten(each))
+                outputs.emplace_back(each.name);
+        return base::suggestion(input, outputs, 1);  // all begin with a v
+    }
+
     /// Turns the input into a variable with the value zero.
     void unwritten(Variable& input) {
         if (reader_.isUsed(input.name))
-            program_.report.report("glsl-W11",
-                                   "'" + input.name + "' is written by no earlier stage, it reads 0",
-                                   reader_.place(input.nameToken));
+            program_.report.report(
+                "glsl-W11",
+                "'" + input.name + "' is written by no earlier stage, it reads 0" + suggestion(input.name),
+                reader_.place(input.nameToken));
         if (input.type.empty()) return;
         if (isPerVertex(reader_.stage, Storage::input, input.patch) && input.isArray()) {
             std::string& first = input.nameSizes.empty() ? input.typeSizes.front() : input.nameSizes.front();

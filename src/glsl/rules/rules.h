@@ -17,8 +17,8 @@ void renameTakenWords(ProgramUnits& program);
 /// scenes without them
 /// (language, 7.2, 7.10, 7.12).
 void refuse(ProgramUnits& program);
-/// Replaces subroutine uniforms by calls of their first function (language, 7.9).
-void resolveSubroutines(Unit& unit, Report& report);
+/// Replaces subroutine uniforms by ints, and their calls by calls of a function that chooses (language, 7.9).
+void resolveSubroutines(ProgramUnits& program);
 /// Turns int and float uniforms that are used as textures into samplers (language, 7.9).
 void retypeSamplers(ProgramUnits& program);
 /// Replaces functions of older versions and supplies the noise functions (language, 7.5).

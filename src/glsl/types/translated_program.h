@@ -72,6 +72,8 @@ struct TranslatedStage {
 struct DeclaredUniform {
     Place place;
     bool hasInitializer = false;
+    /// Of a subroutine uniform, which is emitted as an int: the functions that it counts.
+    std::vector<std::string> subroutines{};
 };
 
 /// How a program places its vertices, as far as its text proves it. A program with a known placement has only

@@ -20,13 +20,11 @@ std::array<std::uint64_t, 3> groupsOver(const std::array<std::uint64_t, 3>& invo
     return groups;
 }
 
-void dispatch(const Program& program, const std::array<GLuint, 3>& groups) {
-    program.use();
+void dispatch(const std::array<GLuint, 3>& groups) {
     glDispatchCompute(groups[0], groups[1], groups[2]);
 }
 
-void dispatchFrom(const Program& program, const Buffer& groups, std::size_t offset) {
-    program.use();
+void dispatchFrom(const Buffer& groups, std::size_t offset) {
     groups.bind(GL_DISPATCH_INDIRECT_BUFFER);
     glDispatchComputeIndirect(static_cast<GLintptr>(offset));
 }

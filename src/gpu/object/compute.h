@@ -19,11 +19,11 @@ std::array<int, 3> localSizeOf(const Program& program);
 std::array<std::uint64_t, 3> groupsOver(const std::array<std::uint64_t, 3>& invocations,
                                         const std::array<int, 3>& localSize);
 
-/// Runs the program with that many groups, each at most Capabilities::maxComputeGroups. Nothing runs if one
-/// is 0.
-void dispatch(const Program& program, const std::array<GLuint, 3>& groups);
+/// Runs the program in use with that many groups, each at most Capabilities::maxComputeGroups. Nothing runs
+/// if one is 0.
+void dispatch(const std::array<GLuint, 3>& groups);
 /// Runs it with the three group counts that the buffer holds at `offset`, a multiple of 4.
-void dispatchFrom(const Program& program, const Buffer& groups, std::size_t offset = 0);
+void dispatchFrom(const Buffer& groups, std::size_t offset = 0);
 
 /// What shaders have written so far is visible to everything after it.
 inline void finishShaderWrites() {

@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "gpu/format/value_type.h"
@@ -183,6 +184,20 @@ std::vector<base::StorageBlock> storageBlocksOf(GLuint program) {
     return blocks;
 }
 
+/// The last stage of a program without a fragment stage has outputs, too; nobody asks for those.
+std::vector<base::ActiveOutput> outputsOf(GLuint program) {
+    const GLint count = interfaceParameter(program, GL_PROGRAM_OUTPUT, GL_ACTIVE_RESOURCES);
+    std::vector<base::ActiveOutput> outputs;
+    for (GLuint index = 0; index < static_cast<GLuint>(std::max(count, 0)); ++index) {
+        const auto [location, type, size] =
+            resource<3>(program, GL_PROGRAM_OUTPUT, index, {GL_LOCATION, GL_TYPE, GL_ARRAY_SIZE});
+        std::string name = withoutSubscript(resourceName(program, GL_PROGRAM_OUTPUT, index));
+        if (name.starts_with("gl_")) continue;
+        outputs.push_back({std::move(name), location, valueType(static_cast<GLenum>(type)), size});
+    }
+    return outputs;
+}
+
 std::vector<base::CounterBuffer> counterBuffersOf(GLuint program) {
     const GLint count = interfaceParameter(program, GL_ATOMIC_COUNTER_BUFFER, GL_ACTIVE_RESOURCES);
     std::vector<base::CounterBuffer> buffers;
@@ -211,6 +226,7 @@ base::ActiveResources reflect(const Program& program) {
     if (GLAD_GL_VERSION_4_3 != 0) {
         resources.storageBlocks = storageBlocksOf(program.id());
         resources.counterBuffers = counterBuffersOf(program.id());
+        resources.outputs = outputsOf(program.id());
         std::erase_if(resources.uniforms, [](const base::ActiveUniform& each) {
             return each.type.base == base::BaseType::other && each.location < 0 && each.block < 0;
         });

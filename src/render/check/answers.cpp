@@ -217,9 +217,10 @@ class Answerer {
     }
 
     [[nodiscard]] Answer condition() const {
-        const Result<bool> holds = ask_.condition(check_);
-        if (!holds) return holds.diagnostics.empty() ? refused("it has no value") : holds.diagnostics.front();
-        return *holds ? std::nullopt : Answer(wrong("true", "false"));
+        const Result<scene::ConditionAnswer> answer = ask_.condition(check_);
+        if (!answer)
+            return answer.diagnostics.empty() ? refused("it has no value") : answer.diagnostics.front();
+        return answer->holds ? std::nullopt : Answer(wrong("true", answer->found));
     }
 
     const Check& check_;

@@ -1,12 +1,14 @@
 #pragma once
 // Answers the Expect statements of a scene (language, 12.9) from what was drawn. No GL here.
 
+#include <glibra/result.h>
+
 #include <functional>
 #include <optional>
 #include <vector>
 
-#include <glibra/result.h>
 #include "render/check/content.h"
+#include "scene/modern/conditions.h"
 #include "scene/nodes.h"
 
 namespace glibra::render {
@@ -16,8 +18,7 @@ struct CheckQuestions {
     /// The content of an object, or of the window if none is given. Reports why it cannot be read.
     std::function<Result<Content>(const std::optional<scene::ObjectView>& object)> contentOf;
     std::function<std::uint64_t()> primitives, samples;  ///< of the whole frame
-    /// The value of a condition.
-    std::function<Result<bool>(const scene::Check& check)> condition;
+    std::function<Result<scene::ConditionAnswer>(const scene::Check& check)> condition;
 };
 
 /// Returns nothing if the check holds, else check-E01 with what was expected and what was found, or the

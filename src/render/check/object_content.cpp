@@ -40,8 +40,7 @@ double stepOf(base::TexelFormat format) {
     return 0;
 }
 
-Result<Content> contentOf(const scene::Scene& scene, const DeviceScene& device,
-                          const scene::TextureView& view) {
+Result<Content> contentOf(const scene::Scene& scene, DeviceScene& device, const scene::TextureView& view) {
     const scene::Texture& declared = scene.textures[view.texture];
     const gpu::Texture* texture = device.texture(view);
     const auto refuse = [&](const std::string& why) {
@@ -51,6 +50,7 @@ Result<Content> contentOf(const scene::Scene& scene, const DeviceScene& device,
     if (texture->samples() > 1) return refuse("has several samples per texel and cannot be read");
     const int level = view.level.value_or(0);
     if (level >= texture->levels()) return refuse(fmt::format("has no level {}", level));
+    if (level > 0) texture = device.completed(view);  // its mipmaps may not have been needed so far
     if (view.layer && *view.layer >= texture->layers(level))
         return refuse(fmt::format("has no layer {}", *view.layer));
     Result<Content> content = render::contentOf(*texture, level, view.layer);
@@ -102,8 +102,7 @@ Result<Content> contentOf(const gpu::Texture& texture, int level, std::optional<
     return content;
 }
 
-Result<Content> contentOf(const scene::Scene& scene, const DeviceScene& device,
-                          const scene::ObjectView& object) {
+Result<Content> contentOf(const scene::Scene& scene, DeviceScene& device, const scene::ObjectView& object) {
     if (const auto* texture = std::get_if<scene::TextureView>(&object))
         return contentOf(scene, device, *texture);
     return contentOf(scene, device.buffers(), std::get<scene::BufferView>(object));

@@ -34,6 +34,13 @@ Result<Content> readWindow(SceneRenderer::State& state) {
     return windowContent(state, std::move(*pixels));
 }
 
+bool contains(const Diagnostics& all, const Diagnostic& one) {
+    return std::any_of(all.begin(), all.end(), [&](const Diagnostic& each) {
+        return each.id == one.id && each.text == one.text && each.place.file == one.place.file &&
+               each.place.line == one.place.line && each.place.column == one.place.column;
+    });
+}
+
 }  // namespace
 
 bool SceneRenderer::hasChecks() const {
@@ -85,7 +92,7 @@ Diagnostics SceneRenderer::answerAt(double moment, double time, Stats& stats) {
         return read;
     };
     questions.condition = [&](const scene::Check& check) {
-        return state.source->holds(check, [&](const std::string& name) {
+        return state.source->answer(check, [&](const std::string& name) {
             for (const scene::BufferIndex each : state.scene.buffers.indices()) {
                 if (state.scene.buffers[each].name != name) continue;
                 Result<Content> content = contentOf(state.scene, state.device, scene::BufferView{each});
@@ -107,14 +114,16 @@ std::vector<scene::Check> checksOf(const std::filesystem::path& path, const Rend
     return interpreted ? std::move(interpreted->scene.checks) : std::vector<scene::Check>();
 }
 
-Diagnostics runChecks(gpu::Context& context, const std::filesystem::path& path,
-                      const RenderOptions& options) {
+Diagnostics runChecks(gpu::Context& context, const std::filesystem::path& path, const RenderOptions& options,
+                      Diagnostics known) {
     Stats stats;
     RenderOptions checked = options;
     checked.checks = true;
     Result<SceneRenderer> renderer = SceneRenderer::load(context, path, checked, stats);
-    if (!renderer) return withoutExpected(checksOf(path, options), std::move(renderer.diagnostics));
-    Diagnostics reported = std::move(renderer.diagnostics);
+    Diagnostics reported = std::move(known);
+    for (Diagnostic& each : renderer.diagnostics)
+        if (!contains(reported, each)) reported.push_back(std::move(each));
+    if (!renderer) return withoutExpected(checksOf(path, options), std::move(reported));
     Diagnostics wrong = renderer->answerChecks(options.time, reported, stats);
     append(reported, std::move(wrong));
     return reported;

@@ -76,11 +76,11 @@ Diagnostics FrameDrawer::dispatch(const plan::PlannedDispatch& planned) {
     DrawFacts facts;
     facts.timer = timerAt(frame_->time, dispatch.timerPeriod);
     setSupplied(planned.program, *built, facts);
+    bindings_.use(*built->program);
     bindBlocks(planned.program, *built);
     bindTextures(planned.textures, *built);
     if (const auto* from = std::get_if<scene::GroupsFrom>(&dispatch.groups)) {
-        if (const gpu::Buffer* counts = device_.buffers().buffer(from->buffer))
-            gpu::dispatchFrom(*built->program, *counts);
+        if (const gpu::Buffer* counts = device_.buffers().buffer(from->buffer)) gpu::dispatchFrom(*counts);
     } else {
         const GroupCounts& groups = groupsOf(planned, *built);
         if (Diagnostics refused = dispatchPieces(*built, groups, dispatch); !refused.empty()) return refused;
@@ -95,7 +95,7 @@ Diagnostics FrameDrawer::dispatchPieces(const BuiltProgram& built, const GroupCo
     if (!built.interface.facts.inPieces) {
         const Result<std::array<unsigned, 3>> checked =
             checkedGroups(groups, context_.capabilities(), dispatch.place);
-        if (checked) gpu::dispatch(*built.program, *checked);
+        if (checked) gpu::dispatch(*checked);
         return checked.diagnostics;
     }
     std::size_t axis = 2;
@@ -113,7 +113,7 @@ Diagnostics FrameDrawer::dispatchPieces(const BuiltProgram& built, const GroupCo
             checkedGroups(part, context_.capabilities(), dispatch.place);
         if (!checked) return checked.diagnostics;
         setPiece(built, first, groups, localSize);
-        gpu::dispatch(*built.program, *checked);
+        gpu::dispatch(*checked);
         if (pieces > 1) glFlush();
     }
     if (pieces > 1) stats_.add("pieces of dispatches", pieces);
@@ -141,6 +141,7 @@ void FrameDrawer::clearObject(const scene::ClearObject& clear) {
         device_.buffers().clear(*buffer);
     } else {
         device_.clear(std::get<scene::TextureIndex>(clear.object));
+        bindings_.forgetWorkUnit();
     }
 }
 

@@ -12,6 +12,7 @@
 
 #include "gpu/context/context.h"
 #include "gpu/object/target.h"
+#include "gpu/state/binding_tracker.h"
 #include "gpu/state/raster_tracker.h"
 #include "plan/frame_plan.h"
 #include "plan/still.h"
@@ -104,9 +105,11 @@ class FrameDrawer {
   private:
     /// What a program keeps between draws: literal uniform values are set once.
     struct ProgramState {
-        bool literalsSet = false;
+        bool literalsSet = false;         ///< the blocks hold them
         std::vector<gpu::Buffer> blocks;  ///< one per uniform block; without bytes: a buffer of the scene
     };
+
+    static constexpr std::array<float, 6> kOneLevel{1, 1, 1, 1, 1, 1};
 
     [[nodiscard]] const BuiltProgram* ownProgramOf(const plan::PlannedDraw& planned) const;
     /// `window` may be null if no pass draws into it.
@@ -115,7 +118,7 @@ class FrameDrawer {
     /// Exchanges the copies of objects with history that the node (index into FramePlan::order) writes.
     Diagnostics exchangeCopies(std::size_t node);
     /// Tells the device what the node of that number writes.
-    void noteWrites(std::size_t node);
+    Diagnostics noteWrites(std::size_t node);
     /// True if the node of that number is still; counts it.
     bool isStill(std::size_t node);
     /// `begin`: the number of draws of the plan before those of the pass.
@@ -133,6 +136,8 @@ class FrameDrawer {
     [[nodiscard]] glm::dvec4 clearColor(const glm::dvec4& color, bool isWindow) const;
     Diagnostics drawOne(const plan::PlannedDraw& planned, const gpu::Target& target, bool isWindow);
     void setLiterals(plan::PlannedProgramIndex program, const BuiltProgram& built);
+    /// Makes the uniform blocks whose values are literals.
+    void makeBlocks(ProgramState& state, plan::PlannedProgramIndex program, const BuiltProgram& built);
     /// Gives uniforms without a literal the values that they had after linking, if other planned programs may
     /// have changed them.
     void resetUniforms(plan::PlannedProgramIndex program, const BuiltProgram& built);
@@ -145,7 +150,7 @@ class FrameDrawer {
     void setConstantInputs(const plan::PlannedDraw& planned, const BuiltProgram& built,
                            const glm::dvec4& color) const;
     void bindTextures(const std::vector<plan::TextureUse>& textures, const BuiltProgram& built);
-    void bindBlocks(plan::PlannedProgramIndex program, const BuiltProgram& built) const;
+    void bindBlocks(plan::PlannedProgramIndex program, const BuiltProgram& built);
     void setTessellationLevels(const std::array<float, 6>& levels);
     /// Draws with counts that buffers hold.
     void submitIndirect(const plan::PlannedDraw& planned, const DeviceMesh& mesh, GLenum mode) const;
@@ -188,11 +193,13 @@ class FrameDrawer {
     bool isAsWindow_ = true;                 ///< the current pass is seen as the window is
     ViewMatrices passView_;                  ///< for the other passes
     gpu::RasterTracker raster_;
+    gpu::BindingTracker bindings_;
+    std::set<const gpu::Target*> seenTargets_;
     std::optional<gpu::PixelRectangle> limit_;
-    std::optional<int> clipDistances_;  ///< those below this index are enabled; nothing: not known
-    std::optional<int> patchVertices_;  ///< as set; nothing: not known
-    std::array<float, 6> levels_{1, 1, 1, 1, 1, 1};  ///< of tessellation; GL's own while nothing is drawn
-    mutable std::optional<gpu::Buffer> command_;     ///< the arguments of an indirect draw
+    std::optional<int> clipDistances_;            ///< those below this index are enabled; nothing: not known
+    std::optional<int> patchVertices_;            ///< as set; nothing: not known
+    std::array<float, 6> levels_ = kOneLevel;     ///< of tessellation; GL's own while nothing is drawn
+    mutable std::optional<gpu::Buffer> command_;  ///< the arguments of an indirect draw
     bool lineWidthReported_ = false;
 };
 

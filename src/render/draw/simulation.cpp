@@ -9,6 +9,7 @@
 #include "glib/number.h"
 #include "plan/accesses.h"
 #include "render/draw/view_matrices.h"
+#include "scene/view.h"
 
 namespace glibra::render {
 namespace {
@@ -49,6 +50,38 @@ void addReads(const plan::FramePlan& plan, std::vector<scene::ObjectView>& roots
     for (std::size_t i = 0; i < plan.order.size(); ++i)
         for (const plan::ObjectUse& each : usesOf(plan, i))
             if (each.reads && !contains(roots, each.object)) roots.push_back(each.object);
+}
+
+/// Calls `visit` with each draw of the plan that covers its target and reads the camera.
+template <class Visit>
+void visitFills(const plan::FramePlan& plan, Visit&& visit) {
+    for (const plan::PlannedPass& pass : plan.passes)
+        for (const auto& step : pass.steps)
+            if (const auto* draw = std::get_if<plan::PlannedDraw>(&step);
+                draw != nullptr && std::holds_alternative<scene::ClipSpace>(plan.drawOf(*draw).projection) &&
+                plan::readsCamera(plan.programs[draw->program]))
+                visit(*draw);
+}
+
+bool readsCamera(const plan::FramePlan& plan) {
+    bool reads = false;
+    visitFills(plan, [&](const plan::PlannedDraw&) { reads = true; });
+    return reads;
+}
+
+/// The matrices that the Fill statements of a block read, as the scene has them now.
+void addCameras(const plan::FramePlan& plan, const scene::NodeList& now, std::vector<double>& to) {
+    visitFills(plan, [&](const plan::PlannedDraw& planned) {
+        const auto [pass, step] = planned.step;
+        if (pass >= now.passes.size() || step >= now.passes[pass].steps.size()) return;
+        const auto* draw = std::get_if<scene::Draw>(&now.passes[pass].steps[step]);
+        const auto* space = draw != nullptr ? std::get_if<scene::ClipSpace>(&draw->projection) : nullptr;
+        if (space == nullptr) return;
+        scene::Projection projection;
+        std::visit([&](const auto& each) { projection = each; }, space->projection);
+        for (const glm::dmat4& matrix : {space->view, scene::projectionMatrix(projection, 1)})
+            to.insert(to.end(), &matrix[0][0], &matrix[0][0] + 16);
+    });
 }
 
 std::vector<scene::ObjectView> allObjects(const scene::Scene& scene) {
@@ -132,16 +165,30 @@ Diagnostics Simulation::plan(const plan::FramePlan& frame, bool framesDiffer,
     for (const scene::StepBlock& each : scene.steps) {
         Block& block = add(steps_, false, each.nodes, each.place);
         block.rate = each.rate;
-        block.dependsOnTick = each.dependsOnTick && parts_.source != nullptr;
+        noteDepends(block, each);
         dependsOnTick = dependsOnTick || block.dependsOnTick;
     }
     done_.assign(steps_.size(), 0);
     roots_ = framesDiffer || dependsOnTick ? allObjects(scene) : std::move(roots);
     addReads(frame, roots_);
     Diagnostics diagnostics = planAll();
+    // Now it is known whose programs read the camera.
+    for (const auto& each : steps_) {
+        const bool did = each->dependsOnTick;
+        noteDepends(*each, scene.steps[each->index]);
+        if (did || !each->dependsOnTick || dependsOnTick) continue;
+        dependsOnTick = true;
+        roots_ = allObjects(scene);
+        diagnostics = planAll();
+    }
     append(diagnostics, check(frame));
     for (const plan::FramePlan* each : plans()) parts_.device.noteWrites(*each);
     return diagnostics;
+}
+
+void Simulation::noteDepends(Block& block, const scene::StepBlock& now) const {
+    block.dependsOnTick =
+        parts_.source != nullptr && (now.dependsOnTick || (now.fillsDependOnTick && readsCamera(block.plan)));
 }
 
 /// What a needed node of a block reads is needed of the other blocks, and of its own next step.
@@ -249,6 +296,8 @@ std::vector<std::vector<double>> Simulation::onceReads() const {
     for (const scene::OnceBlock& each : parts_.scene.once) reads.push_back(each.reads);
     for (const auto& block : once_) {
         std::vector<double>& literals = reads.emplace_back();
+        if (block->index < parts_.scene.once.size())
+            addCameras(block->plan, parts_.scene.once[block->index].nodes, literals);
         for (const plan::PlannedProgram& program : block->plan.programs)
             for (const plan::UniformBinding& each : program.values)
                 if (const auto* literal = std::get_if<plan::Literal>(&each.value))
@@ -264,7 +313,7 @@ Diagnostics Simulation::variablesChanged() {
         const scene::StepBlock& now = parts_.scene.steps[block->index];
         hasRun_ = hasRun_ && block->rate == now.rate;
         block->rate = now.rate;
-        block->dependsOnTick = now.dependsOnTick && parts_.source != nullptr;
+        noteDepends(*block, now);
         if (!block->dependsOnTick) append(diagnostics, planAgain(*block, now.nodes));
     }
     return diagnostics;

@@ -123,6 +123,8 @@ class Simulation {
         const char* word{};  ///< "Once" or "Step"
     };
     Diagnostics planAll();
+    /// Finds out whether each tick needs a scene of its own.
+    void noteDepends(Block& block, const scene::StepBlock& now) const;
     Diagnostics restart(bool plansAgain);
     /// Plans a block of the scene as it is now.
     Diagnostics planAgain(Block& block, const scene::NodeList& nodes);

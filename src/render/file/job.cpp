@@ -11,6 +11,7 @@
 
 #include "gpu/context/call_counter.h"
 #include "image/inspect.h"
+#include "image/video/video_file.h"
 #include "image/write.h"
 #include "render/file/animation.h"
 #include "render/file/picture_writer.h"
@@ -81,6 +82,50 @@ std::filesystem::path frameFile(const std::filesystem::path& output, int index, 
 
 namespace {
 
+/// The absolute path without links in its folders. A link at its end stays: writing replaces it.
+std::filesystem::path placeOf(const std::filesystem::path& file) {
+    std::error_code failure;
+    const std::filesystem::path absolute = std::filesystem::absolute(file, failure).lexically_normal();
+    const std::filesystem::path folder = std::filesystem::weakly_canonical(absolute.parent_path(), failure);
+    return failure ? absolute : folder / absolute.filename();
+}
+
+/// Reports file-E13 for each file of the scene that the job would write over.
+Diagnostics reportOverwritten(const scene::Scene& scene, const Job& job) {
+    std::vector<std::filesystem::path> written = job.targets;
+    if (written.empty()) {
+        if (job.output != "-") written.push_back(job.output);
+        for (const Job::Save& each : job.saves) written.push_back(each.file);
+    }
+    std::map<std::filesystem::path, const scene::FileReference*> read;
+    for (const scene::FileReference& each : scene.files) {
+        if (each.path.empty()) continue;
+        std::error_code failure;
+        read.try_emplace(placeOf(each.path), &each);
+        if (const auto target = std::filesystem::canonical(each.path, failure); !failure)
+            read.try_emplace(target, &each);
+    }
+    Diagnostics errors;
+    if (read.empty()) return errors;
+    for (const std::filesystem::path& each : written) {
+        const bool isFilm = job.frames > 1 && image::holdsAnimation(each);
+        const int count = isFilm ? 1 : job.frames;
+        const std::filesystem::path place = placeOf(each);
+        if (std::none_of(read.begin(), read.end(),
+                         [&](const auto& one) { return one.first.parent_path() == place.parent_path(); }))
+            continue;
+        for (int i = 0; i < count; ++i)
+            if (const auto found = read.find(frameFile(place, i, count)); found != read.end())
+                errors.push_back(
+                    diagnose("file-E13",
+                             fmt::format("the scene reads '{}', so nothing is written over it; choose "
+                                         "another output name (-o, --save)",
+                                         found->second->name),
+                             found->second->place));
+    }
+    return errors;
+}
+
 /// A running job.
 class JobRun {
   public:
@@ -94,6 +139,11 @@ class JobRun {
         Result<SceneRenderer> loaded = SceneRenderer::load(context_, job_.scene, options_, stats_, shared);
         append(result_.diagnostics, std::move(loaded.diagnostics));
         if (!loaded) {
+            result_.failed = true;
+            return std::move(result_);
+        }
+        if (Diagnostics errors = reportOverwritten(loaded->scene(), job_); !errors.empty()) {
+            append(result_.diagnostics, std::move(errors));
             result_.failed = true;
             return std::move(result_);
         }

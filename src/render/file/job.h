@@ -34,6 +34,9 @@ struct Job {
         std::filesystem::path file;
     };
     std::vector<Save> saves{};
+    /// What the files become that the job writes, if they are moved to another place afterwards: names as
+    /// `output` has them, without the number of a frame unless it is a film. Otherwise it is empty.
+    std::vector<std::filesystem::path> targets{};
 };
 
 /// The outcome of a job. `failed`: the scene or its output has an error, which `diagnostics` name.
@@ -46,7 +49,8 @@ struct JobResult {
     std::string statsJson;    ///< --stats
 };
 
-/// Draws and writes all frames, or those of its part. Encoding and writing of one frame overlap with drawing
+/// Draws and writes all frames, or those of its part. Nothing is drawn if a file that it would write is one
+/// that the scene reads: file-E13. Encoding and writing of one frame overlap with drawing
 /// the next; frames that cannot differ are drawn and encoded once and copied. `frameWritten` is called after
 /// each file with the number of frames written so far. `shared`: parts of earlier scenes, or null.
 JobResult runJob(gpu::Context& context, const Job& job,

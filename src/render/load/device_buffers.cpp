@@ -18,9 +18,6 @@ std::uint64_t sizeOfFile(const std::filesystem::path& path) {
     return failure ? 0 : bytes;
 }
 
-/// GL has no buffers without bytes.
-constexpr std::size_t kLeastBytes = 16;
-
 }  // namespace
 
 Diagnostics DeviceBuffers::prepare(const plan::FramePlan& plan) {
@@ -43,7 +40,7 @@ Diagnostics DeviceBuffers::make(scene::BufferIndex index) {
         return reset(index);
     }
     const StageTimer timer(stats_, "upload");
-    const std::uint64_t bytes = std::max<std::uint64_t>(layouts_.find(index)->bytes, kLeastBytes);
+    const std::uint64_t bytes = std::max<std::uint64_t>(layouts_.find(index)->bytes, plan::kLeastBufferBytes);
     const std::uint64_t all = buffer.hasHistory ? 2 * bytes : bytes;
     if (all > bytesLeft_)
         return {diagnose("memory-E04",

@@ -17,6 +17,7 @@
 #include "gpu/object/target.h"
 #include "gpu/object/texture.h"
 #include "gpu/object/vertex_array.h"
+#include "gpu/state/binding_tracker.h"
 #include "image/image.h"
 #include "image/limits.h"
 #include "noise/texel_bytes.h"
@@ -69,6 +70,10 @@ class DeviceScene {
     /// Call it after the scene has been interpreted for another moment, before prepare() of that plan: shapes
     /// may have other indices, textures have not. Meshes that both moments have stay on the device.
     void beginMoment(const plan::FramePlan& plan);
+    /// Call it after beginMoment(): forgets empty textures that the scene now declares in another size than
+    /// they were made in; prepare() makes them again. Those that last are made at once, empty, and
+    /// `hasLost` is set to true.
+    Diagnostics followSizes(bool& hasLost);
     /// Forgets the shapes of the scene, because it has been interpreted for another moment. Meshes on the
     /// device stay.
     void forgetShapes();
@@ -114,13 +119,13 @@ class DeviceScene {
     Diagnostics copyFromPrevious(scene::TextureIndex texture);
     /// Sets a texture that nodes write to zero; with history only the current copy.
     void clear(scene::TextureIndex texture);
-    /// Makes a buffer or an empty texture as declared, in both copies of one with history.
+    /// Makes a buffer or texture as declared, in both copies of one with history.
     Diagnostics reset(const scene::ObjectView& object);
     /// Takes an object that nodes write to, with its content, from the device scene before the scene was
     /// read again. Both scenes declare it equally.
     void takeOver(DeviceScene& previous, const scene::ObjectView& object);
-    /// Notes that a node of a frame writes the object, unless it lasts.
-    void noteWritten(const plan::Object& object);
+    /// Notes that a node is about to write the object. Errors: no memory for what reset() gives back.
+    Diagnostics noteWritten(const plan::Object& object, gpu::BindingTracker& bindings);
     /// True if the object is not as declared because a frame has written it.
     [[nodiscard]] bool isChanged(const plan::Object& object) const { return changed_.contains(object); }
     /// What Once and Step write is not reset by frames.
@@ -132,7 +137,7 @@ class DeviceScene {
     /// Makes them. The scissor test must be off.
     void complete(const plan::TextureUse& use);
     /// Binds the texture and sampler, or the image, to the unit of the use.
-    void bind(const plan::TextureUse& use);
+    void bind(const plan::TextureUse& use, gpu::BindingTracker& bindings);
 
     /// SceneRenderer::textureImage.
     Result<image::Image> imageOf(const scene::TextureView& view);
@@ -184,12 +189,18 @@ class DeviceScene {
                           std::vector<gpu::AttributeSource>& sources) const;
     /// `isFilled`: gpu::TextureLayout::isFilled, of empty textures.
     Diagnostics makeTexture(scene::TextureIndex index, bool isFilled = true);
+    /// Forgets a texture with its copies, and what was made of them.
+    void dropTexture(scene::TextureIndex index);
     /// Makes the textures of the plan, each in memory of its own or in that of another one.
     Diagnostics makeTextures(const plan::FramePlan& plan);
     Result<gpu::Texture> createTexture(const scene::Texture& texture, const std::string& key, bool isFilled);
     Result<gpu::Texture> createNamed(const scene::Texture& texture, image::TexelBlock block);
     /// Makes the second copy of a texture with history, and what its samples are resolved into.
     Diagnostics makeCopies(scene::TextureIndex index, std::shared_ptr<gpu::Texture> first);
+    /// Keeps the content of a texture from a file before a node writes it for the first time.
+    Diagnostics keepDeclared(scene::TextureIndex index, gpu::BindingTracker& bindings);
+    /// Gives it back.
+    Diagnostics resetToFile(scene::TextureIndex index);
     /// Reports draw-E10 for parts of textures that this driver cannot read alone.
     [[nodiscard]] Diagnostics checkParts(const plan::FramePlan& plan) const;
     /// A texture that reads (0, 0, 0, 1) everywhere.
@@ -228,6 +239,7 @@ class DeviceScene {
         };
         std::array<Copy, 2> copies;  ///< the second one only with history
         std::size_t current = 0;
+        std::shared_ptr<const gpu::Texture> declared;  ///< of a file: its content, once a node has written it
     };
     std::map<scene::TextureIndex, Copies> copies_;
     std::map<scene::TextureIndex, scene::TextureIndex> sharing_;  ///< FramePlan::sharing, as made
@@ -253,7 +265,8 @@ class DeviceScene {
         gpu::Sampler sampler;
     };
     std::deque<MadeSampler> samplers_;  ///< few, so that a search is fast
-    std::map<int, gpu::SharedDepth> depthBuffers_;
+    /// By number, width and height: the numbers are those of one moment.
+    std::map<std::tuple<int, int, int>, gpu::SharedDepth> depthBuffers_;
     struct MadeTarget {
         std::vector<scene::TextureIndex> targets;
         std::vector<scene::TargetPart> parts;

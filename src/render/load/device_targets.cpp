@@ -266,19 +266,19 @@ const gpu::Texture* DeviceScene::layerCopy(const gpu::Texture& whole, const scen
     return &known->second;
 }
 
-void DeviceScene::bind(const plan::TextureUse& use) {
+void DeviceScene::bind(const plan::TextureUse& use, gpu::BindingTracker& bindings) {
     const gpu::Texture* bound = use.view.texture ? readable(use) : nullptr;
+    if (!bound || use.view.level || use.view.layer) bindings.forgetWorkUnit();  // it may have been made here
     if (!bound) bound = &emptyTexture(use.target);
-    if (use.isImage) {
-        bound->bindImage(use.driverUnit, use.view.level.value_or(0), use.view.layer, GL_READ_WRITE,
-                         use.imageFormat);
-        return;
-    }
-    const bool showsOneLevel = use.view.level.has_value();
-    if (!showsOneLevel && !context_.capabilities().atLeast(4, 3) && bound->levels() > 1)
+    if (use.isImage)
+        return bindings.bindImage(*bound, use.driverUnit, use.view.level.value_or(0), use.view.layer,
+                                  GL_READ_WRITE, use.imageFormat);
+    if (!use.view.level && !context_.capabilities().atLeast(4, 3) && bound->levels() > 1) {
         bound->showLevels(0, bound->levels());
-    bound->bind(use.driverUnit);
-    sampler(use.sampler, use.compares).bind(use.driverUnit);
+        bindings.forgetWorkUnit();
+    }
+    bindings.bind(*bound, use.driverUnit);
+    bindings.bind(sampler(use.sampler, use.compares), use.driverUnit);
 }
 
 Diagnostics DeviceScene::checkParts(const plan::FramePlan& plan) const {
@@ -306,7 +306,9 @@ Diagnostics DeviceScene::checkParts(const plan::FramePlan& plan) const {
 }
 
 Result<gpu::Target> DeviceScene::makeTarget(const scene::Pass& pass) {
-    gpu::SharedDepth& depth = depthBuffers_[pass.depthBuffer];
+    const gpu::Texture* first = pass.targets.empty() ? nullptr : texture(pass.targets.front());
+    const gpu::TextureSize size = first == nullptr ? gpu::TextureSize{} : first->size();
+    gpu::SharedDepth& depth = depthBuffers_[{pass.depthBuffer, size.width, size.height}];
     if (!scene_.isModern) {
         std::vector<const gpu::Texture*> textures;
         for (const scene::TextureIndex each : pass.targets) textures.push_back(texture(each));

@@ -179,11 +179,7 @@ Diagnostics DeviceScene::makeTextures(const plan::FramePlan& plan) {
     };
     for (const scene::TextureIndex each : plan.textures) {
         if (isShared(each)) continue;
-        if (sharing_.erase(each) > 0) {  // it needs memory of its own from now on
-            copies_.erase(each);
-            textures_.erase(each);
-            changed_.erase(each);
-        }
+        if (sharing_.contains(each)) dropTexture(each);  // it needs memory of its own from now on
         const bool isCleared =
             std::find(plan.cleared.begin(), plan.cleared.end(), each) != plan.cleared.end();
         const bool isFilled = !isCleared || lasting_.contains(each);
@@ -202,6 +198,47 @@ Diagnostics DeviceScene::makeTextures(const plan::FramePlan& plan) {
                     fmt::format("{}: uses the memory of {}, which is not needed at the same time",
                                 textOf(scene_.textures[each]), textOf(scene_.textures[from->first])),
                     scene_.textures[each].place);
+    }
+    return diagnostics;
+}
+
+void DeviceScene::dropTexture(scene::TextureIndex index) {
+    std::set<const gpu::Texture*> gone;
+    if (const auto made = textures_.find(index); made != textures_.end()) gone.insert(made->second.get());
+    if (const auto made = copies_.find(index); made != copies_.end())
+        for (const Copies::Copy& each : made->second.copies)
+            gone.insert({each.texture.get(), each.resolved.get()});
+    gone.erase(nullptr);
+    std::erase_if(views_, [&](const auto& each) { return gone.contains(std::get<0>(each.first)); });
+    std::set<int> depths;
+    std::erase_if(targets_, [&](const MadeTarget& each) {
+        const bool isGone = std::any_of(each.textures.begin(), each.textures.end(),
+                                        [&](const gpu::Texture* part) { return gone.contains(part); });
+        if (isGone) depths.insert(each.depthBuffer);
+        return isGone;
+    });
+    std::erase_if(depthBuffers_, [&](const auto& each) { return depths.contains(std::get<0>(each.first)); });
+    sharing_.erase(index);
+    copies_.erase(index);
+    textures_.erase(index);
+    changed_.erase(index);
+}
+
+Diagnostics DeviceScene::followSizes(bool& hasLost) {
+    std::vector<scene::TextureIndex> others;
+    for (const auto& [index, made] : copies_) {
+        const auto* empty = std::get_if<scene::EmptySource>(&scene_.textures[index].source);
+        if (empty == nullptr || !made.copies[0].texture) continue;
+        const gpu::TextureSize size = made.copies[0].texture->size();
+        if (size.width != empty->width || size.height != empty->height || size.depth != empty->depth)
+            others.push_back(index);
+    }
+    Diagnostics diagnostics;
+    for (const scene::TextureIndex each : others) {
+        dropTexture(each);
+        if (!lasting_.contains(each)) continue;
+        hasLost = true;
+        append(diagnostics, makeTexture(each));
     }
     return diagnostics;
 }
@@ -340,6 +377,36 @@ Result<gpu::Texture> DeviceScene::createNamed(const scene::Texture& texture, ima
     if (made && hasError(made.diagnostics)) return std::move(made.diagnostics);
     if (made && layout.levels > 1) made->generateMipmaps();
     return made;
+}
+
+Diagnostics DeviceScene::keepDeclared(scene::TextureIndex index, gpu::BindingTracker& bindings) {
+    const auto found = copies_.find(index);
+    const scene::Texture& texture = scene_.textures[index];
+    if (found == copies_.end() || found->second.declared ||
+        std::holds_alternative<scene::EmptySource>(texture.source))
+        return {};
+    const gpu::Texture& now = *found->second.copies[0].texture;
+    if (auto over = charge(texelsOf(now.size(), texture.target) * gpu::bytesPerTexel(now.format()), texture))
+        return {*std::move(over)};
+    gpu::TextureLayout layout{now.shape(), now.format(), now.size(), now.levels()};
+    layout.isFilled = false;
+    Result<gpu::Texture> made = gpu::Texture::create(context_.capabilities(), layout);
+    bindings.forgetWorkUnit();
+    Diagnostics problems = std::move(made.diagnostics);
+    if (made) {
+        append(problems, gpu::copyTexture(context_.capabilities(), now, *made));
+        found->second.declared = std::make_shared<const gpu::Texture>(std::move(*made));
+    }
+    for (Diagnostic& each : problems) each.place = texture.place;
+    return problems;
+}
+
+Diagnostics DeviceScene::resetToFile(scene::TextureIndex index) {
+    const auto found = copies_.find(index);
+    if (found == copies_.end() || !found->second.declared) return {};
+    Copies::Copy& copy = found->second.copies[0];
+    copy.hasMipmaps = true;
+    return gpu::copyTexture(context_.capabilities(), *found->second.declared, *copy.texture);
 }
 
 const gpu::Texture* DeviceScene::texture(scene::TextureIndex texture) const {

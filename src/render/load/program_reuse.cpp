@@ -102,7 +102,8 @@ bool ProgramLibrary::mayReadTangents(const plan::ProgramVariant& variant) {
 }
 
 std::vector<std::filesystem::path> ProgramLibrary::filesRead() const {
-    std::vector<std::filesystem::path> files(included_.begin(), included_.end());
+    std::vector<std::filesystem::path> files;
+    for (const auto& [path, text] : included_) files.push_back(path);
     for (const auto& [file, source] : sources_)
         if (!source.path.empty()) files.emplace_back(source.path);
     return files;

@@ -87,6 +87,14 @@ std::vector<InitialValue> initialValues(const BuiltProgram& built) {
     return values;
 }
 
+/// Completes the interface of a program that was linked, or failed.
+void describe(BuiltProgram& built, glsl::TranslatedProgram facts, bool isBuiltin) {
+    for (base::ActiveUniform& each : built.interface.uniforms) each.name = userName(each.emittedName, facts);
+    built.interface.facts = std::move(facts);
+    built.interface.usable = built.program.has_value();
+    built.interface.isBuiltin = isBuiltin;
+}
+
 }  // namespace
 
 ProgramLibrary::ProgramLibrary(const gpu::Context& context, const scene::Scene& scene,
@@ -111,13 +119,27 @@ std::string ProgramLibrary::hiddenSource(scene::ProgramIndex program) const {
 void ProgramLibrary::hideTexts(scene::ProgramIndex program, Diagnostics& diagnostics) const {
     const std::string hidden = hiddenSource(program);
     if (hidden.empty()) return;
+    HiddenWords words;
+    const auto add = [&](const std::string& file, const std::string& text) {
+        if (shown_.contains(file))
+            words.addShown(text);
+        else
+            words.addHidden(text);
+    };
+    for (const auto& [index, source] : sources_)
+        if (source.text) add(source.path, *source.text);
+    for (const auto& [path, text] : included_) add(path.string(), text);
+    const std::string why = fmt::format(
+        "'{}', which lies outside of the scene's folder and the library; add its folder to GLIBRA_PATH",
+        hidden);
     for (Diagnostic& each : diagnostics) {
         // Messages about finding and opening a file name the file and nothing else.
         if (each.id.starts_with("file-")) continue;
-        each.text = fmt::format(
-            "{}, because it may quote '{}', which lies outside of the scene's folder and the "
-            "library; add its folder to GLIBRA_PATH",
-            kHiddenText, hidden);
+        if (!each.place.file.empty() && !shown_.contains(each.place.file)) {
+            each.text = fmt::format("{}, because it may quote {}", kHiddenText, why);
+        } else if (std::string text = words.removedFrom(each.text); text != each.text) {
+            each.text = fmt::format("{} (\"...\" stands for words of {})", text, why);
+        }
     }
 }
 
@@ -130,6 +152,10 @@ const ProgramLibrary::SourceFile& ProgramLibrary::sourceFile(scene::FileIndex fi
     source.path = reference.path.string();
     if (reference.text) source.text = reference.text;
     if (reference.path.empty() || reference.text) return source;
+    if (const auto edited = options_.texts.find(reference.path); edited != options_.texts.end()) {
+        source.text = edited->second;
+        return source;
+    }
     stats_.add("files read", 1);
     auto bytes = image::readFile(reference.path, {reference.name, reference.place}, kLargestSource);
     append(source.diagnostics, std::move(bytes.diagnostics));
@@ -186,10 +212,15 @@ glsl::ProgramRequest ProgramLibrary::request(const plan::ProgramVariant& variant
         if (found.path.empty()) return std::nullopt;
         stats_.add("files read", 1);
         noteIfHidden(program, found.path.string());
-        const auto bytes = image::readFile(found.path, {found.name, found.place}, kLargestSource);
-        included_.insert(found.path);
-        if (!bytes) return std::nullopt;
-        return glsl::IncludedFile{found.path.string(), asText(*bytes)};
+        std::string& text = included_[found.path];
+        if (const auto edited = options_.texts.find(found.path); edited != options_.texts.end()) {
+            text = edited->second;
+        } else {
+            const auto bytes = image::readFile(found.path, {found.name, found.place}, kLargestSource);
+            if (!bytes) return std::nullopt;
+            text = asText(*bytes);
+        }
+        return glsl::IncludedFile{found.path.string(), text};
     };
     request.samplerKindsOfTag = [this, program = variant.program](std::string_view tag) {
         return samplerKinds(program, tag);
@@ -263,11 +294,23 @@ void ProgramLibrary::build(const plan::ProgramVariant& variant, BuiltProgram& bu
         return;
     }
     translated.diagnostics = std::move(diagnostics);
-    for (base::ActiveUniform& each : built.interface.uniforms)
-        each.name = userName(each.emittedName, translated);
-    built.interface.facts = std::move(translated);
-    built.interface.usable = built.program.has_value();
-    built.interface.isBuiltin = isBuiltin;
+    describe(built, std::move(translated), isBuiltin);
+}
+
+bool ProgramLibrary::observe(const BuiltProgram& program, const glsl::MainWrapper& fragment) {
+    const auto known = std::find_if(programs_.begin(), programs_.end(),
+                                    [&](const KnownProgram& each) { return each.second.get() == &program; });
+    if (known == programs_.end()) return false;
+    glsl::TranslatedProgram stages = program.interface.facts;
+    stages.diagnostics.clear();
+    for (glsl::TranslatedStage& each : stages.stages)
+        if (each.stage == glsl::Stage::fragment) each.source = glsl::wrappedMain(each, fragment);
+    auto built = std::make_unique<BuiltProgram>();
+    if (!compile(known->first, stages, *built, built->remarks)) return false;
+    if (scene_.isModern) built->initialValues = initialValues(*built);
+    describe(*built, std::move(stages), program.interface.isBuiltin);
+    observed_.emplace(known->first, std::move(built));
+    return true;
 }
 
 const plan::ProgramInterface& ProgramLibrary::interfaceOf(const plan::ProgramVariant& variant) {
@@ -278,6 +321,7 @@ const plan::ProgramInterface& ProgramLibrary::interfaceOf(const plan::ProgramVar
 }
 
 const BuiltProgram* ProgramLibrary::find(const plan::ProgramVariant& variant) const {
+    if (observed_ && observed_->first == variant) return observed_->second.get();
     for (const auto& [known, built] : programs_)
         if (known == variant) return built.get();
     return nullptr;

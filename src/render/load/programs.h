@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "glsl/emit/emitted_lines.h"
+#include "glsl/emit/wrapped_main.h"
 #include "glsl/types/request.h"
 #include "gpu/context/context.h"
 #include "gpu/object/program.h"
@@ -79,6 +80,10 @@ class ProgramLibrary {
     const plan::ProgramInterface& interfaceOf(const plan::ProgramVariant& variant);
     /// The program that interfaceOf has made; null before its first call for the variant.
     [[nodiscard]] const BuiltProgram* find(const plan::ProgramVariant& variant) const;
+    /// From now on interfaceOf() and find() give another program in place of one that find() has given: its
+    /// fragment stage does more. Returns false, and changes nothing, if the driver does not link it.
+    bool observe(const BuiltProgram& program, const glsl::MainWrapper& fragment);
+    void stopObserving() { observed_.reset(); }
     /// A source of the program whose text may not be shown, because it lies outside of the scene's folder and
     /// the library; empty if there is none. It is known after interfaceOf.
     [[nodiscard]] std::string hiddenSource(scene::ProgramIndex program) const;
@@ -101,7 +106,7 @@ class ProgramLibrary {
     const SourceFile& sourceFile(scene::FileIndex file);
     /// Notes that the program has a source that may not be shown (scene::shownRoots), if the file is one.
     void noteIfHidden(scene::ProgramIndex program, const std::string& file);
-    /// Replaces the texts of messages about a program with such a source, because they quote it.
+    /// Removes what messages about a program with such a source may quote of it.
     void hideTexts(scene::ProgramIndex program, Diagnostics& diagnostics) const;
     const Translation& translationOf(const plan::ProgramVariant& variant);
     std::shared_ptr<const glsl::TranslatedProgram> translate(glsl::ProgramRequest asked);
@@ -127,12 +132,14 @@ class ProgramLibrary {
     SharedParts* shared_;
     ProgramLibrary* previous_ = nullptr;
     std::map<scene::FileIndex, SourceFile> sources_;
-    std::set<std::filesystem::path> included_;
+    std::map<std::filesystem::path, std::string> included_;  ///< what #include has read, with its text
     scene::FolderListings listings_;
     base::Roots shown_;
     std::map<scene::ProgramIndex, std::string> hidden_;  ///< programs with a source that may not be shown
     std::vector<std::pair<plan::ProgramVariant, std::unique_ptr<Translation>>> translations_;
-    std::vector<std::pair<plan::ProgramVariant, std::unique_ptr<BuiltProgram>>> programs_;
+    using KnownProgram = std::pair<plan::ProgramVariant, std::unique_ptr<BuiltProgram>>;
+    std::vector<KnownProgram> programs_;
+    std::optional<KnownProgram> observed_;
 };
 
 }  // namespace glibra::render

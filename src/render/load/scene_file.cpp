@@ -58,7 +58,10 @@ bool InterpretedScene::changesWithTime() const {
 Result<InterpretedScene> interpretFile(const std::filesystem::path& path, const RenderOptions& options,
                                        Stats& stats) {
     stats.add("files read", 1);
-    Result<std::string> text = options.sceneText ? Result<std::string>(*options.sceneText) : readScene(path);
+    const auto edited = options.texts.find(path);
+    Result<std::string> text = options.sceneText               ? Result<std::string>(*options.sceneText)
+                               : edited != options.texts.end() ? Result<std::string>(edited->second)
+                                                               : readScene(path);
     if (!text) return std::move(text.diagnostics);
     glib::Script script;
     {
@@ -82,7 +85,7 @@ Result<InterpretedScene> interpretFile(const std::filesystem::path& path, const 
             }
     const bool isModern = script.isModern;
     auto source = std::make_shared<scene::Interpretation>(
-        std::move(script), scene::InterpretOptions{options.libraryRoots, options.within});
+        std::move(script), scene::InterpretOptions{options.libraryRoots, options.within, options.texts});
     result.scene = source->at(result.inputs);
     if (isModern) result.source = std::move(source);
     append(diagnostics, std::move(result.scene.diagnostics));

@@ -14,6 +14,7 @@ ProbeOptions probeOptions(const RenderOptions& options, int width, int height, i
     small.samples = 1;
     small.tileSize = 0;
     small.wantedTextures.clear();
+    small.labels = LabelCorner::none;
     small.axes = small.checkNan = small.strict = false;
     return probe;
 }

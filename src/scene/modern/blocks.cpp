@@ -92,6 +92,7 @@ void doStep(Interpreter& in, const Command& command) {
     in.shared->environment.setNumber("dt", 1 / step.rate);
     runBlock(in, command, block, step.nodes);
     step.dependsOnTick = any(block.depends & (Depends::time | Depends::tick));
+    step.fillsDependOnTick = any(block.fillDepends & (Depends::time | Depends::tick));
     if (isRight) in.scene.steps.push_back(std::move(step));
 }
 
@@ -113,6 +114,13 @@ void noteCamera(Interpreter& in, const SceneCamera& camera) {
     for (const glm::dmat4* matrix : {&values.view, &values.projection})
         block->reads.insert(block->reads.end(), &(*matrix)[0][0], &(*matrix)[0][0] + 16);
     noteCameraDepends(in, camera.name);
+}
+
+void noteFill(Interpreter& in) {
+    OpenBlock* block = in.modern.block;
+    if (block == nullptr) return;
+    if (const auto symbol = in.shared->environment.find(currentCamera(in).name.first + ".view"))
+        block->fillDepends = block->fillDepends | in.shared->environment.dependsOf(symbol->slot);
 }
 
 std::span<const CommandAction> blockActions() {

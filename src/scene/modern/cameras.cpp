@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <string_view>
 
 #include "base/matrices.h"
 #include "base/suggest.h"
@@ -185,7 +188,9 @@ void publish(Interpreter& in, const SceneCamera& camera) {
     const auto& [name, element] = camera.name;
     const auto known = in.shared->aspects.find(camera.name);
     const std::size_t aspects = known != in.shared->aspects.end() ? known->second.size() : 0;
-    names.setCamera(name, valuesOf(camera, aspects > 0 ? *known->second.begin() : windowAspect(in)), element);
+    const CameraValues values = valuesOf(camera, aspects > 0 ? *known->second.begin() : windowAspect(in));
+    names.setCamera(name, values, element);
+    if (!in.shared->previousCameras.contains(camera.name)) names.setCamera(name + ".prev", values, element);
     if (aspects < 2 || !followsTarget(camera)) return;
     for (const char* field : {".projection", ".viewProjection", ".shadow", ".aspect"})
         names.forget(name + field, "the camera sees targets of different shapes, so write its aspect");
@@ -194,8 +199,9 @@ void publish(Interpreter& in, const SceneCamera& camera) {
 /// What the camera depends on passes to the expressions that read it, and to the passes that it sees.
 void addCameraDepends(Interpreter& in, const std::string& name, expression::Depends depends) {
     for (const expression::NameRow& each : expression::cameraFields())
-        if (const auto symbol = in.shared->environment.find(name + "." + std::string(each.path)))
-            in.shared->environment.addDepends(symbol->slot, depends);
+        for (const char* moment : {".", ".prev."})
+            if (const auto symbol = in.shared->environment.find(name + moment + std::string(each.path)))
+                in.shared->environment.addDepends(symbol->slot, depends);
 }
 
 void declareCamera(Interpreter& in, const Command& command) {
@@ -240,6 +246,28 @@ void doCamera(Interpreter& in, const Command& command) {
     addCameraDepends(in, target.path.empty() ? target.text : target.path.front().name, own.depends());
 }
 
+bool holdsWord(std::string_view text, std::string_view word) {
+    const auto isPart = [&](std::size_t at) {
+        return at < text.size() &&
+               (std::isalnum(static_cast<unsigned char>(text[at])) != 0 || text[at] == '_');
+    };
+    for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1))
+        if (!(at > 0 && isPart(at - 1)) && !isPart(at + word.size())) return true;
+    return false;
+}
+
+/// True if the statement names the camera and does not declare it.
+bool mentions(const Command& command, std::string_view camera) {
+    // This runs for every frame, and most statements of a long script are vertices of lists.
+    if (command.values.empty() && command.keys.empty() && command.tags.empty()) return false;
+    Command rest;
+    rest.keys = command.keys;
+    rest.tags = command.tags;
+    rest.values = command.values;
+    if (command.id == CommandId::camera && !rest.values.empty()) rest.values.erase(rest.values.begin());
+    return holdsWord(glib::written(rest), camera);
+}
+
 constexpr CommandAction kActions[] = {{CommandId::camera, doCamera}};
 
 }  // namespace
@@ -251,6 +279,22 @@ std::span<const CommandAction> cameraActions() {
 const SceneCamera* findCamera(const Interpreter& in, const CameraName& name) {
     const auto known = in.modern.cameras.find(name);
     return known != in.modern.cameras.end() ? &known->second : nullptr;
+}
+
+void reportUnusedCameras(Interpreter& in) {
+    const auto& commands = in.script->commands;
+    if (findCamera(in, {"eye", 0}) != nullptr ||
+        std::any_of(commands.begin(), commands.end(),
+                    [](const Command& each) { return each.id == CommandId::include; }))
+        return;
+    for (const auto& [name, camera] : in.modern.cameras) {
+        if (name.second > 0 || std::any_of(commands.begin(), commands.end(),
+                                           [&](const Command& each) { return mentions(each, name.first); }))
+            continue;
+        in.report(diagnose(
+            "glib-W38", fmt::format("camera '{}' is not used; the camera 'eye' sees the window", name.first),
+            in.modern.names.at(name.first).place));
+    }
 }
 
 void noteCameraDepends(Interpreter& in, const CameraName& name) {
@@ -332,10 +376,10 @@ CameraValues valuesOf(const SceneCamera& camera, double aspect) {
     return values;
 }
 
-void setPrevious(Interpreter& in, std::string_view name, const CameraName& camera) {
+void setPrevious(Interpreter& in, std::string_view name, const CameraName& camera, const CameraValues& now) {
     const auto known = in.shared->previousCameras.find(camera);
-    if (known != in.shared->previousCameras.end())
-        in.shared->environment.setCamera(std::string(name) + ".prev", known->second);
+    in.shared->environment.setCamera(std::string(name) + ".prev",
+                                     known != in.shared->previousCameras.end() ? known->second : now);
 }
 
 glm::dmat4 projectionOf(const SceneCamera& camera, double aspect) {

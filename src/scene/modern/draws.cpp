@@ -9,6 +9,7 @@
 
 #include "base/suggest.h"
 #include "geometry/list_mesh.h"
+#include "glib/command_table.h"
 #include "glib/number.h"
 #include "glib/text.h"
 #include "scene/modern/evaluate.h"
@@ -45,8 +46,11 @@ void doInstances(Interpreter& in, const Command& command) {
 }
 
 void doVertices(Interpreter& in, const Command& command) {
-    const std::string word = glib::lower(command.values.front().text);
-    const auto topology = geometry::listTopology(command.values.front().text);
+    const auto words = glib::findCommand("glBegin")->words;
+    const auto index = wordOf(in, command.values.front(), words);
+    if (!index) return;
+    const std::string_view word = words[*index];
+    const auto topology = geometry::listTopology(word);
     if (!topology) return;
     Shape shape;
     shape.command = CommandId::vertices;
@@ -63,7 +67,7 @@ void doVertices(Interpreter& in, const Command& command) {
             in.report(diagnose("glib-E26",
                                fmt::format("Vertices: there are no {0} without data; write triangles, or "
                                            "'Instances n' and triangle_strip 4",
-                                           command.values.front().text),
+                                           word),
                                in.script->place(command.values.front().position)));
             return;
         default:

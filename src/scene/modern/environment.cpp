@@ -32,6 +32,7 @@ Symbol record(std::string what, std::size_t count = 0) {
 
 /// The number of elements of a buffer is known when it is read; an expression is checked before.
 constexpr std::uint32_t kElementsOfBuffers = 0x7fffffff;
+constexpr const char* kWhoReadsElements = "only Expect (condition) reads the elements of buffers";
 
 std::span<const double> componentsOf(const glm::dmat4& matrix) {
     return {&matrix[0][0], 16};
@@ -55,6 +56,7 @@ Environment::Slot Environment::add(const Symbol& symbol) {
     variable.symbol = symbol;
     variable.symbol.slot = slot;
     variable.isBuffer = symbol.count == kElementsOfBuffers;
+    if (variable.isBuffer) variable.why = kWhoReadsElements;
     const std::size_t elements = variable.isBuffer ? 0 : std::max<std::size_t>(1, symbol.count);
     variable.components.resize(elements * symbol.type.size());
     variable.has.resize(elements);
@@ -65,13 +67,26 @@ Environment::Slot Environment::add(const Symbol& symbol) {
 std::optional<Environment::Slot> Environment::declare(std::string_view path, const Symbol& symbol) {
     if (const auto known = slots_.find(path); known != slots_.end()) {
         Symbol& earlier = variables_[known->second].symbol;
-        if (earlier.type != symbol.type || earlier.count != symbol.count || earlier.what != symbol.what)
-            return std::nullopt;
+        if (earlier.type != symbol.type || earlier.what != symbol.what) return std::nullopt;
+        if (earlier.count != symbol.count) {
+            const bool isBuffer = variables_[known->second].isBuffer || symbol.count == kElementsOfBuffers;
+            if (earlier.count == 0 || symbol.count == 0 || isBuffer) return std::nullopt;
+            resize(known->second, symbol.count);
+        }
         earlier.depends = earlier.depends | symbol.depends;
         earlier.words = symbol.words;
         return known->second;
     }
     return slots_[std::string(path)] = add(symbol);
+}
+
+void Environment::resize(Slot slot, std::uint32_t count) {
+    Variable& variable = variables_[slot];
+    variable.symbol.count = count;
+    variable.components.assign(count * variable.symbol.type.size(), 0);
+    variable.has.assign(count, false);
+    lengths_[slot] = count;
+    length_ = lengthIds_.try_emplace(lengths_, lengthIds_.size() + 1).first->second;
 }
 
 void Environment::declareCamera(std::string_view name, std::size_t count) {
@@ -140,7 +155,7 @@ void Environment::forgetValues() {
     for (Variable& each : variables_) {
         std::fill(each.has.begin(), each.has.end(), false);
         each.why.clear();
-        if (each.isBuffer) each.why = "only Expect reads the elements of buffers";
+        if (each.isBuffer) each.why = kWhoReadsElements;
     }
 }
 

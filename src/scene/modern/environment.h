@@ -26,9 +26,12 @@ class Environment final : public expression::Names, public expression::Values {
     /// They have no values until they are set.
     Environment();
 
-    /// Declares a name, or returns the slot that it has; nothing if it is declared with another type or
-    /// count.
+    /// Declares a name, or returns the slot that it has; nothing if it is declared with another type. An
+    /// array may get another length, whose elements have no values yet.
     std::optional<Slot> declare(std::string_view path, const expression::Symbol& symbol);
+    /// A number that is the same for equal lengths of all arrays: an expression that has been read counts on
+    /// them.
+    [[nodiscard]] std::size_t lengths() const { return length_; }
     /// Declares the fields of a camera: NAME.view and so on, and NAME.prev.view.
     void declareCamera(std::string_view name, std::size_t count = 0);
 
@@ -85,12 +88,16 @@ class Environment final : public expression::Names, public expression::Values {
         bool isBuffer = false;           ///< it has as many elements as setElements() gives it
     };
     Slot add(const expression::Symbol& symbol);
+    void resize(Slot slot, std::uint32_t count);
 
     std::map<std::string, Slot, std::less<>> slots_;
     std::map<std::pair<const void*, std::string>, Slot> scopedSlots_;
     std::vector<std::pair<std::string, Slot>> scoped_;  ///< the innermost last
     std::vector<std::size_t> scopes_;
     std::vector<Variable> variables_;
+    std::map<Slot, std::uint32_t> lengths_;  ///< of the arrays that got another length
+    std::map<std::map<Slot, std::uint32_t>, std::size_t> lengthIds_;
+    std::size_t length_ = 0;
 };
 
 }  // namespace glibra::scene

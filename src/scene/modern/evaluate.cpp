@@ -29,10 +29,14 @@ void supply(Interpreter& in, expression::Depends depends) {
     }
     if (!any(depends & Depends::camera)) return;
     const SceneCamera seen = currentCamera(in);
-    names.setCamera("camera", valuesOf(seen, currentAspect(in)));
-    setPrevious(in, "camera", seen.name);
+    const CameraValues now = valuesOf(seen, currentAspect(in));
+    names.setCamera("camera", now);
+    setPrevious(in, "camera", seen.name, now);
     const CameraName eye{"eye", 0};
-    if (findCamera(in, eye) == nullptr) names.setCamera("eye", valuesOf(classicCamera(in), windowAspect(in)));
+    if (findCamera(in, eye) != nullptr) return;
+    const CameraValues classic = valuesOf(classicCamera(in), windowAspect(in));
+    names.setCamera("eye", classic);
+    setPrevious(in, "eye", eye, classic);
 }
 
 /// True for the fields of a camera that change with the shape of the target.
@@ -56,7 +60,8 @@ expression::Depends dependsOf(Interpreter& in, const expression::Expression& exp
 }
 
 ExpressionCache::Entry& entryOf(Interpreter& in, const glib::Value& value, const expression::Wanted& wanted) {
-    const auto [known, isNew] = in.shared->expressions.entries.try_emplace(&value);
+    const auto [known, isNew] =
+        in.shared->expressions.entries.try_emplace({&value, in.shared->environment.lengths()});
     if (!isNew) return known->second;
     const bool isWord = value.kind == glib::Value::Kind::word;
     const Place origin = in.script->place(isWord ? value.position : glib::placeIn(value, 0));
@@ -105,7 +110,8 @@ std::optional<expression::Value> evaluate(Interpreter& in, const glib::Value& va
     addDepends(in, depends);
     auto result = entry.expression->evaluate(in.shared->environment);
     if (result) return std::move(*result);
-    if (!std::exchange(entry.isProblemReported, true)) in.report(result.problem.message);
+    if (!in.shared->isTrial && !std::exchange(entry.isProblemReported, true))
+        in.report(result.problem.message);
     return fail();
 }
 
@@ -139,6 +145,7 @@ bool isReadable(Interpreter& in, const glib::Value& value, const expression::Wan
 std::vector<std::string> buffersRead(Interpreter& in, const glib::Value& value,
                                      const expression::Wanted& wanted) {
     std::vector<std::string> names;
+    if (readsLostName(in, value.text)) return names;
     const ExpressionCache::Entry& entry = entryOf(in, value, wanted);
     if (!entry.expression) return names;
     for (const expression::Use& each : entry.expression->uses()) {

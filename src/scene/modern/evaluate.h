@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "expression/expression.h"
@@ -17,7 +18,7 @@ namespace glibra::scene {
 
 struct Interpreter;
 
-/// The expressions of a script, each read once.
+/// The expressions of a script, each read once for the lengths that arrays have (Environment::lengths).
 struct ExpressionCache {
     struct Entry {
         std::optional<expression::Expression>
@@ -25,7 +26,7 @@ struct ExpressionCache {
         bool isProblemReported = false;  ///< a problem of its evaluation
         bool readsShape = false;         ///< it reads a camera's projection, which depends on the target
     };
-    std::map<const glib::Value*, Entry> entries;
+    std::map<std::pair<const glib::Value*, std::size_t>, Entry> entries;
 };
 
 /// Evaluates an expression where it stands. Nothing with the problem reported, once for each expression.

@@ -3,6 +3,7 @@
 // frame.
 
 #include <cstddef>
+#include <filesystem>
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 #include <map>
@@ -45,6 +46,7 @@ struct SharedState {
     ExpressionCache expressions;
     std::map<const glib::Value*, std::optional<expression::Type>> arrayTypes;  ///< of `Let name[n] (...)`
     std::vector<const glib::Script*> includedOrder;
+    std::map<std::filesystem::path, std::string> texts;                   ///< InterpretOptions::texts
     std::map<std::string, std::unique_ptr<const glib::Script>> included;  ///< by path
     List<FileReference> files;  ///< of all frames so far, so that a file keeps its index
     std::map<std::string, FileIndex> fileIndices;
@@ -53,6 +55,7 @@ struct SharedState {
     std::map<CameraName, CameraValues> cameras;                  ///< of the last frame
     std::map<CameraName, CameraValues> previousCameras;  ///< of the frame before the one that is interpreted
     bool readsPrevious = false;                          ///< an expression reads a camera of the frame before
+    bool isTrial = false;      ///< the frame is run for its cameras alone, so its values have no problems
     bool readsShapes = false;  ///< an expression reads what depends on the aspect of a camera with a name
     /// The aspects of the passes that each camera sees: as they were when the last frame ended, and as they
     /// are taken to be while a frame is interpreted.
@@ -105,6 +108,7 @@ struct OpenBlock {
     std::vector<double> reads;  ///< the values of the variables and cameras that were read
     std::set<std::uint32_t> readSlots;
     expression::Depends depends = expression::Depends::nothing;
+    expression::Depends fillDepends = expression::Depends::nothing;  ///< of the camera, if there is a Fill
 };
 
 /// A group of statements with a name.
@@ -164,23 +168,29 @@ int fileNumber(const Interpreter&);
 /// The value of a parameter or variable: an expression, or one to four numbers. Nothing with the reason
 /// reported.
 std::optional<expression::Value> constantOf(Interpreter&, std::span<const glib::Value> values);
-/// The uniform variables and objects that tags with expressions, Set and Material give to a draw or dispatch
-/// of the program that is made now. `own` are the tags of its own statement, which come before all others.
-UniformSetIndex uniformsOf(Interpreter&, ProgramIndex program, std::span<const glib::KeyedValues> own = {});
 /// The numbers of a list, where `[6 of (...)]` counts `i`. Nothing with the reason reported.
 std::optional<std::vector<double>> listOf(Interpreter&, const glib::Value& list);
 /// The values of `element` for i from 0 to count - 1, one after the other. `owner` is the value that they
 /// stand in. Nothing with the reason reported, which is glib-E15 if they are more than `most` numbers.
 std::optional<std::vector<double>> elementsOf(Interpreter&, const glib::Value& owner,
                                               std::span<const glib::Value> element, int count, double most);
-/// The values of all variables, for uniform variables of the same name.
-std::vector<glib::UniformSpec> namedValues(Interpreter&);
 /// The program of that name, if it draws or if it computes, as wanted. Nothing with glib-E27 reported.
 std::optional<ProgramIndex> programNamed(Interpreter&, const glib::Value& name, bool isCompute);
+
+// tags.cpp
+
+/// The uniform variables and objects that tags with expressions, Set and Material give to a draw or dispatch
+/// of the program that is made now. `own` are the tags of its own statement, which come before all others.
+UniformSetIndex uniformsOf(Interpreter&, ProgramIndex program, std::span<const glib::KeyedValues> own = {});
+/// The values of all variables, for uniform variables of the same name.
+std::vector<glib::UniformSpec> namedValues(Interpreter&);
 
 // cameras.cpp
 
 const SceneCamera* findCamera(const Interpreter&, const CameraName& name);
+/// Reports glib-W38 for each camera whose name stands nowhere else in the scene, if no camera `eye` is
+/// declared.
+void reportUnusedCameras(Interpreter&);
 /// The camera that a value names. Nothing with the reason reported.
 std::optional<SceneCamera> cameraNamed(Interpreter&, const glib::Value& name);
 /// Remembers that the scene, or the block that is open, depends on what the camera depends on.
@@ -193,8 +203,8 @@ double currentAspect(const Interpreter&);
 SceneCamera classicCamera(const Interpreter&);
 /// What expressions may ask of the camera.
 CameraValues valuesOf(const SceneCamera& camera, double aspect);
-/// Gives expressions the values that a camera had in the frame before.
-void setPrevious(Interpreter&, std::string_view name, const CameraName& camera);
+/// Gives expressions the values that a camera had in the frame before; those of now if it had none.
+void setPrevious(Interpreter&, std::string_view name, const CameraName& camera, const CameraValues& now);
 glm::dmat4 projectionOf(const SceneCamera& camera, double aspect);
 /// Remembers the shape of a target that the camera sees.
 void noteAspect(Interpreter&, const SceneCamera& camera, double aspect);
@@ -207,6 +217,8 @@ void lookAt(Interpreter&, Draw& draw);
 
 /// Remembers that a pass of a Once block is seen by the camera.
 void noteCamera(Interpreter&, const SceneCamera& camera);
+/// Remembers what the camera of a Fill depends on. Only if its program reads matrices, the block does so.
+void noteFill(Interpreter&);
 
 // buffers.cpp
 
@@ -225,6 +237,9 @@ void setObject(Interpreter&, const std::string& name,
 bool isLost(const Interpreter&, std::string_view name);
 /// True if the value names a texture or buffer, or a part of one.
 bool namesObject(const Interpreter&, const glib::Value& value);
+/// True if the value names a choice, or the counter of a Repeat over words, whose word names a texture or
+/// buffer. A part of the object may follow, but not `.index`.
+bool choosesObject(Interpreter&, const glib::Value& value);
 /// The texture or buffer that a value names, with its part. Nothing with the reason reported.
 std::optional<ObjectView> objectNamed(Interpreter&, const glib::Value& value);
 std::optional<TextureView> textureNamed(Interpreter&, const glib::Value& value);

@@ -59,7 +59,8 @@ class PartReader {
 
     std::optional<ObjectView> read() {
         auto known = in_.modern.names.find(name_.name);
-        if (known == in_.modern.names.end() || known->second.kind == Kind::variable)
+        if (known == in_.modern.names.end() || known->second.kind == Kind::variable ||
+            known->second.kind == Kind::computed)
             known = in_.modern.names.find(name_.name = wordBehind(in_, name_.name));
         if (known == in_.modern.names.end()) return unknown();
         const DeclaredName& declared = known->second;
@@ -243,6 +244,16 @@ bool namesObject(const Interpreter& in, const Value& value) {
     if (value.kind != Value::Kind::word) return false;
     const auto known = in.modern.names.find(value.path.empty() ? value.text : value.path.front().name);
     return known != in.modern.names.end() &&
+           (known->second.kind == Kind::texture || known->second.kind == Kind::buffer);
+}
+
+bool choosesObject(Interpreter& in, const Value& value) {
+    if (value.kind != Value::Kind::word || namesObject(in, value)) return false;
+    const std::string& name = value.path.empty() ? value.text : value.path.front().name;
+    if (value.path.size() > 1 && in.shared->environment.find(value.text)) return false;
+    if (!value.path.empty() && !value.path.front().index.empty()) return false;
+    const auto known = in.modern.names.find(wordBehind(in, name));
+    return known != in.modern.names.end() && known->first != name &&
            (known->second.kind == Kind::texture || known->second.kind == Kind::buffer);
 }
 

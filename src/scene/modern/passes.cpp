@@ -371,12 +371,9 @@ void doFill(Interpreter& in, const Command& command) {
     }
     made.shape = shareShape(in, std::move(shape));
     made.program = *program;
-    // What lasts does not begin anew because the camera moves.
-    made.projection =
-        in.modern.block != nullptr
-            ? ClipSpace{}
-            : coveringSpace(in, targets->isWindow ? windowAspect(in)
-                                                  : static_cast<double>(targets->width) / targets->height);
+    made.projection = coveringSpace(
+        in, targets->isWindow ? windowAspect(in) : static_cast<double>(targets->width) / targets->height);
+    noteFill(in);
     made.color = in.state.color;
     made.raster.depthTest = false;
     made.raster.depthWrite = false;

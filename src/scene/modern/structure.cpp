@@ -85,9 +85,13 @@ class HiddenNames {
 /// What a parameter is given: a value, or a texture or buffer.
 using Argument = std::variant<expression::Value, ObjectView>;
 
-std::optional<Argument> argumentOf(Interpreter& in, std::span<const glib::Value> values) {
+/// `wantsObject`: a choice, or the counter of a Repeat over words, is the texture or buffer that its word
+/// names.
+std::optional<Argument> argumentOf(Interpreter& in, std::span<const glib::Value> values, bool wantsObject) {
     const bool isWord = values.size() == 1 && values.front().kind == glib::Value::Kind::word;
-    if (isWord && namesObject(in, values.front())) {
+    const bool isPart = isWord && values.front().path.size() > 1;
+    if (isWord &&
+        (namesObject(in, values.front()) || ((wantsObject || isPart) && choosesObject(in, values.front())))) {
         const auto object = objectNamed(in, values.front());
         return object ? std::optional<Argument>(*object) : std::nullopt;
     }
@@ -172,8 +176,10 @@ bool bindParameters(Interpreter& in, const Command& group, const Command& call,
             std::find_if(call.tags.begin(), call.tags.end(),
                          [&](const glib::KeyedValues& each) { return each.key == parameter.key; });
         const bool isGiven = given != call.tags.end();
+        const glib::Value& usual = parameter.values.front();
+        const bool wantsObject = namesObject(in, usual) || choosesObject(in, usual);
         in.script = isGiven ? &callScript : own;
-        auto argument = argumentOf(in, isGiven ? given->values : parameter.values);
+        auto argument = argumentOf(in, isGiven ? given->values : parameter.values, wantsObject);
         in.script = own;
         if (!argument) return false;
         arguments.push_back(*std::move(argument));
@@ -286,13 +292,17 @@ const glib::Script* includedScript(Interpreter& in, const Command& command, cons
     const std::string path = reference.path.string();
     std::unique_ptr<const glib::Script>& script = in.shared->included[path];
     if (script) return script.get();
-    const auto bytes = image::readFile(reference.path, {name, in.place(command)}, glib::kLargestFile);
-    if (!bytes) {
-        for (const Diagnostic& each : bytes.diagnostics) in.report(each);
-        return nullptr;
+    if (const auto edited = in.shared->texts.find(reference.path); edited != in.shared->texts.end()) {
+        script = std::make_unique<const glib::Script>(glib::parse(edited->second, path));
+    } else {
+        const auto bytes = image::readFile(reference.path, {name, in.place(command)}, glib::kLargestFile);
+        if (!bytes) {
+            for (const Diagnostic& each : bytes.diagnostics) in.report(each);
+            return nullptr;
+        }
+        script = std::make_unique<const glib::Script>(
+            glib::parse({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, path));
     }
-    script = std::make_unique<const glib::Script>(
-        glib::parse({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, path));
     in.shared->includedOrder.push_back(script.get());
     for (const Diagnostic& each : script->diagnostics) in.report(each);
     return script.get();

@@ -1,4 +1,4 @@
-// Variables, uniform variables of a scope, and materials (language, 12.1).
+// Variables, lists and programs by their names (language, 12.1).
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,7 +12,6 @@
 #include "base/suggest.h"
 #include "glib/number.h"
 #include "scene/modern/evaluate.h"
-#include "scene/modern/materials.h"
 #include "scene/modern/modern.h"
 #include "scene/state.h"
 
@@ -230,41 +229,6 @@ void doLet(Interpreter& in, const Command& command) {
     if (symbol) in.shared->environment.addDepends(symbol->slot, own.depends());
 }
 
-/// Puts tags into the list of the scope; the last one of a name counts.
-void addTags(Interpreter& in, std::span<const glib::KeyedValues> tags) {
-    for (const glib::KeyedValues& each : tags) {
-        std::erase_if(in.modern.set, [&](const ScopedTag& other) { return other.tag->key == each.key; });
-        ScopedTag scoped{&each, in.script};
-        if (namesObject(in, each.values.front())) {
-            scoped.object = objectNamed(in, each.values.front());
-            if (!scoped.object) continue;
-        }
-        in.modern.set.push_back(std::move(scoped));
-    }
-}
-
-void doSet(Interpreter& in, const Command& command) {
-    addTags(in, command.tags);
-}
-
-void doMaterial(Interpreter& in, const Command& command) {
-    const Value& preset = command.values.front();
-    std::string name = wordBehind(in, preset.text);
-    if (preset.kind == Value::Kind::expression) {
-        const auto chosen = wordOf(in, preset, materialNames());
-        if (!chosen) return;
-        name = materialNames()[*chosen];
-    }
-    const MaterialRow* row = findMaterial(name);
-    if (row == nullptr) {
-        const std::string hint = base::suggestion(name, materialNames());
-        in.report(diagnose("glib-E27", fmt::format("no material '{}'{}", name, hint),
-                           placeOf(in, command.values.front())));
-        return;
-    }
-    addTags(in, row->tags);
-}
-
 void doUse(Interpreter& in, const Command& command) {
     if (const auto program = programNamed(in, command.values.front(), false)) in.state.program = *program;
 }
@@ -284,8 +248,6 @@ void doFps(Interpreter& in, const Command& command) {
 
 constexpr CommandAction kActions[] = {
     {CommandId::let, doLet, InList::isPart},
-    {CommandId::set, doSet},
-    {CommandId::material, doMaterial},
     {CommandId::use, doUse},
     {CommandId::fps, doFps},
 };
@@ -370,162 +332,6 @@ std::optional<ProgramIndex> programNamed(Interpreter& in, const Value& name, boo
     if (computes(known->second) == isCompute) return known->second;
     return refuse(isCompute ? fmt::format("program '{}' has no compute stage; it draws", name.text)
                             : fmt::format("program '{}' has a compute stage; Dispatch runs it", name.text));
-}
-
-namespace {
-
-/// The form of a variable that is a colour stays a colour, so that it fits three and four components.
-bool isColor(const Interpreter& in, const std::string& name) {
-    for (const Variable& each : in.scene.variables)
-        if (each.name == name) return each.form == glib::UniformForm::color;
-    return false;
-}
-
-/// The values of a variable; nothing if it has none.
-void setToVariable(const Interpreter& in, const std::string& name, const expression::Symbol& symbol,
-                   glib::UniformSpec& spec) {
-    const std::size_t elements = std::max<std::size_t>(1, symbol.count);
-    for (std::size_t i = 0; i < elements; ++i)
-        if (const double* values = in.shared->environment.find(symbol.slot, i))
-            spec.values.insert(spec.values.end(), values, values + symbol.type.size());
-    spec.form = symbol.type.isBoolean() && elements == 1 ? glib::UniformForm::truth
-                : isColor(in, name)                      ? glib::UniformForm::color
-                                                         : glib::UniformForm::list;
-}
-
-/// The tag with its values of this moment, in the form in which a Program line would state it.
-std::optional<glib::UniformSpec> specOf(Interpreter& in, const glib::KeyedValues& tag) {
-    glib::UniformSpec spec;
-    spec.tag = tag.key;
-    spec.tagPosition = tag.position;
-    spec.valuePosition = tag.values.front().position;
-    const Value& first = tag.values.front();
-    if (first.kind == Value::Kind::word) {
-        const auto symbol = in.shared->environment.find(first.text);
-        const bool isPlain = symbol && symbol->type.kind != expression::Kind::record;
-        if (isPlain && symbol->words.empty() && first.path.size() <= 1 &&
-            (first.path.empty() || first.path.front().index.empty())) {
-            // Reading the name as an expression notes what it depends on.
-            if (symbol->count == 0 && !evaluate(in, first)) return std::nullopt;
-            if (symbol->count > 0) {
-                noteRead(in, symbol->slot);
-                addDepends(in, in.shared->environment.dependsOf(symbol->slot));
-            }
-            setToVariable(in, first.text, *symbol, spec);
-        } else if (isPlain || first.path.size() > 1 ||
-                   (!first.path.empty() && !first.path.front().index.empty())) {
-            const auto value = evaluate(in, first);
-            if (!value) return std::nullopt;
-            spec.values.assign(value->all().begin(), value->all().end());
-            spec.form = value->type.isBoolean() ? glib::UniformForm::truth : glib::UniformForm::list;
-        } else if (isLost(in, first.text)) {
-            return std::nullopt;
-        } else {
-            std::vector<std::string> names = in.shared->environment.known("");
-            for (const auto& [each, declared] : in.modern.names) names.push_back(each);
-            const std::vector<std::string_view> views(names.begin(), names.end());
-            in.report(diagnose("glib-E27",
-                               fmt::format("'{}' is no variable, texture or buffer{}", first.text,
-                                           base::suggestion(first.text, views)),
-                               placeOf(in, first)));
-            return std::nullopt;
-        }
-    } else if (first.kind == Value::Kind::list) {
-        const auto numbers = listOf(in, first);
-        if (!numbers) return std::nullopt;
-        spec.values = *numbers;
-        spec.form = glib::UniformForm::list;
-    } else if (first.kind == Value::Kind::expression && tag.values.size() == 1) {
-        const auto value = evaluate(in, first);
-        if (!value) return std::nullopt;
-        spec.values.assign(value->all().begin(), value->all().end());
-        spec.form = value->type.isBoolean() ? glib::UniformForm::truth : glib::UniformForm::list;
-    } else {
-        const auto numbers = numbersOf(in, tag.values);
-        if (!numbers) return std::nullopt;
-        spec.values = *numbers;
-        spec.form = first.kind == Value::Kind::color   ? glib::UniformForm::color
-                    : first.kind == Value::Kind::truth ? glib::UniformForm::truth
-                    : first.kind == Value::Kind::range ? glib::UniformForm::range
-                                                       : glib::UniformForm::list;
-    }
-    if (spec.values.empty()) return std::nullopt;
-    if (spec.form == glib::UniformForm::list && spec.values.size() == 1)
-        spec.form = glib::UniformForm::number;
-    return spec;
-}
-
-/// A number for each different object, for keys of sets.
-std::vector<double> keyOf(const ObjectView& object) {
-    if (const auto* buffer = std::get_if<BufferView>(&object))
-        return {-1, static_cast<double>(buffer->buffer.position()), buffer->isPrevious ? 1.0 : 0};
-    const auto& view = std::get<TextureView>(object);
-    return {-2,
-            static_cast<double>(view.texture.position()),
-            static_cast<double>(view.level.value_or(-1)),
-            static_cast<double>(view.layer.value_or(-1)),
-            view.isPrevious ? 1.0 : 0,
-            view.sampler ? static_cast<double>(view.sampler.position()) : -1};
-}
-
-}  // namespace
-
-UniformSetIndex uniformsOf(Interpreter& in, ProgramIndex program, std::span<const glib::KeyedValues> own) {
-    UniformSet set;
-    const auto add = [&](const glib::KeyedValues& tag, const glib::Script* script, bool mayBeUnknown,
-                         const std::optional<ObjectView>& named = {}) {
-        const glib::Script* const before = std::exchange(in.script, script);
-        const auto forget = [&] {
-            std::erase_if(set.values, [&](const auto& each) { return each.tag == tag.key; });
-            std::erase_if(set.objects, [&](const auto& each) { return each.tag == tag.key; });
-        };
-        if (named || namesObject(in, tag.values.front())) {
-            if (auto object = named ? named : objectNamed(in, tag.values.front())) {
-                forget();
-                set.objects.push_back(
-                    {tag.key, *object, tag.position, tag.values.front().position, mayBeUnknown});
-            }
-        } else if (auto spec = specOf(in, tag)) {
-            spec->mayBeUnknown = mayBeUnknown;
-            forget();
-            set.values.push_back(std::move(*spec));
-        }
-        in.script = before;
-    };
-    if (const auto tags = in.modern.programTags.find(program); tags != in.modern.programTags.end())
-        for (const glib::KeyedValues& each : tags->second.command->tags)
-            add(each, tags->second.script, false);
-    for (const ScopedTag& each : in.modern.set) add(*each.tag, each.script, true, each.object);
-    for (const glib::KeyedValues& each : own) add(each, in.script, false);
-    if (set.values.empty() && set.objects.empty()) return {};
-    std::vector<std::pair<std::string, std::vector<double>>> key;
-    key.reserve(set.values.size() + set.objects.size());
-    for (const glib::UniformSpec& each : set.values)
-        key.emplace_back(fmt::format("{}\n{}{}", each.tag, static_cast<int>(each.form), each.mayBeUnknown),
-                         each.values);
-    for (const ObjectBinding& each : set.objects)
-        key.emplace_back(fmt::format("{}\n{}", each.tag, each.mayBeUnknown), keyOf(each.object));
-    UniformSetIndex& index = in.uniformSets[std::move(key)];
-    if (!index) index = in.scene.uniformSets.add(std::move(set));
-    return index;
-}
-
-std::vector<glib::UniformSpec> namedValues(Interpreter& in) {
-    std::vector<glib::UniformSpec> all;
-    for (const auto& [name, position] : in.modern.variables) {
-        const auto symbol = in.shared->environment.find(name);
-        if (!symbol || symbol->type.kind == expression::Kind::record) continue;
-        glib::UniformSpec spec;
-        spec.tag = name;
-        spec.tagPosition = spec.valuePosition = position;
-        spec.mayBeUnknown = true;
-        setToVariable(in, name, *symbol, spec);
-        if (spec.values.empty()) continue;
-        if (spec.form == glib::UniformForm::list && spec.values.size() == 1)
-            spec.form = glib::UniformForm::number;
-        all.push_back(std::move(spec));
-    }
-    return all;
 }
 
 }  // namespace glibra::scene

@@ -54,6 +54,9 @@ constexpr WordValue oneOf(std::span<const std::string_view> words) {
 constexpr std::array<std::string_view, 2> kViewWords{"auto", "glman"};
 constexpr std::array<std::string_view, 3> kProjectionWords{"scene", "perspective", "orthographic"};
 
+constexpr std::array<std::string_view, 5> kCornerWords{"none", "bottom-left", "bottom-right", "top-left",
+                                                       "top-right"};
+
 using Options = RenderOptions;
 
 constexpr OptionRow kRows[] = {
@@ -87,7 +90,9 @@ constexpr OptionRow kRows[] = {
      .help = "with --max-error: choose also the counts and tessellation levels that the scene states",
      .needs = "max-error",
      .isRare = true},
-    {"axes", "axes", FlagValue{kTo<&Options::axes>}, "draw the axes of eye space, two units long"},
+    {"axes", "axes", FlagValue{kTo<&Options::axes>}, "draw the axes of world space, 1.5 units long"},
+    {"labels", "labels", oneOf<&Options::labels>(kCornerWords),
+     "write the values of the uniform variables over the picture, as 'Dots : uKd = 0.5000', in this corner"},
     {"alpha", "alpha", FlagValue{kTo<&Options::alpha>}, "keep the window's alpha in the picture"},
     {"", "float", FlagValue{kTo<&Options::floatPixels>},
      "32-bit float pixels, not limited to 0..1, in an .exr file"},

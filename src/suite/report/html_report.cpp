@@ -7,10 +7,10 @@
 #include <span>
 #include <string_view>
 
+#include "base/page_template.h"
 #include "embedded/report_page.h"
 #include "image/file.h"
 #include "suite/report/escape_xml.h"
-#include "suite/report/page_template.h"
 #include "suite/report/plain_page.h"
 #include "suite/report/report_files.h"
 #include "suite/results/figures.h"
@@ -122,7 +122,7 @@ Diagnostics writeHtmlReport(const RunResult& run, const std::filesystem::path& r
     for (const std::string_view part :
          {report_page::pixels_js(), report_page::viewer_js(), report_page::list_js(), report_page::main_js()})
         script += part;
-    const Slot slots[] = {
+    const base::Slot slots[] = {
         {"title", escapeXml(counts(run) + " - glibra")},
         {"headline", headline(run)},
         {"run", fmt::format("About this run ({})", readableTime(run.seconds))},
@@ -132,7 +132,7 @@ Diagnostics writeHtmlReport(const RunResult& run, const std::filesystem::path& r
         {"static", plainPage(run, shown, files.sources())},
         {"data", toJson(run, shown, files)},
     };
-    const std::string page = filled(report_page::page_html(), slots);
+    const std::string page = base::filled(report_page::page_html(), slots);
     Diagnostics problems = files.problems();
     static_cast<void>(base::prepareBeneath(reportFolder, "index.html"));  // the write below reports a failure
     append(problems, image::writeFileAtomically(reportFolder / "index.html", std::as_bytes(std::span(page))));

@@ -92,7 +92,16 @@ std::string plainPage(const RunResult& run, std::span<const ShownShot> shown,
             html += fmt::format("<details><summary>{} {}</summary><ul>\n{}</ul></details>\n", count,
                                 name(verdict), names);
     }
-    return html + "</div>";
+    return loadingFirstScreen(html + "</div>");
+}
+
+std::string loadingFirstScreen(std::string html) {
+    constexpr std::string_view kLazy = " loading=\"lazy\"";
+    constexpr int kFirst = 24;
+    std::size_t at = 0;
+    for (int i = 0; i < kFirst && (at = html.find(kLazy, at)) != std::string::npos; ++i)
+        html.erase(at, kLazy.size());
+    return html;
 }
 
 }  // namespace glibra::suite

@@ -14,4 +14,8 @@ namespace glibra::suite {
 std::string plainPage(const RunResult& run, std::span<const ShownShot> shown,
                       std::span<const Source> sources);
 
+/// The page with `loading="lazy"` removed from its first 24 pictures. Browsers leave grey boxes for pictures
+/// that load late in a screenshot without a window and on paper; a page of thousands still opens at once.
+std::string loadingFirstScreen(std::string html);
+
 }  // namespace glibra::suite

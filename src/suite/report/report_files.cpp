@@ -115,7 +115,9 @@ ReportFiles::Copy ReportFiles::addPicture(const fs::path& picture, const ShotRes
         return {};
     }
     if (wantsPixels || !isPng) {
-        Result<image::Image> decoded = image::decodeImage(*bytes, foundAt(picture));
+        image::ReadOptions options;
+        options.decoder = roots_.decoder;
+        Result<image::Image> decoded = image::decodeImage(*bytes, foundAt(picture), {}, options);
         if (!decoded) {
             remark(shown, shot, decoded.diagnostics.front().text);
             return {};

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/contained.h"
+#include "base/contained_call.h"
 #include "image/image.h"
 #include "suite/results/results.h"
 
@@ -36,8 +37,9 @@ bool isPlain(const ShotResult& shot);
 
 /// The folders, besides that of the results, whose files a report may show.
 struct ReportRoots {
-    base::Roots texts;     ///< scenes and shaders
-    base::Roots pictures;  ///< goldens
+    base::Roots texts;           ///< scenes and shaders
+    base::Roots pictures;        ///< goldens
+    base::CallLimits decoder{};  ///< of a decoder of pictures that is not ours
 };
 
 class ReportFiles {

@@ -12,6 +12,7 @@ struct ExampleScene {
     std::string topic;    ///< its folder in `glib`
     std::string name;     ///< file name without extension
     std::string summary;  ///< its first comment line, without exercise numbers
+    std::string source;   ///< the book and the chapter that it is about: "Graphics Shaders, chapter 4"
 };
 
 /// The folder with the examples: the first one that contains both `glib` and `shaders`. Searched are `roots`,
@@ -20,7 +21,15 @@ struct ExampleScene {
 std::filesystem::path exampleRoot(const std::vector<std::filesystem::path>& roots,
                                   const std::filesystem::path& scene, const std::filesystem::path& program);
 
-/// All scenes in ROOT/glib and its folders, sorted by topic and name, with the topic "start" first.
+/// The file of the running program.
+std::filesystem::path programFile();
+
+/// True for the scenes, shaders, textures and models that ship with the running program. They are not written
+/// to.
+bool isExample(const std::filesystem::path& file);
+
+/// All scenes in ROOT/glib and its folders, sorted by topic and name, with the topic "start" first. Their
+/// sources are those that the table in ROOT/glib/README.md states.
 std::vector<ExampleScene> exampleScenes(const std::filesystem::path& root);
 
 }  // namespace glibra::view

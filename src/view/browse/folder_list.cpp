@@ -10,7 +10,22 @@ namespace glibra::view {
 
 namespace fs = std::filesystem;
 
-FolderList listFolder(const fs::path& folder, std::string_view ending) {
+namespace {
+
+bool endsWithOneOf(const fs::path& file, std::string_view endings) {
+    if (endings.empty()) return true;
+    const std::string own = file.extension().string();
+    for (std::string_view rest = endings; !rest.empty();) {
+        const std::string_view each = rest.substr(0, rest.find(' '));
+        if (glib::sameWord(own, each)) return true;
+        rest.remove_prefix(std::min(rest.size(), each.size() + 1));
+    }
+    return false;
+}
+
+}  // namespace
+
+FolderList listFolder(const fs::path& folder, std::string_view endings) {
     FolderList list;
     std::error_code failure;
     list.folder = fs::absolute(folder.empty() ? "." : folder, failure).lexically_normal();
@@ -27,7 +42,7 @@ FolderList listFolder(const fs::path& folder, std::string_view ending) {
         if (name.starts_with('.')) continue;
         if (each->is_directory(unknown))
             list.entries.push_back({name, true});
-        else if (each->is_regular_file(unknown) && glib::sameWord(each->path().extension().string(), ending))
+        else if (each->is_regular_file(unknown) && endsWithOneOf(each->path(), endings))
             list.entries.push_back({name, false});
     }
     std::sort(list.entries.begin(), list.entries.end(), [](const FolderEntry& a, const FolderEntry& b) {

@@ -19,8 +19,8 @@ struct FolderList {
     std::string problem;  ///< a sentence that says why the folder cannot be read; empty on success
 };
 
-/// The folders in `folder` and the files with the extension `ending`, without hidden ones. Links are
-/// followed.
-FolderList listFolder(const std::filesystem::path& folder, std::string_view ending);
+/// The folders in `folder` and the files with one of these extensions (".png .bmp"), or all files if there
+/// are none, without hidden ones. Links are followed.
+FolderList listFolder(const std::filesystem::path& folder, std::string_view endings);
 
 }  // namespace glibra::view

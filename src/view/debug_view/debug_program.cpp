@@ -2,6 +2,7 @@
 
 #include <embedded/debug_shaders.h>
 #include <algorithm>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -98,6 +99,13 @@ std::optional<DebugProgram> link(const gpu::Context& context,
 }
 
 }  // namespace
+
+void writeOnly(int output) {
+    std::array<GLenum, kDebugOutput + 1> outputs{};
+    outputs.fill(GL_NONE);
+    outputs.at(static_cast<std::size_t>(output)) = GL_COLOR_ATTACHMENT0;
+    glDrawBuffers(output + 1, outputs.data());
+}
 
 bool hasStagesAfterVertices(const render::BuiltProgram& built) {
     return hasGeometryStage(built) || hasStage(built, glsl::Stage::tessEvaluation);

@@ -20,6 +20,8 @@ enum class DebugStages {
 };
 /// The colour output for the number. No scene in a window uses it.
 inline constexpr int kDebugOutput = 7;
+/// Colour output `output` (up to kDebugOutput) is written to the bound picture; the others are discarded.
+void writeOnly(int output);
 
 struct DebugProgram {
     gpu::Program program;

@@ -15,14 +15,6 @@
 namespace glibra::view {
 namespace {
 
-/// Colour output `output` is written to the picture; the others are discarded.
-void writeOnly(int output) {
-    std::array<GLenum, kDebugOutput + 1> outputs{};
-    outputs.fill(GL_NONE);
-    outputs.at(static_cast<std::size_t>(output)) = GL_COLOR_ATTACHMENT0;
-    glDrawBuffers(output + 1, outputs.data());
-}
-
 void writeNothing() {
     glDrawBuffer(GL_NONE);
 }

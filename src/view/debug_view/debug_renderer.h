@@ -35,6 +35,8 @@ class DebugRenderer {
     /// Draws the debug view into `picture`. Draws that it cannot show are left out, with the warning view-W01
     /// once per program.
     Diagnostics draw(const gpu::Target& picture, const ViewState& view, const Request& request);
+    /// Call it after the scene was planned again: forgets what was made for the plan.
+    void forgetPlan() { drawn_.clear(); }
     /// The numbers of the last frame, bottom row first; empty for normals.
     [[nodiscard]] const TexelImage& numbers() const { return numbers_; }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "image/file.h"
+#include "view/browse/example_scenes.h"
 
 namespace glibra::view {
 namespace {
@@ -136,6 +137,8 @@ void EditedFile::decode(std::string_view bytes) {
     } else if (largest && *largest > kLastOfBasicPlane) {
         whyReadOnly_ = "It has characters above U+FFFF, which this editor would lose.";
     }
+    if (whyReadOnly_.empty() && isExample(path_))
+        whyReadOnly_ = "It is an example of glibra; save a copy to edit it.";
     text_ = savedText_ = std::move(text);
 }
 

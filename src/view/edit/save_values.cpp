@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
+#include <map>
+#include <system_error>
 #include <vector>
 
 #include "image/file.h"
+#include "view/browse/example_scenes.h"
 
 namespace glibra::view {
 namespace {
@@ -42,6 +44,43 @@ std::optional<std::size_t> valueEnd(std::string_view text, std::size_t begin) {
     return std::min(end, text.size());
 }
 
+constexpr std::string_view kBlanks = " \t\v\f";
+
+std::string_view trimmed(std::string_view text) {
+    const std::size_t begin = text.find_first_not_of(kBlanks);
+    if (begin == std::string_view::npos) return {};
+    return text.substr(begin, text.find_last_not_of(kBlanks) + 1 - begin);
+}
+
+/// Splits off the first line, with its end. Lines end with LF, CR LF or CR.
+std::string_view takeLine(std::string_view& rest) {
+    std::size_t end = rest.find_first_of("\r\n");
+    if (end == std::string_view::npos)
+        end = rest.size();
+    else
+        end += rest.substr(end, 2) == "\r\n" ? 2 : 1;
+    const std::string_view line = rest.substr(0, end);
+    rest.remove_prefix(end);
+    return line;
+}
+
+std::string_view withoutEnd(std::string_view line) {
+    while (!line.empty() && (line.back() == '\n' || line.back() == '\r')) line.remove_suffix(1);
+    return line;
+}
+
+/// The length of the statement: what stands before a comment, without blanks at the end.
+std::size_t statementLength(std::string_view line) {
+    bool isQuoted = false;
+    std::size_t end = 0;
+    for (; end < line.size(); ++end) {
+        if (line[end] == '"') isQuoted = !isQuoted;
+        const bool isFirst = end == 0 || kBlanks.find(line[end - 1]) != std::string_view::npos;
+        if (!isQuoted && (line[end] == '#' || (line[end] == '/' && isFirst))) break;
+    }
+    return line.substr(0, end).find_last_not_of(kBlanks) + 1;
+}
+
 }  // namespace
 
 Result<std::string> withValues(std::string_view text, std::span<const Knob> knobs) {
@@ -64,11 +103,55 @@ Result<std::string> withValues(std::string_view text, std::span<const Knob> knob
     return result;
 }
 
-Diagnostics saveValues(const std::filesystem::path& scene, std::span<const Knob> knobs) {
+std::optional<ChosenFile> chosenFile(std::string_view text, const Place& place,
+                                     const std::filesystem::path& file) {
+    std::vector<std::string_view> lines;
+    for (std::string_view rest = text; !rest.empty();) lines.push_back(trimmed(withoutEnd(takeLine(rest))));
+    const auto index = static_cast<std::size_t>(place.line - 1);
+    if (place.line < 1 || index >= lines.size()) return std::nullopt;
+    std::error_code failure;
+    const auto whole = [&](const std::filesystem::path& path) {
+        return std::filesystem::absolute(path, failure).lexically_normal();
+    };
+    const std::filesystem::path near = whole(file).lexically_relative(whole(place.file).parent_path());
+    const bool isBelow = !near.empty() && *near.begin() != "..";
+    const auto before = lines.begin() + static_cast<std::ptrdiff_t>(index);
+    return ChosenFile{std::string(lines[index]),
+                      static_cast<int>(std::count(lines.begin(), before, lines[index])),
+                      (isBelow ? near : whole(file)).string()};
+}
+
+std::string withFiles(std::string_view text, std::span<const ChosenFile> files) {
+    std::string result;
+    std::map<std::string_view, int> seen;
+    for (std::string_view rest = text; !rest.empty();) {
+        const std::string_view line = takeLine(rest);
+        const std::string_view statement = trimmed(withoutEnd(line));
+        const int occurrence = seen[statement]++;
+        const auto chosen = std::find_if(files.begin(), files.end(), [&](const ChosenFile& each) {
+            return each.line == statement && each.occurrence == occurrence;
+        });
+        const std::size_t length = statementLength(withoutEnd(line));
+        result += line.substr(0, length);
+        if (chosen != files.end()) result += " \"" + chosen->name + "\"";
+        result += line.substr(length);
+    }
+    return result;
+}
+
+bool hasChangedValues(std::span<const Knob> knobs) {
+    return std::any_of(knobs.begin(), knobs.end(), [](const Knob& each) { return each.isChanged(); });
+}
+
+Diagnostics saveValues(const std::filesystem::path& scene, std::span<const Knob> knobs,
+                       std::span<const ChosenFile> files) {
+    if (isExample(scene))
+        return {diagnose("view-E03", "this scene is an example of glibra; save a copy to keep your values",
+                         {scene.string(), 1, 1})};
     const auto bytes = image::readFile(scene, {scene.string(), {scene.string(), 1, 1}});
     if (!bytes) return bytes.diagnostics;
     const Result<std::string> text =
-        withValues({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, knobs);
+        withValues(withFiles({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, files), knobs);
     if (!text) return text.diagnostics;
     return image::writeFileAtomically(scene, std::as_bytes(std::span(*text)));
 }

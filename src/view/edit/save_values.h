@@ -1,9 +1,11 @@
 #pragma once
-// Writes the current values of knobs into the text of their scene.
+// Writes the current values of knobs, and the names of files that the user has chosen, into the text of a
+// scene.
 
 #include <glibra/result.h>
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,7 +18,28 @@ namespace glibra::view {
 /// longer where it was read from, the result is the error view-E01.
 Result<std::string> withValues(std::string_view text, std::span<const Knob> knobs);
 
-/// The same for a file, which is written atomically.
-Diagnostics saveValues(const std::filesystem::path& scene, std::span<const Knob> knobs);
+/// A file that the user has chosen for a statement that names none. Edits may move the line, so it is found
+/// by its text.
+struct ChosenFile {
+    std::string line;    ///< the text of the line, without blanks at its ends
+    int occurrence = 0;  ///< among the lines of that text, counted from 0
+    std::string name;    ///< as the scene would name the file
+};
+
+/// The choice of `file` for the statement in that line. The file is named relative to the scene if it is
+/// below the scene's folder. Nothing if the text has no such line.
+std::optional<ChosenFile> chosenFile(std::string_view text, const Place& place,
+                                     const std::filesystem::path& file);
+
+/// The text with the names of the files at the ends of their statements, before comments. The numbers of
+/// lines stay.
+std::string withFiles(std::string_view text, std::span<const ChosenFile> files);
+
+/// Writes values and names of files into the text of a scene, which is written atomically.
+Diagnostics saveValues(const std::filesystem::path& scene, std::span<const Knob> knobs,
+                       std::span<const ChosenFile> files = {});
+
+/// True if a value differs from that of the file.
+bool hasChangedValues(std::span<const Knob> knobs);
 
 }  // namespace glibra::view

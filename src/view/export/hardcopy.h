@@ -11,7 +11,7 @@ namespace glibra::view {
 struct Hardcopy {
     std::filesystem::path file;
     int width = 0, height = 0;  ///< pixels; 0: the size on the screen
-    int frames = 1;             ///< from the current time on; several become NAME_0000.png ... or one video
+    int frames = 1;             ///< from the current time on; several become NAME_0000.png ... or one film
     double framesPerSecond = 30;
 };
 
@@ -22,7 +22,17 @@ std::string renderCommand(const Session& session, const Hardcopy& wanted);
 /// The arguments for the changed values: "--set uKd=0.5 --set ...".
 std::string setArguments(const Session& session);
 
-/// True if the file's extension is that of a video: .mp4, .webm, .mkv, .avi, .mov, .gif.
-bool isVideo(const std::filesystem::path& file);
+/// True if the frames go into one file: several frames to a .gif, or any number to an .mp4, .webm, ...
+bool isFilm(const Hardcopy& wanted);
+
+/// The first file that a hardcopy writes: with several frames of pictures it is NAME_0000.png.
+std::filesystem::path firstFile(const Hardcopy& wanted);
+
+/// True if a file of that name exists which the hardcopy would replace.
+bool replacesFile(const Hardcopy& wanted);
+
+/// The name of a hardcopy that replaces nothing: `wanted.file` itself, or else NAME-2, NAME-3, ... A number
+/// that the name has already is counted on.
+std::filesystem::path freeName(Hardcopy wanted);
 
 }  // namespace glibra::view

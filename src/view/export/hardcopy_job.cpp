@@ -6,13 +6,13 @@
 #include <new>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
 
-#include "image/file.h"
+#include "image/video/video_file.h"
 #include "image/write.h"
 #include "render/file/job.h"
 #include "render/scene_renderer.h"
-#include "view/export/video_encoder.h"
 
 namespace glibra::view {
 namespace {
@@ -31,8 +31,7 @@ struct HardcopyJob::State {
     image::WriteOptions writing;
     render::Stats stats;
     std::optional<render::SceneRenderer> renderer;
-    std::optional<image::TemporaryFile> unfinished;
-    std::optional<VideoEncoder> encoder;
+    std::optional<image::VideoFile> film;
     int written = 0;
     bool failed = false;
 
@@ -44,7 +43,7 @@ struct HardcopyJob::State {
                                options.height));
     }
     Diagnostics begin(gpu::Context& context, const std::filesystem::path& scene);
-    Diagnostics beginVideo();
+    Diagnostics beginFilm();
     Diagnostics drawNext();
     Diagnostics write(const image::Image& picture);
 };
@@ -54,18 +53,15 @@ Diagnostics HardcopyJob::State::begin(gpu::Context& context, const std::filesyst
     Diagnostics diagnostics = std::move(loaded.diagnostics);
     if (!loaded) return diagnostics;
     renderer = std::move(loaded.value);
-    if (isVideo(wanted.file)) append(diagnostics, beginVideo());
+    if (isFilm(wanted)) append(diagnostics, beginFilm());
     return diagnostics;
 }
 
-Diagnostics HardcopyJob::State::beginVideo() {
-    if (!hasFfmpeg()) return {bad("ffmpeg is not installed; install it, or choose .png for single frames")};
-    unfinished.emplace(wanted.file);
-    if (unfinished->path().empty()) return {unfinished->failure()};
-    encoder.emplace(unfinished->path(), options.width, options.height, wanted.framesPerSecond,
-                    writing.comment);
-    if (!encoder->isRunning()) return {bad("ffmpeg cannot be started")};
-    return {};
+Diagnostics HardcopyJob::State::beginFilm() {
+    Result<image::VideoFile> begun = image::VideoFile::create(wanted.file, options.width, options.height,
+                                                              wanted.framesPerSecond, writing.comment);
+    film = std::move(begun.value);
+    return std::move(begun.diagnostics);
 }
 
 Diagnostics HardcopyJob::State::drawNext() {
@@ -78,12 +74,11 @@ Diagnostics HardcopyJob::State::drawNext() {
 }
 
 Diagnostics HardcopyJob::State::write(const image::Image& picture) {
-    if (!encoder)
+    if (!film)
         return image::writeImage(picture, render::frameFile(wanted.file, written, wanted.frames), writing);
-    const bool isTaken = encoder->write(picture.data);
-    if (isTaken && written + 1 < wanted.frames) return {};
-    if (!encoder->finish() || !isTaken) return {bad("ffmpeg reported an error")};
-    return unfinished->commit();
+    Diagnostics problems = film->add(picture);
+    if (!problems.empty() || written + 1 < wanted.frames) return problems;
+    return film->finish();
 }
 
 HardcopyJob::HardcopyJob(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -124,6 +119,22 @@ bool HardcopyJob::isDone() const {
 }
 int HardcopyJob::framesWritten() const {
     return state_->written;
+}
+std::string HardcopyJob::filesWritten() const {
+    const Hardcopy& wanted = state_->wanted;
+    const int count = state_->written;
+    if (count == 0 || (state_->film && count < wanted.frames)) return {};
+    std::error_code failure;
+    const auto whole = [&](const std::filesystem::path& file) {
+        return std::filesystem::absolute(file, failure).lexically_normal().string();
+    };
+    const std::string size = fmt::format("{} x {} pixels", state_->options.width, state_->options.height);
+    if (state_->film) return fmt::format("{}: {} frames of {}", whole(wanted.file), count, size);
+    const std::string first = whole(firstFile(wanted));
+    if (count == 1) return fmt::format("{}: {}", first, size);
+    return fmt::format("{} to {}: {} files of {}", first,
+                       render::frameFile(wanted.file, count - 1, wanted.frames).filename().string(), count,
+                       size);
 }
 const Hardcopy& HardcopyJob::wanted() const {
     return state_->wanted;

@@ -21,6 +21,8 @@ namespace fs = std::filesystem;
 /// for another one before it reports.
 constexpr int kQuietMilliseconds = 3;
 constexpr int kMostQuietWaits = 20;
+/// A removed file that an editor writes anew is there again after this time.
+constexpr std::chrono::milliseconds kAway{200};
 
 fs::path absolutePath(const fs::path& path) {
     std::error_code failure;
@@ -68,11 +70,16 @@ void FileWatch::watch(const std::vector<fs::path>& files, const std::set<std::st
         const fs::path file = absolutePath(each);
         files_.insert(file);
         folders.insert(file.parent_path());
+        gone_.erase(file);
         std::error_code failure;
         const fs::path target = fs::canonical(file, failure);
         if (failure || target == file) continue;
         files_.insert(target);
         folders.insert(target.parent_path());
+    }
+    for (const fs::path& each : gone_) {
+        files_.insert(each);
+        folders.insert(each.parent_path());
     }
     for (auto each = folders_.begin(); each != folders_.end();) {
         if (folders.erase(each->second) != 0) {
@@ -83,7 +90,8 @@ void FileWatch::watch(const std::vector<fs::path>& files, const std::set<std::st
         }
     }
     for (const fs::path& each : folders) {
-        const int descriptor = ::inotify_add_watch(inotify_, each.c_str(), IN_CLOSE_WRITE | IN_MOVED_TO);
+        const int descriptor = ::inotify_add_watch(inotify_, each.c_str(),
+                                                   IN_CLOSE_WRITE | IN_MOVED_TO | IN_DELETE | IN_MOVED_FROM);
         if (descriptor >= 0) folders_[descriptor] = each;
     }
 }
@@ -91,6 +99,41 @@ void FileWatch::watch(const std::vector<fs::path>& files, const std::set<std::st
 FileWatch::Change FileWatch::takeChanged() {
     const std::scoped_lock lock(mutex_);
     return std::exchange(changed_, {});
+}
+
+void FileWatch::noteSaved(const fs::path& file) {
+    removed_.erase(file);
+    if (changed_.files.empty()) changed_.saved = std::chrono::steady_clock::now();
+    if (std::find(changed_.files.begin(), changed_.files.end(), file) == changed_.files.end())
+        changed_.files.push_back(file);
+}
+
+bool FileWatch::reportRemoved() {
+    const std::scoped_lock lock(mutex_);
+    const auto now = std::chrono::steady_clock::now();
+    bool isAny = false;
+    std::vector<fs::path> due;
+    for (const auto& [file, since] : removed_)
+        if (now - since >= kAway) due.push_back(file);
+    for (const fs::path& file : due) {
+        removed_.erase(file);
+        std::error_code failure;
+        if (fs::exists(file, failure)) continue;
+        noteSaved(file);
+        gone_.insert(file);
+        isAny = true;
+    }
+    return isAny;
+}
+
+int FileWatch::millisecondsToRemoved() {
+    const std::scoped_lock lock(mutex_);
+    if (removed_.empty()) return -1;
+    const auto first = std::min_element(removed_.begin(), removed_.end(),
+                                        [](const auto& a, const auto& b) { return a.second < b.second; });
+    const auto left = first->second + kAway - std::chrono::steady_clock::now();
+    const auto milliseconds = std::chrono::ceil<std::chrono::milliseconds>(left).count();
+    return static_cast<int>(std::clamp<std::int64_t>(milliseconds, 0, kAway.count()));
 }
 
 bool FileWatch::readEvents() {
@@ -107,10 +150,13 @@ bool FileWatch::readEvents() {
             const auto folder = folders_.find(event->wd);
             if (folder == folders_.end() || event->len == 0) continue;
             const fs::path file = folder->second / event->name;
-            if (!files_.contains(file) && !names_.contains(file.filename().string())) continue;
-            if (changed_.files.empty()) changed_.saved = std::chrono::steady_clock::now();
-            if (std::find(changed_.files.begin(), changed_.files.end(), file) == changed_.files.end())
-                changed_.files.push_back(file);
+            const bool isKnown = files_.contains(file);
+            if ((event->mask & (IN_DELETE | IN_MOVED_FROM)) != 0) {
+                if (isKnown) removed_[file] = std::chrono::steady_clock::now();
+                continue;
+            }
+            if (!isKnown && !names_.contains(file.filename().string())) continue;
+            noteSaved(file);
             isWatched = true;
         }
     }
@@ -119,12 +165,13 @@ bool FileWatch::readEvents() {
 void FileWatch::run() {
     for (;;) {
         std::array<pollfd, 2> wanted{{{inotify_, POLLIN, 0}, {stop_, POLLIN, 0}}};
-        if (::poll(wanted.data(), wanted.size(), -1) < 0) continue;
+        if (::poll(wanted.data(), wanted.size(), millisecondsToRemoved()) < 0) continue;
         if (wanted[1].revents != 0) return;
         try {
             bool isWatched = readEvents();
             for (int i = 0; isWatched && i < kMostQuietWaits && isReadable(inotify_, kQuietMilliseconds); ++i)
                 isWatched = readEvents() || isWatched;
+            isWatched = reportRemoved() || isWatched;
             if (isWatched) wake_();
         } catch (const std::bad_alloc&) {
             // These events are lost. The next save of a file is reported again.

@@ -7,6 +7,7 @@
 
 #include "plan/type_table.h"
 #include "plan/uniform_names.h"
+#include "render/file/labels.h"
 
 namespace glibra::view {
 namespace {
@@ -14,19 +15,6 @@ namespace {
 /// Empty for variables, which belong to no program.
 std::string nameOf(const scene::Scene& scene, scene::ProgramIndex program) {
     return program ? scene.programs[program].name : std::string();
-}
-
-/// "Dots", or "Dots (2)" for the second of that name.
-std::string titleOf(const scene::Scene& scene, scene::ProgramIndex program) {
-    const std::string& name = scene.programs[program].name;
-    int sameName = 0;
-    int before = 0;
-    for (const scene::ProgramIndex i : scene.programs.indices()) {
-        if (scene.programs[i].name != name) continue;
-        ++sameName;
-        if (i <= program) ++before;
-    }
-    return sameName > 1 ? fmt::format("{} ({})", name, before) : name;
 }
 
 Widget widgetOf(const glib::UniformSpec& spec, const plan::ActiveUniform& uniform,
@@ -59,7 +47,7 @@ Knob knobOf(const scene::Scene& scene, const plan::PlannedProgram& planned, cons
         if (each.uniform == named.uniform) control = &each;
     Knob knob;
     knob.program = planned.variant.program;
-    knob.title = titleOf(scene, knob.program);
+    knob.title = render::titleOf(scene, knob.program);
     knob.tag = spec.tag;
     knob.type = uniform.type;
     knob.widget = widgetOf(spec, uniform, control);

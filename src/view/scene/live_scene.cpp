@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <new>
 #include <set>
@@ -10,9 +11,12 @@
 #include <utility>
 
 #include "gpu/context/loop_limit.h"
+#include "plan/accesses.h"
 #include "plan/loop_rounds.h"
+#include "plan/still.h"
 #include "render/draw/axes.h"
 #include "render/draw/dispatch.h"
+#include "render/file/labels.h"
 #include "render/load/device_scene.h"
 #include "render/load/programs.h"
 #include "render/scene_renderer.h"
@@ -21,8 +25,6 @@
 
 namespace glibra::view {
 namespace {
-
-constexpr int kSamples = 1;  ///< per pixel of the pictures that a window shows
 
 /// A uniform block and counters are described as a storage block with the same members.
 base::StorageBlock blockOf(const plan::BlockUse& use, const plan::ProgramInterface& interface) {
@@ -48,6 +50,14 @@ base::StorageBlock blockOf(const plan::BlockUse& use, const plan::ProgramInterfa
         member.arrayStride = each.arrayStride;
     }
     return block;
+}
+
+/// True if no node comes after a pass into the window.
+bool texturesComeFirst(const plan::FramePlan& plan) {
+    const auto isOfWindow = [&](const scene::NodeIndex& node) {
+        return node.kind == scene::NodeIndex::Kind::pass && plan.passOf(plan.passes[node.index]).isWindow;
+    };
+    return std::is_partitioned(plan.order.begin(), plan.order.end(), std::not_fn(isOfWindow));
 }
 
 bool hasTangents(const plan::PlannedMesh& mesh) {
@@ -97,6 +107,20 @@ struct LiveScene::State {
     std::map<std::string, std::vector<double>, std::less<>> variables;  ///< as the user set them
     std::vector<Knob> changedKnobs;  ///< of programs, set by the user; a new plan does not know them
     bool drawsOutOfSight = false;
+    int samples = 1;             ///< per pixel of the last frame
+    bool keepsTextures = false;  ///< textures do not share memory
+
+    /// What was drawn last, if `scene` or `plan` has changed since.
+    struct Drawn {
+        std::optional<scene::Scene> scene;  ///< empty: only the plan has changed
+        plan::FramePlan plan;
+    };
+    std::optional<Drawn> drawnBefore;
+    bool isDrawn = false;  ///< the last frame was drawn whole, and nothing else since
+    ViewState drawnView;
+    int drawnWidth = 0, drawnHeight = 0;
+    std::int64_t drawnChanges = 0;  ///< Simulation::changes() of that frame
+
     /// When the files were last written, as they were read.
     std::map<std::filesystem::path, std::filesystem::file_time_type> fileTimes;
     std::vector<scene::NamedCamera> cameras;  ///< of `scene`
@@ -109,6 +133,7 @@ struct LiveScene::State {
 
     Diagnostics prepare(State* previous);
     Diagnostics makePlan(bool variablesDiffer = false);
+    void planAgain();
     [[nodiscard]] plan::FramePlan planList(const scene::NodeList& nodes,
                                            const plan::PlanOptions& planOptions);
     Diagnostics planSimulation(const plan::PlanOptions& planOptions);
@@ -117,6 +142,9 @@ struct LiveScene::State {
     void lookThrough();
     bool moveTo(const scene::FrameInputs& wanted, Diagnostics& diagnostics);
     void prepareFallback();
+    void noteChange(bool ofScene);
+    [[nodiscard]] plan::StillNodes stillNodes(int width, int height) const;
+    Diagnostics drawFrame(const gpu::Target& target, double time);
     int measuredLoopLimit();
     void placeEye(double aspect, Diagnostics& diagnostics);
 };
@@ -125,6 +153,7 @@ Diagnostics LiveScene::State::prepare(State* previous) {
     if (previous) {
         programs.inherit(previous->programs);
         device.inherit(previous->device);
+        keepsTextures = previous->keepsTextures;
     }
     Diagnostics diagnostics = makePlan();
     programs.forgetPrevious();
@@ -147,12 +176,20 @@ bool LiveScene::State::moveTo(const scene::FrameInputs& wanted, Diagnostics& dia
     const bool variablesDiffer = wanted.variables != inputs.variables;
     inputs = wanted;
     if (!isOther) return false;
+    noteChange(true);
     scene = source->at(inputs);
     cameras = source->cameras();
     lookThrough();
     append(diagnostics, std::move(scene.diagnostics));
     scene.diagnostics.clear();
     device.beginMoment(plan);
+    bool hasLost = false;
+    append(diagnostics, device.followSizes(hasLost));
+    if (hasLost && simulation) {
+        // Its blocks may run over the texels of what has another size now, so makePlan() plans them anew.
+        simulation.reset();
+        isDrawn = false;
+    }
     append(diagnostics, makePlan(variablesDiffer));
     isViewSet = false;
     return true;
@@ -163,7 +200,10 @@ Diagnostics LiveScene::State::makePlan(bool variablesDiffer) {
     planOptions.maxTextureUnits = context.capabilities().combinedTextureUnits;
     planOptions.lacksCompute = render::lackOfCompute(context.capabilities());
     planOptions.loopLimit = [this] { return measuredLoopLimit(); };
+    planOptions.shareTargets = !keepsTextures;
     plan = planList(scene.frame, planOptions);
+    // Picking draws the window's passes again, after the frame.
+    if (!texturesComeFirst(plan)) plan.sharing.clear();
     Diagnostics diagnostics = std::move(plan.diagnostics);
     plan.diagnostics.clear();
     const bool isNew = !simulation;
@@ -184,10 +224,20 @@ Diagnostics LiveScene::State::makePlan(bool variablesDiffer) {
     const bool isWireframe = drawer && drawer->isWireframe();
     drawer.emplace(context, plan, programs, device, drawStats);
     drawer->setWireframe(isWireframe);
-    drawer->cullToTile(drawsOutOfSight ? 0 : kSamples);
+    drawer->cullToTile(drawsOutOfSight ? 0 : samples);
     prepareFallback();
     append(diagnostics, context.debugLog().takeDiagnostics());
     return diagnostics;
+}
+
+/// Plans the same scene with other programs. Its diagnostics are known already.
+void LiveScene::State::planAgain() {
+    isDrawn = false;
+    drawnBefore.reset();
+    const bool wasSimulationWrong = isSimulationWrong;
+    device.beginMoment(plan);
+    makePlan();
+    isSimulationWrong = wasSimulationWrong;
 }
 
 plan::FramePlan LiveScene::State::planList(const scene::NodeList& nodes,
@@ -270,7 +320,7 @@ Diagnostics LiveScene::State::planSimulation(const plan::PlanOptions& planOption
         diagnostics = simulation->check(plan);
     } else {
         plan::PlanOptions listOptions = planOptions;
-        listOptions.reportsOverrides = false;
+        listOptions.shareTargets = false;
         simulation.emplace(
             render::SimulationParts{context, scene, source.get(), programs, device, loadStats,
                                     [this, listOptions](const scene::NodeList& nodes,
@@ -282,6 +332,70 @@ Diagnostics LiveScene::State::planSimulation(const plan::PlanOptions& planOption
         diagnostics = simulation->plan(plan, true, {});
     }
     isSimulationWrong = hasError(diagnostics);
+    return diagnostics;
+}
+
+/// Keeps what was drawn, for comparison with the next frame. Call it before the values in `plan` change, or
+/// before `scene` and `plan` (`ofScene`) are replaced.
+void LiveScene::State::noteChange(bool ofScene) {
+    if (!isDrawn || !scene.isModern || (drawnBefore && (!ofScene || drawnBefore->scene))) return;
+    if (!ofScene) {
+        drawnBefore = Drawn{{}, plan};
+        return;
+    }
+    if (!drawnBefore) drawnBefore = Drawn{{}, std::move(plan)};
+    drawnBefore->scene = std::move(scene);
+    drawnBefore->plan.nodes = &drawnBefore->scene->frame;
+}
+
+/// What of the frame is the same as in the frame before. A pass that the window's transforms move is the same
+/// only while they stay.
+plan::StillNodes LiveScene::State::stillNodes(int width, int height) const {
+    const ViewState& now = view.state();
+    const bool isComparable = isDrawn && scene.isModern && drawer->drawsPlainly() && width == drawnWidth &&
+                              height == drawnHeight && now.projection == ProjectionMode::scene &&
+                              drawnView.projection == ProjectionMode::scene &&
+                              now.objects == drawnView.objects && now.texture == drawnView.texture;
+    if (!isComparable) return {};
+    std::set<plan::Object> moved;
+    std::vector<bool> isMovedNode(plan.order.size());
+    if (now.scene != drawnView.scene || now.eye != drawnView.eye)
+        for (std::size_t node = 0; node < plan.order.size(); ++node) {
+            const scene::NodeIndex& at = plan.order[node];
+            if (at.kind != scene::NodeIndex::Kind::pass) continue;
+            const scene::Pass& pass = plan.passOf(plan.passes[at.index]);
+            isMovedNode[node] = !pass.isWindow && render::isMoved(*plan.nodes, pass);
+            if (!isMovedNode[node]) continue;
+            for (const plan::ObjectUse& each : plan::usesOf(plan, node))
+                if (each.writes) moved.insert(plan::objectOf(each.object));
+        }
+    const bool hasRun = simulation && simulation->changes() != drawnChanges;
+    const plan::PlannedScene before =
+        drawnBefore ? plan::PlannedScene{drawnBefore->scene ? *drawnBefore->scene : scene, drawnBefore->plan}
+                    : plan::PlannedScene{scene, plan};
+    plan::StillNodes still = plan::stillNodes(before, {scene, plan}, [&](const plan::Object& each) {
+        return moved.contains(each) || (hasRun && simulation->lasts(each));
+    });
+    for (std::size_t node = 0; node < still.nodes.size(); ++node)
+        if (isMovedNode[node]) still.nodes[node] = false;
+    for (const plan::Object& each : moved) still.contents.erase(each);
+    return still;
+}
+
+Diagnostics LiveScene::State::drawFrame(const gpu::Target& target, double time) {
+    const int width = target.width(), height = target.height();
+    samples = target.samples();
+    drawer->cullToTile(drawsOutOfSight ? 0 : samples);
+    const plan::StillNodes still = stillNodes(width, height);
+    Diagnostics diagnostics =
+        drawer->draw(target, {view, width, height, {0, 0, width, height}, time, true, &still});
+    drawnBefore.reset();
+    isDrawn = scene.isModern && drawer->drawsPlainly() && !hasError(diagnostics);
+    if (!isDrawn) return diagnostics;
+    drawnView = view.state();
+    drawnWidth = width;
+    drawnHeight = height;
+    drawnChanges = simulation ? simulation->changes() : 0;
     return diagnostics;
 }
 
@@ -348,6 +462,10 @@ std::vector<Knob> LiveScene::knobs() const {
     return knobsOf(state_->scene, state_->plans());
 }
 
+std::vector<std::string> LiveScene::labels() const {
+    return render::labelsOf(state_->scene, state_->plans());
+}
+
 bool LiveScene::isAnimated() const {
     using expression::Depends;
     if (!state_->scene.steps.empty()) return true;
@@ -392,9 +510,29 @@ const render::Stats& LiveScene::drawStats() const {
     return state_->drawStats;
 }
 
+bool LiveScene::keepTextures(Diagnostics& diagnostics) {
+    State& state = *state_;
+    if (std::exchange(state.keepsTextures, true) || state.plan.sharing.empty()) return false;
+    state.isDrawn = false;
+    state.device.beginMoment(state.plan);
+    append(diagnostics, state.makePlan());
+    return true;
+}
+
+bool LiveScene::observe(const render::BuiltProgram& program, const glsl::MainWrapper& fragment) {
+    if (!state_->programs.observe(program, fragment)) return false;
+    state_->planAgain();
+    return true;
+}
+
+void LiveScene::stopObserving() {
+    state_->programs.stopObserving();
+    state_->planAgain();
+}
+
 void LiveScene::drawOutOfSight(bool on) {
     state_->drawsOutOfSight = on;
-    state_->drawer->cullToTile(on ? 0 : kSamples);
+    state_->drawer->cullToTile(on ? 0 : state_->samples);
 }
 
 void LiveScene::setValue(const Knob& knob) {
@@ -406,6 +544,7 @@ void LiveScene::setValue(const Knob& knob) {
     std::erase_if(state.changedKnobs,
                   [&](const Knob& each) { return each.program == knob.program && each.tag == knob.tag; });
     state.changedKnobs.push_back(knob);
+    state.noteChange(false);
     const auto change = [&](plan::FramePlan& plan) { return apply(state.scene, {&knob, 1}, plan); };
     for (const plan::PlannedProgramIndex each : change(state.plan)) state.drawer->forgetLiterals(each);
     if (state.simulation) state.simulation->changeValues(change);
@@ -450,14 +589,14 @@ Diagnostics LiveScene::draw(const gpu::Target& target, const ViewState& view, do
         state.inputs.time = time;
         append(diagnostics, state.simulation->advance(state.inputs));
     }
-    append(diagnostics,
-           state.drawer->draw(target, {state.view, target.width(), target.height(), whole, time}));
+    append(diagnostics, state.drawFrame(target, time));
     if (axes && !state.axes) {
         Result<render::Axes> made = render::Axes::create(state.context);
         append(diagnostics, std::move(made.diagnostics));
         state.axes = std::move(made.value);
     }
-    if (axes && state.axes) state.axes->draw(state.scene, state.view, whole, target.width(), target.height());
+    if (axes && state.axes)
+        state.axes->draw(target, state.scene, state.view, whole, target.width(), target.height());
     target.resolve();
     append(diagnostics, state.context.debugLog().takeDiagnostics());
     return diagnostics;
@@ -470,7 +609,16 @@ double LiveScene::eyeDistance() const {
     return state_->eyeDistance;
 }
 render::FrameDrawer& LiveScene::drawer() {
+    state_->isDrawn = false;
     return *state_->drawer;
+}
+const render::VertexBox* LiveScene::boxOf(const plan::PlannedDraw& draw) {
+    State& state = *state_;
+    const plan::PlannedMesh& mesh = state.plan.meshes[draw.mesh];
+    const plan::ProgramVariant& variant = state.plan.programs[draw.program].variant;
+    if (state.programs.placementOf(variant) == glsl::Placement::unknown) return nullptr;
+    const render::VertexBox& box = state.device.bounds(mesh.shape, hasTangents(mesh), nullptr);
+    return box.isKnown ? &box : nullptr;
 }
 const geometry::Mesh* LiveScene::meshOf(const plan::PlannedDraw& draw) {
     const plan::PlannedMesh& planned = state_->plan.meshes[draw.mesh];
@@ -503,6 +651,7 @@ const base::StorageBlock* LiveScene::blockOf(scene::BufferIndex buffer) const {
 
 void LiveScene::setCamera(const std::string& name) {
     State& state = *state_;
+    state.isDrawn = false;
     if (state.ownFrame) {
         state.scene.frame = *state.ownFrame;
         state.scene.view = state.ownView;

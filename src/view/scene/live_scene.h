@@ -10,11 +10,13 @@
 #include <vector>
 
 #include "glsl/emit/emitted_lines.h"
+#include "glsl/emit/wrapped_main.h"
 #include "gpu/context/context.h"
 #include "gpu/object/target.h"
 #include "plan/frame_plan.h"
 #include "render/draw/frame.h"
 #include "render/draw/simulation.h"
+#include "render/draw/vertex_box.h"
 #include "render/stats.h"
 #include "scene/scene.h"
 #include "view/scene/knobs.h"
@@ -40,6 +42,8 @@ class LiveScene {
     [[nodiscard]] const scene::Scene& scene() const;
     [[nodiscard]] const plan::FramePlan& plan() const;
     [[nodiscard]] std::vector<Knob> knobs() const;
+    /// The current values as text, see render::labelsOf.
+    [[nodiscard]] std::vector<std::string> labels() const;
     /// True if a program that draws something reads Timer.
     [[nodiscard]] bool isAnimated() const;
     /// True if the program does not compile and its last good version is shown.
@@ -51,7 +55,8 @@ class LiveScene {
     /// Times and counts of the last loading: translating, compiling, reading files.
     [[nodiscard]] const render::Stats& loadStats() const;
 
-    /// Counts over all frames: "draws", and "draws out of their tile", which were skipped.
+    /// Counts over all frames: "draws", "draws out of their tile", which were skipped, and passes and
+    /// dispatches that were not repeated because they are as in the frame before (plan::StillNodes).
     [[nodiscard]] const render::Stats& drawStats() const;
 
     void setValue(const Knob& knob);
@@ -72,6 +77,16 @@ class LiveScene {
     void setRunHook(render::Simulation::RunHook hook);
     /// The warnings about loops that the driver would end too early with the current values (draw-W08).
     Diagnostics longLoops();
+    /// From now on no texture shares memory with another one, so that each keeps its content after a frame.
+    /// Also holds for scenes that are loaded with this one as `previous`. Returns true if the plan is a new
+    /// one.
+    bool keepTextures(Diagnostics& diagnostics);
+    /// Makes a plan in which draws with that program (FrameDrawer::programOf) have more in their fragment
+    /// stage, and all inputs, uniforms and textures that they then read. Returns false, and changes nothing,
+    /// if the driver does not link it. Indices into an earlier plan are not valid any more.
+    bool observe(const render::BuiltProgram& program, const glsl::MainWrapper& fragment);
+    /// Makes the plan as it was.
+    void stopObserving();
     /// With `on`, objects outside the picture are drawn too: debug views may show parts of them inside it.
     void drawOutOfSight(bool on);
     /// Makes the scene that of this time and size, if it depends on them or a variable has changed. draw()
@@ -84,8 +99,11 @@ class LiveScene {
     [[nodiscard]] const render::ViewMatrices& view() const;
     /// How far the view policy moved the eye back in the last frame, in units of eye space.
     [[nodiscard]] double eyeDistance() const;
-    /// Gives access to single draws; see FrameDrawer.
+    /// Gives access to single draws; see FrameDrawer. It may draw anything, so the next frame is drawn whole.
     render::FrameDrawer& drawer();
+    /// The box around what the draw draws, in model space, without what its shaders do; nothing if it is not
+    /// known or the program places vertices in another way than by the matrices.
+    [[nodiscard]] const render::VertexBox* boxOf(const plan::PlannedDraw& draw);
     /// The mesh of a draw in memory, and on the device; null if there is none.
     const geometry::Mesh* meshOf(const plan::PlannedDraw& draw);
     [[nodiscard]] const render::DeviceMesh* deviceMeshOf(const plan::PlannedDraw& draw) const;

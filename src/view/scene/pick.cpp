@@ -63,10 +63,15 @@ std::optional<Picked> pick(LiveScene& scene, const gpu::Target& picture, double 
     const glm::dvec4 clip((x + .5) / picture.width() * 2 - 1, (row + .5) / picture.height() * 2 - 1,
                           depth * 2.0 - 1, 1);
     const glm::dvec4 eye = scene::inverseOrZero(scene.view().projection(draw.projection, aspect)) * clip;
-    Picked picked{draw.id, ordinalOf(scene.scene(), found.step), draw.word, {}, {}};
+    Picked picked{.draw = draw.id, .ordinal = ordinalOf(scene.scene(), found.step), .word = draw.word};
     if (eye.w == 0) return picked;
     picked.eye = glm::dvec3(eye) / eye.w;
     picked.point = glm::dvec3(scene::inverseOrZero(scene.view().modelView(draw)) * glm::dvec4(picked.eye, 1));
+    picked.centre = picked.point;
+    if (const render::VertexBox* box = scene.boxOf(found)) {
+        picked.centre = glm::dvec3(box->low + box->high) / 2.0;
+        picked.half = glm::dvec3(box->high - box->low) / 2.0;
+    }
     return picked;
 }
 

@@ -16,6 +16,9 @@ struct Picked {
     std::string word;       ///< the command
     glm::dvec3 eye{0.0};    ///< the object's point at the pixel, in eye space with all transforms
     glm::dvec3 point{0.0};  ///< the same point in the object's model space
+    /// The middle of the object's box in model space, and half its size. `point` and 0 if the box is not
+    /// known.
+    glm::dvec3 centre{0.0}, half{0.0};
 };
 
 /// Draws the one pixel again through the scene's own stages, and finds the draw whose fragments are the last

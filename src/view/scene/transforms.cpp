@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kDegreesAcross = 180;
 constexpr double kGrowthAcross = 10;
+constexpr double kLeastDegrees = 1e-10, kLeastMove = 1e-12;  ///< below these, numbers are rounding errors
 
 double degreesOf(double radians) {
     return radians * 180 / std::numbers::pi;
@@ -23,6 +24,18 @@ glm::dvec2 sizeOfPixel(const glm::dmat4& projection, const glm::dvec4& point, co
     const double scaleY = std::abs(projection[1][1]);
     if (scaleX == 0 || scaleY == 0) return {0, 0};
     return {2 * std::abs(w) / (scaleX * picture.x), 2 * std::abs(w) / (scaleY * picture.y)};
+}
+
+/// 0 for the elements that dragging there and back leaves of 0, far below what moves a pixel.
+glm::dmat4 withoutLeftovers(glm::dmat4 matrix) {
+    constexpr double kLeftover = 1e-13;
+    double largest = 0;
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row) largest = std::max(largest, std::abs(matrix[column][row]));
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
+            if (std::abs(matrix[column][row]) < kLeftover * largest) matrix[column][row] = 0;
+    return matrix;
 }
 
 double growthOf(const Drag& drag) {
@@ -56,7 +69,8 @@ glm::dmat4 dragged(const glm::dmat4& transform, const Drag& drag, const Surround
             break;
         }
     }
-    const glm::dmat4 result = scene::inverseOrZero(around.after) * change * around.after * transform;
+    const glm::dmat4 result =
+        withoutLeftovers(scene::inverseOrZero(around.after) * change * around.after * transform);
     return scene::isFinite(result) && !scene::isSingular(result) ? result : transform;
 }
 
@@ -74,7 +88,8 @@ glm::dmat4 draggedTexture(const glm::dmat4& transform, const Drag& drag) {
             change = scene::translation({drag.pixels / drag.pictureSize, 0});
             break;
     }
-    const glm::dmat4 result = scene::translation(centre) * change * scene::translation(-centre) * transform;
+    const glm::dmat4 result =
+        withoutLeftovers(scene::translation(centre) * change * scene::translation(-centre) * transform);
     return scene::isFinite(result) && !scene::isSingular(result) ? result : transform;
 }
 
@@ -94,15 +109,21 @@ Similarity similarityOf(const glm::dmat4& matrix) {
         result.degrees = {degreesOf(std::atan2(-turn[2][1], turn[1][1])),
                           degreesOf(std::atan2(-turn[0][2], cosineY)), 0};
     }
-    // Adding 0 turns -0 into 0, so that no widget shows -0.
+    // Angles of rounding errors are 0. Adding 0 turns -0 into 0, so that no widget shows -0.
+    for (int axis = 0; axis < 3; ++axis) {
+        if (std::abs(result.degrees[axis]) < kLeastDegrees) result.degrees[axis] = 0;
+        if (std::abs(result.translation[axis]) < kLeastMove * result.scale) result.translation[axis] = 0;
+    }
     result.degrees += 0.0;
+    result.translation += 0.0;
     return result;
 }
 
 glm::dmat4 matrixOf(const Similarity& similarity) {
-    return scene::translation(similarity.translation) * scene::rotation(similarity.degrees.z, {0, 0, 1}) *
-           scene::rotation(similarity.degrees.y, {0, 1, 0}) *
-           scene::rotation(similarity.degrees.x, {1, 0, 0}) * scene::scaling(glm::dvec3(similarity.scale));
+    return withoutLeftovers(
+        scene::translation(similarity.translation) * scene::rotation(similarity.degrees.z, {0, 0, 1}) *
+        scene::rotation(similarity.degrees.y, {0, 1, 0}) * scene::rotation(similarity.degrees.x, {1, 0, 0}) *
+        scene::scaling(glm::dvec3(similarity.scale)));
 }
 
 }  // namespace glibra::view

@@ -7,18 +7,23 @@ namespace glibra::view {
 
 History::State History::stateOf(const Session& session) {
     State state;
-    for (const Knob& each : session.knobs()) state.values.push_back({each.program, each.tag, each.current});
+    for (std::size_t i = 0; i < session.knobs().size(); ++i)
+        state.values.push_back({session.knobs()[i].program, session.knobs()[i].tag, session.restingValue(i)});
     state.view = session.view();
     return state;
 }
 
 bool History::isCurrent(const Session& session) const {
     if (states_.empty() || states_[at_].view != session.view()) return false;
-    return std::equal(states_[at_].values.begin(), states_[at_].values.end(), session.knobs().begin(),
-                      session.knobs().end(), [](const Value& value, const Knob& knob) {
-                          return value.program == knob.program && value.tag == knob.tag &&
-                                 value.values == knob.current;
-                      });
+    const std::vector<Value>& values = states_[at_].values;
+    if (values.size() != session.knobs().size()) return false;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const Knob& knob = session.knobs()[i];
+        if (values[i].program != knob.program || values[i].tag != knob.tag ||
+            values[i].values != session.restingValue(i))
+            return false;
+    }
+    return true;
 }
 
 void History::record(const Session& session) {
@@ -41,6 +46,7 @@ void History::restore(Session& session) const {
 
 bool History::undo(Session& session) {
     record(session);
+    if (session.undoAnimations()) return true;
     if (at_ == 0) return false;
     --at_;
     restore(session);
@@ -48,6 +54,7 @@ bool History::undo(Session& session) {
 }
 
 bool History::redo(Session& session) {
+    session.undoAnimations();
     if (at_ + 1 >= states_.size()) return false;
     ++at_;
     restore(session);

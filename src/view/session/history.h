@@ -12,7 +12,8 @@ class History {
     /// Stores the current state if it differs from the last stored one. Call it when a change is complete. A
     /// new state discards the undone ones.
     void record(const Session& session);
-    /// Records the current state, then goes back by one. Returns false if there is nothing to undo.
+    /// Records the current state, then goes back by one. A value that is animated counts as the one from
+    /// before its animation, which undo ends. Returns false if there is nothing to undo.
     bool undo(Session& session);
     /// Returns false if there is nothing to redo.
     bool redo(Session& session);

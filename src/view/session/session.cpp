@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "glib/text.h"
+#include "image/file.h"
 #include "plan/overrides.h"
 #include "render/draw/view_matrices.h"
 #include "scene/matrices.h"
@@ -76,17 +77,49 @@ Matrix* matrixOfMode(ViewState& view, TransformMode mode, const DrawId& picked) 
 Session::Session(gpu::Context& context, RenderOptions options)
     : context_(context), options_(std::move(options)) {}
 
+/// The scene's text with the files that the user has chosen. Nothing if there are none, or if the scene
+/// cannot be read.
+std::optional<std::string> Session::textWithFiles() const {
+    const auto bytes = image::readFile(path_, {path_.string(), {}});
+    if (!bytes) return std::nullopt;
+    return withFiles({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, chosenFiles_);
+}
+
+RenderOptions Session::loadOptions() const {
+    RenderOptions options = options_;
+    if (!isVerbose_ && chosenFiles_.empty()) return options;
+    options.sceneText = textWithFiles();
+    // The first of the two line feeds ends a last line that is continued.
+    if (options.sceneText && isVerbose_) *options.sceneText += "\n\nVerbose\n";
+    return options;
+}
+
+std::string Session::chooseFile(const Place& place, const std::filesystem::path& file) {
+    const auto bytes = image::readFile(path_, {path_.string(), {}});
+    if (!bytes) return toString(bytes.diagnostics.front());
+    auto chosen = chosenFile({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, place, file);
+    if (!chosen) return "the scene has changed meanwhile; choose the file again";
+    if (chosen->name.find('"') != std::string::npos)
+        return "a scene cannot name a file with a quotation mark in its name: " + chosen->name;
+    chosenFiles_.push_back(std::move(*chosen));
+    return {};
+}
+
 bool Session::open(const std::filesystem::path& path) {
+    options_.texts.clear();
     LiveScene::Loading loading = LiveScene::load(context_, path, options_, nullptr);
     if (!loading.scene) {
         diagnostics_ = std::move(loading.diagnostics);
         return false;
     }
     path_ = path;
+    chosenFiles_.clear();
+    isVerbose_ = false;
     kept_.forget();
     view_ = {};
     camera_.clear();
     clock_ = {};
+    animations_.clear();
     width_ = loading.scene->scene().width;
     height_ = loading.scene->scene().height;
     take(std::move(loading), false);
@@ -95,7 +128,7 @@ bool Session::open(const std::filesystem::path& path) {
 
 bool Session::reload() {
     if (path_.empty()) return false;
-    LiveScene::Loading loading = LiveScene::load(context_, path_, options_, live_.get());
+    LiveScene::Loading loading = LiveScene::load(context_, path_, loadOptions(), live_.get());
     if (!loading.scene) {
         diagnostics_ = std::move(loading.diagnostics);
         if (loading.isPreviousLost) dropScene();
@@ -108,6 +141,7 @@ bool Session::reload() {
 void Session::dropScene() {
     debugRenderer_.reset();
     knobs_.clear();
+    animations_.clear();
     picked_.reset();
     live_.reset();
 }
@@ -128,10 +162,17 @@ void Session::take(LiveScene::Loading loading, bool sameScene) {
             picked_.reset();
     }
     debugRenderer_.reset();
+    objectTimer_.forget();
     live_ = std::move(loading.scene);
     diagnostics_ = std::move(loading.diagnostics);
     knobs_ = live_->knobs();
     kept_.restore(live_->scene(), knobs_);
+    std::erase_if(animations_, [&](const Animation& each) {
+        return std::none_of(knobs_.begin(), knobs_.end(), [&](const Knob& knob) {
+            return each.isOf(knob) && knob.widget == Widget::slider &&
+                   knob.current.size() == each.phases.size();
+        });
+    });
     for (std::size_t i = 0; i < knobs_.size(); ++i)
         if (knobs_[i].isChanged()) applyValue(i);
     live_->drawer().setWireframe(wireframe_);
@@ -167,7 +208,42 @@ void Session::setValue(std::size_t knob, std::vector<double> values) {
     applyValue(knob);
 }
 
+void Session::animate(std::size_t knob, bool on) {
+    if (knob >= knobs_.size()) return;
+    std::erase_if(animations_, [&](const Animation& each) { return each.isOf(knobs_[knob]); });
+    if (!on || knobs_[knob].widget != Widget::slider || !knobs_[knob].words.empty()) return;
+    animations_.push_back(animationOf(knobs_[knob], clock_.time()));
+    clock_.play(true);
+}
+
+bool Session::isAnimated(std::size_t knob) const {
+    return knob < knobs_.size() &&
+           std::any_of(animations_.begin(), animations_.end(),
+                       [&](const Animation& each) { return each.isOf(knobs_[knob]); });
+}
+
+bool Session::undoAnimations() {
+    const std::vector<Animation> ended = std::exchange(animations_, {});
+    for (const Animation& each : ended)
+        for (std::size_t i = 0; i < knobs_.size(); ++i)
+            if (each.isOf(knobs_[i])) setValue(i, each.before);
+    return !ended.empty();
+}
+
+const std::vector<double>& Session::restingValue(std::size_t knob) const {
+    for (const Animation& each : animations_)
+        if (each.isOf(knobs_[knob])) return each.before;
+    return knobs_[knob].current;
+}
+
+void Session::moveAnimations() {
+    for (const Animation& each : animations_)
+        for (std::size_t i = 0; i < knobs_.size(); ++i)
+            if (each.isOf(knobs_[i])) setValue(i, valuesAt(each, knobs_[i], clock_.time()));
+}
+
 void Session::resetValue(std::size_t knob) {
+    animate(knob, false);
     if (knob < knobs_.size()) setValue(knob, std::vector<double>(knobs_[knob].initial));
 }
 
@@ -261,7 +337,9 @@ Surroundings Session::surroundings(TransformMode mode) const {
     }
     Surroundings around;
     if (!draw) return around;
-    around.projection = view.projection(draw->projection, static_cast<double>(width_) / height_);
+    const double size = shrinking();
+    around.projection = scene::scaling({size, size, 1}) *
+                        view.projection(draw->projection, static_cast<double>(width_) / height_);
     if (mode == TransformMode::object)
         around.after = view.modelView(*draw);
     else
@@ -275,6 +353,39 @@ void Session::drag(TransformMode mode, const Drag& drag) {
     const glm::dmat4 after = mode == TransformMode::texture ? draggedTexture(before, drag)
                                                             : dragged(before, drag, surroundings(mode));
     setTransform(mode, render::asNumbers(after));
+}
+
+void Session::nextProjection() {
+    bool isDeep = false, isFlat = false;
+    if (live_)
+        for (const scene::Draw* each : windowDraws(live_->scene())) {
+            isDeep = isDeep || std::holds_alternative<scene::Perspective>(each->projection);
+            isFlat = isFlat || std::holds_alternative<scene::Orthographic>(each->projection);
+        }
+    std::vector<ProjectionMode> round{ProjectionMode::scene};
+    if (isDeep) round.push_back(ProjectionMode::orthographic);
+    if (isFlat) round.push_back(ProjectionMode::perspective);
+    const auto now = std::find(round.begin(), round.end(), view_.projection);
+    ViewState view = view_;
+    view.projection = now == round.end() || now + 1 == round.end() ? ProjectionMode::scene : *(now + 1);
+    setView(std::move(view));
+}
+
+void Session::setMeasuresObjects(bool on) {
+    if (on == measuresObjects_) return;
+    measuresObjects_ = on;
+    objectTimer_.forget();
+    isStale_ = isStale_ || on;
+}
+
+void Session::keepTextures() {
+    if (!live_) return;
+    Diagnostics diagnostics;
+    if (live_->keepTextures(diagnostics)) {
+        debugRenderer_.reset();
+        isStale_ = true;
+    }
+    for (Diagnostic& each : diagnostics) addOnce(diagnostics_, std::move(each));
 }
 
 void Session::setAxes(bool on) {
@@ -345,6 +456,7 @@ bool Session::pressKey(std::string_view key) {
         for (std::size_t i = 0; i < knobs_.size() && !each.values.empty(); ++i) {
             if (knobs_[i].program || knobs_[i].tag != each.variable) continue;
             const auto now = std::find(each.values.begin(), each.values.end(), knobs_[i].current);
+            animate(i, false);
             const bool isLast = now == each.values.end() || now + 1 == each.values.end();
             setValue(i, isLast ? each.values.front() : *(now + 1));
         }
@@ -354,6 +466,7 @@ bool Session::pressKey(std::string_view key) {
 
 void Session::restart() {
     clock_.setTime(0);
+    moveAnimations();
     if (live_) live_->restart();
     isStale_ = true;
 }
@@ -372,15 +485,19 @@ void Session::nextStep() {
 
 void Session::setClock(const Clock& clock) {
     isStale_ = isStale_ || (clock.time() != clock_.time() && live_ && live_->isAnimated());
+    const bool isOtherTime = clock.time() != clock_.time();
     clock_ = clock;
+    if (isOtherTime) moveAnimations();
 }
 
 void Session::advance(double seconds) {
-    if (clock_.advance(seconds) && live_ && live_->isAnimated()) isStale_ = true;
+    if (!usesTime() || !clock_.advance(seconds)) return;
+    if (live_->isAnimated()) isStale_ = true;
+    moveAnimations();
 }
 
 bool Session::isMoving() const {
-    return live_ && clock_.isPlaying() && clock_.speed() != 0 && live_->isAnimated();
+    return clock_.isPlaying() && clock_.speed() != 0 && usesTime();
 }
 
 void Session::resize(int width, int height) {
@@ -391,29 +508,87 @@ void Session::resize(int width, int height) {
     height_ = height;
 }
 
+void Session::setSamples(int samples) {
+    samples = std::clamp(samples, 1, context_.capabilities().maxSamples);
+    if (samples == samples_) return;
+    samples_ = samples;
+    target_.reset();
+    isStale_ = true;
+}
+
+void Session::setWholeShape(double aspect) {
+    wholeShape_ = aspect;
+    // How far the eye is moved back, on which this depends too, is known only after a frame.
+    isStale_ = isStale_ || shrinking() != drawnShrinking_;
+}
+
+/// How much smaller a perspective must be drawn so that its whole shape fits; 1 or less.
+double Session::shrinking() const {
+    if (!live_ || !(wholeShape_ > 0) || live_->eyeDistance() != 0)
+        return 1;  // an eye that was moved back sees all
+    const scene::Draw* last = nullptr;
+    for (const scene::Draw* each : windowDraws(live_->scene()))
+        if (!std::holds_alternative<scene::ClipSpace>(each->projection)) last = each;
+    if (last == nullptr || !std::holds_alternative<scene::Perspective>(last->projection)) return 1;
+    return std::min(1.0, static_cast<double>(width_) / height_ / wholeShape_);
+}
+
+/// The view as it is drawn: what makes the scene smaller is part of the projection, as the scene's transform
+/// is.
+ViewState Session::shownView() const {
+    ViewState view = view_;
+    if (const double size = shrinking(); size != 1)
+        view.scene = render::asNumbers(scene::scaling({size, size, 1}) * render::asMatrix(view_.scene));
+    return view;
+}
+
 Diagnostics Session::drawShown() {
-    if (debugView_ == DebugView::picture) return live_->draw(*target_, view_, clock_.time(), axes_);
+    drawnShrinking_ = shrinking();
+    // Frames of a moving scene allocate no memory, so the view is copied only if it differs.
+    std::optional<ViewState> smaller;
+    const ViewState& shown = drawnShrinking_ == 1 ? view_ : smaller.emplace(shownView());
     Diagnostics diagnostics;
+    if (debugView_ == DebugView::picture) {
+        if (!measuresObjects_) return live_->draw(*target_, shown, clock_.time(), axes_);
+        live_->moveTo(width_, height_, clock_.time(), diagnostics);  // before the drawer is used
+        if (!isMoving()) objectTimer_.forget();                      // single frames have nothing in common
+        objectTimer_.begin(live_->drawer(), live_->plan());
+        append(diagnostics, live_->draw(*target_, shown, clock_.time(), axes_));
+        objectTimer_.end(live_->drawer());
+        return diagnostics;
+    }
+    objectTimer_.forget();
     if (live_->moveTo(width_, height_, clock_.time(), diagnostics)) debugRenderer_.reset();
     if (!debugRenderer_) debugRenderer_.emplace(context_, *live_);
     append(diagnostics,
-           debugRenderer_->draw(*target_, view_, {debugView_, normalLength_, clock_.time(), axes_}));
+           debugRenderer_->draw(*target_, shown, {debugView_, normalLength_, clock_.time(), axes_}));
     return diagnostics;
+}
+
+/// Makes the target anew if its size or its samples differ. Returns false if there is no memory for it.
+bool Session::makeTarget(std::optional<gpu::Target>& target, int samples) {
+    if (target && target->width() == width_ && target->height() == height_ &&
+        (target->samples() > 1) == (samples > 1))
+        return true;
+    target.reset();
+    Result<gpu::Target> made =
+        gpu::Target::window(context_.capabilities(), width_, height_, gpu::TexelFormat::rgba8, samples,
+                            gpu::TexelFormat::depth24_stencil8);
+    if (!made) {
+        append(diagnostics_, std::move(made.diagnostics));
+        return false;
+    }
+    target = std::move(made.value);
+    return true;
 }
 
 bool Session::drawIfNeeded() {
     if (!isStale_ || !live_) return false;
-    if (!target_ || target_->width() != width_ || target_->height() != height_) {
-        target_.reset();
-        Result<gpu::Target> made =
-            gpu::Target::window(context_.capabilities(), width_, height_, gpu::TexelFormat::rgba8, 1,
-                                gpu::TexelFormat::depth24_stencil8);
+    // Debug views show numbers, which must not be mixed.
+    const bool isMixed = debugView_ == DebugView::picture || debugView_ == DebugView::normals;
+    if (!makeTarget(target_, isMixed ? samples_ : 1)) {
         isStale_ = false;
-        if (!made) {
-            append(diagnostics_, std::move(made.diagnostics));
-            return false;
-        }
-        target_ = std::move(made.value);
+        return false;
     }
     for (Diagnostic& each : drawShown()) addOnce(diagnostics_, std::move(each));
     isStale_ = false;
@@ -421,11 +596,33 @@ bool Session::drawIfNeeded() {
     return true;
 }
 
+const gpu::Target* Session::plainPicture() {
+    if (!live_ || !target_ || target_->samples() == 1) return picture();
+    if (plain_ && plainFrame_ == framesDrawn_ && plain_->width() == width_ && plain_->height() == height_)
+        return &*plain_;
+    if (!makeTarget(plain_, 1)) return nullptr;
+    for (Diagnostic& each : live_->draw(*plain_, shownView(), clock_.time(), axes_))
+        addOnce(diagnostics_, std::move(each));
+    plainFrame_ = framesDrawn_;
+    return &*plain_;
+}
+
 void Session::pickAt(int x, int y) {
     drawIfNeeded();
-    if (live_ && target_) picked_ = pick(*live_, *target_, clock_.time(), x, y);
+    if (const gpu::Target* plain = plainPicture(); live_ && plain)
+        picked_ = pick(*live_, *plain, clock_.time(), x, y);
+    plainFrame_ = 0;
     // Picking draws the pixel without the debug view.
     if (debugView_ != DebugView::picture) isStale_ = true;
+}
+
+ProbedPixel Session::probe(int x, int y) {
+    drawIfNeeded();
+    if (!live_ || !target_) return {};
+    ProbedPixel pixel =
+        probePixel(context_, *live_, target_->width(), target_->height(), clock_.time(), x, y);
+    if (debugRenderer_) debugRenderer_->forgetPlan();
+    return pixel;
 }
 
 void Session::clearPick() {
@@ -434,11 +631,14 @@ void Session::clearPick() {
 
 RenderOptions Session::renderOptions(int width, int height) const {
     RenderOptions options = options_;
+    options.texts.clear();
     options.width = width > 0 ? width : width_;
     options.height = height > 0 ? height : height_;
     options.time = clock_.time();
     options.axes = axes_;
-    options.viewState = view_;
+    options.labels = labels_;
+    if (!chosenFiles_.empty()) options.sceneText = textWithFiles();
+    options.viewState = shownView();
     for (const Knob& each : knobs_)
         if (each.isChanged()) options.set.push_back(setArgument(live_->scene(), each, knobs_));
     return options;
@@ -451,6 +651,7 @@ std::string Session::onlyOnScreen() const {
     if (debugView_ != DebugView::picture) add("the debug view '" + std::string(nameOf(debugView_)) + "'");
     if (!camera_.empty()) add("the camera '" + camera_ + "'");
     if (live_ && live_->readsMouse() && mouse_ != Mouse{}) add("the mouse");
+    if (!options_.texts.empty()) add("text that is not saved");
     return words;
 }
 

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,11 +15,15 @@
 #include "gpu/context/context.h"
 #include "gpu/object/target.h"
 #include "view/debug_view/debug_renderer.h"
+#include "view/debug_view/pixel_probe.h"
+#include "view/edit/save_values.h"
 #include "view/scene/knobs.h"
 #include "view/scene/live_scene.h"
 #include "view/scene/pick.h"
 #include "view/scene/transforms.h"
+#include "view/session/animation.h"
 #include "view/session/clock.h"
+#include "view/session/object_timer.h"
 
 namespace glibra::view {
 
@@ -34,6 +39,18 @@ class Session {
     /// Loads the scene and its files again; values, view and time stay. Returns false if the scene cannot be
     /// read; the earlier state stays then, unless memory ran out and hasScene() is false.
     bool reload();
+    /// Chooses a file for a statement of the scene that names none; the next reload() uses it. Returns what
+    /// is wrong; empty on success. open() forgets the choices.
+    std::string chooseFile(const Place& place, const std::filesystem::path& file);
+    [[nodiscard]] const std::vector<ChosenFile>& chosenFiles() const { return chosenFiles_; }
+    void forgetChosenFiles() { chosenFiles_.clear(); }
+    /// With it, loading reports each executed statement (glib-N02), as if the scene said Verbose.
+    [[nodiscard]] bool isVerbose() const { return isVerbose_; }
+    void setVerbose(bool on) { isVerbose_ = on; }
+    /// The next loading takes these texts in place of what the files have (RenderOptions::texts). open()
+    /// forgets them.
+    void setTexts(std::map<std::filesystem::path, std::string> texts) { options_.texts = std::move(texts); }
+    [[nodiscard]] const std::map<std::filesystem::path, std::string>& texts() const { return options_.texts; }
     [[nodiscard]] bool hasScene() const { return live_ != nullptr; }
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
     /// How often a scene was loaded. Whatever was derived from live() before the last loading is out of date.
@@ -55,6 +72,14 @@ class Session {
     void setValue(std::size_t knob, std::vector<double> values);
     void resetValue(std::size_t knob);
     void resetValues();
+    /// Begins or ends an animation of a knob with a range between its ends. It follows the clock, which
+    /// begins to play. At the end the knob keeps the value that it has.
+    void animate(std::size_t knob, bool on);
+    [[nodiscard]] bool isAnimated(std::size_t knob) const;
+    /// Ends all animations and returns their knobs to the values from before. Returns false if there is none.
+    bool undoAnimations();
+    /// The knob's values, or those from before its animation.
+    [[nodiscard]] const std::vector<double>& restingValue(std::size_t knob) const;
     /// Sets a value given as "NAME=VALUE", as on the command line. Returns what is wrong with it.
     Diagnostics setByText(const std::string& argument);
 
@@ -66,10 +91,24 @@ class Session {
     void drag(TransformMode mode, const Drag& drag);
     [[nodiscard]] Matrix transform(TransformMode mode) const;
     void setTransform(TransformMode mode, const Matrix& matrix);
+    /// The next projection in a round: as in the scene, orthographic if the scene draws in perspective,
+    /// perspective if it draws in an orthographic box.
+    void nextProjection();
     [[nodiscard]] bool axes() const { return axes_; }
     void setAxes(bool on);
+    /// The corner that shows the values; it affects hardcopies and suite shots, not picture().
+    [[nodiscard]] LabelCorner labels() const { return labels_; }
+    void setLabels(LabelCorner corner) { labels_ = corner; }
     [[nodiscard]] bool wireframe() const { return wireframe_; }
     void setWireframe(bool on);
+    /// Whether every frame measures how long its objects take. Frames are then drawn whole, without what is
+    /// kept from the frame before.
+    [[nodiscard]] bool measuresObjects() const { return measuresObjects_; }
+    void setMeasuresObjects(bool on);
+    /// The result; nothing without a frame since it was turned on, and in debug views. See ObjectTimer.
+    [[nodiscard]] std::optional<double> objectMilliseconds() const { return objectTimer_.milliseconds(); }
+    /// Every texture keeps its content after a frame, for the inspector. See LiveScene::keepTextures.
+    void keepTextures();
     /// What is shown in place of the picture. It affects neither `glibra render` nor hardcopies.
     [[nodiscard]] DebugView debugView() const { return debugView_; }
     void setDebugView(DebugView kind);
@@ -100,8 +139,11 @@ class Session {
 
     [[nodiscard]] const Clock& clock() const { return clock_; }
     void setClock(const Clock& clock);
-    /// Reports that `seconds` of real time have passed.
+    /// Reports that `seconds` of real time have passed. The time of a scene that does not use it stands
+    /// still.
     void advance(double seconds);
+    /// True if the picture depends on the time.
+    [[nodiscard]] bool usesTime() const { return live_ && (live_->isAnimated() || !animations_.empty()); }
     /// True if the picture changes by itself: time advances and a program reads it.
     [[nodiscard]] bool isMoving() const;
 
@@ -109,6 +151,12 @@ class Session {
     void resize(int width, int height);
     [[nodiscard]] int width() const { return width_; }
     [[nodiscard]] int height() const { return height_; }
+    /// Sets the samples per pixel on the screen, limited to what the driver has; 0 or 1: one. Hardcopies and
+    /// renderOptions() keep theirs.
+    void setSamples(int samples);
+    /// Sets the shape that a perspective shows whole: width / height; 0: a perspective keeps its vertical
+    /// angle. In pictures that are narrower, the scene then becomes smaller, and nothing of it is cropped.
+    void setWholeShape(double aspect);
 
     /// Marks the picture as out of date, after something else was drawn into it.
     void setNeedsFrame() { isStale_ = true; }
@@ -116,8 +164,13 @@ class Session {
     bool drawIfNeeded();
     /// The last picture; null before the first.
     [[nodiscard]] const gpu::Target* picture() const { return target_ ? &*target_ : nullptr; }
+    /// The same picture with one sample per pixel and readable depth; drawn for this if the screen has more.
+    const gpu::Target* plainPicture();
     [[nodiscard]] std::uint64_t framesDrawn() const { return framesDrawn_; }
 
+    /// What the fragment of the last frame at that pixel has: its inputs, outputs and uniforms (probePixel).
+    /// x counts to the right, y downwards.
+    ProbedPixel probe(int x, int y);
     /// Picks the object at that pixel (x to the right, y downwards); the background picks none.
     void pickAt(int x, int y);
     void clearPick();
@@ -135,7 +188,13 @@ class Session {
     void take(LiveScene::Loading loading, bool sameScene);
     void dropScene();
     Diagnostics drawShown();
+    [[nodiscard]] ViewState shownView() const;
+    [[nodiscard]] double shrinking() const;
+    bool makeTarget(std::optional<gpu::Target>& target, int samples);
+    void moveAnimations();
     void applyValue(std::size_t knob);
+    [[nodiscard]] std::optional<std::string> textWithFiles() const;
+    [[nodiscard]] RenderOptions loadOptions() const;
     [[nodiscard]] Surroundings surroundings(TransformMode mode) const;
     [[nodiscard]] const scene::Draw* pickedDraw() const;
 
@@ -154,12 +213,20 @@ class Session {
         bool isDown = false;
         friend bool operator==(const Mouse&, const Mouse&) = default;
     } mouse_;
-    bool axes_ = false, wireframe_ = false;
+    bool axes_ = false, wireframe_ = false, isVerbose_ = false, measuresObjects_ = false;
+    LabelCorner labels_ = LabelCorner::none;
+    std::vector<ChosenFile> chosenFiles_;
+    ObjectTimer objectTimer_;
     DebugView debugView_ = DebugView::picture;
     double normalLength_ = kUsualNormalLength;
     std::optional<DebugRenderer> debugRenderer_;  ///< made for live_
     int width_ = 600, height_ = 600;
+    int samples_ = 1;
+    double wholeShape_ = 0, drawnShrinking_ = 1;
     std::optional<gpu::Target> target_;
+    std::optional<gpu::Target> plain_;  ///< plainPicture() of frame number `plainFrame_`
+    std::uint64_t plainFrame_ = 0;
+    std::vector<Animation> animations_;
     bool isStale_ = true;
     std::uint64_t framesDrawn_ = 0, timesLoaded_ = 0;
     std::optional<Picked> picked_;

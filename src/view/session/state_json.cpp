@@ -35,14 +35,17 @@ const char* wordOf(Widget widget) {
 
 Json knobsJson(const Session& session) {
     Json knobs = Json::array();
-    for (const Knob& each : session.knobs())
+    for (std::size_t i = 0; i < session.knobs().size(); ++i) {
+        const Knob& each = session.knobs()[i];
         knobs.push_back({{"program", each.title},
                          {"tag", each.tag},
                          {"widget", wordOf(each.widget)},
                          {"minimum", each.minimum},
                          {"maximum", each.maximum},
                          {"initial", each.initial},
-                         {"current", each.current}});
+                         {"current", each.current},
+                         {"animated", session.isAnimated(i)}});
+    }
     return knobs;
 }
 
@@ -76,11 +79,13 @@ nlohmann::ordered_json stateOf(const Session& session) {
               {"playing", session.clock().isPlaying()},
               {"speed", session.clock().speed()},
               {"moving", session.isMoving()},
+              {"animated", session.usesTime()},
               {"axes", session.axes()},
               {"wireframe", session.wireframe()},
               {"debugView", nameOf(session.debugView())},
               {"width", session.width()},
               {"height", session.height()},
+              {"samples", session.picture() ? session.picture()->samples() : 0},
               {"view", viewJson(session.view())},
               {"camera", session.camera()},
               {"knobs", knobsJson(session)},
@@ -94,7 +99,10 @@ nlohmann::ordered_json stateOf(const Session& session) {
     if (const auto& picked = session.picked())
         json["picked"] = {{"line", picked->draw.line},
                           {"word", picked->word},
-                          {"eye", {picked->eye.x, picked->eye.y, picked->eye.z}}};
+                          {"eye", {picked->eye.x, picked->eye.y, picked->eye.z}},
+                          {"centre", {picked->centre.x, picked->centre.y, picked->centre.z}}};
+    json["measuresObjects"] = session.measuresObjects();
+    if (const auto time = session.objectMilliseconds()) json["objectMilliseconds"] = *time;
     return json;
 }
 

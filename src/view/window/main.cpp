@@ -72,19 +72,25 @@ int start(int argc, char** argv) {
     line.repeated("--set", arguments.set,
                   "value of a uniform: NAME=VALUE, or PROGRAM:NAME=VALUE for one program");
     line.option("--size", size, "size of the picture in pixels: WIDTHxHEIGHT");
+    int samples = -1;
+    line.option("--samples", samples,
+                "smooth edges on the screen: samples per pixel (the setting, at first 4; 0 or 1: none)")
+        .within(0, 32);
     line.option("--time", arguments.options.time, "time at the start, in seconds").within(0.0, 1e9);
     line.flag("--paused", arguments.paused, "start with the time paused");
-    line.flag("--axes", arguments.options.axes, "draw axes two units long");
+    line.flag("--axes", arguments.options.axes, "draw axes 1.5 units long");
     line.choice("--eye,--view", arguments.options.view,
                 std::vector<std::pair<const char*, glibra::ViewPolicy>>{
                     {"auto", glibra::ViewPolicy::automatic}, {"glman", glibra::ViewPolicy::glman}},
                 "auto: move the eye back if the scene surrounds it; glman: never");
     line.option("--state", arguments.stateFile,
-                "write the window's state to this file as JSON whenever it changes");
-    line.option("--record", arguments.recordFile, "record the input of every frame in this file");
+                "write the window's state to this file as JSON whenever it changes")
+        .written();
+    line.option("--record", arguments.recordFile, "record the input of every frame in this file").written();
     line.option("--replay", arguments.replayFile, "play the recorded input of this file, then quit")
         .existingFile();
     if (const std::optional<int> status = program.parse(argc, argv)) return *status;
+    if (samples >= 0) arguments.samples = samples;
     arguments.scenes.assign(scenes.begin(), scenes.end());
     if (!thumbnails.empty())
         return glibra::view::makeThumbnails(thumbnails, arguments.scenes, libraryRoots());

@@ -23,8 +23,8 @@ std::set<std::string> missingNames(const LiveScene& live) {
 
 }  // namespace
 
-Tabs::Tabs(gpu::Context& context, RenderOptions options, Shared& shared, float scale)
-    : context_(context), options_(std::move(options)), shared_(shared), scale_(scale) {
+Tabs::Tabs(gpu::Context& context, RenderOptions options, Shared& shared)
+    : context_(context), options_(std::move(options)), shared_(shared) {
     add();
 }
 
@@ -39,6 +39,11 @@ void Tabs::add() {
     tabs_.push_back(std::make_unique<Tab>(context_, options_, shared_, nextId_++));
     tabs_.back()->ui.scale = scale_;
     show(tabs_.size() - 1);
+}
+
+void Tabs::setScale(float scale) {
+    scale_ = scale;
+    for (const std::unique_ptr<Tab>& each : tabs_) each->ui.scale = scale;
 }
 
 void Tabs::show(std::size_t tab) {

@@ -28,7 +28,7 @@ struct Tab {
 class Tabs {
   public:
     /// Begins with one empty tab. `context` and `shared` must outlive this.
-    Tabs(gpu::Context& context, RenderOptions options, Shared& shared, float scale);
+    Tabs(gpu::Context& context, RenderOptions options, Shared& shared);
 
     Tab& shown() { return *tabs_[shown_]; }
     Tab& at(std::size_t tab) { return *tabs_[tab]; }
@@ -37,6 +37,8 @@ class Tabs {
 
     /// The index of the tab with that scene; count() if there is none.
     [[nodiscard]] std::size_t find(const std::filesystem::path& scene) const;
+    /// Sets the scale of texts and widgets.
+    void setScale(float scale);
     /// Adds an empty tab and shows it.
     void add();
     void show(std::size_t tab);
@@ -61,7 +63,7 @@ class Tabs {
     gpu::Context& context_;
     RenderOptions options_;
     Shared& shared_;
-    float scale_;
+    float scale_ = 1;
     int nextId_ = 0;
     std::vector<std::unique_ptr<Tab>> tabs_;
     std::size_t shown_ = 0;

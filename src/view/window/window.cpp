@@ -1,5 +1,7 @@
 #include "view/window/window.h"
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
 #include <glad/gl.h>
@@ -13,6 +15,8 @@
 
 #include "gpu/context/context.h"
 #include "image/file.h"
+#include "view/browse/example_scenes.h"
+#include "view/edit/save_values.h"
 #include "view/scene/file_watch.h"
 #include "view/session/frame_pacer.h"
 
@@ -20,8 +24,8 @@
 #include "view/window/panels/ui.h"
 #include "view/window/platform/display.h"
 #include "view/window/platform/gui.h"
+#include "view/window/platform/input_queue.h"
 #include "view/window/platform/input_script.h"
-#include "view/window/platform/key_queue.h"
 #include "view/window/platform/theme.h"
 #include "view/window/tabs.h"
 #include "view/window/window_json.h"
@@ -42,6 +46,16 @@ double secondsSince(RealClock::time_point start) {
 
 double now() {
     return std::chrono::duration<double>(RealClock::now().time_since_epoch()).count();
+}
+
+std::vector<UnsavedValues> unsavedValues(const Session& session) {
+    if (!session.hasScene() || !hasChangedValues(session.knobs())) return {};
+    return {{session.path(), session.knobs(), session.chosenFiles()}};
+}
+
+/// The same without those of an example, which cannot be saved into it.
+std::vector<UnsavedValues> ownUnsavedValues(const Session& session) {
+    return isExample(session.path()) ? std::vector<UnsavedValues>() : unsavedValues(session);
 }
 
 class Window {
@@ -67,10 +81,13 @@ class Window {
     void waitForWork();
     bool nextInput();
     void record();
+    int samplesOfFrame();
+    bool isPassedOver();
     void drawFrame();
     void present();
     void writeState();
     void saveSettings();
+    void followScale();
 
     const WindowArguments& arguments_;
     Display& display_;
@@ -84,26 +101,37 @@ class Window {
     std::vector<int> replayedKeys_;
     std::vector<std::string> dropped_, recordedDrops_;
     std::pair<int, int> recordedSize_;
-    KeyQueue keys_;
+    InputQueue input_;
     int framesWanted_ = kFramesAfterEvent;
     LoopState loop_;
     bool lightTheme_ = false;
     RealClock::time_point lastFrame_ = RealClock::now();
     FramePacer pacer_;
     std::optional<RealClock::time_point> changeSaved_;
+    bool isReloaded_ = false;  ///< the shown scene, since the last frame
+    const bool isSoftware_;    ///< the processor draws
+    bool quits_ = false;       ///< the user has agreed to what is lost
     std::string writtenState_;
+    float scale_ = 1;
     Diagnostics setProblems_;
 };
 
 Window::Window(const WindowArguments& arguments, Display& display, gpu::Context& context)
     : arguments_(arguments),
       display_(display),
-      tabs_(context, arguments.options, shared_, display.contentScale()),
+      tabs_(context, arguments.options, shared_),
       watch_([] { Display::wake(); }),
-      pacer_(display.refreshRate(), Display::hasSwapControl()) {
+      pacer_(display.refreshRate(), Display::hasSwapControl()),
+      isSoftware_(context.capabilities().isSoftware) {
     shared_.settings = readSettings(settingsFile());
     lightTheme_ = shared_.settings.lightTheme;
-    gui_.emplace(display, display.contentScale(), shared_.settings);
+    scale_ = scaleOf(display, shared_.settings);
+    tabs_.setScale(scale_);
+    shared_.settings.scaleSizes(scale_);
+    gui_.emplace(display, scale_, shared_.settings);
+    shared_.samples = arguments.samples;
+    if (arguments.options.width > 0)
+        shared_.shape = static_cast<double>(arguments.options.width) / arguments.options.height;
     shared_.marksWidgets = !arguments.stateFile.empty();
     if (!arguments.recordFile.empty()) recorder_.emplace(arguments.recordFile);
     if (!arguments.replayFile.empty()) replay_ = readInput(arguments.replayFile);
@@ -127,23 +155,33 @@ void Window::showScene(const std::filesystem::path& path) {
 }
 
 void Window::openScene(const std::filesystem::path& path, bool inNewTab) {
-    if (const std::size_t known = tabs_.find(path); known < tabs_.count() && known != tabs_.shownIndex()) {
+    if (const std::size_t known = tabs_.find(path);
+        known < tabs_.count() && (inNewTab || known != tabs_.shownIndex())) {
         tabs_.show(known);
         return updateForShownScene();
     }
     if (inNewTab && session().hasScene()) {
         tabs_.add();
-    } else if (std::vector<std::filesystem::path> files = tabs_.unsaved(tabs_.shownIndex()); !files.empty()) {
-        shared_.question = Question{Question::About::openScene, path, 0, std::move(files), {}};
-        framesWanted_ = kFramesAfterEvent;
-        return;
+    } else {
+        std::vector<std::filesystem::path> files = tabs_.unsaved(tabs_.shownIndex());
+        std::vector<UnsavedValues> values = unsavedValues(session());
+        if (!files.empty() || !values.empty()) {
+            shared_.question =
+                Question{Question::About::openScene, path, 0, std::move(files), std::move(values), {}};
+            framesWanted_ = kFramesAfterEvent;
+            return;
+        }
     }
     showScene(path);
 }
 
 void Window::closeTab(std::size_t tab) {
-    if (std::vector<std::filesystem::path> files = tabs_.unsaved(tab); !files.empty()) {
-        shared_.question = Question{Question::About::closeTab, {}, tab, std::move(files), {}};
+    std::vector<std::filesystem::path> files = tabs_.unsaved(tab);
+    std::vector<UnsavedValues> values;
+    if (tab < tabs_.count()) values = ownUnsavedValues(tabs_.at(tab).session);
+    if (!files.empty() || !values.empty()) {
+        shared_.question =
+            Question{Question::About::closeTab, {}, tab, std::move(files), std::move(values), {}};
         framesWanted_ = kFramesAfterEvent;
         return;
     }
@@ -153,9 +191,12 @@ void Window::closeTab(std::size_t tab) {
 
 void Window::quit() {
     std::vector<std::filesystem::path> files = tabs_.unsaved();
-    if (files.empty()) return display_.close();
+    std::vector<UnsavedValues> values;
+    for (std::size_t i = 0; i < tabs_.count(); ++i)
+        for (UnsavedValues& each : ownUnsavedValues(tabs_.at(i).session)) values.push_back(std::move(each));
+    if (files.empty() && values.empty()) return display_.close();
     display_.keepOpen();
-    shared_.question = Question{Question::About::quit, {}, 0, std::move(files), {}};
+    shared_.question = Question{Question::About::quit, {}, 0, std::move(files), std::move(values), {}};
     framesWanted_ = kFramesAfterEvent;
 }
 
@@ -164,11 +205,13 @@ void Window::handleAnswer() {
     if (!answer || !answer->isConfirmed) return;
     switch (answer->question.about) {
         case Question::About::openScene:
+            if (answer->inNewTab) tabs_.add();
             return showScene(answer->question.scene);
         case Question::About::closeTab:
             tabs_.close(answer->question.tab);
             return updateForShownScene();
         case Question::About::quit:
+            quits_ = true;
             return display_.close();
     }
 }
@@ -184,6 +227,7 @@ void Window::reloadIfNeeded() {
     tab.session.reload();
     loop_.loadMilliseconds = secondsSince(start) * kMilliseconds;
     ++loop_.reloads;
+    isReloaded_ = true;
     if (isEdit) changeSaved_ = change.saved;
     tabs_.watch(watch_);
     framesWanted_ = kFramesAfterEvent;
@@ -219,7 +263,7 @@ void Window::handleRequests() {
     }
     if (requests.open) openScene(*requests.open, requests.inNewTab);
     if (requests.closeTab) closeTab(*requests.closeTab);
-    if (requests.close || !display_.isOpen()) quit();
+    if (!quits_ && (requests.close || !display_.isOpen())) quit();
     if (shared_.examples.maker && shared_.examples.maker->hasFinished()) framesWanted_ = kFramesAfterEvent;
     if (shared_.settings.lightTheme != lightTheme_) {
         lightTheme_ = shared_.settings.lightTheme;
@@ -228,10 +272,21 @@ void Window::handleRequests() {
     }
 }
 
+/// Texts and widgets follow the screen's scale and the user's zoom.
+void Window::followScale() {
+    const float wanted = scaleOf(display_, shared_.settings);
+    if (!(wanted > 0) || wanted == scale_) return;
+    gui_->rescale(display_, scale_, wanted, shared_.settings);
+    shared_.settings.scaleSizes(wanted / scale_);
+    scale_ = wanted;
+    tabs_.setScale(wanted);
+    framesWanted_ = kFramesAfterEvent;
+}
+
 bool Window::hasWork() {
     for (std::size_t i = 0; i < tabs_.count(); ++i)
         if (tabs_.at(i).ui.hardcopy.job) return true;
-    return framesWanted_ > 0 || session().isMoving() || replayed_ < replay_.size();
+    return framesWanted_ > 0 || ui().needsFrames || session().isMoving() || replayed_ < replay_.size();
 }
 
 void Window::waitForWork() {
@@ -255,13 +310,14 @@ bool Window::nextInput() {
     if (replayed_ >= replay_.size()) return false;
     const FrameInput& frame = replay_[replayed_++];
     replaceInput(frame);
+    ui().way = frame.way;
     if (frame.windowSize) display_.setSize(frame.windowSize->first, frame.windowSize->second);
     if (frame.open) ui().requests.open = *frame.open;
     dropped_ = frame.dropped;
-    const bool control = ImGui::GetIO().KeyCtrl;
+    const ImGuiIO& io = ImGui::GetIO();
     for (const int key : frame.keys)
         if (std::find(replayedKeys_.begin(), replayedKeys_.end(), key) == replayedKeys_.end())
-            ui().pressed.push_back({key, control});
+            ui().pressed.push_back({key, io.KeyCtrl, io.KeyShift});
     replayedKeys_ = frame.keys;
     framesWanted_ = kFramesAfterEvent;
     return true;
@@ -269,9 +325,24 @@ bool Window::nextInput() {
 
 void Window::record() {
     FrameInput frame = currentInput();
+    if (ui().way.size() > 1) frame.way = ui().way;
     if (const auto size = display_.size(); size != recordedSize_) frame.windowSize = recordedSize_ = size;
     frame.dropped = std::exchange(recordedDrops_, {});
     recorder_->add(frame);
+}
+
+/// Samples per pixel of this frame. A software rasteriser compiles a program once for one sample and once for
+/// several, which takes twice as long; so there the first picture after an edit has one sample, and the next
+/// frame is smooth again.
+int Window::samplesOfFrame() {
+    if (std::exchange(isReloaded_, false) && isSoftware_) return 1;
+    return shared_.samples.value_or(shared_.settings.samples);
+}
+
+/// True if more input is waiting, so that this frame of a slow scene need not be drawn: the next one will be.
+bool Window::isPassedOver() {
+    return input_.isWaiting() && session().hasScene() && session().picture() != nullptr &&
+           !session().live().readsMouse();
 }
 
 void Window::drawFrame() {
@@ -280,14 +351,19 @@ void Window::drawFrame() {
     pacer_.begin(now());
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
-    keys_.add(display_.takeKeyEvents());
-    ui().pressed = keys_.begin();
+    input_.add(display_.takeInput());
+    InputQueue::Frame input = input_.next();
+    giveToImGui(input_, input);
+    ui().pressed = std::move(input.pressed);
+    ui().way = std::move(input.way);
     const bool isReplayed = nextInput();
     if (recorder_) record();
     for (std::size_t i = 0; i < tabs_.count(); ++i) continueHardcopy(tabs_.at(i).ui);
     Ui& ui = tabs_.shown().ui;
     ui.session.advance(isReplayed ? 1.0 / 60 : passed);
     tabs_.updateTitles();
+    // Outside of text fields, Tab chooses sliders (value_slider.h).
+    ImGui::GetIO().KeyMap[ImGuiKey_Tab] = ImGui::GetIO().WantTextInput ? GLFW_KEY_TAB : -1;
     ImGui::NewFrame();
     showAll(ui);
     if (!ImGui::IsAnyItemActive() && ui.dragButton < 0 && ui.session.hasScene())
@@ -301,8 +377,10 @@ void Window::drawFrame() {
     }
     const float perUnit = static_cast<float>(width) / static_cast<float>(windowWidth);
     ui.session.resize(static_cast<int>(ui.picture[2] * perUnit), static_cast<int>(ui.picture[3] * perUnit));
+    ui.session.setSamples(samplesOfFrame());
+    ui.session.setWholeShape(shared_.settings.pictureShape == PictureShape::fill ? shapeOf(ui) : 0);
     const RealClock::time_point start = RealClock::now();
-    ui.session.drawIfNeeded();
+    if (!isPassedOver()) ui.session.drawIfNeeded();
     if (changeSaved_) {
         // Drivers compile a program at its first draw; this measures how long that takes.
         glFinish();
@@ -310,14 +388,15 @@ void Window::drawFrame() {
     }
     pictureOverlay(ui);
     present();
-    framesWanted_ = keys_.isWaiting() ? kFramesAfterEvent : framesWanted_ - 1;
+    framesWanted_ = input_.isWaiting() ? kFramesAfterEvent : framesWanted_ - 1;
 }
 
 void Window::present() {
     const auto [width, height] = display_.framebufferSize();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glDisable(GL_SCISSOR_TEST);
-    glClearColor(.1F, .1F, .1F, 1);
+    const Color& well = palette().well;
+    glClearColor(well.r, well.g, well.b, 1);
     glClear(GL_COLOR_BUFFER_BIT);
     const float perUnit = static_cast<float>(width) / static_cast<float>(std::max(1, display_.size().first));
     if (const gpu::Target* picture = session().picture()) {
@@ -353,9 +432,12 @@ void Window::writeState() {
 }
 
 void Window::saveSettings() {
-    std::tie(shared_.settings.windowWidth, shared_.settings.windowHeight) = display_.size();
-    shared_.settings.layout = ImGui::SaveIniSettingsToMemory();
-    writeSettings(shared_.settings, settingsFile());
+    Settings kept = shared_.settings;
+    std::tie(kept.windowWidth, kept.windowHeight) = display_.size();
+    kept.layout = ImGui::SaveIniSettingsToMemory();
+    kept.layoutScale = scale_;
+    kept.scaleSizes(1 / scale_);
+    writeSettings(kept, settingsFile());
 }
 
 void Window::openInitialScenes() {
@@ -378,12 +460,19 @@ void Window::openInitialScenes() {
 void Window::setSize() {
     const Settings& settings = shared_.settings;
     if (!session().hasScene()) return;
-    if (arguments_.options.width == 0 && settings.windowWidth > 0)
-        return display_.setSize(settings.windowWidth, settings.windowHeight);
+    const int panel = static_cast<int>(panelWidth(ui()));
+    if (arguments_.options.width > 0)
+        return display_.setSize(arguments_.options.width + panel, arguments_.options.height);
     const scene::Scene& scene = session().live().scene();
-    const int width = arguments_.options.width > 0 ? arguments_.options.width : scene.width;
-    const int height = arguments_.options.height > 0 ? arguments_.options.height : scene.height;
-    display_.setSize(width + static_cast<int>(panelWidth(ui())), height);
+    const auto scaled = [&](int side) {
+        return static_cast<int>(std::lround(static_cast<float>(side) * scale_));
+    };
+    std::pair<int, int> size(scaled(scene.width) + panel, scaled(scene.height));
+    if (settings.windowWidth > 0) size = {settings.windowWidth, settings.windowHeight};
+    // On a smaller screen than before, or one that is smaller than the scene, the window still fits.
+    if (const auto room = Display::workArea())
+        size = {std::min(size.first, room->first), std::min(size.second, room->second)};
+    display_.setSize(size.first, size.second);
 }
 
 Diagnostics Window::run() {
@@ -393,6 +482,7 @@ Diagnostics Window::run() {
         waitForWork();
         handleRequests();
         reloadIfNeeded();
+        followScale();
         if (hasWork()) drawFrame();
         writeState();
         if (!replay_.empty() && replayed_ >= replay_.size()) break;

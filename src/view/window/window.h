@@ -5,6 +5,7 @@
 #include <glibra/render.h>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct WindowArguments {
     std::vector<std::string> set;               ///< "NAME=VALUE", for the first scene
     RenderOptions options;                      ///< width and height are those of the picture
     bool paused = false;
+    std::optional<int> samples;       ///< per pixel on the screen; without, as the settings say
     std::filesystem::path stateFile;  ///< JSON, written whenever the state has changed
     std::filesystem::path recordFile, replayFile;
 };

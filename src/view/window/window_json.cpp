@@ -41,6 +41,27 @@ void addTabs(Json& state, const Shared& shared) {
     state["shownTab"] = shared.shownTab;
 }
 
+/// Left, top and bottom of the text cursor, in screen coordinates.
+Json cursorOf(const Ui& ui) {
+    const auto view = ui.source.views.find(ui.source.chosen);
+    const CodeView::Corner at =
+        view == ui.source.views.end() ? CodeView::Corner() : view->second.cursorOnScreen;
+    return Json::array({at.x, at.top, at.bottom});
+}
+
+void addProbe(Json& state, const ProbeWindow& probe) {
+    Json values = Json::object();
+    if (probe.pixel)
+        for (const auto* list : {&probe.pixel->outputs, &probe.pixel->inputs, &probe.pixel->uniforms})
+            for (const ProbedValue& each : *list) values[each.name] = each.numbers;
+    state["probe"] = {{"on", probe.isOn},
+                      {"drawn", probe.pixel && probe.pixel->isDrawn},
+                      {"line", probe.pixel ? probe.pixel->draw.line : 0},
+                      {"x", probe.pixel ? probe.pixel->x : -1},
+                      {"y", probe.pixel ? probe.pixel->y : -1},
+                      {"values", values}};
+}
+
 void addSource(Json& state, const Ui& ui) {
     const SourceState& source = ui.sourceState;
     state["source"] = {{"shown", !source.file.empty()},
@@ -50,7 +71,21 @@ void addSource(Json& state, const Ui& ui) {
                        {"active", source.isActive},
                        {"changed", source.isChanged},
                        {"conflict", source.hasConflict},
-                       {"translation", ui.shownTranslation}};
+                       {"translation", ui.shownTranslation},
+                       {"cursor", cursorOf(ui)},
+                       {"live", ui.settings.compilesWhileTyping},
+                       {"compiled", ui.session.texts().size()},
+                       {"hover", ui.hoverText}};
+    const CodeAssist& assist = ui.source.assist;
+    Json words = Json::array();
+    if (assist.isOpen)
+        for (std::size_t i = 0; i < std::min<std::size_t>(assist.words.size(), 20); ++i)
+            words.push_back({{"word", assist.words[i].word}, {"type", assist.words[i].type}});
+    state["completion"] = {{"open", assist.isOpen}, {"chosen", assist.chosen}, {"words", words}};
+    state["reference"] = {{"open", assist.showsReference},
+                          {"word", assist.entry.word},
+                          {"code", assist.entry.code},
+                          {"text", assist.entry.text}};
     if (const FindBar& find = ui.source.find; find.isOpen)
         state["find"] = {{"words", find.words.data()},
                          {"replaces", find.replaces},
@@ -64,6 +99,7 @@ void addExamples(Json& state, const ExampleBrowser& examples) {
         [](const ExampleBrowser::Tile& each) { return each.thumbnail.state == Thumbnail::State::ready; });
     state["examples"] = {{"open", examples.isOpen},
                          {"scenes", examples.tiles.size()},
+                         {"found", examples.found},
                          {"pictures", pictures},
                          {"drawing", examples.maker != nullptr}};
 }
@@ -112,9 +148,15 @@ void addInspector(Json& state, const Inspector& inspector) {
 
 void addPanels(Json& state, const Ui& ui) {
     state["picture"] = ui.picture;
+    state["room"] = ui.room;
+    state["scale"] = ui.scale;
+    state["focusedSlider"] = ui.focusedName;
     state["mode"] = static_cast<int>(ui.mode);
     state["typing"] = ui.typing;
-    state["notice"] = ui.notice;
+    state["notice"] = ui.notice.text;
+    state["noticeIsError"] = ui.notice.isError;
+    state["banner"] = ui.banner;
+    addProbe(state, ui.probe);
     state["hardcopyMessage"] = ui.hardcopy.job ? std::string() : ui.hardcopy.message;
     state["lightTheme"] = ui.settings.lightTheme;
     state["inspected"] = ui.inspector.hovered;
@@ -124,6 +166,10 @@ void addPanels(Json& state, const Ui& ui) {
     addExamples(state, ui.shared.examples);
     state["folder"] = ui.shared.dialog.list.folder.string();
     state["question"] = ui.shared.question.has_value();
+    state["messageBox"] = ui.messageBox.isShown ? ui.messageBox.texts : std::vector<std::string>();
+    state["dialog"] = ui.shared.dialog.question ? ui.shared.dialog.question->title : std::string();
+    state["hardcopyFile"] = ui.hardcopy.file.data();
+    state["labels"] = ui.labels.texture && ui.showLabels ? ui.labels.lines : std::vector<std::string>();
     state["takesText"] = ImGui::GetIO().WantTextInput;
     state["suiteMessage"] = ui.suite.message;
     state["debugViewText"] = ui.debugViewText;

@@ -1,9 +1,5 @@
 #include "bare.h"
 
-#define EGL_NO_X11
-#include <EGL/egl.h>
-#include <EGL/eglext.h>
-
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
@@ -39,25 +35,6 @@ GLenum stageOf(const std::string& name) {
 void fail(const std::string& what) {
     std::fprintf(stderr, "bare: %s\n", what.c_str());
     std::exit(1);
-}
-
-void openContext() {
-    const auto getPlatformDisplay =
-        reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
-    if (!getPlatformDisplay) fail("no eglGetPlatformDisplayEXT");
-    EGLDisplay display = getPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-    if (!eglInitialize(display, nullptr, nullptr)) fail("eglInitialize");
-    eglBindAPI(EGL_OPENGL_API);
-    constexpr EGLint kAttributes[] = {EGL_CONTEXT_MAJOR_VERSION,
-                                      4,
-                                      EGL_CONTEXT_MINOR_VERSION,
-                                      5,
-                                      EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                      EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                      EGL_NONE};
-    const EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, kAttributes);
-    if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) fail("eglMakeCurrent");
-    if (gladLoadGL(eglGetProcAddress) == 0) fail("gladLoadGL");
 }
 
 GLuint link(const std::string& shaders, std::initializer_list<const char*> files) {

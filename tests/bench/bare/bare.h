@@ -1,5 +1,5 @@
 #pragma once
-// What the bare programs share: a context, programs, meshes, and one PNG. No code of glibra.
+// What the bare programs share: programs, meshes, and one PNG. No code of glibra.
 //
 // A bare program draws the picture of one scene as somebody would who writes for that picture alone: it knows
 // sizes and places, checks nothing that cannot go wrong, and makes each GL call once. Its shaders are the
@@ -17,9 +17,6 @@
 namespace bare {
 
 [[noreturn]] void fail(const std::string& what);
-
-/// An EGL context without a surface, GL 4.5 core.
-void openContext();
 
 /// Links files of the folder `shaders`; the ending of a name says which stage it is. Lines `#include "file"`
 /// are replaced by that file.

@@ -1,10 +1,14 @@
 // The bare programs for modern scenes, chosen by name.
 // Use: glibra_bare SUBJECT OUT.png REPOSITORY [SIZE [STEPS]]
 
+#define EGL_NO_X11
+#include <EGL/egl.h>
+
 #include <cstdlib>
 #include <string_view>
 
 #include "bare.h"
+#include "context.h"
 
 int main(int count, char** arguments) {
     constexpr struct {
@@ -24,6 +28,7 @@ int main(int count, char** arguments) {
     for (const auto& each : kSubjects)
         if (each.name == arguments[1]) {
             bare::openContext();
+            if (gladLoadGL(eglGetProcAddress) == 0) bare::fail("gladLoadGL");
             each.draw(given);
             return 0;
         }

@@ -10,21 +10,25 @@ import tempfile
 import time
 
 PAUSE = 0.02
+SETTINGS = '{"folds": {"view": true, "time": true}}'  # the sections that are open in tests
 HANGING = 60  # seconds after which a window counts as hanging; not a measurement
 
 
 class Desktop:
     """Xvfb and openbox; close() ends both."""
 
-    def __init__(self, width=1400, height=1100):
+    def __init__(self, width=1400, height=1100, dpi=96):
         read, write = os.pipe()
         self.server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(write), "-screen", "0", f"{width}x{height}x24", "-nolisten", "tcp"],
+            ["Xvfb", "-displayfd", str(write), "-screen", "0", f"{width}x{height}x24", "-noreset", "-nolisten", "tcp"],
             pass_fds=[write], stderr=subprocess.DEVNULL)
         os.close(write)
         with os.fdopen(read) as answer:
             self.name = ":" + answer.readline().strip()
         self.environment = dict(os.environ, DISPLAY=self.name)
+        # The density of the screen, where desktops store it.
+        subprocess.run(["xprop", "-root", "-f", "RESOURCE_MANAGER", "8s", "-set", "RESOURCE_MANAGER", f"Xft.dpi: {dpi}"],
+                       env=self.environment, check=True)
         self.manager = subprocess.Popen(["openbox"], env=self.environment, stderr=subprocess.DEVNULL)
 
     def close(self):
@@ -34,12 +38,16 @@ class Desktop:
 
 
 class Window:
-    """`glibra view SCENE ARGUMENTS...` with its own folder for settings, pictures and state. `scene` may be None."""
+    """`glibra view SCENE ARGUMENTS...` with its own folder for settings, pictures and state. `scene` may be None. Without
+    `settings`, the sections that tests look at are open."""
 
     def __init__(self, desktop, program, scene, *arguments, settings=None, variables=None):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="glibra-window-"))
         self.state_file = self.folder / "state.json"
         self.settings = settings or self.folder
+        if not settings:
+            (self.folder / "glibra").mkdir()
+            (self.folder / "glibra/view.json").write_text(SETTINGS)
         self.environment = dict(desktop.environment, XDG_CONFIG_HOME=str(self.settings),
                                 XDG_CACHE_HOME=str(self.folder / "cache"), **(variables or {}))
         self.process = subprocess.Popen(
@@ -103,7 +111,36 @@ class Window:
 
     # What a user does. Positions are relative to the window's content.
 
+    def is_whole(self, widget):
+        """True if the widget is on the screen, and not cut off at the lower edge of the window."""
+        state = self.state() or {}
+        if widget not in state.get("widgets", {}):
+            return False
+        _, top, _, height = state["widgets"][widget]
+        return top >= 0 and top + height <= state["window"][1]
+
+    def scroll_to(self, widget):
+        """Scrolls the panel until the widget is on the screen, if it has any."""
+        end = time.monotonic() + 1.5
+        while not self.is_whole(widget) and time.monotonic() < end:
+            time.sleep(PAUSE)
+        state = self.state() or {}
+        if self.is_whole(widget) or "room" not in state or state["question"]:
+            return
+        panel = state["room"][0] + state["room"][2] + 40
+        if panel >= state["window"][0]:
+            return
+        self.move(panel, state["window"][1] * 0.7)
+        for button in ("5", "4"):
+            for _ in range(20):
+                self.xdotool("click", button)
+                time.sleep(6 * PAUSE)
+                if self.is_whole(widget):
+                    self.settle()
+                    return
+
     def point(self, widget, across=0.5, down=0.5):
+        self.scroll_to(widget)
         x, y, width, height = self.wait(lambda s: widget in s["widgets"])["widgets"][widget]
         return x + width * across, y + height * down
 
@@ -151,6 +188,14 @@ class Window:
         """Drops files (paths or URIs) on the window, as a file manager does. Returns when the window has them."""
         uris = [each if "://" in str(each) else pathlib.Path(each).as_uri() for each in files]
         subprocess.run([os.environ["GLIBRA_DROP"], self.id, *uris], env=self.environment, check=True)
+
+    def keydown(self, key):
+        self.xdotool("keydown", key)
+        time.sleep(3 * PAUSE)
+
+    def keyup(self, key):
+        self.xdotool("keyup", key)
+        time.sleep(3 * PAUSE)
 
     def resize(self, width, height):
         self.xdotool("windowsize", "--sync", self.id, str(width), str(height))

@@ -49,7 +49,8 @@ class Frame(WindowTest):
         window = self.open(OVALS, "--size", "320x240")
         for width, height in ((1100, 420), (700, 820), (420, 300)):
             window.resize(width, height)
-            window.wait(lambda s: s["window"] == [width, height] and s["height"] == height)
+            state = window.wait(lambda s: s["window"] == [width, height] and s["room"][3] == height)
+            self.assertAlmostEqual(state["width"] / state["height"], 320 / 240, delta=0.02)
             self.assertShows(window, OVALS)
 
     def test_hardcopy_is_what_the_screen_shows(self):
@@ -60,7 +61,7 @@ class Frame(WindowTest):
         window.type(str(file))
         window.key("Return")
         window.click("hardcopy/write")
-        window.wait(lambda s: s["hardcopyMessage"] == f"wrote {file}")
+        window.wait(lambda s: s["hardcopyMessage"].startswith(f"written: {file}: "))
         ppm = subprocess.run(["convert", str(file), "-depth", "8", "ppm:-"], check=True, stdout=subprocess.PIPE).stdout
         width, height, screen = window.pixels()
         self.assertEqual(ppm[-3 * width * height:], screen)
@@ -99,7 +100,8 @@ class Frame(WindowTest):
         window.click("hardcopy/stop")
         message = window.wait(lambda s: s["hardcopyMessage"] and s["waiting"])["hardcopyMessage"]
         written = len(list(self.files.glob("film_*.png")))
-        self.assertEqual(message, f"stopped after {written} of 100000 frames")
+        self.assertTrue(message.startswith(f"stopped after {written} of 100000 frames; written: "), message)
+        self.assertIn(f"film_{written - 1:05}.png: {written} files of 200 x", message)
         self.assertLess(written, 100000)
 
     def test_floating_windows_stand_where_they_stood(self):

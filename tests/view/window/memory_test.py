@@ -15,7 +15,9 @@ SETTLED = 60  # frames after which everything has been allocated
 class Memory(WindowTest):
     def test_frames_of_a_moving_scene_allocate_nothing(self):
         counts = self.files / "counts"
-        environment = dict(self.desktop.environment, XDG_CONFIG_HOME=str(self.files / "settings"), LD_PRELOAD=COUNTER,
+        counter = self.files / "counter.so"
+        counter.symlink_to(COUNTER)  # LD_PRELOAD separates libraries by blanks, and COUNTER may have some
+        environment = dict(self.desktop.environment, XDG_CONFIG_HOME=str(self.files / "settings"), LD_PRELOAD=str(counter),
                            GLIBRA_ALLOCATIONS=str(counts))
         window = subprocess.Popen([PROGRAM, "view", str(self.files / "moving.glib"), "--size", "300x700"],
                                   env=environment)

@@ -6,6 +6,7 @@ import subprocess
 import sys
 import unittest
 
+from desktop import SETTINGS
 from random_input import frames
 from window_case import OVALS, PROGRAM, SOURCES, WindowTest
 
@@ -22,6 +23,9 @@ class Replay(WindowTest):
         window.key("a")
         recorded = window.wait(lambda s: s["axes"] and s["waiting"])
         window.close()
+        # The input fits only where the same sections are open.
+        (self.files / "fresh/glibra").mkdir(parents=True)
+        (self.files / "fresh/glibra/view.json").write_text(SETTINGS)
         state = self.files / "state.json"
         subprocess.run([PROGRAM, "view", str(scene), "--size", "200x560", "--replay", str(record), "--state", str(state)],
                        env=dict(self.desktop.environment, XDG_CONFIG_HOME=str(self.files / "fresh")), check=True)

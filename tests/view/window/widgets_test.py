@@ -107,13 +107,14 @@ class Widgets(WindowTest):
         window = self.open(self.files / "kinds.glib", "--size", "200x560", "--set", "uInt=5")
         window.click("copy/0")
         window.settle()
-                # Only the window can read its clipboard. Paste it into the path field and open that: the error message has
+        # Only the window can read its clipboard. Paste it into the path field and open that: the error message has
         # the text.
         window.click("uniforms/copyValues")
         window.click("scene/open")
         window.wait(lambda s: "scene/path" in s["widgets"] and s["takesText"])
         window.key("ctrl+v")
         window.key("Return")
+        window.click("question/discard")
         window.wait(lambda s: any("--set uInt=5" in m["file"] + m["text"] for m in s["messages"]))
 
 
@@ -163,7 +164,7 @@ class Mouse(WindowTest):
         window.wait(lambda s: "picked" not in s)
 
     def test_axes_projection_and_wireframe(self):
-        window = self.open(OVALS, "--size", "320x600")
+        window = self.open(OVALS, "--size", "320x760")
         window.click("view/axes")
         window.wait(lambda s: s["axes"])
         self.assertShows(window, OVALS, "--axes")
@@ -174,6 +175,7 @@ class Mouse(WindowTest):
         window.wait(lambda s: s["view"]["projection"] == "orthographic")
         self.assertShows(window, OVALS, "--projection", "orthographic")
         window.key("p")
+        window.wait(lambda s: s["view"]["projection"] == "scene")
         filled = window.pixels()[2]
         window.click("view/wireframe")
         window.wait(lambda s: s["wireframe"])

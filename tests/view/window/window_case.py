@@ -89,6 +89,9 @@ class WindowTest(unittest.TestCase):
         self.folder.cleanup()
 
     def open(self, scene, *arguments, **options):
+        """Opens a window. Its pictures have one sample per pixel, as those of `render`, unless the arguments say more."""
+        if "--samples" not in arguments:
+            arguments = (*arguments, "--samples", "1")
         window = Window(self.desktop, PROGRAM, scene, *arguments, **options)
         self.addCleanup(window.close)
         return window

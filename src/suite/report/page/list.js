@@ -1,6 +1,7 @@
 // The list of shots: groups by verdict, filtered by verdict and text, filled as far as it has been scrolled.
 
 const kChunk = 80;
+const kFirstScreen = 24;  // pictures that do not wait until they are in view, as on paper nothing ever is
 
 function element(tag, properties = {}, ...children) {
     const {data, ...others} = properties;
@@ -62,6 +63,7 @@ class List {
 
     draw() {
         this.observer.disconnect();
+        this.pictures = 0;
         const groups = [];
         for (const verdict of this.groups) {
             const shots = this.matching(verdict);
@@ -105,7 +107,8 @@ class List {
 
     item(shot) {
         const source = shot.verdict === "passed" ? shot.got || shot.expected : shot.difference || shot.got || shot.expected;
-        const picture = source ? element("img", {src: source, loading: "lazy", alt: "", decoding: "async"}) : element("span", {className: "blank"});
+        const loading = source && ++this.pictures > kFirstScreen ? "lazy" : "eager";
+        const picture = source ? element("img", {loading, src: source, alt: "", decoding: "async"}) : element("span", {className: "blank"});
         const item = element("a", {className: "shot", href: "#" + encodeURIComponent(shot.id), title: shot.id, data: {id: shot.id}},
             picture, element("span", {}, element("b", {textContent: shot.id}), element("small", {textContent: shot.reason || ""})));
         item.addEventListener("click", (event) => {

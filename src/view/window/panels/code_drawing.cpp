@@ -1,21 +1,15 @@
 #include "view/window/panels/code_drawing.h"
 
 #include <algorithm>
+#include <cctype>
 #include <string>
 #include <utility>
 
 #include "view/window/panels/syntax_colors.h"
+#include "view/window/platform/theme.h"
 
 namespace glibra::view {
 namespace {
-
-constexpr ImU32 kErrorLine = IM_COL32(220, 50, 40, 60);
-constexpr ImU32 kWarningLine = IM_COL32(230, 170, 30, 40);
-constexpr ImU32 kFound = IM_COL32(200, 160, 40, 80);
-constexpr ImU32 kFoundShown = IM_COL32(240, 150, 20, 170);
-constexpr ImU32 kErrorText = IM_COL32(255, 255, 255, 255);
-constexpr ImU32 kErrorPlate = IM_COL32(165, 35, 30, 235);
-constexpr ImU32 kWarningPlate = IM_COL32(140, 100, 10, 235);
 
 std::string_view lineText(std::string_view text, const LineStarts& starts, int line) {
     const auto index = static_cast<std::size_t>(line - 1);
@@ -24,26 +18,62 @@ std::string_view lineText(std::string_view text, const LineStarts& starts, int l
     return text.substr(begin, end - begin);
 }
 
-void drawMarks(const CodeLayout& layout, std::string_view text, const LineStarts& starts,
-               std::span<const CodeMark> marks) {
+/// The word at the place that a message names, or one character.
+TextRange markedPart(std::string_view line, int column) {
+    const auto first = std::min(static_cast<std::size_t>(std::max(1, column)) - 1, line.size());
+    const auto isOfWord = [&](std::size_t at) {
+        return at < line.size() &&
+               (std::isalnum(static_cast<unsigned char>(line[at])) != 0 || line[at] == '_');
+    };
+    std::size_t end = first;
+    while (isOfWord(end)) ++end;
+    return {first, std::max(end, first + 1)};
+}
+
+/// A wave below the part of a line.
+void underline(const CodeLayout& layout, std::string_view line, const TextRange& part, float top,
+               ImU32 color) {
+    const float digit = widthOf("0");
+    const float left = layout.origin.x + widthOf(line.substr(0, part.begin));
+    const std::string_view marked = line.substr(part.begin, part.end - part.begin);
+    const float right = left + std::max(digit, widthOf(marked));
+    const float height = std::max(2.F, layout.lineHeight / 7);
+    const float bottom = top + layout.lineHeight - 1;
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    bool isUp = false;
+    for (float x = left; x < right; x += height, isUp = !isUp) {
+        const float to = std::min(x + height, right);
+        draw.AddLine({x, isUp ? bottom - height : bottom}, {to, isUp ? bottom : bottom - height}, color,
+                     1.5F);
+    }
+}
+
+/// Tints the lines with messages, and marks them at the left edge. The messages themselves are in the list
+/// below the text.
+void drawMarkedLines(const CodeLayout& layout, std::span<const CodeMark> marks) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const ImVec2 window = ImGui::GetWindowPos();
-    const float right = window.x + ImGui::GetWindowWidth();
-    int lineWithText = 0;  // a line shows only its first message
+    int lineBefore = 0;
     for (const CodeMark& each : marks) {
         if (each.line < layout.firstLine || each.line > layout.lastLine) continue;
+        // The marks of a line follow each other, the worst one first.
+        if (std::exchange(lineBefore, each.line) == each.line) continue;
         const bool isError = each.severity == Severity::error;
         const float top = layout.top(each.line);
-        draw.AddRectFilled({window.x, top}, {right, top + layout.lineHeight},
-                           isError ? kErrorLine : kWarningLine);
-        if (std::exchange(lineWithText, each.line) == each.line) continue;
-        // The beginning of the message is drawn after the line. The whole message is below the editor.
-        const float left = layout.origin.x + widthOf(lineText(text, starts, each.line)) + layout.lineHeight;
-        const float pad = layout.lineHeight / 4;
-        draw.AddRectFilled({left - pad, top + 1},
-                           {left + widthOf(each.text) + pad, top + layout.lineHeight - 1},
-                           isError ? kErrorPlate : kWarningPlate, 3);
-        draw.AddText({left, top}, kErrorText, each.text.c_str());
+        draw.AddRectFilled({window.x, top}, {window.x + ImGui::GetWindowWidth(), top + layout.lineHeight},
+                           tintColor(isError ? CodeTint::errorLine : CodeTint::warningLine));
+        draw.AddRectFilled({window.x, top}, {window.x + layout.lineHeight / 3, top + layout.lineHeight},
+                           packed(severityColor(each.severity)));
+    }
+}
+
+void drawUnderlines(const CodeLayout& layout, std::string_view text, const LineStarts& starts,
+                    std::span<const CodeMark> marks) {
+    for (const CodeMark& each : marks) {
+        if (each.line < layout.firstLine || each.line > layout.lastLine) continue;
+        const std::string_view line = lineText(text, starts, each.line);
+        underline(layout, line, markedPart(line, each.column), layout.top(each.line),
+                  packed(severityColor(each.severity)));
     }
 }
 
@@ -60,7 +90,11 @@ void drawFound(const CodeLayout& layout, std::string_view text, const LineStarts
         const float left = layout.origin.x + widthOf(text.substr(start, each.begin - start));
         const float width = widthOf(text.substr(each.begin, each.end - each.begin));
         draw.AddRectFilled({left, layout.top(line)}, {left + width, layout.top(line) + layout.lineHeight},
-                           i == marks.shown ? kFoundShown : kFound, 2);
+                           tintColor(i == marks.shown ? CodeTint::foundShown : CodeTint::found), 2);
+        if (i == marks.shown)
+            draw.AddRect({left - 1, layout.top(line)},
+                         {left + width + 1, layout.top(line) + layout.lineHeight}, packed(palette().warning),
+                         2);
     }
 }
 
@@ -93,11 +127,13 @@ void drawGutter(const CodeLayout& layout, const CodeView& view, std::span<const 
     const ImVec2 window = ImGui::GetWindowPos();
     for (int line = layout.firstLine; line <= layout.lastLine; ++line) {
         const std::string number = std::to_string(line);
-        const bool isMarked =
-            std::any_of(marks.begin(), marks.end(), [&](const CodeMark& each) { return each.line == line; });
-        const ImGuiCol color = isMarked || line == view.line ? ImGuiCol_Text : ImGuiCol_TextDisabled;
+        const auto mark =
+            std::find_if(marks.begin(), marks.end(), [&](const CodeMark& each) { return each.line == line; });
+        const ImU32 color = mark != marks.end() ? packed(severityColor(mark->severity))
+                            : line == view.line ? syntaxColor(SyntaxKind::plain)
+                                                : packed(palette().dim);
         draw.AddText({window.x + layout.gutter - widthOf(number) - layout.lineHeight / 2, layout.top(line)},
-                     ImGui::GetColorU32(color), number.c_str());
+                     color, number.c_str());
     }
 }
 
@@ -108,7 +144,7 @@ void drawCursor(const CodeLayout& layout, std::string_view text, const LineStart
     const float x = layout.origin.x + widthOf(text.substr(start, cursor - start));
     const float top = layout.top(view.line);
     ImGui::GetWindowDrawList()->AddLine({x, top}, {x, top + layout.lineHeight},
-                                        ImGui::GetColorU32(ImGuiCol_Text), 1.5F);
+                                        syntaxColor(SyntaxKind::plain), 1.5F);
 }
 
 }  // namespace
@@ -159,7 +195,7 @@ CodeLayout layoutOf(std::string_view text, const LineStarts& starts) {
 
 void drawCode(const CodeLayout& layout, std::string_view text, const LineStarts& starts, const CodeView& view,
               const CodeMarks& marks, CodeLanguage language) {
-    drawMarks(layout, text, starts, marks.lines);
+    drawMarkedLines(layout, marks.lines);
     drawGutter(layout, view, marks.lines);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const ImVec2 window = ImGui::GetWindowPos();
@@ -167,6 +203,7 @@ void drawCode(const CodeLayout& layout, std::string_view text, const LineStarts&
                       {window.x + ImGui::GetWindowWidth(), window.y + ImGui::GetWindowHeight()}, true);
     drawFound(layout, text, starts, marks);
     drawText(layout, text, starts, language);
+    drawUnderlines(layout, text, starts, marks.lines);
     if (view.isActive) drawCursor(layout, text, starts, view);
     draw.PopClipRect();
 }

@@ -4,12 +4,14 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "view/window/panels/code_drawing.h"
+#include "view/window/panels/syntax_colors.h"
 #include "view/window/platform/theme.h"
 
 namespace glibra::view {
@@ -122,19 +124,50 @@ bool edit(const char* name, Editing editing, const ImVec2& size, bool isReadOnly
     const std::string label = fmt::format("##{}/{}", name, editing.view.generation);
     ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32_BLACK_TRANS);
     ImGui::PushStyleColor(ImGuiCol_FrameBg, IM_COL32_BLACK_TRANS);
+    ImGui::PushStyleColor(ImGuiCol_TextSelectedBg, tintColor(CodeTint::selection));
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, 0));
     // In ImGui, Esc undoes all edits since the widget got the keyboard focus.
-    const int escape = std::exchange(io.KeyMap[ImGuiKey_Escape], -1);
+    constexpr std::array kListKeys{ImGuiKey_Escape,      ImGuiKey_Tab,     ImGuiKey_Enter,
+                                   ImGuiKey_KeyPadEnter, ImGuiKey_UpArrow, ImGuiKey_DownArrow};
+    const std::size_t hidden = editing.view.leavesListKeys ? kListKeys.size() : 1;
+    std::array<int, kListKeys.size()> keys{};
+    for (std::size_t i = 0; i < hidden; ++i) keys[i] = std::exchange(io.KeyMap[kListKeys[i]], -1);
     const bool isChanged =
         ImGui::InputTextMultiline(label.c_str(), editing.text.data(), editing.text.capacity() + 1, size,
                                   ImGuiInputTextFlags_AllowTabInput | ImGuiInputTextFlags_CallbackResize |
                                       ImGuiInputTextFlags_CallbackAlways | ImGuiInputTextFlags_NoUndoRedo |
                                       (isReadOnly ? ImGuiInputTextFlags_ReadOnly : 0),
                                   onEdit, &editing);
-    io.KeyMap[ImGuiKey_Escape] = escape;
+    for (std::size_t i = 0; i < hidden; ++i) io.KeyMap[kListKeys[i]] = keys[i];
     ImGui::PopStyleVar();
-    ImGui::PopStyleColor(2);
+    ImGui::PopStyleColor(3);
     return isChanged;
+}
+
+/// Finds the byte and line under the mouse, and where the cursor is on the screen.
+void findPointer(CodeView& view, const CodeLayout& layout, std::string_view text, const LineStarts& starts) {
+    view.hovered.reset();
+    view.hoveredLine.reset();
+    const float top = layout.top(view.line);
+    const float x =
+        layout.origin.x + widthOf(lineBefore(text, starts, static_cast<std::size_t>(view.cursor)));
+    view.cursorOnScreen = {x, top, top + layout.lineHeight};
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    if (!ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem |
+                                ImGuiHoveredFlags_ChildWindows))
+        return;
+    const int line = static_cast<int>(std::floor((mouse.y - layout.origin.y) / layout.lineHeight)) + 1;
+    if (line < 1 || line > static_cast<int>(starts.size())) return;
+    view.hoveredLine = line;
+    const std::size_t begin = starts[static_cast<std::size_t>(line - 1)];
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    if (mouse.x < layout.origin.x || mouse.x < ImGui::GetWindowPos().x + layout.gutter) return;
+    for (std::size_t at = begin; at < end; ++at) {
+        const bool isWhole = at + 1 == end || (static_cast<unsigned char>(text[at + 1]) & 0xC0U) != 0x80U;
+        if (!isWhole || mouse.x >= layout.origin.x + widthOf(text.substr(begin, at + 1 - begin))) continue;
+        view.hovered = at;
+        return;
+    }
 }
 
 /// Clamps the cursor to the text, which other code may have made shorter, and finds its line and column.
@@ -188,6 +221,7 @@ bool editInChild(const char* name, std::string& text, CodeView& view, const Code
     const bool isLower = std::exchange(view.height, layout.visibleHeight) > layout.visibleHeight;
     const bool followsCursor = view.isActive && (view.cursor != cursorBefore || isChanged || goes || isLower);
     scroll(view, layout, text, starts, followsCursor, goes);
+    findPointer(view, layout, text, starts);
     return isChanged || isReplaced;
 }
 
@@ -197,10 +231,12 @@ bool codeEditor(const char* name, std::string& text, CodeView& view, const CodeM
                 CodeLanguage language, bool isReadOnly, float below) {
     ImGui::PushFont(codeFont());
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, packed(palette().panel));
     ImGui::BeginChild(name, {0, -below}, false,
                       ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoNavInputs);
     const bool isChanged = editInChild(name, text, view, marks, language, isReadOnly);
     ImGui::EndChild();
+    ImGui::PopStyleColor();
     ImGui::PopStyleVar();
     ImGui::PopFont();
     return isChanged;

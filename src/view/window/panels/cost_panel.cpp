@@ -23,7 +23,7 @@ void bar(double milliseconds, double longest, const std::string& text) {
 /// Bars in another colour, farther to the right.
 template <class Draw>
 void inner(const Draw& draw) {
-    ImGui::PushStyleColor(ImGuiCol_PlotHistogram, ImGui::GetStyleColorVec4(ImGuiCol_SliderGrabActive));
+    ImGui::PushStyleColor(ImGuiCol_PlotHistogram, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
     ImGui::Indent();
     draw();
     ImGui::Unindent();
@@ -63,14 +63,21 @@ void bars(Ui& ui, const FrameCost& cost) {
 }  // namespace
 
 void costPanel(Ui& ui) {
-    const bool isOpen = ImGui::CollapsingHeader("Frame rate");
-    mark(ui, "cost");
-    if (!isOpen) return;
+    if (!section(ui, "Frame rate", "cost", false)) return;
     constexpr int kLeastFrames = 20;
     constexpr double kLeastSeconds = .5;
     if (ImGui::Button("Measure"))
         ui.cost = measureFrames(ui.session, ui.context.capabilities(), kLeastFrames, kLeastSeconds);
     mark(ui, "cost/measure");
+    ImGui::SameLine();
+    bool isLive = ui.session.measuresObjects();
+    if (ImGui::Checkbox("On the picture", &isLive)) ui.session.setMeasuresObjects(isLive);
+    mark(ui, "cost/live");
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip(
+            "Every frame measures how long its draws and dispatches take, without clears, panels and the "
+            "wait "
+            "for the screen (F)");
     if (!ui.cost || ui.cost->frames == 0) return;
     const FrameCost& cost = *ui.cost;
     constexpr double kMillisecondsInSecond = 1000;

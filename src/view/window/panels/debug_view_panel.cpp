@@ -90,6 +90,7 @@ void debugViewControls(Ui& ui) {
         markField(ui, "view/normalLength", "Length");
     }
     legend(ui);
+    probeSwitch(ui);
 }
 
 void nextDebugView(Ui& ui) {

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <bit>
 #include <span>
+#include <sstream>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -19,11 +21,6 @@ namespace {
 
 constexpr float kTileWidth = 168;
 constexpr float kTileHeight = kTileWidth * kThumbnailHeight / kThumbnailWidth;
-
-std::filesystem::path programFile() {
-    std::error_code failure;
-    return std::filesystem::read_symlink("/proc/self/exe", failure);
-}
 
 /// Lists the examples on the disk, and starts making the missing pictures.
 void list(Ui& ui) {
@@ -75,9 +72,22 @@ void loadPicture(const gpu::Capabilities& capabilities, ExampleBrowser::Tile& ti
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
 
+/// True if each word of the search is in the name, the description or the source.
 bool isFound(const ExampleScene& scene, std::string_view search) {
-    const std::string text = glib::lower(scene.topic + "/" + scene.name + " " + scene.summary);
-    return text.find(glib::lower(search)) != std::string::npos;
+    const std::string text =
+        glib::lower(scene.topic + "/" + scene.name + " " + scene.summary + " " + scene.source);
+    std::istringstream words{glib::lower(search)};
+    for (std::string word; words >> word;)
+        if (text.find(word) == std::string::npos) return false;
+    return true;
+}
+
+/// Opens an example in a tab of its own, so that the shown scene stays as it is. The tab is that of the shown
+/// scene if it is empty.
+void open(Ui& ui, const ExampleScene& scene, bool staysOpen) {
+    ui.requests.open = scene.file;
+    ui.requests.inNewTab = true;
+    ui.shared.examples.isOpen = staysOpen;
 }
 
 void tile(Ui& ui, ExampleBrowser::Tile& each) {
@@ -88,8 +98,8 @@ void tile(Ui& ui, ExampleBrowser::Tile& each) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const bool isClicked = ImGui::InvisibleButton("tile", size);
     const bool isHovered = ImGui::IsItemHovered();
-    const bool inNewTab = isHovered && (ImGui::IsMouseReleased(ImGuiMouseButton_Middle) ||
-                                        (isClicked && ImGui::GetIO().KeyCtrl));
+    const bool staysOpen = isHovered && (ImGui::IsMouseReleased(ImGuiMouseButton_Middle) ||
+                                         (isClicked && ImGui::GetIO().KeyCtrl));
     mark(ui, "example/" + name);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const ImVec2 end(at.x + size.x, at.y + size.y);
@@ -114,17 +124,30 @@ void tile(Ui& ui, ExampleBrowser::Tile& each) {
         ImGui::BeginTooltip();
         ImGui::PushTextWrapPos(320 * ui.scale);
         ImGui::TextUnformatted(each.scene.summary.empty() ? name.c_str() : each.scene.summary.c_str());
+        if (!each.scene.source.empty()) ImGui::TextDisabled("%s", each.scene.source.c_str());
         if (!each.thumbnail.problem.empty()) ImGui::TextDisabled("%s", each.thumbnail.problem.c_str());
-        ImGui::TextDisabled("Ctrl+click: open in a new tab");
+        ImGui::TextDisabled("Ctrl+click opens it and keeps this window");
         ImGui::PopTextWrapPos();
         ImGui::EndTooltip();
     }
-    if (isClicked || inNewTab) {
-        ui.requests.open = each.scene.file;
-        ui.requests.inNewTab = inNewTab;
-        if (!inNewTab) ui.shared.examples.isOpen = false;
-    }
+    if (isClicked || staysOpen) open(ui, each.scene, staysOpen);
     ImGui::PopID();
+}
+
+/// How many scenes are found, and that Enter opens the only one.
+void countLine(ExampleBrowser& browser) {
+    const auto found = std::count_if(
+        browser.tiles.begin(), browser.tiles.end(),
+        [&](const ExampleBrowser::Tile& each) { return isFound(each.scene, browser.search.data()); });
+    browser.found = static_cast<std::size_t>(found);
+    if (browser.search[0] == 0)
+        ImGui::TextDisabled("%zu scenes", browser.tiles.size());
+    else
+        ImGui::TextDisabled("%zu of %zu scenes%s", browser.found, browser.tiles.size(),
+                            browser.found == 1 ? "; Enter opens it" : "");
+    if (!browser.maker) return;
+    ImGui::SameLine();
+    ImGui::TextDisabled("drawing pictures: %zu of %zu", browser.finished, browser.wanted);
 }
 
 void tiles(Ui& ui) {
@@ -174,13 +197,15 @@ void exampleWindow(Ui& ui) {
         } else {
             ImGui::SetNextItemWidth(260 * ui.scale);
             if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-            ImGui::InputTextWithHint("##search", "search", browser.search.data(), browser.search.size());
+            const bool isEntered =
+                ImGui::InputTextWithHint("##search", "search", browser.search.data(), browser.search.size(),
+                                         ImGuiInputTextFlags_EnterReturnsTrue);
             mark(ui, "examples/search");
             ImGui::SameLine();
-            if (browser.maker)
-                ImGui::TextDisabled("drawing pictures: %zu of %zu", browser.finished, browser.wanted);
-            else
-                ImGui::TextDisabled("%zu scenes", browser.tiles.size());
+            countLine(browser);
+            if (isEntered && browser.found == 1)
+                for (const ExampleBrowser::Tile& each : browser.tiles)
+                    if (isFound(each.scene, browser.search.data())) open(ui, each.scene, false);
             ImGui::BeginChild("tiles");
             tiles(ui);
             ImGui::EndChild();

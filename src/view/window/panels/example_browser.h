@@ -28,6 +28,8 @@ struct ExampleBrowser {
     std::filesystem::path root;
     std::vector<Tile> tiles;
     std::array<char, 128> search{};
+    std::size_t found = 0;                               ///< number of tiles that the search finds
+    std::optional<std::vector<ExampleScene>> templates;  ///< of the menu "New", listed when it is first open
     std::unique_ptr<ThumbnailMaker> maker;
     std::size_t wanted = 0, finished = 0;  ///< numbers of pictures that the maker has to make, and has made
 };

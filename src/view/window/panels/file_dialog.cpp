@@ -1,24 +1,40 @@
-// The dialog that opens a scene: folders, scenes and recent scenes.
+// The dialog that opens a scene, or asks for another file or folder.
+
+#include "view/window/panels/file_dialog.h"
 
 #include <imgui.h>
 
 #include <algorithm>
 #include <cstdlib>
-#include <filesystem>
 #include <string>
 #include <utility>
 
 #include "view/window/panels/ui.h"
+#include "view/window/platform/theme.h"
 
 namespace glibra::view {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr const char* kTitle = "Open a scene";
+using Kind = FileQuestion::Kind;
+constexpr const char* kId = "###file dialog";
 
+Kind kindOf(const FileDialog& dialog) {
+    return dialog.question ? dialog.question->kind : Kind::open;
+}
+
+void setEntry(FileDialog& dialog, const std::string& text) {
+    dialog.entry[text.copy(dialog.entry.data(), dialog.entry.size() - 1)] = 0;
+}
+
+/// The proposed name of a file to save stays in every folder.
 void showFolder(FileDialog& dialog, const fs::path& folder) {
-    dialog.list = listFolder(folder, ".glib");
-    dialog.entry = {};
+    dialog.list = listFolder(folder, dialog.question ? dialog.question->endings : ".glib");
+    if (kindOf(dialog) == Kind::folder)
+        std::erase_if(dialog.list.entries, [](const FolderEntry& each) { return !each.isFolder; });
+    if (kindOf(dialog) != Kind::save) setEntry(dialog, "");
+    dialog.existing.clear();
+    dialog.problem.clear();
     dialog.focusEntry = true;
 }
 
@@ -33,22 +49,44 @@ void openAndClose(Ui& ui, const fs::path& file) {
     ImGui::CloseCurrentPopup();
 }
 
-/// Shows the typed folder or opens the typed file. Paths are relative to the shown folder.
-void openEntry(Ui& ui) {
+void answer(Ui& ui, const fs::path& path) {
+    FileDialog& dialog = ui.shared.dialog;
+    if (!dialog.question) return openAndClose(ui, path);
+    std::error_code failure;
+    if (kindOf(dialog) == Kind::save && fs::exists(path, failure) && dialog.existing != path) {
+        dialog.existing = path.string();
+        dialog.problem.clear();
+        return;
+    }
+    dialog.problem = dialog.question->chosen(ui, path);
+    if (!dialog.problem.empty()) {
+        dialog.existing.clear();
+        return;
+    }
+    dialog.question.reset();
+    ImGui::CloseCurrentPopup();
+}
+
+/// Shows the typed folder or takes the typed file. Paths are relative to the shown folder.
+void takeEntry(Ui& ui, bool isEntered) {
     FileDialog& dialog = ui.shared.dialog;
     const std::string text = dialog.entry.data();
-    if (text.empty()) return;
+    if (text.empty() && kindOf(dialog) != Kind::folder) return;
     fs::path path = dialog.list.folder / text;
     if (text == "~" || text.starts_with("~/"))
         path = homeFolder() / text.substr(std::min<std::size_t>(2, text.size()));
+    if (text.empty()) path = dialog.list.folder;
     std::error_code failure;
-    if (fs::is_directory(path, failure)) return showFolder(dialog, path);
-    openAndClose(ui, path);
+    const bool isFolder = fs::is_directory(path, failure);
+    if (isFolder && (kindOf(dialog) != Kind::folder || (isEntered && !text.empty())))
+        return showFolder(dialog, path);
+    answer(ui, path.lexically_normal());
 }
 
 void folderLink(Ui& ui, const char* label, const fs::path& folder) {
     if (folder.empty()) return;
-    if (ImGui::Selectable(label)) showFolder(ui.shared.dialog, folder);
+    if (ImGui::Selectable(label, false, ImGuiSelectableFlags_DontClosePopups))
+        showFolder(ui.shared.dialog, folder);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", folder.c_str());
 }
 
@@ -58,13 +96,19 @@ void places(Ui& ui) {
     std::error_code failure;
     folderLink(ui, "Current folder", fs::current_path(failure));
     if (ui.session.hasScene()) folderLink(ui, "Folder of this scene", ui.session.path().parent_path() / ".");
+    if (ui.shared.dialog.question) return;
     ImGui::Spacing();
     ImGui::TextDisabled("Recent scenes");
     int index = 0;
-    for (const std::string& each : ui.settings.recent) {
+    const std::vector<std::string>& recent = ui.settings.recent;
+    for (const std::string& each : recent) {
         ImGui::PushID(index);
         const fs::path path = each;
-        const std::string label = path.filename().string();
+        std::string label = path.filename().string();
+        const auto equal = std::count_if(recent.begin(), recent.end(), [&](const std::string& other) {
+            return fs::path(other).filename() == path.filename();
+        });
+        if (equal > 1) label = (path.parent_path().filename() / label).string();
         if (ImGui::Selectable(label.c_str())) openAndClose(ui, path);
         mark(ui, "dialog/recent/" + std::to_string(index));
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", each.c_str());
@@ -76,9 +120,10 @@ void places(Ui& ui) {
 void folderList(Ui& ui) {
     FileDialog& dialog = ui.shared.dialog;
     if (!dialog.list.problem.empty()) ImGui::TextWrapped("%s", dialog.list.problem.c_str());
-    fs::path next;
+    fs::path next, taken;
     if (dialog.list.folder.has_relative_path()) {
-        if (ImGui::Selectable("../")) next = dialog.list.folder.parent_path();
+        if (ImGui::Selectable("../", false, ImGuiSelectableFlags_DontClosePopups))
+            next = dialog.list.folder.parent_path();
         mark(ui, "dialog/up");
     }
     for (const FolderEntry& each : dialog.list.entries) {
@@ -90,56 +135,100 @@ void folderList(Ui& ui) {
             if (each.isFolder)
                 next = path;
             else if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
-                openAndClose(ui, path);
+                taken = path;
             else
-                dialog.entry[each.name.copy(dialog.entry.data(), dialog.entry.size() - 1)] = 0;
+                setEntry(dialog, each.name);
         }
         mark(ui, "dialog/entry/" + each.name);
     }
     if (dialog.list.entries.empty() && dialog.list.problem.empty())
-        ImGui::TextDisabled("This folder has no scenes (.glib) and no folders.");
+        ImGui::TextDisabled(dialog.question ? "This folder has no such files and no folders."
+                                            : "This folder has no scenes (.glib) and no folders.");
     if (!next.empty()) showFolder(dialog, next);
+    if (!taken.empty()) answer(ui, taken);
+}
+
+/// The buttons right of the entry. Returns true if the user takes the entry.
+bool buttons(Ui& ui) {
+    FileDialog& dialog = ui.shared.dialog;
+    ImGui::SameLine();
+    ImGui::BeginDisabled(dialog.entry[0] == 0 && kindOf(dialog) != Kind::folder);
+    const char* label = !dialog.existing.empty() ? "Replace" : nullptr;
+    if (!label) label = dialog.question ? dialog.question->button.c_str() : "Open";
+    bool isTaken = ImGui::Button(label);
+    mark(ui, "dialog/open");
+    if (!dialog.question) {
+        ImGui::SameLine();
+        if (ImGui::Button("Open in new tab")) isTaken = dialog.inNewTab = true;
+        mark(ui, "dialog/openInTab");
+    }
+    ImGui::EndDisabled();
+    return isTaken;
 }
 
 void entry(Ui& ui) {
     FileDialog& dialog = ui.shared.dialog;
     const ImGuiStyle& style = ImGui::GetStyle();
-    const float buttons = ImGui::CalcTextSize("OpenOpen in new tabCancel").x + 6 * style.FramePadding.x +
-                          3 * style.ItemSpacing.x;
-    ImGui::SetNextItemWidth(std::max(120 * ui.scale, ImGui::GetContentRegionAvail().x - buttons));
+    const std::string words =
+        dialog.question ? dialog.question->button + "ReplaceCancel" : "OpenOpen in new tabCancel";
+    const float width =
+        ImGui::CalcTextSize(words.c_str()).x + 6 * style.FramePadding.x + 3 * style.ItemSpacing.x;
+    ImGui::SetNextItemWidth(std::max(120 * ui.scale, ImGui::GetContentRegionAvail().x - width));
     if (std::exchange(dialog.focusEntry, false)) ImGui::SetKeyboardFocusHere();
+    const std::string before = dialog.entry.data();
     const bool isEntered =
         ImGui::InputTextWithHint("##path", "file name or path", dialog.entry.data(), dialog.entry.size(),
-                                 ImGuiInputTextFlags_EnterReturnsTrue);
+                                 ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     mark(ui, "scene/path");
+    if (before != dialog.entry.data()) {
+        dialog.existing.clear();
+        dialog.problem.clear();
+    }
+    const bool isPressed = buttons(ui);
+    if (isEntered || isPressed) takeEntry(ui, isEntered && !isPressed);
     ImGui::SameLine();
-    ImGui::BeginDisabled(dialog.entry[0] == 0);
-    const bool isOpened = ImGui::Button("Open");
-    mark(ui, "dialog/open");
-    ImGui::SameLine();
-    const bool isOpenedInTab = ImGui::Button("Open in new tab");
-    mark(ui, "dialog/openInTab");
-    ImGui::EndDisabled();
-    if (isOpenedInTab) dialog.inNewTab = true;
-    if (isEntered || isOpened || isOpenedInTab) openEntry(ui);
-    ImGui::SameLine();
-    if (ImGui::Button("Cancel") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)))
+    if (ImGui::Button("Cancel") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) {
+        dialog.question.reset();
         ImGui::CloseCurrentPopup();
+    }
     mark(ui, "dialog/cancel");
+}
+
+/// Sets the dialog up for what is wanted.
+void begin(Ui& ui) {
+    FileDialog& dialog = ui.shared.dialog;
+    const fs::path usual = ui.session.hasScene()        ? ui.session.path().parent_path()
+                           : ui.settings.recent.empty() ? fs::path(".")
+                                                        : fs::path(ui.settings.recent.front()).parent_path();
+    const fs::path wanted = std::exchange(dialog.folder, {});
+    if (dialog.question) setEntry(dialog, dialog.question->entry);
+    showFolder(dialog, wanted.empty() ? usual : wanted);
+    ImGui::OpenPopup(kId);
+}
+
+/// The sentence above the list: why the entry was refused, that a file exists, or what to choose.
+void hint(Ui& ui) {
+    const FileDialog& dialog = ui.shared.dialog;
+    if (!dialog.problem.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, asVector(palette().error));
+        ImGui::TextWrapped("%s", dialog.problem.c_str());
+        ImGui::PopStyleColor();
+        mark(ui, "dialog/problem");
+    } else if (!dialog.existing.empty())
+        ImGui::TextWrapped("%s exists. Press Replace, or type another name.",
+                           fs::path(dialog.existing).filename().c_str());
+    else if (dialog.question && !dialog.question->hint.empty())
+        ImGui::TextWrapped("%s", dialog.question->hint.c_str());
 }
 
 }  // namespace
 
 void fileDialog(Ui& ui) {
     FileDialog& dialog = ui.shared.dialog;
-    if (std::exchange(dialog.isWanted, false)) {
-        const fs::path usual = ui.session.hasScene() ? ui.session.path().parent_path()
-                               : ui.settings.recent.empty()
-                                   ? fs::path(".")
-                                   : fs::path(ui.settings.recent.front()).parent_path();
-        const fs::path wanted = std::exchange(dialog.folder, {});
-        showFolder(dialog, wanted.empty() ? usual : wanted);
-        ImGui::OpenPopup(kTitle);
+    if (std::exchange(dialog.isWanted, false) && !ImGui::IsPopupOpen(kId)) begin(ui);
+    if (!ImGui::IsPopupOpen(kId)) {
+        dialog.question.reset();
+        return;
     }
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Appearing, {.5F, .5F});
@@ -147,7 +236,9 @@ void fileDialog(Ui& ui) {
         {std::min(760 * ui.scale, screen.x - 30), std::min(520 * ui.scale, screen.y - 30)},
         ImGuiCond_Appearing);
     bool stays = true;
-    if (!ImGui::BeginPopupModal(kTitle, &stays, ImGuiWindowFlags_NoScrollbar)) return;
+    const std::string title = (dialog.question ? dialog.question->title : "Open a scene") + kId;
+    if (!ImGui::BeginPopupModal(title.c_str(), &stays, ImGuiWindowFlags_NoScrollbar)) return;
+    hint(ui);
     const float below = ImGui::GetFrameHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;
     ImGui::BeginChild("places", {std::min(200 * ui.scale, ImGui::GetContentRegionAvail().x * .35F), -below});
     places(ui);

@@ -1,38 +1,132 @@
-// The section "Hardcopy": writes the picture, frames or a video.
+// The section "Hardcopy": writes the picture, frames or a film.
+
+#include "view/window/panels/hardcopy_panel.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <cmath>
+#include <cstdlib>
 #include <string>
+#include <system_error>
 #include <utility>
 
+#include "image/video/video_file.h"
+#include "view/edit/detached_process.h"
 #include "view/export/hardcopy.h"
+#include "view/window/panels/icons.h"
 #include "view/window/panels/ui.h"
 
 namespace glibra::view {
 namespace {
 
-void end(HardcopyEntries& entries, const Diagnostics& problems, const std::string& message) {
+namespace fs = std::filesystem;
+
+/// The sizes in the menu; 0 x 0 are those of the window and of the scene, and the last one is typed.
+struct Preset {
+    const char* name;
+    int width, height;
+    int times = 1;  ///< of the window's size
+};
+constexpr std::array kPresets{Preset{"as on the screen", 0, 0, 1}, Preset{"twice the screen", 0, 0, 2},
+                              Preset{"as in the scene", 0, 0, 0},  Preset{"800 x 600", 800, 600},
+                              Preset{"1280 x 720", 1280, 720},     Preset{"1920 x 1080", 1920, 1080},
+                              Preset{"3840 x 2160", 3840, 2160},   Preset{"other", 0, 0, -1}};
+
+std::pair<int, int> sizeOf(const Ui& ui, std::size_t index) {
+    const Preset& preset = kPresets.at(index);
+    if (preset.width > 0) return {preset.width, preset.height};
+    if (preset.times > 0) return {ui.session.width() * preset.times, ui.session.height() * preset.times};
+    if (preset.times < 0) return {ui.hardcopy.width, ui.hardcopy.height};
+    const scene::Scene& scene = ui.session.live().scene();
+    return {scene.width, scene.height};
+}
+
+/// The endings in the menu.
+struct Ending {
+    const char* ending;
+    const char* name;
+};
+constexpr std::array kEndings{Ending{".png", "PNG"},         Ending{".bmp", "BMP"},
+                              Ending{".jpg", "JPEG"},        Ending{".tif", "TIFF"},
+                              Ending{".exr", "EXR, floats"}, Ending{".mp4", "MP4 film"},
+                              Ending{".webm", "WebM film"},  Ending{".gif", "GIF film"}};
+
+/// The folder of hardcopies: the one that was chosen, else the current one, or the user's own if that must
+/// not be written to.
+fs::path folderOf(const Ui& ui) {
+    std::error_code failure;
+    if (const fs::path chosen = ui.settings.hardcopyFolder; fs::is_directory(chosen, failure)) return chosen;
+    const fs::path current = fs::current_path(failure);
+    if (::access(current.c_str(), W_OK) == 0) return current;
+    const char* home = std::getenv("HOME");
+    return home ? fs::path(home) : current;
+}
+
+Hardcopy wanted(const Ui& ui) {
+    const HardcopyEntries& entries = ui.hardcopy;
+    const auto [width, height] = sizeOf(ui, static_cast<std::size_t>(entries.preset));
+    return {folderOf(ui) / entries.file.data(), width, height, entries.frames,
+            static_cast<double>(entries.framesPerSecond)};
+}
+
+/// Puts the path of a free name into the entry: the name alone if it is in the folder of hardcopies.
+void propose(Ui& ui, const fs::path& file) {
+    HardcopyEntries& entries = ui.hardcopy;
+    const bool isHere = file.parent_path() == folderOf(ui);
+    entries.proposed = isHere ? file.filename().string() : file.string();
+    entries.file[entries.proposed.copy(entries.file.data(), entries.file.size() - 1)] = 0;
+}
+
+/// Proposes a name for a new scene, and another one if a file has got the proposed name meanwhile.
+void proposeIfNeeded(Ui& ui) {
+    HardcopyEntries& entries = ui.hardcopy;
+    if (entries.scene != ui.session.path()) {
+        const fs::path ending =
+            entries.proposed.empty() ? fs::path(".png") : fs::path(entries.proposed).extension();
+        entries.scene = ui.session.path();
+        entries.stem = ui.session.path().stem().string();
+        Hardcopy first = wanted(ui);
+        first.file = folderOf(ui) / (entries.stem + ending.string());
+        return propose(ui, freeName(first));
+    }
+    if (entries.proposed != entries.file.data() || entries.job) return;
+    if (const Hardcopy next = wanted(ui); replacesFile(next)) propose(ui, freeName(next));
+}
+
+void end(Ui& ui, const Diagnostics& problems, const std::string& message) {
+    HardcopyEntries& entries = ui.hardcopy;
     const auto error = std::find_if(problems.begin(), problems.end(),
                                     [](const Diagnostic& each) { return each.severity == Severity::error; });
     entries.failed = error != problems.end();
     entries.message = entries.failed ? toString(*error) : message;
+    if (entries.job && !entries.job->filesWritten().empty()) entries.last = firstFile(entries.job->wanted());
     entries.job.reset();
+    ui.notice = {entries.message, entries.failed};
+    if (entries.proposed != entries.file.data()) entries.stem = fs::path(entries.file.data()).stem().string();
+    propose(ui, freeName(wanted(ui)));
 }
 
-void begin(Ui& ui) {
+void begin(Ui& ui, const Hardcopy& hardcopy) {
     HardcopyEntries& entries = ui.hardcopy;
-    const Hardcopy wanted{entries.file.data(), entries.width, entries.height, entries.frames,
-                          static_cast<double>(entries.framesPerSecond)};
-    Result<HardcopyJob> job = HardcopyJob::begin(ui.context, ui.session, wanted);
-    if (!job) return end(entries, job.diagnostics, {});
+    entries.last.clear();
+    ui.notice = {};
+    entries.note = ui.session.onlyOnScreen();
+    Result<HardcopyJob> job = HardcopyJob::begin(ui.context, ui.session, hardcopy);
+    if (!job) return end(ui, job.diagnostics, {});
     entries.job = std::move(job.value);
-    entries.message = "wrote " + wanted.file.string();
-    if (const std::string without = ui.session.onlyOnScreen(); !without.empty())
-        entries.message += ", without " + without;
     entries.failed = false;
+}
+
+std::string outcome(const HardcopyEntries& entries) {
+    const std::string files = entries.job->filesWritten();
+    std::string text = files.empty() ? "nothing was written" : "written: " + files;
+    if (!entries.note.empty()) text += ", without " + entries.note;
+    return text;
 }
 
 /// The progress of a running hardcopy, with a button to stop it.
@@ -40,15 +134,192 @@ void progress(Ui& ui) {
     HardcopyEntries& entries = ui.hardcopy;
     const int written = entries.job->framesWritten();
     const int frames = entries.job->wanted().frames;
-    if (ImGui::Button("Stop"))
-        end(entries, {}, fmt::format("stopped after {} of {} frames", written, frames));
+    const bool isStopped = ImGui::Button("Stop");
     mark(ui, "hardcopy/stop");
     ImGui::SameLine();
     ImGui::ProgressBar(static_cast<float>(written) / static_cast<float>(frames), {-1, 0},
                        fmt::format("{} of {}", written, frames).c_str());
+    if (isStopped)
+        end(ui, {}, fmt::format("stopped after {} of {} frames; {}", written, frames, outcome(entries)));
+}
+
+/// Changes the ending of the name. A film gets the frames of one period of Timer; a picture is one frame.
+void setEnding(Ui& ui, const char* ending) {
+    HardcopyEntries& entries = ui.hardcopy;
+    const bool wasFilm = image::holdsAnimation(entries.file.data());
+    Hardcopy next = wanted(ui);
+    // A proposed name may need no number with the other ending.
+    if (entries.proposed == entries.file.data() && !entries.stem.empty())
+        next.file.replace_filename(entries.stem + ending);
+    else
+        next.file.replace_extension(ending);
+    const bool isFilm = image::holdsAnimation(next.file);
+    constexpr double kSeconds = 10;  // the usual period of Timer
+    if (isFilm && entries.frames == 1)
+        entries.frames =
+            static_cast<int>(std::lround(kSeconds * static_cast<double>(entries.framesPerSecond)));
+    if (wasFilm && !isFilm) entries.frames = 1;
+    next.frames = entries.frames;
+    propose(ui, freeName(next));
+}
+
+void fileEntry(Ui& ui) {
+    HardcopyEntries& entries = ui.hardcopy;
+    ImGui::InputTextWithHint("File", "picture.png", entries.file.data(), entries.file.size(),
+                             ImGuiInputTextFlags_AutoSelectAll);
+    markField(ui, "hardcopy/file", "File");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", wanted(ui).file.c_str());
+    const std::string ending = fs::path(entries.file.data()).extension().string();
+    const auto known = std::find_if(kEndings.begin(), kEndings.end(),
+                                    [&](const Ending& each) { return ending == each.ending; });
+    if (ImGui::BeginCombo("Format", known == kEndings.end() ? ending.c_str() : known->name)) {
+        for (const Ending& each : kEndings) {
+            if (ImGui::Selectable(each.name, ending == each.ending)) setEnding(ui, each.ending);
+            mark(ui, "hardcopy/format/{}", each.ending + 1);
+        }
+        ImGui::EndCombo();
+    }
+    markField(ui, "hardcopy/format", "Format");
+    const fs::path folder = folderOf(ui);
+    if (ImGui::Button("Folder...")) {
+        ui.shared.dialog.ask({.kind = FileQuestion::Kind::folder,
+                              .title = "The folder of hardcopies",
+                              .button = "Use this folder",
+                              .hint = {},
+                              .endings = {},
+                              .entry = {},
+                              .chosen =
+                                  [](Ui& chosenIn, const fs::path& chosen) {
+                                      std::error_code failure;
+                                      fs::create_directories(chosen, failure);
+                                      chosenIn.settings.hardcopyFolder = chosen.string();
+                                      chosenIn.hardcopy.scene.clear();  // propose a name there
+                                      return std::string();
+                                  }},
+                             folder);
+    }
+    mark(ui, "hardcopy/folder");
+    ImGui::SameLine();
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("%s", folder.c_str());
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", folder.c_str());
+}
+
+void sizeEntry(Ui& ui) {
+    HardcopyEntries& entries = ui.hardcopy;
+    const auto labelOf = [&](std::size_t index) {
+        const auto [width, height] = sizeOf(ui, index);
+        const Preset& preset = kPresets.at(index);
+        if (preset.times < 0) return std::string("another size");
+        return preset.width > 0 ? std::string(preset.name)
+                                : fmt::format("{} x {} ({})", width, height, preset.name);
+    };
+    if (ImGui::BeginCombo("Pixels", labelOf(static_cast<std::size_t>(entries.preset)).c_str())) {
+        for (std::size_t i = 0; i < kPresets.size(); ++i) {
+            if (ImGui::Selectable(labelOf(i).c_str(), static_cast<int>(i) == entries.preset))
+                entries.preset = static_cast<int>(i);
+            mark(ui, "hardcopy/size/{}", kPresets.at(i).name);
+        }
+        ImGui::EndCombo();
+    }
+    markField(ui, "hardcopy/size", "Pixels");
+    if (kPresets.at(static_cast<std::size_t>(entries.preset)).times >= 0) return;
+    std::array<int, 2> size{entries.width, entries.height};
+    if (ImGui::InputInt2("##pixels", size.data())) {
+        entries.width = std::clamp(size[0], 1, kLargestPictureSide);
+        entries.height = std::clamp(size[1], 1, kLargestPictureSide);
+    }
+    mark(ui, "hardcopy/pixels");
+}
+
+void framesEntry(Ui& ui) {
+    HardcopyEntries& entries = ui.hardcopy;
+    ImGui::InputInt("Frames", &entries.frames, 0);
+    entries.frames = std::clamp(entries.frames, 1, 1'000'000);
+    markField(ui, "hardcopy/frames", "Frames");
+    if (entries.frames == 1 && !image::holdsAnimation(entries.file.data())) return;
+    ImGui::InputFloat("Per second", &entries.framesPerSecond, 0, 0, "%.3g");
+    entries.framesPerSecond = std::clamp(entries.framesPerSecond, .001F, 1000.F);
+    ImGui::TextDisabled("%.3g seconds, from %.3g s on",
+                        entries.frames / static_cast<double>(entries.framesPerSecond),
+                        ui.session.clock().time());
+}
+
+void labelsEntry(Ui& ui) {
+    constexpr std::array kCorners{std::pair{LabelCorner::bottomLeft, "bottom left"},
+                                  std::pair{LabelCorner::bottomRight, "bottom right"},
+                                  std::pair{LabelCorner::topLeft, "top left"},
+                                  std::pair{LabelCorner::topRight, "top right"}};
+    const auto chosen = std::find_if(kCorners.begin(), kCorners.end(),
+                                     [&](const auto& each) { return each.first == ui.settings.labelCorner; });
+    const char* label = !ui.showLabels ? "none" : chosen == kCorners.end() ? "" : chosen->second;
+    if (ImGui::BeginCombo("Labels##hardcopy", label)) {
+        if (ImGui::Selectable("none", !ui.showLabels)) ui.showLabels = false;
+        mark(ui, "hardcopy/labels/none");
+        for (const auto& [corner, name] : kCorners) {
+            if (ImGui::Selectable(name, ui.showLabels && corner == ui.settings.labelCorner)) {
+                ui.showLabels = true;
+                ui.settings.labelCorner = corner;
+            }
+            mark(ui, "hardcopy/labels/{}", name);
+        }
+        ImGui::EndCombo();
+    }
+    markField(ui, "hardcopy/labels", "Labels");
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("The values over the picture, on the screen and in the file (L)");
+}
+
+/// Asks whether to replace a file.
+void replaceDialog(Ui& ui) {
+    constexpr const char* kTitle = "Replace the file?";
+    HardcopyEntries& entries = ui.hardcopy;
+    if (std::exchange(entries.asks, false)) ImGui::OpenPopup(kTitle);
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {.5F, .5F});
+    if (!ImGui::BeginPopupModal(kTitle, nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove))
+        return;
+    const Hardcopy next = wanted(ui);
+    const fs::path other = freeName(next);
+    ImGui::Text("%s exists.", firstFile(next).filename().c_str());
+    ImGui::Spacing();
+    bool isDone = ImGui::Button("Replace");
+    mark(ui, "hardcopy/replace");
+    if (isDone) begin(ui, next);
+    ImGui::SameLine();
+    if (ImGui::Button(("Write " + other.filename().string()).c_str())) {
+        propose(ui, other);
+        begin(ui, wanted(ui));
+        isDone = true;
+    }
+    mark(ui, "hardcopy/other");
+    ImGui::SameLine();
+    if (ImGui::Button("Cancel") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) isDone = true;
+    mark(ui, "hardcopy/cancel");
+    if (isDone) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
+/// A button for what was written last; the status line names it.
+void showLast(Ui& ui) {
+    HardcopyEntries& entries = ui.hardcopy;
+    if (entries.failed || entries.last.empty()) return;
+    continueRowForButton("Show the file");
+    if (ImGui::Button("Show the file"))
+        if (const std::string why = startDetached({"xdg-open", entries.last.string()}); !why.empty())
+            ui.notice = {"cannot start 'xdg-open': " + why, true};
+    mark(ui, "hardcopy/show");
 }
 
 }  // namespace
+
+void writeHardcopy(Ui& ui) {
+    if (!ui.session.hasScene() || ui.hardcopy.job) return;
+    if (ui.hardcopy.file[0] == 0) ui.hardcopy.scene.clear();
+    proposeIfNeeded(ui);
+    propose(ui, freeName(wanted(ui)));
+    begin(ui, wanted(ui));
+}
 
 void continueHardcopy(Ui& ui) {
     HardcopyEntries& entries = ui.hardcopy;
@@ -59,50 +330,36 @@ void continueHardcopy(Ui& ui) {
     Diagnostics problems;
     while (!entries.job->isDone() && std::chrono::steady_clock::now() - start < kAtOnce)
         append(problems, entries.job->step());
-    if (entries.job->isDone()) end(entries, problems, entries.message);
+    if (!entries.job->isDone()) return;
+    end(ui, problems, outcome(entries));
 }
 
 void hardcopyPanel(Ui& ui) {
-    const bool isOpen = ImGui::CollapsingHeader("Hardcopy");
-    mark(ui, "hardcopy");
-    if (!isOpen) return;
+    replaceDialog(ui);
+    if (!section(ui, "Hardcopy", "hardcopy", false)) return;
     HardcopyEntries& entries = ui.hardcopy;
-    ImGui::PushItemWidth(-ImGui::CalcTextSize("Frames per second ").x);
-    ImGui::InputTextWithHint("File", "picture.png", entries.file.data(), entries.file.size());
-    markField(ui, "hardcopy/file", "File");
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip(
-            "The extension selects the format: .png, .bmp, .exr, .jpg, .tif ...; .mp4 or .webm for a video");
-    std::array<int, 2> size{entries.width, entries.height};
-    if (ImGui::InputInt2("Size", size.data())) {
-        entries.width = std::clamp(size[0], 0, kLargestPictureSide);
-        entries.height = std::clamp(size[1], 0, kLargestPictureSide);
-    }
-    markField(ui, "hardcopy/size", "Size");
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("Width and height in pixels; 0: the size on the screen (%d x %d)",
-                          ui.session.width(), ui.session.height());
-    ImGui::InputInt("Frames", &entries.frames, 0);
-    entries.frames = std::clamp(entries.frames, 1, 1'000'000);
-    markField(ui, "hardcopy/frames", "Frames");
-    ImGui::InputFloat("Frames per second", &entries.framesPerSecond, 0, 0, "%.3g");
-    entries.framesPerSecond = std::clamp(entries.framesPerSecond, .001F, 1000.F);
+    proposeIfNeeded(ui);
+    ImGui::PushItemWidth(-ImGui::CalcTextSize("Per second ").x);
+    fileEntry(ui);
+    sizeEntry(ui);
+    framesEntry(ui);
+    labelsEntry(ui);
     ImGui::PopItemWidth();
     if (entries.job) return progress(ui);
+    const Hardcopy next = wanted(ui);
     ImGui::BeginDisabled(entries.file[0] == 0);
-    if (ImGui::Button("Write")) begin(ui);
+    if (ImGui::Button("Write")) {
+        entries.asks = replacesFile(next);
+        if (!entries.asks) begin(ui, next);
+    }
     ImGui::EndDisabled();
     mark(ui, "hardcopy/write");
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("Write the file. H writes at once, to a name that is free.");
     ImGui::SameLine();
-    if (ImGui::Button("Copy command")) {
-        const std::string file = entries.file[0] ? entries.file.data() : "picture.png";
-        ImGui::SetClipboardText(
-            renderCommand(ui.session, {file, entries.width, entries.height, entries.frames,
-                                       static_cast<double>(entries.framesPerSecond)})
-                .c_str());
-    }
+    if (ImGui::Button("Copy command")) ImGui::SetClipboardText(renderCommand(ui.session, next).c_str());
     mark(ui, "hardcopy/copy");
-    if (!entries.message.empty() && !entries.job) ImGui::TextWrapped("%s", entries.message.c_str());
+    showLast(ui);
 }
 
 }  // namespace glibra::view

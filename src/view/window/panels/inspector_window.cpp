@@ -12,6 +12,7 @@
 
 #include "render/check/object_content.h"
 #include "view/window/panels/ui.h"
+#include "view/window/panels/value_slider.h"
 
 namespace glibra::view {
 namespace {
@@ -78,6 +79,7 @@ Chosen choose(Ui& ui) {
             inspector.level = inspector.layer = 0;
             inspector.firstRow = 0;
             inspector.isPrevious = false;
+            inspector.fits = true;
             inspector.wantsRange = needsRange(ui.session.live(), each);
             inspector.display = {};
             chosen = each;
@@ -110,8 +112,9 @@ void part(Ui& ui, const Chosen& chosen) {
         value = std::clamp(value, 0, count - 1);
         if (count < 2) return;
         ImGui::SetNextItemWidth(160 * ui.scale);
-        ImGui::SliderInt(label, &value, 0, count - 1);
-        markField(ui, name, label);
+        double number = value;
+        labelledSlider(ui, label, name, {0, static_cast<double>(count - 1), true}, number);
+        value = static_cast<int>(std::lround(number));
     };
     slider("level", "inspector/level", inspector.level, texture->levels());
     if (texture->levels() > 1 && texture->layers(inspector.level) > 1) ImGui::SameLine();
@@ -171,7 +174,7 @@ void readBuffer(Ui& ui, scene::BufferIndex index) {
 /// Reads the content again after each frame of the scene, and after another choice.
 void read(Ui& ui, const Chosen& chosen) {
     Inspector& inspector = ui.inspector;
-    const gpu::Target* picture = ui.session.picture();
+    const gpu::Target* picture = ui.session.plainPicture();
     if (!picture) return;
     std::string wanted =
         fmt::format("{} {} {} {} {} {} {} {}", ui.session.path().string(), ui.session.timesLoaded(),
@@ -246,6 +249,7 @@ void zoomImage(Ui& ui, const ImVec2& at) {
     const ImGuiIO& io = ImGui::GetIO();
     if (io.MouseWheel == 0 || !ImGui::IsWindowHovered()) return;
     float& zoom = ui.inspector.zoom;
+    ui.inspector.fits = false;
     const float before = zoom;
     zoom = std::clamp(zoom * std::pow(1.2F, io.MouseWheel), kFarthest, kNearest);
     const float more = zoom / before - 1;
@@ -266,22 +270,25 @@ void image(Ui& ui) {
     const render::Content& content = *inspector.content;
     settings(ui);
     const auto width = static_cast<float>(content.width), height = static_cast<float>(content.height);
-    bool fits = ImGui::Button("Fit");
+    if (ImGui::Button("Fit")) inspector.fits = true;
     mark(ui, "inspector/fit");
     ImGui::SameLine();
-    if (ImGui::Button("1:1")) inspector.zoom = 1;
+    if (ImGui::Button("1:1")) inspector.fits = false, inspector.zoom = 1;
     mark(ui, "inspector/actualSize");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(110 * ui.scale);
-    ImGui::SliderFloat("zoom", &inspector.zoom, kFarthest, kNearest, "%.2f", ImGuiSliderFlags_Logarithmic);
-    markField(ui, "inspector/zoom", "zoom");
+    double zoom = static_cast<double>(inspector.zoom);
+    if (labelledSlider(ui, "zoom", "inspector/zoom", {kFarthest, kNearest, false, true}, zoom)) {
+        inspector.fits = false;
+        inspector.zoom = static_cast<float>(zoom);
+    }
     ImGui::SameLine();
     ImGui::Text("%d x %d   %s", content.width, content.height, inspector.hovered.c_str());
     const NonFiniteTexels bad = countNonFinite(content);
     if (bad.nan + bad.infinite > 0)
         ImGui::TextColored({1, .4F, .9F, 1}, "%d texels are NaN (magenta), %d infinite (cyan)", bad.nan,
                            bad.infinite);
-    if (fits) {
+    if (inspector.fits) {
         const ImVec2 room = ImGui::GetContentRegionAvail();
         const float border = 2 * ImGui::GetStyle().WindowPadding.x;
         inspector.zoom =
@@ -374,7 +381,9 @@ void bufferTable(Ui& ui) {
 }  // namespace
 
 void inspectorWindow(Ui& ui) {
+    if (!ui.inspector.isOpen) ui.inspector.fits = true;
     if (!ui.inspector.isOpen || !ui.session.hasScene()) return;
+    ui.session.keepTextures();
     placeFloating(ui, 20, 20, 560, 480);
     if (ImGui::Begin("Textures, targets, buffers", &ui.inspector.isOpen, ImGuiWindowFlags_NoCollapse)) {
         const Chosen chosen = choose(ui);

@@ -10,6 +10,8 @@
 #include <span>
 
 #include "view/window/panels/ui.h"
+#include "view/window/panels/value_slider.h"
+#include "view/window/platform/theme.h"
 
 namespace glibra::view {
 namespace {
@@ -32,6 +34,14 @@ void choice(Ui& ui, const char* label, const std::array<const char*, N>& words, 
     ImGui::EndCombo();
 }
 
+bool countSlider(Ui& ui, const char* label, int least, int most, int& count) {
+    double value = count;
+    const SliderScale scale{static_cast<double>(least), static_cast<double>(most), true};
+    const bool isChanged = labelledSlider(ui, label, fmt::format("noise/{}", label), scale, value);
+    count = static_cast<int>(std::lround(value));
+    return isChanged;
+}
+
 void functionControls(Ui& ui) {
     noise::GraphOptions& options = ui.shared.noise.noise.options;
     choice(ui, "Lattice", noise::kLatticeWords, options.lattice);
@@ -39,18 +49,15 @@ void functionControls(Ui& ui) {
     ImGui::BeginDisabled(options.lattice != noise::Lattice::value);
     choice(ui, "Gradients", noise::kSlopesWords, options.slopes);
     ImGui::EndDisabled();
-    ImGui::SliderInt("Octaves", &options.octaves, 1, noise::kMostGraphOctaves, "%d",
-                     ImGuiSliderFlags_AlwaysClamp);
-    markField(ui, "noise/Octaves", "Octaves");
     constexpr int kMostShownPoints = 64;
-    if (ImGui::SliderInt("Points", &options.cells, 2, kMostShownPoints, "%d", ImGuiSliderFlags_AlwaysClamp)) {
+    countSlider(ui, "Octaves", 1, noise::kMostGraphOctaves, options.octaves);
+    if (countSlider(ui, "Points", 2, kMostShownPoints, options.cells)) {
         const auto isGone = [&](const auto& each) { return each.first >= options.cells; };
         std::erase_if(options.heights, isGone);
         std::erase_if(options.gradients, isGone);
         std::erase_if(options.curvatures, isGone);
         ui.shared.noise.chosen = std::min(ui.shared.noise.chosen, options.cells - 1);
     }
-    markField(ui, "noise/Points", "Points");
     ImGui::Checkbox("Turbulence", &options.turbulence);
     mark(ui, "noise/Turbulence");
     ImGui::SameLine();
@@ -59,10 +66,8 @@ void functionControls(Ui& ui) {
 }
 
 void pointSlider(Ui& ui, const char* label, double value, double limit, std::map<int, double>& values) {
-    auto shown = static_cast<float>(value);
-    const auto most = static_cast<float>(limit);
-    if (ImGui::SliderFloat(label, &shown, -most, most, "%.3f")) values[ui.shared.noise.chosen] = shown;
-    markField(ui, fmt::format("noise/{}", label), label);
+    if (labelledSlider(ui, label, fmt::format("noise/{}", label), {-limit, limit}, value))
+        values[ui.shared.noise.chosen] = value;
 }
 
 void pointControls(Ui& ui) {
@@ -136,7 +141,7 @@ void fileControls(Ui& ui) {
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("Copy the command line that writes the same file as the last button");
     if (window.failed)
-        ImGui::TextColored({1, .45F, .4F, 1}, "%s", window.message.c_str());
+        ImGui::TextColored(asVector(palette().error), "%s", window.message.c_str());
     else
         ImGui::TextDisabled("%s", window.message.c_str());
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "render/draw/view_matrices.h"
@@ -27,8 +28,8 @@ Drag dragOf(const Ui& ui, Gesture gesture, float x, float y) {
     return {gesture, {x, -y}, {ui.picture[2], ui.picture[3]}};
 }
 
-Gesture gestureOf(int button, bool shift) {
-    if (button == ImGuiMouseButton_Middle) return Gesture::scale;
+Gesture gestureOf(int button, bool control, bool shift) {
+    if (button == ImGuiMouseButton_Middle || control) return Gesture::scale;
     if (button == ImGuiMouseButton_Right || shift) return Gesture::pan;
     return Gesture::rotate;
 }
@@ -42,7 +43,16 @@ bool project(const Ui& ui, const glm::dmat4& projection, const glm::dvec3& eye, 
     return std::isfinite(screen.x) && std::isfinite(screen.y);
 }
 
-/// Draws the 3D cursor: lines along the axes of the picked object, through the clicked point.
+/// Draws text on a dark ground.
+void label(const Ui& ui, ImDrawList& list, const ImVec2& at, const std::string& text) {
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    const float x = 4 * ui.scale, y = 2 * ui.scale;
+    list.AddRectFilled({at.x - x, at.y - y}, {at.x + size.x + x, at.y + size.y + y}, IM_COL32(0, 0, 0, 170),
+                       3);
+    list.AddText(at, IM_COL32_WHITE, text.c_str());
+}
+
+/// Draws the 3D cursor: lines along the axes of the picked object, through its middle and past its ends.
 void cursor(const Ui& ui, ImDrawList& list) {
     const Picked& picked = *ui.session.picked();
     const scene::Draw* draw = nullptr;
@@ -54,60 +64,64 @@ void cursor(const Ui& ui, ImDrawList& list) {
     const render::ViewMatrices& view = ui.session.live().view();
     const glm::dmat4 projection = view.projection(draw->projection, ui.picture[2] / ui.picture[3]);
     const glm::dmat4 modelView = view.modelView(*draw);
-    const glm::dvec3 point(modelView * glm::dvec4(picked.point, 1));
+    const glm::dvec3 middle(modelView * glm::dvec4(picked.centre, 1));
     ImVec2 centre;
-    if (!project(ui, projection, point, centre)) return;
+    if (!project(ui, projection, middle, centre)) return;
     constexpr std::array<ImU32, 3> kColors{IM_COL32(255, 90, 80, 255), IM_COL32(90, 230, 90, 255),
                                            IM_COL32(90, 150, 255, 255)};
-    const double w = std::abs((projection * glm::dvec4(point, 1)).w);
-    const double reach = .12 * w / std::max(1e-12, std::abs(projection[1][1]));
+    constexpr double kLeastReach = .12;  // of half the height of the picture
+    constexpr double kPastEnd = 1.25;
+    const double w = std::abs((projection * glm::dvec4(middle, 1)).w);
+    const double least = kLeastReach * w / std::max(1e-12, std::abs(projection[1][1]));
     for (int axis = 0; axis < 3; ++axis) {
         const glm::dvec3 direction(modelView[axis]);
         const double length = glm::length(direction);
         if (length == 0) continue;
+        const double reach = std::max(least / length, kPastEnd * picked.half[axis]);
         ImVec2 from;
         ImVec2 to;
-        if (project(ui, projection, point - direction * (reach / length), from) &&
-            project(ui, projection, point + direction * (reach / length), to))
-            list.AddLine(from, to, kColors[static_cast<std::size_t>(axis)], 2 * ui.scale);
+        if (!project(ui, projection, middle - direction * reach, from) ||
+            !project(ui, projection, middle + direction * reach, to))
+            continue;
+        list.AddLine(from, to, IM_COL32(0, 0, 0, 150), 4 * ui.scale);
+        list.AddLine(from, to, kColors[static_cast<std::size_t>(axis)], 2 * ui.scale);
     }
     constexpr int kMostShown = 200;
     const std::string line = sourceLine({ui.session.path().string(), picked.draw.line, 1});
-    const std::string text = fmt::format("line {}: {}", picked.draw.line, excerpt(line, 1, kMostShown).text);
-    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-    const ImVec2 at(centre.x + 12 * ui.scale, centre.y + 12 * ui.scale);
-    list.AddRectFilled({at.x - 4, at.y - 2}, {at.x + size.x + 4, at.y + size.y + 2}, IM_COL32(0, 0, 0, 170),
-                       3);
-    list.AddText(at, IM_COL32_WHITE, text.c_str());
+    label(ui, list, {centre.x + 12 * ui.scale, centre.y + 12 * ui.scale},
+          fmt::format("line {}: {}", picked.draw.line, excerpt(line, 1, kMostShown).text));
 }
 
-void labels(const Ui& ui, ImDrawList& list) {
-    const float line = ImGui::GetTextLineHeight();
-    ImVec2 at(ui.picture[0] + 8, ui.picture[1] + 8);
-    for (const Knob& each : ui.session.knobs()) {
-        std::string text = each.tag + " ";
-        for (std::size_t i = 0; i < std::min<std::size_t>(each.current.size(), 4); ++i)
-            text += fmt::format(" {:.4g}", each.current[i]);
-        list.AddText({at.x + 1, at.y + 1}, IM_COL32(0, 0, 0, 220), text.c_str());
-        list.AddText(at, IM_COL32_WHITE, text.c_str());
-        at.y += line;
-        if (at.y > ui.picture[1] + ui.picture[3] - line) break;
-    }
+/// The time that the objects of a frame take, at the upper right corner.
+void frameRate(const Ui& ui, ImDrawList& list) {
+    const std::optional<double> milliseconds = ui.session.objectMilliseconds();
+    if (!milliseconds) return;
+    constexpr double kMillisecondsInSecond = 1000;
+    // Nothing may be drawn in less time than the clock measures.
+    const std::string text =
+        *milliseconds > 0
+            ? fmt::format("{:.1f} frames/s  {:.2f} ms", kMillisecondsInSecond / *milliseconds, *milliseconds)
+            : "no objects";
+    const float width = ImGui::CalcTextSize(text.c_str()).x;
+    label(ui, list, {ui.picture[0] + ui.picture[2] - width - 12 * ui.scale, ui.picture[1] + 8 * ui.scale},
+          text);
 }
 
-void errorLine(const Ui& ui, ImDrawList& list) {
-    for (const Diagnostic& each : ui.session.diagnostics()) {
-        if (each.severity != Severity::error) continue;
-        const std::string text = toString(each);
-        const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-        const float top = ui.picture[1] + ui.picture[3] - size.y - 8;
-        list.AddRectFilled({ui.picture[0], top}, {ui.picture[0] + ui.picture[2], top + size.y + 8},
-                           IM_COL32(140, 20, 20, 220));
-        list.PushClipRect({ui.picture[0], top}, {ui.picture[0] + ui.picture[2] - 4, top + size.y + 8});
-        list.AddText({ui.picture[0] + 6, top + 4}, IM_COL32_WHITE, text.c_str());
-        list.PopClipRect();
-        return;
-    }
+/// Drags from point to point of the mouse's way since the last frame, so that the result does not depend on
+/// how many frames there were.
+void dragAlongWay(Ui& ui) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const Gesture gesture = gestureOf(ui.dragButton, io.KeyCtrl, io.KeyShift);
+    ImVec2 at{io.MousePos.x - io.MouseDelta.x, io.MousePos.y - io.MouseDelta.y};
+    const auto dragTo = [&](float x, float y) {
+        const float right = x - at.x, down = y - at.y;
+        at = {x, y};
+        if (right == 0 && down == 0) return;
+        ui.dragLength += std::hypot(right, down);
+        ui.session.drag(ui.mode, dragOf(ui, gesture, right, down));
+    };
+    for (const MousePoint& each : ui.way) dragTo(static_cast<float>(each.x), static_cast<float>(each.y));
+    dragTo(io.MousePos.x, io.MousePos.y);
 }
 
 }  // namespace
@@ -127,23 +141,23 @@ void pictureInput(Ui& ui) {
                 ui.dragLength = 0;
                 begins = true;
             }
-        if (io.MouseWheel != 0)
-            ui.session.drag(ui.mode, dragOf(ui, Gesture::scale, 0, -io.MouseWheel * kWheelPixels));
+        if (const double notches = ui.wheel.take(io.MouseWheel, ImGui::GetTime()); notches != 0)
+            ui.session.drag(ui.mode,
+                            dragOf(ui, Gesture::scale, 0, static_cast<float>(-notches) * kWheelPixels));
     }
     if (ui.dragButton < 0) return;
     if (ImGui::IsMouseDown(ui.dragButton)) {
-        // In slow scenes, the mouse's way to the first point arrives in the same frame as the click.
-        if (begins) return;
-        if (io.MouseDelta.x == 0 && io.MouseDelta.y == 0) return;
-        ui.dragLength += std::hypot(io.MouseDelta.x, io.MouseDelta.y);
-        ui.session.drag(ui.mode,
-                        dragOf(ui, gestureOf(ui.dragButton, io.KeyShift), io.MouseDelta.x, io.MouseDelta.y));
+        if (!begins) dragAlongWay(ui);  // the way to the first point belongs to no drag
         return;
     }
     if (ui.dragButton == ImGuiMouseButton_Left && ui.dragLength < kClickPixels) {
         const double perUnit = ui.session.width() / static_cast<double>(ui.picture[2]);
-        ui.session.pickAt(static_cast<int>((io.MousePos.x - ui.picture[0]) * perUnit),
-                          static_cast<int>((io.MousePos.y - ui.picture[1]) * perUnit));
+        const int x = static_cast<int>((io.MousePos.x - ui.picture[0]) * perUnit);
+        const int y = static_cast<int>((io.MousePos.y - ui.picture[1]) * perUnit);
+        if (ui.probe.isOn)
+            probeAt(ui, x, y);
+        else
+            ui.session.pickAt(x, y);
     }
     ui.dragButton = -1;
 }
@@ -153,15 +167,15 @@ void pictureOverlay(Ui& ui) {
     list.PushClipRect({ui.picture[0], ui.picture[1]},
                       {ui.picture[0] + ui.picture[2], ui.picture[1] + ui.picture[3]});
     if (ui.session.hasScene()) {
-        if (ui.showLabels) labels(ui, list);
+        labelOverlay(ui);
         if (ui.session.picked() && ui.session.picture()) cursor(ui, list);
+        if (ui.session.measuresObjects()) frameRate(ui, list);
     } else {
         const char* text = "Drop a .glib file here, press Ctrl+O to open one, or X for examples";
         const ImVec2 size = ImGui::CalcTextSize(text);
         list.AddText({ui.picture[0] + (ui.picture[2] - size.x) / 2, ui.picture[1] + ui.picture[3] / 2},
-                     IM_COL32(200, 200, 200, 255), text);
+                     ImGui::GetColorU32(ImGuiCol_Text), text);
     }
-    errorLine(ui, list);
     list.PopClipRect();
 }
 

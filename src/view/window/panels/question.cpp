@@ -1,11 +1,15 @@
-// The dialog that asks before unsaved text would be lost.
+// The dialog that asks before unsaved text or values would be lost.
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
+#include "view/browse/example_scenes.h"
+#include "view/edit/save_values.h"
 #include "view/window/panels/ui.h"
+#include "view/window/platform/theme.h"
 
 namespace glibra::view {
 namespace {
@@ -23,6 +27,9 @@ std::string saveAll(Ui& ui, const Question& question) {
                    "version "
                    "to keep.";
     }
+    for (const UnsavedValues& each : question.values)
+        if (const Diagnostics problems = saveValues(each.scene, each.knobs, each.files); !problems.empty())
+            return toString(problems.front());
     return {};
 }
 
@@ -33,7 +40,7 @@ void discardAll(Ui& ui, const Question& question) {
 }  // namespace
 
 void questionDialog(Ui& ui) {
-    constexpr const char* kTitle = "Unsaved text";
+    constexpr const char* kTitle = "Not saved";
     if (!ui.shared.question) return;
     if (!ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
@@ -42,30 +49,45 @@ void questionDialog(Ui& ui) {
         return;
     Question& question = *ui.shared.question;
     for (const std::filesystem::path& each : question.files) ImGui::BulletText("%s", each.filename().c_str());
+    for (const UnsavedValues& each : question.values)
+        ImGui::BulletText("the values that you have changed in %s", each.scene.filename().c_str());
+    const bool isExampleOnly = std::any_of(question.values.begin(), question.values.end(),
+                                           [](const UnsavedValues& each) { return isExample(each.scene); });
     if (!question.problem.empty()) {
         ImGui::PushTextWrapPos(420 * ui.scale);
-        ImGui::TextColored({.95F, .35F, .30F, 1}, "%s", question.problem.c_str());
+        ImGui::TextColored(asVector(palette().error), "%s", question.problem.c_str());
         ImGui::PopTextWrapPos();
     }
     ImGui::Spacing();
     bool isDone = false;
     bool isConfirmed = false;
-    if (ImGui::Button("Save")) {
-        question.problem = saveAll(ui, question);
-        isDone = isConfirmed = question.problem.empty();
+    bool inNewTab = false;
+    if (question.about == Question::About::openScene) {
+        if (ImGui::Button("Open in a new tab")) isDone = isConfirmed = inNewTab = true;
+        mark(ui, "question/newTab");
+        ImGui::SameLine();
     }
-    mark(ui, "question/save");
-    ImGui::SameLine();
+    if (!isExampleOnly) {
+        if (ImGui::Button("Save")) {
+            question.problem = saveAll(ui, question);
+            isDone = isConfirmed = question.problem.empty();
+        }
+        mark(ui, "question/save");
+        ImGui::SameLine();
+    }
     if (ImGui::Button("Discard")) {
         discardAll(ui, question);
         isDone = isConfirmed = true;
     }
     mark(ui, "question/discard");
     ImGui::SameLine();
-    if (ImGui::Button("Cancel") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) isDone = true;
+    if (ImGui::Button("Cancel") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) {
+        isDone = true;
+        returnToText(ui);
+    }
     mark(ui, "question/cancel");
     if (isDone) {
-        ui.shared.answer = Answer{std::move(question), isConfirmed};
+        ui.shared.answer = Answer{std::move(question), isConfirmed, inNewTab};
         ui.shared.question.reset();
         ImGui::CloseCurrentPopup();
     }

@@ -1,7 +1,6 @@
 #pragma once
 // The state that all tabs of the window share.
 
-#include <array>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -9,23 +8,15 @@
 #include <string>
 #include <vector>
 
-#include "view/browse/folder_list.h"
 #include "view/edit/edited_file.h"
+#include "view/edit/save_values.h"
+#include "view/scene/knobs.h"
 #include "view/window/panels/example_browser.h"
+#include "view/window/panels/file_dialog.h"
 #include "view/window/panels/noise_window.h"
 #include "view/window/platform/settings.h"
 
 namespace glibra::view {
-
-/// The dialog that opens a scene.
-struct FileDialog {
-    bool isWanted = false;  ///< opens in the next frame
-    bool inNewTab = false;  ///< the chosen scene gets its own tab
-    bool focusEntry = false;
-    std::filesystem::path folder;  ///< where to begin; empty: the scene's folder
-    FolderList list;
-    std::array<char, 4096> entry{};
-};
 
 /// A tab in the tab bar.
 struct TabTitle {
@@ -34,13 +25,21 @@ struct TabTitle {
     bool isUnsaved = false, hasError = false;
 };
 
-/// An action of the user that would lose unsaved text: it needs confirmation.
+/// The changed values of a scene, as they would be saved.
+struct UnsavedValues {
+    std::filesystem::path scene;
+    std::vector<Knob> knobs;
+    std::vector<ChosenFile> files;
+};
+
+/// An action of the user that would lose unsaved text or values: it needs confirmation.
 struct Question {
     enum class About { openScene, closeTab, quit };
     About about = About::quit;
     std::filesystem::path scene;               ///< to open
     std::size_t tab = 0;                       ///< to close
     std::vector<std::filesystem::path> files;  ///< the files with unsaved text
+    std::vector<UnsavedValues> values;         ///< the scenes whose changed values would be lost
     std::string problem;                       ///< why they could not be saved
 };
 
@@ -48,10 +47,15 @@ struct Question {
 struct Answer {
     Question question;
     bool isConfirmed = false;
+    bool inNewTab = false;  ///< the scene to open gets its own tab, so that nothing is lost
 };
 
 struct Shared {
     Settings settings;
+    std::optional<int>
+        samples;  ///< per pixel on the screen, instead of the setting, as the command line says
+    std::optional<double>
+        shape;  ///< width / height of pictures, instead of the scene's, as the command line says
     std::map<std::filesystem::path, EditedFile> sources;  ///< the files that source panels have shown
     FileDialog dialog;
     ExampleBrowser examples;
@@ -59,6 +63,7 @@ struct Shared {
     std::vector<TabTitle> tabs;
     std::size_t shownTab = 0;
     bool marksWidgets = false;  ///< positions of widgets are stored, for `--state`
+    bool isVerbose = false;     ///< the window "Verbose" is open
     bool tabChanged = false;    ///< the tab bar has to select the shown tab
     std::optional<Question> question;
     std::optional<Answer> answer;

@@ -4,14 +4,19 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 #include "glib/text.h"
+#include "view/browse/example_scenes.h"
 #include "view/edit/external_editor.h"
-#include "view/edit/source_lines.h"
+#include "view/window/panels/icons.h"
+#include "view/window/panels/syntax_colors.h"
 #include "view/window/panels/ui.h"
 #include "view/window/platform/theme.h"
 
@@ -57,6 +62,20 @@ void refresh(Ui& ui) {
     }
 }
 
+/// Puts the cursor at a place, whose column counts bytes.
+void goTo(Ui& ui, const std::filesystem::path& path, const Place& place) {
+    const std::string& text = edited(ui, path).text();
+    std::size_t at = 0;
+    for (int line = 1; line < place.line; ++line) {
+        const std::size_t end = text.find('\n', at);
+        if (end == std::string::npos) break;
+        at = end + 1;
+    }
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    at = std::min(end, at + static_cast<std::size_t>(std::max(1, place.column)) - 1);
+    ui.source.views[path].select = TextRange{at, at};
+}
+
 void takeGoTo(Ui& ui) {
     SourcePanel& panel = ui.source;
     const auto place = std::exchange(panel.goTo, std::nullopt);
@@ -65,10 +84,10 @@ void takeGoTo(Ui& ui) {
         if (isSame(each.path, place->file)) {
             panel.chosen = each.path;
             panel.follow = true;
-            panel.views[each.path].goTo = place->line;
+            goTo(ui, each.path, *place);
             return;
         }
-    ui.notice = place->file + " is not a file of this scene";
+    ui.notice = {place->file + " is not a file of this scene", true};
 }
 
 bool hasError(const Ui& ui, const std::filesystem::path& file) {
@@ -87,7 +106,7 @@ void fileTabs(Ui& ui) {
         const bool isWrong = hasError(ui, each.path);
         ImGuiTabItemFlags flags = isChanged ? ImGuiTabItemFlags_UnsavedDocument : 0;
         if (panel.follow && each.path == panel.chosen) flags |= ImGuiTabItemFlags_SetSelected;
-        if (isWrong) ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(.95F, .35F, .30F, 1));
+        if (isWrong) ImGui::PushStyleColor(ImGuiCol_Text, asVector(palette().error));
         const bool isShown =
             ImGui::BeginTabItem((each.label + "###" + each.path.string()).c_str(), nullptr, flags);
         if (isWrong) ImGui::PopStyleColor();
@@ -104,7 +123,7 @@ void fileTabs(Ui& ui) {
 void conflict(Ui& ui, EditedFile& file, CodeView& view) {
     if (!file.hasConflict()) return;
     ImGui::AlignTextToFramePadding();
-    ImGui::TextColored({.95F, .65F, .15F, 1}, "Another program has changed this file.");
+    ImGui::TextColored(asVector(palette().warning), "Another program has changed this file.");
     ImGui::SameLine();
     if (ImGui::Button("Keep mine")) file.keepMine();
     mark(ui, "source/keepMine");
@@ -117,52 +136,54 @@ void conflict(Ui& ui, EditedFile& file, CodeView& view) {
 }
 
 void buttons(Ui& ui, EditedFile& file, CodeView& view) {
+    if (isExample(ui.session.path())) {
+        if (ImGui::Button("Save a copy...")) saveSceneAs(ui);
+        mark(ui, "source/copy");
+        continueRowForButton("Save");
+    }
     ImGui::BeginDisabled(!file.isChanged());
     if (ImGui::Button("Save")) saveSource(ui);
     mark(ui, "source/save");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Save the file and update the picture (Ctrl+S)");
-    ImGui::SameLine();
+    continueRowForButton("Revert");
     if (ImGui::Button("Revert")) {
         file.revert();
         ++view.generation;
     }
     ImGui::EndDisabled();
     mark(ui, "source/revert");
-    ImGui::SameLine();
+    continueRowForButton("Open in editor");
     if (ImGui::Button("Open in editor"))
         ui.notice = openInEditor({file.path().string(), view.line, view.column});
     mark(ui, "source/editor");
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("Open the file at this line in your own editor, which the variable EDITOR names");
-    ImGui::SameLine();
-    ImGui::AlignTextToFramePadding();
+    continueRowForCheck("Live");
+    ImGui::Checkbox("Live", &ui.settings.compilesWhileTyping);
+    mark(ui, "source/live");
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip(
+            "Update the picture while you type. Files are still written only when you save them");
+    std::array<char, 192> state{};  // in every frame, so without the heap
     if (file.whyReadOnly().empty())
-        ImGui::TextDisabled("%d:%d%s", view.line, view.column, file.isChanged() ? "   not saved" : "");
+        fmt::format_to_n(state.data(), state.size() - 1, "{}:{}{}", view.line, view.column,
+                         file.isChanged() ? "   not saved" : "");
     else
-        ImGui::TextDisabled("Read only. %s", file.whyReadOnly().c_str());
-}
-
-/// The messages about the file, each with the core GLSL of its line.
-void messages(Ui& ui, const std::vector<const Diagnostic*>& all, CodeView& view) {
-    int index = 0;
-    for (const Diagnostic* each : all) {
-        const bool isError = each->severity == Severity::error;
-        ImGui::PushID(index);
-        ImGui::PushStyleColor(ImGuiCol_Text,
-                              isError ? ImVec4(.95F, .35F, .30F, 1) : ImVec4(.90F, .65F, .15F, 1));
-        const std::string text = fmt::format("{}:{}: {}", each->place.line, each->place.column, each->text);
-        const ImVec2 at = ImGui::GetCursorPos();
-        const ImVec2 size =
-            ImGui::CalcTextSize(text.c_str(), nullptr, false, ImGui::GetContentRegionAvail().x);
-        if (ImGui::Selectable("##message", false, 0, {0, size.y})) view.goTo = each->place.line;
-        mark(ui, "source/message/{}", index);
-        ImGui::SetCursorPos(at);
-        ImGui::TextWrapped("%s", text.c_str());
-        ImGui::PopStyleColor();
-        if (isError) translatedLines(ui, each->place);
-        ImGui::PopID();
-        ++index;
+        fmt::format_to_n(state.data(), state.size() - 1, "Read only. {}", file.whyReadOnly());
+    constexpr float kLeast = 90;
+    const ImVec2 size(ImGui::CalcTextSize(state.data()).x, ImGui::GetFrameHeight());
+    continueRow(std::min(size.x, kLeast * ui.scale));
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float right = at.x + ImGui::GetContentRegionAvail().x;
+    ImGui::Dummy({std::min(size.x, right - at.x), size.y});
+    mark(ui, "source/state");
+    if (ImGui::IsItemHovered() && !file.whyReadOnly().empty()) {
+        ui.hoverText = state.data();
+        ImGui::SetTooltip("%s", state.data());
     }
+    ImGui::PushStyleColor(ImGuiCol_Text, packed(palette().dim));
+    lineOfText(state.data(), {at.x, at.y + ImGui::GetStyle().FramePadding.y}, right);
+    ImGui::PopStyleColor();
 }
 
 void content(Ui& ui) {
@@ -172,26 +193,23 @@ void content(Ui& ui) {
     buttons(ui, file, view);
     conflict(ui, file, view);
     findBar(ui, file, view);
-    std::vector<const Diagnostic*> about;
     std::vector<CodeMark> marks;
     for (const Diagnostic& each : ui.session.diagnostics())
-        if (each.severity != Severity::note && isSame(each.place.file, file.path())) {
-            about.push_back(&each);
-            marks.push_back({each.place.line, each.severity, each.text});
-        }
-    std::stable_sort(about.begin(), about.end(),
-                     [](const Diagnostic* a, const Diagnostic* b) { return a->severity > b->severity; });
+        if (each.severity != Severity::note && isSame(each.place.file, file.path()))
+            marks.push_back({each.place.line, each.place.column, each.severity, each.text});
     std::stable_sort(marks.begin(), marks.end(), [](const CodeMark& a, const CodeMark& b) {
         return a.line != b.line ? a.line < b.line : a.severity > b.severity;
     });
+    const std::size_t messages = ui.session.diagnostics().size();
     const float line = ImGui::GetTextLineHeightWithSpacing();
-    const float below = about.empty() ? 0
+    const float below = messages == 0 ? 0
                                       : std::min(ImGui::GetContentRegionAvail().y * .4F,
-                                                 line * (2 * static_cast<float>(about.size()) + .5F));
+                                                 line * (2 * static_cast<float>(messages) + .5F));
     const CodeLanguage language =
         glib::sameWord(file.path().extension().string(), ".glib") ? CodeLanguage::glib : CodeLanguage::glsl;
     const FindBar& find = panel.find;
     const int cursorBefore = view.cursor;
+    assistKeys(ui, file, view);
     const bool isChanged =
         codeEditor(panel.chosen.string().c_str(), file.text(), view, {marks, find.found, find.shown},
                    language, !file.whyReadOnly().empty(), below);
@@ -200,32 +218,72 @@ void content(Ui& ui) {
         file.history().record(file.text());
     else if (view.cursor != cursorBefore)
         file.history().endStep();
+    panel.keepsKeyboard = panel.keepsKeyboard || view.isActive;
     ui.sourceState = {panel.chosen.string(), view.line,        view.column,
                       view.isActive,         file.isChanged(), file.hasConflict()};
-    if (about.empty()) return;
+    assist(ui, file, view, isChanged);
+    if (messages == 0) return;
     ImGui::BeginChild("messages");
     ImGui::Separator();
-    messages(ui, about, view);
+    messageList(ui, file.path());
     ImGui::EndChild();
+}
+
+/// Gives the session the texts that are not saved, if they are to be compiled while the user types. It does
+/// so when the user pauses.
+void compileWhileTyping(Ui& ui) {
+    constexpr double kPause = .15;  // seconds
+    SourcePanel& panel = ui.source;
+    std::map<std::filesystem::path, std::string> wanted;
+    for (const SourceFile& each : panel.files) {
+        const auto known = ui.shared.sources.find(each.path);
+        if (ui.settings.compilesWhileTyping && known != ui.shared.sources.end() && known->second.isChanged())
+            wanted.emplace(each.path, known->second.text());
+    }
+    const auto& compiled = ui.session.texts();
+    if (wanted == compiled) return;
+    const auto isInEffect = [&](const std::filesystem::path& path, const std::string& text) {
+        const auto known = ui.shared.sources.find(path);
+        return known != ui.shared.sources.end() && known->second.text() == text;
+    };
+    // Files that were saved have the compiled text already.
+    const bool wereSaved = std::all_of(wanted.begin(), wanted.end(),
+                                       [&](const auto& each) {
+                                           const auto same = compiled.find(each.first);
+                                           return same != compiled.end() && same->second == each.second;
+                                       }) &&
+                           std::all_of(compiled.begin(), compiled.end(),
+                                       [&](const auto& each) { return isInEffect(each.first, each.second); });
+    if (wereSaved) return ui.session.setTexts(std::move(wanted));
+    const double now = ImGui::GetTime();
+    if (wanted != panel.typedTexts) {
+        panel.typedTexts = std::move(wanted);
+        panel.typedAt = now;
+    }
+    if (now - panel.typedAt < kPause) {
+        ui.needsFrames = true;
+        return;
+    }
+    ui.session.setTexts(panel.typedTexts);
+    ui.requests.reload = true;
+    ui.needsFrames = true;
+}
+
+/// A click on the picture or the panel ends typing. Tool windows may be clicked: Esc closes them.
+void noticeClicks(Ui& ui) {
+    if (!ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsMouseClicked(ImGuiMouseButton_Right))
+        return;
+    const ImGuiWindow* under = ImGui::GetCurrentContext()->HoveredWindow;
+    const std::string_view owner = under ? under->RootWindow->Name : "";
+    if (owner.empty() || owner == "Controls" || owner == "Scenes") ui.source.keepsKeyboard = false;
 }
 
 }  // namespace
 
-void translatedLines(Ui& ui, const Place& place) {
-    const std::vector<glsl::EmittedLine> lines = ui.session.live().translatedLines(place);
-    constexpr std::size_t kMostShown = 3;
-    for (std::size_t i = 0; i < std::min(kMostShown, lines.size()); ++i) {
-        ImGui::PushFont(codeFont());
-        ImGui::TextDisabled("%6d > %s", lines[i].number,
-                            excerpt(lines[i].text, 1, roomForCode()).text.c_str());
-        ImGui::PopFont();
-        if (ImGui::IsItemHovered())
-            ImGui::SetTooltip(
-                "glibra translates shaders to core GLSL. This is what the driver got: line %d of the "
-                "translated shader.",
-                lines[i].number);
-        if (ui.shownTranslation.empty()) ui.shownTranslation = lines[i].text;
-    }
+void returnToText(Ui& ui) {
+    if (!ui.settings.showSource || !ui.source.keepsKeyboard) return;
+    CodeView& view = ui.source.views[ui.source.chosen];
+    if (!view.isActive && !view.select) view.select = view.selection;
 }
 
 void saveSource(Ui& ui) {
@@ -233,9 +291,12 @@ void saveSource(Ui& ui) {
     if (found == ui.shared.sources.end() || !found->second.isChanged()) return;
     const std::string name = ui.source.chosen.filename().string();
     const Diagnostics problems = found->second.save();
-    ui.notice = !problems.empty()             ? toString(problems.front())
-                : found->second.hasConflict() ? name + " was not saved: another program has changed it"
-                                              : name + " saved";
+    if (!problems.empty())
+        ui.notice = problems.front();
+    else if (found->second.hasConflict())
+        ui.notice = {name + " was not saved: another program has changed it", true};
+    else
+        ui.notice = name + " saved";
     if (problems.empty() && !found->second.hasConflict()) ui.requests.saved = ui.source.chosen;
 }
 
@@ -246,7 +307,13 @@ void showSource(Ui& ui, const Place& place) {
 
 void sourcePanel(Ui& ui, Rectangle& free) {
     ui.sourceState = {};
-    if (!ui.settings.showSource || !ui.session.hasScene()) return;
+    if (!ui.session.hasScene()) return;
+    compileWhileTyping(ui);
+    noticeClicks(ui);
+    if (!ui.settings.showSource) {
+        ui.source.assist.isOpen = ui.source.keepsKeyboard = false;
+        return;
+    }
     refresh(ui);
     takeGoTo(ui);
     // Beside the picture if there is room for both, otherwise below it.
@@ -270,7 +337,8 @@ void sourcePanel(Ui& ui, Rectangle& free) {
     ImGui::SetNextWindowSize(size, ImGuiCond_Appearing);
     if (ImGui::Begin(name, nullptr,
                      ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
-                         ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
+                         ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollbar |
+                         ImGuiWindowFlags_NoScrollWithMouse)) {
         fileTabs(ui);
         content(ui);
         // Moving the keyboard focus to the text scrolls this window too.

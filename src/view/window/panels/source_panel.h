@@ -7,9 +7,11 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "view/edit/source_files.h"
+#include "view/window/panels/code_assist.h"
 #include "view/window/panels/code_editor.h"
 #include "view/window/panels/find_bar.h"
 
@@ -23,6 +25,17 @@ struct SourcePanel {
     std::optional<Place> goTo;     ///< a place to show in the next frame
     std::map<std::filesystem::path, CodeView> views;
     FindBar find;
+    CodeAssist assist;
+    /// Texts that are not saved and will be compiled when the user pauses, and since when they are so.
+    std::map<std::filesystem::path, std::string> typedTexts;
+    double typedAt = 0;          ///< ImGui::GetTime()
+    bool keepsKeyboard = false;  ///< the text had the keyboard last, and nothing was clicked since but
+                                 ///< windows that Esc closes
 };
+
+struct Ui;
+
+/// Gives the keyboard back to the text, if it had it before a window in front took it.
+void returnToText(Ui& ui);
 
 }  // namespace glibra::view

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "view/export/suite_shot.h"
+#include "view/window/panels/icons.h"
 #include "view/window/panels/ui.h"
 
 namespace glibra::view {
@@ -46,9 +47,7 @@ void append(Ui& ui) {
 }  // namespace
 
 void suitePanel(Ui& ui) {
-    const bool isOpen = ImGui::CollapsingHeader("Suite shot");
-    mark(ui, "suite");
-    if (!isOpen) return;
+    if (!section(ui, "Suite shot", "suite", false)) return;
     SuiteEntries& entries = ui.suite;
     propose(ui);
     ImGui::PushItemWidth(-ImGui::CalcTextSize("Suite ").x);
@@ -67,7 +66,7 @@ void suitePanel(Ui& ui) {
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
         ImGui::SetTooltip("Add the current values, time, view and size (%d x %d) as a shot",
                           ui.session.width(), ui.session.height());
-    ImGui::SameLine();
+    continueRowForButton("Copy as TOML");
     if (ImGui::Button("Copy as TOML"))
         ImGui::SetClipboardText(shotText(ui.session, entries.name.data(),
                                          std::filesystem::path(entries.file.data()).parent_path())

@@ -1,27 +1,49 @@
 #include "view/window/panels/syntax_colors.h"
 
-namespace glibra::view {
+#include "view/window/platform/theme.h"
 
-ImU32 syntaxColor(SyntaxKind kind) {
-    const ImVec4 background = ImGui::GetStyleColorVec4(ImGuiCol_WindowBg);
-    const bool isLight = background.x + background.y + background.z > 1.5F;
+namespace glibra::view {
+namespace {
+
+const Color& colorOf(SyntaxKind kind) {
+    const Palette& p = palette();
     switch (kind) {
         case SyntaxKind::keyword:
-            return isLight ? IM_COL32(150, 40, 140, 255) : IM_COL32(215, 145, 235, 255);
+            return p.keyword;
         case SyntaxKind::type:
-            return isLight ? IM_COL32(20, 95, 170, 255) : IM_COL32(110, 185, 250, 255);
+            return p.type;
         case SyntaxKind::number:
-            return isLight ? IM_COL32(160, 85, 0, 255) : IM_COL32(235, 180, 110, 255);
+            return p.number;
         case SyntaxKind::comment:
-            return isLight ? IM_COL32(85, 125, 85, 255) : IM_COL32(120, 155, 120, 255);
+            return p.comment;
         case SyntaxKind::directive:
-            return isLight ? IM_COL32(120, 90, 20, 255) : IM_COL32(205, 200, 125, 255);
+            return p.directive;
         case SyntaxKind::builtin:
-            return isLight ? IM_COL32(0, 120, 120, 255) : IM_COL32(110, 210, 200, 255);
+            return p.builtin;
         case SyntaxKind::plain:
             break;
     }
-    return ImGui::GetColorU32(ImGuiCol_Text);
+    return p.text;
+}
+
+}  // namespace
+
+ImU32 syntaxColor(SyntaxKind kind) {
+    return packed(colorOf(kind));
+}
+
+ImU32 tintColor(CodeTint tint) {
+    const Tint color = tintOf(tint, palette().panel == paletteOf(true).panel);
+    return IM_COL32(color.red, color.green, color.blue, color.alpha);
+}
+
+ImU32 packed(const Color& color) {
+    return ImGui::ColorConvertFloat4ToU32(asVector(color));
+}
+
+const Color& severityColor(Severity severity) {
+    if (severity == Severity::note) return palette().text;
+    return severity == Severity::error ? palette().error : palette().warning;
 }
 
 }  // namespace glibra::view

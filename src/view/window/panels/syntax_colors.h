@@ -1,13 +1,19 @@
 #pragma once
-// Syntax colours.
+// The colours of code and messages in the current theme.
 
+#include <glibra/diagnostic.h>
 #include <imgui.h>
 
+#include "view/edit/code_palette.h"
 #include "view/edit/syntax.h"
 
 namespace glibra::view {
 
-/// The colour in the current theme.
 ImU32 syntaxColor(SyntaxKind kind);
+ImU32 tintColor(CodeTint tint);
+/// The color as ImGui's draw lists take it.
+ImU32 packed(const Color& color);
+/// Of a message's text, and of the marks of its place.
+const Color& severityColor(Severity severity);
 
 }  // namespace glibra::view

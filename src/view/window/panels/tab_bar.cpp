@@ -6,6 +6,7 @@
 #include <string>
 
 #include "view/window/panels/ui.h"
+#include "view/window/platform/theme.h"
 
 namespace glibra::view {
 
@@ -16,10 +17,10 @@ void tabBar(Ui& ui, Rectangle& free) {
     const float height = ImGui::GetFrameHeight() + 6 * ui.scale;
     ImGui::SetNextWindowPos({free[0], free[1]});
     ImGui::SetNextWindowSize({free[2], height});
-    const bool isOpen =
-        ImGui::Begin("Scenes", nullptr,
-                     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                         ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollWithMouse);
+    const bool isOpen = ImGui::Begin(
+        "Scenes", nullptr,
+        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+            ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoBringToFrontOnFocus);
     ImGui::PopStyleVar(2);
     if (isOpen && ImGui::BeginTabBar("scenes", ImGuiTabBarFlags_FittingPolicyScroll)) {
         for (std::size_t i = 0; i < ui.shared.tabs.size(); ++i) {
@@ -28,7 +29,7 @@ void tabBar(Ui& ui, Rectangle& free) {
             const bool isShown = i == ui.shared.shownTab;
             if (ui.shared.tabChanged && isShown) flags |= ImGuiTabItemFlags_SetSelected;
             bool stays = true;
-            if (each.hasError) ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(.95F, .35F, .30F, 1));
+            if (each.hasError) ImGui::PushStyleColor(ImGuiCol_Text, asVector(palette().error));
             const bool isChosen =
                 ImGui::BeginTabItem(fmt::format("{}###{}", each.label, each.id).c_str(), &stays, flags);
             if (each.hasError) ImGui::PopStyleColor();

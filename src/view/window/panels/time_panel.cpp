@@ -7,7 +7,9 @@
 
 #include <vector>
 
+#include "view/window/panels/icons.h"
 #include "view/window/panels/ui.h"
+#include "view/window/panels/value_slider.h"
 
 namespace glibra::view {
 
@@ -17,11 +19,10 @@ namespace {
 bool stepControls(Ui& ui) {
     const std::vector<render::Simulation::Progress> progress = ui.session.live().steps();
     if (progress.empty()) return false;
-    const bool isWanted = ImGui::Button("Step >");
+    continueRowForIcon();
+    const bool isWanted = iconButton(Icon::step, "step", "Pause, and go to the next step (B)");
     mark(ui, "time/step");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Pause, and go to the next step (B)");
     for (const render::Simulation::Progress& each : progress) {
-        if (&each == &progress.front()) ImGui::SameLine();
         ImGui::Text("Step %g (line %d): %lld steps", each.rate, each.place.line,
                     static_cast<long long>(each.steps));
         mark(ui, "time/steps/{}", each.place.line);
@@ -29,51 +30,53 @@ bool stepControls(Ui& ui) {
     return isWanted;
 }
 
+/// There is nothing to play. What Once has made can be made anew.
+void withoutTime(Ui& ui) {
+    ImGui::TextDisabled("This scene does not use time.");
+    mark(ui, "time/none");
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("No shader reads Timer, and no expression reads time, frame or tick");
+    if (ui.session.live().scene().once.empty()) return;
+    if (ImGui::Button("Restart")) ui.session.restart();
+    mark(ui, "time/restart");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("What Once has made begins anew");
+}
+
 }  // namespace
 
 void timePanel(Ui& ui) {
-    if (!ImGui::CollapsingHeader("Time", ImGuiTreeNodeFlags_DefaultOpen)) return;
+    if (!section(ui, "Time", "time", ui.session.usesTime())) return;
+    if (!ui.session.usesTime()) return withoutTime(ui);
     Clock clock = ui.session.clock();
-    // The button has the same width for both words, so that nothing moves.
-    const float width = ImGui::CalcTextSize("Pause").x + 2 * ImGui::GetStyle().FramePadding.x;
-    if (ImGui::Button(clock.isPlaying() ? "Pause###play" : "Play###play", ImVec2(width, 0)))
-        clock.play(!clock.isPlaying());
+    const bool isPlaying = clock.isPlaying();
+    if (iconButton(isPlaying ? Icon::pause : Icon::play, "play", isPlaying ? "Pause (Space)" : "Play (Space)",
+                   isPlaying))
+        clock.play(!isPlaying);
     mark(ui, "time/play");
-    ImGui::SameLine();
-    if (ImGui::Button("< Frame")) clock.step(-1);
+    continueRowForIcon();
+    if (iconButton(Icon::back, "back", "Previous frame (,)")) clock.step(-1);
     mark(ui, "time/back");
-    ImGui::SameLine();
-    if (ImGui::Button("Frame >")) clock.step(1);
+    continueRowForIcon();
+    if (iconButton(Icon::forward, "forward", "Next frame (.)")) clock.step(1);
     mark(ui, "time/forward");
-    ImGui::SameLine();
-    const bool restarts = ImGui::Button("Restart");
+    continueRowForIcon();
+    const bool restarts =
+        iconButton(Icon::restart, "restart", "Set the time to 0 seconds; what lasts begins anew");
     if (restarts) clock.setTime(0);
     mark(ui, "time/restart");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Set the time to 0 seconds; what lasts begins anew");
     const bool steps = stepControls(ui);
-    if (!ui.session.live().isAnimated()) {
-        ImGui::SameLine();
-        ImGui::TextDisabled("no Timer");
-        if (ImGui::IsItemHovered())
-            ImGui::SetTooltip("No shader of this scene reads Timer, so time does not change the picture");
-    }
 
     ImGui::PushItemWidth(-ImGui::CalcTextSize("Seconds ").x);
     constexpr double kShownSeconds = 10;  // the slider ends at a multiple of this
     double time = clock.time();
-    const double begin = 0;
     const double end = std::max(kShownSeconds, std::ceil(time / kShownSeconds) * kShownSeconds);
-    if (ImGui::SliderScalar("Seconds", ImGuiDataType_Double, &time, &begin, &end, "%.3f")) {
+    if (labelledSlider(ui, "Seconds", "time/scrub", {0, end}, time, " s")) {
         clock.play(false);
         clock.setTime(time);
     }
-    markField(ui, "time/scrub", "Seconds");
     double speed = clock.speed();
-    const double slowest = -4;
-    const double fastest = 4;
-    if (ImGui::SliderScalar("Speed", ImGuiDataType_Double, &speed, &slowest, &fastest, "%.2f x"))
-        clock.setSpeed(speed);
-    markField(ui, "time/speed", "Speed");
+    constexpr double kFastest = 4;
+    if (labelledSlider(ui, "Speed", "time/speed", {-kFastest, kFastest}, speed, " x")) clock.setSpeed(speed);
     ImGui::PopItemWidth();
     ui.session.setClock(clock);
     if (restarts) ui.session.restart();

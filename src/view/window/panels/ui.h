@@ -3,6 +3,8 @@
 // positions.
 
 #include <fmt/format.h>
+#include <glibra/diagnostic.h>
+#include <imgui.h>
 
 #include <array>
 #include <chrono>
@@ -17,10 +19,14 @@
 #include "gpu/context/context.h"
 #include "view/debug_view/buffer_table.h"
 #include "view/debug_view/texels.h"
-#include "view/export/hardcopy_job.h"
 #include "view/session/frame_cost.h"
 #include "view/session/history.h"
 #include "view/session/session.h"
+#include "view/session/wheel.h"
+#include "view/window/panels/hardcopy_panel.h"
+#include "view/window/panels/label_overlay.h"
+#include "view/window/panels/message_box.h"
+#include "view/window/panels/probe_window.h"
 #include "view/window/panels/shared.h"
 #include "view/window/panels/source_panel.h"
 #include "view/window/platform/display.h"
@@ -57,17 +63,6 @@ struct SourceState {
     bool isActive = false, isChanged = false, hasConflict = false;
 };
 
-/// The entries of the section "Hardcopy".
-struct HardcopyEntries {
-    std::array<char, 1024> file{};
-    int width = 0, height = 0;  ///< 0: the size on the screen
-    int frames = 1;
-    float framesPerSecond = 30;
-    std::optional<HardcopyJob> job;  ///< running now
-    std::string message;             ///< the result of the last hardcopy
-    bool failed = false;
-};
-
 /// The state of the window "Textures, targets, buffers".
 struct Inspector {
     bool isOpen = false;
@@ -77,6 +72,7 @@ struct Inspector {
     int level = 0, layer = 0;
     bool isPrevious = false;  ///< the other copy of an object with history
     bool wantsRange = false;  ///< the range of shown values follows from the next content
+    bool fits = true;         ///< the zoom follows the size of the window, until the user chooses one
     float zoom = 1;
     TexelDisplay display;
     std::string readFor;  ///< what `content` or `rows` was read for
@@ -90,6 +86,24 @@ struct Inspector {
     BufferTable table;
     std::vector<std::string> head;               ///< the cells before the array
     std::vector<std::vector<std::string>> rows;  ///< the cells of the shown elements
+};
+
+/// The result of the last action, for the status line.
+struct Notice {
+    std::string text;
+    bool isError = false;
+
+    Notice() = default;
+    Notice(std::string words, bool asError = false) : text(std::move(words)), isError(asError) {}
+    Notice(const char* words) : text(words) {}
+    Notice(const Diagnostic& each) : text(toString(each)), isError(each.severity == Severity::error) {}
+};
+
+/// A slider that the mouse drags.
+struct SliderDrag {
+    float mouse = 0;      ///< x where `position` was
+    double position = 0;  ///< of the thumb, 0..1
+    bool isFine = false;
 };
 
 struct Ui {
@@ -107,22 +121,40 @@ struct Ui {
     SuiteEntries suite;
     Requests requests;
     HardcopyEntries hardcopy;
+    LabelOverlay labels;
+    MessageBox messageBox;
     TransformMode mode = TransformMode::eye;
     float scale = 1;
     int lastErrors = 0;
+    bool showsMessages = false;  ///< the section of messages is open
+    bool needsFrames = false;    ///< something changes by itself in the next frames
+    std::string banner;          ///< its text in this frame
+    std::string hoverText;       ///< about the code under the mouse
+    ProbeWindow probe;
     bool showPanel = true, showHelp = false, showLabels = false;
-    Rectangle picture{};        ///< position of the picture
+    Rectangle room{};               ///< what the panels leave free
+    Rectangle picture{};            ///< position of the picture in it
+    std::vector<unsigned> sliders;  ///< those drawn in this frame, for Tab; ImGui's numbers of widgets
+    unsigned focusedSlider = 0;     ///< gets the keys; 0: none
+    std::string focusedName;        ///< its name, for `--state`
+    SliderDrag sliderDrag;
+    double sliderMoves = 0;         ///< by keys of this frame, as a part of the scale
+    std::optional<bool> sliderEnd;  ///< keys of this frame: to the minimum (false), to the maximum (true)
+    bool sliderIsTyped = false, sliderWasClicked = false, revealsSlider = false;
+    Wheel wheel;
     std::string typing;         ///< the slider that is a text field now: "uniform/Dots/uKd/0"
     bool typingBegins = false;  ///< the text field needs the keyboard focus
     double typed = 0;
     std::vector<double> valuesBeforeClick;
-    int dragButton = -1;   ///< mouse button that drags the picture; -1: none
-    float dragLength = 0;  ///< pixels so far
+    int dragButton = -1;          ///< mouse button that drags the picture; -1: none
+    float dragLength = 0;         ///< pixels so far
+    std::vector<MousePoint> way;  ///< InputQueue::Frame::way; empty: straight to where the mouse is
     Inspector inspector;
     std::string debugViewText;  ///< the debug view's numbers of the pixel under the mouse
     std::optional<FrameCost> cost;
     std::vector<Display::KeyPress> pressed;
-    std::string notice;                        ///< the result of the last action, for the status line
+    Notice notice;
+    bool panelScrolls = false;                 ///< not all of the sections fit into the panel
     std::map<std::string, Rectangle> widgets;  ///< positions in this frame, by name
 };
 
@@ -137,13 +169,25 @@ requires(sizeof...(Arguments) > 0) void mark(Ui& ui, fmt::format_string<Argument
     if (ui.shared.marksWidgets) mark(ui, fmt::format(format, std::forward<Arguments>(arguments)...));
 }
 
+/// The heading of a section. Returns true if the section is open; the settings remember that under its name,
+/// which is also the name for mark(). The visible title may be followed by "###" and an id.
+bool section(Ui& ui, const char* title, std::string_view name, bool isOpenAtFirst);
+/// The same for a group inside a section.
+bool group(Ui& ui, const char* title, std::string_view name);
+
 // The sections of the panel, each drawn into the current ImGui window.
 void scenePanel(Ui& ui);
 void messagesPanel(Ui& ui);
+/// The messages as a list; a click goes to the place. `file`: the shown one, whose name is left out.
+void messageList(Ui& ui, const std::filesystem::path& file);
+/// The first error and how many more there are, at the lower edge of the picture.
+void errorBanner(Ui& ui);
 void uniformsPanel(Ui& ui);
 void viewPanel(Ui& ui);
 void timePanel(Ui& ui);
 void hardcopyPanel(Ui& ui);
+/// Begins a hardcopy with the settings of that section, to the next name that is free.
+void writeHardcopy(Ui& ui);
 /// Writes the next frames of a running hardcopy, whether its section is open or not.
 void continueHardcopy(Ui& ui);
 void costPanel(Ui& ui);
@@ -162,8 +206,20 @@ void noiseWindow(Ui& ui);
 void noiseGraph(Ui& ui, float width, float height);
 void exampleWindow(Ui& ui);
 void fileDialog(Ui& ui);
-/// Asks the user before unsaved text would be lost.
+/// Asks the user before unsaved text or values would be lost.
 void questionDialog(Ui& ui);
+/// Shows the texts of MessageBox after the scene was loaded.
+void messageBox(Ui& ui);
+/// Asks for the file of a model or texture that the scene does not name.
+void missingFileDialog(Ui& ui);
+/// Lists what the scene does, if Shared::isVerbose.
+void verboseWindow(Ui& ui);
+/// The button "File" and its menu.
+void fileMenu(Ui& ui);
+/// Writes the values and the chosen files into the scene, or asks where to save a copy of an example.
+void saveScene(Ui& ui);
+/// Asks where to save the scene with its values, and opens the result in a tab.
+void saveSceneAs(Ui& ui);
 
 /// Sets the initial position and size of the next window, which is never larger than the screen. The values
 /// are screen coordinates at scale 1.
@@ -177,13 +233,13 @@ void sourcePanel(Ui& ui, Rectangle& free);
 void saveSource(Ui& ui);
 /// Opens the source panel at that place.
 void showSource(Ui& ui, const Place& place);
-/// Shows the core GLSL that was made from that line, if the driver rejected the shader.
-void translatedLines(Ui& ui, const Place& place);
 
 /// Handles the mouse over the picture.
 void pictureInput(Ui& ui);
-/// Draws labels, the 3D cursor and the first error over the picture.
+/// Draws labels and the 3D cursor over the picture.
 void pictureOverlay(Ui& ui);
+/// Draws the values over the picture, if they are wanted.
+void labelOverlay(Ui& ui);
 /// Handles the keyboard shortcuts.
 void shortcuts(Ui& ui);
 void helpWindow(Ui& ui);
@@ -192,6 +248,12 @@ void keysPanel(Ui& ui);
 
 /// The width of the panel with the sections, in screen coordinates.
 float panelWidth(const Ui& ui);
+/// Draws a line of text up to the screen coordinate `right`, where it ends with an ellipsis if it does not
+/// fit. Returns true if it fits.
+bool lineOfText(const char* text, const ImVec2& at, float right);
+
+/// Width / height of the picture, as the scene's window or the command line says.
+double shapeOf(const Ui& ui);
 
 /// Draws all panels and windows of one frame.
 void showAll(Ui& ui);

@@ -4,13 +4,17 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
 
-#include "view/edit/save_values.h"
 #include "view/export/hardcopy.h"
+#include "view/scene/slider_scale.h"
+#include "view/window/panels/icons.h"
 #include "view/window/panels/ui.h"
+#include "view/window/panels/value_slider.h"
+#include "view/window/platform/theme.h"
 
 namespace glibra::view {
 namespace {
@@ -41,16 +45,10 @@ void setPart(Ui& ui, const Part& part, double value) {
 
 /// A text field in place of the slider, for any value, also beyond the range.
 void entry(Ui& ui, const Part& part) {
-    const bool begins = std::exchange(ui.typingBegins, false);
-    if (begins) ui.typed = ui.session.knobs()[part.index].current[part.component];
-    if (begins) ImGui::SetKeyboardFocusHere();
-    ImGui::InputDouble("##entry", &ui.typed, 0, 0, "%.9g",
-                       ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_CharsScientific);
+    double value = ui.session.knobs()[part.index].current[part.component];
+    const bool isTyped = sliderEntry(ui, "##slider", value);
     markPart(ui, part);
-    // The value changes when the user has finished typing, not with each digit.
-    if (!ImGui::IsItemDeactivated()) return;
-    setPart(ui, part, ui.typed);
-    ui.typing.clear();
+    if (isTyped) setPart(ui, part, value);
 }
 
 /// ImGui's integers have 32 bits.
@@ -58,41 +56,43 @@ int shownInteger(double value) {
     return static_cast<int>(std::clamp(value, -2147483648.0, 2147483647.0));
 }
 
-void slider(Ui& ui, const Part& part) {
+/// A menu of the words of a choice.
+void choice(Ui& ui, const Part& part) {
     const Knob& knob = ui.session.knobs()[part.index];
-    if (!ui.typing.empty() && ui.typing == nameOf(knob, part.component)) return entry(ui, part);
-    double value = knob.current[part.component];
-    bool changed = false;
-    if (!knob.words.empty()) {
-        int word = shownInteger(value);
-        std::string items;  // ended by zero bytes
-        for (const std::string& each : knob.words) items += each + '\0';
-        changed = ImGui::Combo("##slider", &word, items.c_str());
-        value = word;
-    } else if (knob.isInteger()) {
-        int integer = shownInteger(value);
-        changed = ImGui::SliderInt("##slider", &integer, static_cast<int>(std::ceil(knob.minimum)),
-                                   static_cast<int>(std::floor(knob.maximum)));
-        value = integer;
-    } else {
-        changed = ImGui::SliderScalar("##slider", ImGuiDataType_Double, &value, &knob.minimum, &knob.maximum,
-                                      kNumberFormat);
-    }
+    int word = shownInteger(knob.current[part.component]);
+    std::string items;  // ended by zero bytes
+    for (const std::string& each : knob.words) items += each + '\0';
+    const bool isChanged = ImGui::Combo("##slider", &word, items.c_str());
     markPart(ui, part);
+    if (isChanged) setPart(ui, part, word);
+}
+
+/// Returns true if the user wants the menu of the value.
+bool slider(Ui& ui, const Part& part) {
+    const Knob& knob = ui.session.knobs()[part.index];
     if (!knob.words.empty()) {
-        if (changed) setPart(ui, part, value);
-        return;
+        choice(ui, part);
+        return false;
     }
+    if (!ui.typing.empty() && ui.typing == nameOf(knob, part.component)) {
+        entry(ui, part);
+        return false;
+    }
+    double value = knob.current[part.component];
+    const SliderUse use = valueSlider(ui, "##slider", scaleOf(knob), value);
+    markPart(ui, part);
     const bool isSecondClick = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
-    if (ImGui::IsItemActivated() && !isSecondClick) ui.valuesBeforeClick = knob.current;
-    if (ImGui::IsItemHovered() && isSecondClick) {
-        // The first click of the two has moved the slider.
+    if (use.isActivated && !isSecondClick) ui.valuesBeforeClick = knob.current;
+    if (use.isActivated || use.isChanged) ui.session.animate(part.index, false);
+    if (use.isTyped) {
         ui.typing = nameOf(knob, part.component);
         ui.typingBegins = true;
-        ui.session.setValue(part.index, ui.valuesBeforeClick);
-    } else if (changed) {
+        // The first click of the two has moved the slider.
+        if (isSecondClick) ui.session.setValue(part.index, ui.valuesBeforeClick);
+    } else if (use.isChanged) {
         setPart(ui, part, value);
     }
+    return use.wantsMenu;
 }
 
 void number(Ui& ui, const Part& part) {
@@ -110,11 +110,15 @@ void number(Ui& ui, const Part& part) {
                                     kNumberFormat);
     }
     markPart(ui, part);
+    if (changed && ImGui::IsMouseDown(ImGuiMouseButton_Left))
+        value = withoutLeftover(value, static_cast<double>(speed));
     if (changed) setPart(ui, part, value);
 }
 
-/// The components of a vector side by side; columns of a matrix and elements of an array in rows.
-void components(Ui& ui, std::size_t index) {
+/// The components of a vector side by side; columns of a matrix and elements of an array in rows. Returns
+/// true if the user wants the menu of the value.
+bool components(Ui& ui, std::size_t index) {
+    bool wantsMenu = false;
     const Knob& knob = ui.session.knobs()[index];
     const std::size_t count = knob.current.size();
     const std::size_t inRow =
@@ -128,11 +132,12 @@ void components(Ui& ui, std::size_t index) {
         ImGui::SetNextItemWidth(std::max(20.F, each));
         ImGui::PushID(static_cast<int>(i));
         if (knob.widget == Widget::slider)
-            slider(ui, {index, i});
+            wantsMenu = slider(ui, {index, i}) || wantsMenu;
         else
             number(ui, {index, i});
         ImGui::PopID();
     }
+    return wantsMenu;
 }
 
 void checkBox(Ui& ui, std::size_t index) {
@@ -163,16 +168,48 @@ void color(Ui& ui, std::size_t index) {
     ui.session.setValue(index, std::move(values));
 }
 
+/// Animations move between the ends of a range.
+bool canMove(const Knob& knob) {
+    return knob.widget == Widget::slider && knob.words.empty();
+}
+
 void contextMenu(Ui& ui, std::size_t index) {
     const Knob& knob = ui.session.knobs()[index];
-    if (!ImGui::BeginPopupContextItem("menu")) return;
+    if (!ImGui::BeginPopup("menu")) return;
     ImGui::TextDisabled("%s", knob.declaration.c_str());
+    if (canMove(knob)) {
+        const bool isMoving = ui.session.isAnimated(index);
+        if (ImGui::MenuItem("Animate", nullptr, isMoving)) ui.session.animate(index, !isMoving);
+        mark(ui, "menu/animate");
+    }
     if (ImGui::MenuItem("Reset", nullptr, false, knob.isChanged())) ui.session.resetValue(index);
+    mark(ui, "menu/reset");
     if (ImGui::MenuItem("Copy for the Program line")) ImGui::SetClipboardText(pairText(knob).c_str());
     if (ImGui::MenuItem("Copy as argument (--set)"))
         ImGui::SetClipboardText(
             ("--set " + setArgument(ui.session.live().scene(), knob, ui.session.knobs())).c_str());
     ImGui::EndPopup();
+}
+
+/// The buttons after the value: animate, and back to the scene's value.
+void buttons(Ui& ui, std::size_t index) {
+    const Knob& knob = ui.session.knobs()[index];
+    const float side = ImGui::GetFrameHeight();
+    if (canMove(knob)) {
+        const bool isMoving = ui.session.isAnimated(index);
+        const bool isPressed = iconButton(
+            isMoving ? Icon::pause : Icon::play, "animate",
+            isMoving ? "Stop at this value" : "Animate: move between the ends of the range", isMoving);
+        mark(ui, "animate/{}/{}", knob.title, knob.tag);
+        if (isPressed) ui.session.animate(index, !isMoving);
+    } else {
+        ImGui::Dummy({side, side});
+    }
+    if (!knob.isChanged()) return;
+    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    const bool isPressed = iconButton(Icon::undo, "reset", "Back to the value of the scene");
+    mark(ui, "reset/{}/{}", knob.title, knob.tag);
+    if (isPressed) ui.session.resetValue(index);
 }
 
 void row(Ui& ui, std::size_t index) {
@@ -183,10 +220,10 @@ void row(Ui& ui, std::size_t index) {
     ImGui::AlignTextToFramePadding();
     ImGui::Selectable(knob.tag.c_str(), false, ImGuiSelectableFlags_AllowItemOverlap);
     mark(ui, "label/{}/{}", knob.title, knob.tag);
+    bool wantsMenu = ImGui::IsItemClicked(ImGuiMouseButton_Right);
     if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("%s\n%s:%d\nRight click: reset or copy", knob.declaration.c_str(),
+        ImGui::SetTooltip("%s\n%s:%d\nRight click: animate, reset or copy", knob.declaration.c_str(),
                           knob.place.file.c_str(), knob.place.line);
-    contextMenu(ui, index);
     ImGui::TableNextColumn();
     switch (knob.widget) {
         case Widget::checkBox:
@@ -197,61 +234,77 @@ void row(Ui& ui, std::size_t index) {
             break;
         case Widget::slider:
         case Widget::numbers:
-            components(ui, index);
+            wantsMenu = components(ui, index) || wantsMenu;
             break;
     }
+    if (wantsMenu) ImGui::OpenPopup("menu");
+    contextMenu(ui, index);
     ImGui::TableNextColumn();
-    if (ui.session.knobs()[index].isChanged()) {
-        if (ImGui::SmallButton("reset")) ui.session.resetValue(index);
-        mark(ui, "reset/{}/{}", knob.title, knob.tag);
-    }
+    buttons(ui, index);
     ImGui::PopID();
 }
 
-void section(Ui& ui, scene::ProgramIndex program) {
+void valuesOf(Ui& ui, scene::ProgramIndex program) {
     const std::vector<Knob>& knobs = ui.session.knobs();
     if (!ImGui::BeginTable("values", 3, ImGuiTableFlags_None)) return;
     float widest = 0;
     for (const Knob& each : knobs)
         if (each.program == program) widest = std::max(widest, ImGui::CalcTextSize(each.tag.c_str()).x);
+    constexpr float kMostForNames = .36F;
     ImGui::TableSetupColumn("tag", ImGuiTableColumnFlags_WidthFixed,
-                            std::min(widest, ImGui::GetContentRegionAvail().x * .4F));
+                            std::min(widest, ImGui::GetContentRegionAvail().x * kMostForNames));
     ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
-    ImGui::TableSetupColumn("reset", ImGuiTableColumnFlags_WidthFixed, ImGui::CalcTextSize("reset").x + 8);
+    ImGui::TableSetupColumn("buttons", ImGuiTableColumnFlags_WidthFixed,
+                            2 * ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x);
     for (std::size_t i = 0; i < knobs.size(); ++i)
         if (knobs[i].program == program) row(ui, i);
     ImGui::EndTable();
-    if (ImGui::SmallButton(program ? "Copy Program line" : "Copy Let lines"))
+    if (ImGui::Button(program ? "Copy Program line" : "Copy Let lines"))
         ImGui::SetClipboardText(programLine(ui.session.live().scene(), program, knobs).c_str());
     mark(ui, "copy/{}", program ? std::to_string(program.position()) : "variables");
+}
+
+/// Says why there are no values.
+void withoutValues(Ui& ui) {
+    const scene::Scene& scene = ui.session.live().scene();
+    const bool sets = std::any_of(scene.programs.begin(), scene.programs.end(),
+                                  [](const scene::Program& each) { return !each.uniforms.empty(); });
+    const bool isWrong = hasError(ui.session.diagnostics());
+    const char* text = "The scene sets no values.";
+    if (sets && isWrong)
+        text = "The program does not compile, so its values are not known.";
+    else if (sets)
+        text = "No program uses a value that its Program line sets.";
+    else if (isWrong)
+        text = "The scene has errors, so its values are not known.";
+    ImGui::PushStyleColor(ImGuiCol_Text, asVector(palette().dim));
+    ImGui::TextWrapped("%s", text);
+    ImGui::PopStyleColor();
+    mark(ui, "uniforms/none: {}", text);
 }
 
 }  // namespace
 
 void uniformsPanel(Ui& ui) {
-    if (!ImGui::CollapsingHeader("Uniforms", ImGuiTreeNodeFlags_DefaultOpen)) return;
+    if (!section(ui, "Values", "uniforms", true)) return;
     const std::vector<Knob>& knobs = ui.session.knobs();
     if (knobs.empty()) {
-        ImGui::TextDisabled("No Program line sets a uniform.");
+        withoutValues(ui);
         return;
     }
     if (ImGui::Button("Reset all")) ui.session.resetValues();
     mark(ui, "uniforms/reset");
-    ImGui::SameLine();
+    continueRowForButton("Copy values");
     if (ImGui::Button("Copy values")) ImGui::SetClipboardText(setArguments(ui.session).c_str());
     mark(ui, "uniforms/copyValues");
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("Copy the changed values as arguments for `glibra render`: --set NAME=VALUE ...");
-    ImGui::SameLine();
-    if (ImGui::Button("Save values")) {
-        const Diagnostics problems = saveValues(ui.session.path(), ui.session.knobs());
-        ui.notice = problems.empty() ? "saved the values in " + ui.session.path().filename().string()
-                                     : toString(problems.front());
-    }
+    continueRowForButton("Save values");
+    if (ImGui::Button("Save values")) saveScene(ui);
     mark(ui, "scene/save");
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("Write the current values into the Program lines of the .glib file");
-    ImGui::SameLine();
+    continueRowForCheck("Labels");
     ImGui::Checkbox("Labels", &ui.showLabels);
     mark(ui, "uniforms/labels");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Show the values over the picture (L)");
@@ -262,15 +315,12 @@ void uniformsPanel(Ui& ui) {
         drawn = last;
         ImGui::PushID(last ? static_cast<int>(last.position()) : -1);
         const char* state = last && ui.session.live().showsEarlierProgram(last) ? " (last good version)" : "";
-        ImGui::SetNextItemOpen(true, ImGuiCond_Once);
-        if (ImGui::TreeNodeEx("program", ImGuiTreeNodeFlags_SpanAvailWidth, "%s%s", first.title.c_str(),
-                              state)) {
-            mark(ui, "section/{}", first.title);
-            section(ui, last);
-            ImGui::TreePop();
-        } else {
-            mark(ui, "section/{}", first.title);
-        }
+        // In every frame, so without the heap.
+        std::array<char, 160> title{};
+        fmt::format_to_n(title.data(), title.size() - 1, "{}{}###program", first.title, state);
+        std::array<char, 160> name{};
+        fmt::format_to_n(name.data(), name.size() - 1, "section/{}", first.title);
+        if (group(ui, title.data(), name.data())) valuesOf(ui, last);
         ImGui::PopID();
     }
 }

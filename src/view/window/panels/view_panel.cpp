@@ -3,10 +3,14 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
+#include <utility>
 
 #include "render/draw/view_matrices.h"
+#include "view/scene/slider_scale.h"
+#include "view/window/panels/icons.h"
 #include "view/window/panels/ui.h"
 
 namespace glibra::view {
@@ -25,7 +29,7 @@ constexpr std::array<ModeRow, 4> kModes{
 
 void modes(Ui& ui) {
     for (const ModeRow& each : kModes) {
-        if (each.mode != TransformMode::scene) ImGui::SameLine();
+        if (each.mode != TransformMode::scene) continueRowForCheck(each.label);
         if (ImGui::RadioButton(each.label, ui.mode == each.mode)) ui.mode = each.mode;
         mark(ui, "mode/{}", each.label);
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", each.help);
@@ -35,6 +39,8 @@ void modes(Ui& ui) {
 bool drag(Ui& ui, const char* label, double* values, int count, float speed) {
     const bool changed =
         ImGui::DragScalarN(label, ImGuiDataType_Double, values, count, speed, nullptr, nullptr, "%.4g");
+    if (changed && ImGui::IsMouseDown(ImGuiMouseButton_Left))
+        for (int i = 0; i < count; ++i) values[i] = withoutLeftover(values[i], static_cast<double>(speed));
     if (ui.shared.marksWidgets) markField(ui, fmt::format("transform/{}", label), label);
     return changed;
 }
@@ -55,7 +61,7 @@ void numbers(Ui& ui) {
     if (changed && now.scale > 0) ui.session.setTransform(ui.mode, render::asNumbers(matrixOf(now)));
     if (ImGui::Button("Reset this")) ui.session.setTransform(ui.mode, kIdentity);
     mark(ui, "transform/resetThis");
-    ImGui::SameLine();
+    continueRowForButton("Reset all transforms");
     if (ImGui::Button("Reset all transforms")) ui.session.resetTransforms();
     mark(ui, "transform/reset");
 }
@@ -92,22 +98,23 @@ void projection(Ui& ui) {
     bool axes = ui.session.axes();
     if (ImGui::Checkbox("Axes", &axes)) ui.session.setAxes(axes);
     mark(ui, "view/axes");
-    ImGui::SameLine();
+    continueRowForCheck("Wireframe");
     bool wireframe = ui.session.wireframe();
     if (ImGui::Checkbox("Wireframe", &wireframe)) ui.session.setWireframe(wireframe);
     mark(ui, "view/wireframe");
 
-    ImGui::SameLine();
+    continueRowForCheck("Textures");
     ImGui::Checkbox("Textures", &ui.inspector.isOpen);
     mark(ui, "view/inspector");
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip(
             "Show the texels of textures and targets, the picture's colour and depth, and buffers (I)");
-    ImGui::SameLine();
+    continueRowForCheck("Noise");
     ImGui::Checkbox("Noise", &ui.shared.noise.isOpen);
     mark(ui, "view/noise");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Show the noise functions as graphs (N)");
 
+    continueRowForCheck("Background");
     bool own = view.background.has_value();
     if (ImGui::Checkbox("Background", &own)) {
         if (own)
@@ -128,10 +135,53 @@ void projection(Ui& ui) {
     ui.session.setView(std::move(view));
 }
 
+/// How the picture stands on the screen: nothing here changes what is written to files.
+void screen(Ui& ui) {
+    ImGui::PushItemWidth(-ImGui::CalcTextSize("Projection ").x);
+    constexpr std::array<std::pair<PictureShape, const char*>, 2> kShapes{
+        {{PictureShape::scene, "as in the scene"}, {PictureShape::fill, "fill the window"}}};
+    const bool isFilled = ui.settings.pictureShape == PictureShape::fill;
+    const bool showsShapes = ImGui::BeginCombo("Shape", kShapes[isFilled ? 1 : 0].second);
+    markField(ui, "view/shape", "Shape");
+    if (showsShapes) {
+        for (const auto& [shape, words] : kShapes) {
+            if (ImGui::Selectable(words, shape == ui.settings.pictureShape)) ui.settings.pictureShape = shape;
+            mark(ui, shape == PictureShape::fill ? "view/shape/fill" : "view/shape/scene");
+        }
+        ImGui::EndCombo();
+    } else if (ImGui::IsItemHovered()) {
+        ImGui::SetTooltip(
+            "As in the scene: the picture keeps the shape of the scene's window, with margins.\n"
+            "Fill the window: the scene fits in by the smaller side. Nothing is cropped.");
+    }
+    constexpr std::array<std::pair<int, const char*>, 4> kChoices{
+        {{1, "off"}, {2, "2 samples per pixel"}, {4, "4 samples per pixel"}, {8, "8 samples per pixel"}}};
+    const int samples = std::max(1, ui.shared.samples.value_or(ui.settings.samples));
+    const char* now = "as the command line says";
+    for (const auto& [count, words] : kChoices)
+        if (count == samples) now = words;
+    const bool isOpen = ImGui::BeginCombo("Smooth", now);
+    markField(ui, "view/samples", "Smooth");
+    if (isOpen) {
+        for (const auto& [count, words] : kChoices) {
+            if (ImGui::Selectable(words, count == samples)) {
+                ui.settings.samples = count;
+                ui.shared.samples.reset();
+            }
+            mark(ui, "view/samples/{}", count);
+        }
+        ImGui::EndCombo();
+    } else if (ImGui::IsItemHovered()) {
+        ImGui::SetTooltip(
+            "Smooth edges on the screen, where the driver can; hardcopies and `glibra render` are as before");
+    }
+    ImGui::PopItemWidth();
+}
+
 }  // namespace
 
 void viewPanel(Ui& ui) {
-    if (!ImGui::CollapsingHeader("View", ImGuiTreeNodeFlags_DefaultOpen)) return;
+    if (!section(ui, "View", "view", false)) return;
     modes(ui);
     ImGui::PushItemWidth(-ImGui::CalcTextSize("Translate ").x);
     numbers(ui);
@@ -139,6 +189,7 @@ void viewPanel(Ui& ui) {
     ImGui::PopItemWidth();
     cameras(ui);
     projection(ui);
+    screen(ui);
 }
 
 }  // namespace glibra::view

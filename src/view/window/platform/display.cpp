@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace glibra::view {
@@ -12,7 +13,7 @@ namespace glibra::view {
 struct Display::Events {
     bool active = true;
     std::vector<std::filesystem::path> dropped;
-    std::vector<KeyEvent> keys;
+    std::vector<InputEvent> input;
 };
 
 namespace {
@@ -43,23 +44,39 @@ Display::Events& Display::eventsOf(GLFWwindow* window) {
     return *static_cast<Events*>(glfwGetWindowUserPointer(window));
 }
 
+void Display::note(GLFWwindow* window, const InputEvent& event) {
+    eventsOf(window).active = true;
+    eventsOf(window).input.push_back(event);
+}
+
 /// Registers the callbacks that write into `events`, which must outlive the window.
 void Display::listen(GLFWwindow* window, Events& events) {
     glfwSetWindowUserPointer(window, &events);
     glfwSetWindowRefreshCallback(window, [](GLFWwindow* at) { eventsOf(at).active = true; });
     glfwSetFramebufferSizeCallback(window, [](GLFWwindow* at, int, int) { eventsOf(at).active = true; });
-    glfwSetCursorPosCallback(window, [](GLFWwindow* at, double, double) { eventsOf(at).active = true; });
-    glfwSetMouseButtonCallback(window, [](GLFWwindow* at, int, int, int) { eventsOf(at).active = true; });
-    glfwSetScrollCallback(window, [](GLFWwindow* at, double, double) { eventsOf(at).active = true; });
+    using Kind = InputEvent::Kind;
+    glfwSetCursorPosCallback(window, [](GLFWwindow* at, double x, double y) {
+        note(at, {Kind::move, 0, false, {x, y}});
+    });
+    glfwSetMouseButtonCallback(window, [](GLFWwindow* at, int button, int action, int) {
+        note(at, {Kind::button, button, action == GLFW_PRESS, {}});
+    });
+    glfwSetScrollCallback(window, [](GLFWwindow* at, double x, double y) {
+        note(at, {Kind::wheel, 0, false, {x, y}});
+    });
+    glfwSetWindowContentScaleCallback(window,
+                                      [](GLFWwindow* at, float, float) { eventsOf(at).active = true; });
     glfwSetWindowFocusCallback(window, [](GLFWwindow* at, int) { eventsOf(at).active = true; });
-    glfwSetCursorEnterCallback(window, [](GLFWwindow* at, int) { eventsOf(at).active = true; });
+    glfwSetCursorEnterCallback(window, [](GLFWwindow* at, int enters) {
+        eventsOf(at).active = true;
+        if (enters == GLFW_FALSE) note(at, {Kind::leave, 0, false, {}});
+    });
     glfwSetKeyCallback(window, [](GLFWwindow* at, int key, int, int action, int) {
         eventsOf(at).active = true;
-        if (action != GLFW_REPEAT) eventsOf(at).keys.push_back({key, action == GLFW_PRESS, 0});
+        if (action != GLFW_REPEAT) note(at, {Kind::key, key, action == GLFW_PRESS, {}});
     });
     glfwSetCharCallback(window, [](GLFWwindow* at, unsigned int character) {
-        eventsOf(at).active = true;
-        eventsOf(at).keys.push_back({0, true, character});
+        note(at, {Kind::character, static_cast<int>(character), true, {}});
     });
     glfwSetDropCallback(window, [](GLFWwindow* at, int count, const char** paths) {
         eventsOf(at).active = true;
@@ -137,7 +154,22 @@ float Display::contentScale() const {
     float x = 1;
     float y = 1;
     glfwGetWindowContentScale(window_, &x, &y);
-    return std::clamp(x, .5F, 8.F);
+    constexpr float kSteps = 20;
+    return std::clamp(std::round(x * kSteps) / kSteps, .5F, 8.F);
+}
+float Display::density() const {
+    const int width = size().first;
+    const int pixels = framebufferSize().first;
+    return width > 0 && pixels > 0 ? static_cast<float>(pixels) / static_cast<float>(width) : 1;
+}
+std::optional<std::pair<int, int>> Display::workArea() {
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    if (monitor == nullptr) return std::nullopt;
+    int left = 0, top = 0;
+    std::pair<int, int> size;
+    glfwGetMonitorWorkarea(monitor, &left, &top, &size.first, &size.second);
+    if (size.first < 1 || size.second < 1) return std::nullopt;
+    return size;
 }
 double Display::refreshRate() const {
     GLFWmonitor* monitor = glfwGetPrimaryMonitor();
@@ -169,8 +201,8 @@ void Display::wake() {
 bool Display::takeActivity() {
     return std::exchange(events_->active, false);
 }
-std::vector<Display::KeyEvent> Display::takeKeyEvents() {
-    return std::exchange(events_->keys, {});
+std::vector<Display::InputEvent> Display::takeInput() {
+    return std::exchange(events_->input, {});
 }
 std::vector<std::filesystem::path> Display::takeDropped() {
     return std::exchange(events_->dropped, {});

@@ -5,12 +5,20 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 struct GLFWwindow;
 
 namespace glibra::view {
+
+/// In screen coordinates, from the upper left corner of the window.
+struct MousePoint {
+    double x = 0, y = 0;
+    friend bool operator==(const MousePoint&, const MousePoint&) = default;
+};
 
 class Display {
   public:
@@ -34,8 +42,14 @@ class Display {
     [[nodiscard]] std::pair<int, int> size() const;
     /// Pixels.
     [[nodiscard]] std::pair<int, int> framebufferSize() const;
-    /// The scale of text, relative to 96 dots per inch.
+    /// The scale of text in pixels, relative to 96 dots per inch, in steps of a twentieth: X11 knows the size
+    /// of screens in whole millimetres only.
     [[nodiscard]] float contentScale() const;
+    /// Pixels per screen coordinate: 1 on X11.
+    [[nodiscard]] float density() const;
+    /// The size of the primary monitor without the desktop's bars, in screen coordinates; empty if it is
+    /// unknown.
+    [[nodiscard]] static std::optional<std::pair<int, int>> workArea();
     /// The refresh rate of the primary monitor in Hz; 60 if it is unknown.
     [[nodiscard]] double refreshRate() const;
     /// True if the driver can wait for the monitor between two frames. If so, it does.
@@ -52,21 +66,25 @@ class Display {
     struct KeyPress {
         int key = 0;  ///< GLFW key code
         bool control = false;
+        bool shift = false;  ///< when the key went down; it may be up again when the frame begins
     };
-    /// A key that was pressed or released; or, if `character` is not 0, a character that was typed.
-    struct KeyEvent {
-        int key = 0;  ///< GLFW key code
-        bool isDown = false;
-        unsigned character = 0;
+    /// What a key, the mouse or its wheel did.
+    struct InputEvent {
+        enum class Kind { key, character, button, move, leave, wheel };
+        Kind kind = Kind::key;
+        int code = 0;         ///< of a key or button in GLFW; a character in Unicode
+        bool isDown = false;  ///< of a key or button
+        MousePoint at{};      ///< where the mouse moved to; how far the wheel turned
     };
-    /// The key events since the last call, in order.
-    std::vector<KeyEvent> takeKeyEvents();
+    /// The events since the last call, in order.
+    std::vector<InputEvent> takeInput();
     /// The files dropped on the window since the last call.
     std::vector<std::filesystem::path> takeDropped();
 
   private:
     struct Events;
     static Events& eventsOf(GLFWwindow* window);
+    static void note(GLFWwindow* window, const InputEvent& event);
     static void listen(GLFWwindow* window, Events& events);
     Display(GLFWwindow* window, std::unique_ptr<Events> events);
     GLFWwindow* window_ = nullptr;

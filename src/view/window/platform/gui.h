@@ -6,6 +6,9 @@
 
 namespace glibra::view {
 
+/// The scale of texts and widgets in screen coordinates: that of the display times the user's zoom.
+float scaleOf(const Display& display, const Settings& settings);
+
 class Gui {
   public:
     /// Uses the display's GL context, fonts for that scale, and the theme and layout of the settings.
@@ -13,6 +16,9 @@ class Gui {
     Gui(const Gui&) = delete;
     Gui& operator=(const Gui&) = delete;
     ~Gui();
+
+    /// Changes fonts, spacing and floating windows to another scale. Call it between frames.
+    void rescale(const Display& display, float from, float to, const Settings& settings);
 };
 
 }  // namespace glibra::view

@@ -49,6 +49,17 @@ std::vector<T> readList(const nlohmann::json& json, const char* key, bool (nlohm
     return values;
 }
 
+/// Without the elements that are no points.
+std::vector<MousePoint> readPoints(const nlohmann::json& json, const char* key) {
+    std::vector<MousePoint> points;
+    const auto found = json.find(key);
+    if (found == json.end() || !found->is_array()) return points;
+    for (const nlohmann::json& each : *found)
+        if (each.is_array() && each.size() == 2 && each[0].is_number() && each[1].is_number())
+            points.push_back({each[0].get<double>(), each[1].get<double>()});
+    return points;
+}
+
 /// A missing mouse position and missing buttons are those of the frame before.
 FrameInput frameOf(const nlohmann::json& json, const FrameInput& before) {
     FrameInput frame;
@@ -57,6 +68,7 @@ FrameInput frameOf(const nlohmann::json& json, const FrameInput& before) {
     frame.buttons = before.buttons;
     readNumber(json, "buttons", frame.buttons);
     readNumber(json, "wheel", frame.wheel);
+    frame.way = readPoints(json, "way");
     frame.keys = readList<int>(json, "keys", &nlohmann::json::is_number_integer);
     frame.text = readText(json, "text").value_or("");
     frame.windowSize = readPair<int>(json, "size");
@@ -70,6 +82,7 @@ FrameInput frameOf(const nlohmann::json& json, const FrameInput& before) {
 void InputRecorder::add(const FrameInput& frame) {
     nlohmann::ordered_json json{{"mouse", {frame.mouseX, frame.mouseY}}, {"buttons", frame.buttons}};
     if (frame.wheel != 0) json["wheel"] = frame.wheel;
+    for (const MousePoint& each : frame.way) json["way"].push_back({each.x, each.y});
     if (!frame.keys.empty()) json["keys"] = frame.keys;
     if (!frame.text.empty()) json["text"] = frame.text;
     if (frame.windowSize) json["size"] = {frame.windowSize->first, frame.windowSize->second};

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "view/window/platform/display.h"
+
 namespace glibra::view {
 
 /// The input of one frame. Times are not recorded: a replayed frame lasts 1/60 second.
@@ -15,8 +17,9 @@ struct FrameInput {
     float mouseX = 0, mouseY = 0;  ///< screen coordinates
     unsigned buttons = 0;          ///< bit 0 left, 1 right, 2 middle
     float wheel = 0;
-    std::vector<int> keys;  ///< GLFW codes of the keys that are down
-    std::string text;       ///< typed characters, UTF-8
+    std::vector<MousePoint> way;  ///< InputQueue::Frame::way, if it has more points than one
+    std::vector<int> keys;        ///< GLFW codes of the keys that are down
+    std::string text;             ///< typed characters, UTF-8
     std::optional<std::pair<int, int>> windowSize;
     std::optional<std::string> open;   ///< a scene to open in the shown tab
     std::vector<std::string> dropped;  ///< files dropped on the window

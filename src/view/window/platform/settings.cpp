@@ -1,6 +1,7 @@
 #include "view/window/platform/settings.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -13,6 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr std::size_t kMostRecent = 12;
+constexpr std::size_t kMostFolds = 500;
 
 }  // namespace
 
@@ -22,6 +24,17 @@ void Settings::addRecent(const fs::path& scene) {
     std::erase(recent, whole);
     recent.insert(recent.begin(), whole);
     if (recent.size() > kMostRecent) recent.resize(kMostRecent);
+}
+
+void Settings::scaleSizes(float by) {
+    const auto scaled = [by](int size) {
+        return static_cast<int>(std::lround(static_cast<float>(size) * by));
+    };
+    windowWidth = scaled(windowWidth);
+    windowHeight = scaled(windowHeight);
+    panelWidth *= by;
+    sourceWidth *= by;
+    sourceHeight *= by;
 }
 
 fs::path settingsFile() {
@@ -49,14 +62,32 @@ Settings readSettings(const fs::path& file) {
     settings.panelWidth = static_cast<float>(number("panelWidth", kLargestWindow));
     settings.sourceWidth = static_cast<float>(number("sourceWidth", kLargestWindow));
     settings.sourceHeight = static_cast<float>(number("sourceHeight", kLargestWindow));
+    if (json.contains("layoutScale"))
+        settings.layoutScale = static_cast<float>(number("layoutScale", kMostZoom));
+    if (!(settings.layoutScale > 0)) settings.layoutScale = 1;
+    if (json.contains("zoom"))
+        settings.zoom = std::max(kLeastZoom, static_cast<float>(number("zoom", kMostZoom)));
+    if (json.contains("samples")) settings.samples = static_cast<int>(number("samples", kMostSamples));
+    if (const auto shape = json.find("pictureShape"); shape != json.end() && *shape == "fill")
+        settings.pictureShape = PictureShape::fill;
+    if (const auto folds = json.find("folds"); folds != json.end() && folds->is_object())
+        for (const auto& [section, isOpen] : folds->items())
+            if (isOpen.is_boolean() && settings.folds.size() < kMostFolds)
+                settings.folds[section] = isOpen.get<bool>();
     const auto truth = [&](const char* key) {
         const auto found = json.find(key);
         return found != json.end() && found->is_boolean() && found->get<bool>();
     };
     if (const auto found = json.find("layout"); found != json.end() && found->is_string())
         settings.layout = found->get<std::string>();
+    if (const auto found = json.find("hardcopyFolder"); found != json.end() && found->is_string())
+        settings.hardcopyFolder = found->get<std::string>();
+    constexpr double kLastCorner = static_cast<double>(LabelCorner::topRight);
+    if (const double corner = number("labelCorner", kLastCorner); corner >= 1)
+        settings.labelCorner = static_cast<LabelCorner>(static_cast<int>(corner));
     settings.lightTheme = truth("lightTheme");
     settings.showSource = truth("showSource");
+    settings.compilesWhileTyping = truth("compilesWhileTyping");
     if (const auto found = json.find("recent"); found != json.end() && found->is_array())
         for (const auto& each : *found)
             if (each.is_string() && settings.recent.size() < kMostRecent)
@@ -66,14 +97,23 @@ Settings readSettings(const fs::path& file) {
 
 void writeSettings(const Settings& settings, const fs::path& file) {
     if (file.empty()) return;
+    const bool isFilled = settings.pictureShape == PictureShape::fill;
     const nlohmann::ordered_json json{{"windowWidth", settings.windowWidth},
                                       {"windowHeight", settings.windowHeight},
                                       {"panelWidth", settings.panelWidth},
                                       {"sourceWidth", settings.sourceWidth},
                                       {"sourceHeight", settings.sourceHeight},
                                       {"showSource", settings.showSource},
+                                      {"compilesWhileTyping", settings.compilesWhileTyping},
                                       {"lightTheme", settings.lightTheme},
+                                      {"labelCorner", static_cast<int>(settings.labelCorner)},
+                                      {"hardcopyFolder", settings.hardcopyFolder},
+                                      {"zoom", settings.zoom},
+                                      {"samples", settings.samples},
+                                      {"pictureShape", isFilled ? "fill" : "scene"},
+                                      {"folds", settings.folds},
                                       {"layout", settings.layout},
+                                      {"layoutScale", settings.layoutScale},
                                       {"recent", settings.recent}};
     std::error_code failure;
     fs::create_directories(file.parent_path(), failure);

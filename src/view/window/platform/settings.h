@@ -1,24 +1,49 @@
 #pragma once
 // The settings that the window keeps between runs, as JSON in the user's configuration folder.
 
+#include <glibra/render.h>
+
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
 namespace glibra::view {
 
+/// What becomes of the room beside the panels if its shape is not that of the scene's window.
+enum class PictureShape {
+    scene,  ///< the picture keeps the scene's shape, with margins
+    fill    ///< the picture fills the room; the scene fits in, by the smaller side
+};
+
+/// Sizes are screen coordinates at the current scale; the file has them at scale 1, so that they are right on
+/// a screen of another density.
 struct Settings {
-    int windowWidth = 0, windowHeight = 0;  ///< screen coordinates; 0: from the scene's size
-    float panelWidth = 0;                   ///< screen coordinates; 0: the default
+    int windowWidth = 0, windowHeight = 0;  ///< 0: from the scene's size
+    float panelWidth = 0;                   ///< 0: the default
     float sourceWidth = 0,
           sourceHeight = 0;  ///< of the source panel: its width beside the picture, its height below it
     bool showSource = false;
-    std::string layout;  ///< positions of the floating windows, in ImGui's format
+    bool compilesWhileTyping = false;
+    std::string layout;     ///< positions of the floating windows, in ImGui's format
+    float layoutScale = 1;  ///< the scale of `layout`
     bool lightTheme = false;
-    std::vector<std::string> recent;  ///< scene files, most recently opened first
+    LabelCorner labelCorner = LabelCorner::bottomLeft;
+    std::string hardcopyFolder;  ///< empty: the current folder
+    float zoom = 1;              ///< of texts and widgets, in addition to the screen's scale
+    int samples = 4;             ///< per pixel on the screen
+    PictureShape pictureShape = PictureShape::scene;
+    std::map<std::string, bool, std::less<>> folds;  ///< sections that are not as at first: true if open
+    std::vector<std::string> recent;                 ///< scene files, most recently opened first
 
     void addRecent(const std::filesystem::path& scene);
+    /// Multiplies the sizes of windows and panels.
+    void scaleSizes(float by);
 };
+
+inline constexpr float kLeastZoom = .5F, kMostZoom = 4;
+inline constexpr int kMostSamples = 32;
 
 /// $XDG_CONFIG_HOME/glibra/view.json, by default ~/.config/glibra/view.json. Empty if HOME is not set.
 std::filesystem::path settingsFile();

@@ -9,12 +9,18 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 namespace glibra::view {
 namespace {
 
-constexpr float kFontPixels = 15;
+constexpr float kTextPixels = 14;
+constexpr float kSmallPixels = 12;
 constexpr float kCodePixels = 14;
+
+enum Font { kText, kHeading, kSmall, kCode };
+
+bool isLightTheme = false;
 
 /// The path of a DejaVu font in the desktop's data folders; empty if it is not installed.
 std::string fontFile(const char* name) {
@@ -41,13 +47,25 @@ void addFont(const char* name, float pixels) {
 
 }  // namespace
 
-void loadFonts(float scale) {
-    addFont("DejaVuSans.ttf", std::round(kFontPixels * scale));
-    addFont("DejaVuSansMono.ttf", std::round(kCodePixels * scale));
+void loadFonts(float scale, float density) {
+    ImGuiIO& io = ImGui::GetIO();
+    io.Fonts->Clear();
+    io.FontGlobalScale = 1 / density;
+    const float pixels = scale * density;
+    addFont("DejaVuSans.ttf", std::round(kTextPixels * pixels));
+    addFont("DejaVuSans-Bold.ttf", std::round(kTextPixels * pixels));
+    addFont("DejaVuSans.ttf", std::round(kSmallPixels * pixels));
+    addFont("DejaVuSansMono.ttf", std::round(kCodePixels * pixels));
 }
 
+ImFont* headingFont() {
+    return ImGui::GetIO().Fonts->Fonts[kHeading];
+}
+ImFont* smallFont() {
+    return ImGui::GetIO().Fonts->Fonts[kSmall];
+}
 ImFont* codeFont() {
-    return ImGui::GetIO().Fonts->Fonts.back();
+    return ImGui::GetIO().Fonts->Fonts[kCode];
 }
 
 int roomForCode() {
@@ -57,23 +75,88 @@ int roomForCode() {
     return static_cast<int>(ImGui::GetContentRegionAvail().x / width) - kNumber;
 }
 
+const Palette& palette() {
+    return paletteOf(isLightTheme);
+}
+
+ImVec4 asVector(const Color& color) {
+    return {color.r, color.g, color.b, 1};
+}
+
 void applyTheme(bool light, float scale) {
+    isLightTheme = light;
+    const Palette& p = palette();
     ImGuiStyle style;
     if (light)
         ImGui::StyleColorsLight(&style);
     else
         ImGui::StyleColorsDark(&style);
-    for (const int each : {ImGuiCol_WindowBg, ImGuiCol_PopupBg}) style.Colors[each].w = 1;
+    const std::pair<int, Color> colors[] = {{ImGuiCol_Text, p.text},
+                                            {ImGuiCol_TextDisabled, p.dim},
+                                            {ImGuiCol_WindowBg, p.panel},
+                                            {ImGuiCol_PopupBg, p.popup},
+                                            {ImGuiCol_MenuBarBg, p.section},
+                                            {ImGuiCol_Border, p.border},
+                                            {ImGuiCol_FrameBg, p.frame},
+                                            {ImGuiCol_FrameBgHovered, p.frameHovered},
+                                            {ImGuiCol_FrameBgActive, p.frameActive},
+                                            {ImGuiCol_TitleBg, p.section},
+                                            {ImGuiCol_TitleBgActive, p.section},
+                                            {ImGuiCol_TitleBgCollapsed, p.section},
+                                            {ImGuiCol_ScrollbarBg, p.panel},
+                                            {ImGuiCol_ScrollbarGrab, p.button},
+                                            {ImGuiCol_ScrollbarGrabHovered, p.buttonHovered},
+                                            {ImGuiCol_ScrollbarGrabActive, p.buttonActive},
+                                            {ImGuiCol_CheckMark, p.accent},
+                                            {ImGuiCol_SliderGrab, p.accent},
+                                            {ImGuiCol_SliderGrabActive, p.accent},
+                                            {ImGuiCol_Button, p.button},
+                                            {ImGuiCol_ButtonHovered, p.buttonHovered},
+                                            {ImGuiCol_ButtonActive, p.buttonActive},
+                                            {ImGuiCol_Header, p.section},
+                                            {ImGuiCol_HeaderHovered, p.sectionHovered},
+                                            {ImGuiCol_HeaderActive, p.sectionActive},
+                                            {ImGuiCol_Separator, p.border},
+                                            {ImGuiCol_SeparatorHovered, p.accent},
+                                            {ImGuiCol_SeparatorActive, p.accent},
+                                            {ImGuiCol_ResizeGrip, p.button},
+                                            {ImGuiCol_ResizeGripHovered, p.accent},
+                                            {ImGuiCol_ResizeGripActive, p.accent},
+                                            {ImGuiCol_Tab, p.panel},
+                                            {ImGuiCol_TabHovered, p.buttonHovered},
+                                            {ImGuiCol_TabActive, p.button},
+                                            {ImGuiCol_TabUnfocused, p.panel},
+                                            {ImGuiCol_TabUnfocusedActive, p.button},
+                                            {ImGuiCol_PlotLines, p.accent},
+                                            {ImGuiCol_PlotHistogram, p.fill},
+                                            {ImGuiCol_PlotHistogramHovered, p.fill},
+                                            {ImGuiCol_TableHeaderBg, p.section},
+                                            {ImGuiCol_TableBorderStrong, p.border},
+                                            {ImGuiCol_TableBorderLight, p.border},
+                                            {ImGuiCol_TextSelectedBg, p.selection},
+                                            {ImGuiCol_NavHighlight, p.accent}};
+    for (const auto& [index, color] : colors) style.Colors[index] = asVector(color);
+    // Behind a dialog everything is darker, in both themes.
+    style.Colors[ImGuiCol_ModalWindowDimBg] = ImVec4(0, 0, 0, light ? .3F : .55F);
+    style.WindowPadding = {2 * kSpace, 2 * kSpace};
+    style.FramePadding = {2 * kSpace, kSpace};
+    style.ItemSpacing = {2 * kSpace, kSpace};
+    style.ItemInnerSpacing = {kSpace, kSpace};
+    style.CellPadding = {kSpace, .5F * kSpace};
+    style.IndentSpacing = 3 * kSpace;
+    style.ScrollbarSize = 3 * kSpace;
+    style.GrabMinSize = 3 * kSpace;
     style.WindowRounding = 0;
-    style.FrameRounding = 3;
-    style.GrabRounding = 3;
-    style.WindowBorderSize = 0;
+    style.PopupRounding = kSpace;
+    style.FrameRounding = kSpace;
+    style.GrabRounding = kSpace;
+    style.TabRounding = kSpace;
+    style.ScrollbarRounding = kSpace;
+    style.WindowBorderSize = 1;
+    style.PopupBorderSize = 1;
     // White fields on light grey need borders to be visible.
-    if (light) {
-        style.FrameBorderSize = 1;
-        style.Colors[ImGuiCol_Border] = ImVec4(.62F, .62F, .62F, 1);
-    }
-    style.GrabMinSize = 12;
+    style.FrameBorderSize = light ? 1.F : 0.F;
+    style.WindowTitleAlign = {0, .5F};
     style.ScaleAllSizes(scale);
     ImGui::GetStyle() = style;
 }

@@ -1,0 +1,86 @@
+#include "plan/fragment_outputs.h"
+
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "plan/inputs.h"
+
+namespace glibra::plan {
+namespace {
+
+/// What the texels of a colour target are for a shader. The window's are floating-point numbers.
+BaseType kindOf(const scene::Scene& scene, const scene::Pass& pass, std::size_t target) {
+    if (target >= pass.targets.size()) return BaseType::floating;
+    const auto* source = std::get_if<scene::EmptySource>(&scene.textures[pass.targets[target]].source);
+    if (source == nullptr) return BaseType::floating;
+    switch (base::rowOf(source->format).kind) {
+        case base::TexelClass::integer:
+            return BaseType::integer;
+        case base::TexelClass::unsignedInteger:
+            return BaseType::unsignedInteger;
+        default:
+            return BaseType::floating;
+    }
+}
+
+std::string_view texelsOf(BaseType kind) {
+    if (kind == BaseType::integer) return "signed integers";
+    return kind == BaseType::unsignedInteger ? "unsigned integers" : "floating-point numbers";
+}
+
+/// The GLSL type of that kind with as many components: "uvec3".
+std::string wordOf(BaseType kind, int components) {
+    const bool isScalar = components == 1;
+    switch (kind) {
+        case BaseType::integer:
+            return isScalar ? "int" : fmt::format("ivec{}", components);
+        case BaseType::unsignedInteger:
+            return isScalar ? "uint" : fmt::format("uvec{}", components);
+        default:
+            return isScalar ? "float" : fmt::format("vec{}", components);
+    }
+}
+
+bool isWritten(const scene::Draw& draw, std::size_t target) {
+    const base::ColorMask& mask = draw.raster.write.at(target);
+    return mask.red || mask.green || mask.blue || mask.alpha;
+}
+
+}  // namespace
+
+Diagnostics outputProblems(const scene::Scene& scene, const scene::Draw& draw, const scene::Pass& pass,
+                           const ProgramInterface& interface) {
+    Diagnostics problems;
+    if (!scene.isModern) return problems;
+    const std::size_t count = pass.isWindow ? 1 : pass.targets.size();
+    for (const base::ActiveOutput& output : interface.outputs) {
+        for (int i = 0; i < output.arraySize; ++i) {
+            const int location = output.location + i;
+            if (location < 0 || static_cast<std::size_t>(location) >= count) continue;
+            const auto target = static_cast<std::size_t>(location);
+            const BaseType kind = kindOf(scene, pass, target);
+            if (kind == output.type.base || !isWritten(draw, target)) continue;
+            std::string written = "the window";
+            if (!pass.isWindow) {
+                const scene::Texture& texture = scene.textures[pass.targets[target]];
+                written = texture.name.empty()
+                              ? fmt::format("the target of line {}", pass.place.line)
+                              : fmt::format("target '{}' (line {})", texture.name, texture.place.line);
+            }
+            problems.push_back(diagnose(
+                "draw-E11",
+                fmt::format("fragment output '{}' is of type {}, but {} holds {}; declare the output as {}",
+                            userNameOf(interface, output.name), output.type.word, written, texelsOf(kind),
+                            wordOf(kind, output.type.components())),
+                draw.place));
+            break;
+        }
+    }
+    return problems;
+}
+
+}  // namespace glibra::plan

@@ -1,0 +1,189 @@
+#include "plan/planned_programs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "plan/loop_rounds.h"
+#include "plan/overrides.h"
+#include "plan/uniform_names.h"
+
+namespace glibra::plan {
+namespace {
+
+/// True for members of a uniform block whose values are in a buffer of the scene.
+bool isInBuffer(const PlannedProgram& program, const ActiveUniform& uniform) {
+    return uniform.block >= 0 &&
+           std::any_of(program.blocks.begin(), program.blocks.end(), [&](const BlockUse& each) {
+               return each.kind == BlockUse::Kind::uniform &&
+                      each.index == static_cast<std::size_t>(uniform.block);
+           });
+}
+
+/// Adds the vertex inputs whose names are in the table of well-known names.
+void listNamedInputs(const ProgramInterface& interface, std::vector<std::string>& to) {
+    for (const ActiveInput& input : interface.inputs) {
+        if (glsl::findBuiltinInput(input.name) != nullptr) continue;
+        if (const auto* row = glsl::findWellKnownInput(input.name, input.type.word))
+            to.push_back(fmt::format("vertex input '{}' is the attribute {}", input.name, row->attribute));
+    }
+}
+
+/// The object whose size is the number of invocations, or null.
+const scene::ObjectView* sizeOf(const scene::Dispatch& dispatch) {
+    const auto* over = std::get_if<scene::Over>(&dispatch.groups);
+    return over != nullptr ? std::get_if<scene::ObjectView>(&over->what) : nullptr;
+}
+
+}  // namespace
+
+PlannedProgramIndex PlannedPrograms::of(const ProgramVariant& variant, scene::UniformSetIndex uniforms) {
+    if (!variant.program) uniforms = {};  // the built-in program reads none of them
+    PlannedProgramIndex& index =
+        programs_[VariantKey{variant.program, variant.flatColors, variant.colorTargets, variant.isFullScreen,
+                             variant.inPieces, uniforms}];
+    if (index) return index;
+    const ProgramInterface& interface = interfaceOf_(variant);
+    PlannedProgram program{variant, &interface, {}, {}, {}};
+    State state;
+    state.diagnostics = interface.facts.diagnostics;
+    if (interface.usable) resolve(program, state, uniforms);
+    append(state.diagnostics, reportLongLoops(program, [this] { return loopLimit(); }));
+    states_.push_back(std::move(state));
+    return index = plan_.programs.add(std::move(program));
+}
+
+void PlannedPrograms::resolve(PlannedProgram& program, State& state, scene::UniformSetIndex uniforms) {
+    const ProgramInterface& interface = *program.interface;
+    const scene::Program noPairs;
+    const scene::Program* own = declared(program.variant.program);
+    scene::Program merged;  // what a draw sets comes after what the Program statement sets
+    if (own != nullptr && uniforms) {
+        merged = *own;
+        const std::vector<glib::UniformSpec>& set = scene_.uniformSets[uniforms].values;
+        merged.uniforms.insert(merged.uniforms.end(), set.begin(), set.end());
+        own = &merged;
+    }
+    if (own != nullptr) {
+        Result<std::vector<BlockUse>> blocks = blockUses(scene_, *own, uniforms, interface);
+        append(state.diagnostics, std::move(blocks.diagnostics));
+        if (blocks) program.blocks = std::move(*blocks);
+    }
+    const std::span<const Override> overrides(options_.overrides);
+    const DrawValues drawn{scene_.isModern ? &scene_ : nullptr,
+                           uniforms ? &scene_.uniformSets[uniforms] : nullptr,
+                           [&](const ActiveUniform& each) { return isInBuffer(program, each); }};
+    UniformResolution resolution =
+        resolveUniforms(own != nullptr ? *own : noPairs, scene_.path, interface,
+                        own != nullptr ? overrides : overrides.first(0), plan_.usedOverrides, drawn);
+    program.foundByName = std::move(resolution.foundByName);
+    if (scene_.isModern && own != nullptr) listNamedInputs(interface, program.foundByName);
+    state.badBindings = std::move(resolution.badBindings);
+    state.refused = std::move(resolution.refusedImages);
+    program.values = std::move(resolution.values);
+    program.controls = std::move(resolution.controls);
+    append(state.diagnostics, std::move(resolution.diagnostics));
+    auto units =
+        assignUnits(interface, resolution.samplers, options_.maxTextureUnits, options_.maxImageUnits);
+    if (units) state.units = std::move(*units);
+    state.unitProblems = std::move(units.diagnostics);
+}
+
+int PlannedPrograms::loopLimit() {
+    if (!loopLimit_) loopLimit_ = options_.loopLimit ? options_.loopLimit() : 0;
+    return *loopLimit_;
+}
+
+PlannedInputsIndex PlannedPrograms::inputsOf(const scene::Draw& draw, PlannedProgramIndex program) {
+    PlannedInputsIndex& index = inputs_[{program, draw.attributes}];
+    if (!index)
+        index = plan_.inputs.add({inputSources(scene_, draw.attributes, *(*this)[program].interface)});
+    return index;
+}
+
+std::vector<ObjectUse> PlannedPrograms::shaderUsesOf(PlannedProgramIndex program,
+                                                     const std::vector<TextureUse>& textures) {
+    std::vector<ObjectUse> uses = shaderUses((*this)[program], textures);
+    for (const scene::TextureView& each : state(program).refused) uses.push_back({each, true, true});
+    return uses;
+}
+
+std::vector<ObjectUse> PlannedPrograms::usesOf(const scene::Draw& draw, const scene::Pass& pass) {
+    const PlannedProgramIndex program = of(draw, pass);
+    std::vector<ObjectUse> uses = shaderUsesOf(program, texturesOf(draw, program));
+    const auto read = [&](const scene::BufferView& view) {
+        if (view.buffer) uses.push_back({view});
+    };
+    read(draw.instancesFrom);
+    read(draw.verticesFrom);
+    for (const InputSource& each : plan_.inputs[inputsOf(draw, program)].sources)
+        if (const auto* view = std::get_if<scene::BufferView>(&each.from)) read(*view);
+    return uses;
+}
+
+std::vector<ObjectUse> PlannedPrograms::usesOf(const scene::Dispatch& dispatch) {
+    if (!options_.lacksCompute.empty()) return {};
+    const PlannedProgramIndex program = of(dispatch);
+    std::vector<ObjectUse> uses = shaderUsesOf(program, texturesOf(dispatch, program));
+    if (const auto* groups = std::get_if<scene::GroupsFrom>(&dispatch.groups))
+        uses.push_back({groups->buffer});
+    if (const scene::ObjectView* size = sizeOf(dispatch))  // its content is not read
+        uses.push_back({*size, false, false});
+    return uses;
+}
+
+namespace {
+
+/// True if a program declares the uniform without using it. Drivers differ in which unused uniforms they
+/// keep.
+bool isDeclaredUnused(const scene::Scene& scene, const FramePlan& plan, const Override& override) {
+    return std::any_of(plan.programs.begin(), plan.programs.end(), [&](const PlannedProgram& program) {
+        const scene::ProgramIndex own = program.variant.program;
+        return own && isFor(override, scene.programs[own]) &&
+               program.interface->facts.uniforms.contains(std::string(rootName(override.name)));
+    });
+}
+
+}  // namespace
+
+Diagnostics reportOverrides(const scene::Scene& scene, std::span<const FramePlan* const> plans,
+                            std::span<const Override> overrides) {
+    if (overrides.empty()) return {};
+    std::vector<bool> used(overrides.size());
+    std::vector<std::string> names;
+    for (const scene::Variable& each : scene.variables) names.push_back(each.name);
+    std::set<scene::ProgramIndex> known;
+    for (const FramePlan* plan : plans) {
+        for (std::size_t i = 0; i < used.size(); ++i)
+            if (plan->usedOverrides.at(i)) used[i] = true;
+        for (const PlannedProgram& program : plan->programs) {
+            if (program.interface->usable) known.insert(program.variant.program);
+            for (const ActiveUniform& uniform : program.interface->uniforms)
+                if (!isInternalName(uniform.name) && suppliedBy(uniform) == nullptr)
+                    names.push_back(uniform.name);
+        }
+    }
+    for (const scene::ProgramIndex i : scene.programs.indices()) {
+        if (known.contains(i)) continue;
+        for (const glib::UniformSpec& spec : scene.programs[i].uniforms)
+            for (std::size_t each = 0; each < overrides.size(); ++each)
+                if (overrides[each].name == spec.tag) used[each] = true;
+    }
+    Diagnostics diagnostics;
+    for (std::size_t i = 0; i < overrides.size(); ++i) {
+        const auto declares = [&](const FramePlan* plan) {
+            return isDeclaredUnused(scene, *plan, overrides[i]);
+        };
+        if (used[i] || !overrides[i].word.empty() || std::none_of(plans.begin(), plans.end(), declares))
+            continue;
+        used[i] = true;
+        diagnostics.push_back(diagnose(
+            "glib-W24", fmt::format("uniform '{}' is declared but unused, so setting it has no effect",
+                                    overrides[i].name)));
+    }
+    append(diagnostics, unusedOverrides(overrides, used, names));
+    return diagnostics;
+}
+
+}  // namespace glibra::plan

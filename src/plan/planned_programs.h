@@ -1,0 +1,92 @@
+#pragma once
+// Private to this room: the programs of a plan, each once, with what they read and write.
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "plan/accesses.h"
+#include "plan/frame_plan.h"
+#include "plan/texture_uses.h"
+
+namespace glibra::plan {
+
+/// Adds programs and vertex inputs to a plan and answers what draws and dispatches do with objects.
+class PlannedPrograms {
+  public:
+    /// All of them must outlive this.
+    PlannedPrograms(const scene::Scene& scene, const InterfaceOf& interfaceOf, const PlanOptions& options,
+                    FramePlan& plan)
+        : scene_(scene), interfaceOf_(interfaceOf), options_(options), plan_(plan) {
+        plan.usedOverrides.resize(options.overrides.size());
+    }
+
+    /// The planner's private data about a PlannedProgram.
+    struct State {
+        Diagnostics diagnostics;  ///< from translating, compiling and linking, and about its pairs
+        std::vector<UnitUse> units;
+        Diagnostics unitProblems;                 ///< draw-E05, reported at each draw
+        Diagnostics badBindings;                  ///< draw-E09, draw-E10: nothing is drawn with it
+        std::vector<scene::TextureView> refused;  ///< UniformResolution::refusedImages
+        bool isAnnounced = false;                 ///< its diagnostics are in the plan
+    };
+
+    PlannedProgramIndex of(const scene::Draw& draw, const scene::Pass& pass) {
+        return of(variantOf(scene_, draw, pass), draw.uniforms);
+    }
+    PlannedProgramIndex of(const scene::Dispatch& dispatch) {
+        return of(ProgramVariant{.program = dispatch.program, .inPieces = dispatch.tiles > 1},
+                  dispatch.uniforms);
+    }
+    /// Returns the index of the variant with these values in the plan. The first call asks for its interface.
+    PlannedProgramIndex of(const ProgramVariant& variant, scene::UniformSetIndex uniforms = {});
+
+    State& state(PlannedProgramIndex program) { return states_[program]; }
+    [[nodiscard]] const PlannedProgram& operator[](PlannedProgramIndex program) const {
+        return plan_.programs[program];
+    }
+    /// The program as the scene states it; null for the built-in one.
+    [[nodiscard]] const scene::Program* declared(scene::ProgramIndex index) const {
+        return index ? &scene_.programs[index] : nullptr;
+    }
+
+    /// The textures that a draw's samplers read. Draws with equal program, slots and wrap share them.
+    template <class Reader>  // Draw or Dispatch
+    const std::vector<TextureUse>& texturesOf(const Reader& reader, PlannedProgramIndex program) {
+        const auto [entry, isNew] = uses_.try_emplace({program, reader.slots, reader.sampling.clamp});
+        if (isNew)
+            entry->second = textureUses(scene_, reader.slots, reader.sampling, *(*this)[program].interface,
+                                        state(program).units);
+        return entry->second;
+    }
+    PlannedInputsIndex inputsOf(const scene::Draw& draw, PlannedProgramIndex program);
+
+    /// What a draw does with objects, besides the targets of its pass. Images that are refused count as
+    /// written, so that the draw is needed and its error reported.
+    std::vector<ObjectUse> usesOf(const scene::Draw& draw, const scene::Pass& pass);
+    std::vector<ObjectUse> usesOf(const scene::Dispatch& dispatch);
+
+  private:
+    using VariantKey = std::tuple<scene::ProgramIndex, bool, int, bool, bool, scene::UniformSetIndex>;
+
+    void resolve(PlannedProgram& program, State& state, scene::UniformSetIndex uniforms);
+    std::vector<ObjectUse> shaderUsesOf(PlannedProgramIndex program, const std::vector<TextureUse>& textures);
+    int loopLimit();
+
+    const scene::Scene& scene_;
+    const InterfaceOf& interfaceOf_;
+    const PlanOptions& options_;
+    FramePlan& plan_;
+    std::map<VariantKey, PlannedProgramIndex> programs_;
+    scene::List<State, PlannedProgram> states_;
+    std::map<std::tuple<PlannedProgramIndex, scene::SlotTableIndex, bool>, std::vector<TextureUse>> uses_;
+    std::map<std::pair<PlannedProgramIndex, scene::AttributeSetIndex>, PlannedInputsIndex> inputs_;
+    std::optional<int> loopLimit_;
+};
+
+}  // namespace glibra::plan

@@ -1,0 +1,181 @@
+// What the shaders of a draw or dispatch read: values of uniforms and inputs, textures, buffers.
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <utility>
+
+#include "gpu/object/uniform.h"
+#include "plan/uniform_names.h"
+#include "render/draw/frame.h"
+
+namespace glibra::render {
+
+void FrameDrawer::forgetLiterals(plan::PlannedProgramIndex program) {
+    ProgramState& state = states_[program];
+    state.literalsSet = false;
+    state.blocks.clear();
+}
+
+void FrameDrawer::resetUniforms(plan::PlannedProgramIndex program, const BuiltProgram& built) {
+    if (built.initialValues.empty()) return;
+    std::set<std::pair<plan::UniformIndex, int>> given;
+    for (const plan::UniformBinding& each : plan_.programs[program].values)
+        given.emplace(each.uniform, each.firstElement);
+    for (const InitialValue& each : built.initialValues)
+        if (!given.contains({each.uniform, each.element}))
+            gpu::setUniform(*built.program, at(built.interface.uniforms, each.uniform), each.values,
+                            each.element);
+}
+
+void FrameDrawer::setLiterals(plan::PlannedProgramIndex program, const BuiltProgram& built) {
+    ProgramState& state = states_[program];
+    const bool hasBlocks = std::exchange(state.literalsSet, true);
+    if (hasBlocks && built.literalsOf == &state) return;
+    built.literalsOf = &state;
+    resetUniforms(program, built);
+    for (const plan::UniformBinding& binding : plan_.programs[program].values) {
+        const auto* literal = std::get_if<plan::Literal>(&binding.value);
+        const base::ActiveUniform& uniform = at(built.interface.uniforms, binding.uniform);
+        if (literal && uniform.block < 0)
+            gpu::setUniform(*built.program, uniform, literal->values, binding.firstElement);
+    }
+    if (!hasBlocks) makeBlocks(state, program, built);
+}
+
+void FrameDrawer::makeBlocks(ProgramState& state, plan::PlannedProgramIndex program,
+                             const BuiltProgram& built) {
+    state.blocks.clear();
+    bindings_.forgetBuffers();  // new buffers may get the names of those
+    std::vector<std::vector<std::byte>> blocks;
+    for (const base::UniformBlock& each : built.interface.blocks)
+        blocks.emplace_back(static_cast<std::size_t>(each.bytes));
+    for (const plan::UniformBinding& binding : plan_.programs[program].values) {
+        const auto* literal = std::get_if<plan::Literal>(&binding.value);
+        const base::ActiveUniform& uniform = at(built.interface.uniforms, binding.uniform);
+        if (literal && uniform.block >= 0)
+            gpu::writeBlockMember(blocks[static_cast<std::size_t>(uniform.block)], uniform, literal->values,
+                                  binding.firstElement);
+    }
+    for (const plan::BlockUse& each : plan_.programs[program].blocks)
+        if (each.kind == plan::BlockUse::Kind::uniform) blocks.at(each.index).clear();
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        glUniformBlockBinding(built.program->id(), built.interface.blocks[i].index, static_cast<GLuint>(i));
+        gpu::Buffer& values = state.blocks.emplace_back();
+        if (blocks[i].empty()) continue;
+        if (Result<gpu::Buffer> buffer = gpu::Buffer::create(blocks[i])) values = std::move(*buffer);
+    }
+    for (std::size_t i = 0; i < built.interface.storageBlocks.size(); ++i)
+        glShaderStorageBlockBinding(built.program->id(), built.interface.storageBlocks[i].index,
+                                    static_cast<GLuint>(i));
+}
+
+DrawFacts FrameDrawer::factsOf(const scene::Draw& draw, double aspect) const {
+    DrawFacts facts;
+    const ViewMatrices& view = isAsWindow_ ? frame_->view : passView_;
+    facts.projection = view.projection(draw.projection, aspect);
+    facts.modelView = view.modelView(draw);
+    facts.texture = frame_->view.texture();
+    facts.timer = timerAt(frame_->time, draw.timerPeriod);
+    facts.color = draw.color;
+    facts.pointSize = draw.raster.pointSize;
+    return facts;
+}
+
+void FrameDrawer::setBuiltins(const BuiltProgram& built, const DrawFacts& facts) {
+    for (std::size_t i = 0; i < built.interface.uniforms.size(); ++i)
+        if (const glsl::BuiltinUniform* row = plan::suppliedBy(built.interface.uniforms[i]))
+            gpu::setUniform(*built.program, built.interface.uniforms[i],
+                            suppliedValue(row->value, facts, built.interface.uniforms[i].arraySize).span());
+}
+
+void FrameDrawer::setSupplied(plan::PlannedProgramIndex program, const BuiltProgram& built,
+                              const DrawFacts& facts) {
+    for (const plan::UniformBinding& binding : plan_.programs[program].values) {
+        const auto* supplied = std::get_if<plan::Supplied>(&binding.value);
+        if (!supplied) continue;
+        const base::ActiveUniform& uniform = at(built.interface.uniforms, binding.uniform);
+        gpu::setUniform(*built.program, uniform,
+                        suppliedValue(supplied->value, facts, uniform.arraySize).span());
+    }
+}
+
+void FrameDrawer::setTile(const BuiltProgram& built, const base::FractionRectangle& viewport, bool isWindow) {
+    // These names are the translator's; programs that are not made for tiles lack these uniforms.
+    const Tile& part = isWindow ? frame_->tile : texture_;
+    const glm::dvec2& shift = isWindow ? shift_ : textureShift_;
+    const gpu::PixelRectangle port = gpu::pixelsOf(viewport, isWindow ? frame_->width : part.width,
+                                                   isWindow ? frame_->height : part.height);
+    for (const base::ActiveUniform& uniform : built.interface.uniforms) {
+        if (uniform.emittedName == "glibra_Tile") {
+            const double width = part.width, height = part.height;
+            gpu::setUniform(*built.program, uniform,
+                            std::array{port.width / width, port.height / height,
+                                       (port.width - 2.0 * (part.x - port.x - shift.x) - width) / width,
+                                       (port.height - 2.0 * (part.y - port.y - shift.y) - height) / height});
+        } else if (uniform.emittedName == "glibra_TileOrigin") {
+            gpu::setUniform(*built.program, uniform, std::array{part.x - shift.x, part.y - shift.y});
+        }
+    }
+}
+
+void FrameDrawer::setConstantInputs(const plan::PlannedDraw& planned, const BuiltProgram& built,
+                                    const glm::dvec4& color) const {
+    const DeviceMesh& mesh = *device_.deviceMesh(plan_, planned.mesh);
+    const auto isInMesh = [&](const std::string& name) {
+        return std::any_of(mesh.attributes.begin(), mesh.attributes.end(),
+                           [&](const DeviceMesh::Attribute& each) { return each.name == name; });
+    };
+    const std::vector<plan::InputSource>& sources = device_.inputSources(plan_, planned.inputs, built);
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+        const base::ActiveInput& input = built.interface.inputs[i];
+        if (input.location < 0) continue;
+        std::array<double, 4> value{0, 0, 0, 1};
+        if (const auto* name = std::get_if<std::string>(&sources[i].from)) {
+            if (isInMesh(*name)) continue;
+            if (*name == geometry::kColor) value = {color.r, color.g, color.b, color.a};
+        } else if (const auto* numbers = std::get_if<std::array<double, 4>>(&sources[i].from)) {
+            value = *numbers;
+        } else {
+            continue;
+        }
+        gpu::setConstantAttribute(static_cast<GLuint>(input.location), input.type, value);
+    }
+}
+
+void FrameDrawer::bindTextures(const std::vector<plan::TextureUse>& textures, const BuiltProgram& built) {
+    // The units are in rising order. Below GL 4.3 binding a part of a texture may replace what is on unit 0,
+    // so that one comes last.
+    for (auto each = textures.rbegin(); each != textures.rend(); ++each) {
+        const plan::TextureUse& use = *each;
+        device_.bind(use, bindings_);
+        const std::array<double, 1> unit{static_cast<double>(use.driverUnit)};
+        gpu::setUniform(*built.program, at(built.interface.uniforms, use.uniform), unit, use.element);
+    }
+}
+
+void FrameDrawer::bindBlocks(plan::PlannedProgramIndex program, const BuiltProgram& built) {
+    const std::vector<gpu::Buffer>& blocks = states_[program].blocks;
+    for (std::size_t i = 0; i < blocks.size(); ++i)
+        if (blocks[i].size() > 0) bindings_.bindBase(blocks[i], GL_UNIFORM_BUFFER, static_cast<GLuint>(i));
+    for (const plan::BlockUse& each : plan_.programs[program].blocks) {
+        const gpu::Buffer* buffer = device_.buffers().buffer(each.buffer);
+        if (!buffer) continue;
+        const auto index = static_cast<GLuint>(each.index);
+        switch (each.kind) {
+            case plan::BlockUse::Kind::uniform:
+                bindings_.bindBase(*buffer, GL_UNIFORM_BUFFER, index);
+                break;
+            case plan::BlockUse::Kind::storage:
+                bindings_.bindBase(*buffer, GL_SHADER_STORAGE_BUFFER, index);
+                break;
+            case plan::BlockUse::Kind::counters:
+                bindings_.bindBase(
+                    *buffer, GL_ATOMIC_COUNTER_BUFFER,
+                    static_cast<GLuint>(built.interface.counterBuffers.at(each.index).binding));
+                break;
+        }
+    }
+}
+
+}  // namespace glibra::render

@@ -1,0 +1,260 @@
+// Tags: uniform variables and objects of a scope, and those that a draw gives to its program
+// (language, 12.1).
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "base/suggest.h"
+#include "scene/modern/evaluate.h"
+#include "scene/modern/materials.h"
+#include "scene/modern/modern.h"
+#include "scene/state.h"
+
+namespace glibra::scene {
+namespace {
+
+using glib::Command;
+using glib::CommandId;
+using glib::Value;
+
+Place placeOf(const Interpreter& in, const Value& value) {
+    return in.script->place(value.position);
+}
+
+/// Puts tags into the list of the scope; the last one of a name counts.
+void addTags(Interpreter& in, std::span<const glib::KeyedValues> tags) {
+    for (const glib::KeyedValues& each : tags) {
+        std::erase_if(in.modern.set, [&](const ScopedTag& other) { return other.tag->key == each.key; });
+        ScopedTag scoped{&each, in.script};
+        if (namesObject(in, each.values.front())) {
+            scoped.object = objectNamed(in, each.values.front());
+            if (!scoped.object) continue;
+        }
+        in.modern.set.push_back(std::move(scoped));
+    }
+}
+
+void doSet(Interpreter& in, const Command& command) {
+    addTags(in, command.tags);
+}
+
+void doMaterial(Interpreter& in, const Command& command) {
+    const Value& preset = command.values.front();
+    std::string name = wordBehind(in, preset.text);
+    if (preset.kind == Value::Kind::expression) {
+        const auto chosen = wordOf(in, preset, materialNames());
+        if (!chosen) return;
+        name = materialNames()[*chosen];
+    }
+    const MaterialRow* row = findMaterial(name);
+    if (row == nullptr) {
+        const std::string hint = base::suggestion(name, materialNames());
+        in.report(diagnose("glib-E27", fmt::format("no material '{}'{}", name, hint),
+                           placeOf(in, command.values.front())));
+        return;
+    }
+    addTags(in, row->tags);
+}
+
+constexpr CommandAction kActions[] = {
+    {CommandId::set, doSet},
+    {CommandId::material, doMaterial},
+};
+
+/// The form of a variable that is a colour stays a colour, so that it fits three and four components.
+bool isColor(const Interpreter& in, const std::string& name) {
+    for (const Variable& each : in.scene.variables)
+        if (each.name == name) return each.form == glib::UniformForm::color;
+    return false;
+}
+
+/// The word of a choice.
+void setWord(const expression::Symbol& symbol, glib::UniformSpec& spec) {
+    if (spec.values.size() != 1) return;
+    const double value = spec.values[0];
+    if (value >= 0 && value < static_cast<double>(symbol.words.size()))
+        spec.word = symbol.words[static_cast<std::size_t>(value)];
+}
+
+/// The values of a variable; nothing if it has none.
+void setToVariable(const Interpreter& in, const std::string& name, const expression::Symbol& symbol,
+                   glib::UniformSpec& spec) {
+    const std::size_t elements = std::max<std::size_t>(1, symbol.count);
+    for (std::size_t i = 0; i < elements; ++i)
+        if (const double* values = in.shared->environment.find(symbol.slot, i))
+            spec.values.insert(spec.values.end(), values, values + symbol.type.size());
+    setWord(symbol, spec);
+    spec.form = symbol.type.isBoolean() && elements == 1 ? glib::UniformForm::truth
+                : isColor(in, name)                      ? glib::UniformForm::color
+                                                         : glib::UniformForm::list;
+}
+
+/// The tag with its values of this moment, in the form in which a Program line would state it.
+/// `isOfProgram`: a word that has no meaning here may name a function of the program.
+std::optional<glib::UniformSpec> specOf(Interpreter& in, const glib::KeyedValues& tag, bool isOfProgram) {
+    glib::UniformSpec spec;
+    spec.tag = tag.key;
+    spec.tagPosition = tag.position;
+    spec.valuePosition = tag.values.front().position;
+    const Value& first = tag.values.front();
+    if (first.kind == Value::Kind::word) {
+        const auto symbol = in.shared->environment.find(first.text);
+        const bool isPlain = symbol && symbol->type.kind != expression::Kind::record;
+        if (isPlain && symbol->words.empty() && first.path.size() <= 1 &&
+            (first.path.empty() || first.path.front().index.empty())) {
+            // Reading the name as an expression notes what it depends on.
+            if (symbol->count == 0 && !evaluate(in, first)) return std::nullopt;
+            if (symbol->count > 0) {
+                noteRead(in, symbol->slot);
+                addDepends(in, in.shared->environment.dependsOf(symbol->slot));
+            }
+            setToVariable(in, first.text, *symbol, spec);
+            if (isLost(in, spec.word)) return std::nullopt;
+        } else if (isPlain || first.path.size() > 1 ||
+                   (!first.path.empty() && !first.path.front().index.empty())) {
+            const auto value = evaluate(in, first);
+            if (!value) return std::nullopt;
+            spec.values.assign(value->all().begin(), value->all().end());
+            spec.form = value->type.isBoolean() ? glib::UniformForm::truth : glib::UniformForm::list;
+            if (isPlain && first.path.size() <= 1) setWord(*symbol, spec);
+        } else if (isLost(in, first.text)) {
+            return std::nullopt;
+        } else if (isOfProgram && first.path.size() <= 1) {
+            spec.word = first.text;
+            return spec;
+        } else {
+            std::vector<std::string> names = in.shared->environment.known("");
+            for (const auto& [each, declared] : in.modern.names) names.push_back(each);
+            const std::vector<std::string_view> views(names.begin(), names.end());
+            in.report(diagnose("glib-E27",
+                               fmt::format("'{}' is no variable, texture or buffer{}", first.text,
+                                           base::suggestion(first.text, views)),
+                               placeOf(in, first)));
+            return std::nullopt;
+        }
+    } else if (first.kind == Value::Kind::list) {
+        const auto numbers = listOf(in, first);
+        if (!numbers) return std::nullopt;
+        spec.values = *numbers;
+        spec.form = glib::UniformForm::list;
+    } else if (first.kind == Value::Kind::expression && tag.values.size() == 1) {
+        const auto value = evaluate(in, first);
+        if (!value) return std::nullopt;
+        spec.values.assign(value->all().begin(), value->all().end());
+        spec.form = value->type.isBoolean() ? glib::UniformForm::truth : glib::UniformForm::list;
+    } else {
+        const auto numbers = numbersOf(in, tag.values);
+        if (!numbers) return std::nullopt;
+        spec.values = *numbers;
+        spec.form = first.kind == Value::Kind::color   ? glib::UniformForm::color
+                    : first.kind == Value::Kind::truth ? glib::UniformForm::truth
+                    : first.kind == Value::Kind::range ? glib::UniformForm::range
+                                                       : glib::UniformForm::list;
+    }
+    if (spec.values.empty()) return std::nullopt;
+    if (spec.form == glib::UniformForm::list && spec.values.size() == 1)
+        spec.form = glib::UniformForm::number;
+    return spec;
+}
+
+/// A number for each different object, for keys of sets.
+std::vector<double> keyOf(const ObjectView& object) {
+    if (const auto* buffer = std::get_if<BufferView>(&object))
+        return {-1, static_cast<double>(buffer->buffer.position()), buffer->isPrevious ? 1.0 : 0};
+    const auto& view = std::get<TextureView>(object);
+    return {-2,
+            static_cast<double>(view.texture.position()),
+            static_cast<double>(view.level.value_or(-1)),
+            static_cast<double>(view.layer.value_or(-1)),
+            view.isPrevious ? 1.0 : 0,
+            view.sampler ? static_cast<double>(view.sampler.position()) : -1};
+}
+
+}  // namespace
+
+std::span<const CommandAction> tagActions() {
+    return kActions;
+}
+
+UniformSetIndex uniformsOf(Interpreter& in, ProgramIndex program, std::span<const glib::KeyedValues> own) {
+    UniformSet set;
+    const auto isGiven = [&](const std::string& key) {
+        const auto isKey = [&](const auto& each) { return each.tag == key; };
+        return std::any_of(set.values.begin(), set.values.end(), isKey) ||
+               std::any_of(set.objects.begin(), set.objects.end(), isKey);
+    };
+    const auto add = [&](const glib::KeyedValues& tag, const glib::Script* script, bool mayBeUnknown,
+                         const std::optional<ObjectView>& named = {}) {
+        const glib::Script* const before = std::exchange(in.script, script);
+        const auto forget = [&] {
+            std::erase(set.lost, tag.key);
+            std::erase_if(set.values, [&](const auto& each) { return each.tag == tag.key; });
+            std::erase_if(set.objects, [&](const auto& each) { return each.tag == tag.key; });
+        };
+        const Value& value = tag.values.front();
+        const bool isChosen = !named && choosesObject(in, value);
+        const auto chosen = isChosen ? objectNamed(in, value) : std::nullopt;
+        if (isChosen && !chosen) {
+            // A faulty part of the object has been reported.
+        } else if (named || namesObject(in, value) || (isChosen && value.path.size() > 1)) {
+            if (auto object = named ? named : isChosen ? chosen : objectNamed(in, value)) {
+                forget();
+                set.objects.push_back(
+                    {tag.key, *object, tag.position, value.position, mayBeUnknown, tag.resembles});
+            }
+        } else if (auto spec = specOf(in, tag, !mayBeUnknown)) {
+            spec->mayBeUnknown = mayBeUnknown;
+            spec->resembles = tag.resembles;
+            forget();
+            set.values.push_back(std::move(*spec));
+            if (chosen)
+                set.objects.push_back(
+                    {tag.key, *chosen, tag.position, value.position, mayBeUnknown, tag.resembles, true});
+        }
+        if (!isGiven(tag.key)) set.lost.push_back(tag.key);
+        in.script = before;
+    };
+    if (const auto tags = in.modern.programTags.find(program); tags != in.modern.programTags.end())
+        for (const glib::KeyedValues& each : tags->second.command->tags)
+            add(each, tags->second.script, false);
+    for (const ScopedTag& each : in.modern.set) add(*each.tag, each.script, true, each.object);
+    for (const glib::KeyedValues& each : own) add(each, in.script, false);
+    if (set.values.empty() && set.objects.empty() && set.lost.empty()) return {};
+    std::vector<std::pair<std::string, std::vector<double>>> key;
+    key.reserve(set.values.size() + set.objects.size());
+    for (const glib::UniformSpec& each : set.values)
+        key.emplace_back(fmt::format("{}\n{}{}{}\n{}", each.tag, static_cast<int>(each.form),
+                                     each.mayBeUnknown, each.resembles, each.word),
+                         each.values);
+    for (const ObjectBinding& each : set.objects)
+        key.emplace_back(
+            fmt::format("{}\n{}{}{}", each.tag, each.mayBeUnknown, each.isChosen, each.resembles),
+            keyOf(each.object));
+    for (const std::string& each : set.lost) key.emplace_back(each + "\nlost", std::vector<double>());
+    UniformSetIndex& index = in.uniformSets[std::move(key)];
+    if (!index) index = in.scene.uniformSets.add(std::move(set));
+    return index;
+}
+
+std::vector<glib::UniformSpec> namedValues(Interpreter& in) {
+    std::vector<glib::UniformSpec> all;
+    for (const auto& [name, position] : in.modern.variables) {
+        const auto symbol = in.shared->environment.find(name);
+        if (!symbol || symbol->type.kind == expression::Kind::record) continue;
+        glib::UniformSpec spec;
+        spec.tag = name;
+        spec.tagPosition = spec.valuePosition = position;
+        spec.mayBeUnknown = true;
+        setToVariable(in, name, *symbol, spec);
+        if (spec.values.empty()) continue;
+        if (spec.form == glib::UniformForm::list && spec.values.size() == 1)
+            spec.form = glib::UniformForm::number;
+        all.push_back(std::move(spec));
+    }
+    return all;
+}
+
+}  // namespace glibra::scene

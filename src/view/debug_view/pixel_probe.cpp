@@ -1,0 +1,271 @@
+#include "view/debug_view/pixel_probe.h"
+
+#include <fmt/format.h>
+#include <glad/gl.h>
+
+#include <algorithm>
+#include <map>
+#include <span>
+#include <tuple>
+#include <utility>
+
+#include "glsl/facts/stage_variables.h"
+#include "gpu/object/query.h"
+#include "gpu/object/uniform.h"
+#include "view/debug_view/debug_program.h"
+
+namespace glibra::view {
+namespace {
+
+constexpr int kMostElements = 16;
+constexpr int kNumbersAtOnce = 4;
+constexpr std::string_view kChoice = "glibra_debugChoice";
+constexpr std::string_view kDeclarations =
+    "layout(location = 7) out vec4 glibra_debugNumber;\nuniform int glibra_debugChoice;\n";
+
+/// A value that the fragment stage is asked for, with GLSL for each of its numbers.
+struct Asked {
+    ProbedValue value;
+    std::vector<std::string> numbers;
+    const char* whyNot = "";  ///< why no program that reads it links
+    bool isOutput = false;
+    [[nodiscard]] int passes() const {
+        return (static_cast<int>(numbers.size()) + kNumbersAtOnce - 1) / kNumbersAtOnce;
+    }
+};
+
+Asked askedOf(const glsl::StageVariable& variable) {
+    Asked asked;
+    asked.value.name = variable.name;
+    asked.value.type = variable.type;
+    if (variable.elements > 0) asked.value.type += fmt::format("[{}]", variable.elements);
+    for (int element = 0; element < std::clamp(variable.elements, 1, kMostElements); ++element)
+        for (int component = 0; component < variable.components(); ++component)
+            asked.numbers.push_back(variable.number(element, component));
+    return asked;
+}
+
+/// GLSL that writes four of the numbers, chosen by a uniform.
+std::string choiceOf(std::span<const Asked> all) {
+    std::string text;
+    int pass = 0;
+    for (const Asked& each : all)
+        for (int i = 0; i < each.passes(); ++i, ++pass) {
+            std::string numbers;
+            for (int k = kNumbersAtOnce * i; k < kNumbersAtOnce * (i + 1); ++k)
+                numbers += (numbers.empty() ? "" : ", ") + (static_cast<std::size_t>(k) < each.numbers.size()
+                                                                ? each.numbers[static_cast<std::size_t>(k)]
+                                                                : std::string("0."));
+            text += fmt::format("    if (glibra_debugChoice == {}) glibra_debugNumber = vec4({});\n", pass,
+                                numbers);
+        }
+    return text;
+}
+
+/// The values in the program in use of the uniforms that `built` reads.
+std::vector<ProbedValue> uniformsOf(const render::BuiltProgram& built, const render::BuiltProgram& used) {
+    std::vector<ProbedValue> values;
+    for (const base::ActiveUniform& own : built.interface.uniforms) {
+        if (own.block >= 0 || own.location < 0 || own.type.isOpaque()) continue;
+        for (const base::ActiveUniform& each : used.interface.uniforms) {
+            if (each.emittedName != own.emittedName) continue;
+            ProbedValue value;
+            value.name = own.name;
+            value.type = own.type.word + (own.isArray ? fmt::format("[{}]", own.arraySize) : "");
+            for (int i = 0; i < std::min(std::max(1, each.arraySize), kMostElements); ++i) {
+                const std::vector<double> element = gpu::getUniform(*used.program, each, i);
+                value.numbers.insert(value.numbers.end(), element.begin(), element.end());
+            }
+            values.push_back(std::move(value));
+        }
+    }
+    return values;
+}
+
+/// Draws one pixel of a frame again and again.
+class Probe {
+  public:
+    Probe(LiveScene& scene, const gpu::Target& target, double time, int x, int row)
+        : scene_(scene), target_(target), time_(time), x_(x), row_(row) {}
+
+    void run(ProbedPixel& result) {
+        const plan::PlannedDraw* found = findDraw();
+        if (found == nullptr) return;
+        step_ = found->step;
+        const scene::Draw& draw = scene_.plan().drawOf(*found);
+        built_ = scene_.drawer().programOf(*found);
+        if (!built_) return;
+        result.isDrawn = true;
+        result.draw = draw.id;
+        result.word = draw.word;
+        if (!built_->interface.isBuiltin) result.program = built_->interface.facts.name;
+        glReadPixels(x_, row_, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depth_);
+        result.depth = static_cast<double>(depth_);
+        ask(result);
+    }
+
+  private:
+    void drawFrame(bool withTextures) {
+        const int width = target_.width(), height = target_.height();
+        render::FrameDrawer& drawer = scene_.drawer();
+        if (!withTextures) drawer.limitTo(gpu::PixelRectangle{x_, row_, 1, 1});
+        render::Frame frame{scene_.view(), width, height, {0, 0, width, height}, time_};
+        frame.texturePasses = withTextures;
+        drawer.draw(target_, frame);
+        drawer.setDrawHook({});
+        drawer.limitTo({});
+        target_.readable().bindForReading();
+    }
+
+    /// The last draw whose fragments pass at the pixel; null if there is none.
+    const plan::PlannedDraw* findDraw() {
+        std::vector<std::pair<const plan::PlannedDraw*, gpu::Query>> counted;
+        scene_.drawer().setDrawHook([&](const plan::PlannedDraw& draw, bool isWindow, bool begins) {
+            if (!isWindow) return;
+            if (!begins) return counted.back().second.end();
+            counted.emplace_back(&draw, gpu::Query(GL_SAMPLES_PASSED));
+            counted.back().second.begin();
+        });
+        drawFrame(false);
+        const plan::PlannedDraw* found = nullptr;
+        for (const auto& [draw, query] : counted)
+            if (query.result() > 0) found = draw;
+        return found;
+    }
+
+    /// The four numbers of a pass, from a frame in which the found draw also writes them.
+    std::array<float, kNumbersAtOnce> numbersOf(int pass, std::vector<ProbedValue>* uniforms) {
+        scene_.drawer().setDrawHook([&](const plan::PlannedDraw& draw, bool isWindow, bool begins) {
+            if (!isWindow || draw.step != step_) return;
+            writeOnly(begins ? kDebugOutput : 0);
+            if (!begins) return;
+            const render::BuiltProgram& used = *scene_.drawer().programOf(draw);
+            if (uniforms) *uniforms = uniformsOf(*built_, used);
+            const double choice = pass;
+            for (const base::ActiveUniform& each : used.interface.uniforms)
+                if (each.emittedName == kChoice) gpu::setUniform(*used.program, each, {&choice, 1});
+            glDisable(GL_BLEND);
+            glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        });
+        drawFrame(false);
+        std::array<float, kNumbersAtOnce> numbers{};
+        glReadPixels(x_, row_, 1, 1, GL_RGBA, GL_FLOAT, numbers.data());
+        return numbers;
+    }
+
+    /// Reads the values with one program if it links, else with several.
+    void read(std::span<Asked> all, std::vector<ProbedValue>& uniforms) {
+        if (all.empty()) return;
+        const std::string choice = choiceOf(all);
+        // The stage may write the depth under a condition, so it gets its value first.
+        const bool mayWriteDepth =
+            std::any_of(built_->interface.facts.stages.begin(), built_->interface.facts.stages.end(),
+                        [](const glsl::TranslatedStage& each) {
+                            return each.stage == glsl::Stage::fragment && each.facts.mayWriteDepth;
+                        });
+        const char* before = mayWriteDepth ? "    gl_FragDepth = gl_FragCoord.z;\n" : "";
+        if (!scene_.observe(*built_, {kDeclarations, before, choice})) {
+            if (all.size() == 1) {
+                all.front().value.why = all.front().whyNot;
+                return;
+            }
+            read(all.first(all.size() / 2), uniforms);
+            return read(all.subspan(all.size() / 2), uniforms);
+        }
+        drawTexturesIfNew();
+        int pass = 0;
+        for (Asked& each : all)
+            for (int i = 0; i < each.passes(); ++i, ++pass) {
+                const auto four = numbersOf(pass, uniforms.empty() ? &uniforms : nullptr);
+                const std::size_t left = each.numbers.size() - each.value.numbers.size();
+                each.value.numbers.insert(
+                    each.value.numbers.end(), four.begin(),
+                    four.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(kNumbersAtOnce, left)));
+            }
+    }
+
+    /// The plan may need passes that the picture does not, or use the memory of textures otherwise.
+    void drawTexturesIfNew() {
+        const Textures now = texturesOf(scene_.plan());
+        if (std::exchange(textures_, now) != now) drawFrame(true);
+    }
+
+    void ask(ProbedPixel& result) {
+        // gl_FragCoord and gl_FrontFacing need no stage before.
+        constexpr const char* kNotRead = "the driver cannot link a program that reads it";
+        std::vector<Asked> all{
+            {{"gl_FragCoord", "vec4", {}, {}}, {}, kNotRead},
+            {{"gl_FrontFacing", "bool", {}, {}}, {"(gl_FrontFacing ? 1. : 0.)"}, kNotRead}};
+        for (const char* each : {"x", "y", "z", "w"})
+            all[0].numbers.push_back(std::string("gl_FragCoord.") + each);
+        const std::size_t builtins = all.size();
+        for (const glsl::TranslatedStage& each : built_->interface.facts.stages) {
+            if (each.stage != glsl::Stage::fragment) continue;
+            for (const glsl::StageVariable& variable :
+                 glsl::stageVariables(each, built_->interface.facts.userNames)) {
+                all.push_back(askedOf(variable));
+                all.back().isOutput = variable.isOutput;
+                all.back().whyNot = variable.isOutput ? kNotRead : "the stage before does not write it";
+            }
+            if (!each.facts.mayWriteDepth) continue;
+            all.push_back({{"gl_FragDepth", "float", {}, {}}, {"gl_FragDepth"}, kNotRead});
+            all.back().isOutput = true;
+        }
+        textures_ = texturesOf(scene_.plan());
+        const Textures before = textures_;
+        read(all, result.uniforms);
+        scene_.stopObserving();
+        if (textures_ != before) drawFrame(true);
+        if (!all[1].value.numbers.empty()) result.isFront = all[1].value.numbers.front() > .5;
+        std::rotate(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(builtins), all.end());
+        for (Asked& each : all)
+            (each.isOutput ? result.outputs : result.inputs).push_back(std::move(each.value));
+    }
+
+    /// What of a plan decides the content of textures.
+    using Textures = std::tuple<std::size_t, std::size_t, std::map<scene::TextureIndex, scene::TextureIndex>>;
+    static Textures texturesOf(const plan::FramePlan& plan) {
+        return {plan.passes.size(), plan.dispatches.size(), plan.sharing};
+    }
+
+    LiveScene& scene_;
+    const gpu::Target& target_;
+    double time_;
+    int x_, row_;
+    scene::StepIndex step_;  ///< of the found draw
+    const render::BuiltProgram* built_ = nullptr;
+    Textures textures_;  ///< as they were drawn last
+    float depth_ = 1;
+};
+
+}  // namespace
+
+const ProbedValue* ProbedPixel::find(std::string_view name) const {
+    for (const std::vector<ProbedValue>* list : {&outputs, &inputs, &uniforms})
+        for (const ProbedValue& each : *list)
+            if (each.name == name) return &each;
+    return nullptr;
+}
+
+ProbedPixel probePixel(gpu::Context& context, LiveScene& scene, int width, int height, double time, int x,
+                       int y) {
+    ProbedPixel result;
+    result.x = x;
+    result.y = y;
+    if (x < 0 || y < 0 || x >= width || y >= height) return result;
+    const Result<gpu::Target> target =
+        gpu::Target::window(context.capabilities(), width, height, gpu::TexelFormat::rgba32f, 1,
+                            gpu::TexelFormat::depth24_stencil8);
+    if (target) Probe(scene, *target, time, x, height - 1 - y).run(result);
+    return result;
+}
+
+std::string numbersText(const ProbedValue& value) {
+    if (value.numbers.empty()) return value.why;
+    std::string text;
+    if (value.type == "bool") return value.numbers.front() != 0 ? "true" : "false";
+    for (const double each : value.numbers) text += fmt::format("{}{:.6g}", text.empty() ? "" : " ", each);
+    return text;
+}
+
+}  // namespace glibra::view

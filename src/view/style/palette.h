@@ -1,0 +1,55 @@
+#pragma once
+// The colours of the window, light and dark, as values without a GUI library. The theme passes them to Dear
+// ImGui. Neutral greys and one accent, so that they do not influence how the colours of the picture are
+// judged.
+
+#include <cstdint>
+#include <vector>
+
+namespace glibra::view {
+
+/// sRGB, each component 0..1.
+struct Color {
+    float r = 0, g = 0, b = 0;
+    friend bool operator==(const Color&, const Color&) = default;
+};
+
+/// The colour of 0xRRGGBB.
+constexpr Color colorOf(std::uint32_t hexadecimal) {
+    const auto component = [&](int shift) {
+        return static_cast<float>(hexadecimal >> shift & 0xFFU) / 255.F;
+    };
+    return {component(16), component(8), component(0)};
+}
+
+struct Palette {
+    Color well;                              ///< around the picture
+    Color panel;                             ///< behind the sections
+    Color popup;                             ///< menus, tooltips
+    Color frame, frameHovered, frameActive;  ///< fields and the tracks of sliders
+    Color button, buttonHovered, buttonActive;
+    Color section, sectionHovered, sectionActive;  ///< headings of sections, chosen rows of lists
+    Color border;
+    Color text, dim;           ///< dim: secondary text, not disabled text
+    Color accent;              ///< thumbs, check marks, the focused slider
+    Color fill;                ///< the part of a slider below its value, progress
+    Color selection;           ///< selected text
+    Color error, warning;      ///< text
+    Color banner, bannerText;  ///< the first error, over the picture
+    Color keyword, type, number, comment, directive, builtin;  ///< words of code
+};
+
+const Palette& paletteOf(bool isLight);
+
+/// The contrast ratio of WCAG 2.1 (1.4.3), 1 to 21.
+double contrast(const Color& a, const Color& b);
+
+/// A colour of text and one behind it that occur together in the window.
+struct TextPair {
+    const char* name;
+    Color text, background;
+};
+/// All of them. Disabled widgets are not listed: their text is faded on purpose.
+std::vector<TextPair> textPairs(const Palette& palette);
+
+}  // namespace glibra::view

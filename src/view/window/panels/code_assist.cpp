@@ -1,0 +1,380 @@
+#include "view/window/panels/code_assist.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "glib/text.h"
+#include "view/edit/comment_lines.h"
+#include "view/edit/declared_names.h"
+#include "view/window/panels/syntax_colors.h"
+#include "view/window/panels/ui.h"
+#include "view/window/platform/theme.h"
+
+namespace glibra::view {
+namespace {
+
+constexpr std::size_t kRows = 9;        ///< of the list
+constexpr std::size_t kLeastTyped = 2;  ///< letters after which it opens by itself
+constexpr double kHoverSeconds = .35;   ///< before the text about a name is shown
+
+CodeContext contextOf(const Ui& ui, const EditedFile& file) {
+    CodeContext context;
+    context.language =
+        glib::sameWord(file.path().extension().string(), ".glib") ? CodeLanguage::glib : CodeLanguage::glsl;
+    const scene::Scene& scene = ui.session.live().scene();
+    std::vector<const scene::Program*> programs;
+    for (const scene::Program& program : scene.programs)
+        for (const scene::StageFile& each : program.stages)
+            if (scene.files[each.file].path == file.path()) {
+                context.stage = each.stage;
+                programs.push_back(&program);
+            }
+    const bool isScene = context.language == CodeLanguage::glib;
+    for (const Knob& each : ui.session.knobs()) {
+        std::string value;
+        for (const double number : each.current)
+            value += fmt::format("{}{:.6g}", value.empty() ? "" : " ", number);
+        const std::string type = each.type.word.empty() ? "number" : each.type.word;
+        const std::string what =
+            each.program ? "a uniform of " + each.title : std::string("a variable of the scene");
+        if (each.program) context.names.push_back({each.tag, type, what, value, CodeLanguage::glsl});
+        context.names.push_back({each.tag, type, what, value, CodeLanguage::glib});
+    }
+    // What the other stages of the program declare at their interfaces.
+    for (const scene::Program& program : scene.programs) {
+        if (!isScene && std::find(programs.begin(), programs.end(), &program) == programs.end()) continue;
+        if (isScene && !program.name.empty())
+            context.names.push_back({program.name,
+                                     "Program",
+                                     fmt::format("line {}", program.place.line),
+                                     {},
+                                     CodeLanguage::glib});
+        for (const scene::StageFile& each : program.stages) {
+            const std::filesystem::path& path = scene.files[each.file].path;
+            const auto known = ui.shared.sources.find(path);
+            if (path == file.path() || known == ui.shared.sources.end()) continue;
+            for (const DeclaredName& name : declaredNames(known->second.text()))
+                if (name.isInterface)
+                    context.names.push_back(
+                        {name.name,
+                         name.type,
+                         fmt::format("{} in {}", name.declaration, path.filename().string()),
+                         {},
+                         isScene ? CodeLanguage::glib : CodeLanguage::glsl});
+        }
+    }
+    return context;
+}
+
+void update(CodeAssist& state, const Ui& ui, const EditedFile& file, const CodeView& view) {
+    const auto cursor = static_cast<std::size_t>(view.cursor);
+    state.words = completionsAt(file.text(), cursor, contextOf(ui, file));
+    state.typed = wordBefore(file.text(), cursor);
+    state.cursor = view.cursor;
+    state.chosen = 0;
+    state.isOpen = !state.words.empty();
+}
+
+void accept(CodeAssist& state, EditedFile& file, CodeView& view) {
+    if (state.chosen >= state.words.size() || state.typed.end > file.text().size()) return;
+    const std::string& word = state.words[state.chosen].word;
+    file.history().endStep();
+    view.newText = replaced(file.text(), {state.typed}, word);
+    const std::size_t end = state.typed.begin + word.size();
+    view.select = TextRange{end, end};
+    state.isOpen = false;
+    state.hasAccepted = true;
+}
+
+/// One row of the list. Returns true if it was clicked.
+bool row(Ui& ui, const CodeAssist& state, std::size_t index, float wordWidth, float width) {
+    const Completion& each = state.words[index];
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float height = ImGui::GetTextLineHeight();
+    ImGui::PushID(static_cast<int>(index));
+    const bool isClicked = ImGui::InvisibleButton("word", {width, height});
+    ImGui::PopID();
+    mark(ui, "completion/{}", index);
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    if (index == state.chosen || ImGui::IsItemHovered())
+        draw.AddRectFilled(at, {at.x + width, at.y + height}, tintColor(CodeTint::chosenRow));
+    draw.AddText(at, syntaxColor(SyntaxKind::plain), each.word.c_str());
+    draw.PushClipRect(at, {at.x + width, at.y + height}, true);
+    draw.AddText({at.x + wordWidth, at.y}, packed(palette().dim), each.type.c_str());
+    draw.PopClipRect();
+    return isClicked;
+}
+
+/// Places the next window below the cursor, or above it where there is more room.
+void placeAtCursor(const CodeView& view, float width, float height) {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const bool fitsBelow = view.cursorOnScreen.bottom + height <= screen.y;
+    const float top =
+        fitsBelow ? view.cursorOnScreen.bottom : std::max(0.F, view.cursorOnScreen.top - height);
+    ImGui::SetNextWindowPos({std::clamp(view.cursorOnScreen.x, 0.F, std::max(0.F, screen.x - width)), top});
+    ImGui::SetNextWindowSize({width, height});
+}
+
+void list(Ui& ui, CodeAssist& state, EditedFile& file, CodeView& view) {
+    ImGui::PushFont(codeFont());
+    const std::size_t rows = std::min(kRows, state.words.size());
+    const std::size_t first =
+        std::min(state.chosen < kRows ? 0 : state.chosen - kRows + 1, state.words.size() - rows);
+    float wordWidth = 0;
+    for (std::size_t i = first; i < first + rows; ++i)
+        wordWidth = std::max(wordWidth, ImGui::CalcTextSize(state.words[i].word.c_str()).x);
+    wordWidth += 16 * ui.scale;
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float line = ImGui::GetTextLineHeight();
+    const float width = std::min(ImGui::GetIO().DisplaySize.x, 460 * ui.scale);
+    const float inside = width - 2 * style.WindowPadding.x;
+    const std::string& what = state.words[state.chosen].what;
+    const float whatHeight =
+        what.empty() ? 0 : ImGui::CalcTextSize(what.c_str(), nullptr, false, inside).y + style.ItemSpacing.y;
+    const float height = static_cast<float>(rows) * line + whatHeight + 2 * style.WindowPadding.y;
+    placeAtCursor(view, width, height);
+    ImGui::PushStyleColor(ImGuiCol_PopupBg, packed(palette().popup));
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, packed(palette().popup));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+    constexpr ImGuiWindowFlags kFlags =
+        ImGuiWindowFlags_Tooltip | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
+        ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
+        ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoScrollbar;
+    std::optional<std::size_t> clicked;
+    if (ImGui::Begin("##completion", nullptr, kFlags)) {
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
+        for (std::size_t i = first; i < first + rows; ++i)
+            if (row(ui, state, i, wordWidth, inside)) clicked = i;
+        ImGui::PopStyleVar();
+        if (!what.empty()) {
+            ImGui::PushStyleColor(ImGuiCol_Text, packed(palette().dim));
+            ImGui::TextWrapped("%s", what.c_str());
+            ImGui::PopStyleColor();
+        }
+    }
+    const bool isHovered = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
+    ImGui::End();
+    ImGui::PopStyleVar();
+    ImGui::PopStyleColor(2);
+    ImGui::PopFont();
+    if (clicked) {
+        state.chosen = *clicked;
+        accept(state, file, view);
+    } else if (!view.isActive && !isHovered && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+        state.isOpen = false;
+    }
+}
+
+/// The entry as text: code, value, sentences, chapter.
+void entryText(const ReferenceEntry& entry) {
+    ImGui::PushFont(codeFont());
+    for (const std::string& each : entry.code) ImGui::TextWrapped("%s", each.c_str());
+    if (!entry.value.empty()) ImGui::TextWrapped("now: %s", entry.value.c_str());
+    ImGui::PopFont();
+    if (!entry.text.empty()) ImGui::TextWrapped("%s", entry.text.c_str());
+    if (!entry.chapter.empty()) ImGui::TextDisabled("%s", entry.chapter.c_str());
+}
+
+/// The messages of the line under the mouse, or what the name there is.
+void hover(Ui& ui, CodeAssist& state, const EditedFile& file, const CodeView& view, bool isChanged) {
+    if (state.isOpen || !view.hoveredLine || ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
+    const std::size_t key = view.hovered ? wordAt(file.text(), *view.hovered).begin
+                                         : static_cast<std::size_t>(*view.hoveredLine) | (1ULL << 40U);
+    const double now = ImGui::GetTime();
+    if (std::exchange(state.hovered, key) != key || isChanged) {
+        state.hoveredSince = now;
+        state.hoveredEntry =
+            view.hovered ? referenceAt(file.text(), *view.hovered, contextOf(ui, file)) : ReferenceEntry();
+    }
+    std::string messages;
+    for (const Diagnostic& each : ui.session.diagnostics())
+        if (each.severity != Severity::note && each.place.line == *view.hoveredLine &&
+            each.place.file == file.path().string())
+            messages += (messages.empty() ? "" : "\n") + each.text;
+    const ReferenceEntry& entry = state.hoveredEntry;
+    if (messages.empty() && entry.word.empty()) return;
+    if (now - state.hoveredSince < kHoverSeconds) {
+        ui.needsFrames = true;
+        return;
+    }
+    ui.hoverText = messages;
+    for (const std::string& each : entry.code) ui.hoverText += (ui.hoverText.empty() ? "" : "\n") + each;
+    if (!entry.value.empty()) ui.hoverText += "\nnow: " + entry.value;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 32);
+    if (!messages.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, packed(severityColor(Severity::error)));
+        ImGui::TextWrapped("%s", messages.c_str());
+        ImGui::PopStyleColor();
+    }
+    if (!entry.word.empty()) entryText(entry);
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+EditedFile* activeFile(Ui& ui) {
+    if (!ui.sourceState.isActive) return nullptr;
+    const auto found = ui.shared.sources.find(ui.source.chosen);
+    return found == ui.shared.sources.end() ? nullptr : &found->second;
+}
+
+bool isPressed(ImGuiKey key) {
+    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key));
+}
+
+/// What is known about the typed word: its entry, or the words that begin with it.
+void lookUp(Ui& ui) {
+    CodeAssist& state = ui.source.assist;
+    CodeContext context;
+    const auto file = ui.shared.sources.find(ui.source.chosen);
+    if (ui.session.hasScene() && file != ui.shared.sources.end()) context = contextOf(ui, file->second);
+    const std::string_view word = state.word.data();
+    const CodeLanguage other = state.language == CodeLanguage::glib ? CodeLanguage::glsl : CodeLanguage::glib;
+    state.entry = referenceOf(word, state.language, context);
+    if (state.entry.word.empty())
+        if (ReferenceEntry entry = referenceOf(word, other, context); !entry.word.empty())
+            state.entry = std::move(entry);
+    state.overview.clear();
+    if (!state.entry.word.empty()) return;
+    for (const CodeLanguage each : {state.language, other}) {
+        context.language = each;
+        for (Completion& one : completionsAt(word, word.size(), context))
+            state.overview.push_back(std::move(one));
+    }
+}
+
+/// The words to choose from. Returns the one that was clicked; empty if none was.
+std::string overviewList(Ui& ui) {
+    std::string clicked;
+    const std::vector<Completion>& words = ui.source.assist.overview;
+    ImGui::BeginChild("overview");
+    ImGui::PushFont(codeFont());
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(words.size()));
+    while (clipper.Step())
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+            const Completion& each = words[static_cast<std::size_t>(i)];
+            ImGui::PushID(i);
+            if (ImGui::Selectable(each.word.c_str())) clicked = each.word;
+            mark(ui, "reference/word/{}", each.word);
+            ImGui::PopID();
+            ImGui::SameLine(ImGui::GetFontSize() * 16);
+            ImGui::TextDisabled("%s", each.type.c_str());
+        }
+    ImGui::PopFont();
+    ImGui::EndChild();
+    return clicked;
+}
+
+}  // namespace
+
+void assistKeys(Ui& ui, EditedFile& file, CodeView& view) {
+    CodeAssist& state = ui.source.assist;
+    view.leavesListKeys = state.isOpen;
+    // Undo, replacing and comments change the text without typing.
+    state.hasAccepted = state.hasAccepted || view.newText;
+    if (!state.isOpen || state.words.empty()) return;
+    const std::size_t count = state.words.size();
+    if (isPressed(ImGuiKey_DownArrow)) state.chosen = (state.chosen + 1) % count;
+    if (isPressed(ImGuiKey_UpArrow)) state.chosen = (state.chosen + count - 1) % count;
+    if (isPressed(ImGuiKey_Tab) || isPressed(ImGuiKey_Enter) || isPressed(ImGuiKey_KeyPadEnter))
+        accept(state, file, view);
+}
+
+void assist(Ui& ui, EditedFile& file, CodeView& view, bool isChanged) {
+    CodeAssist& state = ui.source.assist;
+    const bool mayEdit = file.whyReadOnly().empty();
+    const bool hasAccepted = std::exchange(state.hasAccepted, false);
+    if (std::exchange(state.isAsked, false) && mayEdit) {
+        update(state, ui, file, view);
+    } else if (isChanged && view.isActive && !hasAccepted) {
+        const TextRange typed = wordBefore(file.text(), static_cast<std::size_t>(view.cursor));
+        const bool wasTyped = view.cursor > state.cursor || state.isOpen;
+        const bool isLong = typed.end - typed.begin >= (state.isOpen ? 1 : kLeastTyped);
+        if (isLong && wasTyped)
+            update(state, ui, file, view);
+        else
+            state.isOpen = false;
+    } else if (view.cursor != state.cursor) {
+        state.isOpen = false;
+    }
+    state.cursor = view.cursor;
+    if (state.isOpen && state.chosen < state.words.size()) list(ui, state, file, view);
+    hover(ui, state, file, view, isChanged);
+}
+
+void referenceWindow(Ui& ui) {
+    CodeAssist& state = ui.source.assist;
+    if (!state.showsReference) return;
+    placeFloating(ui, 60, 60, 460, 260);
+    if (ImGui::Begin("Reference", &state.showsReference, ImGuiWindowFlags_NoCollapse)) {
+        ImGui::SetNextItemWidth(-1);
+        if (std::exchange(state.focusEntry, false)) ImGui::SetKeyboardFocusHere();
+        if (ImGui::InputTextWithHint("##word", "a word of the scene language, of GLSL or of this scene",
+                                     state.word.data(), state.word.size(), ImGuiInputTextFlags_AutoSelectAll))
+            lookUp(ui);
+        mark(ui, "reference/word");
+        ImGui::Separator();
+        entryText(state.entry);
+        if (!state.overview.empty())
+            if (const std::string word = overviewList(ui); !word.empty()) {
+                state.word[word.copy(state.word.data(), state.word.size() - 1)] = 0;
+                lookUp(ui);
+            }
+    }
+    ImGui::End();
+}
+
+void completeWord(Ui& ui) {
+    if (activeFile(ui)) ui.source.assist.isAsked = true;
+}
+
+void commentLines(Ui& ui) {
+    EditedFile* file = activeFile(ui);
+    if (!file || !file->whyReadOnly().empty()) return;
+    CodeView& view = ui.source.views[ui.source.chosen];
+    const LanguageAt at = languageAt(file->text(), view.selection.begin, contextOf(ui, *file));
+    EditedText edited =
+        toggledComments(file->text(), view.selection, at.language == CodeLanguage::glsl ? "//" : "#");
+    file->history().endStep();
+    view.newText = std::move(edited.text);
+    view.select = edited.selection;
+}
+
+void showReference(Ui& ui) {
+    CodeAssist& state = ui.source.assist;
+    state.showsReference = true;
+    state.isOpen = false;
+    state.word[0] = 0;
+    if (const EditedFile* file = activeFile(ui)) {
+        const CodeContext context = contextOf(ui, *file);
+        const auto cursor = static_cast<std::size_t>(ui.source.views[ui.source.chosen].cursor);
+        const TextRange range = nameNear(file->text(), cursor);
+        const std::string word = file->text().substr(range.begin, range.end - range.begin);
+        state.language = languageAt(file->text(), cursor, context).language;
+        if (!word.empty()) {
+            state.entry = referenceAt(file->text(), range.begin, context);
+            state.word[word.copy(state.word.data(), state.word.size() - 1)] = 0;
+            state.overview.clear();
+            if (!state.entry.word.empty()) return;
+        }
+    }
+    // There is nothing to show an entry of: the user types a word or chooses one.
+    state.focusEntry = state.word[0] == 0;
+    lookUp(ui);
+}
+
+bool closeAssist(Ui& ui) {
+    CodeAssist& state = ui.source.assist;
+    if (state.isOpen) {
+        state.isOpen = false;
+        return true;
+    }
+    return std::exchange(state.showsReference, false);
+}
+
+}  // namespace glibra::view

@@ -1,0 +1,56 @@
+#pragma once
+// Help while code is written: the list of words that may stand at the cursor, what a name under the mouse is,
+// and a window with the entry of a word in the reference.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "view/edit/completion.h"
+#include "view/edit/reference.h"
+#include "view/window/panels/code_editor.h"
+
+namespace glibra::view {
+
+struct Ui;
+class EditedFile;
+
+struct CodeAssist {
+    // The list of words.
+    bool isOpen = false;
+    bool isAsked = false;  ///< it opens in the next frame
+    std::vector<Completion> words;
+    std::size_t chosen = 0;
+    TextRange typed;  ///< what an accepted word replaces
+    int cursor = 0;   ///< the cursor for which the list was made
+    bool hasAccepted = false;
+    // What the mouse is on.
+    std::size_t hovered = 0;
+    double hoveredSince = 0;  ///< ImGui::GetTime()
+    ReferenceEntry hoveredEntry;
+    // The reference.
+    bool showsReference = false, focusEntry = false;
+    ReferenceEntry entry;
+    std::vector<Completion> overview;  ///< the words to choose from, while there is no entry
+    std::array<char, 128> word{};
+    CodeLanguage language = CodeLanguage::glsl;
+};
+
+/// Handles the keys of the list. Call it before the text is drawn.
+void assistKeys(Ui& ui, EditedFile& file, CodeView& view);
+/// Updates and draws the list and the text about the name under the mouse. `isChanged`: the text has changed
+/// in this frame. Call it after the text was drawn.
+void assist(Ui& ui, EditedFile& file, CodeView& view, bool isChanged);
+/// The window with the entry of a word.
+void referenceWindow(Ui& ui);
+
+// Shortcuts; they do nothing unless the text has the keyboard focus.
+void completeWord(Ui& ui);
+void commentLines(Ui& ui);
+/// Opens the entry of the word at the cursor or before it; without one a list of words.
+void showReference(Ui& ui);
+/// Closes the list of words or the reference. Returns false if neither was open.
+bool closeAssist(Ui& ui);
+
+}  // namespace glibra::view

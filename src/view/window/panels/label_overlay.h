@@ -1,0 +1,18 @@
+#pragma once
+// The values over the picture on the screen: the same pixels as in hardcopies.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gpu/object/texture.h"
+
+namespace glibra::view {
+
+struct LabelOverlay {
+    std::vector<std::string> lines;  ///< in `texture`
+    int scale = 0;
+    std::optional<gpu::Texture> texture;
+};
+
+}  // namespace glibra::view

@@ -1,0 +1,95 @@
+#include "view/window/panels/message_box.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "view/window/panels/ui.h"
+
+namespace glibra::view {
+namespace {
+
+/// The texts of the MessageBox statements that the scene has executed.
+std::vector<std::string> textsOf(const Session& session) {
+    constexpr std::string_view kBegin = "MessageBox: ";
+    std::vector<std::string> texts;
+    for (const Diagnostic& each : session.diagnostics())
+        if (each.id == "glib-N01" && each.text.starts_with(kBegin))
+            texts.push_back(each.text.substr(kBegin.size()));
+    return texts;
+}
+
+/// The endings of the files that a statement may read: any picture or raw texture, or a model.
+const char* endingsFor(std::string_view word) {
+    const bool isTexture = word.find("exture") != std::string_view::npos;
+    return isTexture ? ".png .bmp .jpg .jpeg .tif .tiff .exr .hdr .tga .gif .webp .ppm .tex" : ".obj";
+}
+
+}  // namespace
+
+/// The messages are shown again after a reload only if they have changed, so that edits are not interrupted.
+void messageBox(Ui& ui) {
+    MessageBox& box = ui.messageBox;
+    constexpr const char* kTitle = "Message";
+    if (ui.session.hasScene() && box.loaded != ui.session.timesLoaded()) {
+        box.loaded = ui.session.timesLoaded();
+        if (std::vector<std::string> texts = textsOf(ui.session); texts != box.texts) {
+            box.texts = std::move(texts);
+            box.isShown = !box.texts.empty();
+        }
+    }
+    if (!box.isShown) return;
+    if (!ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {.5F, .5F});
+    if (!ImGui::BeginPopupModal(kTitle, nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove))
+        return;
+    ImGui::PushTextWrapPos(std::min(420 * ui.scale, screen.x - 60 * ui.scale));
+    for (const std::string& each : box.texts) ImGui::TextUnformatted(each.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::Spacing();
+    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+    if (ImGui::Button("OK", {80 * ui.scale, 0}) || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter)) ||
+        ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) {
+        box.isShown = false;
+        ImGui::CloseCurrentPopup();
+    }
+    mark(ui, "messageBox/ok");
+    ImGui::EndPopup();
+}
+
+void missingFileDialog(Ui& ui) {
+    if (!ui.session.hasScene() || ui.messageBox.isShown || ui.shared.dialog.question || ui.shared.question ||
+        ui.messageBox.asked == ui.session.timesLoaded())
+        return;
+    ui.messageBox.asked = ui.session.timesLoaded();
+    const Diagnostics& all = ui.session.diagnostics();
+    const auto missing = std::find_if(all.begin(), all.end(), [&](const Diagnostic& each) {
+        return each.place.file == ui.session.live().scene().path &&
+               (each.id == "glib-E09" ||
+                (each.id == "glib-E04" && each.text.find("needs a file name") != std::string::npos));
+    });
+    if (missing == all.end()) return;
+    const std::string word = missing->text.substr(0, missing->text.find(' '));
+    ui.shared.dialog.ask(
+        {.kind = FileQuestion::Kind::open,
+         .title = fmt::format("A file for {} in line {}", word, missing->place.line),
+         .button = "Use",
+         .hint = fmt::format("Line {} of {} does not name a file. 'Save values' writes your choice into the "
+                             "scene.",
+                             missing->place.line, ui.session.path().filename().string()),
+         .endings = endingsFor(word),
+         .entry = {},
+         .chosen =
+             [place = missing->place](Ui& chosenIn, const std::filesystem::path& file) {
+                 std::string problem = chosenIn.session.chooseFile(place, file);
+                 chosenIn.requests.reload = problem.empty();
+                 return problem;
+             }},
+        {});
+}
+
+}  // namespace glibra::view

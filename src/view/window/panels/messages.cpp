@@ -1,0 +1,221 @@
+// The messages about the scene: the banner with the first error, and the list below the source or in the
+// panel.
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+
+#include "view/edit/external_editor.h"
+#include "view/edit/source_lines.h"
+#include "view/window/panels/syntax_colors.h"
+#include "view/window/panels/ui.h"
+#include "view/window/platform/theme.h"
+
+namespace glibra::view {
+namespace {
+
+/// Executed statements (glib-N02) stand in the window "Verbose", if it is open.
+bool isListed(const Ui& ui, const Diagnostic& each) {
+    return !ui.shared.isVerbose || each.id != "glib-N02";
+}
+
+std::ptrdiff_t countOf(const Ui& ui, Severity severity) {
+    const Diagnostics& all = ui.session.diagnostics();
+    return std::count_if(all.begin(), all.end(), [&](const Diagnostic& each) {
+        return each.severity == severity && isListed(ui, each);
+    });
+}
+
+/// The line that the message is about, as it was compiled.
+std::string lineOfText(const Ui& ui, const Place& place) {
+    const auto edited = ui.session.texts().find(place.file);
+    if (edited == ui.session.texts().end()) return sourceLine(place);
+    std::size_t begin = 0;
+    for (int line = 1; line < place.line && begin != std::string::npos; ++line) {
+        begin = edited->second.find('\n', begin);
+        if (begin != std::string::npos) ++begin;
+    }
+    if (begin == std::string::npos) return {};
+    std::string text = edited->second.substr(begin, edited->second.find('\n', begin) - begin);
+    std::replace(text.begin(), text.end(), '\t', ' ');
+    return text;
+}
+
+void sourceExcerpt(const Ui& ui, const Place& place) {
+    const std::string line = lineOfText(ui, place);
+    if (line.empty()) return;
+    ImGui::PushFont(codeFont());
+    const Excerpt shown = excerpt(line, place.column, roomForCode());
+    ImGui::TextDisabled("%6d | %s", place.line, shown.text.c_str());
+    ImGui::TextDisabled("       | %s", shown.caret.c_str());
+    ImGui::PopFont();
+}
+
+/// A fold with what the driver got for the line, if it refused the shader.
+void translatedLines(Ui& ui, const Place& place, const std::string& name) {
+    if (!ui.session.hasScene()) return;
+    const std::vector<glsl::EmittedLine> lines = ui.session.live().translatedLines(place);
+    if (lines.empty()) return;
+    const bool isOpen =
+        ImGui::TreeNodeEx("##core", ImGuiTreeNodeFlags_NoTreePushOnOpen | ImGuiTreeNodeFlags_SpanAvailWidth,
+                          "what the driver got");
+    mark(ui, name + "/core");
+    if (!isOpen) return;
+    constexpr std::size_t kMostShown = 3;
+    ImGui::TextWrapped(
+        "glibra translates shaders to core GLSL, because drivers lack the older dialects. This line became:");
+    ImGui::PushFont(codeFont());
+    for (std::size_t i = 0; i < std::min(kMostShown, lines.size()); ++i) {
+        ImGui::TextWrapped("%6d > %s", lines[i].number, lines[i].text.c_str());
+        if (ui.shownTranslation.empty()) ui.shownTranslation = lines[i].text;
+    }
+    ImGui::PopFont();
+}
+
+/// A message as a button that goes to its place. `file`: the shown one, whose name is left out.
+void listed(Ui& ui, const Diagnostic& each, const std::filesystem::path& file, int index) {
+    const std::string name = fmt::format("source/message/{}", index);
+    const Place& place = each.place;
+    std::string text = each.text;
+    if (!place.file.empty()) {
+        const std::string line = fmt::format("{}:{}: {}", place.line, place.column, each.text);
+        text = place.file == file.string()
+                   ? line
+                   : std::filesystem::path(place.file).filename().string() + ":" + line;
+    }
+    ImGui::PushID(index);
+    ImGui::PushStyleColor(ImGuiCol_Text, packed(severityColor(each.severity)));
+    const ImVec2 at = ImGui::GetCursorPos();
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, ImGui::GetContentRegionAvail().x);
+    if (ImGui::Selectable("##message", false, 0, {0, size.y}) && !place.file.empty()) showSource(ui, place);
+    mark(ui, name);
+    ImGui::SetCursorPos(at);
+    ImGui::TextWrapped("%s", text.c_str());
+    ImGui::PopStyleColor();
+    if (each.severity == Severity::error) translatedLines(ui, place, name);
+    ImGui::PopID();
+}
+
+/// A message with its line and buttons, where no source is shown.
+void detailed(Ui& ui, const Diagnostic& each, int index) {
+    const std::string name = fmt::format("message/{}", index);
+    ImGui::PushID(index);
+    const bool isError = each.severity == Severity::error;
+    ImGui::PushStyleColor(ImGuiCol_Text, packed(severityColor(each.severity)));
+    ImGui::TextWrapped("%s", toString(each).c_str());
+    ImGui::PopStyleColor();
+    mark(ui, name);
+    if (!each.place.file.empty()) {
+        sourceExcerpt(ui, each.place);
+        if (isError) translatedLines(ui, each.place, name);
+        if (each.severity != Severity::note) {
+            if (ui.session.hasScene()) {
+                if (ImGui::SmallButton("Show")) showSource(ui, each.place);
+                mark(ui, name + "/show");
+                ImGui::SameLine();
+            }
+            if (ImGui::SmallButton("Edit")) ui.notice = openInEditor(each.place);
+            mark(ui, name + "/edit");
+            ImGui::SameLine();
+        }
+    }
+    if (ImGui::SmallButton("Copy")) ImGui::SetClipboardText(toString(each).c_str());
+    ImGui::PopID();
+}
+
+template <class Show>
+void inOrder(const Ui& ui, Show&& show) {
+    int index = 0;
+    for (const Severity severity : {Severity::error, Severity::warning, Severity::note})
+        for (const Diagnostic& each : ui.session.diagnostics())
+            if (each.severity == severity && isListed(ui, each)) show(each, index++);
+}
+
+}  // namespace
+
+void messageList(Ui& ui, const std::filesystem::path& file) {
+    inOrder(ui, [&](const Diagnostic& each, int index) { listed(ui, each, file, index); });
+}
+
+void messagesPanel(Ui& ui) {
+    // With the source, the list stands below its text.
+    if (ui.settings.showSource && ui.session.hasScene()) return;
+    const auto errors = countOf(ui, Severity::error);
+    const auto warnings = countOf(ui, Severity::warning);
+    const auto notes = countOf(ui, Severity::note);
+    if (errors + warnings + notes == 0) return;
+    const auto counted = [](auto number, const char* word) {
+        return fmt::format("{} {}{}", number, word, number == 1 ? "" : "s");
+    };
+    const std::string title = errors + warnings == 0
+                                  ? fmt::format("Messages ({})###messages", counted(notes, "note"))
+                                  : fmt::format("Messages ({}, {})###messages", counted(errors, "error"),
+                                                counted(warnings, "warning"));
+    // Each tab opens and closes its own section.
+    if (errors > 0 && ui.lastErrors == 0) ui.showsMessages = true;
+    ui.lastErrors = static_cast<int>(errors);
+    ImGui::SetNextItemOpen(ui.showsMessages);
+    ImGui::PushFont(headingFont());
+    ui.showsMessages = ImGui::CollapsingHeader(title.c_str());
+    ImGui::PopFont();
+    mark(ui, "messages");
+    if (!ui.showsMessages) return;
+    inOrder(ui, [&](const Diagnostic& each, int index) { detailed(ui, each, index); });
+}
+
+void errorBanner(Ui& ui) {
+    ui.banner.clear();
+    const Diagnostics& all = ui.session.diagnostics();
+    const auto first = std::find_if(all.begin(), all.end(),
+                                    [](const Diagnostic& each) { return each.severity == Severity::error; });
+    if (first == all.end()) return;
+    std::string text = first->text;
+    if (!first->place.file.empty())
+        text = fmt::format("{}:{}:{}: {}", std::filesystem::path(first->place.file).filename().string(),
+                           first->place.line, first->place.column, first->text);
+    const auto others = countOf(ui, Severity::error) - 1;
+    const std::string more = others > 0 ? fmt::format("and {} more", others) : std::string();
+    ui.banner = text + (more.empty() ? "" : " " + more);
+
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float height = ImGui::GetTextLineHeight() + 2 * style.FramePadding.y + 4;
+    ImGui::SetNextWindowPos({ui.picture[0], ui.picture[1] + ui.picture[3]}, ImGuiCond_Always, {0, 1});
+    ImGui::SetNextWindowSize({ui.picture[2], height});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, packed(palette().banner));
+    constexpr ImGuiWindowFlags kFlags =
+        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+        ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav;
+    if (ImGui::Begin("##banner", nullptr, kFlags)) {
+        const bool isClicked = ImGui::InvisibleButton("first error", {ui.picture[2], height});
+        mark(ui, "banner");
+        if (ImGui::IsItemHovered()) {
+            ui.hoverText = text;
+            ImGui::BeginTooltip();
+            ImGui::PushTextWrapPos(ImGui::GetFontSize() * 32);
+            ImGui::TextUnformatted(text.c_str());
+            ImGui::PopTextWrapPos();
+            ImGui::EndTooltip();
+        }
+        if (isClicked && !first->place.file.empty() && ui.session.hasScene()) showSource(ui, first->place);
+        ImDrawList& draw = *ImGui::GetWindowDrawList();
+        const float pad = style.FramePadding.x + 2;
+        const float top = ui.picture[1] + ui.picture[3] - height + style.FramePadding.y + 2;
+        const float right = ui.picture[0] + ui.picture[2] - pad;
+        const float moreLeft = more.empty() ? right : right - ImGui::CalcTextSize(more.c_str()).x;
+        const ImU32 color = packed(palette().bannerText);
+        draw.AddText({moreLeft, top}, color, more.c_str());
+        ImGui::PushStyleColor(ImGuiCol_Text, color);
+        lineOfText(text.c_str(), {ui.picture[0] + pad, top}, more.empty() ? right : moreLeft - pad);
+        ImGui::PopStyleColor();
+    }
+    ImGui::End();
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar(2);
+}
+
+}  // namespace glibra::view

@@ -1,0 +1,257 @@
+#include "view/window/panels/value_slider.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "glib/text.h"
+#include "view/window/platform/theme.h"
+
+namespace glibra::view {
+namespace {
+
+constexpr double kStep = .01, kPage = .1;  // of the scale
+constexpr double kFine = .1;
+
+using Text = std::array<char, 48>;
+
+/// "0.25", with four digits; integers with all of theirs.
+const char* write(Text& text, double value, const SliderScale& scale, const char* unit) {
+    const auto end = scale.isInteger
+                         ? fmt::format_to_n(text.data(), text.size() - 1, "{:.0f}{}", value, unit).out
+                         : fmt::format_to_n(text.data(), text.size() - 1, "{:.4g}{}", value + 0.0, unit).out;
+    *end = 0;
+    return text.data();
+}
+
+bool isUsedByScene(const Ui& ui, const char* key) {
+    if (!ui.session.hasScene()) return false;
+    const auto& keys = ui.session.live().scene().keys;
+    return std::any_of(keys.begin(), keys.end(),
+                       [&](const scene::KeyBinding& each) { return glib::sameWord(each.key, key); });
+}
+
+struct Track {
+    ImVec2 low, high;
+    float thumb = 0;  ///< width
+    [[nodiscard]] float length() const { return std::max(1.F, high.x - low.x - thumb); }
+    [[nodiscard]] float centreAt(double position) const {
+        return low.x + thumb / 2 + static_cast<float>(position) * length();
+    }
+    [[nodiscard]] double positionAt(float x) const { return (x - low.x - thumb / 2) / length(); }
+};
+
+/// Follows the mouse. A click on the thumb moves nothing, a click beside it brings the thumb to the mouse.
+void drag(Ui& ui, const Track& track, const SliderScale& scale, bool begins, double& value) {
+    const ImGuiIO& io = ImGui::GetIO();
+    SliderDrag& drag = ui.sliderDrag;
+    if (begins) {
+        const double now = scale.positionOf(value);
+        const bool isOnThumb = std::abs(io.MousePos.x - track.centreAt(now)) <= track.thumb;
+        const double from = isOnThumb || io.KeyShift ? now : track.positionAt(io.MousePos.x);
+        drag = {io.MousePos.x, from, io.KeyShift};
+        if (isOnThumb || io.KeyShift) return;
+    } else if (io.KeyShift != drag.isFine) {
+        drag.position = std::clamp(
+            drag.position + (io.MousePos.x - drag.mouse) / track.length() * (drag.isFine ? kFine : 1), 0.0,
+            1.0);
+        drag.mouse = io.MousePos.x;
+        drag.isFine = io.KeyShift;
+        return;
+    } else if (io.MouseDelta.x == 0) {
+        return;
+    }
+    const double moved = (io.MousePos.x - drag.mouse) / track.length() * (drag.isFine ? kFine : 1);
+    value = scale.valueAt(drag.position + moved, drag.isFine);
+}
+
+void drawTexts(const Track& track, const SliderScale& scale, double value, double position,
+               const char* unit) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float gap = style.ItemInnerSpacing.x;
+    Text text;
+    write(text, value, scale, unit);
+    const ImVec2 size = ImGui::CalcTextSize(text.data());
+    const float thumbLeft = track.centreAt(position) - track.thumb / 2;
+    const float thumbRight = thumbLeft + track.thumb;
+    // Beside the thumb, where there is more room; never beyond the track.
+    const bool isRight = track.high.x - thumbRight >= thumbLeft - track.low.x;
+    const float wanted = isRight ? thumbRight + gap : thumbLeft - gap - size.x;
+    const float left =
+        std::clamp(wanted, track.low.x + gap, std::max(track.low.x + gap, track.high.x - gap - size.x));
+    const float top = track.low.y + (track.high.y - track.low.y - size.y) / 2;
+    ImFont* small = smallFont();
+    const float smallSize = small->FontSize * ImGui::GetIO().FontGlobalScale;
+    const auto end = [&](double bound, bool isHigh) {
+        Text boundText;
+        write(boundText, bound, scale, "");
+        const ImVec2 boundSize = small->CalcTextSizeA(smallSize, 1e9F, 0, boundText.data());
+        const float x = isHigh ? track.high.x - gap - boundSize.x : track.low.x + gap;
+        const auto touches = [&](float from, float to) {
+            return x < to + gap && from - gap < x + boundSize.x;
+        };
+        if (touches(left, left + size.x) || touches(thumbLeft, thumbRight)) return;
+        const bool isOnFill = !isHigh;
+        list.AddText(small, smallSize, {x, track.low.y + (track.high.y - track.low.y - boundSize.y) / 2},
+                     ImGui::GetColorU32(isOnFill ? ImGuiCol_Text : ImGuiCol_TextDisabled), boundText.data());
+    };
+    end(scale.minimum, false);
+    end(scale.maximum, true);
+    list.AddText({left, top}, ImGui::GetColorU32(ImGuiCol_Text), text.data());
+}
+
+void draw(const Ui& ui, const Track& track, const SliderScale& scale, double value, const char* unit,
+          bool isFocused) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const int background = ImGui::IsItemActive()    ? ImGuiCol_FrameBgActive
+                           : ImGui::IsItemHovered() ? ImGuiCol_FrameBgHovered
+                                                    : ImGuiCol_FrameBg;
+    const double position = scale.positionOf(value);
+    const float centre = track.centreAt(position);
+    list.AddRectFilled(track.low, track.high, ImGui::GetColorU32(background), style.FrameRounding);
+    list.AddRectFilled(track.low, {centre, track.high.y}, ImGui::GetColorU32(ImGuiCol_PlotHistogram),
+                       style.FrameRounding, ImDrawFlags_RoundCornersLeft);
+    if (style.FrameBorderSize > 0)
+        list.AddRect(track.low, track.high, ImGui::GetColorU32(ImGuiCol_Border), style.FrameRounding, 0,
+                     style.FrameBorderSize);
+    list.AddRectFilled({centre - track.thumb / 2, track.low.y}, {centre + track.thumb / 2, track.high.y},
+                       ImGui::GetColorU32(ImGuiCol_SliderGrab), track.thumb / 2);
+    list.PushClipRect(track.low, track.high, true);
+    drawTexts(track, scale, value, position, unit);
+    list.PopClipRect();
+    if (isFocused)
+        list.AddRect(track.low, track.high, ImGui::GetColorU32(ImGuiCol_NavHighlight), style.FrameRounding, 0,
+                     2 * ui.scale);
+}
+
+void takeKeys(Ui& ui, const SliderScale& scale, double& value) {
+    if (const auto end = std::exchange(ui.sliderEnd, std::nullopt)) value = scale.valueAt(*end ? 1 : 0);
+    if (const double moves = std::exchange(ui.sliderMoves, 0); moves != 0)
+        value = scale.moved(value, moves, ImGui::GetIO().KeyShift);
+}
+
+}  // namespace
+
+SliderUse valueSlider(Ui& ui, const char* id, const SliderScale& scale, double& value, const char* unit) {
+    const float thumb = std::round(1.5F * kSpace * ui.scale);
+    const ImVec2 size(std::max(4 * thumb, ImGui::CalcItemWidth()), ImGui::GetFrameHeight());
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    ImGui::InvisibleButton(id, size);
+    const Track track{low, {low.x + size.x, low.y + size.y}, thumb};
+    const unsigned itemId = ImGui::GetID(id);
+    const bool isDisabled = (ImGui::GetCurrentContext()->CurrentItemFlags & ImGuiItemFlags_Disabled) != 0;
+    if (!isDisabled) ui.sliders.push_back(itemId);
+    const double before = value;
+    SliderUse use;
+    use.isActivated = ImGui::IsItemActivated();
+    use.wantsMenu = ImGui::IsItemClicked(ImGuiMouseButton_Right);
+    use.isTyped = ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+    if (use.isActivated || use.wantsMenu) {
+        ui.focusedSlider = itemId;
+        ui.sliderWasClicked = true;
+    }
+    const bool isFocused = ui.focusedSlider == itemId;
+    if (ImGui::IsItemActive() && !use.isTyped) {
+        drag(ui, track, scale, use.isActivated, value);
+    } else if (isFocused) {
+        if (std::exchange(ui.revealsSlider, false) && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
+        takeKeys(ui, scale, value);
+        use.isTyped = use.isTyped || std::exchange(ui.sliderIsTyped, false);
+    }
+    use.isChanged = value != before;
+    draw(ui, track, scale, value, unit, isFocused);
+    return use;
+}
+
+bool sliderEntry(Ui& ui, const char* id, double& value) {
+    if (std::exchange(ui.typingBegins, false)) {
+        ui.typed = value;
+        ImGui::SetKeyboardFocusHere();
+    }
+    ui.sliders.push_back(ImGui::GetID(id));  // keeps the keyboard for the slider that comes back
+    ImGui::InputDouble("##entry", &ui.typed, 0, 0, "%.9g",
+                       ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_CharsScientific);
+    // The value changes when the user has finished typing, not with each digit.
+    if (!ImGui::IsItemDeactivated()) return false;
+    value = ui.typed;
+    ui.typing.clear();
+    return true;
+}
+
+bool labelledSlider(Ui& ui, const char* label, std::string_view name, const SliderScale& scale, double& value,
+                    const char* unit) {
+    ImGui::PushID(label);
+    const double before = value;
+    if (!ui.typing.empty() && ui.typing == name) {
+        if (sliderEntry(ui, "##slider", value)) {
+            value = std::clamp(value, scale.minimum, scale.maximum);
+            if (scale.isInteger) value = std::round(value);
+        }
+    } else {
+        const SliderUse use = valueSlider(ui, "##slider", scale, value, unit);
+        const bool isSecondClick = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+        if (use.isActivated && !isSecondClick) ui.valuesBeforeClick = {before};
+        if (use.isTyped) {
+            ui.typing = name;
+            ui.typingBegins = true;
+            // The first click of the two has moved the slider.
+            if (isSecondClick && ui.valuesBeforeClick.size() == 1) value = ui.valuesBeforeClick.front();
+        }
+    }
+    mark(ui, name);
+    ImGui::PopID();
+    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(label);
+    return value != before;
+}
+
+void beginSliders(Ui& ui) {
+    ui.sliderMoves = 0;
+    ui.sliderEnd.reset();
+    ui.sliderIsTyped = ui.sliderWasClicked = false;
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool takesKeys = !io.WantTextInput && !io.KeyCtrl && !io.KeyAlt && !ui.shared.question;
+    if (takesKeys && ImGui::IsKeyPressed(GLFW_KEY_TAB) && !ui.sliders.empty()) {
+        const auto now = std::find(ui.sliders.begin(), ui.sliders.end(), ui.focusedSlider);
+        const auto count = static_cast<std::ptrdiff_t>(ui.sliders.size());
+        const std::ptrdiff_t at = now == ui.sliders.end() ? (io.KeyShift ? 0 : -1) : now - ui.sliders.begin();
+        ui.focusedSlider =
+            ui.sliders[static_cast<std::size_t>((at + (io.KeyShift ? -1 : 1) + count) % count)];
+        ui.revealsSlider = true;
+    } else if (takesKeys && ui.focusedSlider != 0) {
+        const double fine = io.KeyShift ? kFine : 1;
+        const auto move = [&](int key, const char* name, double by) {
+            if (!isUsedByScene(ui, name) && ImGui::IsKeyPressed(key)) ui.sliderMoves += by * fine;
+        };
+        move(GLFW_KEY_RIGHT, "right", kStep);
+        move(GLFW_KEY_UP, "up", kStep);
+        move(GLFW_KEY_LEFT, "left", -kStep);
+        move(GLFW_KEY_DOWN, "down", -kStep);
+        move(GLFW_KEY_PAGE_UP, "pageup", kPage);
+        move(GLFW_KEY_PAGE_DOWN, "pagedown", -kPage);
+        if (ImGui::IsKeyPressed(GLFW_KEY_HOME)) ui.sliderEnd = false;
+        if (ImGui::IsKeyPressed(GLFW_KEY_END)) ui.sliderEnd = true;
+        const bool isEnter =
+            ImGui::IsKeyPressed(GLFW_KEY_ENTER, false) || ImGui::IsKeyPressed(GLFW_KEY_KP_ENTER, false);
+        ui.sliderIsTyped = isEnter && !isUsedByScene(ui, "enter");
+    }
+    ui.sliders.clear();
+}
+
+void endSliders(Ui& ui) {
+    const bool isGone = std::find(ui.sliders.begin(), ui.sliders.end(), ui.focusedSlider) == ui.sliders.end();
+    if (isGone && ui.typing.empty()) ui.focusedSlider = 0;
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ui.sliderWasClicked) ui.focusedSlider = 0;
+}
+
+}  // namespace glibra::view

@@ -1,0 +1,44 @@
+// The window "Verbose": what the scene does, statement by statement, and what was made for it.
+
+#include <imgui.h>
+
+#include <string>
+
+#include "render/stats.h"
+#include "view/window/panels/ui.h"
+#include "view/window/platform/theme.h"
+
+namespace glibra::view {
+namespace {
+
+std::string textOf(const Session& session) {
+    std::string text;
+    for (const Diagnostic& each : session.diagnostics())
+        if (each.id == "glib-N02") text += std::to_string(each.place.line) + ": " + each.text + "\n";
+    return text + "\n" + render::toText(session.live().loadStats());
+}
+
+}  // namespace
+
+void verboseWindow(Ui& ui) {
+    if (ui.session.hasScene() && ui.session.isVerbose() != ui.shared.isVerbose) {
+        ui.session.setVerbose(ui.shared.isVerbose);
+        ui.requests.reload = true;
+    }
+    if (!ui.shared.isVerbose) return;
+    placeFloating(ui, 30, 60, 620, 420);
+    if (ImGui::Begin("Verbose", &ui.shared.isVerbose, ImGuiWindowFlags_NoCollapse)) {
+        const std::string text = ui.session.hasScene() ? textOf(ui.session) : std::string();
+        if (ImGui::Button("Copy")) ImGui::SetClipboardText(text.c_str());
+        mark(ui, "verbose/copy");
+        ImGui::BeginChild("text", {0, 0}, true, ImGuiWindowFlags_HorizontalScrollbar);
+        ImGui::PushFont(codeFont());
+        ImGui::TextUnformatted(text.c_str(), text.c_str() + text.size());
+        ImGui::PopFont();
+        ImGui::EndChild();
+        mark(ui, "verbose/text");
+    }
+    ImGui::End();
+}
+
+}  // namespace glibra::view

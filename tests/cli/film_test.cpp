@@ -1,0 +1,169 @@
+// Animations as one file: `glibra render --frames N -o film.mp4`. ffmpeg is a script here that keeps what it
+// gets.
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "image/read.h"
+#include "program.h"
+
+namespace glibra::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kScene = R"(WindowSize 20 15
+Ortho -1 1 -1 1
+Timer 1
+Vertex a.vert
+Fragment a.frag
+Program P uGreen <0. .5 1.>
+QuadXY 0. .7
+)";
+
+/// The name of the output file is the last argument; "file:" stands before it.
+constexpr const char* kFfmpeg = R"(#!/bin/sh
+printf '%s\n' "$@" >"$RECORD/arguments"
+cat >"$RECORD/pixels"
+for last; do :; done
+echo "a film" >"${last#file:}"
+)";
+constexpr const char* kFailing = R"(#!/bin/sh
+echo "first line" >&2
+echo "Unknown encoder 'libx264'" >&2
+exit 1
+)";
+
+class Film : public testing::Test {
+  protected:
+    Film() {
+        folder.write("a.glib", kScene);
+        folder.write("a.vert",
+                     "#version 330\nvoid main() { gl_Position = uModelViewProjectionMatrix * aVertex; }\n");
+        folder.write("a.frag",
+                     "#version 330\nuniform float uGreen; out vec4 c;\nvoid main() { c = vec4(Timer, uGreen, "
+                     "0., 1.); }\n");
+        fs::create_directory(folder / "record");
+    }
+    /// Puts a program of that content before the real ffmpeg, if there is one.
+    [[nodiscard]] std::string with(const char* script) const {
+        folder.write("bin/ffmpeg", script);
+        fs::permissions(folder / "bin/ffmpeg", fs::perms::owner_all);
+        return "PATH=\"" + (folder / "bin").string() + ":$PATH\" RECORD=\"" + (folder / "record").string() +
+               "\"";
+    }
+    [[nodiscard]] std::string left() const {
+        std::string names;
+        for (const auto& each : fs::directory_iterator(folder.path()))
+            if (!each.is_directory())
+                names += each.path().filename().string() + "\n";
+            else if (const std::string name = each.path().filename(); name != "bin" && name != "record")
+                names += name + "/\n";
+        return names;
+    }
+    [[nodiscard]] bool has(const char* name) const { return fs::exists(folder / name); }
+    Folder folder;
+};
+
+/// The frames' RGB bytes, one frame after the other.
+std::string pixelsOf(const Folder& folder, int frames) {
+    std::string bytes;
+    for (int i = 0; i < frames; ++i) {
+        const std::string number = std::string(i < 10 ? "000" : "00") + std::to_string(i);
+        const auto image = image::readImage(folder / ("s_" + number + ".png"));
+        if (!image) return "no frame " + number;
+        for (std::size_t at = 0; at < image->data.size(); ++at)
+            if (image->components == 3 || at % 4 != 3) bytes += static_cast<char>(image->data[at]);
+    }
+    return bytes;
+}
+
+TEST_F(Film, GetsTheFramesInOrderAndIsOneFile) {
+    const Finished run =
+        glibra(folder.path(), "render a.glib --frames 17 --fps 10 -o film.mp4 --jobs 2", with(kFfmpeg));
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_EQ(readFile(folder / "film.mp4"), "a film\n");
+    EXPECT_FALSE(has("film_0000.png"));
+    const std::string arguments = readFile(folder / "record/arguments");
+    for (const char* each : {"\nrawvideo\n", "\nrgb24\n", "\n20x15\n", "-framerate\n10\n", "\npipe:0\n"})
+        EXPECT_NE(arguments.find(each), std::string::npos) << each << arguments;
+    ASSERT_EQ(glibra(folder.path(), "render a.glib --frames 17 --fps 10 -o s.png").status, 0);
+    EXPECT_EQ(readFile(folder / "record/pixels"), pixelsOf(folder, 17));
+    for (const auto& each : fs::directory_iterator(folder.path()))
+        EXPECT_FALSE(each.path().filename().string().starts_with(".glibra")) << each.path();
+}
+
+TEST_F(Film, IsTheSameInASandbox) {
+    const Finished run =
+        glibra(folder.path(), "render a.glib --frames 3 -o film.webm --untrusted", with(kFfmpeg));
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_EQ(readFile(folder / "film.webm"), "a film\n");
+    ASSERT_EQ(glibra(folder.path(), "render a.glib --frames 3 -o s.png").status, 0);
+    EXPECT_EQ(readFile(folder / "record/pixels"), pixelsOf(folder, 3));
+}
+
+TEST_F(Film, AGifHasAPaletteAndKeepsItsSize) {
+    const Finished run = glibra(folder.path(), "render a.glib --frames 2 -o film.GIF", with(kFfmpeg));
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_TRUE(has("film.GIF"));
+    const std::string arguments = readFile(folder / "record/arguments");
+    EXPECT_NE(arguments.find("palettegen"), std::string::npos);
+    EXPECT_EQ(arguments.find("pad="), std::string::npos);
+}
+
+TEST_F(Film, WithoutFfmpegNothingIsDrawn) {
+    fs::create_directory(folder / "empty");
+    const Finished run = glibra(folder.path(), "render a.glib --frames 2 -o film.mp4",
+                                "PATH=\"" + (folder / "empty").string() + "\"");
+    EXPECT_EQ(run.status, 4);
+    EXPECT_NE(run.err.find("ffmpeg is not installed"), std::string::npos) << run.err;
+    EXPECT_FALSE(has("film.mp4"));
+}
+
+TEST_F(Film, AFailureOfFfmpegIsReportedWithItsMessage) {
+    folder.write("film.mp4", "the film of yesterday");
+    const Finished run = glibra(folder.path(), "render a.glib --frames 2 -o film.mp4", with(kFailing));
+    EXPECT_EQ(run.status, 3);
+    EXPECT_NE(run.err.find("cannot write 'film.mp4': ffmpeg: Unknown encoder 'libx264'"), std::string::npos)
+        << run.err;
+    EXPECT_EQ(readFile(folder / "film.mp4"), "the film of yesterday");
+    EXPECT_EQ(left().find(".glibra"), std::string::npos) << left();
+}
+
+TEST_F(Film, ASceneWithAnErrorGivesNoFilm) {
+    folder.write("a.frag", "#version 330\nout vec4 c;\nvoid main() { c = oops; }\n");
+    const Finished run = glibra(folder.path(), "render a.glib --frames 2 -o film.mp4", with(kFfmpeg));
+    EXPECT_EQ(run.status, 3);
+    EXPECT_FALSE(has("film.mp4"));
+    EXPECT_FALSE(has("record/pixels"));
+}
+
+TEST_F(Film, OnePictureIsNoVideo) {
+    const Finished run = glibra(folder.path(), "render a.glib -o film.mp4", with(kFfmpeg));
+    EXPECT_EQ(run.status, 2);
+    EXPECT_NE(run.err.find("--frames"), std::string::npos) << run.err;
+    EXPECT_FALSE(has("film.mp4"));
+}
+
+TEST_F(Film, TheRealProgramWritesFramesOfTheRightNumberAndSize) {
+    if (std::system("command -v ffmpeg >/dev/null && command -v ffprobe >/dev/null") != 0)
+        GTEST_SKIP() << "no ffmpeg";
+    for (const char* name : {"film.mp4", "film.gif"}) {
+        const Finished run =
+            glibra(folder.path(), std::string("render a.glib --frames 7 --fps 10 -o ") + name);
+        ASSERT_EQ(run.status, 0) << run.err;
+        const Finished probe =
+            shell(folder.path(),
+                  "ffprobe -v error -count_frames -show_entries stream=nb_read_frames,width -of "
+                  "csv=p=0 " +
+                      std::string(name));
+        EXPECT_EQ(probe.out, "20,7\n") << name;
+    }
+}
+
+}  // namespace
+}  // namespace glibra::test

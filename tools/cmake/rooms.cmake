@@ -1,0 +1,80 @@
+# A room is a folder of src with its sub-folders: one static library of all its .cpp files. Every room sees include/
+# and src/, so that an include reads "room/file.h".
+
+set(GLIBRA_WARNINGS -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
+if(GLIBRA_WERROR)
+    list(APPEND GLIBRA_WARNINGS -Werror)
+endif()
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+    # GCC 12 reports overlaps and overflows in std::string that do not exist (GCC bugs 105651 and 105329),
+    # most of all where headers are precompiled.
+    list(APPEND GLIBRA_WARNINGS -Wno-restrict -Wno-stringop-overflow -Wno-array-bounds)
+endif()
+if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    # libstdc++'s std::stable_sort calls a deprecated function of its own, and Clang reports that at our call. GCC
+    # reports deprecated functions that we call ourselves.
+    list(APPEND GLIBRA_WARNINGS -Wno-deprecated-declarations)
+endif()
+
+function(glibra_compile_options target)
+    # No fused multiply-add: geometry and noise are the same bits on every processor.
+    target_compile_options(${target} PRIVATE ${GLIBRA_WARNINGS} -ffp-contract=off)
+    if(GLIBRA_SANITIZE)
+        target_compile_options(${target} PRIVATE -fsanitize=${GLIBRA_SANITIZE} -fno-sanitize-recover=all
+                                                 -fno-omit-frame-pointer)
+        target_link_options(${target} PUBLIC -fsanitize=${GLIBRA_SANITIZE})
+    endif()
+    if(GLIBRA_FUZZ)  # the fuzzer sees which edges of this target an input reaches
+        target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
+        target_link_options(${target} PUBLIC -fsanitize=fuzzer-no-link)
+    endif()
+endfunction()
+
+# glibra_quick_to_compile(TARGET LEVEL): for tests, the command line and rooms that do nothing per pixel, vertex or
+# texel. They use libraries that consist of headers; full optimisation would add half to their compile time and save
+# no measurable run time. LEVEL is -O1, or -O0 for the tests of the rooms. With sanitizers, targets of -O1 are compiled
+# as the preset says, because their code runs long there.
+function(glibra_quick_to_compile target level)
+    if(level STREQUAL "-O0" OR NOT (GLIBRA_SANITIZE OR CMAKE_BUILD_TYPE STREQUAL "Debug"))
+        target_compile_options(${target} PRIVATE ${level})
+    endif()
+endfunction()
+
+# The headers that most files of all rooms include are compiled once; that halves the compile time of a room. Every
+# file names what it includes all the same, and compiles without this (CMAKE_DISABLE_PRECOMPILE_HEADERS=ON).
+set(GLIBRA_COMMON_HEADERS
+    <algorithm> <array> <cmath> <filesystem> <functional> <limits> <map> <memory> <optional> <set> <span> <string>
+    <string_view> <system_error> <utility> <variant> <vector> <fmt/format.h> <glm/geometric.hpp> <glm/mat4x4.hpp>)
+
+# glibra_precompile(TARGET OWNER [HEADER...]): OWNER is the target whose precompiled headers are shared; the first
+# target to name itself. All targets of one owner have the same compile options.
+function(glibra_precompile target owner)
+    if(target STREQUAL owner)
+        target_precompile_headers(${target} PRIVATE ${GLIBRA_COMMON_HEADERS} ${ARGN})
+    else()
+        target_precompile_headers(${target} REUSE_FROM ${owner})
+    endif()
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+        target_compile_options(${target} PRIVATE -fpch-preprocess)  # for ccache
+    endif()
+endfunction()
+
+# glibra_room(NAME [QUICK_TO_COMPILE] [ROOMS room...] [LINK library...])
+# ROOMS are the rooms whose headers this one may include; their own rooms come with them.
+function(glibra_room room)
+    cmake_parse_arguments(arg "QUICK_TO_COMPILE" "" "ROOMS;LINK" ${ARGN})
+    # Without the sub-folders that are a module or a program of their own.
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${room}/*.cpp)
+    list(FILTER sources EXCLUDE REGEX "/src/${room}/(module|window|program)/")
+    set(rooms ${arg_ROOMS})
+    list(TRANSFORM rooms PREPEND glibra_)
+
+    add_library(glibra_${room} STATIC ${sources})
+    glibra_compile_options(glibra_${room})
+    if(arg_QUICK_TO_COMPILE)
+        glibra_quick_to_compile(glibra_${room} -O1)
+    endif()
+    target_include_directories(glibra_${room} PUBLIC ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src)
+    target_link_libraries(glibra_${room} PUBLIC glm::glm fmt::fmt ${rooms} ${arg_LINK})
+    glibra_precompile(glibra_${room} glibra_base)
+endfunction()
