@@ -54,13 +54,19 @@ Diagnostic notInstalled(Format format, const FileLabel& label) {
                     label.place);
 }
 
+using Message = std::array<char, 500>;
+
+std::string textOf(const Message& message) {
+    return {message.begin(), std::find(message.begin(), message.end(), '\0')};
+}
+
 /// What the module has read: plain data, which may lie in memory that two processes share.
 struct Reading {
     int result = kGlibraFailed;
     bool hasSize = false;
     std::uint64_t width = 0, height = 0;
     Component type = Component::u8;
-    std::array<char, 500> message{};
+    Message message{};
 
     [[nodiscard]] std::size_t bytes() const {
         return static_cast<std::size_t>(width * height * 4 * bytesOf(type));
@@ -129,11 +135,7 @@ Result<Image> pictureOf(const Reading& reading, const ReadingJob& job, std::vect
                      std::move(pixels)};
     if (reading.result == kGlibraRefused || reading.result == kGlibraDone)
         return damaged(job.label, "there is not enough memory to read it");
-    const auto end = std::find(reading.message.begin(), reading.message.end(), '\0');
-    return damaged(job.label,
-                   fmt::format("damaged or short file ({})",
-                               std::string_view(reading.message.data(),
-                                                static_cast<std::size_t>(end - reading.message.begin()))));
+    return damaged(job.label, fmt::format("damaged or short file ({})", textOf(reading.message)));
 }
 
 Result<Image> readHere(const ReadingJob& job) {
@@ -177,6 +179,38 @@ Result<Image> readContained(const ReadingJob& job, const base::CallLimits& limit
         pixels.assign(whole.begin(), whole.end());
     }
     return pictureOf(copy, job, std::move(pixels));
+}
+
+/// The result of writing: plain data, as above.
+struct Writing {
+    int result = kGlibraFailed;
+    Message message{};
+
+    [[nodiscard]] std::string text() const {
+        if (result == kGlibraRefused) return "there is not enough memory";
+        return message.front() == '\0' ? "its encoder crashed" : textOf(message);
+    }
+};
+
+/// Writes in a process of its own, unless this is a worker. After a call in this process, a thread of
+/// OpenImageIO's pool would end at some later time; a process that is forked while this thread holds the
+/// pool's lock would wait for the lock for ever (OpenImageIO before 2.5, its change 3879).
+Writing writePixels(GlibraWritePicture write, GlibraWriteRequest request) {
+    const auto call = [&](Writing& writing) {
+        request.message = writing.message.data();
+        request.messageSize = writing.message.size();
+        writing.result = write(&request);
+    };
+    Writing here;
+    if (base::isWorker()) {
+        call(here);
+        return here;
+    }
+    const base::SharedMemory shared(sizeof(Writing));
+    if (shared.bytes().empty()) return here;
+    auto& there = *new (shared.bytes().data()) Writing;
+    base::runContained({.seconds = 0, .memory = 0}, [&] { call(there); });
+    return there;
 }
 
 /// The size that the header of a Photoshop file states. OpenImageIO reserves memory for all channels before
@@ -231,7 +265,6 @@ Diagnostics writeByModule(const Image& image, Format format, const fs::path& pat
     const bool grey = image.components < 3;
     const Image colors = grey ? withComponents(image, image.components == 2 ? 4 : 3) : Image();
     const Image& source = grey ? colors : image;
-    std::array<char, 500> message{};
     const std::string formatName(openImageIoName(format));
     GlibraWriteRequest request{};
     request.format = formatName.c_str();
@@ -244,11 +277,10 @@ Diagnostics writeByModule(const Image& image, Format format, const fs::path& pat
                                                    : kGlibraF32;
     request.pixels = source.data.data();
     request.comment = comment.c_str();
-    request.message = message.data();
-    request.messageSize = message.size();
-    if (module->write(&request) == kGlibraDone) return {};
+    const Writing written = writePixels(module->write, request);
+    if (written.result == kGlibraDone) return {};
     return {
-        diagnose("file-E10", fmt::format("cannot write '{}': {}", label.name, message.data()), label.place)};
+        diagnose("file-E10", fmt::format("cannot write '{}': {}", label.name, written.text()), label.place)};
 }
 
 }  // namespace glibra::image

@@ -31,8 +31,9 @@ Result<Image> readByModule(Format format, std::span<const std::byte> file, const
                            const base::CallLimits& decoder = {});
 
 /// Writes a picture with the module to exactly this path; not atomic. EXR and HDR become float, JPEG has
-/// quality 95; alpha and `comment` are dropped if the format has none. Errors: file-E03 the module is not
-/// installed; file-E10 not written. Both name `label`.
+/// quality 95; alpha and `comment` are dropped if the format has none. The encoder runs in a process of its
+/// own as decoders do, but without limits. Errors: file-E03 the module is not installed; file-E10 not
+/// written. Both name `label`.
 Diagnostics writeByModule(const Image& image, Format format, const std::filesystem::path& path,
                           const FileLabel& label, const std::string& comment,
                           std::span<const std::filesystem::path> moduleFolders);

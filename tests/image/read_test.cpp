@@ -3,6 +3,7 @@
 #include "image/read.h"
 
 #include <gtest/gtest.h>
+#include <pthread.h>
 
 #include "image/compare/compare.h"
 #include "image/file.h"
@@ -179,6 +180,25 @@ TEST_P(ReadByModule, ACutFileGivesOneMessage) {
         EXPECT_FALSE(read) << percent;
         EXPECT_EQ(idsOf(read.diagnostics), "file-E04") << percent;
     }
+}
+
+/// OpenImageIO leaves a thread behind that may hold a lock when the next process is forked.
+TEST_F(ReadImage, TheModuleWritesAndReadsInProcessesOfTheirOwn) {
+    GLIBRA_NEED_MODULE();
+    static int forks = 0;
+    ASSERT_EQ(pthread_atfork(
+                  nullptr, [] { ++forks; }, nullptr),
+              0);
+    ASSERT_TRUE(
+        writeImage(testing::smoothImage(40, 30), folder / "a.tif", {{}, testing::moduleFolders()}).empty());
+    EXPECT_EQ(forks, 1);
+    EXPECT_TRUE(readImage(folder / "a.tif", kPlace, testing::withModule()));
+    EXPECT_EQ(forks, 2);
+    const auto problems =
+        writeImage(testing::smoothImage(70000, 1), folder / "a.tga", {{}, testing::moduleFolders()});
+    ASSERT_EQ(idsOf(problems), "file-E10") << "the reason of a failure comes back";
+    EXPECT_NE(problems[0].text.find("65535"), std::string::npos) << problems[0].text;
+    EXPECT_EQ(forks, 3);
 }
 
 TEST_F(ReadImage, AJpegNamedBmpIsReadAsJpeg) {
