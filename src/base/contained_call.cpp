@@ -19,9 +19,7 @@
 namespace glibra::base {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-[[noreturn]] void serve(const CallLimits& limits, const std::function<void()>& work) {
+[[noreturn]] void serveCall(const CallLimits& limits, const std::function<void()>& work) {
 #ifdef __linux__
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
 #endif
@@ -50,7 +48,7 @@ int descriptorOf([[maybe_unused]] pid_t process) {
 
 /// Waits until the process has ended or the time is over. False if it still runs.
 bool waitFor(pid_t process, double seconds, int& status) {
-    const Clock::time_point start = Clock::now();
+    const std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
     const int descriptor = descriptorOf(process);
     constexpr double kLongestWait = 3600, kBetweenQuestions = .002;
     bool ended = false;
@@ -60,7 +58,7 @@ bool waitFor(pid_t process, double seconds, int& status) {
             ended = true;
             break;
         }
-        const double passed = std::chrono::duration<double>(Clock::now() - start).count();
+        const double passed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         const double left = seconds > 0 ? seconds - passed : kLongestWait;
         if (left <= 0) break;
         const double wait = std::min(left, descriptor < 0 ? kBetweenQuestions : kLongestWait);
@@ -76,7 +74,7 @@ bool waitFor(pid_t process, double seconds, int& status) {
 CallEnd runContained(const CallLimits& limits, const std::function<void()>& work) {
     const pid_t process = ::fork();
     if (process < 0) return {CallEnd::Kind::died, 0};
-    if (process == 0) serve(limits, work);
+    if (process == 0) serveCall(limits, work);
     int status = 0;
     if (!waitFor(process, limits.seconds, status)) {
         ::kill(process, SIGKILL);

@@ -38,7 +38,7 @@ struct Header {
     std::uint32_t bytes = 0;
 };
 
-bool writeAll(int file, const void* data, std::size_t size) {
+bool sendAll(int file, const void* data, std::size_t size) {
     const char* next = static_cast<const char*>(data);
     while (size > 0) {
         const ssize_t written = ::write(file, next, size);
@@ -50,7 +50,7 @@ bool writeAll(int file, const void* data, std::size_t size) {
     return true;
 }
 
-bool readAll(int file, void* data, std::size_t size) {
+bool receiveAll(int file, void* data, std::size_t size) {
     char* next = static_cast<char*>(data);
     while (size > 0) {
         const ssize_t got = ::read(file, next, size);
@@ -68,12 +68,12 @@ std::uint64_t memoryOf(const WorkerOptions& options, std::size_t piece) {
 
 void send(int file, MessageKind kind, const std::string& text) {
     const Header header{kind, static_cast<std::uint32_t>(text.size())};
-    if (!writeAll(file, &header, sizeof header) || !writeAll(file, text.data(), text.size())) ::_exit(1);
+    if (!sendAll(file, &header, sizeof header) || !sendAll(file, text.data(), text.size())) ::_exit(1);
 }
 
 /// The worker's main loop: reads pieces and writes answers until the parent closes the pipe.
-[[noreturn]] void serve(int requests, int answers, std::size_t count, const WorkerOptions& options,
-                        const Work& work) {
+[[noreturn]] void servePieces(int requests, int answers, std::size_t count, const WorkerOptions& options,
+                              const Work& work) {
 #ifdef __linux__
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     // When memory runs out, the kernel should end a worker, not the parent that holds all results.
@@ -88,7 +88,7 @@ void send(int file, MessageKind kind, const std::string& text) {
     const MemoryLimit limit;
     if (options.sandbox && !enterSandbox(*options.sandbox, std::array{requests, answers}).empty()) ::_exit(1);
     std::uint64_t index = 0;
-    while (readAll(requests, &index, sizeof index)) {
+    while (receiveAll(requests, &index, sizeof index)) {
         if (index >= count) ::_exit(1);  // something else has written into the pipe
         limit.set(memoryOf(options, index));
         const std::string answer =
@@ -128,7 +128,7 @@ std::optional<Worker> start(std::size_t count, const WorkerOptions& options, con
         }
         ::close(requests[1]);
         ::close(answers[0]);
-        serve(requests[0], answers[1], count, options, work);
+        servePieces(requests[0], answers[1], count, options, work);
     }
     ::close(requests[0]);
     ::close(answers[1]);
@@ -222,7 +222,7 @@ class Pool {
         worker.received.clear();
         worker.piece = next_++;
         const std::uint64_t index = *worker.piece;
-        writeAll(worker.requests, &index, sizeof index);
+        sendAll(worker.requests, &index, sizeof index);
         beginStep(worker);
     }
 

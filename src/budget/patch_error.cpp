@@ -8,14 +8,13 @@
 #include <limits>
 #include <span>
 
+#include "budget/pixel_scale.h"
+
 namespace glibra::budget {
 namespace {
 
 /// How far coordinates may miss a primitive: a few roundings of floats.
 constexpr double kSlack = 1e-5;
-
-/// How far outside the picture a place may lie and still count.
-constexpr double kMargin = 1.05;
 
 using Weights = std::array<double, 3>;
 
@@ -94,7 +93,7 @@ std::optional<double> patchError(const Patch& coarse, const Patch& fine, const g
         if (!shown) return std::nullopt;
         if (!(vertex.clip.w > 0) || !(shown->w > 0)) return std::numeric_limits<double>::infinity();
         const glm::dvec2 is = glm::dvec2(vertex.clip) / vertex.clip.w, seems = glm::dvec2(*shown) / shown->w;
-        if (glm::max(std::abs(is.x), std::abs(is.y)) > kMargin) continue;
+        if (glm::max(std::abs(is.x), std::abs(is.y)) > kPictureMargin) continue;
         const double distance = glm::length((seems - is) * size * .5);
         if (!std::isfinite(distance)) return std::numeric_limits<double>::infinity();
         largest = std::max(largest, distance);

@@ -12,9 +12,6 @@
 namespace glibra::budget {
 namespace {
 
-/// How far outside the picture a place may lie and still count: a mesh reaches further in than its surface.
-constexpr double kMargin = 1.05;
-
 bool isFinite(const glm::dmat4& matrix) {
     for (int column = 0; column < 4; ++column)
         for (int row = 0; row < 4; ++row)
@@ -71,8 +68,8 @@ std::optional<double> pixelsPerUnit(const glm::dmat4& clipFromModel, const geome
         low = glm::min(low, glm::dvec2(each) / each.w);
         high = glm::max(high, glm::dvec2(each) / each.w);
     }
-    low = glm::max(low, glm::dvec2(-kMargin));
-    high = glm::min(high, glm::dvec2(kMargin));
+    low = glm::max(low, glm::dvec2(-kPictureMargin));
+    high = glm::min(high, glm::dvec2(kPictureMargin));
     if (low.x > high.x || low.y > high.y) return 0;
 
     double largest = 0;

@@ -8,6 +8,9 @@
 
 namespace glibra::budget {
 
+/// How far outside the picture a place may lie and still count: a mesh reaches further in than its surface.
+inline constexpr double kPictureMargin = 1.05;
+
 /// The largest factor, in pixels per model unit, by which a step between two points of the extent is
 /// lengthened on the picture, over all directions and all places that can be seen; 0 if no place can be seen.
 /// `clipFromModel` is Projection * ModelView; width and height are those of the picture in pixels. Nothing if

@@ -137,7 +137,7 @@ class CheckReport {
     std::vector<CheckedScene> scenes_;
 };
 
-int run(CheckArguments& arguments) {
+int runCheckCommand(CheckArguments& arguments) {
     SceneArguments named;
     const Diagnostics problems = resolveScenes(arguments.scenes, named);
     print(problems);
@@ -205,7 +205,7 @@ void addCheck(CommandLine& program, int& status) {
     for (const char* each : {"--time", "--steps", "--eye", "--samples"})
         command.find(each).needs(command.find("--run"));
     command.flag("--json", arguments->json, "print the diagnostics as JSON on standard output");
-    command.onRun([arguments, &status] { status = run(*arguments); });
+    command.onRun([arguments, &status] { status = runCheckCommand(*arguments); });
 }
 
 }  // namespace glibra::cli

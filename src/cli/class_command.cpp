@@ -82,7 +82,7 @@ base::Sandbox drawingSandbox(const classroom::ClassPlan& plan, Driver driver) {
     return sandbox;
 }
 
-int run(const ClassArguments& arguments, const std::string& command) {
+int runClassCommand(const ClassArguments& arguments, const std::string& command) {
     if (arguments.untrusted && !prepareUntrusted()) return kNoDriver;
     classroom::ClassPlan plan;
     plan.folder = arguments.folder;
@@ -202,7 +202,7 @@ void addClass(CommandLine& program, int& status) {
     command.driver(to.driver);
     command.jobs(to.jobs);
     addUntrustedOption(command, to.untrusted);
-    command.onRun([arguments, &status] { status = run(*arguments, commandLine()); });
+    command.onRun([arguments, &status] { status = runClassCommand(*arguments, commandLine()); });
 }
 
 }  // namespace glibra::cli

@@ -204,7 +204,7 @@ int compareFolders(const CompareArguments& arguments, Comparer& comparer) {
     return status;
 }
 
-int run(CompareArguments& arguments) {
+int runCompareCommand(CompareArguments& arguments) {
     // Limits this process, which decodes PNG and BMP itself.
     base::MemoryLimit().set(arguments.limits.memory.value_or(base::memoryShare(1, 1)));
     if (arguments.exact) arguments.tolerance = image::exactTolerance();
@@ -278,7 +278,7 @@ void addCompare(CommandLine& program, int& status) {
     for (const char* each :
          {"--cluster", "--line", "--bias", "--relative", "--absolute", "--timeout", "--memory", "--all"})
         command.find(each).rare();
-    command.onRun([arguments, &status] { status = run(*arguments); });
+    command.onRun([arguments, &status] { status = runCompareCommand(*arguments); });
 }
 
 }  // namespace glibra::cli

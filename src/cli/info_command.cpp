@@ -18,7 +18,7 @@ struct InfoArguments {
     bool precision = false;
 };
 
-/// Starts glibra-bench, which prints what `run` prints, with the measured precision.
+/// Starts glibra-bench, which prints what `runInfoCommand` prints, with the measured precision.
 int measurePrecision(const InfoArguments& arguments) {
     std::vector<std::string> words{"precision"};
     if (arguments.json) words.emplace_back("--json");
@@ -26,7 +26,7 @@ int measurePrecision(const InfoArguments& arguments) {
     return becomeProgram(kBenchProgram, words);
 }
 
-int run(const InfoArguments& arguments) {
+int runInfoCommand(const InfoArguments& arguments) {
     if (arguments.precision) return measurePrecision(arguments);
     const Result<gpu::Context> context = gpu::openContext({.driver = arguments.driver});
     if (!context) {
@@ -51,7 +51,7 @@ void addInfo(CommandLine& program, int& status) {
         "--precision", arguments->precision,
         "measure the errors of the GLSL functions and compare them with the limits of the specification");
     command.flag("--json", arguments->json, "print as JSON");
-    command.onRun([arguments, &status] { status = run(*arguments); });
+    command.onRun([arguments, &status] { status = runInfoCommand(*arguments); });
 }
 
 }  // namespace glibra::cli

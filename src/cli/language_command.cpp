@@ -97,7 +97,7 @@ Diagnostics refresh(const std::string& file) {
     return image::writeFileAtomically(file, std::as_bytes(std::span(page.text)));
 }
 
-int run(const LanguageArguments& arguments) {
+int runLanguageCommand(const LanguageArguments& arguments) {
     if (!arguments.update.empty()) {
         int status = kDone;
         for (const std::string& each : arguments.update) {
@@ -164,7 +164,7 @@ void addLanguage(CommandLine& program, int& status) {
         .list("--update", arguments->update, "with --markdown: replace the generated sections of these pages")
         .needs(markdown);
     for (const char* each : {"--markdown", "--update"}) command.find(each).rare();
-    command.onRun([arguments, &status] { status = run(*arguments); });
+    command.onRun([arguments, &status] { status = runLanguageCommand(*arguments); });
 }
 
 }  // namespace glibra::cli

@@ -44,7 +44,7 @@ int refuse(const std::string& why) {
     return kWrongUsage;
 }
 
-int run(NoiseArguments& arguments) {
+int runNoiseCommand(NoiseArguments& arguments) {
     noise::NoiseFile& noise = arguments.noise;
     char rest = 0;
     // NOLINTNEXTLINE(cert-err34-c): the count of matched fields is checked, and the width of the numbers is
@@ -113,7 +113,7 @@ void addNoise(CommandLine& program, int& status) {
                 "output file; .svg is a graph, .tex a raw float texture, any other ending a graph or picture")
         .written()
         .withDefault();
-    command.onRun([arguments, &status] { status = run(*arguments); });
+    command.onRun([arguments, &status] { status = runNoiseCommand(*arguments); });
 }
 
 }  // namespace glibra::cli

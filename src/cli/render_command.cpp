@@ -37,7 +37,7 @@ int checkFilm(const RenderArguments& arguments) {
 }
 
 /// Checks what CLI11 cannot check, and renders.
-int run(RenderArguments& arguments) {
+int runRenderCommand(RenderArguments& arguments) {
     SceneArguments named;
     const Diagnostics problems = resolveScenes(arguments.scenes, named);
     print(problems);
@@ -149,7 +149,7 @@ void addRender(CommandLine& program, int& status) {
     command.onRun([arguments, timeout = command.find("--timeout"), &status] {
         if (timeout.isGiven()) arguments->suite.timeout = arguments->picture.timeout;
         arguments->suite.memory = arguments->picture.memory;
-        status = run(*arguments);
+        status = runRenderCommand(*arguments);
     });
 }
 

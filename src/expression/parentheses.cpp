@@ -1,16 +1,12 @@
 #include "expression/parentheses.h"
 
+#include "expression/lexer.h"
+
 namespace glibra::expression {
 namespace {
 
 char lower(char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-bool isDigit(char c) {
-    return c >= '0' && c <= '9';
-}
-bool isLineEnd(char c) {
-    return c == '\n' || c == '\r';
 }
 /// Bytes at which a word of a classic statement ends.
 bool endsWord(char c) {

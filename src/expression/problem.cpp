@@ -2,15 +2,13 @@
 
 #include <algorithm>
 
+#include "expression/lexer.h"
+
 namespace glibra::expression {
 namespace {
 
 bool isContinuationByte(char c) {
     return (static_cast<unsigned char>(c) & 0xc0U) == 0x80U;
-}
-
-bool isLineEnd(char c) {
-    return c == '\n' || c == '\r';
 }
 
 }  // namespace

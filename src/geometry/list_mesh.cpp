@@ -12,9 +12,9 @@ namespace glibra::geometry {
 namespace {
 
 template <std::size_t N>
-using Numbers = std::array<double, N>;
+using Components = std::array<double, N>;
 
-glm::dvec3 euclidean(const Numbers<4>& point) {
+glm::dvec3 euclidean(const Components<4>& point) {
     const glm::dvec3 xyz{point[0], point[1], point[2]};
     return point[3] == 0 ? xyz : xyz / point[3];
 }
@@ -64,7 +64,7 @@ Attribute attributeOf(std::string_view name, int components, std::size_t count, 
     return attribute;
 }
 
-Numbers<3> numbersOf(const glm::dvec3& v) {
+Components<3> numbersOf(const glm::dvec3& v) {
     return {v.x, v.y, v.z};
 }
 
@@ -134,7 +134,7 @@ ListMesh meshFromList(std::string_view topologyWord, std::span<const ListVertex>
 
 Mesh trianglesList(std::span<const std::array<double, 4>> points) {
     assert(points.size() % 3 == 0);
-    constexpr std::array<Numbers<4>, 3> kCorners{{{0, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}}};
+    constexpr std::array<Components<4>, 3> kCorners{{{0, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}}};
     std::vector<ListVertex> vertices;
     vertices.reserve(points.size());
     for (std::size_t i = 0; i < points.size(); ++i)

@@ -38,7 +38,7 @@ char lower(char c) {
 
 using Indices = std::vector<std::uint32_t>;
 
-void put(Indices& indices, std::initializer_list<std::uint32_t> more) {
+void putIndices(Indices& indices, std::initializer_list<std::uint32_t> more) {
     indices.insert(indices.end(), more);
 }
 
@@ -50,9 +50,9 @@ void putStripAdjacency(Indices& indices, std::uint32_t i, std::uint32_t count) {
     const std::uint32_t before = i == 0 ? 1 : at - 2;
     const std::uint32_t after = i + 1 == count ? at + 5 : at + 6;
     if (i % 2 == 0)
-        put(indices, {at, before, at + 2, after, at + 4, at + 3});
+        putIndices(indices, {at, before, at + 2, after, at + 4, at + 3});
     else
-        put(indices, {at + 2, before, at, at + 3, at + 4, after});
+        putIndices(indices, {at + 2, before, at, at + 3, at + 4, after});
 }
 
 }  // namespace
@@ -127,32 +127,34 @@ ListIndices listIndices(ListTopology topology, std::size_t count, int patchVerti
             break;
         case ListTopology::lineStrip:
         case ListTopology::lineLoop:
-            dropped = shared(2, 1, [&](std::uint32_t i, std::uint32_t) { put(out, {i, i + 1}); });
-            if (topology == ListTopology::lineLoop && n >= 2) put(out, {n - 1, 0});
+            dropped = shared(2, 1, [&](std::uint32_t i, std::uint32_t) { putIndices(out, {i, i + 1}); });
+            if (topology == ListTopology::lineLoop && n >= 2) putIndices(out, {n - 1, 0});
             break;
         case ListTopology::triangleStrip:
             dropped = shared(3, 1, [&](std::uint32_t i, std::uint32_t) {
-                put(out, {i + i % 2, i + 1 - i % 2, i + 2});
+                putIndices(out, {i + i % 2, i + 1 - i % 2, i + 2});
             });
             break;
         case ListTopology::triangleFan:
         case ListTopology::polygon:
-            dropped = shared(3, 1, [&](std::uint32_t i, std::uint32_t) { put(out, {0, i + 1, i + 2}); });
+            dropped = shared(3, 1, [&](std::uint32_t i, std::uint32_t) {
+                putIndices(out, {0, i + 1, i + 2});
+            });
             break;
         case ListTopology::quads: {
-            for (std::uint32_t a = 0; a + 4 <= n; a += 4) put(out, {a, a + 1, a + 2, a, a + 2, a + 3});
+            for (std::uint32_t a = 0; a + 4 <= n; a += 4) putIndices(out, {a, a + 1, a + 2, a, a + 2, a + 3});
             dropped = n % 4;
             break;
         }
         case ListTopology::quadStrip:
             dropped = shared(4, 2, [&](std::uint32_t i, std::uint32_t) {
                 const std::uint32_t a = 2 * i;
-                put(out, {a, a + 1, a + 3, a, a + 3, a + 2});
+                putIndices(out, {a, a + 1, a + 3, a, a + 3, a + 2});
             });
             break;
         case ListTopology::lineStripAdjacency:
             dropped = shared(4, 1, [&](std::uint32_t i, std::uint32_t) {
-                put(out, {i, i + 1, i + 2, i + 3});
+                putIndices(out, {i, i + 1, i + 2, i + 3});
             });
             break;
         case ListTopology::triangleStripAdjacency:

@@ -127,7 +127,7 @@ double applyRule(const Candidate& c, MessageLog& log) {
     return c.value;
 }
 
-void reportSurplus(std::string_view command, std::size_t count, Position first, MessageLog& log) {
+void reportSurplusOf(std::string_view command, std::size_t count, Position first, MessageLog& log) {
     log.report("glib-W07", fmt::format("{}: {} ignored", command, counted(count, "surplus argument")), first);
 }
 
@@ -253,7 +253,7 @@ double readArgument(const Argument& argument, std::size_t index, const Token& to
 void reportSurplus(const Statement& statement, std::span<const Token> tokens, std::size_t used,
                    MessageLog& log) {
     if (tokens.size() > used)
-        reportSurplus(statement.row->name(), tokens.size() - used, tokens[used].position, log);
+        reportSurplusOf(statement.row->name(), tokens.size() - used, tokens[used].position, log);
 }
 
 namespace {
@@ -271,7 +271,7 @@ void finishNumbers(const CommandRow& row, Command& command, std::span<const Posi
         reportFiller(row, command, log);
     }
     if (!fillMissing(row, command)) return reportMissing(row, command, log);
-    if (places.size() > given) reportSurplus(row.name(), places.size() - given, places[given], log);
+    if (places.size() > given) reportSurplusOf(row.name(), places.size() - given, places[given], log);
     applyCommandRules(command, places.first(given), log);
 }
 

@@ -3,7 +3,7 @@
 namespace glibra::glib {
 namespace {
 
-constexpr CatalogueRow kRows[] = {
+constexpr CatalogueRow kCatalogueRows[] = {
     // Scene text and statements
     {"glib-E01", "unknown command 'Spere'; did you mean 'Sphere'?"},
     {"glib-E02", "quoted name is not closed on this line"},
@@ -270,11 +270,11 @@ constexpr CatalogueRow kRows[] = {
 }  // namespace
 
 std::span<const CatalogueRow> diagnosticCatalogue() {
-    return kRows;
+    return kCatalogueRows;
 }
 
 const CatalogueRow* findDiagnostic(std::string_view id) {
-    for (const CatalogueRow& row : kRows)
+    for (const CatalogueRow& row : kCatalogueRows)
         if (row.id == id) return &row;
     return nullptr;
 }

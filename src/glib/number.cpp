@@ -5,12 +5,11 @@
 #include <charconv>
 #include <cmath>
 
+#include "glib/text.h"
+
 namespace glibra::glib {
 namespace {
 
-bool isDigit(char c) {
-    return c >= '0' && c <= '9';
-}
 bool isHexDigit(char c) {
     return isDigit(c) || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
 }

@@ -7,9 +7,6 @@
 namespace glibra::glib {
 namespace {
 
-constexpr bool isDigit(char c) {
-    return c >= '0' && c <= '9';
-}
 constexpr bool isWordByte(char c) {
     return isLetter(c) || isDigit(c) || c == '_';
 }

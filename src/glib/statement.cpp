@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kCubeMapArguments = 7;  // a unit and six files
 
-const CommandRow* commandOf(const Token& token) {
+const CommandRow* commandRowOf(const Token& token) {
     return token.kind == TokenKind::word ? findCommand(token.text) : nullptr;
 }
 
@@ -120,7 +120,7 @@ Statement StatementReader::begin() {
     Line& line = *ahead_;
     Statement statement;
     statement.word = line.tokens.front();
-    statement.row = commandOf(statement.word);
+    statement.row = commandRowOf(statement.word);
     statement.message = line.message;
     statement.end = line.isMessage ? line.messageEnd : line.tokens.back().end;
     statement.messagePosition = {
@@ -246,7 +246,7 @@ void StatementReader::readBody(Statement& statement) {
 /// True if the word begins a statement where a Program or a CubeMap could go on. In a classic scene the words
 /// of modern statements do not.
 bool StatementReader::startsStatement(const Token& word) {
-    if (commandOf(word)) return true;
+    if (commandRowOf(word)) return true;
     if (word.kind != TokenKind::word || !findStatement(word.text)) return false;
     wasAmbiguous_ = true;
     return isModern_;
@@ -255,7 +255,7 @@ bool StatementReader::startsStatement(const Token& word) {
 bool StatementReader::continuesAfterBackslash(const Statement& statement) {
     if (ahead_->tokens.empty()) return true;  // only another backslash
     const Token first = ahead_->tokens.front();
-    if (!commandOf(first)) return true;
+    if (!commandRowOf(first)) return true;
     if (isCommand(statement, CommandId::program)) {
         if (statement.arguments.empty()) return true;  // the word after Program is always its name
         if (fitsAsTag(*ahead_)) return true;

@@ -14,6 +14,10 @@ constexpr bool isLetter(char c) {
     return lower(c) >= 'a' && lower(c) <= 'z';
 }
 
+constexpr bool isDigit(char c) {
+    return c >= '0' && c <= '9';
+}
+
 /// True if the words are equal, ignoring the case of ASCII letters.
 constexpr bool sameWord(std::string_view a, std::string_view b) {
     if (a.size() != b.size()) return false;

@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::size_t kCubeFaces = 6;
 
-bool isCompleteNumber(const Token& token) {
-    return token.kind == TokenKind::number && glib::isCompleteNumber(token.text);
+bool isCompleteNumberToken(const Token& token) {
+    return token.kind == TokenKind::number && isCompleteNumber(token.text);
 }
 
 void setText(Command& command, const Token& token) {
@@ -127,7 +127,7 @@ void readTexture(const Statement& statement, Command& command, MessageLog& log) 
     command.numbers.push_back(readArgument(row.arguments.front(), 0, tokens.front(), row.name(), log));
 
     std::size_t sizes = 0;
-    while (sizes + 1 < tokens.size() && isCompleteNumber(tokens[sizes + 1])) ++sizes;
+    while (sizes + 1 < tokens.size() && isCompleteNumberToken(tokens[sizes + 1])) ++sizes;
     const std::size_t rest = tokens.size() - 1 - sizes;
     const TextureFormat* format = rest == 1 ? findFormat(tokens.back()) : nullptr;
     if (rest == 0 || format) {

@@ -1,12 +1,23 @@
 #pragma once
-// Numbers in a byte order other than the machine's, read and written byte by byte.
+// Numbers in bytes: in the machine's order, and in an order of their own, byte by byte.
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <vector>
 
 namespace glibra::image {
+
+using ByteSpan = std::span<const std::byte>;
+
+/// The number at an index of an array of numbers in the machine's order, with any alignment.
+template <class Value>
+Value valueAt(const std::byte* numbers, std::size_t index) {
+    Value value;
+    std::memcpy(&value, numbers + index * sizeof value, sizeof value);
+    return value;
+}
 
 /// Little-endian. The bytes must exist.
 inline std::uint32_t little16(std::span<const std::byte> bytes, std::size_t at) {

@@ -6,6 +6,8 @@
 #include <limits>
 #include <type_traits>
 
+#include "image/bytes.h"
+
 namespace glibra::image {
 namespace {
 
@@ -15,14 +17,6 @@ constexpr Value one() {
         return std::numeric_limits<Value>::max();
     else
         return 1;
-}
-
-/// The number at an index of an array of bytes, with any alignment.
-template <class Value>
-Value valueAt(const std::vector<std::byte>& data, std::size_t index) {
-    Value value;
-    std::memcpy(&value, data.data() + index * sizeof value, sizeof value);
-    return value;
 }
 
 template <class Value>
@@ -41,9 +35,9 @@ void copyComponents(const Image& from, Image& to) {
         for (std::size_t c = 0; c < want; ++c) {
             Value value = one<Value>();
             if (c < wantColors)
-                value = valueAt<Value>(from.data, pixel * have + std::min(c, colors - 1));
+                value = valueAt<Value>(from.data.data(), pixel * have + std::min(c, colors - 1));
             else if (alpha)
-                value = valueAt<Value>(from.data, pixel * have + have - 1);
+                value = valueAt<Value>(from.data.data(), pixel * have + have - 1);
             putAt(to.data, pixel * want + c, value);
         }
 }
@@ -66,7 +60,7 @@ template <class From, class To>
 void copyValues(const Image& from, Image& to) {
     const std::size_t count = from.data.size() / sizeof(From);
     for (std::size_t i = 0; i < count; ++i)
-        putAt(to.data, i, converted<From, To>(valueAt<From>(from.data, i)));
+        putAt(to.data, i, converted<From, To>(valueAt<From>(from.data.data(), i)));
 }
 
 template <class From>

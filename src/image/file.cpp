@@ -24,10 +24,6 @@ std::string reason(int number) {
     return text;
 }
 
-Diagnostic cannotWrite(const fs::path& path, const std::string& why) {
-    return diagnose("file-E10", fmt::format("cannot write '{}': {}", path.string(), why));
-}
-
 /// 0, or the error number.
 int writeAll(int descriptor, std::span<const std::byte> bytes) {
     while (!bytes.empty()) {
@@ -116,6 +112,10 @@ Result<std::vector<std::byte>> readFile(const fs::path& path, const FileLabel& l
     }
     bytes.resize(have);
     return bytes;
+}
+
+Diagnostic cannotWrite(const fs::path& path, const std::string& why) {
+    return diagnose("file-E10", fmt::format("cannot write '{}': {}", path.string(), why));
 }
 
 TemporaryFile::TemporaryFile(const fs::path& target) : target_(resolved(target)) {

@@ -20,6 +20,9 @@ namespace glibra::image {
 Result<std::vector<std::byte>> readFile(const std::filesystem::path& path, const FileLabel& label,
                                         std::uint64_t largest = 2 * kGiB);
 
+/// file-E10 for the file at `path`.
+Diagnostic cannotWrite(const std::filesystem::path& path, const std::string& why);
+
 /// Writes a temporary file in the same folder and renames it when it is complete, so that nobody sees an
 /// incomplete file and an existing file survives a failure. A link keeps its target; a device or pipe
 /// (/dev/stdout) is written directly. Empty on success; otherwise one file-E10, and no temporary file

@@ -11,7 +11,7 @@ namespace {
 using Row = FormatRow;
 
 // One row per format. Add a new one here and, if it has a signature, below.
-constexpr std::array kRows{
+constexpr std::array kFormatRows{
     Row{Format::unknown, "neither a picture nor a raw texture", "", ""},
     Row{Format::bmp, "a BMP picture", "bmp", ".bmp .dib "},
     Row{Format::png, "a PNG picture", "png", ".png "},
@@ -32,7 +32,8 @@ constexpr std::array kRows{
 };
 
 const Row& rowOf(Format format) {
-    return *std::find_if(kRows.begin(), kRows.end(), [&](const Row& row) { return row.format == format; });
+    return *std::find_if(kFormatRows.begin(), kFormatRows.end(),
+                         [&](const Row& row) { return row.format == format; });
 }
 
 struct Signature {
@@ -135,7 +136,7 @@ Format formatOfSuffix(const std::filesystem::path& path) {
     for (char& each : suffix)
         if (each >= 'A' && each <= 'Z') each = static_cast<char>(each - 'A' + 'a');
     suffix += ' ';
-    for (const Row& row : kRows)
+    for (const Row& row : kFormatRows)
         if (row.suffixes.find(suffix) != std::string_view::npos) return row.format;
     return Format::unknown;
 }
@@ -145,7 +146,7 @@ std::string_view describe(Format format) {
 }
 
 std::span<const FormatRow> formats() {
-    return kRows;
+    return kFormatRows;
 }
 
 std::string_view openImageIoName(Format format) {

@@ -13,14 +13,12 @@
 namespace glibra::image {
 namespace {
 
-using Bytes = std::span<const std::byte>;
-
 std::size_t headerBytes(int dimensions) {
     return 4 * static_cast<std::size_t>(dimensions);
 }
 
 /// The sizes at the start of the file for a texture of d dimensions; empty if the file is too short.
-std::optional<RawShape> shapeFor(Bytes file, int dimensions, Component type) {
+std::optional<RawShape> shapeFor(ByteSpan file, int dimensions, Component type) {
     if (file.size() < headerBytes(dimensions)) return std::nullopt;
     RawShape shape{dimensions, {1, 1, 1}, type};
     for (int i = 0; i < dimensions; ++i)
@@ -39,7 +37,7 @@ std::optional<std::uint64_t> lengthOf(const RawShape& shape) {
 }
 
 /// "2 float texels (1D)", "2 x 1 x 3 byte texels (3D)".
-std::string describe(const RawShape& shape) {
+std::string describeShape(const RawShape& shape) {
     std::string sizes = std::to_string(shape.sizes[0]);
     for (int i = 1; i < shape.dimensions; ++i)
         sizes += " x " + std::to_string(shape.sizes.at(static_cast<std::size_t>(i)));
@@ -55,7 +53,7 @@ bool withinSides(const RawShape& shape, const Limits& limits) {
 }
 
 /// file-E05 with the lengths that the sizes at the start of the file require.
-Diagnostic fitsNothing(Bytes file, int dimensions, const FileLabel& label, const Limits& limits) {
+Diagnostic fitsNothing(ByteSpan file, int dimensions, const FileLabel& label, const Limits& limits) {
     std::string would;
     for (int d = 1; d <= 3; ++d) {
         if (dimensions != 0 && dimensions != d) continue;
@@ -85,7 +83,7 @@ void toMachineOrder(std::vector<std::byte>& floats) {
 
 }  // namespace
 
-std::vector<RawShape> rawShapes(Bytes file, int dimensions) {
+std::vector<RawShape> rawShapes(ByteSpan file, int dimensions) {
     std::vector<RawShape> fitting;
     for (int d = 1; d <= 3; ++d)
         for (const Component type : {Component::u8, Component::f32}) {
@@ -96,7 +94,7 @@ std::vector<RawShape> rawShapes(Bytes file, int dimensions) {
     return fitting;
 }
 
-bool looksRaw(Bytes file, int dimensions, const Limits& limits) {
+bool looksRaw(ByteSpan file, int dimensions, const Limits& limits) {
     for (int d = 1; d <= 3; ++d) {
         if (dimensions != 0 && dimensions != d) continue;
         const auto shape = shapeFor(file, d, Component::u8);
@@ -105,7 +103,7 @@ bool looksRaw(Bytes file, int dimensions, const Limits& limits) {
     return false;
 }
 
-Result<TexelBlock> decodeRawTexture(Bytes file, int dimensions, const FileLabel& label,
+Result<TexelBlock> decodeRawTexture(ByteSpan file, int dimensions, const FileLabel& label,
                                     const Limits& limits) {
     const std::vector<RawShape> shapes = rawShapes(file, dimensions);
     if (shapes.empty()) return fitsNothing(file, dimensions, label, limits);
@@ -114,7 +112,7 @@ Result<TexelBlock> decodeRawTexture(Bytes file, int dimensions, const FileLabel&
     if (!withinSides(shape, limits) || file.size() - offset > limits.texelBytes)
         return diagnose("file-E09",
                         fmt::format("'{}' has {}, the limits are {} per side and {}", label.name,
-                                    describe(shape), shape.dimensions == 3 ? limits.side3D : limits.side,
+                                    describeShape(shape), shape.dimensions == 3 ? limits.side3D : limits.side,
                                     readableBytes(limits.texelBytes)),
                         label.place);
     if (auto over =
@@ -132,8 +130,8 @@ Result<TexelBlock> decodeRawTexture(Bytes file, int dimensions, const FileLabel&
 
     Result<TexelBlock> result(std::move(block));
     if (shapes.size() > 1) {
-        std::string all = describe(shapes[0]);
-        for (std::size_t i = 1; i < shapes.size(); ++i) all += " and " + describe(shapes[i]);
+        std::string all = describeShape(shapes[0]);
+        for (std::size_t i = 1; i < shapes.size(); ++i) all += " and " + describeShape(shapes[i]);
         result.diagnostics.push_back(diagnose(
             "file-W07", fmt::format("{} bytes match {}; read as {}D", file.size(), all, shape.dimensions),
             label.place));

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void flipRows(std::vector<std::byte>& data, std::size_t rowBytes) {
+void swapRows(std::vector<std::byte>& data, std::size_t rowBytes) {
     const std::size_t rows = data.size() / rowBytes;
     for (std::size_t y = 0; y < rows / 2; ++y) {
         const auto top = data.begin() + static_cast<std::ptrdiff_t>(y * rowBytes);
@@ -30,7 +30,7 @@ TexelBlock planeOf(Image image) {
     block.width = image.width;
     block.height = image.height;
     block.type = image.type;
-    flipRows(image.data, image.rowBytes());
+    swapRows(image.data, image.rowBytes());
     block.data = std::move(image.data);
     return block;
 }
@@ -157,7 +157,7 @@ void join(Pictures& all, bool flips, TexelBlock& to) {
     to.data.reserve(all.blocks.size() * rowBytes * static_cast<std::size_t>(to.height));
     for (TexelBlock& each : all.blocks) {
         each = withBlockType(std::move(each), to.type);
-        if (flips) flipRows(each.data, rowBytes);
+        if (flips) swapRows(each.data, rowBytes);
         to.data.insert(to.data.end(), each.data.begin(), each.data.end());
         each.data = {};
     }

@@ -14,10 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Diagnostic cannotWrite(const fs::path& path, const std::string& why) {
-    return diagnose("file-E10", fmt::format("cannot write '{}': {}", path.string(), why));
-}
-
 Diagnostics writePng(const Image& image, const fs::path& path, const PngOptions& options) {
     const bool floats = image.type == Component::f32;
     const auto png = floats ? encodePng(withType(image, Component::u16), options) : encodePng(image, options);

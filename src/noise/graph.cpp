@@ -17,10 +17,10 @@ double randomOf(const GraphOptions& options, int octave, int point, int kind) {
 }
 
 /// Weights of height, gradient and curvature at the two ends of a cell.
-struct Weights {
+struct CellWeights {
     std::array<double, 2> height, gradient, curvature;
 };
-Weights weightsOf(Smoothness smoothness, double t) {
+CellWeights weightsOf(Smoothness smoothness, double t) {
     const double t2 = t * t;
     const double t3 = t2 * t;
     if (smoothness == Smoothness::cubic)
@@ -42,8 +42,8 @@ class Octave {
     [[nodiscard]] double at(double x, double y) const {
         const double column = std::floor(x);
         const double row = std::floor(y);
-        const Weights u = weightsOf(options_.smoothness, x - column);
-        const Weights v = weightsOf(options_.smoothness, y - row);
+        const CellWeights u = weightsOf(options_.smoothness, x - column);
+        const CellWeights v = weightsOf(options_.smoothness, y - row);
         const bool isPlane = options_.dimensions == 2;
         double sum = 0;
         for (std::size_t b = 0; b < (isPlane ? 2U : 1U); ++b)

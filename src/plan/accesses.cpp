@@ -52,12 +52,6 @@ bool isPrevious(const scene::ObjectView& view) {
     return std::visit([](const auto& each) { return each.isPrevious; }, view);
 }
 
-bool hasHistory(const scene::Scene& scene, const Object& object) {
-    if (const auto* buffer = std::get_if<scene::BufferIndex>(&object))
-        return scene.buffers[*buffer].hasHistory;
-    return scene.textures[std::get<scene::TextureIndex>(object)].hasHistory;
-}
-
 }  // namespace
 
 std::vector<ObjectUse> shaderUses(const PlannedProgram& program, const std::vector<TextureUse>& textures) {
@@ -116,6 +110,12 @@ std::vector<ObjectUse> usesOf(const FramePlan& plan, std::size_t node) {
 Object objectOf(const scene::ObjectView& view) {
     if (const auto* buffer = std::get_if<scene::BufferView>(&view)) return buffer->buffer;
     return std::get<scene::TextureView>(view).texture;
+}
+
+bool hasHistory(const scene::Scene& scene, const Object& object) {
+    if (const auto* buffer = std::get_if<scene::BufferIndex>(&object))
+        return scene.buffers[*buffer].hasHistory;
+    return scene.textures[std::get<scene::TextureIndex>(object)].hasHistory;
 }
 
 std::set<Object> overwritten(const scene::Scene& scene, const FramePlan& plan, std::size_t at) {

@@ -23,6 +23,8 @@ std::vector<ObjectUse> usesOf(const FramePlan& plan, std::size_t node);
 /// A texture or buffer, whatever part or copy of it.
 using Object = std::variant<scene::TextureIndex, scene::BufferIndex>;
 Object objectOf(const scene::ObjectView& view);
+/// True if there are two copies of it, which are exchanged.
+bool hasHistory(const scene::Scene& scene, const Object& object);
 
 /// The objects that the node (index into FramePlan::order) gives a new content, whatever they held: it clears
 /// all of them first.

@@ -46,7 +46,7 @@ class BufferFinder {
     const std::vector<scene::ObjectBinding>* objects_;
 };
 
-std::string wordOf(std::uint64_t count, std::string_view one, std::string_view several) {
+std::string countedText(std::uint64_t count, std::string_view one, std::string_view several) {
     return fmt::format("{} {}", glib::groupedText(static_cast<long long>(count)), count == 1 ? one : several);
 }
 
@@ -102,7 +102,7 @@ class LayoutFinder {
                      const std::string& what) {
         fail(index, "memory-E04",
              fmt::format("buffer '{}' has {}, but {} needs {}", scene_.buffers[index].name,
-                         wordOf(bytes, "byte", "bytes"), what,
+                         countedText(bytes, "byte", "bytes"), what,
                          glib::groupedText(static_cast<long long>(pattern.least))));
     }
 
@@ -172,17 +172,17 @@ class LayoutFinder {
         if (layout.bytes > mostBytes_)
             return fail(index, "memory-E04",
                         fmt::format("buffer '{}' needs {}; the limit is {}", buffer.name,
-                                    wordOf(layout.bytes, "byte", "bytes"),
+                                    countedText(layout.bytes, "byte", "bytes"),
                                     glib::groupedText(static_cast<long long>(mostBytes_))));
         if (written < layout.pattern.numbers(layout.elements))
             return fail(index, "memory-E04",
                         fmt::format("buffer '{}' has {}, but {} needs {}", buffer.name,
-                                    wordOf(written, "number", "numbers"), from,
+                                    countedText(written, "number", "numbers"), from,
                                     layout.pattern.numbers(layout.elements)));
         if (buffer.values.size() > layout.pattern.numbers(layout.elements))
             return fail(index, "memory-E04",
                         fmt::format("buffer '{}' has {}, but {} has room for {}", buffer.name,
-                                    wordOf(buffer.values.size(), "value", "values"), from,
+                                    countedText(buffer.values.size(), "value", "values"), from,
                                     layout.pattern.numbers(layout.elements)));
         if (buffer.file && fileBytes < layout.pattern.least)
             return reportSmall(index, fileBytes, layout.pattern, from);

@@ -13,7 +13,7 @@ namespace glibra::plan {
 namespace {
 
 /// What the texels of a colour target are for a shader. The window's are floating-point numbers.
-BaseType kindOf(const scene::Scene& scene, const scene::Pass& pass, std::size_t target) {
+BaseType texelKindOf(const scene::Scene& scene, const scene::Pass& pass, std::size_t target) {
     if (target >= pass.targets.size()) return BaseType::floating;
     const auto* source = std::get_if<scene::EmptySource>(&scene.textures[pass.targets[target]].source);
     if (source == nullptr) return BaseType::floating;
@@ -27,13 +27,13 @@ BaseType kindOf(const scene::Scene& scene, const scene::Pass& pass, std::size_t 
     }
 }
 
-std::string_view texelsOf(BaseType kind) {
+std::string_view texelWords(BaseType kind) {
     if (kind == BaseType::integer) return "signed integers";
     return kind == BaseType::unsignedInteger ? "unsigned integers" : "floating-point numbers";
 }
 
 /// The GLSL type of that kind with as many components: "uvec3".
-std::string wordOf(BaseType kind, int components) {
+std::string glslTypeOf(BaseType kind, int components) {
     const bool isScalar = components == 1;
     switch (kind) {
         case BaseType::integer:
@@ -62,7 +62,7 @@ Diagnostics outputProblems(const scene::Scene& scene, const scene::Draw& draw, c
             const int location = output.location + i;
             if (location < 0 || static_cast<std::size_t>(location) >= count) continue;
             const auto target = static_cast<std::size_t>(location);
-            const BaseType kind = kindOf(scene, pass, target);
+            const BaseType kind = texelKindOf(scene, pass, target);
             if (kind == output.type.base || !isWritten(draw, target)) continue;
             std::string written = "the window";
             if (!pass.isWindow) {
@@ -74,8 +74,8 @@ Diagnostics outputProblems(const scene::Scene& scene, const scene::Draw& draw, c
             problems.push_back(diagnose(
                 "draw-E11",
                 fmt::format("fragment output '{}' is of type {}, but {} holds {}; declare the output as {}",
-                            userNameOf(interface, output.name), output.type.word, written, texelsOf(kind),
-                            wordOf(kind, output.type.components())),
+                            userNameOf(interface, output.name), output.type.word, written, texelWords(kind),
+                            glslTypeOf(kind, output.type.components())),
                 draw.place));
             break;
         }

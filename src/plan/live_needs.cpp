@@ -12,8 +12,6 @@
 namespace glibra::plan {
 namespace {
 
-using Kind = scene::NodeIndex::Kind;
-
 class LiveFinder {
   public:
     LiveFinder(const scene::Scene& scene, const scene::NodeList& nodes, const NeedQuestions& questions,
@@ -38,9 +36,9 @@ class LiveFinder {
     Needs find(const std::vector<scene::ObjectView>& roots) && {
         for (const scene::ObjectView& each : roots) read(each);
         for (auto node = nodes_.order.rbegin(); node != nodes_.order.rend(); ++node) {
-            if (node->kind == Kind::pass) visitPass(node->index);
-            if (node->kind == Kind::dispatch) visitDispatch(node->index);
-            if (node->kind == Kind::clear) visitClear(node->index);
+            if (node->kind == scene::NodeIndex::Kind::pass) visitPass(node->index);
+            if (node->kind == scene::NodeIndex::Kind::dispatch) visitDispatch(node->index);
+            if (node->kind == scene::NodeIndex::Kind::clear) visitClear(node->index);
         }
         if (everything_) needs_.textures.assign(needs_.textures.size(), true);
         return std::move(needs_);

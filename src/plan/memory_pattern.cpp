@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint64_t kMostHeadNumbers = std::uint64_t{1} << 22;
 
-NumberKind kindOf(BaseType base) {
+NumberKind numberKindOf(BaseType base) {
     switch (base) {
         case BaseType::doublePrecision:
             return NumberKind::doublePrecision;
@@ -69,7 +69,7 @@ struct Field {
 };
 
 /// The fields of a block, sorted by offset, as head and array.
-std::optional<MemoryPattern> patternOf(std::vector<Field> fields, std::uint64_t least) {
+std::optional<MemoryPattern> patternOfFields(std::vector<Field> fields, std::uint64_t least) {
     MemoryPattern pattern;
     pattern.least = least;
     std::stable_sort(fields.begin(), fields.end(),
@@ -114,7 +114,7 @@ Field fieldOf(const base::StorageMember& member, std::string_view blockName) {
         name.remove_prefix(plainBlock.size() + 1);
     field.group = name.substr(0, name.find_first_of(".["));
     field.offset = unsignedOf(member.offset);
-    field.kind = kindOf(member.type.base);
+    field.kind = numberKindOf(member.type.base);
     field.columns = member.type.columns;
     field.rows = member.type.rows;
     field.matrixStride = unsignedOf(member.matrixStride);
@@ -136,7 +136,7 @@ Field fieldOf(const ActiveUniform& uniform) {
     Field field;
     field.group = uniform.emittedName;
     field.offset = unsignedOf(uniform.offset);
-    field.kind = kindOf(uniform.type.base);
+    field.kind = numberKindOf(uniform.type.base);
     field.columns = uniform.type.columns;
     field.rows = uniform.type.rows;
     field.matrixStride = unsignedOf(uniform.matrixStride);
@@ -201,14 +201,14 @@ MemoryNumber MemoryPattern::at(std::uint64_t index) const {
 std::optional<MemoryPattern> patternOf(const base::StorageBlock& block) {
     std::vector<Field> fields;
     for (const base::StorageMember& each : block.members) fields.push_back(fieldOf(each, block.name));
-    return patternOf(std::move(fields), unsignedOf(block.bytes));
+    return patternOfFields(std::move(fields), unsignedOf(block.bytes));
 }
 
 std::optional<MemoryPattern> patternOf(const base::ActiveResources& resources, std::size_t block) {
     std::vector<Field> fields;
     for (const ActiveUniform& each : resources.uniforms)
         if (each.block == static_cast<int>(block)) fields.push_back(fieldOf(each));
-    return patternOf(std::move(fields), unsignedOf(resources.blocks.at(block).bytes));
+    return patternOfFields(std::move(fields), unsignedOf(resources.blocks.at(block).bytes));
 }
 
 MemoryPattern patternOf(const base::CounterBuffer& counters) {

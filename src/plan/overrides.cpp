@@ -24,7 +24,7 @@ std::string_view trimmed(std::string_view text) {
 }
 
 /// Reads a token that is a number and finite as a 32-bit float.
-std::optional<double> readNumber(std::string_view token) {
+std::optional<double> readDecimal(std::string_view token) {
     if (token.starts_with('+')) token.remove_prefix(1);
     // from_chars also reads "inf" and "nan", which are words here.
     if (token.empty() || token.find_first_not_of("0123456789+-.eE") != std::string_view::npos) return {};
@@ -97,7 +97,7 @@ Result<Override> parseOverride(std::string_view text) {
     while (!value.empty()) {
         const std::string_view token = value.substr(0, value.find_first_of(" \t,"));
         if (!token.empty()) {
-            const std::optional<double> number = readNumber(token);
+            const std::optional<double> number = readDecimal(token);
             if (!number) return bad(fmt::format("'{}' is not a number", token));
             if (result.values.size() == kMostValues)
                 return bad(fmt::format("more than {} values", kMostValues));

@@ -31,7 +31,7 @@ void listNamedInputs(const ProgramInterface& interface, std::vector<std::string>
 }
 
 /// The object whose size is the number of invocations, or null.
-const scene::ObjectView* sizeOf(const scene::Dispatch& dispatch) {
+const scene::ObjectView* sizeObjectOf(const scene::Dispatch& dispatch) {
     const auto* over = std::get_if<scene::Over>(&dispatch.groups);
     return over != nullptr ? std::get_if<scene::ObjectView>(&over->what) : nullptr;
 }
@@ -128,7 +128,7 @@ std::vector<ObjectUse> PlannedPrograms::usesOf(const scene::Dispatch& dispatch) 
     std::vector<ObjectUse> uses = shaderUsesOf(program, texturesOf(dispatch, program));
     if (const auto* groups = std::get_if<scene::GroupsFrom>(&dispatch.groups))
         uses.push_back({groups->buffer});
-    if (const scene::ObjectView* size = sizeOf(dispatch))  // its content is not read
+    if (const scene::ObjectView* size = sizeObjectOf(dispatch))  // its content is not read
         uses.push_back({*size, false, false});
     return uses;
 }

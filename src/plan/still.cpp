@@ -9,8 +9,6 @@
 namespace glibra::plan {
 namespace {
 
-using Kind = scene::NodeIndex::Kind;
-
 /// The numbers of a plan's nodes that write each object.
 std::map<Object, std::vector<std::size_t>> writersOf(const FramePlan& plan) {
     std::map<Object, std::vector<std::size_t>> writers;
@@ -21,12 +19,6 @@ std::map<Object, std::vector<std::size_t>> writersOf(const FramePlan& plan) {
             if (of.empty() || of.back() != node) of.push_back(node);
         }
     return writers;
-}
-
-bool hasHistory(const scene::Scene& scene, const Object& object) {
-    if (const auto* buffer = std::get_if<scene::BufferIndex>(&object))
-        return scene.buffers[*buffer].hasHistory;
-    return scene.textures[std::get<scene::TextureIndex>(object)].hasHistory;
 }
 
 bool isShared(const FramePlan& plan, const Object& object) {
@@ -88,9 +80,9 @@ bool isSamePass(const PlannedScene& before, const PlannedPass& a, const PlannedS
 bool isSameNode(const PlannedScene& before, const scene::NodeIndex& a, const PlannedScene& now,
                 const scene::NodeIndex& b) {
     if (a.kind != b.kind) return false;
-    if (a.kind == Kind::pass)
+    if (a.kind == scene::NodeIndex::Kind::pass)
         return isSamePass(before, before.plan.passes.at(a.index), now, now.plan.passes.at(b.index));
-    if (a.kind == Kind::clear)
+    if (a.kind == scene::NodeIndex::Kind::clear)
         return before.plan.clearOf(before.plan.clears.at(a.index)).object ==
                now.plan.clearOf(now.plan.clears.at(b.index)).object;
     const PlannedDispatch &one = before.plan.dispatches.at(a.index), &other = now.plan.dispatches.at(b.index);
@@ -141,7 +133,7 @@ StillNodes stillNodes(const PlannedScene& before, const PlannedScene& now,
     still.nodes.assign(now.plan.order.size(), false);
     for (std::size_t node = 0; node < now.plan.order.size(); ++node) {
         const scene::NodeIndex& at = now.plan.order[node];
-        if (at.kind == Kind::pass) {
+        if (at.kind == scene::NodeIndex::Kind::pass) {
             const scene::Pass& pass = now.plan.passOf(now.plan.passes.at(at.index));
             if (pass.isWindow || !hasOwnDepth(now.plan, pass)) continue;
         }

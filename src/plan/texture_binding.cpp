@@ -60,7 +60,7 @@ std::string fittingWord(const scene::Texture& texture, const scene::TextureView&
     return word;
 }
 
-std::string describe(const scene::Texture& texture, const scene::TextureView& view) {
+std::string describeView(const scene::Texture& texture, const scene::TextureView& view) {
     std::string text(texture.target == TextureTarget::cube             ? "a cube map"
                      : texture.target == TextureTarget::texture2DArray ? "a 2D array"
                                                                        : "");
@@ -151,7 +151,7 @@ std::optional<Diagnostic> bindingProblem(const scene::Scene& scene, const Progra
         return diagnose("draw-E09",
                         fmt::format("{} '{}'{} cannot read {} (line {}), which is {}{}", uniform.type.word,
                                     uniform.name, placeOf(interface, uniform), nameOf(scene, bound.view),
-                                    texture.place.line, describe(texture, bound.view), advice),
+                                    texture.place.line, describeView(texture, bound.view), advice),
                         bound.place);
     };
     if (!uniform.type.isOpaque()) return say("; write the name at a sampler or image");

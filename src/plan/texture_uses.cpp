@@ -21,7 +21,7 @@ scene::TextureIndex textureInSlot(const scene::Scene& scene, scene::SlotTableInd
     return {};
 }
 
-bool isNoise(const scene::Scene& scene, scene::TextureIndex texture) {
+bool isNoiseTexture(const scene::Scene& scene, scene::TextureIndex texture) {
     return texture && std::holds_alternative<scene::NoiseSource>(scene.textures[texture].source);
 }
 
@@ -84,7 +84,8 @@ std::vector<TextureUse> textureUses(const scene::Scene& scene, scene::SlotTableI
             use.target = *type.target;
             use.view.texture = textureInSlot(scene, slots, unit.binding.unit, use.target);
         }
-        if (use.target == scene::TextureTarget::cube || (sampling.clamp && !isNoise(scene, use.view.texture)))
+        if (use.target == scene::TextureTarget::cube ||
+            (sampling.clamp && !isNoiseTexture(scene, use.view.texture)))
             use.sampler.wrap.fill(base::Wrap::clampToEdge);
         uses.push_back(use);
     }

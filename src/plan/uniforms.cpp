@@ -21,7 +21,7 @@ bool isOpaque(const ActiveUniform& uniform) {
     return uniform.type.base == BaseType::sampler || uniform.type.base == BaseType::image;
 }
 /// The value of a well-known name, for messages.
-std::string_view describe(glsl::Builtin value) {
+std::string_view describeValue(glsl::Builtin value) {
     using enum glsl::Builtin;
     switch (value) {
         case modelView:
@@ -59,7 +59,7 @@ std::string_view describe(glsl::Builtin value) {
     }
 }
 
-bool isNoise(const glsl::BuiltinUniform& row) {
+bool isNoiseUniform(const glsl::BuiltinUniform& row) {
     return row.value == glsl::Builtin::noise2 || row.value == glsl::Builtin::noise3;
 }
 
@@ -106,7 +106,7 @@ class Resolver {
     std::vector<int> defaultUnits(const ActiveUniform& sampler, const glsl::BuiltinUniform* row) const {
         int first = 0;
         bool counts = false;
-        if (row != nullptr && isNoise(*row)) {
+        if (row != nullptr && isNoiseUniform(*row)) {
             first = row->value == glsl::Builtin::noise2 ? scene::kNoise2Unit : scene::kNoise3Unit;
         } else if (const auto binding = interface_.facts.textureBindings.find(sampler.name);
                    binding != interface_.facts.textureBindings.end()) {
@@ -120,7 +120,7 @@ class Resolver {
 
     void supply() {
         for (const UniformIndex i : rows_.indices())
-            if (rows_[i] != nullptr && !isNoise(*rows_[i])) {
+            if (rows_[i] != nullptr && !isNoiseUniform(*rows_[i])) {
                 UniformBinding& binding = result_.values.emplace_back();
                 binding.uniform = i;
                 binding.value.emplace<Supplied>(rows_[i]->value);
@@ -246,7 +246,7 @@ class Resolver {
             binding.uniform = i;
             binding.value.emplace<Supplied>(row->value);
             result_.foundByName.push_back(
-                fmt::format("uniform '{}' is the {}", each.name, describe(row->value)));
+                fmt::format("uniform '{}' is the {}", each.name, describeValue(row->value)));
         }
     }
 
@@ -324,7 +324,7 @@ class Resolver {
         }
         const ActiveUniform& target = uniform(named.uniform);
         const glsl::BuiltinUniform* row = rows_[named.uniform];
-        if (row != nullptr && !isNoise(*row)) return reportSupplied(given);
+        if (row != nullptr && !isNoiseUniform(*row)) return reportSupplied(given);
         Reading reading = readValue(given, target, named.oneElement);
         if (isOverridden) {  // the scene's value is not used, but its slider stays
             if (reading.control) addControl(named.uniform, *reading.control);

@@ -74,12 +74,6 @@ CleanName clean(std::string_view written) {
     return name;
 }
 
-std::string lowerCase(std::string_view text) {
-    std::string lower(text);
-    for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return lower;
-}
-
 /// Finds the ordinary files below a folder whose paths equal `parts` except for case, in byte order.
 class CaselessSearch {
   public:
@@ -272,6 +266,12 @@ std::string notFound(const CleanName& name, std::string_view written, const Sear
 }
 
 }  // namespace
+
+std::string lowerCase(std::string_view text) {
+    std::string lower(text);
+    for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return lower;
+}
 
 bool isOrdinaryFile(const fs::path& path) {
     std::error_code failure;

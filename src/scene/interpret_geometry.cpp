@@ -231,7 +231,7 @@ void doSmooth(Interpreter& in, const glib::Command&) {
     in.state.flatColors = false;
 }
 
-constexpr CommandAction kActions[] = {
+constexpr CommandAction kDrawActions[] = {
     {glib::CommandId::obj, doModel, InList::goesFirst, true},
     {glib::CommandId::wireObj, doModel, InList::goesFirst, true},
     {glib::CommandId::objAdj, doModel, InList::goesFirst, true},
@@ -250,7 +250,7 @@ constexpr CommandAction kActions[] = {
 }  // namespace
 
 std::span<const CommandAction> drawActions() {
-    return kActions;
+    return kDrawActions;
 }
 
 }  // namespace glibra::scene

@@ -145,7 +145,7 @@ void doClear(Interpreter& in, const glib::Command& command) {
         pass->steps.emplace_back(Clear{in.place(command), in.state.background});
 }
 
-constexpr CommandAction kActions[] = {
+constexpr CommandAction kPassActions[] = {
     {glib::CommandId::renderToTexture, doRenderToTexture, InList::isWrong},
     {glib::CommandId::clear, doClear},
 };
@@ -153,7 +153,7 @@ constexpr CommandAction kActions[] = {
 }  // namespace
 
 std::span<const CommandAction> passActions() {
-    return kActions;
+    return kPassActions;
 }
 
 void finishPasses(Interpreter& in) {

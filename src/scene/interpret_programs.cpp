@@ -98,9 +98,7 @@ void doMessageBox(Interpreter& in, const glib::Command& command) {
     in.report(diagnose("glib-N01", fmt::format("MessageBox: {}", command.text), in.place(command)));
 }
 
-void doNothing(Interpreter&, const glib::Command&) {}
-
-constexpr CommandAction kActions[] = {
+constexpr CommandAction kProgramActions[] = {
     {glib::CommandId::vertex, doStage},
     {glib::CommandId::tessControl, doStage},
     {glib::CommandId::tessEvaluation, doStage},
@@ -119,7 +117,7 @@ constexpr CommandAction kActions[] = {
 }  // namespace
 
 std::span<const CommandAction> programActions() {
-    return kActions;
+    return kProgramActions;
 }
 
 }  // namespace glibra::scene

@@ -26,7 +26,7 @@ constexpr std::array kFormats{TexelFormat::rgba8, TexelFormat::rgba16f, TexelFor
                               TexelFormat::r32f};
 
 /// Returns the index of the format with that word, or 0 if there is none.
-std::size_t formatOf(std::string_view word) {
+std::size_t formatIndex(std::string_view word) {
     const auto formats = glib::textureFormats();
     for (std::size_t i = 0; i < formats.size() && i < kFormats.size(); ++i)
         if (glib::sameWord(formats[i].name, word)) return i;
@@ -59,7 +59,7 @@ void store(Interpreter& in, const glib::Command& command, Texture texture) {
 /// Returns an empty texture, or nothing with glib-E15 if all such textures together would be too large.
 std::optional<EmptySource> emptySource(Interpreter& in, const glib::Command& command) {
     std::array<int, 3> sizes{1, 1, 1};
-    const std::size_t format = formatOf(command.text);
+    const std::size_t format = formatIndex(command.text);
     auto bytes = static_cast<std::uint64_t>(glib::textureFormats()[format].bytes);
     for (std::size_t i = 0; i < sizes.size() && i + 1 < command.numbers.size(); ++i) {
         sizes[i] = static_cast<int>(command.numbers[i + 1]);
@@ -173,7 +173,7 @@ void doNoise3D(Interpreter& in, const glib::Command& command) {
     setNoiseSize(in, command, 1);
 }
 
-constexpr CommandAction kActions[] = {
+constexpr CommandAction kTextureActions[] = {
     {glib::CommandId::texture1D, doTexture}, {glib::CommandId::texture2D, doTexture},
     {glib::CommandId::texture3D, doTexture}, {glib::CommandId::texture, doTexture},
     {glib::CommandId::cubeMap, doCubeMap},   {glib::CommandId::clamp, doClamp},
@@ -183,7 +183,7 @@ constexpr CommandAction kActions[] = {
 }  // namespace
 
 std::span<const CommandAction> textureActions() {
-    return kActions;
+    return kTextureActions;
 }
 
 void finishNoise(Interpreter& in) {

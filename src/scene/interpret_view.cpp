@@ -14,12 +14,12 @@ namespace {
 
 constexpr std::size_t kDeepestStack = 256;
 
-double at(const glib::Command& command, std::size_t index, double otherwise) {
+double numberAt(const glib::Command& command, std::size_t index, double otherwise) {
     return index < command.numbers.size() ? command.numbers[index] : otherwise;
 }
 
-glm::dvec3 vectorAt(const glib::Command& command, std::size_t first) {
-    return {at(command, first, 0), at(command, first + 1, 0), at(command, first + 2, 0)};
+glm::dvec3 argumentVector(const glib::Command& command, std::size_t first) {
+    return {numberAt(command, first, 0), numberAt(command, first + 1, 0), numberAt(command, first + 2, 0)};
 }
 
 /// Sets M := M * T. Reports glib-E05 instead if 32-bit floats cannot hold the product.
@@ -35,7 +35,8 @@ void multiply(Interpreter& in, const glib::Command& command, const glm::dmat4& t
 }
 
 void doWindowSize(Interpreter& in, const glib::Command& command) {
-    const std::pair size(static_cast<int>(at(command, 0, 600)), static_cast<int>(at(command, 1, 600)));
+    const std::pair size(static_cast<int>(numberAt(command, 0, 600)),
+                         static_cast<int>(numberAt(command, 1, 600)));
     if (in.windowSize && *in.windowSize != size)
         in.reportAt(command, "glib-W34",
                     fmt::format("WindowSize is given twice; {} {} replaces {} {}", size.first, size.second,
@@ -46,23 +47,25 @@ void doWindowSize(Interpreter& in, const glib::Command& command) {
 }
 
 void doPerspective(Interpreter& in, const glib::Command& command) {
-    in.state.projection = Perspective{at(command, 0, 50), at(command, 1, .1), at(command, 2, 1000)};
+    in.state.projection =
+        Perspective{numberAt(command, 0, 50), numberAt(command, 1, .1), numberAt(command, 2, 1000)};
 }
 
 void doOrtho(Interpreter& in, const glib::Command& command) {
-    in.state.projection = Orthographic{at(command, 0, -3), at(command, 1, 3),     at(command, 2, -3),
-                                       at(command, 3, 3),  at(command, 4, -1000), at(command, 5, 1000)};
+    in.state.projection =
+        Orthographic{numberAt(command, 0, -3), numberAt(command, 1, 3),     numberAt(command, 2, -3),
+                     numberAt(command, 3, 3),  numberAt(command, 4, -1000), numberAt(command, 5, 1000)};
 }
 
 void doLookAt(Interpreter& in, const glib::Command& command) {
-    const glm::dvec3 eye = vectorAt(command, 0);
-    const glm::dvec3 centre = vectorAt(command, 3);
+    const glm::dvec3 eye = argumentVector(command, 0);
+    const glm::dvec3 centre = argumentVector(command, 3);
     if (eye == centre) {
         in.reportAt(command, "glib-E13", "LookAt: eye and centre are the same point");
         return;
     }
     in.scene.usesLookAt = true;
-    auto matrix = viewingMatrix(eye, centre, vectorAt(command, 6));
+    auto matrix = viewingMatrix(eye, centre, argumentVector(command, 6));
     constexpr std::array<std::pair<std::string_view, glm::dvec3>, 3> kOthers{
         {{"+y", {0, 1, 0}}, {"+z", {0, 0, 1}}, {"+x", {1, 0, 0}}}};
     for (const auto& [name, up] : kOthers) {
@@ -81,14 +84,15 @@ void doLookAt(Interpreter& in, const glib::Command& command) {
 }
 
 void doColor(Interpreter& in, const glib::Command& command) {
-    in.state.color = glm::dvec4(vectorAt(command, 0), at(command, 3, 1));
+    in.state.color = glm::dvec4(argumentVector(command, 0), numberAt(command, 3, 1));
     if (!in.list) return;
     for (int i = 0; i < 4; ++i) in.list->current.color[static_cast<std::size_t>(i)] = in.state.color[i];
 }
 
 void doBackground(Interpreter& in, const glib::Command& command) {
-    in.state.background =
-        command.numbers.empty() ? kInitialBackground : glm::dvec4(vectorAt(command, 0), at(command, 3, 1));
+    in.state.background = command.numbers.empty()
+                              ? kInitialBackground
+                              : glm::dvec4(argumentVector(command, 0), numberAt(command, 3, 1));
 }
 
 void doMultMatrix(Interpreter& in, const glib::Command& command) {
@@ -99,16 +103,17 @@ void doMultMatrix(Interpreter& in, const glib::Command& command) {
 }
 
 void doTranslate(Interpreter& in, const glib::Command& command) {
-    multiply(in, command, translation(vectorAt(command, 0)));
+    multiply(in, command, translation(argumentVector(command, 0)));
 }
 
 void doRotate(Interpreter& in, const glib::Command& command) {
-    multiply(in, command, rotation(at(command, 0, 0), vectorAt(command, 1)));
+    multiply(in, command, rotation(numberAt(command, 0, 0), argumentVector(command, 1)));
 }
 
 void doScale(Interpreter& in, const glib::Command& command) {
     const bool isUniform = command.givenNumbers == 1;
-    multiply(in, command, scaling(isUniform ? glm::dvec3(at(command, 0, 1)) : vectorAt(command, 0)));
+    multiply(in, command,
+             scaling(isUniform ? glm::dvec3(numberAt(command, 0, 1)) : argumentVector(command, 0)));
 }
 
 void doPushMatrix(Interpreter& in, const glib::Command& command) {
@@ -130,7 +135,7 @@ void doPopMatrix(Interpreter& in, const glib::Command& command) {
     in.state.stack.pop_back();
 }
 
-constexpr CommandAction kActions[] = {
+constexpr CommandAction kViewActions[] = {
     {glib::CommandId::windowSize, doWindowSize},
     {glib::CommandId::perspective, doPerspective},
     {glib::CommandId::ortho, doOrtho},
@@ -148,7 +153,7 @@ constexpr CommandAction kActions[] = {
 }  // namespace
 
 std::span<const CommandAction> viewActions() {
-    return kActions;
+    return kViewActions;
 }
 
 void checkStack(Interpreter& in) {

@@ -141,7 +141,7 @@ void doGlEnd(Interpreter& in, const glib::Command& command) {
     draw(in, command, drawing);
 }
 
-constexpr CommandAction kActions[] = {
+constexpr CommandAction kListActions[] = {
     {glib::CommandId::glBegin, doGlBegin, InList::isWrong},
     {glib::CommandId::glVertex, doGlVertex, InList::isPart},
     {glib::CommandId::glNormal, doGlNormal, InList::isPart},
@@ -153,7 +153,7 @@ constexpr CommandAction kActions[] = {
 }  // namespace
 
 std::span<const CommandAction> listActions() {
-    return kActions;
+    return kListActions;
 }
 
 void checkList(Interpreter& in) {

@@ -133,6 +133,7 @@ struct Interpreter {
     std::size_t problems = 0;  ///< errors of this frame, also those that an earlier frame has reported
 
     [[nodiscard]] Place place(const glib::Command& command) const { return script->place(command.position); }
+    [[nodiscard]] Place place(const glib::Value& value) const { return script->place(value.position); }
     /// Messages are limited in number, except notes, which the scene asks for.
     void report(Diagnostic diagnostic) {
         if (diagnostic.severity == Severity::error) ++problems;
@@ -153,8 +154,17 @@ struct Interpreter {
     }
 };
 
+/// Reports that something at that position of a statement is wrong: "Buffer: the size 0 is not ...".
+inline std::nullopt_t refuse(Interpreter& in, const char* id, const glib::Command& command,
+                             glib::Position position, const std::string& text) {
+    in.report(diagnose(id, command.word + ": " + text, in.script->place(position)));
+    return std::nullopt;
+}
+
 /// Executes a statement. Its numbers satisfy the command's row in glib's table.
 using Handler = void (*)(Interpreter&, const glib::Command&);
+/// The handler of a command that only ends a block or has no effect.
+inline void doNothing(Interpreter&, const glib::Command&) {}
 
 /// What happens to a command inside an open glBegin list.
 enum class InList {

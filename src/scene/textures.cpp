@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
@@ -66,13 +65,6 @@ bool fitsRaw(const Beginning& beginning, std::size_t dimensions, std::uint64_t c
         texels *= size;
     }
     return beginning.length - header == 4 * componentBytes * texels;
-}
-
-std::string lowerCase(std::string_view text) {
-    std::string lower(text);
-    std::transform(lower.begin(), lower.end(), lower.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return lower;
 }
 
 /// The size in the first frame header (ISO/IEC 10918-1, B.2.2).

@@ -20,8 +20,8 @@ std::uint64_t vertices(CommandId command, const std::vector<double>& numbers) {
     return scene::countsOf({command, numbers, {}, nullptr})->vertices;
 }
 
-CountsRequest request(CommandId command, std::vector<double> numbers, double allowed,
-                      Fidelity fidelity = Fidelity::shape) {
+CountsRequest countsRequest(CommandId command, std::vector<double> numbers, double allowed,
+                            Fidelity fidelity = Fidelity::shape) {
     return {.model = surfaceModel(command),
             .numbers = std::move(numbers),
             .isFree = {true, true},
@@ -48,12 +48,12 @@ TEST(LeastCounts, HaveTheFewestVerticesOfAllThatKeepTheBound) {
     std::uniform_real_distribution<double> exponent(-3.2, -.5);
     for (int i = 0; i < 12; ++i)
         for (const Fidelity fidelity : {Fidelity::shape, Fidelity::pattern})
-            for (const CountsRequest& wanted :
-                 {request(glib::commandOf("Sphere"), {1, 60, 60}, std::pow(10, exponent(random)), fidelity),
-                  request(glib::commandOf("Torus"), {1, .4, 20, 40}, std::pow(10, exponent(random)),
-                          fidelity),
-                  request(glib::commandOf("Cone"), {1, 1, 60, 20}, std::pow(10, exponent(random)),
-                          fidelity)}) {
+            for (const CountsRequest& wanted : {countsRequest(glib::commandOf("Sphere"), {1, 60, 60},
+                                                              std::pow(10, exponent(random)), fidelity),
+                                                countsRequest(glib::commandOf("Torus"), {1, .4, 20, 40},
+                                                              std::pow(10, exponent(random)), fidelity),
+                                                countsRequest(glib::commandOf("Cone"), {1, 1, 60, 20},
+                                                              std::pow(10, exponent(random)), fidelity)}) {
                 const LeastCounts found = leastCounts(wanted);
                 EXPECT_TRUE(found.isKept);
                 EXPECT_LE(found.deviation, wanted.allowed);
@@ -64,7 +64,8 @@ TEST(LeastCounts, HaveTheFewestVerticesOfAllThatKeepTheBound) {
 
 TEST(LeastCounts, GoUpToWhereOneFewerBreaksTheBound) {
     for (const double allowed : {.1, .01, 1e-3, 1e-4, 1e-5, 1e-6}) {
-        const LeastCounts found = leastCounts(request(glib::commandOf("DiskXY"), {0, 1, 60, 10}, allowed));
+        const LeastCounts found =
+            leastCounts(countsRequest(glib::commandOf("DiskXY"), {0, 1, 60, 10}, allowed));
         ASSERT_TRUE(found.isKept);
         // r (1 - cos(pi/n)) <= e
         const double least = std::ceil(std::numbers::pi / std::acos(1 - allowed) - 1e-9);
@@ -74,7 +75,7 @@ TEST(LeastCounts, GoUpToWhereOneFewerBreaksTheBound) {
 }
 
 TEST(LeastCounts, KeepWhatIsNotFree) {
-    CountsRequest wanted = request(glib::commandOf("Sphere"), {1, 90, 7}, .001);
+    CountsRequest wanted = countsRequest(glib::commandOf("Sphere"), {1, 90, 7}, .001);
     wanted.isFree = {true, false};
     const LeastCounts coarse = leastCounts(wanted);
     EXPECT_EQ(coarse.numbers[2], 7);
@@ -82,9 +83,9 @@ TEST(LeastCounts, KeepWhatIsNotFree) {
     EXPECT_GT(coarse.deviation, .02);
     // The slices are chosen as if there were enough stacks; they are not the largest possible number.
     EXPECT_EQ(coarse.numbers[1],
-              leastCounts(request(glib::commandOf("Sphere"), {1, 90, 7}, .001)).numbers[1]);
+              leastCounts(countsRequest(glib::commandOf("Sphere"), {1, 90, 7}, .001)).numbers[1]);
 
-    wanted = request(glib::commandOf("Sphere"), {1, 90, 7}, .01);
+    wanted = countsRequest(glib::commandOf("Sphere"), {1, 90, 7}, .01);
     wanted.isFree = {false, true};
     const LeastCounts fine = leastCounts(wanted);
     EXPECT_EQ(fine.numbers[1], 90);
@@ -96,7 +97,7 @@ TEST(LeastCounts, KeepWhatIsNotFree) {
 
 TEST(LeastCounts, DoNotGoBelowWhatIsAskedFor) {
     CountsRequest wanted =
-        request(glib::commandOf("Sphere"), {1, 60, 60}, std::numeric_limits<double>::infinity());
+        countsRequest(glib::commandOf("Sphere"), {1, 60, 60}, std::numeric_limits<double>::infinity());
     wanted.least = {36, 18};
     EXPECT_EQ(leastCounts(wanted).numbers, (std::vector<double>{1, 36, 18}));
     wanted.least = {1, 1};
@@ -110,7 +111,7 @@ TEST(LeastCounts, StopAtTheLimitAndSaySo) {
         if (command != glib::commandOf("Sphere"))
             numbers = surfaceModel(command)->complete({command, {1}, {}, {}});
         if (command == glib::commandOf("Teapot")) numbers = {16};
-        const LeastCounts found = leastCounts(request(command, numbers, 1e-15));
+        const LeastCounts found = leastCounts(countsRequest(command, numbers, 1e-15));
         EXPECT_FALSE(found.isKept);
         EXPECT_LE(vertices(command, found.numbers), kMostBudgetVertices);
         EXPECT_GT(vertices(command, found.numbers), kMostBudgetVertices * 9 / 10);

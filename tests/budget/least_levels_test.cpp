@@ -10,7 +10,7 @@ namespace glibra::budget {
 namespace {
 
 /// One uniform at 8, from 1 to 64, whose true error is `pixels` / level^2.
-LevelsRequest request(double pixels, double maxError) {
+LevelsRequest levelsRequest(double pixels, double maxError) {
     LevelsRequest made;
     made.uniforms = {{.uniform = plan::UniformIndex(3), .value = 8, .least = 1, .most = 64}};
     made.isFree = true;
@@ -24,7 +24,7 @@ LevelsRequest request(double pixels, double maxError) {
 
 TEST(LeastLevels, AreTheLowestThatKeepTheBound) {
     for (const double maxError : {4., 1., .25}) {
-        const auto found = leastLevels(request(100, maxError));
+        const auto found = leastLevels(levelsRequest(100, maxError));
         ASSERT_TRUE(found);
         EXPECT_TRUE(found->isKept);
         const double exact = std::sqrt(100 / maxError);
@@ -35,13 +35,13 @@ TEST(LeastLevels, AreTheLowestThatKeepTheBound) {
 }
 
 TEST(LeastLevels, AreTheLeastOfTheRangeWhereThatIsEnough) {
-    const auto found = leastLevels(request(.1, .25));
+    const auto found = leastLevels(levelsRequest(.1, .25));
     ASSERT_TRUE(found);
     EXPECT_EQ(found->values[0].value, 1);
 }
 
 TEST(LeastLevels, AreTheMostWhereNothingIsEnough) {
-    const auto found = leastLevels(request(10'000, .25));
+    const auto found = leastLevels(levelsRequest(10'000, .25));
     ASSERT_TRUE(found);
     EXPECT_EQ(found->values[0].value, 64);
     EXPECT_FALSE(found->isKept);
@@ -50,7 +50,7 @@ TEST(LeastLevels, AreTheMostWhereNothingIsEnough) {
 }
 
 TEST(LeastLevels, ThatAreStatedStay) {
-    LevelsRequest stated = request(100, .25);
+    LevelsRequest stated = levelsRequest(100, .25);
     stated.isFree = false;
     const auto found = leastLevels(stated);
     ASSERT_TRUE(found);
@@ -60,7 +60,7 @@ TEST(LeastLevels, ThatAreStatedStay) {
 }
 
 TEST(LeastLevels, KeepTheirProportionsAsFarAsTheirRangesGo) {
-    LevelsRequest two = request(100, .25);
+    LevelsRequest two = levelsRequest(100, .25);
     two.uniforms = {{.uniform = plan::UniformIndex(0), .value = 8, .least = 1, .most = 64},
                     {.uniform = plan::UniformIndex(1), .value = 4, .least = 1, .most = 6}};
     const auto found = leastLevels(two);
@@ -70,7 +70,7 @@ TEST(LeastLevels, KeepTheirProportionsAsFarAsTheirRangesGo) {
 }
 
 TEST(LeastLevels, AreNoneWhereNothingCanBeMeasured) {
-    LevelsRequest blind = request(100, .25);
+    LevelsRequest blind = levelsRequest(100, .25);
     blind.error = [](auto, auto) { return std::optional<double>(); };
     EXPECT_FALSE(leastLevels(blind));
 }

@@ -15,14 +15,14 @@
 namespace glibra::budget {
 namespace {
 
-constexpr int kSide = 128;
+constexpr int kColumnsSide = 128;
 
 /// Columns of grey.
-image::Image picture(const std::function<double(double x)>& grey) {
+image::Image greyColumns(const std::function<double(double x)>& grey) {
     std::vector<float> values;
-    for (int i = 0; i < kSide * kSide; ++i)
-        values.insert(values.end(), 3, static_cast<float>(grey(i % kSide)));
-    image::Image made{kSide, kSide, 3, image::Component::f32, {}};
+    for (int i = 0; i < kColumnsSide * kColumnsSide; ++i)
+        values.insert(values.end(), 3, static_cast<float>(grey(i % kColumnsSide)));
+    image::Image made{kColumnsSide, kColumnsSide, 3, image::Component::f32, {}};
     made.data.resize(values.size() * sizeof(float));
     std::memcpy(made.data.data(), values.data(), made.data.size());
     return made;
@@ -30,12 +30,12 @@ image::Image picture(const std::function<double(double x)>& grey) {
 
 /// A gentle slope to which light of that strength is added.
 image::Image slope(double light) {
-    return picture([&](double x) { return .2 + .005 * x + light; });
+    return greyColumns([&](double x) { return .2 + .005 * x + light; });
 }
 
 /// Waves with steep slopes, moved by so many pixels.
 image::Image waves(double shift) {
-    return picture([&](double x) { return .5 + .4 * std::sin((x - shift) * std::numbers::pi / 16); });
+    return greyColumns([&](double x) { return .5 + .4 * std::sin((x - shift) * std::numbers::pi / 16); });
 }
 
 VertexDraw sphere(std::size_t program, double slices, bool isFree = true) {

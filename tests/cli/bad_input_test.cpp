@@ -12,9 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kVertex =
-    "#version 330 core\nvoid main() { gl_Position = uModelViewProjectionMatrix * aVertex; }\n";
-constexpr const char* kFragment = "#version 330 core\nout vec4 fColor;\nvoid main() { fColor = vec4(1.); }\n";
+constexpr const char* kWhiteFragment =
+    "#version 330 core\nout vec4 fColor;\nvoid main() { fColor = vec4(1.); }\n";
 
 class BadInput : public testing::Test {
   protected:
@@ -32,8 +31,8 @@ class BadInput : public testing::Test {
     }
 
     void writeShaders() const {
-        folder.write("a.vert", kVertex);
-        folder.write("a.frag", kFragment);
+        folder.write("a.vert", kVertexShader);
+        folder.write("a.frag", kWhiteFragment);
     }
 
     Folder folder;

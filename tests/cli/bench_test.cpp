@@ -12,10 +12,6 @@
 namespace glibra::test {
 namespace {
 
-bool contains(const std::string& text, std::string_view part) {
-    return text.find(part) != std::string::npos;
-}
-
 TEST(BenchCommand, ListsItsSubjects) {
     const Folder folder;
     const Finished run = glibra(folder.path(), "bench --list");

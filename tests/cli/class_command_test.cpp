@@ -23,10 +23,6 @@ namespace fs = std::filesystem;
 const fs::path kRoot = GLIBRA_SOURCE_DIR;
 constexpr const char* kSecret = "vec3 theTeachersSecret";
 
-bool contains(const std::string& text, std::string_view part) {
-    return text.find(part) != std::string::npos;
-}
-
 std::size_t countOf(const std::string& text, std::string_view part) {
     std::size_t count = 0;
     for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size()))

@@ -15,10 +15,6 @@ std::string jumping() {
     return preload(GLIBRA_JUMPING_CLOCK);
 }
 
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 class JumpingClock : public testing::Test {
   protected:
     void SetUp() override {

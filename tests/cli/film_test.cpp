@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kScene = R"(WindowSize 20 15
+constexpr const char* kFilmScene = R"(WindowSize 20 15
 Ortho -1 1 -1 1
 Timer 1
 Vertex a.vert
@@ -41,7 +41,7 @@ exit 1
 class Film : public testing::Test {
   protected:
     Film() {
-        folder.write("a.glib", kScene);
+        folder.write("a.glib", kFilmScene);
         folder.write("a.vert",
                      "#version 330\nvoid main() { gl_Position = uModelViewProjectionMatrix * aVertex; }\n");
         folder.write("a.frag",

@@ -41,6 +41,14 @@ class Folder {
 
 std::string readFile(const std::filesystem::path& file);
 
+inline bool contains(const std::string& text, std::string_view part) {
+    return text.find(part) != std::string::npos;
+}
+
+/// A vertex shader that places vertices by the view.
+inline constexpr const char* kVertexShader =
+    "#version 330 core\nvoid main() { gl_Position = uModelViewProjectionMatrix * aVertex; }\n";
+
 /// The setting that loads a library before all others: "LD_PRELOAD=...". The path in it is that of a link
 /// without blanks, which would separate libraries.
 std::string preload(const std::filesystem::path& library);

@@ -10,10 +10,6 @@
 namespace glibra::test {
 namespace {
 
-bool contains(const std::string& text, std::string_view part) {
-    return text.find(part) != std::string::npos;
-}
-
 /// What `glibra ARGUMENTS` prints on a terminal, without carriage returns; empty if there is no script(1).
 std::string onTerminal(const Folder& folder, const std::string& arguments,
                        const std::string& environment = {}) {

@@ -12,7 +12,7 @@ namespace glibra::test {
 namespace {
 
 /// A colour texture with two levels, and a depth texture. The window shows neither.
-constexpr const char* kScene = R"(WindowSize 16 16
+constexpr const char* kSaveScene = R"(WindowSize 16 16
 Texture2D halves 8 8 rgba8 levels 2
 Texture2D deep 8 4 depth32f
 Fragment inline
@@ -38,7 +38,7 @@ std::array<int, 3> pixel(const image::Image& image, int x, int y) {
 
 TEST(Save, WritesTexturesAndTheirParts) {
     const Folder folder;
-    folder.write("a.glib", kScene);
+    folder.write("a.glib", kSaveScene);
     const Finished run = glibra(folder.path(),
                                 "render a.glib -o a.png --save halves=whole.png --save "
                                 "'halves.level(1)=part.png' --save deep=deep.exr");
@@ -64,7 +64,7 @@ TEST(Save, WritesTexturesAndTheirParts) {
 
 TEST(Save, WritesAFilePerFrameAlsoInASandbox) {
     const Folder folder;
-    folder.write("a.glib", kScene);
+    folder.write("a.glib", kSaveScene);
     const Finished run =
         glibra(folder.path(), "render a.glib -o a.png --frames 2 --save halves=h.png --untrusted");
     ASSERT_EQ(run.status, 0) << run.err;
@@ -73,7 +73,7 @@ TEST(Save, WritesAFilePerFrameAlsoInASandbox) {
 
 TEST(Save, ReportsWhatItCannotSave) {
     const Folder folder;
-    folder.write("a.glib", kScene);
+    folder.write("a.glib", kSaveScene);
     const auto save = [&](const std::string& what) {
         return glibra(folder.path(), "render a.glib -o a.png --save " + what);
     };

@@ -15,9 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kVertex =
-    "#version 330 core\nvoid main() { gl_Position = uModelViewProjectionMatrix * aVertex; }\n";
-
 /// What a terminal would obey, as a number of its place; nothing if the text is safe.
 std::optional<std::size_t> firstUnsafe(const std::string& text) {
     for (std::string_view rest = text; !rest.empty();) {
@@ -73,7 +70,7 @@ std::string quoted(const std::string& text) {
 
 TEST(Terminal, EscapeSequencesOfAShaderAreShown) {
     const Folder folder;
-    folder.write("a.vert", kVertex);
+    folder.write("a.vert", kVertexShader);
     folder.write("a.frag", "#version 330 core\n#error \033]0;owned\007\nvoid main() {}\n");
     folder.write("a.glib", "Vertex a.vert\nFragment a.frag\nProgram P\nSphere\n");
     for (const char* command : {"check a.glib", "render a.glib"}) {
@@ -90,7 +87,7 @@ TEST(Terminal, NoBytesOfSceneShaderOrFileNameReachIt) {
         const Folder folder;
         const auto bytes = [&] { return hostileBytes(random, 1 + random() % 6); };
         const std::string name = "s" + bytes();
-        folder.write("a.vert", kVertex);
+        folder.write("a.vert", kVertexShader);
         folder.write("a.frag", "#version 330 core\n#error " + bytes() +
                                    "\nout vec4 f; void main() { f = " + bytes() + "; }\n");
         folder.write("b.frag", "#version 330 core\nuniform float u" + bytes() +

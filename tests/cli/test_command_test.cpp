@@ -42,10 +42,6 @@ class TestCommand : public testing::Test {
     Folder folder;
 };
 
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 TEST_F(TestCommand, FailsWithoutGoldensPassesWithThem) {
     const Finished missing = run("s.toml");
     EXPECT_EQ(missing.status, 1);

@@ -57,10 +57,6 @@ class Survival : public testing::Test {
     Folder folder;
 };
 
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 std::string count(int n, const std::string& word) {
     return std::to_string(n) + " " + word;
 }

@@ -13,25 +13,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kVertex =
-    "#version 330 core\nvoid main() { gl_Position = uModelViewProjectionMatrix * aVertex; }\n";
-constexpr const char* kFragment =
+constexpr const char* kTimerFragment =
     "#version 330 core\nout vec4 f;\nvoid main() { f = vec4(fract(gl_FragCoord.xy / 17.), fract(Timer), 1.); "
     "}\n";
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
 
 class Untrusted : public testing::Test {
   protected:
     void SetUp() override {
         if (const std::string missing = base::missingForSandbox(); !missing.empty()) GTEST_SKIP() << missing;
-        folder.write("in/a.vert", kVertex);
-        folder.write("in/a.frag", kFragment);
+        folder.write("in/a.vert", kVertexShader);
+        folder.write("in/a.frag", kTimerFragment);
         folder.write("in/a.glib", "WindowSize 60 40\nVertex a.vert\nFragment a.frag\nProgram P\nTeapot\n");
-        folder.write("secret.frag", kFragment);
-        folder.write("lib/shaders/l.frag", kFragment);
+        folder.write("secret.frag", kTimerFragment);
+        folder.write("lib/shaders/l.frag", kTimerFragment);
     }
     Finished run(const std::string& arguments, const std::string& environment = {}) {
         return glibra(folder.path(), arguments, environment);

@@ -19,8 +19,6 @@
 namespace glibra::geometry {
 namespace {
 
-using Indices = std::vector<std::uint32_t>;
-
 Indices triangles(const Mesh& mesh) {
     return adjacencyIndices(mesh, Topology::trianglesAdjacency);
 }

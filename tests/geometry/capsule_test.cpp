@@ -9,8 +9,6 @@
 namespace glibra::geometry {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 /// Distance from the segment inside the capsule, less the radius.
 double distance(const glm::dvec3& p, double radius, double height) {
     const double y = std::max(0., std::abs(p.y) - height / 2);

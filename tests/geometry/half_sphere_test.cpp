@@ -9,8 +9,6 @@
 namespace glibra::geometry {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 TEST(HalfSphere, HasTheStatedCounts) {
     EXPECT_EQ(countsOf(halfSphere(1, 60, 30)), stated(61 * 30 + 181, 3600));
     EXPECT_EQ(countsOf(halfSphere(1, 3, 1)), stated(14, 6));

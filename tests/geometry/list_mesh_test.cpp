@@ -8,8 +8,6 @@
 namespace glibra::geometry {
 namespace {
 
-using Indices = std::vector<std::uint32_t>;
-
 std::vector<ListVertex> someVertices(std::size_t count) {
     std::vector<ListVertex> vertices;
     for (std::size_t i = 0; i < count; ++i) {

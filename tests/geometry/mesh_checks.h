@@ -12,6 +12,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <map>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -19,6 +20,10 @@
 #include "geometry/mesh.h"
 
 namespace glibra::geometry {
+
+using Indices = std::vector<std::uint32_t>;
+
+inline constexpr double kPi = std::numbers::pi;
 
 inline glm::dvec3 valueAt(const Mesh& mesh, std::string_view name, std::uint32_t vertex) {
     const Attribute* attribute = mesh.attribute(name);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 
-Result<ObjModel> parse(std::string_view text) {
+Result<ObjModel> parseObjText(std::string_view text) {
     return parseObj(text, "models/tree.obj");
 }
 
@@ -28,7 +28,7 @@ std::vector<std::uint32_t> positionsOf(const ObjModel& model) {
 }
 
 TEST(ObjParser, ReadsPositionsTexCoordsNormalsAndFaces) {
-    const auto model = parse(
+    const auto model = parseObjText(
         "v 1 2 3\nv 4 5 6 7 8\nv -1 -.5 +2\nvt .25\nvt .5 .75\nvt 1 2 3\nvn 0 0 2\nf 1/1/1 2/2/1 3/3/1\n");
     ASSERT_TRUE(model);
     EXPECT_TRUE(model.diagnostics.empty());
@@ -41,7 +41,7 @@ TEST(ObjParser, ReadsPositionsTexCoordsNormalsAndFaces) {
 }
 
 TEST(ObjParser, TakesAllFourFormsOfCorners) {
-    const auto model = parse(
+    const auto model = parseObjText(
         std::string(kTriangle) +
         "vt 0 0\nvn 0 0 1\nf 1 2 3\nf 1/1 2/1 3/1\nf 1//1 2//1 3//1\nf 1/1/1 2/1/1 3/1/1\nf 1/ 2// 3//1\n");
     ASSERT_TRUE(model);
@@ -56,13 +56,13 @@ TEST(ObjParser, TakesAllFourFormsOfCorners) {
 }
 
 TEST(ObjParser, NegativeIndicesCountFromWhatStandsAbove) {
-    const auto model = parse("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 5 5 5\nf -3 -2 -1\n");
+    const auto model = parseObjText("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 5 5 5\nf -3 -2 -1\n");
     ASSERT_TRUE(model);
     EXPECT_EQ(positionsOf(*model), (std::vector<std::uint32_t>{0, 1, 2, 1, 2, 3}));
 }
 
 TEST(ObjParser, PositiveIndicesMayPointFurtherDown) {
-    const auto model = parse("f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n");
+    const auto model = parseObjText("f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n");
     ASSERT_TRUE(model);
     EXPECT_TRUE(model.diagnostics.empty());
     EXPECT_EQ(positionsOf(*model), (std::vector<std::uint32_t>{0, 1, 2}));
@@ -70,9 +70,9 @@ TEST(ObjParser, PositiveIndicesMayPointFurtherDown) {
 
 TEST(ObjParser, DropsFacesWithIndicesOutOfRange) {
     const auto model =
-        parse(std::string(kTriangle) +
-              "f 1 2 912\nf 1 2 -4\nf 0 1 2\nf 1/7 2/7 3/7\nf 1//2 2//2 3//2\nf 1 2 x\nf 1 2 3\n"
-              "f 1 2 99999999999999999999\n");
+        parseObjText(std::string(kTriangle) +
+                     "f 1 2 912\nf 1 2 -4\nf 0 1 2\nf 1/7 2/7 3/7\nf 1//2 2//2 3//2\nf 1 2 x\nf 1 2 3\n"
+                     "f 1 2 99999999999999999999\n");
     ASSERT_TRUE(model);
     EXPECT_EQ(model->faceCount(), 1U);
     EXPECT_EQ(positionsOf(*model), (std::vector<std::uint32_t>{0, 1, 2}));
@@ -86,7 +86,7 @@ TEST(ObjParser, DropsFacesWithIndicesOutOfRange) {
 }
 
 TEST(ObjParser, DropsFacesOfFewerThanThreeCorners) {
-    const auto model = parse(std::string(kTriangle) + "f 1 2\nf\nf 1\nf 1 2 3\n");
+    const auto model = parseObjText(std::string(kTriangle) + "f 1 2\nf\nf 1\nf 1 2 3\n");
     ASSERT_TRUE(model);
     EXPECT_EQ(model->faceCount(), 1U);
     EXPECT_EQ(idsOf(model.diagnostics), std::vector<std::string>(3, "file-W05"));
@@ -95,14 +95,14 @@ TEST(ObjParser, DropsFacesOfFewerThanThreeCorners) {
 }
 
 TEST(ObjParser, IgnoresMeaninglessLinesWithoutAWord) {
-    const auto model = parse("# a\nmtllib a.mtl\no x\ng\ns off\nusemtl wood\n\n   \n" +
-                             std::string(kTriangle) + "f 1 2 3 # last\n");
+    const auto model = parseObjText("# a\nmtllib a.mtl\no x\ng\ns off\nusemtl wood\n\n   \n" +
+                                    std::string(kTriangle) + "f 1 2 3 # last\n");
     ASSERT_TRUE(model);
     EXPECT_TRUE(model.diagnostics.empty());
 }
 
 TEST(ObjParser, NamesEveryUnknownWordOnce) {
-    const auto model = parse(std::string(kTriangle) + "l 1 2\nl 2 3\np 1\ncurv 0 1\nl 3 1\nf 1 2 3\n");
+    const auto model = parseObjText(std::string(kTriangle) + "l 1 2\nl 2 3\np 1\ncurv 0 1\nl 3 1\nf 1 2 3\n");
     ASSERT_TRUE(model);
     ASSERT_EQ(idsOf(model.diagnostics), std::vector<std::string>(3, "file-W04"));
     EXPECT_EQ(model.diagnostics[0].text, "3 'l' lines ignored");
@@ -112,7 +112,7 @@ TEST(ObjParser, NamesEveryUnknownWordOnce) {
 }
 
 TEST(ObjParser, MalformedNumbersAreTheirPrefixOrZero) {
-    const auto model = parse("v 1.2.3 abc 1e400\nv inf nan 0x10\nv 1,5 - .\nf 1 2 3\n");
+    const auto model = parseObjText("v 1.2.3 abc 1e400\nv inf nan 0x10\nv 1,5 - .\nf 1 2 3\n");
     ASSERT_TRUE(model);
     EXPECT_EQ(model->positions, (std::vector<std::array<float, 3>>{{1.2F, 0, 0}, {0, 0, 0}, {1, 0, 0}}));
     EXPECT_EQ(idsOf(model.diagnostics), std::vector<std::string>(9, "file-W06"));
@@ -122,7 +122,8 @@ TEST(ObjParser, MalformedNumbersAreTheirPrefixOrZero) {
 }
 
 TEST(ObjParser, NumbersMayHaveExponentsSignsAndBareDots) {
-    const auto model = parse("v 1e3 -1.5E-2 +.25\nv 5. 1e-60 -1e-300\nv 3.4e38 1e-400 00012\nf 1 2 3\n");
+    const auto model =
+        parseObjText("v 1e3 -1.5E-2 +.25\nv 5. 1e-60 -1e-300\nv 3.4e38 1e-400 00012\nf 1 2 3\n");
     ASSERT_TRUE(model);
     EXPECT_TRUE(model.diagnostics.empty());
     EXPECT_EQ(model->positions,
@@ -130,7 +131,7 @@ TEST(ObjParser, NumbersMayHaveExponentsSignsAndBareDots) {
 }
 
 TEST(ObjParser, MissingNumbersAreZero) {
-    const auto model = parse("v 1 2\nv\nv 1 2 3\nvt\nf 1 2 3\n");
+    const auto model = parseObjText("v 1 2\nv\nv 1 2 3\nvt\nf 1 2 3\n");
     ASSERT_TRUE(model);
     EXPECT_EQ(model->positions, (std::vector<std::array<float, 3>>{{1, 2, 0}, {0, 0, 0}, {1, 2, 3}}));
     EXPECT_EQ(idsOf(model.diagnostics), std::vector<std::string>(3, "file-W06"));
@@ -138,11 +139,11 @@ TEST(ObjParser, MissingNumbersAreZero) {
 
 TEST(ObjParser, AcceptsAnyLineEndsBlanksAndJoins) {
     const std::string plain = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-    const auto expected = parse(plain);
+    const auto expected = parseObjText(plain);
     for (const char* end : {"\r\n", "\r", "\n\n", "  \t\n \v", "\f\n"}) {
         std::string text;
         for (const char c : plain) text += c == '\n' ? std::string(end) : std::string(1, c);
-        const auto model = parse(text);
+        const auto model = parseObjText(text);
         ASSERT_TRUE(model);
         EXPECT_TRUE(model.diagnostics.empty());
         EXPECT_EQ(model->positions, expected->positions);
@@ -150,7 +151,7 @@ TEST(ObjParser, AcceptsAnyLineEndsBlanksAndJoins) {
     }
     for (const char* text : {"v 0 0 \\\n0\nv 1 \\\r\n 0 0\nv 0 1 0\nf 1 \\  \n2\\\n 3",
                              "v 0 0 0\nv 1 0 0\nv 0\\\n\\\n 1 0\nf\\\r1 2 3\\"}) {
-        const auto model = parse(text);
+        const auto model = parseObjText(text);
         ASSERT_TRUE(model);
         EXPECT_TRUE(model.diagnostics.empty());
         EXPECT_EQ(model->positions, expected->positions);
@@ -159,21 +160,21 @@ TEST(ObjParser, AcceptsAnyLineEndsBlanksAndJoins) {
 }
 
 TEST(ObjParser, JoinedLinesAreCounted) {
-    const auto model = parse(std::string(kTriangle) + "g a \\\n b\n# no join \\\nl 1\nf 1 2 3\n");
+    const auto model = parseObjText(std::string(kTriangle) + "g a \\\n b\n# no join \\\nl 1\nf 1 2 3\n");
     ASSERT_TRUE(model);
     ASSERT_EQ(model.diagnostics.size(), 1U);
     EXPECT_EQ(model.diagnostics[0].place.line, 7);
 }
 
 TEST(ObjParser, SkipsTheByteOrderMark) {
-    const auto model = parse("\xef\xbb\xbf" + std::string(kTriangle) + "f 1 2 3");
+    const auto model = parseObjText("\xef\xbb\xbf" + std::string(kTriangle) + "f 1 2 3");
     ASSERT_TRUE(model);
     EXPECT_TRUE(model.diagnostics.empty());
 }
 
 TEST(ObjParser, AFileWithoutFacesIsAnError) {
     for (const char* text : {"", "v 0 0 0\n", "hello\nworld", "f 1 2 3"}) {
-        const auto model = parse(text);
+        const auto model = parseObjText(text);
         EXPECT_FALSE(model);
         ASSERT_FALSE(model.diagnostics.empty());
         EXPECT_EQ(model.diagnostics.back().id, "file-E07");
@@ -188,13 +189,13 @@ TEST(ObjParser, RecognisesACompilersObjectFile) {
                                      "\x7f"
                                      "ELF\x02\x01\x01\0"s,
                                      "\xcf\xfa\xed\xfe\0"s, "\0\0\xff\xff\0"s}) {
-        const auto model = parse(start + std::string(600, '\0'));
+        const auto model = parseObjText(start + std::string(600, '\0'));
         EXPECT_FALSE(model);
         ASSERT_EQ(idsOf(model.diagnostics), std::vector<std::string>{"file-E08"});
         EXPECT_EQ(model.diagnostics[0].text, "'tree.obj' is a compiler's object file, not a model");
     }
     // A text may begin with the same letters.
-    EXPECT_TRUE(parse("L\x01\n" + std::string(kTriangle) + "f 1 2 3"));
+    EXPECT_TRUE(parseObjText("L\x01\n" + std::string(kTriangle) + "f 1 2 3"));
 }
 
 TEST(ObjParser, TooManyTrianglesAreAnErrorBeforeTheyAreStored) {
@@ -204,7 +205,7 @@ TEST(ObjParser, TooManyTrianglesAreAnErrorBeforeTheyAreStored) {
     face += '\n';
     for (int i = 0; i < 4; ++i) text += face;
     text += "f 1 2 3 1 2 3 1 2 3 1 2\n";
-    const auto model = parse(text);
+    const auto model = parseObjText(text);
     EXPECT_FALSE(model);
     ASSERT_EQ(idsOf(model.diagnostics), std::vector<std::string>{"file-E09"});
     EXPECT_NE(model.diagnostics[0].text.find("16,777,216"), std::string::npos);
@@ -213,7 +214,7 @@ TEST(ObjParser, TooManyTrianglesAreAnErrorBeforeTheyAreStored) {
 TEST(ObjParser, MessagesOfAKindAreLimited) {
     std::string text = kTriangle;
     for (int i = 0; i < 2000; ++i) text += "f 1 2\nv x 0 0\nword" + std::to_string(i) + "\n";
-    const auto model = parse(text + "f 1 2 3");
+    const auto model = parseObjText(text + "f 1 2 3");
     ASSERT_TRUE(model);
     EXPECT_EQ(model.diagnostics.size(), 303U);
     EXPECT_EQ(model.diagnostics[301].text, "1,900 more of this kind");
@@ -221,7 +222,7 @@ TEST(ObjParser, MessagesOfAKindAreLimited) {
 }
 
 TEST(ObjParser, LongAndBinaryWordsAreShownShort) {
-    const auto model = parse(std::string(kTriangle) + std::string(5000, 'w') + "\nx\x01y 1\nf 1 2 3");
+    const auto model = parseObjText(std::string(kTriangle) + std::string(5000, 'w') + "\nx\x01y 1\nf 1 2 3");
     ASSERT_TRUE(model);
     ASSERT_EQ(model.diagnostics.size(), 2U);
     EXPECT_LT(model.diagnostics[0].text.size(), 80U);

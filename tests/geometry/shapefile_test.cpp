@@ -11,12 +11,12 @@
 namespace glibra::geometry {
 namespace {
 
-Result<Mesh> parse(const std::string& bytes) {
+Result<Mesh> parseShpBytes(const std::string& bytes) {
     return parseShp(std::as_bytes(std::span(bytes)), "maps/city.shp");
 }
 
 void expectDamaged(const std::string& bytes) {
-    const auto mesh = parse(bytes);
+    const auto mesh = parseShpBytes(bytes);
     EXPECT_FALSE(mesh);
     ASSERT_EQ(mesh.diagnostics.size(), 1U);
     EXPECT_EQ(mesh.diagnostics[0].id, "file-E04");
@@ -27,7 +27,7 @@ const std::vector<glm::dvec3> kFour{{0, 0, 7}, {1, 0, 8}, {1, 2, 9}, {0, 2, 10}}
 
 TEST(Shapefile, PolylinesBecomeSegments) {
     for (const std::uint32_t type : {3U, 13U, 23U}) {
-        const auto mesh = parse(shapefile(type, {polyRecord(type, {0}, kFour)}));
+        const auto mesh = parseShpBytes(shapefile(type, {polyRecord(type, {0}, kFour)}));
         ASSERT_TRUE(mesh);
         EXPECT_EQ(mesh->topology, Topology::lines);
         EXPECT_EQ(mesh->indices, (std::vector<std::uint32_t>{0, 1, 1, 2, 2, 3}));
@@ -40,29 +40,29 @@ TEST(Shapefile, PolylinesBecomeSegments) {
 }
 
 TEST(Shapefile, PartsAreSeparateLines) {
-    const auto mesh = parse(shapefile(3, {polyRecord(3, {0, 2}, kFour), polyRecord(3, {0}, kFour)}));
+    const auto mesh = parseShpBytes(shapefile(3, {polyRecord(3, {0, 2}, kFour), polyRecord(3, {0}, kFour)}));
     ASSERT_TRUE(mesh);
     EXPECT_EQ(mesh->indices, (std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5, 5, 6, 6, 7}));
 }
 
 TEST(Shapefile, RingsAreClosedOnce) {
     for (const std::uint32_t type : {5U, 15U, 25U}) {
-        EXPECT_EQ(parse(shapefile(type, {polyRecord(type, {0}, kFour)}))->indices.size() / 2, 4U);
+        EXPECT_EQ(parseShpBytes(shapefile(type, {polyRecord(type, {0}, kFour)}))->indices.size() / 2, 4U);
         std::vector<glm::dvec3> closed = kFour;
         closed.push_back(kFour.front());
-        EXPECT_EQ(parse(shapefile(type, {polyRecord(type, {0}, closed)}))->indices.size() / 2, 4U);
+        EXPECT_EQ(parseShpBytes(shapefile(type, {polyRecord(type, {0}, closed)}))->indices.size() / 2, 4U);
     }
 }
 
 TEST(Shapefile, PointsAndMultipointsArePoints) {
     for (const std::uint32_t z : {0U, 10U, 20U}) {
         const auto points =
-            parse(shapefile(1 + z, {pointRecord(1 + z, kFour[1]), pointRecord(1 + z, kFour[2])}));
+            parseShpBytes(shapefile(1 + z, {pointRecord(1 + z, kFour[1]), pointRecord(1 + z, kFour[2])}));
         ASSERT_TRUE(points);
         EXPECT_EQ(points->topology, Topology::points);
         EXPECT_EQ(points->indices, (std::vector<std::uint32_t>{0, 1}));
         EXPECT_EQ(positionAt(*points, 1), glm::dvec3(1, 2, z == 10 ? 9 : 0));
-        const auto many = parse(shapefile(8 + z, {multipointRecord(8 + z, kFour)}));
+        const auto many = parseShpBytes(shapefile(8 + z, {multipointRecord(8 + z, kFour)}));
         ASSERT_TRUE(many);
         EXPECT_EQ(many->topology, Topology::points);
         EXPECT_EQ(many->indices.size(), 4U);
@@ -71,8 +71,9 @@ TEST(Shapefile, PointsAndMultipointsArePoints) {
 }
 
 TEST(Shapefile, NullShapesAreSkippedAndMultipatchesNamed) {
-    const auto mesh = parse(shapefile(3, {nullRecord(), polyRecord(3, {0}, kFour), nullRecord(),
-                                          multipatchRecord(), multipatchRecord(), multipatchRecord()}));
+    const auto mesh =
+        parseShpBytes(shapefile(3, {nullRecord(), polyRecord(3, {0}, kFour), nullRecord(), multipatchRecord(),
+                                    multipatchRecord(), multipatchRecord()}));
     ASSERT_TRUE(mesh);
     EXPECT_EQ(mesh->indices.size() / 2, 3U);
     ASSERT_EQ(mesh.diagnostics.size(), 1U);
@@ -81,7 +82,7 @@ TEST(Shapefile, NullShapesAreSkippedAndMultipatchesNamed) {
 }
 
 TEST(Shapefile, AnEmptyOneIsAnEmptyMesh) {
-    const auto mesh = parse(shapefile(3, {}));
+    const auto mesh = parseShpBytes(shapefile(3, {}));
     ASSERT_TRUE(mesh);
     EXPECT_TRUE(mesh->indices.empty());
     EXPECT_EQ(mesh->vertexCount(), 0U);
@@ -96,12 +97,12 @@ TEST(Shapefile, OtherFilesAreRefused) {
 
 TEST(Shapefile, EveryTruncationIsNoticed) {
     const std::string whole = shapefile(13, {polyRecord(13, {0}, kFour), polyRecord(13, {0, 1}, kFour)});
-    ASSERT_TRUE(parse(whole));
+    ASSERT_TRUE(parseShpBytes(whole));
     for (std::size_t length = 0; length < whole.size(); ++length) expectDamaged(whole.substr(0, length));
 }
 
 TEST(Shapefile, BytesAfterTheStatedLengthAreIgnored) {
-    const auto mesh = parse(shapefile(3, {polyRecord(3, {0}, kFour)}) + "rest");
+    const auto mesh = parseShpBytes(shapefile(3, {polyRecord(3, {0}, kFour)}) + "rest");
     ASSERT_TRUE(mesh);
     EXPECT_EQ(mesh->indices.size() / 2, 3U);
 }
@@ -115,7 +116,7 @@ TEST(Shapefile, LyingCountsAreNoticed) {
         for (std::size_t i = 0; i < 4; ++i) copy[at + i] = static_cast<char>(value >> (8 * i) & 0xff);
         return copy;
     };
-    ASSERT_TRUE(parse(patched(kSecondPart, 3)));
+    ASSERT_TRUE(parseShpBytes(patched(kSecondPart, 3)));
     for (const std::uint32_t lie : {7U, 1000U, 0x7fffffffU, 0x80000000U, 0xffffffffU}) {
         expectDamaged(patched(kParts, lie));
         expectDamaged(patched(kPoints, lie));

@@ -15,8 +15,6 @@
 namespace glibra::geometry {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 struct Solid {
     const char* name;
     Mesh mesh;

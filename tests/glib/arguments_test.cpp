@@ -7,8 +7,6 @@
 namespace glibra::glib::test {
 namespace {
 
-using Numbers = std::vector<double>;
-
 TEST(Arguments, SuffixWithDefaultsMayBeLeftOutInSilence) {
     EXPECT_EQ(numbersOf("QuadXY .2 2."), (Numbers{.2, 2, 4, 4}));
     EXPECT_TRUE(idsOf("QuadXY .2 2.").empty());

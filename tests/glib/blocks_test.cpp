@@ -11,7 +11,7 @@ namespace glibra::glib::test {
 namespace {
 
 /// "line:column id text", one message per line.
-std::string messagesOf(const std::string& text) {
+std::string messageLinesOf(const std::string& text) {
     std::string all;
     for (const Diagnostic& each : read(text).diagnostics)
         all += std::to_string(each.place.line) + ":" + std::to_string(each.place.column) + " " + each.id +
@@ -40,25 +40,26 @@ TEST(Blocks, KnowTheirEnds) {
 }
 
 TEST(Blocks, EndWithoutABeginningIsAnError) {
-    EXPECT_EQ(messagesOf("Box 1\n  EndPass"), "2:3 glib-E21 EndPass without Pass\n");
-    EXPECT_EQ(messagesOf("Else"), "1:1 glib-E21 Else without When\n");
-    EXPECT_EQ(messagesOf("When 1\nElse\nElse\nEndWhen"), "3:1 glib-E21 a second Else in When (line 1)\n");
-    EXPECT_EQ(messagesOf("When 1\nGroup\nElse\nEndWhen"),
+    EXPECT_EQ(messageLinesOf("Box 1\n  EndPass"), "2:3 glib-E21 EndPass without Pass\n");
+    EXPECT_EQ(messageLinesOf("Else"), "1:1 glib-E21 Else without When\n");
+    EXPECT_EQ(messageLinesOf("When 1\nElse\nElse\nEndWhen"), "3:1 glib-E21 a second Else in When (line 1)\n");
+    EXPECT_EQ(messageLinesOf("When 1\nGroup\nElse\nEndWhen"),
               "2:1 glib-E22 Group is not closed before Else (line 3); write EndGroup\n");
 }
 
 TEST(Blocks, MissingEndIsReportedWhereTheBlockBegins) {
-    EXPECT_EQ(messagesOf("Box 1\nGroup world\nBox 1"), "2:1 glib-E22 Group is not closed; write EndGroup\n");
-    EXPECT_EQ(messagesOf("Pass window\nGroup\nBox 1\nEndPass\nBox 2"),
+    EXPECT_EQ(messageLinesOf("Box 1\nGroup world\nBox 1"),
+              "2:1 glib-E22 Group is not closed; write EndGroup\n");
+    EXPECT_EQ(messageLinesOf("Pass window\nGroup\nBox 1\nEndPass\nBox 2"),
               "2:1 glib-E22 Group is not closed before EndPass (line 4); write EndGroup\n");
-    EXPECT_EQ(messagesOf("Once\nEndOnce\nStep 5\nRepeat 2\nEndRepeat"),
+    EXPECT_EQ(messageLinesOf("Once\nEndOnce\nStep 5\nRepeat 2\nEndRepeat"),
               "3:1 glib-E22 Step is not closed; write EndStep\n");
 }
 
 TEST(Blocks, FaultyOnesAreLeftOutWhole) {
     EXPECT_EQ(wordsOf("Box 1\nRepeat two\nBox 2\nGroup\nEndGroup\nEndRepeat\nBox 3"),
               (std::vector<std::string>{"Box", "Box"}));
-    EXPECT_EQ(messagesOf("Repeat two\nEndRepeat"),
+    EXPECT_EQ(messageLinesOf("Repeat two\nEndRepeat"),
               "1:8 glib-E19 Repeat: expected a number (count) or a list in [ ] (words), found 'two'\n");
     EXPECT_EQ(wordsOf("Box 1\nGroup a\nBox 2"), std::vector<std::string>{"Box"});
     EXPECT_EQ(wordsOf("Group a\nBox 2\nEndGroup 5\nBox 3"), std::vector<std::string>{"Box"});
@@ -79,7 +80,7 @@ TEST(Blocks, KeepDeclarationsOut) {
 }
 
 TEST(Blocks, HaveTheirPlaces) {
-    EXPECT_EQ(messagesOf("Pass window\nPass window\nEndPass\nEndPass"),
+    EXPECT_EQ(messageLinesOf("Pass window\nPass window\nEndPass\nEndPass"),
               "2:1 glib-E23 Pass cannot stand inside Pass (line 1); move it out\n");
     EXPECT_EQ(idsOf("Pass window\nFill a with P\nEndPass"), Ids{"glib-E23"});
     EXPECT_EQ(idsOf("Repeat 2\nOnce\nEndOnce\nEndRepeat"), Ids{"glib-E23"});

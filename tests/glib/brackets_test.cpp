@@ -7,9 +7,6 @@
 namespace glibra::glib::test {
 namespace {
 
-using Numbers = std::vector<double>;
-using Words = std::vector<std::string>;
-
 /// The values of the only tag of a Program, and its form.
 UniformSpec onlyTag(std::string_view text) {
     const Script script = read(text);

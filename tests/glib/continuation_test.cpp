@@ -7,8 +7,6 @@
 namespace glibra::glib::test {
 namespace {
 
-using Words = std::vector<std::string>;
-
 TEST(Continuation, BackslashJoinsTheNextLine) {
     EXPECT_EQ(numbersOf("Sphere 2 \\\n  10 \\\n 20"), (std::vector<double>{2, 10, 20}));
     EXPECT_EQ(numbersOf("Sphere 2\\\n10 20"), (std::vector<double>{2, 10, 20}));

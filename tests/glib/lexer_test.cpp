@@ -10,9 +10,6 @@
 namespace glibra::glib::test {
 namespace {
 
-using Numbers = std::vector<double>;
-using Words = std::vector<std::string>;
-
 TEST(Characters, EmptyFileIsALegalScene) {
     const Script script = read("");
     EXPECT_TRUE(script.commands.empty());

@@ -19,7 +19,7 @@ Command only(std::string_view text) {
     return script.commands.empty() ? Command{} : script.commands.back();
 }
 
-std::string messageOf(const std::string& text) {
+std::string placedMessageOf(const std::string& text) {
     const Script script = read(text);
     std::string all;
     for (const Diagnostic& each : script.diagnostics)
@@ -131,8 +131,8 @@ TEST(ModernNumbers, OneExpressionMayFillSeveral) {
     EXPECT_EQ(only("Camera a LookAt (e) (c) 0 1 0 Ortho (box)").keys.at(0).values.size(), 5U);
     EXPECT_EQ(only("Dispatch P (groups)").values.size(), 2U);
     EXPECT_EQ(only("Texture2D t (window) rgba8 nearest").values.size(), 3U);
-    EXPECT_EQ(messageOf("Viewport (a) 0 0 1 1"), "1:20 glib-E18 Viewport: surplus argument '1'");
-    EXPECT_EQ(messageOf("Viewport 0 0 1"),
+    EXPECT_EQ(placedMessageOf("Viewport (a) 0 0 1 1"), "1:20 glib-E18 Viewport: surplus argument '1'");
+    EXPECT_EQ(placedMessageOf("Viewport 0 0 1"),
               "1:1 glib-E17 Viewport: expected number 4 of 4 (area), found the end of the statement");
 }
 
@@ -144,9 +144,10 @@ TEST(ModernTextures, NameInPlaceOfAUnit) {
     EXPECT_EQ(only("CubeMap sky panorama.hdr").values.size(), 2U);
     EXPECT_EQ(only("CubeMap sky 256 rgba16f").values.size(), 3U);
     EXPECT_EQ(only("Texture2DArray maps 512 512 4 depth32f").id, CommandId::textureArray);
-    EXPECT_EQ(messageOf("Texture2D t a.bmp nearest linear"),
+    EXPECT_EQ(placedMessageOf("Texture2D t a.bmp nearest linear"),
               "1:27 glib-E18 Texture2D: 'linear' contradicts 'nearest'");
-    EXPECT_EQ(messageOf("Texture2D t a.bmp aniso 1 aniso 2"), "1:27 glib-E18 Texture2D: 'aniso' given twice");
+    EXPECT_EQ(placedMessageOf("Texture2D t a.bmp aniso 1 aniso 2"),
+              "1:27 glib-E18 Texture2D: 'aniso' given twice");
 }
 
 TEST(ModernProgram, NamesAndExpressionsAreTags) {
@@ -163,9 +164,9 @@ TEST(ModernProgram, NamesAndExpressionsAreTags) {
 
 TEST(ModernProgram, NameIsOneWordOnlyAfterADeclaration) {
     EXPECT_EQ(idsOf("Program Final Project uA 1"), Ids{"glib-W16"});
-    EXPECT_EQ(messageOf("Let a 1\nProgram Final Project 5 uA wood").substr(0, 4), "");
+    EXPECT_EQ(placedMessageOf("Let a 1\nProgram Final Project 5 uA wood").substr(0, 4), "");
     EXPECT_EQ(only("Let a 1\nProgram Final Project 5").uniforms.at(0).tag, "Project");
-    EXPECT_EQ(messageOf("Let a 1\nProgram P uA"),
+    EXPECT_EQ(placedMessageOf("Let a 1\nProgram P uA"),
               "2:1 glib-E17 Program: expected a value of 'uA', found the end of the statement");
 }
 
@@ -185,7 +186,7 @@ TEST(ModernShaders, AreTakenRawUpToTheEndWord) {
     EXPECT_EQ(script.commands[0].body, "#version 410\nvoid main() { gl_Position = vec4(0); } // (\n");
     EXPECT_EQ(script.commands[0].bodyPosition, (Position{2, 1}));
     EXPECT_EQ(script.commands[1].position.line, 5);
-    EXPECT_EQ(messageOf("Compute inline\nEndVertex\n"),
+    EXPECT_EQ(placedMessageOf("Compute inline\nEndVertex\n"),
               "1:1 glib-E22 'Compute inline' is not closed by a line 'EndCompute'");
     EXPECT_EQ(only("Compute inline\nEndCompute").body, "");
     EXPECT_EQ(only("Compute a.comp").text, "a.comp");
@@ -200,41 +201,41 @@ TEST(ModernLines, GoOnOnlyAfterABackslash) {
 }
 
 TEST(ModernWords, AreSuggested) {
-    EXPECT_EQ(messageOf("Camrea eye"), "1:1 glib-E01 unknown command 'Camrea'; did you mean 'Camera'?");
-    EXPECT_EQ(messageOf("Pass window form eye\nEndPass"),
+    EXPECT_EQ(placedMessageOf("Camrea eye"), "1:1 glib-E01 unknown command 'Camrea'; did you mean 'Camera'?");
+    EXPECT_EQ(placedMessageOf("Pass window form eye\nEndPass"),
               "1:13 glib-E16 Pass: unknown word 'form'; did you mean 'from'?");
-    EXPECT_EQ(messageOf("Texture2D form 8 8 r8\nPass window form\nEndPass"), "");
-    EXPECT_EQ(messageOf("Include a.glib\nPass window form\nEndPass"), "");
+    EXPECT_EQ(placedMessageOf("Texture2D form 8 8 r8\nPass window form\nEndPass"), "");
+    EXPECT_EQ(placedMessageOf("Include a.glib\nPass window form\nEndPass"), "");
 }
 
 TEST(ModernWords, AreHiddenByDeclaredNames) {
-    EXPECT_EQ(messageOf("Texture2D depth 8 8 depth24\nPass window depth clear depth .5\nEndPass"), "");
+    EXPECT_EQ(placedMessageOf("Texture2D depth 8 8 depth24\nPass window depth clear depth .5\nEndPass"), "");
     EXPECT_EQ(
-        messageOf("Pass window depth\nEndPass"),
+        placedMessageOf("Pass window depth\nEndPass"),
         "1:13 glib-E16 Pass: unknown word 'depth'; expected a name (targets), 'from', 'clear' or 'keep'");
-    EXPECT_EQ(messageOf("Pass window clear {1 0 0} {0 1 0} keep depth stencil\nEndPass"), "");
-    EXPECT_EQ(messageOf("Include a.glib\nPass window clear depth .5\nEndPass"), "");
-    EXPECT_EQ(messageOf("Include a.glib\nPass window from left keep color\nEndPass"), "");
+    EXPECT_EQ(placedMessageOf("Pass window clear {1 0 0} {0 1 0} keep depth stencil\nEndPass"), "");
+    EXPECT_EQ(placedMessageOf("Include a.glib\nPass window clear depth .5\nEndPass"), "");
+    EXPECT_EQ(placedMessageOf("Include a.glib\nPass window from left keep color\nEndPass"), "");
 }
 
 TEST(ModernValues, OfNamesStandInParentheses) {
     EXPECT_EQ(
-        messageOf("Let many 3\nInstances many"),
+        placedMessageOf("Let many 3\nInstances many"),
         "2:11 glib-E16 Instances: unknown word 'many'; expected 'from' or a number (count); write (many) for "
         "its value");
     EXPECT_EQ(
-        messageOf("Repeat [first last] as mode\nState provoking mode\nEndRepeat"),
+        placedMessageOf("Repeat [first last] as mode\nState provoking mode\nEndRepeat"),
         "2:17 glib-E16 State: unknown word 'mode'; expected 'first' or 'last'; write (mode) for its value");
-    EXPECT_EQ(messageOf("Camera side[6] Face i 0 0 0 1 9"),
+    EXPECT_EQ(placedMessageOf("Camera side[6] Face i 0 0 0 1 9"),
               "1:21 glib-E19 Camera: expected a number (face), found 'i'; write (i) for its value");
-    EXPECT_EQ(messageOf("Let x 3\nTranslate 0 x 0"),
+    EXPECT_EQ(placedMessageOf("Let x 3\nTranslate 0 x 0"),
               "2:13 glib-E19 Translate: expected a number, found 'x'; write (x) for its value");
-    EXPECT_EQ(messageOf("Let x 3\nTranslate 0 y 0"), "2:13 glib-W05 'y' is not a number, 0 used");
-    EXPECT_EQ(messageOf("Let x 3\nTexture kept 256 256 rgba8"),
+    EXPECT_EQ(placedMessageOf("Let x 3\nTranslate 0 y 0"), "2:13 glib-W05 'y' is not a number, 0 used");
+    EXPECT_EQ(placedMessageOf("Let x 3\nTexture kept 256 256 rgba8"),
               "2:9 glib-W05 'kept' is not a number, 0 used; a texture with a name is declared by Texture2D "
               "NAME");
-    EXPECT_EQ(messageOf("Texture2D ? a.png"), "1:11 glib-W05 '?' is not a number, 0 used");
-    EXPECT_EQ(messageOf("Let speed 3\nWhen speed > 1\nEndWhen"),
+    EXPECT_EQ(placedMessageOf("Texture2D ? a.png"), "1:11 glib-W05 '?' is not a number, 0 used");
+    EXPECT_EQ(placedMessageOf("Let speed 3\nWhen speed > 1\nEndWhen"),
               "2:6 glib-E19 When: expected a condition in parentheses, found 'speed'");
 }
 
@@ -248,8 +249,8 @@ TEST(ModernDispatches, TakeOneToThreeCountsAndTags) {
 
 TEST(ModernLimits, HaveMessages) {
     const std::string deep = "Let a (" + std::string(10'000, '(') + "1" + std::string(10'000, ')') + ")";
-    EXPECT_EQ(messageOf(deep), "1:7 glib-E15 expression of 20,001 bytes; the limit is 8,192");
-    EXPECT_EQ(messageOf("Let a (" + std::string(200, '(') + "1" + std::string(200, ')') + ")"),
+    EXPECT_EQ(placedMessageOf(deep), "1:7 glib-E15 expression of 20,001 bytes; the limit is 8,192");
+    EXPECT_EQ(placedMessageOf("Let a (" + std::string(200, '(') + "1" + std::string(200, ')') + ")"),
               "1:7 glib-E15 parentheses 201 deep; the limit is 128");
     EXPECT_EQ(idsOf("Translate (" + std::string(200, '(') + "x" + std::string(200, ')') + ")"),
               Ids{"glib-E15"});

@@ -11,6 +11,8 @@
 namespace glibra::glib::test {
 
 using Ids = std::vector<std::string>;
+using Words = std::vector<std::string>;
+using Numbers = std::vector<double>;
 
 inline Script read(std::string_view text) {
     return parse(text, "scene.glib");

@@ -7,9 +7,6 @@
 namespace glibra::glib::test {
 namespace {
 
-using Numbers = std::vector<double>;
-using Words = std::vector<std::string>;
-
 TEST(Files, NameMayBeMissing) {
     for (const char* word : {"Obj", "WireObj", "ObjAdj", "ObjPatch", "Shp", "Vertex", "TessControl",
                              "TessEvaluation", "Geometry", "Fragment"}) {

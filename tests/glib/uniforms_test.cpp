@@ -7,9 +7,6 @@
 namespace glibra::glib::test {
 namespace {
 
-using Numbers = std::vector<double>;
-using Words = std::vector<std::string>;
-
 UniformSpec firstTag(std::string_view text) {
     const Script script = read(text);
     if (script.commands.empty() || script.commands[0].uniforms.empty()) return {};

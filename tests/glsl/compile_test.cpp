@@ -8,8 +8,6 @@
 namespace glibra::glsl::test {
 namespace {
 
-using Stages = std::vector<std::pair<Stage, std::string>>;
-
 struct Sample {
     const char* name;
     Stages stages;

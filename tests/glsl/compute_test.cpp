@@ -7,8 +7,6 @@
 namespace glibra::glsl::test {
 namespace {
 
-using Stages = std::vector<std::pair<Stage, std::string>>;
-
 const std::string kSums = R"(#version 430 core
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer A { float a[]; };

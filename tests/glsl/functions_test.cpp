@@ -8,10 +8,6 @@
 namespace glibra::glsl::test {
 namespace {
 
-std::string fragment(const std::string& text) {
-    return userPart(translateSingle(Stage::fragment, text), Stage::fragment);
-}
-
 TEST(TextureFunctions, DimensionAndVendorAreDropped) {
     const std::pair<const char*, const char*> cases[] = {{"texture1D", "texture"},
                                                          {"texture2D", "texture"},
@@ -115,7 +111,7 @@ TEST(TextureFunctions, UsersMacroOfThatNameStays) {
 
 TEST(Functions, TexelSizeIsAnOrdinaryNameForVariables) {
     EXPECT_TRUE(hasTokens(
-        fragment("out vec4 o; uniform vec2 texelSize; void main() { o = vec4(texelSize, (texelSize)); }"),
+        userFragment("out vec4 o; uniform vec2 texelSize; void main() { o = vec4(texelSize, (texelSize)); }"),
         "vec4(texelSize, (texelSize))"));
 }
 

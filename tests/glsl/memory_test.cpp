@@ -18,7 +18,7 @@ TranslatedProgram translateStored(std::vector<std::pair<Stage, std::string>> sta
     return translate(request);
 }
 
-MemoryFacts factsOf(const std::string& declarations) {
+MemoryFacts memoryFactsOf(const std::string& declarations) {
     TranslatedProgram translated =
         translateStages({{Stage::compute, "#version 450\nlayout(local_size_x = 1) in;\n" + declarations +
                                               "\nvoid main() { }\n"}});
@@ -67,7 +67,7 @@ void expectLayout(const MemoryLayout& layout, const std::vector<Wanted>& wanted)
 
 // The example of OpenGL 4.6 Core, 7.6.2.2, with names for its two structures.
 TEST(BlockLayout, Std140ExampleOfTheSpecification) {
-    const MemoryLayout layout = layoutOfFirst(factsOf(R"(
+    const MemoryLayout layout = layoutOfFirst(memoryFactsOf(R"(
 struct F { int d; bvec2 e; };
 struct O { uvec3 j; vec2 k; float l[2]; vec2 m; mat3 n[2]; };
 layout(std140) uniform Example {
@@ -104,7 +104,7 @@ layout(std140) uniform Example {
 }
 
 TEST(BlockLayout, Std430ByHand) {
-    const MemoryLayout layout = layoutOfFirst(factsOf(R"(
+    const MemoryLayout layout = layoutOfFirst(memoryFactsOf(R"(
 struct S { vec3 v; };
 struct T { float x, y, z; };
 layout(std430) buffer B {
@@ -146,7 +146,7 @@ layout(std430) buffer B {
 }
 
 TEST(BlockLayout, RowMajorMatrices) {
-    const MemoryLayout layout = layoutOfFirst(factsOf(R"(
+    const MemoryLayout layout = layoutOfFirst(memoryFactsOf(R"(
 struct S { mat4x2 inner; };
 layout(std430, row_major) buffer B { mat2x3 a; layout(column_major) mat2x3 b; S s; mat4x3 c[]; };)"));
     // Three rows of vec2; two columns of vec3; two rows of vec4; three rows of vec4.
@@ -157,14 +157,14 @@ layout(std430, row_major) buffer B { mat2x3 a; layout(column_major) mat2x3 b; S 
 }
 
 TEST(BlockLayout, GivenOffsets) {
-    const MemoryLayout layout = layoutOfFirst(factsOf(
+    const MemoryLayout layout = layoutOfFirst(memoryFactsOf(
         "layout(std430, align = 8) buffer B { float a; layout(offset = 32) float b; layout(align = 64) float "
         "c; float d; };"));
     expectLayout(layout, {{"a", 0}, {"b", 32}, {"c", 64}, {"d", 72}});
 }
 
 TEST(BlockLayout, OfTypes) {
-    const MemoryFacts facts = factsOf("struct Particle { vec3 position; float age; vec3 velocity; };");
+    const MemoryFacts facts = memoryFactsOf("struct Particle { vec3 position; float age; vec3 velocity; };");
     const auto of = [&](const char* type, Packing packing) {
         const Result<MemoryLayout> layout = layoutOf(type, packing, facts.structures);
         EXPECT_TRUE(layout) << type;
@@ -187,9 +187,9 @@ TEST(BlockLayout, OfTypes) {
 
 TEST(BlockLayout, WhatTheTextDoesNotTell) {
     EXPECT_EQ("block 'B' has neither layout(std140) nor layout(std430)",
-              problemOf(factsOf("buffer B { float a; };")));
+              problemOf(memoryFactsOf("buffer B { float a; };")));
     EXPECT_EQ("the text does not show the array size of 'a'",
-              problemOf(factsOf("layout(std430) buffer B { float a[gl_MaxDrawBuffers]; };")));
+              problemOf(memoryFactsOf("layout(std430) buffer B { float a[gl_MaxDrawBuffers]; };")));
     const Result<MemoryLayout> unknown = layoutOf("Particle", Packing::std430, {});
     ASSERT_FALSE(unknown);
     EXPECT_EQ("'Particle' is neither a basic type nor a structure of the shader",
@@ -322,7 +322,7 @@ TEST(BlockLayout, RandomBlocksAsGlslangLaysThemOut) {
 }
 
 TEST(MemoryFacts, Images) {
-    const MemoryFacts facts = factsOf(R"(
+    const MemoryFacts facts = memoryFactsOf(R"(
 #define FORMAT r32f
 const int kCount = 2 + 1;
 layout(FORMAT, binding = 4) uniform readonly image2D uIn;
@@ -353,7 +353,7 @@ uniform sampler2D uSampler;)");
 }
 
 TEST(MemoryFacts, Blocks) {
-    const MemoryFacts facts = factsOf(R"(
+    const MemoryFacts facts = memoryFactsOf(R"(
 layout(std430, row_major) buffer;
 layout(std140) uniform;
 struct Particle { vec4 position; float weights[2]; };
@@ -392,7 +392,7 @@ uniform Light { vec4 ambient; } light;)");
 }
 
 TEST(MemoryFacts, SizesAreIntegerArithmetic) {
-    const MemoryFacts facts = factsOf(R"(
+    const MemoryFacts facts = memoryFactsOf(R"(
 const uint kWidth = 7u;
 const int kHalf = int(kWidth) / 2;
 layout(std430) buffer B { float a[kHalf * 2]; float b[1 << kHalf]; float c[(kWidth % 4u) + 0x10u]; };)");
@@ -420,7 +420,7 @@ TEST(MemoryFacts, StagesTogether) {
 }
 
 TEST(MemoryFacts, AtomicCounters) {
-    const MemoryFacts facts = factsOf(R"(
+    const MemoryFacts facts = memoryFactsOf(R"(
 layout(binding = 0) uniform atomic_uint a;
 layout(binding = 0) uniform atomic_uint b[3];
 layout(binding = 0, offset = 32) uniform atomic_uint c;

@@ -14,7 +14,7 @@ bool isOpaque(const std::string& fragment) {
     return translated.isOpaque;
 }
 /// The opacity of a stage with these statements in main and this text before it.
-bool ofMain(const std::string& statements, const std::string& before = "out vec4 fColor;\n") {
+bool isOpaqueMain(const std::string& statements, const std::string& before = "out vec4 fColor;\n") {
     return isOpaque("#version 330 compatibility\n" + before + "void main() {\n" + statements + "\n}\n");
 }
 
@@ -30,9 +30,10 @@ TEST(Opacity, UsualAssignmentsAreOpaque) {
              "fColor = vec4(vec3(.2), 1.); if (gl_FragCoord.x > 9.) return; fColor.b = 0.;",
              "fColor = vec4(min(vec3(.2), vec3(.1, .2, 1.)), 1.);",
          })
-        EXPECT_TRUE(ofMain(each)) << each;
-    EXPECT_TRUE(ofMain("gl_FragColor = vec4(gl_Color.rgb, 1.);", ""));
-    EXPECT_TRUE(ofMain("fColor = OPAQUE(vec3(.5));", "out vec4 fColor;\n#define OPAQUE(c) vec4(c, 1.)\n"));
+        EXPECT_TRUE(isOpaqueMain(each)) << each;
+    EXPECT_TRUE(isOpaqueMain("gl_FragColor = vec4(gl_Color.rgb, 1.);", ""));
+    EXPECT_TRUE(
+        isOpaqueMain("fColor = OPAQUE(vec3(.5));", "out vec4 fColor;\n#define OPAQUE(c) vec4(c, 1.)\n"));
 }
 
 TEST(Opacity, OtherAssignmentsAreUnknown) {
@@ -59,19 +60,20 @@ TEST(Opacity, OtherAssignmentsAreUnknown) {
              "vec4 c = vec4(vec3(.5), 1.); fColor = c;",
              "vec4 fColor = vec4(vec3(.5), 1.);",
          })
-        EXPECT_FALSE(ofMain(each)) << each;
+        EXPECT_FALSE(isOpaqueMain(each)) << each;
 }
 
 TEST(Opacity, OtherOutputsAreUnknown) {
-    EXPECT_FALSE(ofMain("gl_FragData[0] = vec4(vec3(.5), 1.);", ""));
-    EXPECT_FALSE(ofMain("fColor = vec4(vec3(.5), 1.); fOther = vec4(0.);", "out vec4 fColor, fOther;\n"));
-    EXPECT_FALSE(ofMain("fColor[0] = vec4(vec3(.5), 1.);", "out vec4 fColor[1];\n"));
-    EXPECT_FALSE(ofMain("fColor = vec3(1.);", "out vec3 fColor;\n"));
-    EXPECT_FALSE(ofMain("fColor = vec4(vec3(.5), 1.); fade(fColor);",
-                        "out vec4 fColor;\nvoid fade(inout vec4 c) { c.a = .5; }\n"));
+    EXPECT_FALSE(isOpaqueMain("gl_FragData[0] = vec4(vec3(.5), 1.);", ""));
     EXPECT_FALSE(
-        ofMain("fColor = vec4(vec3(.5), 1.); fade();", "out vec4 fColor;\nvoid fade() { fColor.a = .5; }\n"));
-    EXPECT_FALSE(ofMain("paint();", "out vec4 fColor;\nvoid paint() { fColor = vec4(1.); }\n"))
+        isOpaqueMain("fColor = vec4(vec3(.5), 1.); fOther = vec4(0.);", "out vec4 fColor, fOther;\n"));
+    EXPECT_FALSE(isOpaqueMain("fColor[0] = vec4(vec3(.5), 1.);", "out vec4 fColor[1];\n"));
+    EXPECT_FALSE(isOpaqueMain("fColor = vec3(1.);", "out vec3 fColor;\n"));
+    EXPECT_FALSE(isOpaqueMain("fColor = vec4(vec3(.5), 1.); fade(fColor);",
+                              "out vec4 fColor;\nvoid fade(inout vec4 c) { c.a = .5; }\n"));
+    EXPECT_FALSE(isOpaqueMain("fColor = vec4(vec3(.5), 1.); fade();",
+                              "out vec4 fColor;\nvoid fade() { fColor.a = .5; }\n"));
+    EXPECT_FALSE(isOpaqueMain("paint();", "out vec4 fColor;\nvoid paint() { fColor = vec4(1.); }\n"))
         << "only main is known to run";
 }
 

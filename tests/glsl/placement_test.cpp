@@ -14,7 +14,7 @@ Placement placementOf(const std::string& vertex, const std::string& fragment = k
     return translated.placement;
 }
 /// The placement of a stage with these statements in main and this text before it.
-Placement ofMain(const std::string& statements, const std::string& before = {}) {
+Placement placementOfMain(const std::string& statements, const std::string& before = {}) {
     return placementOf("#version 330 compatibility\n" + before + "void main() {\n" + statements + "\n}\n");
 }
 
@@ -36,7 +36,7 @@ TEST(Placement, UsualSpellingsAreKnown) {
              "if (aVertex.x > 0.) { gl_PointSize = 2.; } gl_Position = uModelViewProjectionMatrix * aVertex;",
              "gl_Position = uModelViewProjectionMatrix * aVertex; if (aVertex.x > 0.) return;",
          })
-        EXPECT_EQ(ofMain(each), Placement::vertex) << each;
+        EXPECT_EQ(placementOfMain(each), Placement::vertex) << each;
 }
 
 TEST(Placement, VertexWithOneAsLastCoordinateIsAPoint) {
@@ -45,14 +45,15 @@ TEST(Placement, VertexWithOneAsLastCoordinateIsAPoint) {
              "gl_Position = uProjectionMatrix * uModelViewMatrix * vec4(gl_Vertex.xyz, 1.0);",
              "vec4 place = vec4(aVertex.xyz, 1); gl_Position = uModelViewProjectionMatrix * place;",
          })
-        EXPECT_EQ(ofMain(each), Placement::point) << each;
+        EXPECT_EQ(placementOfMain(each), Placement::point) << each;
 }
 
 TEST(Placement, MacrosAndOwnDeclarationsAreFollowed) {
-    EXPECT_EQ(ofMain("gl_Position = MVP * P;", "#define MVP uModelViewProjectionMatrix\n#define P aVertex\n"),
+    EXPECT_EQ(placementOfMain("gl_Position = MVP * P;",
+                              "#define MVP uModelViewProjectionMatrix\n#define P aVertex\n"),
               Placement::vertex);
-    EXPECT_EQ(ofMain("gl_Position = uModelViewProjectionMatrix * aVertex;",
-                     "uniform mat4 uModelViewProjectionMatrix;\nin vec4 aVertex;\n"),
+    EXPECT_EQ(placementOfMain("gl_Position = uModelViewProjectionMatrix * aVertex;",
+                              "uniform mat4 uModelViewProjectionMatrix;\nin vec4 aVertex;\n"),
               Placement::vertex);
 }
 
@@ -91,22 +92,23 @@ TEST(Placement, OtherPositionsAreUnknown) {
              "mat4 m[1] = mat4[1](uModelViewProjectionMatrix); gl_Position = m[0] * aVertex;",
              "vec3 p = aVertex.xyz; gl_Position = uModelViewProjectionMatrix * vec4(p, 1.);",
          })
-        EXPECT_EQ(ofMain(each), Placement::unknown) << each;
+        EXPECT_EQ(placementOfMain(each), Placement::unknown) << each;
 }
 
 TEST(Placement, NamesWithOtherMeaningsAreUnknown) {
     const std::string plain = "gl_Position = uModelViewProjectionMatrix * aVertex;";
-    EXPECT_EQ(ofMain(plain, "mat4 uModelViewProjectionMatrix = mat4(1.);\n"), Placement::unknown);
-    EXPECT_EQ(ofMain(plain, "const vec4 aVertex = vec4(1.);\n"), Placement::unknown);
-    EXPECT_EQ(ofMain("vec4 aVertex = vec4(1.); " + plain), Placement::unknown);
-    EXPECT_EQ(ofMain("mat4 uModelViewProjectionMatrix = mat4(2.); " + plain), Placement::unknown);
-    EXPECT_EQ(ofMain("gl_Position = ftransform();", "vec4 ftransform() { return vec4(0.); }\n"),
+    EXPECT_EQ(placementOfMain(plain, "mat4 uModelViewProjectionMatrix = mat4(1.);\n"), Placement::unknown);
+    EXPECT_EQ(placementOfMain(plain, "const vec4 aVertex = vec4(1.);\n"), Placement::unknown);
+    EXPECT_EQ(placementOfMain("vec4 aVertex = vec4(1.); " + plain), Placement::unknown);
+    EXPECT_EQ(placementOfMain("mat4 uModelViewProjectionMatrix = mat4(2.); " + plain), Placement::unknown);
+    EXPECT_EQ(placementOfMain("gl_Position = ftransform();", "vec4 ftransform() { return vec4(0.); }\n"),
               Placement::unknown);
-    EXPECT_EQ(ofMain(plain + " move();", "void move() { gl_Position.y = 0.; }\n"), Placement::unknown);
-    EXPECT_EQ(ofMain(plain + " move(gl_Position);", "void move(inout vec4 p) { p.y = 0.; }\n"),
+    EXPECT_EQ(placementOfMain(plain + " move();", "void move() { gl_Position.y = 0.; }\n"),
               Placement::unknown);
-    EXPECT_EQ(ofMain("vec4 p = aVertex; move(p); gl_Position = uModelViewProjectionMatrix * p;",
-                     "void move(inout vec4 p) { p.y = 0.; }\n"),
+    EXPECT_EQ(placementOfMain(plain + " move(gl_Position);", "void move(inout vec4 p) { p.y = 0.; }\n"),
+              Placement::unknown);
+    EXPECT_EQ(placementOfMain("vec4 p = aVertex; move(p); gl_Position = uModelViewProjectionMatrix * p;",
+                              "void move(inout vec4 p) { p.y = 0.; }\n"),
               Placement::unknown);
 }
 

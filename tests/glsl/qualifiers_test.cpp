@@ -11,9 +11,6 @@ namespace {
 std::string vertex(const std::string& text) {
     return userPart(translateSingle(Stage::vertex, text), Stage::vertex);
 }
-std::string fragment(const std::string& text) {
-    return userPart(translateSingle(Stage::fragment, text), Stage::fragment);
-}
 
 TEST(Qualifiers, AttributeBecomesIn) {
     EXPECT_TRUE(hasTokens(vertex("#version 110\nattribute vec3 a, b;"), "in vec3 a, b;"));
@@ -21,8 +18,8 @@ TEST(Qualifiers, AttributeBecomesIn) {
 
 TEST(Qualifiers, VaryingDependsOnTheStage) {
     EXPECT_TRUE(hasTokens(vertex("#version 110\nvarying vec3 v;"), "out vec3 v;"));
-    EXPECT_TRUE(hasTokens(fragment("#version 110\nvarying vec3 v;"), "in vec3 v;") ||
-                hasTokens(fragment("#version 110\nvarying vec3 v;"), "vec3 v"));
+    EXPECT_TRUE(hasTokens(userFragment("#version 110\nvarying vec3 v;"), "in vec3 v;") ||
+                hasTokens(userFragment("#version 110\nvarying vec3 v;"), "vec3 v"));
 }
 
 TEST(Qualifiers, InterpolationStaysWithVarying) {

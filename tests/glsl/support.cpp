@@ -29,7 +29,7 @@ std::vector<std::string> tokensOf(std::string_view text) {
 
 }  // namespace
 
-ProgramRequest program(std::vector<std::pair<Stage, std::string>> stages) {
+ProgramRequest program(Stages stages) {
     ProgramRequest request;
     request.name = "Test";
     request.place = {"test.glib", 7, 1};
@@ -40,7 +40,7 @@ ProgramRequest program(std::vector<std::pair<Stage, std::string>> stages) {
     return request;
 }
 
-TranslatedProgram translateStages(std::vector<std::pair<Stage, std::string>> stages) {
+TranslatedProgram translateStages(Stages stages) {
     return translate(program(std::move(stages)));
 }
 
@@ -63,6 +63,10 @@ std::string userPart(const TranslatedProgram& translated, Stage stage) {
     const std::string source = sourceOf(translated, stage);
     const std::size_t start = source.find("#line 1 0\n");
     return start == std::string::npos ? std::string{} : source.substr(start + 10);
+}
+
+std::string userFragment(const std::string& text) {
+    return userPart(translateSingle(Stage::fragment, text), Stage::fragment);
 }
 
 bool hasTokens(std::string_view text, std::string_view wanted) {

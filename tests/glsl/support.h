@@ -10,9 +10,11 @@
 
 namespace glibra::glsl::test {
 
+using Stages = std::vector<std::pair<Stage, std::string>>;
+
 /// A program from (stage, text) pairs; the files are named a.vert, a.tesc, a.tese, a.geom, a.frag, a.comp.
-ProgramRequest program(std::vector<std::pair<Stage, std::string>> stages);
-TranslatedProgram translateStages(std::vector<std::pair<Stage, std::string>> stages);
+ProgramRequest program(Stages stages);
+TranslatedProgram translateStages(Stages stages);
 
 /// A program of one stage. `#version 330` is added unless the text has a #version line.
 ProgramRequest single(Stage stage, std::string text);
@@ -22,6 +24,8 @@ TranslatedProgram translateSingle(Stage stage, std::string text);
 std::string sourceOf(const TranslatedProgram& translated, Stage stage);
 /// The emitted text of a stage after the prologue.
 std::string userPart(const TranslatedProgram& translated, Stage stage);
+/// That of a program of one fragment stage.
+std::string userFragment(const std::string& text);
 
 /// True if the tokens of `wanted` are in `text` one after the other. Blanks, line ends and comments do not
 /// matter.

@@ -9,7 +9,7 @@ namespace {
 
 constexpr const char* kBody = "void main() { gl_Position = vec4(0.); }\n";
 
-Diagnostics messages(const std::string& firstLine) {
+Diagnostics versionMessages(const std::string& firstLine) {
     return translateSingle(Stage::vertex, firstLine + "\n" + kBody).diagnostics;
 }
 
@@ -21,7 +21,8 @@ TEST(Version, EveryKnownVersionAndProfileIsSilent) {
     for (const char* version :
          {"110", "120", "130", "140", "150", "330", "400", "410", "420", "430", "440", "450"})
         for (const char* profile : {"", " core", " compatibility"})
-            EXPECT_EQ("", ids(messages("#version " + std::string(version) + profile))) << version << profile;
+            EXPECT_EQ("", ids(versionMessages("#version " + std::string(version) + profile)))
+                << version << profile;
 }
 
 TEST(Version, TargetVersionIsEmittedAsCore) {
@@ -39,31 +40,31 @@ TEST(Version, MissingVersionIsReported) {
 }
 
 TEST(Version, DotIsIgnored) {
-    EXPECT_EQ("'#version 4.00' read as 400", textOf(messages("#version 4.00"), "glsl-W02"));
+    EXPECT_EQ("'#version 4.00' read as 400", textOf(versionMessages("#version 4.00"), "glsl-W02"));
     EXPECT_EQ("'#version 3.30 compatibility' read as 330 compatibility",
-              textOf(messages("#version 3.30 compatibility"), "glsl-W02"));
-    EXPECT_EQ("'#version 4.3' read as 430", textOf(messages("#version 4.3"), "glsl-W02"));
+              textOf(versionMessages("#version 3.30 compatibility"), "glsl-W02"));
+    EXPECT_EQ("'#version 4.3' read as 430", textOf(versionMessages("#version 4.3"), "glsl-W02"));
 }
 
 TEST(Version, UnknownNumberTakesTheNextLowerOne) {
-    EXPECT_EQ("'#version 200' read as 150", textOf(messages("#version 200"), "glsl-W02"));
-    EXPECT_EQ("'#version 455' read as 450", textOf(messages("#version 455"), "glsl-W02"));
+    EXPECT_EQ("'#version 200' read as 150", textOf(versionMessages("#version 200"), "glsl-W02"));
+    EXPECT_EQ("'#version 455' read as 450", textOf(versionMessages("#version 455"), "glsl-W02"));
 }
 
 TEST(Version, TooHighIsRefused) {
     EXPECT_EQ("#version 470 is not supported, 460 is the highest",
-              textOf(messages("#version 470"), "glsl-E07"));
+              textOf(versionMessages("#version 470"), "glsl-E07"));
 }
 
 TEST(Version, FourSixtyIsCompiledAsTheTarget) {
-    EXPECT_EQ("#version 460 compiled as 450", textOf(messages("#version 460 core"), "glsl-W18"));
+    EXPECT_EQ("#version 460 compiled as 450", textOf(versionMessages("#version 460 core"), "glsl-W18"));
 }
 
 TEST(Version, EmbeddedVersionsHaveDesktopOnes) {
-    EXPECT_EQ("'#version 300 es' treated as 330", textOf(messages("#version 300 es"), "glsl-W03"));
-    EXPECT_EQ("'#version 100' treated as 120", textOf(messages("#version 100"), "glsl-W03"));
-    EXPECT_EQ("'#version 310 es' treated as 430", textOf(messages("#version 310 es"), "glsl-W03"));
-    EXPECT_EQ("'#version 320 es' treated as 450", textOf(messages("#version 320 es"), "glsl-W03"));
+    EXPECT_EQ("'#version 300 es' treated as 330", textOf(versionMessages("#version 300 es"), "glsl-W03"));
+    EXPECT_EQ("'#version 100' treated as 120", textOf(versionMessages("#version 100"), "glsl-W03"));
+    EXPECT_EQ("'#version 310 es' treated as 430", textOf(versionMessages("#version 310 es"), "glsl-W03"));
+    EXPECT_EQ("'#version 320 es' treated as 450", textOf(versionMessages("#version 320 es"), "glsl-W03"));
 }
 
 TEST(Version, PrecisionWordsStay) {
@@ -124,8 +125,8 @@ TEST(Extension, KnownOnesAreBlankedAndDefined) {
 
 TEST(Extension, UnknownOnesAreIgnoredOrRefused) {
     EXPECT_EQ("extension GL_XYZ_foo is unknown, ignored",
-              textOf(messages("#version 330\n#extension GL_XYZ_foo : enable"), "glsl-W06"));
-    EXPECT_TRUE(has(messages("#version 330\n#extension GL_XYZ_foo : require"), "glsl-E03"));
+              textOf(versionMessages("#version 330\n#extension GL_XYZ_foo : enable"), "glsl-W06"));
+    EXPECT_TRUE(has(versionMessages("#version 330\n#extension GL_XYZ_foo : require"), "glsl-E03"));
 }
 
 TEST(Extension, WhatTheDriverHasIsPassedOn) {
@@ -140,7 +141,7 @@ TEST(Extension, WhatTheDriverHasIsPassedOn) {
 }
 
 TEST(Extension, InactiveBranchDoesNotCount) {
-    EXPECT_EQ("", ids(messages("#version 330\n#if 0\n#extension GL_XYZ_foo : require\n#endif")));
+    EXPECT_EQ("", ids(versionMessages("#version 330\n#if 0\n#extension GL_XYZ_foo : require\n#endif")));
 }
 
 TEST(Supply, UsedNamesAreDeclaredOnce) {

@@ -4,6 +4,9 @@
 #include <glad/gl.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <thread>
+
 #include <cstdlib>
 #include <filesystem>
 #include <map>
@@ -158,7 +161,11 @@ TEST(OpenContext, OpeningAgainAndAgainKeepsNoFilesAndNoThreads) {
         ASSERT_TRUE(context);
         ASSERT_FALSE(trianglePicture(*context).empty());
     }
-    EXPECT_EQ(entries("/proc/self/fd"), files);
+    // A thread that writes Mesa's cache may have a file open for a moment, here or when the first count was
+    // made.
+    for (int i = 0; i < 100 && entries("/proc/self/fd") > files; ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    EXPECT_LE(entries("/proc/self/fd"), files);
     EXPECT_EQ(entries("/proc/self/task"), threads);
 }
 

@@ -34,14 +34,14 @@ GLint indexed(GLenum what, GLuint index) {
 }
 
 /// A state that differs from the default, and whether the driver reports it.
-struct Case {
+struct StateCase {
     const char* name;
     std::function<void(RasterState&)> change;
     std::function<bool()> isSet;
 };
 
-const std::vector<Case>& cases() {
-    static const std::vector<Case> all{
+const std::vector<StateCase>& stateCases() {
+    static const std::vector<StateCase> all{
         {"cull", [](RasterState& s) { s.cull = base::Cull::front; },
          [] { return glIsEnabled(GL_CULL_FACE) && integer(GL_CULL_FACE_MODE) == GL_FRONT; }},
         {"cull both", [](RasterState& s) { s.cull = base::Cull::both; },
@@ -206,7 +206,7 @@ TEST_F(RasterTrackerTest, EveryStateReachesTheDriverAndGoesAgain) {
     RasterTracker tracker(driver());
     tracker.targetBound(100, 40);
     tracker.apply({});
-    for (const Case& each : cases()) {
+    for (const StateCase& each : stateCases()) {
         SCOPED_TRACE(each.name);
         EXPECT_FALSE(each.isSet()) << "before";
         RasterState state;
@@ -229,7 +229,7 @@ TEST_F(RasterTrackerTest, TheDefaultIsTheStateAtTheBeginningOfAPass) {
 
 TEST_F(RasterTrackerTest, EqualStateTakesNoCall) {
     RasterTracker tracker(driver());
-    for (const Case& each : cases()) {
+    for (const StateCase& each : stateCases()) {
         SCOPED_TRACE(each.name);
         RasterState state;
         each.change(state);

@@ -17,16 +17,16 @@ namespace {
 using testing::BmpMaker;
 using testing::Rgba;
 
-const FileLabel kLabel{"a.bmp", {"scene.glib", 4, 1}};
+const FileLabel kBmpLabel{"a.bmp", {"scene.glib", 4, 1}};
 
 Image decoded(const BmpMaker& maker) {
-    auto result = decodeBmp(maker.file(), kLabel);
+    auto result = decodeBmp(maker.file(), kBmpLabel);
     EXPECT_TRUE(result) << (result ? "" : result.diagnostics[0].text);
     return result ? *std::move(result.value) : Image{0, 0, 4, Component::u8, {}};
 }
 
 std::string idFor(const BmpMaker& maker) {
-    return testing::idsOf(decodeBmp(maker.file(), kLabel).diagnostics);
+    return testing::idsOf(decodeBmp(maker.file(), kBmpLabel).diagnostics);
 }
 
 void expectSameElsewhere(const BmpMaker& maker) {
@@ -36,7 +36,7 @@ void expectSameElsewhere(const BmpMaker& maker) {
     EXPECT_TRUE(compare(decoded(maker), *other).identical);
 }
 
-std::vector<int> noise(std::uint32_t count, std::uint32_t seed = 0) {
+std::vector<int> noisyValues(std::uint32_t count, std::uint32_t seed = 0) {
     std::vector<int> values(count);
     for (std::size_t i = 0; i < count; ++i)
         values[i] = static_cast<int>(testing::hash(seed + static_cast<std::uint32_t>(i)) >> 24);
@@ -64,8 +64,8 @@ TEST(Bmp, NegativeHeightIsTopRowFirst) {
 }
 
 TEST(Bmp, AgreesWithAnotherReaderFor24Bits) {
-    expectSameElsewhere({.width = 5, .height = 7, .pixels = noise(16 * 7)});
-    expectSameElsewhere({.width = 6, .height = -4, .pixels = noise(20 * 4)});
+    expectSameElsewhere({.width = 5, .height = 7, .pixels = noisyValues(16 * 7)});
+    expectSameElsewhere({.width = 6, .height = -4, .pixels = noisyValues(20 * 4)});
 }
 
 TEST(Bmp, ReadsPalettesOf1And4And8Bits) {
@@ -74,7 +74,7 @@ TEST(Bmp, ReadsPalettesOf1And4And8Bits) {
                        .height = 3,
                        .bits = bits,
                        .palette = noisyPalette(1U << bits),
-                       .pixels = noise((13 * bits + 31) / 32 * 4 * 3)};
+                       .pixels = noisyValues((13 * bits + 31) / 32 * 4 * 3)};
         const Image image = decoded(maker);
         // Pixel x of the bottom row, computed from the whole row as one string of bits.
         for (std::size_t x = 0; x < 13; ++x) {
@@ -287,7 +287,7 @@ TEST(Bmp, RunLengthsThatEndEarlyAreShort) {
                                            .palette = noisyPalette(256),
                                            .pixels = {2, 1, 0, 0}}
                                       .file(),
-                                  kLabel);
+                                  kBmpLabel);
     ASSERT_EQ(testing::idsOf(result.diagnostics), "file-E04");
     EXPECT_EQ(result.diagnostics[0].text, "'a.bmp': pixel data end after row 1 of 3");
     EXPECT_EQ(idFor({.width = 9,
@@ -318,39 +318,39 @@ TEST(Bmp, AgreesWithAnotherReaderForRle8) {
 }
 
 TEST(Bmp, CutPixelsReportTheNumberOfCompleteRows) {
-    const BmpMaker maker{.width = 3, .height = 5, .pixels = noise(12 * 5)};
+    const BmpMaker maker{.width = 3, .height = 5, .pixels = noisyValues(12 * 5)};
     const auto file = maker.file();
-    const auto cut = decodeBmp(std::span(file).first(file.size() - 30), kLabel);
+    const auto cut = decodeBmp(std::span(file).first(file.size() - 30), kBmpLabel);
     ASSERT_EQ(testing::idsOf(cut.diagnostics), "file-E04");
     EXPECT_EQ(cut.diagnostics[0].text, "'a.bmp': pixel data end after row 2 of 5");
-    EXPECT_EQ(cut.diagnostics[0].place, kLabel.place);
+    EXPECT_EQ(cut.diagnostics[0].place, kBmpLabel.place);
     // The padding of the last row may be missing, but not a pixel.
-    EXPECT_TRUE(decodeBmp(std::span(file).first(file.size() - 3), kLabel));
-    EXPECT_FALSE(decodeBmp(std::span(file).first(file.size() - 4), kLabel));
+    EXPECT_TRUE(decodeBmp(std::span(file).first(file.size() - 3), kBmpLabel));
+    EXPECT_FALSE(decodeBmp(std::span(file).first(file.size() - 4), kBmpLabel));
 }
 
 TEST(Bmp, EveryCutOfEveryFormGivesOneMessage) {
     const BmpMaker forms[] = {
-        {.width = 3, .height = 5, .pixels = noise(60)},
+        {.width = 3, .height = 5, .pixels = noisyValues(60)},
         {.headerSize = 12,
          .width = 9,
          .height = 3,
          .bits = 4,
          .palette = noisyPalette(16),
-         .pixels = noise(24)},
+         .pixels = noisyValues(24)},
         {.headerSize = 124,
          .width = 3,
          .height = 3,
          .bits = 32,
          .compression = 3,
          .masks = {255, 0xff00, 0xff0000, 0},
-         .pixels = noise(36)},
+         .pixels = noisyValues(36)},
         {.width = 3,
          .height = 3,
          .bits = 16,
          .compression = 3,
          .masks = {0xf800, 0x7e0, 0x1f},
-         .pixels = noise(24)},
+         .pixels = noisyValues(24)},
         {.width = 6,
          .height = 2,
          .bits = 8,
@@ -360,9 +360,9 @@ TEST(Bmp, EveryCutOfEveryFormGivesOneMessage) {
     };
     for (const BmpMaker& form : forms) {
         const auto file = form.file();
-        ASSERT_TRUE(decodeBmp(file, kLabel));
+        ASSERT_TRUE(decodeBmp(file, kBmpLabel));
         for (std::size_t length = 0; length + 4 <= file.size(); ++length) {
-            const auto result = decodeBmp(std::span(file).first(length), kLabel);
+            const auto result = decodeBmp(std::span(file).first(length), kBmpLabel);
             if (result) {
                 EXPECT_GT(length + 5, file.size());
             } else {

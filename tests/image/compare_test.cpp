@@ -14,11 +14,7 @@
 namespace glibra::image {
 namespace {
 
-Image floats(int width, int height, int components, const std::vector<float>& values) {
-    Image image{width, height, components, Component::f32, std::vector<std::byte>(4 * values.size())};
-    std::memcpy(image.data.data(), values.data(), image.data.size());
-    return image;
-}
+using testing::floatImage;
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
@@ -86,14 +82,14 @@ TEST(CompareImages, BytesEqualTheirSixteenBits) {
 }
 
 TEST(CompareImages, NanEqualsNanAndNothingElse) {
-    const Image a = floats(2, 1, 1, {kNan, kInfinity});
+    const Image a = floatImage(2, 1, 1, {kNan, kInfinity});
     EXPECT_TRUE(compare(a, a).identical);
-    EXPECT_TRUE(compare(floats(1, 1, 1, {0.F}), floats(1, 1, 1, {-0.F})).identical);
-    const Comparison result = compare(a, floats(2, 1, 1, {0, kInfinity}));
+    EXPECT_TRUE(compare(floatImage(1, 1, 1, {0.F}), floatImage(1, 1, 1, {-0.F})).identical);
+    const Comparison result = compare(a, floatImage(2, 1, 1, {0, kInfinity}));
     EXPECT_EQ(result.differingPixels, 1U);
     EXPECT_EQ(result.largest, std::numeric_limits<double>::infinity());
     EXPECT_EQ(result.x, 0);
-    const Comparison halves = compare(floats(2, 1, 1, {1, 2}), floats(2, 1, 1, {1, 2.5F}));
+    const Comparison halves = compare(floatImage(2, 1, 1, {1, 2}), floatImage(2, 1, 1, {1, 2.5F}));
     EXPECT_EQ(halves.largest, .5);
     EXPECT_DOUBLE_EQ(halves.rootMeanSquare, std::sqrt(.125));
 }
@@ -128,8 +124,8 @@ TEST(CompareImages, FindsWhatAPlainLoopFinds) {
 }
 
 TEST(CompareImages, NumbersThatAreNotFiniteAreCountedInEither) {
-    const Image a = floats(4, 1, 1, {kNan, kInfinity, 1, 1});
-    EXPECT_EQ(compare(a, floats(4, 1, 1, {kNan, 1, kNan, 1})).nonFinite, 3U);
+    const Image a = floatImage(4, 1, 1, {kNan, kInfinity, 1, 1});
+    EXPECT_EQ(compare(a, floatImage(4, 1, 1, {kNan, 1, kNan, 1})).nonFinite, 3U);
     EXPECT_EQ(compare(a, a).nonFinite, 2U);
 }
 
@@ -149,12 +145,12 @@ TEST(InspectImage, OneColorIsSeenAndOneOddPixelToo) {
 }
 
 TEST(InspectImage, NumbersThatAreNotFiniteAreCounted) {
-    const NonFinite found = countNonFinite(floats(2, 2, 2, {0, 1, 2, 3, 4, kNan, -kInfinity, kNan}));
+    const NonFinite found = countNonFinite(floatImage(2, 2, 2, {0, 1, 2, 3, 4, kNan, -kInfinity, kNan}));
     EXPECT_EQ(found.nan, 2U);
     EXPECT_EQ(found.infinite, 1U);
     EXPECT_EQ(found.x, 0);
     EXPECT_EQ(found.y, 1);
-    EXPECT_EQ(countNonFinite(floats(1, 1, 1, {3e38F})).nan, 0U);
+    EXPECT_EQ(countNonFinite(floatImage(1, 1, 1, {3e38F})).nan, 0U);
     EXPECT_EQ(countNonFinite(testing::noisyImage(4, 4, 4, Component::u16)).nan, 0U);
 }
 
@@ -171,7 +167,7 @@ TEST(ConvertImage, ComponentsAreCopiedAndCompleted) {
 }
 
 TEST(ConvertImage, IntegersAreRoundedLimitedAndWidenedExactly) {
-    const Image values = floats(7, 1, 1, {-1, 0, .5F, 1, 2, kNan, 1.4F / 255});
+    const Image values = floatImage(7, 1, 1, {-1, 0, .5F, 1, 2, kNan, 1.4F / 255});
     EXPECT_EQ(withType(values, Component::u8).data, testing::bytesOf({0, 0, 128, 255, 255, 0, 1}));
     Image all{256, 1, 1, Component::u8, {}};
     for (int i = 0; i < 256; ++i) all.data.push_back(static_cast<std::byte>(i));

@@ -18,39 +18,40 @@ namespace {
 namespace fs = std::filesystem;
 using testing::idsOf;
 
-const FileLabel kLabel{"a", {"scene.glib", 3, 1}};
+const FileLabel kFileLabel{"a", {"scene.glib", 3, 1}};
 
 class WholeFile : public testing::InFolder {};
 
 TEST_F(WholeFile, IsReadByteForByte) {
     const auto bytes = testing::noisyImage(33, 7, 3, Component::u8).data;
-    const auto read = readFile(put("a", bytes), kLabel);
+    const auto read = readFile(put("a", bytes), kFileLabel);
     ASSERT_TRUE(read);
     EXPECT_EQ(*read, bytes);
 }
 
 TEST_F(WholeFile, DifferentProblemsOfReadingHaveDifferentIds) {
-    EXPECT_EQ(idsOf(readFile(folder / "none", kLabel).diagnostics), "file-E01");
-    EXPECT_EQ(idsOf(readFile(put("empty", {}), kLabel).diagnostics), "file-E02");
-    const auto inFolder = readFile(folder, kLabel);
+    EXPECT_EQ(idsOf(readFile(folder / "none", kFileLabel).diagnostics), "file-E01");
+    EXPECT_EQ(idsOf(readFile(put("empty", {}), kFileLabel).diagnostics), "file-E02");
+    const auto inFolder = readFile(folder, kFileLabel);
     ASSERT_EQ(idsOf(inFolder.diagnostics), "file-E02");
     EXPECT_EQ(inFolder.diagnostics[0].text, "cannot read 'a': it is a folder");
-    EXPECT_EQ(inFolder.diagnostics[0].place, kLabel.place);
-    EXPECT_EQ(idsOf(readFile(put("file", testing::bytesOf({1})) / "inside", kLabel).diagnostics), "file-E01");
+    EXPECT_EQ(inFolder.diagnostics[0].place, kFileLabel.place);
+    EXPECT_EQ(idsOf(readFile(put("file", testing::bytesOf({1})) / "inside", kFileLabel).diagnostics),
+              "file-E01");
 }
 
 TEST_F(WholeFile, APipeDoesNotBlock) {
     ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
-    EXPECT_EQ(idsOf(readFile(folder / "pipe", kLabel).diagnostics), "file-E02");
-    EXPECT_EQ(idsOf(readFile("/dev/zero", kLabel).diagnostics), "file-E02");
+    EXPECT_EQ(idsOf(readFile(folder / "pipe", kFileLabel).diagnostics), "file-E02");
+    EXPECT_EQ(idsOf(readFile("/dev/zero", kFileLabel).diagnostics), "file-E02");
 }
 
 TEST_F(WholeFile, BeyondTheLimitIsRejectedBeforeReading) {
     put("large", testing::bytesOf({1, 2, 3, 4}));
-    EXPECT_TRUE(readFile(folder / "large", kLabel, 4));
-    EXPECT_EQ(idsOf(readFile(folder / "large", kLabel, 3).diagnostics), "file-E09");
+    EXPECT_TRUE(readFile(folder / "large", kFileLabel, 4));
+    EXPECT_EQ(idsOf(readFile(folder / "large", kFileLabel, 3).diagnostics), "file-E09");
     fs::resize_file(folder / "large", 3 * kGiB);  // needs no space on the disk
-    const auto read = readFile(folder / "large", kLabel);
+    const auto read = readFile(folder / "large", kFileLabel);
     ASSERT_EQ(idsOf(read.diagnostics), "file-E09");
     EXPECT_EQ(read.diagnostics[0].text, "'a' has 3 GiB, the limit is 2 GiB");
 }
@@ -66,10 +67,10 @@ TEST(ReadableBytes, AreRoundedUpSoThatASizeBeyondALimitLooksLarger) {
 TEST_F(WholeFile, IsWrittenUnderItsNameOnly) {
     const auto bytes = testing::bytesOf({1, 2, 3});
     EXPECT_TRUE(writeFileAtomically(folder / "out.png", bytes).empty());
-    EXPECT_EQ(*readFile(folder / "out.png", kLabel), bytes);
+    EXPECT_EQ(*readFile(folder / "out.png", kFileLabel), bytes);
     const auto longer = testing::bytesOf({4, 5, 6, 7});
     EXPECT_TRUE(writeFileAtomically(folder / "out.png", longer).empty());
-    EXPECT_EQ(*readFile(folder / "out.png", kLabel), longer);
+    EXPECT_EQ(*readFile(folder / "out.png", kFileLabel), longer);
     EXPECT_EQ(fileCount(), 1U);
 }
 
@@ -93,7 +94,7 @@ TEST_F(WholeFile, ThroughALinkChangesTheTargetOfTheLink) {
     fs::create_symlink("real", folder / "link");
     EXPECT_TRUE(writeFileAtomically(folder / "link", testing::bytesOf({2})).empty());
     EXPECT_TRUE(fs::is_symlink(folder / "link"));
-    EXPECT_EQ(*readFile(folder / "real", kLabel), testing::bytesOf({2}));
+    EXPECT_EQ(*readFile(folder / "real", kFileLabel), testing::bytesOf({2}));
 }
 
 TEST_F(WholeFile, ThatCannotBeWrittenLeavesNothing) {
@@ -183,8 +184,8 @@ TEST_F(WriteImage, EqualPicturesAreEqualFilesWheneverTheyAreWritten) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // dates have a resolution of one second
     for (const std::string& suffix : suffixes) {
         EXPECT_TRUE(writeImage(image, folder / ("second" + suffix)).empty()) << suffix;
-        const auto first = readFile(folder / ("first" + suffix), kLabel);
-        const auto second = readFile(folder / ("second" + suffix), kLabel);
+        const auto first = readFile(folder / ("first" + suffix), kFileLabel);
+        const auto second = readFile(folder / ("second" + suffix), kFileLabel);
         ASSERT_TRUE(first && second) << suffix;
         EXPECT_EQ(*first, *second) << suffix;
     }

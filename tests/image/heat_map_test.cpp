@@ -12,7 +12,7 @@
 namespace glibra::image {
 namespace {
 
-Image grey(const std::vector<int>& values) {
+Image greyRow(const std::vector<int>& values) {
     return {static_cast<int>(values.size()), 1, 1, Component::u8, testing::bytesOf(values)};
 }
 
@@ -45,7 +45,7 @@ TEST(HeatMap, ColorsAreMagma) {
 TEST(HeatMap, EachStepOfALargerDifferenceIsNoDarker) {
     std::vector<int> zeros(256), all(256);
     for (int i = 0; i < 256; ++i) all[static_cast<std::size_t>(i)] = i;
-    const Image map = differenceHeatMap(grey(zeros), grey(all));
+    const Image map = differenceHeatMap(greyRow(zeros), greyRow(all));
     EXPECT_EQ(testing::pixelAt(map, 0, 0), (std::vector<int>{0, 0, 0}));
     EXPECT_GT(lightness(testing::pixelAt(map, 1, 0)), 5) << "one step can be seen";
     for (int x = 1; x < 256; ++x)
@@ -85,7 +85,7 @@ TEST(HeatMap, OfFlipHasItsErrors) {
 }
 
 TEST(HeatMap, OtherSizesHaveNone) {
-    EXPECT_EQ(differenceHeatMap(grey({1}), grey({1, 2})).data.size(), 0U);
+    EXPECT_EQ(differenceHeatMap(greyRow({1}), greyRow({1, 2})).data.size(), 0U);
 }
 
 }  // namespace

@@ -13,6 +13,8 @@
 namespace glibra::image {
 namespace {
 
+using testing::floatImage;
+
 /// 64 x 64 pixels of one value, RGB.
 Image grey(int value) {
     return {64, 64, 3, Component::u8,
@@ -25,12 +27,6 @@ void change(Image& image, int x, int y, int by, std::size_t component = 0) {
             .data[static_cast<std::size_t>(y * image.width + x) * static_cast<std::size_t>(image.components) +
                   component];
     byte = static_cast<std::byte>(std::to_integer<int>(byte) + by);
-}
-
-Image floats(int width, int height, const std::vector<float>& values) {
-    Image image{width, height, 1, Component::f32, std::vector<std::byte>(4 * values.size())};
-    std::memcpy(image.data.data(), values.data(), image.data.size());
-    return image;
 }
 
 /// No limits except those that a test sets.
@@ -193,30 +189,31 @@ TEST(Judge, FloatPicturesAreComparedRelativelyAndAbsolutely) {
     tolerance.fraction = 0;
     tolerance.relative = 0.01;
     tolerance.absolute = 0.5;
-    const Image a = floats(2, 1, {1000, 0});
-    EXPECT_TRUE(judge(a, floats(2, 1, {1010, 0}), tolerance).same);
-    EXPECT_TRUE(judge(a, floats(2, 1, {990, .5F}), tolerance).same);
-    EXPECT_FALSE(judge(a, floats(2, 1, {1011, 0}), tolerance).same);
-    EXPECT_FALSE(judge(a, floats(2, 1, {1000, .51F}), tolerance).same);
-    EXPECT_FALSE(judge(floats(1, 1, {.5F}), floats(1, 1, {.5005F}), Tolerance{}).same);
-    EXPECT_TRUE(judge(floats(1, 1, {.5F}), floats(1, 1, {.50004F}), Tolerance{}).same);
+    const Image a = floatImage(2, 1, 1, {1000, 0});
+    EXPECT_TRUE(judge(a, floatImage(2, 1, 1, {1010, 0}), tolerance).same);
+    EXPECT_TRUE(judge(a, floatImage(2, 1, 1, {990, .5F}), tolerance).same);
+    EXPECT_FALSE(judge(a, floatImage(2, 1, 1, {1011, 0}), tolerance).same);
+    EXPECT_FALSE(judge(a, floatImage(2, 1, 1, {1000, .51F}), tolerance).same);
+    EXPECT_FALSE(judge(floatImage(1, 1, 1, {.5F}), floatImage(1, 1, 1, {.5005F}), Tolerance{}).same);
+    EXPECT_TRUE(judge(floatImage(1, 1, 1, {.5F}), floatImage(1, 1, 1, {.50004F}), Tolerance{}).same);
 }
 
 TEST(Judge, NanAndInfinityEqualThemselvesAndAreReported) {
     const float nan = std::numeric_limits<float>::quiet_NaN(),
                 infinity = std::numeric_limits<float>::infinity();
-    const Image a = floats(3, 1, {nan, infinity, 1});
+    const Image a = floatImage(3, 1, 1, {nan, infinity, 1});
     const Judgement equal = judge(a, a, exactTolerance());
     EXPECT_TRUE(equal.same);
     EXPECT_EQ(equal.comparison.nonFinite, 2U);
     EXPECT_EQ(equal.reason, "equal, but 2 components are NaN or infinite");
     Tolerance tolerance = loose();
     tolerance.fraction = 0;
-    EXPECT_TRUE(judge(a, floats(3, 1, {nan, infinity, 1.00001F}), tolerance).same);
-    EXPECT_FALSE(judge(a, floats(3, 1, {1, infinity, 1}), tolerance).same);
-    EXPECT_FALSE(judge(a, floats(3, 1, {nan, -infinity, 1}), tolerance).same);
+    EXPECT_TRUE(judge(a, floatImage(3, 1, 1, {nan, infinity, 1.00001F}), tolerance).same);
+    EXPECT_FALSE(judge(a, floatImage(3, 1, 1, {1, infinity, 1}), tolerance).same);
+    EXPECT_FALSE(judge(a, floatImage(3, 1, 1, {nan, -infinity, 1}), tolerance).same);
     tolerance.relative = 1e30;
-    EXPECT_FALSE(judge(a, floats(3, 1, {nan, 1, 1}), tolerance).same) << "no tolerance reaches infinity";
+    EXPECT_FALSE(judge(a, floatImage(3, 1, 1, {nan, 1, 1}), tolerance).same)
+        << "no tolerance reaches infinity";
     Image bytes{3, 1, 1, Component::u8, testing::bytesOf({0, 255, 255})};
     EXPECT_EQ(judge(a, bytes, tolerance).beyond, 2U);
 }

@@ -31,7 +31,7 @@ double estimated(const Text& text) {
     return size.bits() / 8;
 }
 
-double packed(const Text& text) {
+double libdeflateBytes(const Text& text) {
     const std::unique_ptr<libdeflate_compressor, void (*)(libdeflate_compressor*)> compressor(
         libdeflate_alloc_compressor(4), libdeflate_free_compressor);
     Text to(libdeflate_deflate_compress_bound(compressor.get(), text.size()));
@@ -45,7 +45,7 @@ TEST(PackedSize, IsCloseToTheSizeByLibdeflate) {
             const Text each = text(60'000, kinds, period);
             const double ratio =
                 (estimated(each) + 60) /
-                (packed(each) +
+                (libdeflateBytes(each) +
                  60);  // 60 bytes for the descriptions of the codes, which count in short texts
             EXPECT_GT(ratio, .75) << kinds << ' ' << period;
             EXPECT_LT(ratio, 1.3) << kinds << ' ' << period;

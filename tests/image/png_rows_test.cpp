@@ -13,32 +13,26 @@
 namespace glibra::image {
 namespace {
 
-constexpr int kSide = 300;
+constexpr int kRowsSide = 300;
 
-/// A grey picture; `value` gives each pixel.
-template <class Value>
-Image picture(Value value) {
-    Image image{kSide, kSide, 1, Component::u8, {}};
-    for (int y = 0; y < kSide; ++y)
-        for (int x = 0; x < kSide; ++x) image.data.push_back(static_cast<std::byte>(value(x, y)));
-    return image;
-}
-
-std::uint32_t noise(int x, int y) {
+std::uint32_t noiseAt(int x, int y) {
     return testing::hash(static_cast<std::uint32_t>(1000 * y + x)) >> 8U;
 }
 
 /// Twelve grey levels in ever new order, a few pixels each: differences only spread the values.
 Image steps() {
-    return picture([](int x, int y) { return noise(x / 3, y / 3) % 12 * 21; });
+    return testing::greyImage([](int x, int y) { return noiseAt(x / 3, y / 3) % 12 * 21; }, kRowsSide,
+                              kRowsSide);
 }
 
 Image columns() {
-    return picture([](int x, int y) { return noise(x, 0) % 256 + noise(x, y) % 3; });
+    return testing::greyImage([](int x, int y) { return noiseAt(x, 0) % 256 + noiseAt(x, y) % 3; }, kRowsSide,
+                              kRowsSide);
 }
 
 Image lines() {
-    return picture([](int x, int y) { return noise(0, y) % 256 + noise(x, y) % 3; });
+    return testing::greyImage([](int x, int y) { return noiseAt(0, y) % 256 + noiseAt(x, y) % 3; }, kRowsSide,
+                              kRowsSide);
 }
 
 std::size_t packedBytes(const Image& image, PngFiltering filtering) {
@@ -51,17 +45,17 @@ std::size_t packedBytes(const Image& image, PngFiltering filtering) {
 }
 
 TEST(PngRows, AreFilteredAsTheirPictureNeedsIt) {
-    EXPECT_EQ(chooseFiltering(steps(), 0, kSide), PngFiltering::none);
-    EXPECT_EQ(chooseFiltering(columns(), 0, kSide), PngFiltering::up);
-    EXPECT_NE(chooseFiltering(lines(), 0, kSide), PngFiltering::none);
-    EXPECT_NE(chooseFiltering(lines(), 0, kSide), PngFiltering::up);
+    EXPECT_EQ(chooseFiltering(steps(), 0, kRowsSide), PngFiltering::none);
+    EXPECT_EQ(chooseFiltering(columns(), 0, kRowsSide), PngFiltering::up);
+    EXPECT_NE(chooseFiltering(lines(), 0, kRowsSide), PngFiltering::none);
+    EXPECT_NE(chooseFiltering(lines(), 0, kRowsSide), PngFiltering::up);
 }
 
 TEST(PngRows, TheChosenFilteringPacksHardlyWorseThanAnyOther) {
     const std::vector<Image> pictures{steps(),
                                       columns(),
                                       lines(),
-                                      testing::smoothImage(kSide, kSide),
+                                      testing::smoothImage(kRowsSide, kRowsSide),
                                       testing::noisyImage(90, 90, 4, Component::u8),
                                       testing::noisyImage(90, 90, 3, Component::u16)};
     for (std::size_t i = 0; i < pictures.size(); ++i) {

@@ -55,7 +55,7 @@ class PngMaker {
     std::vector<std::byte> file_;
 };
 
-const FileLabel kLabel{"a.png", {"scene.glib", 7, 3}};
+const FileLabel kPngLabel{"a.png", {"scene.glib", 7, 3}};
 
 struct Shape {
     int width, height, components;
@@ -67,7 +67,7 @@ class PngRoundTrip : public ::testing::TestWithParam<Shape> {};
 TEST_P(PngRoundTrip, KeepsEveryPixelForLibspng) {
     const auto [width, height, components, type] = GetParam();
     const Image image = testing::noisyImage(width, height, components, type);
-    const auto read = decodePng(encodePng(image), kLabel);
+    const auto read = decodePng(encodePng(image), kPngLabel);
     ASSERT_TRUE(read);
     EXPECT_EQ(read->components, 4);
     EXPECT_EQ(read->type, type);
@@ -99,7 +99,7 @@ INSTANTIATE_TEST_SUITE_P(Shapes, PngRoundTrip,
 TEST(PngWriter, EveryLevelGivesTheSamePixels) {
     const Image image = testing::smoothImage(64, 48);
     for (const int level : {-3, 0, 1, 6, 12, 99}) {
-        const auto read = decodePng(encodePng(image, {.level = level, .text = {}}), kLabel);
+        const auto read = decodePng(encodePng(image, {.level = level, .text = {}}), kPngLabel);
         ASSERT_TRUE(read) << level;
         EXPECT_TRUE(compare(image, *read).identical) << level;
     }
@@ -113,7 +113,7 @@ TEST(PngWriter, LargePicturesReachEveryReaderWhole) {
                 const Image image = components == 3 ? testing::smoothImage(1111, 977)
                                                     : testing::noisyImage(1111, 977, components, type);
                 const auto png = encodePng(image, {.level = level, .text = {}});
-                const auto read = decodePng(png, kLabel);
+                const auto read = decodePng(png, kPngLabel);
                 ASSERT_TRUE(read) << components << ' ' << level;
                 EXPECT_TRUE(compare(image, *read).identical) << components << ' ' << level;
                 if (!testing::hasModule()) continue;
@@ -159,19 +159,19 @@ TEST(PngWriter, RejectsImagesThatPngCannotHold) {
 
 TEST(PngReader, ReadsGreyOfEveryDepth) {
     const auto one =
-        decodePng(PngMaker().header(5, 2, 1, 0).pixels({0, 0b10110000, 0, 0b01001000}).end(), kLabel);
+        decodePng(PngMaker().header(5, 2, 1, 0).pixels({0, 0b10110000, 0, 0b01001000}).end(), kPngLabel);
     ASSERT_TRUE(one);
     EXPECT_EQ(testing::pixelAt(*one, 0, 0), (Rgba{255, 255, 255, 255}));
     EXPECT_EQ(testing::pixelAt(*one, 1, 0), (Rgba{0, 0, 0, 255}));
     EXPECT_EQ(testing::pixelAt(*one, 4, 1), (Rgba{255, 255, 255, 255}));
-    const auto two = decodePng(PngMaker().header(4, 1, 2, 0).pixels({0, 0b00011011}).end(), kLabel);
+    const auto two = decodePng(PngMaker().header(4, 1, 2, 0).pixels({0, 0b00011011}).end(), kPngLabel);
     ASSERT_TRUE(two);
     EXPECT_EQ(testing::pixelAt(*two, 1, 0)[0], 85);
     EXPECT_EQ(testing::pixelAt(*two, 2, 0)[2], 170);
-    const auto four = decodePng(PngMaker().header(2, 1, 4, 0).pixels({0, 0x3f}).end(), kLabel);
+    const auto four = decodePng(PngMaker().header(2, 1, 4, 0).pixels({0, 0x3f}).end(), kPngLabel);
     ASSERT_TRUE(four);
     EXPECT_EQ(testing::pixelAt(*four, 0, 0)[1], 51);
-    const auto sixteen = decodePng(PngMaker().header(1, 1, 16, 0).pixels({0, 0x12, 0x34}).end(), kLabel);
+    const auto sixteen = decodePng(PngMaker().header(1, 1, 16, 0).pixels({0, 0x12, 0x34}).end(), kPngLabel);
     ASSERT_TRUE(sixteen);
     EXPECT_EQ(testing::pixelAt(*sixteen, 0, 0), (Rgba{0x1234, 0x1234, 0x1234, 65535}));
 }
@@ -183,7 +183,7 @@ TEST(PngReader, ReadsPalettesWithTransparency) {
                                     .chunk("tRNS", testing::bytesOf({128, 0}))
                                     .pixels({0, 0, 1, 2})
                                     .end(),
-                                kLabel);
+                                kPngLabel);
     ASSERT_TRUE(read);
     EXPECT_EQ(testing::pixelAt(*read, 0, 0), (Rgba{10, 20, 30, 128}));
     EXPECT_EQ(testing::pixelAt(*read, 1, 0), (Rgba{40, 50, 60, 0}));
@@ -196,7 +196,7 @@ TEST(PngReader, ReadsATransparentColor) {
                                     .chunk("tRNS", testing::bytesOf({0, 1, 0, 2, 0, 3}))
                                     .pixels({0, 1, 2, 3, 1, 2, 4})
                                     .end(),
-                                kLabel);
+                                kPngLabel);
     ASSERT_TRUE(read);
     EXPECT_EQ(testing::pixelAt(*read, 0, 0), (Rgba{1, 2, 3, 0}));
     EXPECT_EQ(testing::pixelAt(*read, 1, 0), (Rgba{1, 2, 4, 255}));
@@ -209,7 +209,7 @@ TEST(PngReader, IgnoresGammaAndSignificantBits) {
                                     .chunk("sBIT", testing::bytesOf({3, 3, 3}))
                                     .pixels({0, 77, 88, 99})
                                     .end(),
-                                kLabel);
+                                kPngLabel);
     ASSERT_TRUE(read);
     EXPECT_EQ(testing::pixelAt(*read, 0, 0), (Rgba{77, 88, 99, 255}));
 }
@@ -218,7 +218,7 @@ TEST(PngReader, ReadsInterlacedPictures) {
     // Adam7 of a 3 x 2 picture: pass 1 holds pixel (0, 0), pass 6 (1, 0), pass 5 (2, 0) among others, and
     // pass 7 row 1.
     const auto read = decodePng(
-        PngMaker().header(3, 2, 8, 0, 1).pixels({0, 11, 0, 13, 0, 12, 0, 21, 22, 23}).end(), kLabel);
+        PngMaker().header(3, 2, 8, 0, 1).pixels({0, 11, 0, 13, 0, 12, 0, 21, 22, 23}).end(), kPngLabel);
     ASSERT_TRUE(read);
     const int expected[2][3] = {{11, 12, 13}, {21, 22, 23}};
     for (int y = 0; y < 2; ++y)
@@ -230,46 +230,49 @@ TEST(PngReader, EveryCutGivesOneMessage) {
     const auto png = encodePng(testing::noisyImage(20, 20, 4, Component::u8));
     const std::size_t pixelsEnd = png.size() - 12 - 4;  // IEND and the checksum of the pixels
     for (std::size_t length = 0; length < pixelsEnd; length += 7) {
-        const auto read = decodePng(std::span(png).first(length), kLabel);
+        const auto read = decodePng(std::span(png).first(length), kPngLabel);
         EXPECT_FALSE(read) << length;
         ASSERT_EQ(testing::idsOf(read.diagnostics), "file-E04") << length;
-        EXPECT_EQ(read.diagnostics[0].place, kLabel.place);
+        EXPECT_EQ(read.diagnostics[0].place, kPngLabel.place);
     }
 }
 
 TEST(PngReader, AChangedByteInThePixelsIsDetected) {
     auto png = encodePng(testing::noisyImage(20, 20, 4, Component::u8));
     png[png.size() / 2] ^= std::byte{0x10};
-    EXPECT_EQ(testing::idsOf(decodePng(png, kLabel).diagnostics), "file-E04");
+    EXPECT_EQ(testing::idsOf(decodePng(png, kPngLabel).diagnostics), "file-E04");
 }
 
 TEST(PngReader, AHeaderWithAWrongSizeIsDetected) {
     EXPECT_EQ(testing::idsOf(
-                  decodePng(PngMaker().header(16384, 16385, 8, 0).pixels({0}).end(), kLabel).diagnostics),
+                  decodePng(PngMaker().header(16384, 16385, 8, 0).pixels({0}).end(), kPngLabel).diagnostics),
               "file-E09");
     EXPECT_EQ(testing::idsOf(
-                  decodePng(PngMaker().header(16384, 16384, 16, 6).pixels({0}).end(), kLabel).diagnostics),
+                  decodePng(PngMaker().header(16384, 16384, 16, 6).pixels({0}).end(), kPngLabel).diagnostics),
               "file-E09");
     // Within the limits, but far more than these few bytes can hold.
     EXPECT_EQ(testing::idsOf(
-                  decodePng(PngMaker().header(16000, 16000, 8, 6).pixels({0}).end(), kLabel).diagnostics),
+                  decodePng(PngMaker().header(16000, 16000, 8, 6).pixels({0}).end(), kPngLabel).diagnostics),
               "file-E04");
     EXPECT_EQ(
         testing::idsOf(
-            decodePng(PngMaker().header(4, 4, 8, 0).pixels({0, 1, 2, 3, 4, 0}).end(), kLabel).diagnostics),
+            decodePng(PngMaker().header(4, 4, 8, 0).pixels({0, 1, 2, 3, 4, 0}).end(), kPngLabel).diagnostics),
         "file-E04");
-    EXPECT_EQ(testing::idsOf(decodePng(PngMaker().header(0, 4, 8, 0).pixels({0}).end(), kLabel).diagnostics),
-              "file-E04");
-    EXPECT_EQ(testing::idsOf(decodePng(PngMaker().header(4, 4, 3, 0).pixels({0}).end(), kLabel).diagnostics),
-              "file-E04");
-    EXPECT_EQ(testing::idsOf(decodePng(PngMaker().header(4, 4, 8, 1).pixels({0}).end(), kLabel).diagnostics),
-              "file-E04");
+    EXPECT_EQ(
+        testing::idsOf(decodePng(PngMaker().header(0, 4, 8, 0).pixels({0}).end(), kPngLabel).diagnostics),
+        "file-E04");
+    EXPECT_EQ(
+        testing::idsOf(decodePng(PngMaker().header(4, 4, 3, 0).pixels({0}).end(), kPngLabel).diagnostics),
+        "file-E04");
+    EXPECT_EQ(
+        testing::idsOf(decodePng(PngMaker().header(4, 4, 8, 1).pixels({0}).end(), kPngLabel).diagnostics),
+        "file-E04");
 }
 
 TEST(PngReader, APaletteIndexWithoutAnEntryIsDetected) {
     const auto read = decodePng(
         PngMaker().header(1, 1, 8, 3).chunk("PLTE", testing::bytesOf({1, 2, 3})).pixels({0, 200}).end(),
-        kLabel);
+        kPngLabel);
     if (read) {
         EXPECT_EQ(testing::pixelAt(*read, 0, 0), (Rgba{0, 0, 0, 255}));
     } else {

@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::idsOf;
 
-const Place kPlace{"scene.glib", 5, 1};
+const Place kReadPlace{"scene.glib", 5, 1};
 
 TEST(PictureFormat, IsRecognisedByTheFirstBytes) {
     using testing::bytesOf;
@@ -65,7 +65,7 @@ class ReadImage : public testing::InFolder {};
 
 TEST_F(ReadImage, PngNeedsNoModule) {
     const Image image = testing::noisyImage(9, 4, 3, Component::u8);
-    const auto read = readImage(put("a.png", encodePng(image)), kPlace, testing::withoutModule());
+    const auto read = readImage(put("a.png", encodePng(image)), kReadPlace, testing::withoutModule());
     ASSERT_TRUE(read);
     EXPECT_TRUE(read.diagnostics.empty());
     EXPECT_TRUE(compare(image, *read).identical);
@@ -73,23 +73,23 @@ TEST_F(ReadImage, PngNeedsNoModule) {
 
 TEST_F(ReadImage, AWrongSuffixIsAWarning) {
     const auto read =
-        readImage(put("posx.bmp", encodePng(testing::noisyImage(2, 2, 3, Component::u8))), kPlace);
+        readImage(put("posx.bmp", encodePng(testing::noisyImage(2, 2, 3, Component::u8))), kReadPlace);
     ASSERT_TRUE(read);
     ASSERT_EQ(idsOf(read.diagnostics), "file-W03");
     EXPECT_EQ(read.diagnostics[0].text, "'posx.bmp' is a PNG picture");
     EXPECT_EQ(read.diagnostics[0].severity, Severity::warning);
-    EXPECT_EQ(read.diagnostics[0].place, kPlace);
+    EXPECT_EQ(read.diagnostics[0].place, kReadPlace);
     EXPECT_TRUE(readImage(put("picture", encodePng(testing::noisyImage(2, 2, 3, Component::u8))))
                     .diagnostics.empty());
 }
 
 TEST_F(ReadImage, WithoutTheModuleTheFormatIsNamed) {
-    const auto read = readImage(put("wood.bmp", testing::bytesOf({'I', 'I', 42, 0, 8, 0, 0, 0})), kPlace,
+    const auto read = readImage(put("wood.bmp", testing::bytesOf({'I', 'I', 42, 0, 8, 0, 0, 0})), kReadPlace,
                                 testing::withoutModule());
     ASSERT_EQ(idsOf(read.diagnostics), "file-E03");
     EXPECT_EQ(read.diagnostics[0].text,
               "'wood.bmp' is a TIFF picture, but the image module that reads it is not installed");
-    EXPECT_EQ(read.diagnostics[0].place, kPlace);
+    EXPECT_EQ(read.diagnostics[0].place, kReadPlace);
 }
 
 TEST_F(ReadImage, AFileThatIsNotAModuleIsIgnored) {
@@ -97,12 +97,12 @@ TEST_F(ReadImage, AFileThatIsNotAModuleIsIgnored) {
     ReadOptions options;
     options.moduleFolders = {folder};
     EXPECT_EQ(
-        idsOf(readImage(put("a.tif", testing::bytesOf({'I', 'I', 42, 0})), kPlace, options).diagnostics),
+        idsOf(readImage(put("a.tif", testing::bytesOf({'I', 'I', 42, 0})), kReadPlace, options).diagnostics),
         "file-E03");
 }
 
 TEST_F(ReadImage, TextIsNotAPicture) {
-    const auto read = readImage(put("a.png", testing::bytesOf({'h', 'e', 'l', 'l', 'o'})), kPlace);
+    const auto read = readImage(put("a.png", testing::bytesOf({'h', 'e', 'l', 'l', 'o'})), kReadPlace);
     ASSERT_EQ(idsOf(read.diagnostics), "file-E03");
     EXPECT_EQ(read.diagnostics[0].text, "'a.png' is neither a picture nor a raw texture");
 }
@@ -111,14 +111,14 @@ TEST_F(ReadImage, LimitsAreTheCallers) {
     const auto path = put("a.png", encodePng(testing::noisyImage(20, 10, 4, Component::u8)));
     ReadOptions options = testing::withoutModule();
     options.limits.side = 19;
-    EXPECT_EQ(idsOf(readImage(path, kPlace, options).diagnostics), "file-E09");
+    EXPECT_EQ(idsOf(readImage(path, kReadPlace, options).diagnostics), "file-E09");
     options.limits.side = 20;
     options.limits.texelBytes = 799;
-    EXPECT_EQ(idsOf(readImage(path, kPlace, options).diagnostics), "file-E09");
+    EXPECT_EQ(idsOf(readImage(path, kReadPlace, options).diagnostics), "file-E09");
     options.limits.texelBytes = 800;
-    EXPECT_TRUE(readImage(path, kPlace, options));
+    EXPECT_TRUE(readImage(path, kReadPlace, options));
     options.limits.fileBytes = 20;
-    EXPECT_EQ(idsOf(readImage(path, kPlace, options).diagnostics), "file-E09");
+    EXPECT_EQ(idsOf(readImage(path, kReadPlace, options).diagnostics), "file-E09");
 }
 
 /// Formats that the module writes and reads, and the allowed error of a value.
@@ -140,7 +140,7 @@ TEST_P(ReadByModule, KeepsThePixels) {
     const auto problems = writeImage(image, path, {{}, testing::moduleFolders()});
     ASSERT_TRUE(problems.empty()) << problems[0].text;
     EXPECT_EQ(fileCount(), 1U);
-    const auto read = readImage(path, kPlace, testing::withModule());
+    const auto read = readImage(path, kReadPlace, testing::withModule());
     ASSERT_TRUE(read) << read.diagnostics[0].text;
     EXPECT_TRUE(read.diagnostics.empty());
     EXPECT_EQ(read->components, 4);
@@ -176,7 +176,7 @@ TEST_P(ReadByModule, ACutFileGivesOneMessage) {
     ASSERT_TRUE(whole);
     for (const std::size_t percent : {10U, 50U, 90U}) {
         put("b" + suffix, std::span(*whole).first(whole->size() * percent / 100));
-        const auto read = readImage(folder / ("b" + suffix), kPlace, testing::withModule());
+        const auto read = readImage(folder / ("b" + suffix), kReadPlace, testing::withModule());
         EXPECT_FALSE(read) << percent;
         EXPECT_EQ(idsOf(read.diagnostics), "file-E04") << percent;
     }
@@ -192,7 +192,7 @@ TEST_F(ReadImage, TheModuleWritesAndReadsInProcessesOfTheirOwn) {
     ASSERT_TRUE(
         writeImage(testing::smoothImage(40, 30), folder / "a.tif", {{}, testing::moduleFolders()}).empty());
     EXPECT_EQ(forks, 1);
-    EXPECT_TRUE(readImage(folder / "a.tif", kPlace, testing::withModule()));
+    EXPECT_TRUE(readImage(folder / "a.tif", kReadPlace, testing::withModule()));
     EXPECT_EQ(forks, 2);
     const auto problems =
         writeImage(testing::smoothImage(70000, 1), folder / "a.tga", {{}, testing::moduleFolders()});
@@ -206,7 +206,7 @@ TEST_F(ReadImage, AJpegNamedBmpIsReadAsJpeg) {
     const Image image = testing::smoothImage(40, 30);
     ASSERT_TRUE(writeImage(image, folder / "posx.jpg", {{}, testing::moduleFolders()}).empty());
     fs::rename(folder / "posx.jpg", folder / "posx.bmp");
-    const auto read = readImage(folder / "posx.bmp", kPlace, testing::withModule());
+    const auto read = readImage(folder / "posx.bmp", kReadPlace, testing::withModule());
     ASSERT_TRUE(read);
     ASSERT_EQ(idsOf(read.diagnostics), "file-W03");
     EXPECT_EQ(read.diagnostics[0].text, "'posx.bmp' is a JPEG picture");
@@ -219,7 +219,7 @@ TEST_F(ReadImage, LimitsHoldBeforeTheModuleReads) {
         writeImage(testing::smoothImage(40, 30), folder / "a.tif", {{}, testing::moduleFolders()}).empty());
     ReadOptions options = testing::withModule();
     options.limits.side = 39;
-    EXPECT_EQ(idsOf(readImage(folder / "a.tif", kPlace, options).diagnostics), "file-E09");
+    EXPECT_EQ(idsOf(readImage(folder / "a.tif", kReadPlace, options).diagnostics), "file-E09");
 }
 
 /// A JPEG with an additional segment after the start of the image.
@@ -274,7 +274,7 @@ TEST_F(ReadImage, ExifNeitherRotatesAPictureNorStopsTheProgram) {
     for (const int highByteOfCount : {0, 0xdd}) {
         exif[23] = static_cast<char>(highByteOfCount);
         const auto read =
-            readImage(put("b.jpg", withSegment(*jpeg, 0xe1, exif)), kPlace, testing::withModule());
+            readImage(put("b.jpg", withSegment(*jpeg, 0xe1, exif)), kReadPlace, testing::withModule());
         ASSERT_TRUE(read);
         EXPECT_EQ(read->width, 24);
         EXPECT_LT(compare(image, *read).largest, .04);

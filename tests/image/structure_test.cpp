@@ -14,27 +14,22 @@
 namespace glibra::image {
 namespace {
 
-constexpr int kSide = 128;
+using testing::greyImage;
 
-/// A grey picture; a function gives each pixel.
-template <class Value>
-Image picture(Value value, int width = kSide, int height = kSide) {
-    Image image{width, height, 1, Component::u8, {}};
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x)
-            image.data.push_back(static_cast<std::byte>(static_cast<int>(value(x, y))));
-    return image;
-}
+constexpr int kStructureSide = 128;
 
 /// A disc at (64 + dx, 64 + dy).
 Image disc(double dx, double dy, double radius = 40) {
-    return picture([=](int x, int y) { return std::hypot(x - 64 - dx, y - 64 - dy) < radius ? 220 : 30; });
+    return greyImage([=](int x, int y) { return std::hypot(x - 64 - dx, y - 64 - dy) < radius ? 220 : 30; },
+                     kStructureSide, kStructureSide);
 }
 
-Image noise(std::uint32_t seed, int cell) {
-    return picture([=](int x, int y) {
-        return testing::hash(seed + static_cast<std::uint32_t>(y / cell * 1000 + x / cell)) >> 24;
-    });
+Image noisyCells(std::uint32_t seed, int cell) {
+    return greyImage(
+        [=](int x, int y) {
+            return testing::hash(seed + static_cast<std::uint32_t>(y / cell * 1000 + x / cell)) >> 24;
+        },
+        kStructureSide, kStructureSide);
 }
 
 TEST(Structure, EqualPicturesHaveNone) {
@@ -56,7 +51,8 @@ TEST(Structure, MissingShapesAreDetectedInPicturesOfAnySize) {
     for (const int side : {64, 128, 512}) {
         const auto empty = [](int, int) { return 90; };
         const auto triangle = [](int x, int y) { return y > 20 && y < 30 && x > 20 && x < y ? 180 : 90; };
-        const StructureResult result = structure(picture(triangle, side, side), picture(empty, side, side));
+        const StructureResult result =
+            structure(greyImage(triangle, side, side), greyImage(empty, side, side));
         EXPECT_GT(result.difference, .05) << side;
         EXPECT_LE(result.x, 20);
         EXPECT_GT(result.x + result.width, 30);
@@ -65,11 +61,13 @@ TEST(Structure, MissingShapesAreDetectedInPicturesOfAnySize) {
 
 TEST(Structure, OtherNoiseIsDetected) {
     for (const int cell : {1, 2, 4, 8})
-        EXPECT_GT(structure(noise(1, cell), noise(9, cell)).difference, .5) << cell;
+        EXPECT_GT(structure(noisyCells(1, cell), noisyCells(9, cell)).difference, .5) << cell;
 }
 
 TEST(Structure, BrightnessLosesTheSquareOfItsChangeInSixteenths) {
-    const auto flat = [](int value) { return picture([=](int, int) { return value; }); };
+    const auto flat = [](int value) {
+        return greyImage([=](int, int) { return value; }, kStructureSide, kStructureSide);
+    };
     EXPECT_NEAR(structure(flat(100), flat(104)).difference, 4. * 4 / (16 * 16), 1e-6);
     EXPECT_EQ(structure(flat(100), flat(117)).difference, 1);
 }
@@ -78,7 +76,8 @@ TEST(Structure, IsContrastAndStructureOfSsimWhereNoShiftHelps) {
     // Stripes of one contrast against stripes of another: shifts keep or reverse the phase, so the formula
     // can be evaluated by hand. Variances 100 and 900, covariance 300, equal means.
     const auto stripes = [](int amplitude) {
-        return picture([=](int x, int) { return 128 + (x / 2 % 2 == 0 ? amplitude : -amplitude); });
+        return greyImage([=](int x, int) { return 128 + (x / 2 % 2 == 0 ? amplitude : -amplitude); },
+                         kStructureSide, kStructureSide);
     };
     const double c = std::pow(.03 * 255, 2);
     EXPECT_NEAR(structure(stripes(10), stripes(30)).difference, 1 - (2 * 300 + c) / (100 + 900 + c), 1e-3);
@@ -88,7 +87,7 @@ TEST(Structure, AlphaAndColorCount) {
     const Image a = withComponents(disc(0, 0), 4);
     for (const std::size_t component : {0U, 1U, 2U, 3U}) {
         Image b = a;
-        for (std::size_t i = 0; i < std::size_t{16} * kSide; ++i)
+        for (std::size_t i = 0; i < std::size_t{16} * kStructureSide; ++i)
             b.data[4 * i + component] ^= std::byte{0x60};
         EXPECT_GT(structure(a, b).difference, .4) << component;
     }
@@ -106,11 +105,11 @@ TEST(Structure, NanAgainstANumberLosesTheWindowsAroundIt) {
 
 TEST(Structure, SmallPicturesAreOneWindow) {
     EXPECT_EQ(
-        structure(picture([](int, int) { return 0; }, 3, 2), picture([](int, int) { return 255; }, 3, 2))
+        structure(greyImage([](int, int) { return 0; }, 3, 2), greyImage([](int, int) { return 255; }, 3, 2))
             .difference,
         1);
     EXPECT_EQ(structure({}, {}).difference, 1);
-    EXPECT_EQ(structure(disc(0, 0), picture([](int, int) { return 0; }, 3, 2)).difference, 1);
+    EXPECT_EQ(structure(disc(0, 0), greyImage([](int, int) { return 0; }, 3, 2)).difference, 1);
 }
 
 }  // namespace

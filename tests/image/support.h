@@ -56,6 +56,22 @@ inline Image smoothImage(int width, int height) {
     return image;
 }
 
+/// A grey picture; `value` gives each pixel.
+template <class Value>
+Image greyImage(Value value, int width, int height) {
+    Image image{width, height, 1, Component::u8, {}};
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            image.data.push_back(static_cast<std::byte>(static_cast<int>(value(x, y))));
+    return image;
+}
+
+inline Image floatImage(int width, int height, int components, const std::vector<float>& values) {
+    Image image{width, height, components, Component::f32, std::vector<std::byte>(4 * values.size())};
+    std::memcpy(image.data.data(), values.data(), image.data.size());
+    return image;
+}
+
 /// The first components of a pixel as numbers.
 inline std::vector<int> pixelAt(const Image& image, int x, int y) {
     std::vector<int> values;

@@ -37,6 +37,26 @@ struct Case {
     Stages byHand{};
 };
 
+/// A vertex stage with a position and a varying for the fragment stage to compute with.
+inline constexpr const char* kPointVertex = R"glsl(
+varying vec3 vPoint;
+void main() {
+    vPoint = gl_Vertex.xyz;
+    gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex;
+}
+)glsl";
+
+/// The same, with a texture coordinate.
+inline constexpr const char* kPointCoordinateVertex = R"glsl(
+varying vec3 vPoint;
+varying vec2 vST;
+void main() {
+    vPoint = gl_Vertex.xyz;
+    vST = gl_MultiTexCoord0.st;
+    gl_Position = ftransform();
+}
+)glsl";
+
 /// The cases by the version that the shaders declare.
 std::vector<Case> casesOf110();
 std::vector<Case> casesOf110State();

@@ -10,15 +10,6 @@ constexpr const char* kColorFragment = R"glsl(
 void main() { gl_FragColor = gl_Color; }
 )glsl";
 
-/// A position and a varying for the fragment stage to compute with.
-constexpr const char* kPointVertex = R"glsl(
-varying vec3 vPoint;
-void main() {
-    vPoint = gl_Vertex.xyz;
-    gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex;
-}
-)glsl";
-
 }  // namespace
 
 std::vector<Case> casesOf110() {

@@ -5,7 +5,7 @@
 namespace glibra::oracle {
 namespace {
 
-constexpr const char* kPointVertex = R"glsl(
+constexpr const char* kPointVertex120 = R"glsl(
 #version 120
 varying vec3 vPoint;
 void main() {
@@ -45,7 +45,7 @@ void main() {
 }
 )glsl"}},
         {.name = "v120_matrices",
-         .stages = {.vertex = kPointVertex, .fragment = R"glsl(
+         .stages = {.vertex = kPointVertex120, .fragment = R"glsl(
 #version 120
 uniform mat2x3 uFrame;
 varying vec3 vPoint;
@@ -61,7 +61,7 @@ void main() {
 )glsl"},
          .tags = "uFrame [1 0 .5  .25 2 0]"},
         {.name = "v120_implicit_conversions_and_initializers",
-         .stages = {.vertex = kPointVertex, .fragment = R"glsl(
+         .stages = {.vertex = kPointVertex120, .fragment = R"glsl(
 #version 120
 uniform float uScale = 3;
 uniform vec3 uTint = vec3(1, .75, .5);
@@ -178,7 +178,7 @@ void main() {
 varying vec3 vHit;
 void main() { gl_FragColor = vec4(.5 + .5 * vHit, 1.); }
 )glsl"}},
-        {.name = "v120_vertex_with_v110_fragment", .stages = {.vertex = kPointVertex, .fragment = R"glsl(
+        {.name = "v120_vertex_with_v110_fragment", .stages = {.vertex = kPointVertex120, .fragment = R"glsl(
 varying vec3 vPoint;
 void main() { gl_FragColor = vec4(fract(2. * vPoint), 1.); }
 )glsl"}},

@@ -6,7 +6,7 @@
 namespace glibra::oracle {
 namespace {
 
-constexpr const char* kPointVertex = R"glsl(#version 130
+constexpr const char* kPointVertex130 = R"glsl(#version 130
 out vec3 vPoint;
 out vec2 vST;
 void main() {
@@ -52,7 +52,7 @@ void main() {
 }
 )glsl"}},
         {.name = "v130_integers",
-         .stages = {.vertex = kPointVertex, .fragment = R"glsl(#version 130
+         .stages = {.vertex = kPointVertex130, .fragment = R"glsl(#version 130
 in vec3 vPoint;
 uniform uint uMask;
 uniform int uShift;
@@ -71,7 +71,7 @@ void main() {
 )glsl"},
          .tags = "uMask 5 uShift 1"},
         {.name = "v130_switch_and_functions",
-         .stages = {.vertex = kPointVertex, .fragment = R"glsl(#version 130
+         .stages = {.vertex = kPointVertex130, .fragment = R"glsl(#version 130
 in vec3 vPoint;
 in vec2 vST;
 out vec4 fColor;
@@ -159,7 +159,7 @@ void main() {
 }
 )glsl"}},
         {.name = "v130_own_outputs_to_several_targets",
-         .stages = {.vertex = kPointVertex, .fragment = R"glsl(#version 330 compatibility
+         .stages = {.vertex = kPointVertex130, .fragment = R"glsl(#version 330 compatibility
 in vec3 vPoint;
 in vec2 vST;
 layout(location = 1) out vec4 fSecond;
@@ -171,7 +171,7 @@ void main() {
 )glsl"},
          .before = "Texture2D 5 64 64\nTexture2D 6 64 64\n",
          .draws = "RenderToTexture 5 6\nRotate 35 1 2 0\nTorus 1.1 .5 24 36\nRenderToTexture\n",
-         .show = {.vertex = kPointVertex, .fragment = R"glsl(#version 130
+         .show = {.vertex = kPointVertex130, .fragment = R"glsl(#version 130
 in vec2 vST;
 uniform sampler2D uFirst, uSecond;
 void main() { gl_FragColor = vST.s > vST.t ? texture(uFirst, vST) : texture(uSecond, vST); }

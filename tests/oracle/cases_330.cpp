@@ -44,7 +44,7 @@ out vec4 fColor;
 void main() { fColor = vec4(gl_Color.rg, .5 + .5 * normalize(vNormal).z, 1.); }
 )glsl";
 
-constexpr const char* kPointVertex = R"glsl(#version 330 compatibility
+constexpr const char* kPointVertex330 = R"glsl(#version 330 compatibility
 out vec3 vPoint;
 out vec2 vST;
 void main() {
@@ -113,7 +113,7 @@ void main() {
                     .fragment = "#version 330 core\n" + kCoreFragment},
          .byHand = {.vertex = kCompatibility + kCoreVertex, .fragment = kCompatibility + kCoreFragment}},
         {.name = "v330_texture_as_a_sampler_name",
-         .stages = {.vertex = kPointVertex, .fragment = R"glsl(#version 330 compatibility
+         .stages = {.vertex = kPointVertex330, .fragment = R"glsl(#version 330 compatibility
 uniform sampler2D picture;
 in vec2 vST;
 vec4 sampleTwice(sampler2D texture, vec2 st) { return texture2D(texture, st) * .5 + texture2D(texture, st.ts) * .5; }
@@ -125,7 +125,7 @@ void main() {
          .before = "Texture2D 5 pattern.png\n",
          .tags = "picture 5"},
         {.name = "v330_bits_and_packing",
-         .stages = {.vertex = kPointVertex, .fragment = R"glsl(#version 330 compatibility
+         .stages = {.vertex = kPointVertex330, .fragment = R"glsl(#version 330 compatibility
 #extension GL_ARB_shader_bit_encoding : enable
 in vec3 vPoint;
 in vec2 vST;
@@ -139,7 +139,7 @@ void main() {
 }
 )glsl"}},
         {.name = "v330_derivatives",
-         .stages = {.vertex = kPointVertex, .fragment = R"glsl(#version 330 compatibility
+         .stages = {.vertex = kPointVertex330, .fragment = R"glsl(#version 330 compatibility
 in vec3 vPoint;
 in vec2 vST;
 void main() {
@@ -149,7 +149,7 @@ void main() {
 )glsl"},
          .draws = "Rotate 35 1 2 0\nBox 1.5 1.5 1.5\n"},
         {.name = "v420_initializer_lists_and_bindings",
-         .stages = {.vertex = kPointVertex, .fragment = R"glsl(#version 420 compatibility
+         .stages = {.vertex = kPointVertex330, .fragment = R"glsl(#version 420 compatibility
 layout(binding = 5) uniform sampler2D uPicture;
 in vec3 vPoint;
 in vec2 vST;

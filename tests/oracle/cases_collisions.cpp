@@ -5,16 +5,6 @@
 namespace glibra::oracle {
 namespace {
 
-constexpr const char* kPointVertex = R"glsl(
-varying vec3 vPoint;
-varying vec2 vST;
-void main() {
-    vPoint = gl_Vertex.xyz;
-    vST = gl_MultiTexCoord0.st;
-    gl_Position = ftransform();
-}
-)glsl";
-
 constexpr const char* kPicture = "Texture2D 5 pattern.png\n";
 
 }  // namespace
@@ -42,7 +32,7 @@ void main() {
 void main() { FragColor = vec4(Color.rg, .5 * fract(4. * TexCoord.s) + .25 * gl_FogFragCoord + .25, 1.); }
 )glsl"}},
         {.name = "collision_of_macros_with_texture_functions",
-         .stages = {.vertex = kPointVertex, .fragment = R"glsl(
+         .stages = {.vertex = kPointCoordinateVertex, .fragment = R"glsl(
 #define texture vST
 #define LOD textureLod
 #define textureLod(x) (x)
@@ -84,7 +74,7 @@ varying vec4 vShade;
 void main() { gl_FragColor = vec4(gl_Color.rg, vShade.z, 1.); }
 )glsl"}},
         {.name = "collision_of_local_names_with_supplied_ones",
-         .stages = {.vertex = kPointVertex, .fragment = R"glsl(
+         .stages = {.vertex = kPointCoordinateVertex, .fragment = R"glsl(
 varying vec3 vPoint;
 varying vec2 vST;
 struct Frame { vec3 Tangent; float Timer, FaceIndex; };
@@ -114,7 +104,7 @@ void main() {
                     .fragment =
                         "varying vec3 vPoint; void main() { gl_FragColor = vec4(.5 + vPoint, 1.); }"}},
         {.name = "collision_of_functions_with_texture_names",
-         .stages = {.vertex = kPointVertex, .fragment = R"glsl(
+         .stages = {.vertex = kPointCoordinateVertex, .fragment = R"glsl(
 #version 120
 uniform sampler2D uPicture;
 varying vec3 vPoint;
@@ -137,7 +127,7 @@ void main() {
          .before = kPicture,
          .tags = "uPicture 5"},
         {.name = "collision_of_later_types_with_variables",
-         .stages = {.vertex = kPointVertex, .fragment = R"glsl(
+         .stages = {.vertex = kPointCoordinateVertex, .fragment = R"glsl(
 #version 110
 uniform float precision;
 varying vec3 vPoint;
@@ -200,7 +190,7 @@ void main() { gl_FragColor = vec4(1.);
                   "  gl_Position = gl_Model\\\nViewProjectionMatrix * gl_Vertex;\n}\n",
               .fragment = "varying vec3 vPoint; void main() { gl_FragColor = vec4(.5 + .5 * vPoint, 1.); }"}},
         {.name = "collision_of_samplers_with_structure_members",
-         .stages = {.vertex = kPointVertex, .fragment = R"glsl(
+         .stages = {.vertex = kPointCoordinateVertex, .fragment = R"glsl(
 #version 110
 struct Material { sampler2D map; float strength; };
 uniform Material uMaterial;

@@ -17,7 +17,7 @@ void main() {
 }
 )glsl";
 
-constexpr const char* kColorFragment = R"glsl(
+constexpr const char* kGeometryFragment = R"glsl(
 varying vec3 gNormal;
 void main() { gl_FragColor = vec4(gl_Color.rg, fract(4. * gl_TexCoord[0].s) * .5 + .25 * gNormal.z + .25, 1.); }
 )glsl";
@@ -48,7 +48,7 @@ void main() {
     EndPrimitive();
 }
 )glsl",
-                    .fragment = kColorFragment},
+                    .fragment = kGeometryFragment},
          .before = kTriangles,
          .tags = "uShrink <0. .75 1.>",
          .byHand = {.geometry = R"glsl(#version 150 compatibility
@@ -236,7 +236,7 @@ void main() {
     }
 }
 )glsl",
-                    .fragment = kColorFragment},
+                    .fragment = kGeometryFragment},
          .draws = "Rotate 35 1 2 0\nTorus 1.1 .5 10 14\n",
          .byHand = {.geometry = R"glsl(#version 330 compatibility
 layout(triangles) in;
@@ -284,7 +284,7 @@ void main() {
     EndPrimitive();
 }
 )glsl",
-                    .fragment = kColorFragment},
+                    .fragment = kGeometryFragment},
          .before = kTriangles,
          .byHand = {.geometry = R"glsl(#version 150 compatibility
 layout(triangles) in;

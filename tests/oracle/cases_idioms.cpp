@@ -4,19 +4,6 @@
 #include "case.h"
 
 namespace glibra::oracle {
-namespace {
-
-constexpr const char* kPointVertex = R"glsl(
-varying vec3 vPoint;
-varying vec2 vST;
-void main() {
-    vPoint = gl_Vertex.xyz;
-    vST = gl_MultiTexCoord0.st;
-    gl_Position = ftransform();
-}
-)glsl";
-
-}  // namespace
 
 std::vector<Case> casesOfIdioms() {
     return {
@@ -101,7 +88,7 @@ varying mediump vec3 vPoint;
 void main() { gl_FragColor = vec4(.5 + .5 * vPoint.x, GREEN, fract(3. * vPoint.z), 1.); }
 )glsl"}},
         {.name = "idiom_functions_made_by_macros",
-         .stages = {.vertex = kPointVertex, .fragment = R"glsl(#version 120
+         .stages = {.vertex = kPointCoordinateVertex, .fragment = R"glsl(#version 120
 #extension all : warn
 #pragma optimize(on)
 #pragma debug(off)
@@ -139,7 +126,7 @@ VARYING(vec3, vPoint);
 void main() { gl_FragColor = vec4(.5 + .5 * vPoint, 1.); }
 )glsl"}},
         {.name = "idiom_a_user_function_texture3D_on_a_2D_picture",
-         .stages = {.vertex = kPointVertex, .fragment = R"glsl(#version 120
+         .stages = {.vertex = kPointCoordinateVertex, .fragment = R"glsl(#version 120
 uniform sampler2D uPicture;
 varying vec3 vPoint;
 vec4 texture3D(sampler2D slices, vec3 p, float count) {
@@ -197,7 +184,7 @@ void main() { fColor = vec4(.5 + .5 * vNormal.x, float(vWhich) / 3., texture(uPi
          .before = "Texture2D 5 pattern.png\n",
          .tags = "uPicture 5"},
         {.name = "repair_constants_of_uniforms_and_inputs_written_to",
-         .stages = {.vertex = kPointVertex, .fragment = R"glsl(#version 120
+         .stages = {.vertex = kPointCoordinateVertex, .fragment = R"glsl(#version 120
 uniform float uScale;
 varying vec3 vPoint;
 varying vec2 vST;
@@ -223,7 +210,7 @@ void main() {
 }
 )glsl"}},
         {.name = "repair_scalars_beside_vectors",
-         .stages = {.vertex = kPointVertex, .fragment = R"glsl(
+         .stages = {.vertex = kPointCoordinateVertex, .fragment = R"glsl(
 uniform float uPower;
 uniform float uPower;
 varying vec3 vPoint;
@@ -246,7 +233,7 @@ void main() {
 }
 )glsl"}},
         {.name = "repair_integers_used_as_samplers_and_inputs_of_no_stage",
-         .stages = {.vertex = kPointVertex, .fragment = R"glsl(
+         .stages = {.vertex = kPointCoordinateVertex, .fragment = R"glsl(
 uniform int uPicture;
 uniform float uRamp;
 varying vec3 vPoint, vNobody;
@@ -323,7 +310,7 @@ void main() { fColor = vec4(.5 + .25 * vNormal + (texture(Noise3, vNormal).rgb -
         // The driver's noise functions are 0 everywhere. The reference is a second implementation of the
         // definition in language, 7.5.
         {.name = "noise_functions",
-         .stages = {.vertex = kPointVertex, .fragment = R"glsl(
+         .stages = {.vertex = kPointCoordinateVertex, .fragment = R"glsl(
 varying vec3 vPoint;
 varying vec2 vST;
 void main() {

@@ -3,23 +3,10 @@
 #include "case.h"
 
 namespace glibra::oracle {
-namespace {
-
-constexpr const char* kPointVertex = R"glsl(
-varying vec3 vPoint;
-varying vec2 vST;
-void main() {
-    vPoint = gl_Vertex.xyz;
-    vST = gl_MultiTexCoord0.st;
-    gl_Position = ftransform();
-}
-)glsl";
-
-}  // namespace
 
 std::vector<Case> casesOfNames() {
     return {
-        {.name = "names_of_variables", .stages = {.vertex = kPointVertex, .fragment = R"glsl(
+        {.name = "names_of_variables", .stages = {.vertex = kPointCoordinateVertex, .fragment = R"glsl(
 #version 110
 varying vec3 vPoint;
 void main() {
@@ -62,7 +49,7 @@ void main() {
 )glsl"},
          .tags = "sample <0. .5 1.> buffer [1 .5 .25] precise.shared {1 .8 .1} precise.flat .75"},
         {.name = "names_of_functions_arguments_and_members",
-         .stages = {.vertex = kPointVertex, .fragment = R"glsl(
+         .stages = {.vertex = kPointCoordinateVertex, .fragment = R"glsl(
 #version 120
 varying vec3 vPoint;
 struct filter { float sample; vec2 texture; };
@@ -78,7 +65,7 @@ void main() {
 }
 )glsl"}},
         {.name = "names_of_samplers",
-         .stages = {.vertex = kPointVertex, .fragment = R"glsl(
+         .stages = {.vertex = kPointCoordinateVertex, .fragment = R"glsl(
 #version 110
 uniform sampler2D texture;
 uniform sampler2D sample;
@@ -117,7 +104,7 @@ void main() {
 }
 )glsl"}},
         {.name = "names_of_built_in_functions_of_the_same_version",
-         .stages = {.vertex = kPointVertex, .fragment = R"glsl(
+         .stages = {.vertex = kPointCoordinateVertex, .fragment = R"glsl(
 #version 110
 varying vec3 vPoint;
 varying vec2 vST;
@@ -129,7 +116,8 @@ void main() {
     gl_FragColor = vec4(mix(vec3(1., .2, 0.), vec3(0., .4, 1.), edge), 1.);
 }
 )glsl"}},
-        {.name = "names_that_hide_one_another", .stages = {.vertex = kPointVertex, .fragment = R"glsl(
+        {.name = "names_that_hide_one_another",
+         .stages = {.vertex = kPointCoordinateVertex, .fragment = R"glsl(
 #version 110
 varying vec3 vPoint;
 varying vec2 vST;

@@ -5,7 +5,7 @@
 namespace glibra::oracle {
 namespace {
 
-constexpr const char* kPointVertex = R"glsl(
+constexpr const char* kPointNormalVertex = R"glsl(
 varying vec3 vPoint, vNormal;
 void main() {
     vPoint = gl_Vertex.xyz;
@@ -18,7 +18,7 @@ void main() {
 
 std::vector<Case> casesOfStructures() {
     return {
-        {.name = "structures_of_built_in_types", .stages = {.vertex = kPointVertex, .fragment = R"glsl(
+        {.name = "structures_of_built_in_types", .stages = {.vertex = kPointNormalVertex, .fragment = R"glsl(
 varying vec3 vPoint, vNormal;
 vec4 lit(gl_LightSourceParameters light, const in gl_MaterialParameters material, vec3 n) {
     float d = max(dot(n, light.position.xyz), 0.);
@@ -34,7 +34,7 @@ void main() {
     gl_FragColor = vec4(c.rgb * fog.density + .1 * range.far * fract(vPoint), 1.);
 }
 )glsl"}},
-        {.name = "structures_of_light_products", .stages = {.vertex = kPointVertex, .fragment = R"glsl(
+        {.name = "structures_of_light_products", .stages = {.vertex = kPointNormalVertex, .fragment = R"glsl(
 varying vec3 vPoint, vNormal;
 vec3 sum(gl_LightProducts products) { return products.ambient.rgb + products.diffuse.rgb + products.specular.rgb; }
 void main() {
@@ -46,7 +46,7 @@ void main() {
 }
 )glsl"}},
         {.name = "matrices_by_column_and_in_the_fragment_stage",
-         .stages = {.vertex = kPointVertex, .fragment = R"glsl(
+         .stages = {.vertex = kPointNormalVertex, .fragment = R"glsl(
 varying vec3 vPoint, vNormal;
 void main() {
     vec3 away = gl_ModelViewMatrix[3].xyz + gl_NormalMatrix[2] * .5;
@@ -111,7 +111,7 @@ float bands(float x) { return x + kStep * floor(fract(vPoint.y * 2.) / kStep); }
 )glsl"},
          .tags = "uScale .45 uTint [.5 .8 1.5]"},
         {.name = "arrays_of_structures_as_uniforms",
-         .stages = {.vertex = kPointVertex, .fragment = R"glsl(
+         .stages = {.vertex = kPointNormalVertex, .fragment = R"glsl(
 #version 120
 struct Spot { vec3 color; float radius; vec2 at[2]; };
 uniform Spot uSpots[2];
@@ -165,7 +165,7 @@ void main() {
 )glsl",
                     .fragment = "void main() { gl_FragColor = gl_Color; }\n"}},
         {.name = "fragment_coordinates_from_above",
-         .stages = {.vertex = kPointVertex, .fragment = R"glsl(#version 150 compatibility
+         .stages = {.vertex = kPointNormalVertex, .fragment = R"glsl(#version 150 compatibility
 layout(origin_upper_left, pixel_center_integer) in vec4 gl_FragCoord;
 in vec3 vPoint;
 void main() { gl_FragColor = vec4(mod(gl_FragCoord.xy, 16.) / 16., .5 + .5 * vPoint.z, 1.); }
@@ -220,7 +220,7 @@ void main() {
 }
 )glsl"}},
         {.name = "wide_lines",
-         .stages = {.vertex = kPointVertex,
+         .stages = {.vertex = kPointNormalVertex,
                     .fragment =
                         "varying vec3 vPoint; void main() { gl_FragColor = vec4(.5 + .5 * vPoint, 1.); }"},
          .draws = "LineWidth 3\nWireTorus 1 .4 8 12\n"},

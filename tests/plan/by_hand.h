@@ -9,6 +9,7 @@
 
 #include "glib/command_table.h"
 #include "plan/frame_plan.h"
+#include "plan/type_table.h"
 
 namespace glibra::plan::test {
 
@@ -77,6 +78,13 @@ inline ActiveUniform uniform(std::string name, std::string word) {
     }
     result.type = valueType(word);
     return result;
+}
+
+using Values = std::vector<double>;
+
+/// What a uniform of that type reads from values of that form.
+inline Reading readingOf(const std::string& word, glib::UniformForm form, const Values& values) {
+    return readValue({"uA", form, values, {"scene.glib", 7, 3}, {"scene.glib", 7, 9}}, uniform("uA", word));
 }
 
 inline ProgramInterface interfaceWith(std::initializer_list<std::pair<std::string, std::string>> uniforms) {

@@ -9,15 +9,12 @@ namespace {
 
 using glib::UniformForm;
 using test::ids;
+using test::readingOf;
 using test::textOf;
-using Values = std::vector<double>;
+using test::Values;
 
-Reading read(const std::string& word, UniformForm form, const Values& values) {
-    return readValue({"uA", form, values, {"scene.glib", 7, 3}, {"scene.glib", 7, 9}},
-                     test::uniform("uA", word));
-}
 Reading slider(const Values& values) {
-    return read("float", UniformForm::range, values);
+    return readingOf("float", UniformForm::range, values);
 }
 void expectControl(const Reading& reading, double minimum, double current, double maximum) {
     ASSERT_TRUE(reading.control);
@@ -28,22 +25,22 @@ void expectControl(const Reading& reading, double minimum, double current, doubl
 }
 
 TEST(ColourCount, OfThreeForFourComponentsHasAlphaOne) {
-    const Reading reading = read("vec4", UniformForm::color, {.1, .2, .3});
+    const Reading reading = readingOf("vec4", UniformForm::color, {.1, .2, .3});
     EXPECT_EQ(reading.values, (Values{.1, .2, .3, 1}));
     EXPECT_TRUE(reading.diagnostics.empty());
 }
 TEST(ColourCount, OfFourForThreeComponentsDropsAlpha) {
-    const Reading reading = read("vec3", UniformForm::color, {.1, .2, .3, .4});
+    const Reading reading = readingOf("vec3", UniformForm::color, {.1, .2, .3, .4});
     EXPECT_EQ(reading.values, (Values{.1, .2, .3}));
     EXPECT_TRUE(reading.diagnostics.empty());
 }
 TEST(ColourCount, OfOneOrTwoIsFilledWithZerosAndAlphaOne) {
-    EXPECT_EQ(read("vec3", UniformForm::color, {.1}).values, (Values{.1, 0, 0}));
-    EXPECT_EQ(read("vec4", UniformForm::color, {.1, .2}).values, (Values{.1, .2, 0, 1}));
-    EXPECT_EQ(ids(read("vec4", UniformForm::color, {.1, .2}).diagnostics), "glib-W15");
+    EXPECT_EQ(readingOf("vec3", UniformForm::color, {.1}).values, (Values{.1, 0, 0}));
+    EXPECT_EQ(readingOf("vec4", UniformForm::color, {.1, .2}).values, (Values{.1, .2, 0, 1}));
+    EXPECT_EQ(ids(readingOf("vec4", UniformForm::color, {.1, .2}).diagnostics), "glib-W15");
 }
 TEST(ColourCount, BeyondFourIsSurplus) {
-    const Reading reading = read("vec4", UniformForm::color, {.1, .2, .3, .4, .5});
+    const Reading reading = readingOf("vec4", UniformForm::color, {.1, .2, .3, .4, .5});
     EXPECT_EQ(reading.values, (Values{.1, .2, .3, .4}));
     EXPECT_EQ(ids(reading.diagnostics), "glib-W15");
 }
@@ -56,7 +53,7 @@ TEST(RangeCount, OfOneReachesToZeroAndOne) {
               "uA: 1 value in < >; read as minimum 0, current .5, maximum 1");
 }
 TEST(RangeCount, OfOneOnABoolTellsWhetherItIsNotZero) {
-    const Reading reading = read("bool", UniformForm::range, {2});
+    const Reading reading = readingOf("bool", UniformForm::range, {2});
     EXPECT_EQ(reading.values, Values{1});
     EXPECT_EQ(textOf(reading.diagnostics, "glib-W15"), "uA: 1 value in < >; read as true");
     EXPECT_EQ(ids(reading.diagnostics), "glib-W15");
@@ -76,21 +73,21 @@ TEST(RangeCount, BeyondThreeIsSurplus) {
     EXPECT_EQ(ids(slider({0, 1, 2, 3}).diagnostics), "glib-W15");
 }
 TEST(ListCount, BeyondTheTypeIsSurplus) {
-    const Reading reading = read("vec2", UniformForm::list, {1, 2, 3});
+    const Reading reading = readingOf("vec2", UniformForm::list, {1, 2, 3});
     EXPECT_EQ(reading.values, (Values{1, 2}));
     EXPECT_EQ(ids(reading.diagnostics), "glib-W15");
-    EXPECT_EQ(read("float[2]", UniformForm::list, {1, 2, 3}).values, (Values{1, 2}));
+    EXPECT_EQ(readingOf("float[2]", UniformForm::list, {1, 2, 3}).values, (Values{1, 2}));
 }
 TEST(ListCount, BelowTheTypeLeavesTheRestZero) {
-    const Reading reading = read("vec3", UniformForm::list, {1, 2});
+    const Reading reading = readingOf("vec3", UniformForm::list, {1, 2});
     EXPECT_EQ(reading.values, (Values{1, 2, 0}));
     EXPECT_EQ(textOf(reading.diagnostics, "glib-W15"), "uA: 2 values in [ ]; vec3 takes 3, so the rest is 0");
-    EXPECT_EQ(read("float[4]", UniformForm::list, {1}).values, (Values{1, 0, 0, 0}));
-    EXPECT_EQ(read("mat2", UniformForm::list, {1, 2, 3}).values, (Values{1, 2, 3, 0}));
+    EXPECT_EQ(readingOf("float[4]", UniformForm::list, {1}).values, (Values{1, 0, 0, 0}));
+    EXPECT_EQ(readingOf("mat2", UniformForm::list, {1, 2, 3}).values, (Values{1, 2, 3, 0}));
 }
 TEST(EmptyBrackets, SkipTheTag) {
     for (const UniformForm form : {UniformForm::list, UniformForm::range, UniformForm::color}) {
-        const Reading reading = read("vec3", form, {});
+        const Reading reading = readingOf("vec3", form, {});
         EXPECT_TRUE(reading.ignored);
         EXPECT_EQ(textOf(reading.diagnostics, "glib-W17"), "tag 'uA' has no value; it is skipped");
         EXPECT_EQ(reading.diagnostics.front().place.column, 3);
@@ -115,8 +112,8 @@ TEST(RangeOrder, KeepsACurrentValueOutside) {
               "uA: current value 1 is outside .01 ... .5; it is kept");
 }
 TEST(RangeOrder, DoesNotMatterWithoutASlider) {
-    EXPECT_EQ(ids(read("vec2", UniformForm::range, {5, 9, 1}).diagnostics), "glib-W20");
-    EXPECT_EQ(ids(read("bool", UniformForm::range, {1, 1, 1}).diagnostics), "glib-W20");
+    EXPECT_EQ(ids(readingOf("vec2", UniformForm::range, {5, 9, 1}).diagnostics), "glib-W20");
+    EXPECT_EQ(ids(readingOf("bool", UniformForm::range, {1, 1, 1}).diagnostics), "glib-W20");
 }
 
 TEST(TypedValue, OfThreeNumbersForAVec4IsAnOpaqueColour) {

@@ -10,7 +10,7 @@ namespace {
 using glib::UniformForm;
 using test::ids;
 using test::textOf;
-using Values = std::vector<double>;
+using test::Values;
 
 void expectOverride(const char* text, const char* name, UniformForm form, const Values& values) {
     const Result<Override> read = parseOverride(text);
@@ -66,8 +66,8 @@ struct Outcome {
     UniformResolution resolution;
     std::vector<bool> used;
 };
-Outcome resolve(const ProgramInterface& interface, std::vector<glib::UniformSpec> pairs,
-                const std::vector<Override>& overrides) {
+Outcome outcomeOf(const ProgramInterface& interface, std::vector<glib::UniformSpec> pairs,
+                  const std::vector<Override>& overrides) {
     Outcome outcome;
     outcome.resolution =
         resolveUniforms(dots(std::move(pairs)), test::kScenePath, interface, overrides, outcome.used);
@@ -75,8 +75,8 @@ Outcome resolve(const ProgramInterface& interface, std::vector<glib::UniformSpec
 }
 
 TEST(Overriding, ReplacesTheScenesValue) {
-    const Outcome outcome = resolve(test::interfaceWith({{"uKd", "float"}}), {test::number("uKd", .1)},
-                                    {{"uKd", UniformForm::number, {.9}}});
+    const Outcome outcome = outcomeOf(test::interfaceWith({{"uKd", "float"}}), {test::number("uKd", .1)},
+                                      {{"uKd", UniformForm::number, {.9}}});
     ASSERT_EQ(outcome.resolution.values.size(), 1U);
     EXPECT_EQ(std::get<Literal>(outcome.resolution.values[0].value).values, Values{.9});
     EXPECT_TRUE(outcome.used.at(0));
@@ -84,7 +84,7 @@ TEST(Overriding, ReplacesTheScenesValue) {
 TEST(Overriding, IsForOneProgramIfItNamesOne) {
     const auto isUsed = [](const std::string& text) {
         const Result<Override> read = parseOverride(text);
-        const Outcome outcome = resolve(test::interfaceWith({{"uKd", "float"}}), {}, {*read});
+        const Outcome outcome = outcomeOf(test::interfaceWith({{"uKd", "float"}}), {}, {*read});
         return outcome.used.at(0) && outcome.resolution.values.size() == 1;
     };
     EXPECT_TRUE(isUsed("uKd=.9"));
@@ -95,45 +95,46 @@ TEST(Overriding, IsForOneProgramIfItNamesOne) {
 }
 TEST(Overriding, SetsWhatTheSceneDoesNot) {
     const Outcome outcome =
-        resolve(test::interfaceWith({{"uKd", "float"}}), {}, {{"uKd", UniformForm::number, {.9}}});
+        outcomeOf(test::interfaceWith({{"uKd", "float"}}), {}, {{"uKd", UniformForm::number, {.9}}});
     EXPECT_EQ(outcome.resolution.values.size(), 1U);
     EXPECT_EQ(ids(outcome.resolution.diagnostics), "");
 }
 TEST(Overriding, KeepsTheSliderAndMovesIt) {
     const Outcome outcome =
-        resolve(test::interfaceWith({{"uKd", "float"}}), {test::spec("uKd", UniformForm::range, {0, .5, 2})},
-                {{"uKd", UniformForm::number, {1.5}}});
+        outcomeOf(test::interfaceWith({{"uKd", "float"}}),
+                  {test::spec("uKd", UniformForm::range, {0, .5, 2})}, {{"uKd", UniformForm::number, {1.5}}});
     ASSERT_EQ(outcome.resolution.controls.size(), 1U);
     EXPECT_EQ(outcome.resolution.controls[0].maximum, 2);
     EXPECT_EQ(outcome.resolution.controls[0].current, 1.5);
 }
 TEST(Overriding, WithAnUnsuitableValueKeepsTheScenesValue) {
     const Outcome outcome =
-        resolve(test::interfaceWith({{"uM", "mat2"}}), {test::spec("uM", UniformForm::list, {1, 2, 3, 4})},
-                {{"uM", UniformForm::truth, {1}}});
+        outcomeOf(test::interfaceWith({{"uM", "mat2"}}), {test::spec("uM", UniformForm::list, {1, 2, 3, 4})},
+                  {{"uM", UniformForm::truth, {1}}});
     ASSERT_EQ(outcome.resolution.values.size(), 1U);
     EXPECT_EQ(std::get<Literal>(outcome.resolution.values[0].value).values, (Values{1, 2, 3, 4}));
     EXPECT_EQ(ids(outcome.resolution.diagnostics), "glib-W20");
 }
 TEST(Overriding, SelectsTheUnitOfASampler) {
-    const Outcome outcome = resolve(test::interfaceWith({{"uTex", "sampler2D"}}), {test::number("uTex", 5)},
-                                    {{"uTex", UniformForm::number, {8}}});
+    const Outcome outcome = outcomeOf(test::interfaceWith({{"uTex", "sampler2D"}}), {test::number("uTex", 5)},
+                                      {{"uTex", UniformForm::number, {8}}});
     EXPECT_EQ(outcome.resolution.samplers.at(0).unit, 8);
 }
 TEST(Overriding, OfASuppliedNameHasNoEffect) {
     const Outcome outcome =
-        resolve(test::interfaceWith({{"Timer", "float"}}), {}, {{"Timer", UniformForm::number, {.5}}});
+        outcomeOf(test::interfaceWith({{"Timer", "float"}}), {}, {{"Timer", UniformForm::number, {.5}}});
     EXPECT_EQ(ids(outcome.resolution.diagnostics), "glib-W25");
     EXPECT_TRUE(outcome.used.at(0));
 }
 TEST(Overriding, TheLastOfTheSameNameCounts) {
-    const Outcome outcome = resolve(test::interfaceWith({{"uKd", "float"}}), {},
-                                    {{"uKd", UniformForm::number, {.1}}, {"uKd", UniformForm::number, {.2}}});
+    const Outcome outcome =
+        outcomeOf(test::interfaceWith({{"uKd", "float"}}), {},
+                  {{"uKd", UniformForm::number, {.1}}, {"uKd", UniformForm::number, {.2}}});
     EXPECT_EQ(std::get<Literal>(outcome.resolution.values.back().value).values, Values{.2});
 }
 TEST(Overriding, OfAnUnknownNameIsUnused) {
     const Outcome outcome =
-        resolve(test::interfaceWith({{"uKd", "float"}}), {}, {{"uKe", UniformForm::number, {.1}}});
+        outcomeOf(test::interfaceWith({{"uKd", "float"}}), {}, {{"uKe", UniformForm::number, {.1}}});
     EXPECT_FALSE(outcome.used.at(0));
 }
 TEST(UnusedOverride, IsReportedWithANearName) {

@@ -10,27 +10,24 @@ namespace {
 
 using glib::UniformForm;
 using test::ids;
+using test::readingOf;
 using test::textOf;
-using Values = std::vector<double>;
+using test::Values;
 
-Reading read(const std::string& word, UniformForm form, const Values& values) {
-    return readValue({"uA", form, values, {"scene.glib", 7, 3}, {"scene.glib", 7, 9}},
-                     test::uniform("uA", word));
-}
-Reading number(const std::string& word, double value) {
-    return read(word, UniformForm::number, {value});
+Reading scalar(const std::string& word, double value) {
+    return readingOf(word, UniformForm::number, {value});
 }
 Reading list(const std::string& word, const Values& values) {
-    return read(word, UniformForm::list, values);
+    return readingOf(word, UniformForm::list, values);
 }
 Reading range(const std::string& word, const Values& values) {
-    return read(word, UniformForm::range, values);
+    return readingOf(word, UniformForm::range, values);
 }
 Reading color(const std::string& word, const Values& values) {
-    return read(word, UniformForm::color, values);
+    return readingOf(word, UniformForm::color, values);
 }
 Reading truth(const std::string& word, bool value) {
-    return read(word, UniformForm::truth, {value ? 1.0 : 0.0});
+    return readingOf(word, UniformForm::truth, {value ? 1.0 : 0.0});
 }
 
 void expectReading(const Reading& reading, const Values& values, const std::string& messages) {
@@ -45,7 +42,7 @@ void expectIgnored(const Reading& reading) {
 }
 
 TEST(FloatUniform, TakesANumber) {
-    expectReading(number("float", .25), {.25}, "");
+    expectReading(scalar("float", .25), {.25}, "");
 }
 TEST(FloatUniform, TakesTheFirstOfAList) {
     expectReading(list("float", {2, 3}), {2}, "glib-W20");
@@ -68,10 +65,10 @@ TEST(FloatUniform, TakesTheFirstOfAColour) {
 }
 
 TEST(IntUniform, CutsANumberTowardZero) {
-    expectReading(number("int", 10.5), {10}, "glib-W27");
-    expectReading(number("int", -2.75), {-2}, "glib-W27");
-    EXPECT_EQ(textOf(number("int", 10.5).diagnostics, "glib-W27"), "10.5 is cut to 10");
-    expectReading(number("int", 4), {4}, "");
+    expectReading(scalar("int", 10.5), {10}, "glib-W27");
+    expectReading(scalar("int", -2.75), {-2}, "glib-W27");
+    EXPECT_EQ(textOf(scalar("int", 10.5).diagnostics, "glib-W27"), "10.5 is cut to 10");
+    expectReading(scalar("int", 4), {4}, "");
 }
 TEST(IntUniform, TakesTheFirstOfAListCut) {
     expectReading(list("int", {2.5, 3}), {2}, "glib-W20 glib-W27");
@@ -91,17 +88,17 @@ TEST(IntUniform, TakesTheFirstOfAColour) {
     expectReading(color("int", {1, 0, 0}), {1}, "glib-W20");
 }
 TEST(IntUniform, IsLimitedToThirtyTwoBits) {
-    expectReading(number("int", 1e30), {2147483647}, "glib-W20");
-    expectReading(number("uint", 1e30), {4294967295}, "glib-W20");
+    expectReading(scalar("int", 1e30), {2147483647}, "glib-W20");
+    expectReading(scalar("uint", 1e30), {4294967295}, "glib-W20");
 }
 TEST(UintUniform, TakesANegativeNumberAsZero) {
-    expectReading(number("uint", -3), {0}, "glib-W20");
-    EXPECT_EQ(textOf(number("uint", -3).diagnostics, "glib-W20"), "uA is uint, so -3 is read as 0");
+    expectReading(scalar("uint", -3), {0}, "glib-W20");
+    EXPECT_EQ(textOf(scalar("uint", -3).diagnostics, "glib-W20"), "uA is uint, so -3 is read as 0");
 }
 
 TEST(BoolUniform, IsWhetherANumberIsNotZero) {
-    expectReading(number("bool", .5), {1}, "");
-    expectReading(number("bool", 0), {0}, "");
+    expectReading(scalar("bool", .5), {1}, "");
+    expectReading(scalar("bool", 0), {0}, "");
 }
 TEST(BoolUniform, TakesTheFirstOfAList) {
     expectReading(list("bool", {2, 0}), {1}, "glib-W20");
@@ -125,9 +122,9 @@ TEST(BoolUniform, TakesTheFirstOfAColourWithAWarning) {
 }
 
 TEST(VectorUniform, SpreadsANumberOverAllComponents) {
-    expectReading(number("vec3", .5), {.5, .5, .5}, "glib-W20");
-    expectReading(number("bvec2", 7), {1, 1}, "glib-W20");
-    expectReading(number("ivec3", 2), {2, 2, 2}, "glib-W20");
+    expectReading(scalar("vec3", .5), {.5, .5, .5}, "glib-W20");
+    expectReading(scalar("bvec2", 7), {1, 1}, "glib-W20");
+    expectReading(scalar("ivec3", 2), {2, 2, 2}, "glib-W20");
 }
 TEST(VectorUniform, TakesTheComponentsOfAList) {
     expectReading(list("vec3", {1, 2, 3}), {1, 2, 3}, "");
@@ -155,8 +152,8 @@ TEST(VectorUniform, OfAnotherKindTakesAColourWithAWarning) {
 }
 
 TEST(MatrixUniform, PutsANumberOnTheDiagonal) {
-    expectReading(number("mat2", 3), {3, 0, 0, 3}, "glib-W20");
-    expectReading(number("mat2x3", 3), {3, 0, 0, 0, 3, 0}, "glib-W20");
+    expectReading(scalar("mat2", 3), {3, 0, 0, 3}, "glib-W20");
+    expectReading(scalar("mat2x3", 3), {3, 0, 0, 0, 3, 0}, "glib-W20");
 }
 TEST(MatrixUniform, TakesColumns) {
     expectReading(list("mat2x3", {1, 2, 3, 4, 5, 6}), {1, 2, 3, 4, 5, 6}, "");
@@ -172,7 +169,7 @@ TEST(MatrixUniform, IgnoresAColour) {
 }
 
 TEST(ArrayUniform, TakesANumberAsItsFirstElement) {
-    expectReading(number("float[4]", 2), {2}, "glib-W20");
+    expectReading(scalar("float[4]", 2), {2}, "glib-W20");
 }
 TEST(ArrayUniform, TakesAListAsAllItsElements) {
     expectReading(list("float[3]", {1, 2, 3}), {1, 2, 3}, "");
@@ -196,8 +193,8 @@ TEST(ArrayUniform, TakesAValueForTheElementThatTheTagNames) {
 }
 
 TEST(SamplerUniform, TakesItsUnit) {
-    expectReading(number("sampler2D", 5), {5}, "");
-    expectReading(number("image2D", 127), {127}, "");
+    expectReading(scalar("sampler2D", 5), {5}, "");
+    expectReading(scalar("image2D", 127), {127}, "");
 }
 TEST(SamplerUniform, TakesTheFirstOfAList) {
     expectReading(list("sampler2D", {5, 6}), {5}, "glib-W20");
@@ -216,16 +213,16 @@ TEST(SamplerUniform, HasUnitsOfAListInAnArray) {
 }
 TEST(SamplerUniform, RejectsNumbersThatAreNotUnits) {
     for (const double unit : {128.0, -1.0, 1e30}) {
-        const Reading reading = number("sampler2D", unit);
+        const Reading reading = scalar("sampler2D", unit);
         EXPECT_TRUE(reading.ignored);
         EXPECT_EQ(ids(reading.diagnostics), "glib-E12");
     }
-    EXPECT_EQ(textOf(number("sampler2D", 200).diagnostics, "glib-E12"),
+    EXPECT_EQ(textOf(scalar("sampler2D", 200).diagnostics, "glib-E12"),
               "texture unit 200 is not between 0 and 127");
 }
 
 TEST(OpaqueUniform, OfAnotherKindIgnoresEverything) {
-    expectIgnored(number("atomic_uint", 1));
+    expectIgnored(scalar("atomic_uint", 1));
     expectIgnored(list("atomic_uint[2]", {1, 2}));
 }
 

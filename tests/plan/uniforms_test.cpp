@@ -14,7 +14,7 @@ using test::interfaceWith;
 using test::number;
 using test::spec;
 using test::textOf;
-using Values = std::vector<double>;
+using test::Values;
 
 scene::Program program(std::vector<glib::UniformSpec> pairs) {
     scene::Program result;

@@ -12,7 +12,6 @@
 namespace glibra::test {
 namespace {
 
-constexpr std::array<int, 3> kWhite{255, 255, 255};
 constexpr std::array<int, 3> kBlack{0, 0, 0};
 
 double radians(double degrees) {

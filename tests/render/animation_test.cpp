@@ -13,7 +13,7 @@ namespace {
 
 using render::AnimationRemarks;
 
-const std::map<std::string, std::string> kFiles{
+const std::map<std::string, std::string> kAnimationFiles{
     {"a.vert", "#version 330 core\nvoid main() { gl_Position = uModelViewProjectionMatrix * aVertex; }\n"},
     {"still.frag", "#version 330 core\nout vec4 f;\nvoid main() { f = vec4(1.); }\n"},
     {"timer.frag", "#version 330 core\nout vec4 f;\nvoid main() { f = vec4(Timer); }\n"},
@@ -25,7 +25,7 @@ const std::map<std::string, std::string> kFiles{
 
 /// 100 frames, ten per second, of which at most 60 are counted.
 int differentFrames(const std::string& scene, bool skip = true) {
-    const SceneFolder folder(scene, kFiles);
+    const SceneFolder folder(scene, kAnimationFiles);
     RenderOptions options;
     options.skip = skip;
     return render::mostDifferentFrames(folder / "scene.glib", options, 100, 10, 60);

@@ -9,7 +9,7 @@
 namespace glibra::test {
 namespace {
 
-constexpr int kSide = 400;
+constexpr int kAxesSide = 400;
 
 Picture withAxes(const std::string& scene, RenderOptions options = {}) {
     options.axes = true;
@@ -43,11 +43,11 @@ int whitePixels(const Picture& picture) {
     return countPixels(picture, {255, 255, 255});
 }
 
-const std::string kFlat = "Ortho -2 2 -2 2 -5 5\n";
+const std::string kFlatView = "Ortho -2 2 -2 2 -5 5\n";
 
 TEST(AxesOfThePicture, AreOneAndAHalfUnitsLongInABox) {
-    const Picture flat = withAxes(kFlat);
-    const double unit = kSide / 4.0;
+    const Picture flat = withAxes(kFlatView);
+    const double unit = kAxesSide / 4.0;
     EXPECT_NEAR(lengthOfLine(flat, 1, 0), render::kAxisLength * unit, 3);
     EXPECT_NEAR(lengthOfLine(flat, 0, -1), render::kAxisLength * unit, 3);
     EXPECT_LE(lengthOfLine(flat, -1, 0), 3);
@@ -59,29 +59,29 @@ TEST(AxesOfThePicture, AreOneAndAHalfUnitsLongInABox) {
 
 TEST(AxesOfThePicture, AreOneAndAHalfUnitsLongInPerspective) {
     const Picture deep = withAxes("Perspective 50 .1 100\nLookAt 0 0 5  0 0 0  0 1 0\n");
-    const double unit = kSide / 2.0 / (5 * std::tan(25 * std::numbers::pi / 180));
+    const double unit = kAxesSide / 2.0 / (5 * std::tan(25 * std::numbers::pi / 180));
     EXPECT_NEAR(lengthOfLine(deep, 1, 0), render::kAxisLength * unit, 3);
     EXPECT_NEAR(lengthOfLine(deep, 0, -1), render::kAxisLength * unit, 3);
 }
 
 TEST(AxesOfThePicture, AreAsThickInAPictureOfAnySize) {
-    EXPECT_EQ(thickness(withAxes(kFlat)), 2);
+    EXPECT_EQ(thickness(withAxes(kFlatView)), 2);
     RenderOptions large;
     large.width = large.height = 1200;
-    EXPECT_EQ(thickness(withAxes(kFlat, large)), 6);
+    EXPECT_EQ(thickness(withAxes(kFlatView, large)), 6);
     RenderOptions small;
     small.width = small.height = 80;
-    const int least = thickness(withAxes(kFlat, small));
+    const int least = thickness(withAxes(kFlatView, small));
     EXPECT_TRUE(least == 1 || least == 2) << least;
 }
 
 TEST(AxesOfThePicture, AreTheSameInTiles) {
     RenderOptions tiled;
     tiled.tileSize = 96;
-    const Picture whole = withAxes(kFlat), tiles = withAxes(kFlat, tiled);
+    const Picture whole = withAxes(kFlatView), tiles = withAxes(kFlatView, tiled);
     int different = 0;
-    for (int y = 0; y < kSide; ++y)
-        for (int x = 0; x < kSide; ++x) different += pixel(whole, x, y) != pixel(tiles, x, y) ? 1 : 0;
+    for (int y = 0; y < kAxesSide; ++y)
+        for (int x = 0; x < kAxesSide; ++x) different += pixel(whole, x, y) != pixel(tiles, x, y) ? 1 : 0;
     EXPECT_LE(different, 4) << "rounding at the ends of slanted lines";
 }
 
@@ -89,14 +89,14 @@ TEST(AxesOfThePicture, ThatPassTheEyeEndBeforeIt) {
     // The z axis goes from below the middle past the eye.
     const Picture near = withAxes("Perspective 50 .1 100\nLookAt 0 .1 1  0 0 0  0 1 0\n");
     EXPECT_GT(whitePixels(near), 300);
-    EXPECT_LT(whitePixels(near), kSide * kSide / 40);
-    for (int y = 230; y < kSide; ++y) EXPECT_TRUE(isWhite(near, 200, y)) << y;
+    EXPECT_LT(whitePixels(near), kAxesSide * kAxesSide / 40);
+    for (int y = 230; y < kAxesSide; ++y) EXPECT_TRUE(isWhite(near, 200, y)) << y;
     // Nothing of the axes is before an eye that looks away.
     EXPECT_EQ(whitePixels(withAxes("Perspective 50 .1 100\nLookAt 0 0 5  0 0 9  0 1 0\n")), 0);
 }
 
 TEST(AxesOfThePicture, AreHiddenByWhatIsNearer) {
-    const Picture hidden = withAxes(kFlat + "Color .2 .4 .2\nQuadXY 2 .5\n");
+    const Picture hidden = withAxes(kFlatView + "Color .2 .4 .2\nQuadXY 2 .5\n");
     EXPECT_FALSE(isWhite(hidden, 220, 200));
     EXPECT_TRUE(isWhite(hidden, 300, 200));
 }

@@ -20,7 +20,7 @@
 namespace glibra::test {
 namespace {
 
-constexpr int kWidth = 480, kHeight = 360;
+constexpr int kPictureWidth = 480, kPictureHeight = 360;
 constexpr double kFieldOfView = 40;
 
 /// An ellipsoid in front of an eye; rays give its exact outline.
@@ -37,7 +37,7 @@ struct View {
     /// True if the ray through that place of the picture (pixels from the lower left) meets the ellipsoid.
     [[nodiscard]] bool covers(const glm::dvec2& place) const {
         const glm::dmat4 clipFromModel =
-            glm::perspective(glm::radians(kFieldOfView), double(kWidth) / kHeight, .1, 1000.) *
+            glm::perspective(glm::radians(kFieldOfView), double(kPictureWidth) / kPictureHeight, .1, 1000.) *
             glm::lookAt(eye, glm::dvec3(0), up) * glm::scale(glm::dmat4(1), axes);
         static thread_local glm::dmat4 known, inverse;
         if (known != clipFromModel) {
@@ -46,7 +46,7 @@ struct View {
         }
         const auto unproject = [&](double depth) {
             const glm::dvec4 at =
-                inverse * glm::dvec4(place / glm::dvec2(kWidth, kHeight) * 2. - 1., depth, 1);
+                inverse * glm::dvec4(place / glm::dvec2(kPictureWidth, kPictureHeight) * 2. - 1., depth, 1);
             return glm::dvec3(at) / at.w;
         };
         const glm::dvec3 from = unproject(-1), along = glm::normalize(unproject(.9) - from);
@@ -58,9 +58,9 @@ struct View {
 /// than `bound`.
 int pixelsBeyond(const View& view, const Picture& picture, double bound) {
     int count = 0;
-    for (int y = 0; y < kHeight; ++y)
-        for (int x = 0; x < kWidth; ++x) {
-            const glm::dvec2 middle(x + .5, kHeight - y - .5);
+    for (int y = 0; y < kPictureHeight; ++y)
+        for (int x = 0; x < kPictureWidth; ++x) {
+            const glm::dvec2 middle(x + .5, kPictureHeight - y - .5);
             const bool isDrawn = pixel(picture, x, y) != std::array<int, 3>{0, 0, 0};
             if (isDrawn == view.covers(middle)) continue;
             bool isNear = false;
@@ -76,8 +76,8 @@ int pixelsBeyond(const View& view, const Picture& picture, double bound) {
 
 RenderOptions bounded(double maxError) {
     RenderOptions options;
-    options.width = kWidth;
-    options.height = kHeight;
+    options.width = kPictureWidth;
+    options.height = kPictureHeight;
     options.samples = 1;
     options.maxError = maxError;
     return options;
@@ -144,7 +144,8 @@ TEST(Budget, TakesSamplesUnlessTheyAreStated) {
     const auto isSmooth = [&](int samples) {
         options.samples = samples;
         const Picture seen = picture(scene, {}, options);
-        return countPixels(seen, {0, 0, 0}) + countPixels(seen, {255, 255, 255}) < kWidth * kHeight;
+        return countPixels(seen, {0, 0, 0}) + countPixels(seen, {255, 255, 255}) <
+               kPictureWidth * kPictureHeight;
     };
     EXPECT_TRUE(isSmooth(0));
     EXPECT_FALSE(isSmooth(1));
@@ -182,14 +183,14 @@ std::string curve(const std::string& pieces) {
 /// The pixels of the curve that are further from the parabola than the bound plus half the line's width.
 int pixelsBesideTheParabola(const Picture& picture, double bound) {
     int count = 0;
-    for (int y = 0; y < kHeight; ++y)
-        for (int x = 0; x < kWidth; ++x) {
+    for (int y = 0; y < kPictureHeight; ++y)
+        for (int x = 0; x < kPictureWidth; ++x) {
             if (pixel(picture, x, y)[0] == 0) continue;
             double nearest = 1e9;
             for (int i = -1000; i <= 1000; ++i) {
                 const double t = i / 1000.;
-                nearest = std::min(nearest, std::hypot((t + 1.2) / 2.4 * kWidth - x - .5,
-                                                       (1.4 - t * t) / 1.8 * kHeight - y - .5));
+                nearest = std::min(nearest, std::hypot((t + 1.2) / 2.4 * kPictureWidth - x - .5,
+                                                       (1.4 - t * t) / 1.8 * kPictureHeight - y - .5));
             }
             count += nearest > bound + .75 ? 1 : 0;
         }
@@ -250,7 +251,7 @@ TEST(Budget, TakesLargerNoiseWhereAProgramStretchesIt) {
         const Picture seen = picture(scene + shown, kStripes, bounded(maxError));
         int count = 0;
         for (std::size_t i = 0; i < seen.data.size(); i += 3) count += seen.data[i] != fine.data[i] ? 1 : 0;
-        return static_cast<double>(count) / (kWidth * kHeight);
+        return static_cast<double>(count) / (kPictureWidth * kPictureHeight);
     };
     const double exact = differing(0);
     EXPECT_LT(differing(.25), exact / 3);

@@ -38,7 +38,7 @@ EndFragment
 Program Both
 )";
 /// `Flat` draws with uColor.
-constexpr const char* kFlat = R"(
+constexpr const char* kFlatProgram = R"(
 Vertex inline
 #version 430 core
 uniform mat4 mvp_matrix;
@@ -70,7 +70,7 @@ class KeptFrames : public ::testing::Test {
     /// is loaded for this time alone. `programs` are declared before Flat.
     void draw(const std::string& statements, const std::vector<double>& times,
               const std::string& programs = {}) {
-        write(kShow + programs + kFlat + statements);
+        write(kShow + programs + kFlatProgram + statements);
         stats = {};
         Result<render::SceneRenderer> scene = load({});
         ASSERT_TRUE(scene) << (scene.diagnostics.empty() ? "" : scene.diagnostics.front().text);

@@ -10,7 +10,7 @@ namespace {
 
 /// A camera at z = `z`, a program `Eye` that writes its place / 10, `Plain`, which reads no matrix, and
 /// `Show`.
-std::string scene(const std::string& z) {
+std::string eyeScene(const std::string& z) {
     return "WindowSize 4 4\nLet away <0. 0. 5.>\nCamera eye LookAt 0 0 (" + z +
            R"()  0 0 0  0 1 0  Perspective 60 1 20
 Texture2D a 2 2 rgba8 nearest
@@ -48,32 +48,32 @@ Program Show uA a uB b
 }
 
 TEST(LastingFills, SeeTheCameraInOnce) {
-    TextScene still(scene("4") + "Once\nFill a with Eye\nEndOnce\nFill window with Show\n");
+    TextScene still(eyeScene("4") + "Once\nFill a with Eye\nEndOnce\nFill window with Show\n");
     EXPECT_EQ(byteAt(still.draw(), 0, 0), 102);
     EXPECT_NEAR(byteAt(still.draw(), 0, 0, 1), 255 / std::tan(3.14159265 / 6) / 10, .51);
     // The block runs again when the camera changes, whether by time or by a variable.
-    TextScene moving(scene("4 + time + away") + "Once\nFill a with Eye\nEndOnce\nFill window with Show\n");
+    TextScene moving(eyeScene("4 + time + away") + "Once\nFill a with Eye\nEndOnce\nFill window with Show\n");
     EXPECT_EQ(byteAt(moving.draw(0), 0, 0), 102);
     EXPECT_EQ(byteAt(moving.draw(1), 0, 0), 128);
     RenderOptions options;
     options.set = {"away=2"};
-    TextScene set(scene("4 + time + away") + "Once\nFill a with Eye\nEndOnce\nFill window with Show\n", {},
+    TextScene set(eyeScene("4 + time + away") + "Once\nFill a with Eye\nEndOnce\nFill window with Show\n", {},
                   options);
     EXPECT_EQ(byteAt(set.draw(0), 0, 0), 153);
 }
 
 TEST(LastingFills, SeeTheCameraOfTheirStep) {
-    TextScene moving(scene("4 + time") + "Step 1\nFill a with Eye\nEndStep\nFill window with Show\n");
+    TextScene moving(eyeScene("4 + time") + "Step 1\nFill a with Eye\nEndStep\nFill window with Show\n");
     EXPECT_EQ(byteAt(moving.draw(0), 0, 0), 0);
     EXPECT_EQ(byteAt(moving.draw(1.5), 0, 0), 102) << "tick 0 is at time 0";
     EXPECT_EQ(byteAt(moving.draw(3.5), 0, 0), 153) << "tick 2";
     EXPECT_EQ(byteAt(moving.draw(2), 0, 0), 128) << "going back";
-    TextScene still(scene("5") + "Step 1\nFill a with Eye\nEndStep\nFill window with Show\n");
+    TextScene still(eyeScene("5") + "Step 1\nFill a with Eye\nEndStep\nFill window with Show\n");
     EXPECT_EQ(byteAt(still.draw(1), 0, 0), 128);
 }
 
 TEST(LastingFills, ThatDoNotReadTheCameraDoNotFollowIt) {
-    const SceneFolder folder(scene("4 + time") +
+    const SceneFolder folder(eyeScene("4 + time") +
                              "Once\nFill b with Plain\nEndOnce\nStep 1\nFill b with Add\nEndStep\n"
                              "Pass a\nEndPass\nFill window with Show\n");
     render::Stats stats;

@@ -7,7 +7,7 @@
 namespace glibra::test {
 namespace {
 
-constexpr const char* kAdd = R"(
+constexpr const char* kAddBuffers = R"(
 layout(local_size_x = 4) in;
 layout(std430) readonly buffer A { float a[]; };
 layout(std430) readonly buffer B { float b[]; };
@@ -19,7 +19,7 @@ void main() {
 )";
 
 /// Six sums, with the buffers bound by tags or by their names.
-ComputeScene sums(bool isByName, const std::string& text = kAdd) {
+ComputeScene sums(bool isByName, const std::string& text = kAddBuffers) {
     ComputeScene scene(4, 4);
     const auto a = scene.buffer(isByName ? "A" : "a", "float", {}, {10, 12, 16, 18, 50, 17});
     const auto b = scene.buffer(isByName ? "B" : "b", "float", {}, {30, 14, 80, 20, 51, 12});
@@ -43,7 +43,7 @@ TEST_F(ModernCompute, AddsSixPairs) {
 
 TEST_F(ModernCompute, LayoutsOfTheDriverNeedNoCounting) {
     // Without a layout word the driver chooses one; some put each float into 16 bytes.
-    std::string text = kAdd;
+    std::string text = kAddBuffers;
     for (std::size_t at; (at = text.find("layout(std430) ")) != std::string::npos;) text.erase(at, 15);
     EXPECT_EQ(resultOf(sums(true, text), scene::BufferIndex(2), 6),
               (std::vector<double>{40, 26, 96, 38, 101, 29}));

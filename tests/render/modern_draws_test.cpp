@@ -19,7 +19,7 @@ void main() {
     gl_Position = vec4(aVertex.xy * .1 + vec2(i % 4, i / 4) * .3 - .5, 0, 1);
 }
 )";
-constexpr const char* kPlain = R"(#version 430 core
+constexpr const char* kPlainFragment = R"(#version 430 core
 in vec4 vColor;
 out vec4 fColor;
 void main() { fColor = vColor; }
@@ -28,7 +28,7 @@ void main() { fColor = vColor; }
 /// Sixteen overlapping squares, drawn at once or one by one.
 ComputeScene squares(bool isInstanced) {
     ComputeScene made(64, 64);
-    const auto program = made.program("Row", {{Stage::vertex, kRow}, {Stage::fragment, kPlain}});
+    const auto program = made.program("Row", {{Stage::vertex, kRow}, {Stage::fragment, kPlainFragment}});
     made.window();
     for (int i = 0; i < (isInstanced ? 1 : 16); ++i) {
         scene::Draw& draw = made.square(program, 0, 2);
@@ -71,7 +71,8 @@ void main() {
 )";
     for (const bool isFromBuffer : {false, true}) {
         ComputeScene made(8, 8);
-        const auto program = made.program("Cover", {{Stage::vertex, kVertices}, {Stage::fragment, kPlain}});
+        const auto program =
+            made.program("Cover", {{Stage::vertex, kVertices}, {Stage::fragment, kPlainFragment}});
         made.window();
         scene::Draw& draw = made.square(program);
         draw.shape = made.bare(geometry::Topology::triangles, isFromBuffer ? 0 : 3);
@@ -106,7 +107,8 @@ TEST_F(ModernCompute, AttributesComeFromBuffersAndNumbers) {
                                                    {0, .5, .6, .8, -.8, .6, 0, 0, 1, 1}};
     const auto picture = [&](bool isInstanced) {
         ComputeScene made(64, 64);
-        const auto program = made.program("Place", {{Stage::vertex, kOffset}, {Stage::fragment, kPlain}});
+        const auto program =
+            made.program("Place", {{Stage::vertex, kOffset}, {Stage::fragment, kPlainFragment}});
         std::vector<double> offsets, turns, colors;
         for (const auto& row : rows) {
             offsets.insert(offsets.end(), row.begin(), row.begin() + 2);

@@ -18,11 +18,11 @@ namespace {
 using base::TexelClass;
 using base::TexelFormat;
 
-constexpr int kTexels = 64;
+constexpr int kRowTexels = 64;
 
 /// The values of a texture's texel, by component.
 std::size_t indexOf(int x, std::size_t component) {
-    return (static_cast<std::size_t>(x) + 16 * component) % kTexels;
+    return (static_cast<std::size_t>(x) + 16 * component) % kRowTexels;
 }
 
 std::string listOf(const std::vector<double>& values) {
@@ -66,14 +66,14 @@ std::vector<double> valuesFor(const base::TexelFormatRow& row, double largest) {
     std::vector<double> values;
     if (base::isInteger(row.format)) {
         values = {0, 1, largest, largest - 1, isSigned ? -largest - 1 : 2, isSigned ? -largest : 3};
-        while (values.size() < kTexels)
+        while (values.size() < kRowTexels)
             values.push_back(
                 std::floor(std::uniform_real_distribution<>(isSigned ? -largest : 0, largest)(random)));
         return values;
     }
     values = {0, 1, .5, .25};
     if (!base::hasDepth(row.format)) values.insert(values.end(), {-2, 3, -.25});
-    while (values.size() < kTexels) {
+    while (values.size() < kRowTexels) {
         const auto value = static_cast<double>(
             static_cast<float>(std::uniform_real_distribution<>(isSigned ? -1 : 0, 1)(random)));
         const double steps = std::abs(value) * largest;
@@ -170,7 +170,7 @@ TEST(ModernFormats, HoldTheExactQuantisationOfWhatIsWritten) {
         ++tested;
         const auto components = static_cast<std::size_t>(found->components);
         const std::size_t given = base::hasDepth(row.format) ? 1 : row.components;
-        for (int x = 0; x < kTexels; ++x)
+        for (int x = 0; x < kRowTexels; ++x)
             for (std::size_t c = 0; c < given; ++c) {
                 const std::size_t at = static_cast<std::size_t>(x) * components + c;
                 const double value =
@@ -245,7 +245,7 @@ TEST(ModernFormats, HoldIntegersBitForBit) {
                         {}, everything);
         scene.draw();
         const std::vector<double> found = scene.buffer("Found", 256);
-        for (int x = 0; x < kTexels; ++x)
+        for (int x = 0; x < kRowTexels; ++x)
             for (std::size_t c = 0; c < 4; ++c) {
                 const double exact = c < row.components ? values[indexOf(x, c)] : c == 3 ? 1 : 0;
                 EXPECT_EQ(found[static_cast<std::size_t>(x) * 4 + c], exact) << "texel " << x << "." << c;

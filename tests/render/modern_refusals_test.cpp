@@ -8,7 +8,7 @@
 namespace glibra::test {
 namespace {
 
-constexpr const char* kAdd = R"(WindowSize 4 4
+constexpr const char* kAddScene = R"(WindowSize 4 4
 Fragment inline
 #version 330 core
 in vec2 vST;
@@ -21,7 +21,7 @@ Program Add
 )";  // ten lines
 
 TEST(ModernRefusals, ReadingWhatIsWrittenNamesHistory) {
-    const std::string found = refusalOf(std::string(kAdd) +
+    const std::string found = refusalOf(std::string(kAddScene) +
                                         "Texture2D map 4 4 rgba8\nFill map with Add uMap map uAdd .2\n"
                                         "Fill window with Add uMap map uAdd 0\n");
     EXPECT_NE(found.find("scene.glib:12:"), std::string::npos) << found;
@@ -29,13 +29,13 @@ TEST(ModernRefusals, ReadingWhatIsWrittenNamesHistory) {
     EXPECT_NE(found.find("history"), std::string::npos) << found;
     EXPECT_EQ(found.find('\n'), found.size() - 1) << "one message: " << found;
     // Another level of the texture is another part, and so is what it was before.
-    TextScene parts(std::string(kAdd) +
+    TextScene parts(std::string(kAddScene) +
                     "Texture2D map 8 8 rgba8 nearest_mipmap_nearest levels 2\nFill map with Add uMap "
                     "map.level(1) uAdd .2\n"
                     "Fill map.level(1) with Add uMap map.level(0) uAdd .2\nFill window with Add uMap "
                     "map.level(1) uAdd 0\n");
     EXPECT_EQ(byteAt(parts.draw(), 1, 1), 102);
-    TextScene before(std::string(kAdd) +
+    TextScene before(std::string(kAddScene) +
                      "Texture2D map 4 4 rgba8 history\nFill map with Add uMap map.prev uAdd .2\n"
                      "Fill map with Add uMap map.prev uAdd .4\nFill window with Add uMap map uAdd 0\n");
     EXPECT_EQ(byteAt(before.draw(), 1, 1), 153);
@@ -43,7 +43,7 @@ TEST(ModernRefusals, ReadingWhatIsWrittenNamesHistory) {
 
 TEST(ModernRefusals, PassesThatReadEachOtherRunInTheOrderOfTheText) {
     // The first reads what nothing has written yet, in every frame.
-    TextScene scene(std::string(kAdd) +
+    TextScene scene(std::string(kAddScene) +
                     "Texture2D a 4 4 rgba8\nTexture2D b 4 4 rgba8\nFill a with Add uMap b uAdd .2\n"
                     "Fill b with Add uMap a uAdd (.4 + 0 * time)\nFill a with Add uMap b uAdd .2\n"
                     "Fill window with Add uMap a uAdd 0\n");
@@ -51,7 +51,7 @@ TEST(ModernRefusals, PassesThatReadEachOtherRunInTheOrderOfTheText) {
 }
 
 TEST(ModernRefusals, AFrameThatWritesWhatLastsNamesStep) {
-    const std::string declared = std::string(kAdd) + "Texture2D map 4 4 rgba8 history\n";
+    const std::string declared = std::string(kAddScene) + "Texture2D map 4 4 rgba8 history\n";
     for (const char* block : {"Once", "Step 10"}) {
         const std::string word = std::string(block).substr(0, 4);
         const std::string found =
@@ -67,7 +67,8 @@ TEST(ModernRefusals, AFrameThatWritesWhatLastsNamesStep) {
 
 TEST(ModernRefusals, AnExpressionWithoutAValueIsReportedForTheFrameThatHasNone) {
     const SceneFolder folder(
-        std::string(kAdd) + "Texture2D map 4 4 rgba8\nFill window with Add uMap map uAdd (1 / (time - 1))\n");
+        std::string(kAddScene) +
+        "Texture2D map 4 4 rgba8\nFill window with Add uMap map uAdd (1 / (time - 1))\n");
     render::Stats stats;
     auto loaded = render::SceneRenderer::load(sharedContext(), folder / "scene.glib", {}, stats);
     ASSERT_TRUE(loaded) << text(loaded.diagnostics);

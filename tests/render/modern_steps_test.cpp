@@ -36,12 +36,12 @@ void main() {
     imageStore(uOut, at, uvec4(n == 3u || (n == 2u && own == 1u) ? 1u : 0u));
 }
 )";
-constexpr int kSide = 64;
+constexpr int kLifeSide = 64;
 
 /// Conway's game of life on a torus of 64 x 64 cells.
 ComputeScene life(double rate) {
-    ComputeScene made(kSide, kSide);
-    const auto cells = made.texture("life", TexelFormat::r8ui, kSide, kSide);
+    ComputeScene made(kLifeSide, kLifeSide);
+    const auto cells = made.texture("life", TexelFormat::r8ui, kLifeSide, kLifeSide);
     made.scene.textures[cells].hasHistory = true;
     const scene::TextureView current{.texture = cells};
     const scene::TextureView previous{.texture = cells, .isPrevious = true};
@@ -69,20 +69,20 @@ void main() { fColor = vec4(texelFetch(uLife, ivec2(gl_FragCoord.xy), 0).r); })"
 /// The same with 64 cells per number, as sums of bits (the full adders of Hacker's Delight, 7-2).
 class BitLife {
   public:
-    BitLife() : rows_(kSide) {
-        for (std::uint32_t y = 0; y < kSide; ++y)
-            for (std::uint32_t x = 0; x < kSide; ++x) {
+    BitLife() : rows_(kLifeSide) {
+        for (std::uint32_t y = 0; y < kLifeSide; ++y)
+            for (std::uint32_t x = 0; x < kLifeSide; ++x) {
                 std::uint32_t h = x * 73856093U ^ y * 19349663U;
                 h = (h ^ (h >> 13U)) * 1274126177U;
                 rows_[y] |= static_cast<std::uint64_t>((h >> 16U) & 1U) << x;
             }
     }
     void step() {
-        std::vector<std::uint64_t> next(kSide);
-        for (std::size_t y = 0; y < kSide; ++y) {
-            const std::uint64_t up = rows_[(y + kSide - 1) % kSide];
+        std::vector<std::uint64_t> next(kLifeSide);
+        for (std::size_t y = 0; y < kLifeSide; ++y) {
+            const std::uint64_t up = rows_[(y + kLifeSide - 1) % kLifeSide];
             const std::uint64_t own = rows_[y];
-            const std::uint64_t down = rows_[(y + 1) % kSide];
+            const std::uint64_t down = rows_[(y + 1) % kLifeSide];
             std::uint64_t ones = 0, twos = 0, fours = 0;
             for (const std::uint64_t each :
                  {up, std::rotl(up, 1), std::rotr(up, 1), std::rotl(own, 1), std::rotr(own, 1), down,
@@ -99,8 +99,8 @@ class BitLife {
     /// As the window shows it, top row first.
     [[nodiscard]] std::vector<std::byte> picture() const {
         std::vector<std::byte> bytes;
-        for (std::size_t y = kSide; y-- > 0;)
-            for (std::size_t x = 0; x < kSide; ++x)
+        for (std::size_t y = kLifeSide; y-- > 0;)
+            for (std::size_t x = 0; x < kLifeSide; ++x)
                 bytes.insert(bytes.end(), 3,
                              std::byte{(rows_[y] >> x & 1U) != 0 ? std::uint8_t{255} : std::uint8_t{0}});
         return bytes;

@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "modern_by_hand.h"
+#include "modern_squares.h"
 
 namespace glibra::test {
 namespace {
@@ -10,8 +11,6 @@ namespace {
 using base::TexelFormat;
 using scene::TextureTarget;
 using scene::TextureView;
-
-constexpr const char* kConstant = "uniform vec4 uColor; out vec4 fColor; void main() { fColor = uColor; }";
 
 /// A scene that draws a colour into a texture and shows what a fragment stage reads from it.
 struct WriteAndRead {

@@ -89,7 +89,7 @@ glm::dvec2 centreOf(int x, int y, int width, int height) {
     return {(x + .5) / width * 2 - 1, 1 - (y + .5) / height * 2};
 }
 
-constexpr const char* kPlain = R"(Vertex inline
+constexpr const char* kPlainVertex = R"(Vertex inline
 #version 330 core
 in vec4 aVertex;
 void main() { gl_Position = uModelViewProjectionMatrix * aVertex; }
@@ -106,7 +106,7 @@ std::string shadowScene(const std::string& filter) {
 Camera eye LookAt 1 7 4  0 0 0  0 1 0  Perspective 40 1 30
 Camera light LookAt 3 6 2  0 .5 0  0 1 0  Perspective 40 2 12
 Texture2D shadow 256 256 depth32f )" +
-           filter + "\n" + kPlain + R"(Program Depth
+           filter + "\n" + kPlainVertex + R"(Program Depth
 Vertex inline
 #version 330 core
 in vec4 aVertex;
@@ -203,7 +203,7 @@ void main() {
 EndFragment
 Program Show uCompared shadow uRaw shadow
 Fragment
-)") + kPlain + R"(Program Depth
+)") + kPlainVertex + R"(Program Depth
 Pass shadow from light
     Use Depth
     Torus .6 1.3 24 48
@@ -245,7 +245,7 @@ TEST(ModernTruths, FlatWaterShowsWhatMirroredRaysHit) {
 Camera eye LookAt 0 3 6  0 .2 -1  0 1 0  Perspective 30 1 60
 Camera below Reflect eye 0 1 0 0 clip
 Texture2D reflection 120 90 rgba8 nearest clamp
-)") + kPlain + R"(Fragment inline
+)") + kPlainVertex + R"(Fragment inline
 #version 330 core
 uniform float uGrey;
 out vec4 fColor;

@@ -3,15 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
 
 #include "scene_text.h"
 
 namespace glibra::test {
 namespace {
 
-constexpr std::array<int, 3> kWhite{255, 255, 255};
-constexpr std::array<int, 3> kRed{255, 0, 0};
+constexpr std::array<int, 3> kRedPixel{255, 0, 0};
 
 const std::map<std::string, std::string> kDirections{
     {"a.vert",
@@ -23,7 +21,7 @@ const std::map<std::string, std::string> kDirections{
 const std::string kSky = "Vertex a.vert\nFragment a.frag\nProgram Sky\nSkyBox";
 
 /// A program that shows the current colour.
-const std::string kFlat = "Vertex flat.vert\nGeometry\nFragment flat.frag\nProgram Flat\n";
+const std::string kShowColor = "Vertex flat.vert\nGeometry\nFragment flat.frag\nProgram Flat\n";
 std::map<std::string, std::string> withFlat(std::map<std::string, std::string> files) {
     files["flat.vert"] =
         "#version 330 core\nout vec4 vColor;\nvoid main() {\n  vColor = aColor;\n"
@@ -33,15 +31,11 @@ std::map<std::string, std::string> withFlat(std::map<std::string, std::string> f
     return files;
 }
 
-bool isSame(const Picture& a, const Picture& b) {
-    return a.data.size() == b.data.size() && std::memcmp(a.data.data(), b.data.data(), a.data.size()) == 0;
-}
-
 TEST(FullScreen, CoversEveryPixelWhateverTheView) {
     for (const char* view :
          {"", "Ortho 0 9 0 2\n", "Perspective 3 5 6\nLookAt 9 8 7 1 2 3 0 0 1\nScale .01\n"})
         EXPECT_EQ(countPixels(picture("WindowSize 37 22\n" + std::string(view) + "Color 1 0 0\nFullScreen\n"),
-                              kRed),
+                              kRedPixel),
                   37 * 22)
             << view;
 }
@@ -83,7 +77,7 @@ TEST(SkyBox, EachPixelReadsTheDirectionInWhichItLies) {
 
 TEST(SkyBox, IsBehindEverythingWhateverItsSizeAndOrder) {
     const std::string head = "WindowSize 40 40\nPerspective 50 2 30\nLookAt 0 0 25 0 0 0 0 1 0\n";
-    const std::string wall = kFlat + "Color 1 1 1\nQuadXY 0 4\n";
+    const std::string wall = kShowColor + "Color 1 1 1\nQuadXY 0 4\n";
     const Picture first = picture(head + kSky + "\n" + wall, withFlat(kDirections));
     EXPECT_GT(countPixels(first, kWhite), 100);
     EXPECT_LT(countPixels(first, kWhite), 800);
@@ -168,11 +162,11 @@ TEST(SolidsWithAdjacency, AModelIsDrawnAsObjAdj) {
 }
 
 TEST(SolidsWithAdjacency, OneShapeServesBothKindsOfPrograms) {
-    const std::string scene = kOutline + "Torus\nTranslate 0 0 -.05\nColor 1 0 0\n" + kFlat + "Torus\n";
+    const std::string scene = kOutline + "Torus\nTranslate 0 0 -.05\nColor 1 0 0\n" + kShowColor + "Torus\n";
     const auto files = withFlat(outlined("triangles_adjacency"));
     const Picture both = picture(scene, files);
     EXPECT_GT(countPixels(both, kWhite), 100);
-    EXPECT_GT(countPixels(both, kRed), 1000);
+    EXPECT_GT(countPixels(both, kRedPixel), 1000);
     RenderOptions all;
     all.skip = false;
     EXPECT_TRUE(isSame(both, picture(scene, files, all)));

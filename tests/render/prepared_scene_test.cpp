@@ -74,8 +74,9 @@ std::vector<fs::path> shippedScenes() {
     return scenes;
 }
 
-const std::string kStart = "WindowSize 64 48\nLookAt 0 0 4  0 0 0  0 1 0\nVertex a.vert\nFragment a.frag\n";
-const std::map<std::string, std::string> kFiles{
+const std::string kPreparedStart =
+    "WindowSize 64 48\nLookAt 0 0 4  0 0 0  0 1 0\nVertex a.vert\nFragment a.frag\n";
+const std::map<std::string, std::string> kPreparedFiles{
     {"a.vert",
      "#version 330 core\nout vec3 vST;\nvoid main() { vST = aTexCoord0.stp; gl_Position = "
      "uModelViewProjectionMatrix * aVertex; }\n"},
@@ -102,10 +103,10 @@ TEST(PreparedScene, OfEveryShippedScriptIsTheSamePictureWithTheSameWork) {
 }
 
 TEST(PreparedScene, SaysTheSameOfItsModelsInTheSameOrder) {
-    const std::string scene = kStart +
+    const std::string scene = kPreparedStart +
                               "Texture2D 6 a.bmp\nProgram P uA 6 uB 7\nObj m.obj\nTranslate 0 9 0\nObj "
                               "n.obj\nTranslate 0 -9 0\nObj m.obj\n";
-    const SceneFolder folder(scene, kFiles);
+    const SceneFolder folder(scene, kPreparedFiles);
     expectTheSame(folder / "scene.glib", {});
     RenderOptions glman;
     glman.view = ViewPolicy::glman;
@@ -121,14 +122,14 @@ TEST(PreparedScene, FailsWithTheSameWords) {
     strict.strict = true;
     RenderOptions large;
     large.width = large.height = 60000;
-    const SceneFolder folder(kStart + "Program P uA 6 uQ 1\nTeapot\n", kFiles);
+    const SceneFolder folder(kPreparedStart + "Program P uA 6 uQ 1\nTeapot\n", kPreparedFiles);
     expectTheSame(folder / "scene.glib", strict);
     expectTheSame(folder / "scene.glib", large);
     expectTheSame(folder / "nothing.glib", {});
     folder.write("scene.glib",
-                 kStart + "Texture2D 6 nothing.png\nFragment missing.frag\nProgram P uA 6\nTeapot\n");
+                 kPreparedStart + "Texture2D 6 nothing.png\nFragment missing.frag\nProgram P uA 6\nTeapot\n");
     expectTheSame(folder / "scene.glib", {});
-    folder.write("scene.glib", kStart + "Sphree 1\nProgram P\nTeapot\n");
+    folder.write("scene.glib", kPreparedStart + "Sphree 1\nProgram P\nTeapot\n");
     expectTheSame(folder / "scene.glib", {});
     RenderOptions nonsense;
     nonsense.set = {"="};
@@ -136,17 +137,17 @@ TEST(PreparedScene, FailsWithTheSameWords) {
 }
 
 /// A 1 x 1 BMP of 24 bits.
-std::string bmp() {
+std::string onePixelBmp() {
     std::string file("BM\x3a\0\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0\x01\0\0\0\x01\0\0\0\x01\0\x18\0", 30);
     file += std::string("\0\0\0\0\x04\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0", 24);
     return file + std::string("\x20\x80\xff\0", 4);
 }
 
 TEST(PreparedScene, ReadsTheTexturesThatItsShadersSpeakOf) {
-    auto files = kFiles;
-    files["a.bmp"] = files["b.bmp"] = files["c.bmp"] = bmp();
+    auto files = kPreparedFiles;
+    files["a.bmp"] = files["b.bmp"] = files["c.bmp"] = onePixelBmp();
     const SceneFolder folder(
-        kStart +
+        kPreparedStart +
             "Texture2D 6 a.bmp\nTexture2D 7 b.bmp\nTexture2D 8 c.bmp\nProgram P uA 6 uB 7 uC "
             "8\nTeapot\n",
         files);
@@ -165,7 +166,7 @@ TEST(PreparedScene, ReadsTheTexturesThatItsShadersSpeakOf) {
 }
 
 TEST(PreparedScene, MakesNothingThatAnEarlierSceneHas) {
-    const SceneFolder folder(kStart + "Program P\nTeapot\nSphere 1 20 20\n", kFiles);
+    const SceneFolder folder(kPreparedStart + "Program P\nTeapot\nSphere 1 20 20\n", kPreparedFiles);
     render::SharedParts shared;
     const Seen first = prepared(folder / "scene.glib", {}, &shared);
     const Seen second = prepared(folder / "scene.glib", {}, &shared);

@@ -29,6 +29,12 @@ inline std::array<int, 3> pixel(const Picture& picture, int x, int y) {
             std::to_integer<int>(picture.data[at + 2])};
 }
 
+inline bool isSame(const Picture& a, const Picture& b) {
+    return a.width == b.width && a.height == b.height && a.data == b.data;
+}
+
+inline constexpr std::array<int, 3> kWhite{255, 255, 255};
+
 /// The number of pixels of that colour.
 int countPixels(const Picture& picture, std::array<int, 3> color);
 

@@ -17,7 +17,7 @@ namespace {
 
 using render::SharedParts;
 
-const std::map<std::string, std::string> kFiles{
+const std::map<std::string, std::string> kSharedFiles{
     {"a.vert",
      "#version 330 core\nout vec3 vST;\nvoid main() { vST = aTexCoord0.stp; gl_Position = "
      "uModelViewProjectionMatrix * aVertex; }\n"},
@@ -27,7 +27,8 @@ const std::map<std::string, std::string> kFiles{
     {"timer.frag",
      "#version 330 core\nin vec3 vST;\nout vec4 fColor;\nvoid main() { fColor = vec4(vST.st, Timer, 1.); "
      "}\n"}};
-const std::string kStart = "WindowSize 64 48\nLookAt 0 0 4  0 0 0  0 1 0\nVertex a.vert\nFragment a.frag\n";
+const std::string kSharedStart =
+    "WindowSize 64 48\nLookAt 0 0 4  0 0 0  0 1 0\nVertex a.vert\nFragment a.frag\n";
 
 /// The same folder with another scene: the files keep their names.
 Drawing drawText(const SceneFolder& folder, const std::string& scene, SharedParts* shared,
@@ -37,12 +38,12 @@ Drawing drawText(const SceneFolder& folder, const std::string& scene, SharedPart
 }
 
 TEST(SharedParts, ASecondSceneMakesNothingThatTheFirstHas) {
-    const SceneFolder folder("", kFiles);
+    const SceneFolder folder("", kSharedFiles);
     SharedParts shared;
-    const std::string first = kStart + "Program P uColor 1. .5 .2\nSphere 1 20 20\nTeapot\n";
+    const std::string first = kSharedStart + "Program P uColor 1. .5 .2\nSphere 1 20 20\nTeapot\n";
     const Drawing before = drawText(folder, first, &shared);
     EXPECT_EQ(before.calls.programsLinked, 1U);
-    const std::string second = kStart + "Program P uColor 0. .5 .9\nTranslate .5 0 0\nTeapot\n";
+    const std::string second = kSharedStart + "Program P uColor 0. .5 .9\nTranslate .5 0 0\nTeapot\n";
     const Drawing after = drawText(folder, second, &shared);
     EXPECT_EQ(after.calls.programsLinked, 0U);
     EXPECT_EQ(after.calls.bytesUploaded, 0U);
@@ -54,9 +55,9 @@ TEST(SharedParts, ASecondSceneMakesNothingThatTheFirstHas) {
 }
 
 TEST(SharedParts, TheSameSceneAgainIsNotEvenTranslated) {
-    const SceneFolder folder("", kFiles);
+    const SceneFolder folder("", kSharedFiles);
     SharedParts shared;
-    const std::string scene = kStart + "Program P uColor 1. .5 .2\nSphere 1 20 20\n";
+    const std::string scene = kSharedStart + "Program P uColor 1. .5 .2\nSphere 1 20 20\n";
     const Drawing first = drawText(folder, scene, &shared);
     const Drawing again = drawText(folder, scene, &shared);
     EXPECT_EQ(again.count("translations kept"), 1U);
@@ -65,10 +66,10 @@ TEST(SharedParts, TheSameSceneAgainIsNotEvenTranslated) {
 }
 
 TEST(SharedParts, ValuesOfOneSceneDoNotReachTheNext) {
-    const SceneFolder folder("", kFiles);
+    const SceneFolder folder("", kSharedFiles);
     SharedParts shared;
-    const std::string bright = kStart + "Program P uColor 1. .5 .2 uMore .6\nSphere 1 20 20\n";
-    const std::string plain = kStart + "Program P uColor 1. .5 .2\nSphere 1 20 20\n";
+    const std::string bright = kSharedStart + "Program P uColor 1. .5 .2 uMore .6\nSphere 1 20 20\n";
+    const std::string plain = kSharedStart + "Program P uColor 1. .5 .2\nSphere 1 20 20\n";
     const Drawing alone = drawText(folder, plain, nullptr);
     const Drawing brightAlone = drawText(folder, bright, nullptr);
     ASSERT_FALSE(alone.pixels == brightAlone.pixels);
@@ -83,9 +84,9 @@ TEST(SharedParts, ValuesOfOneSceneDoNotReachTheNext) {
 }
 
 TEST(SharedParts, AFileThatChangedIsReadAgain) {
-    const SceneFolder folder("", kFiles);
+    const SceneFolder folder("", kSharedFiles);
     SharedParts shared;
-    const std::string scene = kStart + "Program P uColor 1. .5 .2\nObj m.obj\n";
+    const std::string scene = kSharedStart + "Program P uColor 1. .5 .2\nObj m.obj\n";
     folder.write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     drawText(folder, scene, &shared);
     folder.write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1.5 0\nf 1 2 3\n");
@@ -100,7 +101,7 @@ TEST(SharedParts, AFileThatChangedIsReadAgain) {
 }
 
 TEST(SharedParts, AModelFirstSeenWithoutTangentsGetsThemWhenTheyAreRead) {
-    auto files = kFiles;
+    auto files = kSharedFiles;
     files["t.vert"] =
         "#version 330 core\nout vec3 vST;\nvoid main() { vST = abs(aTangent) + .2; gl_Position = "
         "uModelViewProjectionMatrix * aVertex; }\n";
@@ -118,11 +119,11 @@ TEST(SharedParts, AModelFirstSeenWithoutTangentsGetsThemWhenTheyAreRead) {
 }
 
 TEST(SharedParts, RemarksAreHeardByEveryScene) {
-    auto files = kFiles;
+    auto files = kSharedFiles;
     files["m.obj"] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 9\n";
     const SceneFolder folder("", files);
     SharedParts shared;
-    const std::string scene = kStart + "Program P uColor 1. .5 .2\nObj m.obj\n";
+    const std::string scene = kSharedStart + "Program P uColor 1. .5 .2\nObj m.obj\n";
     const Drawing first = drawText(folder, scene, &shared);
     ASSERT_FALSE(first.diagnostics.empty());
     EXPECT_EQ(drawText(folder, scene, &shared).diagnostics.size(), first.diagnostics.size());
@@ -196,7 +197,7 @@ std::vector<int> animateInParts(const SceneFolder& folder, int frames, double fr
 }
 
 TEST(Frames, WithoutTimerAreDrawnOnce) {
-    const SceneFolder folder(kStart + "Program P uColor 1. .5 .2\nSphere 1 20 20\n", kFiles);
+    const SceneFolder folder(kSharedStart + "Program P uColor 1. .5 .2\nSphere 1 20 20\n", kSharedFiles);
     const Frames skipping = animate(folder, 12, 10, true);
     const Frames whole = animate(folder, 12, 10, false);
     EXPECT_EQ(skipping.draws, 1U);
@@ -210,7 +211,7 @@ TEST(Frames, OfARepeatedPeriodAreDrawnOnce) {
     const SceneFolder folder(
         "Timer 1\nWindowSize 64 48\nLookAt 0 0 4  0 0 0  0 1 0\nVertex a.vert\nFragment timer.frag\nProgram "
         "P\nQuadXY 0 1\n",
-        kFiles);
+        kSharedFiles);
     const Frames skipping = animate(folder, 24, 8, true);
     const Frames whole = animate(folder, 24, 8, false);
     EXPECT_EQ(skipping.draws, 8U);
@@ -224,7 +225,7 @@ TEST(Frames, OfARepeatedPeriodAreDrawnOnce) {
 }
 
 TEST(Frames, ThatReadATextureOfTheFrameBeforeAreAllDrawn) {
-    auto files = kFiles;
+    auto files = kSharedFiles;
     files["grow.frag"] =
         "#version 330 core\nin vec3 vST;\nuniform sampler2D uLast;\nout vec4 fColor;\n"
         "void main() { fColor = vec4(texture(uLast, vST.st).rgb + .05, 1.); }\n";

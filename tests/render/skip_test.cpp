@@ -28,7 +28,7 @@ std::string rawTexture(unsigned char value) {
     std::string bytes{2, 0, 0, 0, 2, 0, 0, 0};
     return bytes + std::string(16, static_cast<char>(value));
 }
-const std::map<std::string, std::string> kFiles{
+const std::map<std::string, std::string> kSkipFiles{
     {"a.vert", kVertex},
     {"plain.frag", fragment("", "vST.st, 0.")},
     {"red.frag", fragment("", "1., 0., 0.")},
@@ -37,32 +37,32 @@ const std::map<std::string, std::string> kFiles{
     {"five.tex", rawTexture(200)},
     {"six.tex", rawTexture(90)}};
 
-const std::string kStart =
+const std::string kSkipStart =
     "WindowSize 64 48\nBackground .1 .2 .3\nLookAt 0 0 4  0 0 0  0 1 0\nVertex a.vert\n";
 std::string program(const std::string& name, const std::string& pairs = {}) {
     return "Fragment " + name + ".frag\nProgram " + name + " " + pairs + "\n";
 }
-SceneFolder scene(const std::string& text) {
-    return SceneFolder(kStart + text, kFiles);
+SceneFolder sceneOf(const std::string& text) {
+    return SceneFolder(kSkipStart + text, kSkipFiles);
 }
 bool opened(const Drawing& run, const std::string& file) {
     return run.opened.contains(file);
 }
 
 TEST(SkipRule, NoNoiseTextureUnlessAnActiveUniformSamplesIt) {
-    const BothWays pair = drawBothWays(scene(program("plain") + "Sphere 1\n"));
+    const BothWays pair = drawBothWays(sceneOf(program("plain") + "Sphere 1\n"));
     EXPECT_EQ(pair.skipping.calls.texturesFilled, 0U);
     EXPECT_EQ(pair.whole.calls.texturesFilled, 2U);
     EXPECT_GT(pair.whole.calls.bytesUploaded, pair.skipping.calls.bytesUploaded + (std::uint64_t{2} << 20));
     EXPECT_EQ(pair.skipping.skipped("noise texture").size(), 2U);
-    const BothWays used = drawBothWays(scene(program("noise") + "Sphere 1\n"));
+    const BothWays used = drawBothWays(sceneOf(program("noise") + "Sphere 1\n"));
     EXPECT_EQ(used.skipping.calls.texturesFilled, 1U);
     EXPECT_EQ(used.skipping.skipped("noise texture"), Words{"unit 2 / 2D: no active sampler reads it"});
 }
 
 TEST(SkipRule, NoTextureFileWhoseUnitNoActiveSamplerReads) {
     const BothWays pair = drawBothWays(
-        scene("Texture2D 5 five.tex\nTexture2D 6 six.tex\n" + program("tex", "uTex 5") + "QuadXY 0 1\n"));
+        sceneOf("Texture2D 5 five.tex\nTexture2D 6 six.tex\n" + program("tex", "uTex 5") + "QuadXY 0 1\n"));
     EXPECT_TRUE(opened(pair.skipping, "five.tex"));
     EXPECT_FALSE(opened(pair.skipping, "six.tex"));
     EXPECT_TRUE(opened(pair.whole, "six.tex"));
@@ -74,8 +74,8 @@ TEST(SkipRule, NoTextureFileWhoseUnitNoActiveSamplerReads) {
 
 TEST(SkipRule, FilesThatTwoStatementsNameAreReadOnce) {
     const BothWays pair =
-        drawBothWays(scene("Texture2D 5 five.tex\nTexture2D 6 five.tex\n" + program("tex", "uTex 5") +
-                           "QuadXY 0 1\n" + program("tex", "uTex 6") + "QuadXY 1 .5\n"));
+        drawBothWays(sceneOf("Texture2D 5 five.tex\nTexture2D 6 five.tex\n" + program("tex", "uTex 5") +
+                             "QuadXY 0 1\n" + program("tex", "uTex 6") + "QuadXY 1 .5\n"));
     EXPECT_EQ(pair.skipping.calls.texturesFilled, 1U);
     EXPECT_EQ(pair.whole.calls.texturesFilled, 4U) << "two files, two noise textures";
     EXPECT_EQ(pair.skipping.skipped("texture"),
@@ -83,7 +83,7 @@ TEST(SkipRule, FilesThatTwoStatementsNameAreReadOnce) {
 }
 
 TEST(SkipRule, NoAttributeThatNoLinkedProgramReads) {
-    const BothWays pair = drawBothWays(scene(program("plain") + "Sphere 1 20 20\n"));
+    const BothWays pair = drawBothWays(sceneOf(program("plain") + "Sphere 1 20 20\n"));
     EXPECT_EQ(pair.skipping.calls.buffersFilled, 3U) << "indices, positions, texture coordinates";
     EXPECT_EQ(pair.whole.calls.buffersFilled, 5U) << "normals and tangents too";
     EXPECT_EQ(pair.skipping.skipped("attribute"),
@@ -92,8 +92,8 @@ TEST(SkipRule, NoAttributeThatNoLinkedProgramReads) {
 
 TEST(SkipRule, OneMeshHoweverOftenItIsDrawn) {
     const std::string more = "Translate .1 0 0\nSphere 1 20 20\nTranslate .1 0 0\nSphere 1 20 20\n";
-    const BothWays once = drawBothWays(scene(program("plain") + "Sphere 1 20 20\n"));
-    const BothWays thrice = drawBothWays(scene(program("plain") + "Sphere 1 20 20\n" + more));
+    const BothWays once = drawBothWays(sceneOf(program("plain") + "Sphere 1 20 20\n"));
+    const BothWays thrice = drawBothWays(sceneOf(program("plain") + "Sphere 1 20 20\n" + more));
     EXPECT_EQ(thrice.skipping.calls.bytesUploaded, once.skipping.calls.bytesUploaded);
     EXPECT_EQ(thrice.skipping.calls.draws, 3U);
     EXPECT_EQ(thrice.skipping.skipped("mesh"), Words{"Sphere: one mesh serves all its 3 draws"});
@@ -102,7 +102,7 @@ TEST(SkipRule, OneMeshHoweverOftenItIsDrawn) {
 }
 
 TEST(SkipRule, NoProgramThatNothingIsDrawnWith) {
-    const BothWays pair = drawBothWays(scene(program("red") + program("plain") + "Sphere 1\n"));
+    const BothWays pair = drawBothWays(sceneOf(program("red") + program("plain") + "Sphere 1\n"));
     EXPECT_EQ(pair.skipping.calls.programsLinked, 1U);
     EXPECT_EQ(pair.whole.calls.programsLinked, 2U);
     EXPECT_FALSE(opened(pair.skipping, "red.frag"));
@@ -113,19 +113,19 @@ TEST(SkipRule, NoProgramThatNothingIsDrawnWith) {
 TEST(SkipRule, NoPassWhoseTargetNobodySamples) {
     const std::string target = "Texture2D 7 32 32\nRenderToTexture 7\n" + program("red") +
                                "Teapot\nRenderToTexture\n" + program("plain") + "Sphere 1 10 10\n";
-    const BothWays pair = drawBothWays(scene(target));
+    const BothWays pair = drawBothWays(sceneOf(target));
     EXPECT_EQ(pair.skipping.calls.draws, 1U);
     EXPECT_EQ(pair.whole.calls.draws, 2U);
     EXPECT_EQ(pair.skipping.calls.programsLinked, 1U);
     EXPECT_LT(pair.skipping.calls.calls, pair.whole.calls.calls);
     EXPECT_EQ(pair.skipping.skipped("pass"), Words{"nothing visible samples its targets"});
-    const BothWays sampled = drawBothWays(scene(target + program("tex", "uTex 7") + "QuadXY 1 .5\n"));
+    const BothWays sampled = drawBothWays(sceneOf(target + program("tex", "uTex 7") + "QuadXY 1 .5\n"));
     EXPECT_EQ(sampled.skipping.calls.draws, 3U);
 }
 
 TEST(SkipRule, NoDrawThatAClearOfTheWindowCovers) {
     const BothWays pair =
-        drawBothWays(scene(program("red") + "Teapot\nClear\n" + program("plain") + "Sphere 1\n"));
+        drawBothWays(sceneOf(program("red") + "Teapot\nClear\n" + program("plain") + "Sphere 1\n"));
     EXPECT_EQ(pair.skipping.calls.draws, 1U);
     EXPECT_EQ(pair.whole.calls.draws, 2U);
     EXPECT_EQ(pair.skipping.calls.programsLinked, 1U) << "its text is read, to see that it writes no image";
@@ -134,15 +134,15 @@ TEST(SkipRule, NoDrawThatAClearOfTheWindowCovers) {
 
 TEST(SkipRule, NoDrawOfSizeZero) {
     const BothWays pair =
-        drawBothWays(scene(program("red") + "Box 0 1 1\n" + program("plain") + "Sphere 1\n"));
+        drawBothWays(sceneOf(program("red") + "Box 0 1 1\n" + program("plain") + "Sphere 1\n"));
     EXPECT_EQ(pair.skipping.calls.programsLinked, 1U);
     EXPECT_EQ(pair.skipping.skipped("draw"), Words{"Box: it has no size and draws nothing"});
 }
 
 TEST(SkipRule, NoDrawOutOfSightNorWhatOnlyItNeeds) {
     const BothWays pair =
-        drawBothWays(scene("Texture2D 5 five.tex\n" + program("plain") + "Sphere 1 10 10\n" +
-                           program("tex", "uTex 5") + "Translate 0 0 9\nTeapot\n"));
+        drawBothWays(sceneOf("Texture2D 5 five.tex\n" + program("plain") + "Sphere 1 10 10\n" +
+                             program("tex", "uTex 5") + "Translate 0 0 9\nTeapot\n"));
     EXPECT_EQ(pair.skipping.calls.draws, 1U);
     EXPECT_EQ(pair.whole.calls.draws, 2U);
     EXPECT_EQ(pair.skipping.calls.programsLinked, 1U);
@@ -156,9 +156,9 @@ TEST(SkipRule, NoDrawOutOfSightNorWhatOnlyItNeeds) {
 TEST(SkipRule, NoDrawBesideTheTargetItGoesInto) {
     // The texture is square: what is left of it can be inside the window, which is wider.
     const std::string inside = program("red") + "Translate -2.2 0 0\nQuadXY 0 .1\nTranslate 2.2 0 0\n";
-    const BothWays pair = drawBothWays(scene("Texture2D 7 32 32\nRenderToTexture 7\n" + inside +
-                                             program("plain") + "QuadXY 0 .1\nRenderToTexture\n" + inside +
-                                             program("tex", "uTex 7") + "QuadXY 0 1\n"));
+    const BothWays pair = drawBothWays(sceneOf("Texture2D 7 32 32\nRenderToTexture 7\n" + inside +
+                                               program("plain") + "QuadXY 0 .1\nRenderToTexture\n" + inside +
+                                               program("tex", "uTex 7") + "QuadXY 0 1\n"));
     EXPECT_EQ(pair.whole.calls.draws, 4U);
     EXPECT_EQ(pair.skipping.calls.draws, 3U);
     EXPECT_EQ(pair.skipping.skipped("draw"), Words{"QuadXY: it is left of what is shown"});
@@ -166,13 +166,13 @@ TEST(SkipRule, NoDrawBesideTheTargetItGoesInto) {
 
 TEST(SkipRule, NoTriangleSmallerThanTheGapsBetweenPixels) {
     const BothWays pair =
-        drawBothWays(scene(program("red") + "Sphere .001\n" + program("plain") + "QuadXY -1 .3\n"));
+        drawBothWays(sceneOf(program("red") + "Sphere .001\n" + program("plain") + "QuadXY -1 .3\n"));
     EXPECT_EQ(pair.skipping.calls.draws, 1U);
     EXPECT_EQ(pair.skipping.skipped("draw"), Words{"Sphere: it is too small to cover the centre of a pixel"});
     RenderOptions manySamples;
     manySamples.samples = 4;
-    EXPECT_EQ(drawBothWays(scene(program("red") + "Sphere .001\n"), manySamples).skipping.calls.draws, 1U);
-    EXPECT_EQ(drawBothWays(scene(program("red") + "PointSize 3\nPointCloud 1 1 1\n")).skipping.calls.draws,
+    EXPECT_EQ(drawBothWays(sceneOf(program("red") + "Sphere .001\n"), manySamples).skipping.calls.draws, 1U);
+    EXPECT_EQ(drawBothWays(sceneOf(program("red") + "PointSize 3\nPointCloud 1 1 1\n")).skipping.calls.draws,
               1U);
 }
 
@@ -181,15 +181,15 @@ TEST(SkipRule, NoBlendingOfWhatIsOpaque) {
     for (const int samples : {1, 4}) {
         RenderOptions options;
         options.samples = samples;
-        const BothWays opaque = drawBothWays(scene(program("plain") + overlapping), options);
+        const BothWays opaque = drawBothWays(sceneOf(program("plain") + overlapping), options);
         EXPECT_EQ(opaque.skipping.skipped("blending"), Words{"'plain': always writes 1 for alpha"});
         EXPECT_TRUE(opaque.whole.skipped("blending").empty());
-        auto files = kFiles;
+        auto files = kSkipFiles;
         files["half.frag"] =
             "#version 330 core\nin vec3 vST;\nout vec4 fColor;\nvoid main() { fColor = "
             "vec4(vST.st, 0., .5); }\n";
         const BothWays half =
-            drawBothWays(SceneFolder(kStart + program("plain") + overlapping + program("half") +
+            drawBothWays(SceneFolder(kSkipStart + program("plain") + overlapping + program("half") +
                                          "Translate -.4 .1 .5\nSphere 1\n",
                                      files),
                          options);
@@ -203,7 +203,7 @@ TEST(SkipRule, WhatAShiftOfThePictureMayShowIsDrawn) {
     const SceneFolder folder(
         "WindowSize 64 64\nOrtho -1 1 -1 1\nLookAt 0 0 2  0 0 0  0 1 0\nVertex a.vert\n" + program("red") +
             "Sphere .004\nTranslate 1.01 .01 0\nSphere .009\n",
-        kFiles);
+        kSkipFiles);
     RenderOptions options;
     options.tileSize = 4096;
     std::array<std::vector<std::byte>, 2> pixels;
@@ -222,7 +222,8 @@ TEST(SkipRule, WhatAShiftOfThePictureMayShowIsDrawn) {
 }
 
 TEST(SkipRule, ADrawWhoseProgramMovesItIsDrawnWhereverItsMeshLies) {
-    SceneFolder folder(kStart + "Vertex moved.vert\n" + program("red") + "Translate 0 0 9\nTeapot\n", kFiles);
+    SceneFolder folder(kSkipStart + "Vertex moved.vert\n" + program("red") + "Translate 0 0 9\nTeapot\n",
+                       kSkipFiles);
     folder.write("moved.vert",
                  "#version 330 core\nout vec3 vST;\nvoid main() { vST = vec3(0.); gl_Position = "
                  "uModelViewProjectionMatrix * (aVertex - vec4(0., 0., 9., 0.)); }\n");
@@ -231,7 +232,7 @@ TEST(SkipRule, ADrawWhoseProgramMovesItIsDrawnWhereverItsMeshLies) {
 }
 
 TEST(SkipRule, ATransformOfTheViewCountsAsWell) {
-    const SceneFolder folder = scene(program("red") + "Translate 0 0 9\nTeapot\n");
+    const SceneFolder folder = sceneOf(program("red") + "Translate 0 0 9\nTeapot\n");
     RenderOptions options;
     options.viewState.eye[14] = -9;
     EXPECT_EQ(drawBothWays(folder, options).skipping.calls.draws, 1U);
@@ -242,7 +243,8 @@ TEST(SkipRule, ATileIsSparedWhatLiesBesideIt) {
     std::string balls = program("plain");
     for (const char* place : {"-1.5 -1 0", "3 0 0", "-3 2 0", "3 0 0"})
         balls += "Translate " + std::string(place) + "\nSphere .2 12 12\n";
-    const SceneFolder folder = scene(balls + "LineWidth 9\nVertex\nFragment\nProgram B\nWireSphere .3 8 8\n");
+    const SceneFolder folder =
+        sceneOf(balls + "LineWidth 9\nVertex\nFragment\nProgram B\nWireSphere .3 8 8\n");
     RenderOptions options;
     options.width = 1024;
     options.height = 768;
@@ -263,8 +265,8 @@ TEST(SkipRule, ATileIsSparedWhatLiesBesideIt) {
 }
 
 TEST(SkipRule, WhatIsSkippedIsStillCheckedWhenNothingIs) {
-    SceneFolder folder = scene(program("broken") + "Translate 0 0 9\nTeapot\n" + program("plain") +
-                               "Translate 0 0 -9\nSphere 1\n");
+    SceneFolder folder = sceneOf(program("broken") + "Translate 0 0 9\nTeapot\n" + program("plain") +
+                                 "Translate 0 0 -9\nSphere 1\n");
     folder.write("broken.frag", "#version 330 core\nvoid main() { gl_FragColor = missing; }\n");
     EXPECT_FALSE(hasError(draw(folder).diagnostics));
 }
@@ -296,7 +298,7 @@ TEST(SkipRule, RandomScenesAreTheSameWholeAndInTiles) {
     std::uint64_t all = 0;
     for (int i = 0; i < (GLIBRA_SANITIZED ? 40 : 80); ++i) {
         const std::string text = randomScene(random);
-        const SceneFolder folder(text, kFiles);
+        const SceneFolder folder(text, kSkipFiles);
         RenderOptions options;
         if (i % 4 == 1) options.tileSize = 16;
         if (i % 4 == 1) options.width = options.height = 300;

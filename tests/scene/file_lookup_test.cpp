@@ -21,7 +21,7 @@ FileReference find(std::string_view name, const fs::path& scene, const Interpret
     return findFile(name, {"a.glib", 3, 5}, searchFolders(scene, options), listings);
 }
 
-std::string textOf(const FileReference& file) {
+std::string remarkOf(const FileReference& file) {
     return file.remarks.empty() ? "" : file.remarks.front().id + " " + file.remarks.front().text;
 }
 
@@ -73,13 +73,13 @@ TEST_F(FileLookup, AConfinedSceneFindsOnlyFilesOfItsFolderAndTheLibrary) {
         ASSERT_EQ(idsOf(file.remarks), "file-E12") << each;
     }
     EXPECT_EQ(
-        textOf(confined("link.frag")),
+        remarkOf(confined("link.frag")),
         "file-E12 'link.frag' lies outside of the scene's folder and the library, and this scene may read "
         "only files inside");
     // Names near to a missing one come from the folders that may be read.
-    EXPECT_EQ(textOf(confined("../../secret.txt")), "file-E01 cannot find '../../secret.txt'");
-    EXPECT_EQ(textOf(confined("friend/c.frag")), "file-E01 cannot find 'friend/c.frag'; nearest: 'a.frag'");
-    EXPECT_EQ(textOf(confined("noize.glsl")), "file-E01 cannot find 'noize.glsl'; nearest: 'noise.glsl'");
+    EXPECT_EQ(remarkOf(confined("../../secret.txt")), "file-E01 cannot find '../../secret.txt'");
+    EXPECT_EQ(remarkOf(confined("friend/c.frag")), "file-E01 cannot find 'friend/c.frag'; nearest: 'a.frag'");
+    EXPECT_EQ(remarkOf(confined("noize.glsl")), "file-E01 cannot find 'noize.glsl'; nearest: 'noise.glsl'");
 }
 
 TEST_F(FileLookup, BackslashesAreSlashesEvenIfDoubled) {
@@ -93,7 +93,7 @@ TEST_F(FileLookup, AnotherCaseIsFoundAndReported) {
     const fs::path path = folder.write("giraffe.obj");
     const FileReference file = find("Giraffe.OBJ");
     EXPECT_EQ(file.path, path);
-    EXPECT_EQ(textOf(file), "file-W01 'Giraffe.OBJ' found as 'giraffe.obj'");
+    EXPECT_EQ(remarkOf(file), "file-W01 'Giraffe.OBJ' found as 'giraffe.obj'");
     EXPECT_EQ(file.remarks.at(0).place.line, 3);
     EXPECT_EQ(file.remarks.at(0).place.column, 5);
 }
@@ -102,7 +102,7 @@ TEST_F(FileLookup, EveryPartMayDifferInCase) {
     const fs::path path = folder.write("Textures/Wood/a.bmp");
     const FileReference file = find("textures\\wood\\A.bmp");
     EXPECT_EQ(file.path, path);
-    EXPECT_EQ(textOf(file), "file-W01 'textures\\wood\\A.bmp' found as 'Textures/Wood/a.bmp'");
+    EXPECT_EQ(remarkOf(file), "file-W01 'textures\\wood\\A.bmp' found as 'Textures/Wood/a.bmp'");
 }
 
 TEST_F(FileLookup, TheExactCaseIsPreferredWithoutAMessage) {
@@ -117,7 +117,7 @@ TEST_F(FileLookup, TheFirstOfSeveralCasesInByteOrderIsUsed) {
     const fs::path path = folder.write("COW.obj");
     const FileReference file = find("Cow.obj");
     EXPECT_EQ(file.path, path);
-    EXPECT_EQ(textOf(file), "file-W12 'Cow.obj' matches 'COW.obj' and 'cow.obj'; 'COW.obj' is used");
+    EXPECT_EQ(remarkOf(file), "file-W12 'Cow.obj' matches 'COW.obj' and 'cow.obj'; 'COW.obj' is used");
 }
 
 TEST_F(FileLookup, AFolderOfTheRightCaseWithoutTheFileIsNoDeadEnd) {
@@ -133,7 +133,7 @@ TEST_F(FileLookup, TheLastPartOfAForeignPathIsFoundBesideTheScene) {
                              "/no/such/cow.obj", "\\\\server\\share\\cow.obj"}) {
         const FileReference file = find(name);
         EXPECT_EQ(file.path, path) << name;
-        EXPECT_EQ(textOf(file), "file-W02 '" + std::string(name) + "' found as 'cow.obj' beside the scene");
+        EXPECT_EQ(remarkOf(file), "file-W02 '" + std::string(name) + "' found as 'cow.obj' beside the scene");
     }
     EXPECT_EQ(idsOf(find("C:\\models\\COW.obj").remarks), "file-W02") << "case does not matter there either";
 }
@@ -148,8 +148,8 @@ TEST_F(FileLookup, AMissingFileIsAnErrorWithTheNearestNames) {
     folder.write("dragon.obj");
     const FileReference file = find("cow.obj");
     EXPECT_TRUE(file.path.empty());
-    EXPECT_EQ(textOf(file), "file-E01 cannot find 'cow.obj'; nearest: 'bow.obj', 'cows.obj'");
-    EXPECT_EQ(textOf(find("elephant.ply")), "file-E01 cannot find 'elephant.ply'");
+    EXPECT_EQ(remarkOf(file), "file-E01 cannot find 'cow.obj'; nearest: 'bow.obj', 'cows.obj'");
+    EXPECT_EQ(remarkOf(find("elephant.ply")), "file-E01 cannot find 'elephant.ply'");
     EXPECT_EQ(file.remarks.at(0).severity, Severity::error);
 }
 
@@ -158,15 +158,15 @@ TEST_F(FileLookup, AFileOfAnotherTopicIsNamedAsItCanBeWritten) {
     const fs::path shader = folder.write("shaders/noise/Solid.vert");
     folder.write("shaders/noise/deep/solid.vert");
     folder.write("shaders/solit.vert");
-    EXPECT_EQ(textOf(scene::find("solid.vert", scene)),
+    EXPECT_EQ(remarkOf(scene::find("solid.vert", scene)),
               "file-E01 cannot find 'solid.vert'; the library has it as 'noise/Solid.vert' and "
               "'noise/deep/solid.vert'");
-    EXPECT_EQ(textOf(scene::find("shaders/old/solid.vert", scene)).substr(0, 62),
+    EXPECT_EQ(remarkOf(scene::find("shaders/old/solid.vert", scene)).substr(0, 62),
               "file-E01 cannot find 'shaders/old/solid.vert'; the library has");
     EXPECT_EQ(scene::find("noise/Solid.vert", scene).path, shader) << "the name works";
-    EXPECT_EQ(textOf(scene::find("solid.frag", scene)), "file-E01 cannot find 'solid.frag'")
+    EXPECT_EQ(remarkOf(scene::find("solid.frag", scene)), "file-E01 cannot find 'solid.frag'")
         << "nothing has that name";
-    EXPECT_EQ(textOf(scene::find("sorit.vert", scene)),
+    EXPECT_EQ(remarkOf(scene::find("sorit.vert", scene)),
               "file-E01 cannot find 'sorit.vert'; nearest: 'solit.vert'");
 }
 
@@ -176,15 +176,15 @@ TEST_F(FileLookup, ALibraryOfManyFoldersIsNotSearchedToItsEnd) {
     folder.write(deep.lexically_relative(folder.path()) / "solid.vert");
     for (int i = 0; i < 300; ++i) folder.write("textures/" + std::to_string(i) + "/x");
     folder.write("textures/zzz/solid.vert");
-    EXPECT_EQ(textOf(find("solid.vert")), "file-E01 cannot find 'solid.vert'");
+    EXPECT_EQ(remarkOf(find("solid.vert")), "file-E01 cannot find 'solid.vert'");
 }
 
 TEST_F(FileLookup, NearNamesAreSearchedInTheFolderOfTheName) {
     folder.write("sub/cows.obj");
-    EXPECT_EQ(textOf(find("sub/cow.obj")), "file-E01 cannot find 'sub/cow.obj'; nearest: 'cows.obj'");
+    EXPECT_EQ(remarkOf(find("sub/cow.obj")), "file-E01 cannot find 'sub/cow.obj'; nearest: 'cows.obj'");
     folder.write("sub2/cows.obj");
     EXPECT_EQ(
-        textOf(find((folder.path() / "sub2/cow.obj").string())),
+        remarkOf(find((folder.path() / "sub2/cow.obj").string())),
         "file-E01 cannot find '" + (folder.path() / "sub2/cow.obj").string() + "'; nearest: 'cows.obj'");
 }
 
@@ -255,7 +255,7 @@ TEST_F(FileLookup, CaseIsForgivenInLibraryRootsToo) {
     const FileReference file = scene::find("wood.BMP", folder.path() / "s" / "a.glib",
                                            InterpretOptions{{folder.path() / "library"}});
     EXPECT_EQ(file.path, path);
-    EXPECT_EQ(textOf(file), "file-W01 'wood.BMP' found as 'Wood.bmp'");
+    EXPECT_EQ(remarkOf(file), "file-W01 'wood.BMP' found as 'Wood.bmp'");
 }
 
 TEST_F(FileLookup, TheNearestFolderAboveWithShadersOrTexturesIsALibraryRoot) {
@@ -342,7 +342,7 @@ TEST_F(FileLookup, OneBudgetForAllNamesOfASceneWithOneMessage) {
     }
     EXPECT_EQ(reported, 1);
     EXPECT_TRUE(listings.isSpent());
-    EXPECT_EQ(textOf(find("picture-numbr-00007.bmp")), "file-E01 cannot find 'picture-numbr-00007.bmp'");
+    EXPECT_EQ(remarkOf(find("picture-numbr-00007.bmp")), "file-E01 cannot find 'picture-numbr-00007.bmp'");
     EXPECT_EQ(find("There.bmp").path, there) << "names as they are written are still found";
 }
 

@@ -12,10 +12,10 @@ using tests::idsOf;
 using tests::run;
 using tests::textsOf;
 
-const geometry::Mesh& listOf(const Scene& scene) {
+const geometry::Mesh& firstList(const Scene& scene) {
     return *scene.shapes.at(0).list;
 }
-std::vector<float> valuesOf(const geometry::Mesh& mesh, std::string_view name) {
+std::vector<float> attributeValues(const geometry::Mesh& mesh, std::string_view name) {
     const geometry::Attribute* attribute = mesh.attribute(name);
     return attribute != nullptr ? attribute->values : std::vector<float>{};
 }
@@ -29,8 +29,8 @@ TEST(Lists, AListIsDrawnByItsEnd) {
     ASSERT_EQ(draws.size(), 1U);
     EXPECT_EQ(draws[0].word, "triangles");
     EXPECT_EQ(draws[0].place.line, 5);
-    EXPECT_EQ(listOf(scene).topology, geometry::Topology::triangles);
-    EXPECT_EQ(listOf(scene).vertexCount(), 3U);
+    EXPECT_EQ(firstList(scene).topology, geometry::Topology::triangles);
+    EXPECT_EQ(firstList(scene).vertexCount(), 3U);
     EXPECT_EQ(idsOf(scene.diagnostics), "");
 }
 
@@ -53,7 +53,7 @@ TEST(Lists, EveryVertexTakesTheColourOfItsPlace) {
         "glBegin gl_triangles\nColor 1 0 0\nglVertex 0 0 0\nColor 0 1 0\nglVertex 1 0 0\nglColor 0 0 1 .5\n"
         "glVertex 0 1 0\nglEnd\nSphere\n");
     EXPECT_EQ(idsOf(scene.diagnostics), "") << "Color belongs to a list";
-    EXPECT_EQ(valuesOf(listOf(scene), geometry::kColor),
+    EXPECT_EQ(attributeValues(firstList(scene), geometry::kColor),
               (std::vector<float>{1, 0, 0, 1, 0, 1, 0, 1, 0, 0, 1, .5F}));
     EXPECT_EQ(drawsOf(scene).at(1).color, glm::dvec4(0, 1, 0, 1)) << "glColor is no current colour";
 }
@@ -67,7 +67,7 @@ TEST(Lists, ANewListBeginsWithTheCurrentColourAndNoAttributes) {
     EXPECT_EQ(draws.at(0).color, glm::dvec4(0, 0, 1, 1));
     EXPECT_EQ(draws.at(1).color, glm::dvec4(1, 1, 0, 1));
     const geometry::Mesh& second = *scene.shapes.at(1).list;
-    EXPECT_EQ(valuesOf(second, geometry::kNormal), (std::vector<float>{0, 0, 1}));
+    EXPECT_EQ(attributeValues(second, geometry::kNormal), (std::vector<float>{0, 0, 1}));
     EXPECT_EQ(second.attribute(geometry::kTexCoord), nullptr);
 }
 
@@ -75,10 +75,11 @@ TEST(Lists, NormalsAndTexCoordsBelongToTheFollowingVertices) {
     const Scene scene =
         run("glBegin lines\nglNormal 0 1 0\nglTexCoord .25 .5 .75\nglVertex 0 0 0\nglTexCoord 1 0 0 "
             "2\nglVertex 1 0 0 2\nglEnd\n");
-    EXPECT_EQ(valuesOf(listOf(scene), geometry::kNormal), (std::vector<float>{0, 1, 0, 0, 1, 0}));
-    EXPECT_EQ(valuesOf(listOf(scene), geometry::kTexCoord),
+    EXPECT_EQ(attributeValues(firstList(scene), geometry::kNormal), (std::vector<float>{0, 1, 0, 0, 1, 0}));
+    EXPECT_EQ(attributeValues(firstList(scene), geometry::kTexCoord),
               (std::vector<float>{.25F, .5F, .75F, 1, 1, 0, 0, 2}));
-    EXPECT_EQ(valuesOf(listOf(scene), geometry::kPosition), (std::vector<float>{0, 0, 0, 1, 1, 0, 0, 2}));
+    EXPECT_EQ(attributeValues(firstList(scene), geometry::kPosition),
+              (std::vector<float>{0, 0, 0, 1, 1, 0, 0, 2}));
 }
 
 TEST(Lists, OtherCommandsInsideAreExecutedBeforeTheList) {
@@ -104,7 +105,7 @@ TEST(Lists, ProgramTargetAndSecondBeginAreRefusedInside) {
               "5:1 glib-E07 RenderToTexture is not allowed inside glBegin ... glEnd\n"
               "6:1 glib-E07 glBegin is not allowed inside glBegin ... glEnd");
     EXPECT_TRUE(scene.programs.empty());
-    EXPECT_EQ(listOf(scene).vertexCount(), 2U) << "the first list goes on";
+    EXPECT_EQ(firstList(scene).vertexCount(), 2U) << "the first list goes on";
 }
 
 TEST(Lists, ConsecutiveVerticesOutsideAListAreReportedOnce) {
@@ -126,8 +127,8 @@ TEST(Lists, AnIncompleteLastPrimitiveIsIgnored) {
             "0 0\n"
             "glVertex 0 0 0\nglVertex 0 0 0\nglEnd\n");
     EXPECT_EQ(textsOf(scene.diagnostics), "9:1 glib-W33 glEnd: 2 vertices of an incomplete patch ignored");
-    EXPECT_EQ(listOf(scene).patchVertices, 4);
-    EXPECT_EQ(listOf(scene).indices.size(), 4U);
+    EXPECT_EQ(firstList(scene).patchVertices, 4);
+    EXPECT_EQ(firstList(scene).indices.size(), 4U);
 }
 
 TEST(Lists, NoCompletePrimitiveIsAnError) {
@@ -142,14 +143,14 @@ TEST(Lists, NoCompletePrimitiveIsAnError) {
 TEST(Lists, ThePatchSizeIsThatOfTheEnd) {
     const Scene scene = run("glBegin patches\nglVertex 0 0 0\nglVertex 0 0 0\nNumPatchVertices 2\nglEnd\n");
     EXPECT_EQ(idsOf(scene.diagnostics), "glib-W32");
-    EXPECT_EQ(listOf(scene).patchVertices, 2);
+    EXPECT_EQ(firstList(scene).patchVertices, 2);
 }
 
 TEST(Lists, TrianglesAndLinesWithAdjacencyAreMeshesToo) {
     const Scene scene = run("Triangles [0 0 0] [1 0 0] [0 1 0 2]\nLinesAdjacency 0 0 0 1 0 0 2 0 0 3 0 0\n");
     ASSERT_EQ(scene.shapes.size(), 2U);
     EXPECT_EQ(scene.shapes.at(0).list->topology, geometry::Topology::triangles);
-    EXPECT_EQ(valuesOf(*scene.shapes.at(0).list, geometry::kPosition),
+    EXPECT_EQ(attributeValues(*scene.shapes.at(0).list, geometry::kPosition),
               (std::vector<float>{0, 0, 0, 1, 1, 0, 0, 1, 0, 1, 0, 2}));
     EXPECT_EQ(scene.shapes.at(1).list->topology, geometry::Topology::linesAdjacency);
     EXPECT_EQ(scene.shapes.at(1).list->indices.size(), 4U);

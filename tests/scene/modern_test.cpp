@@ -28,7 +28,7 @@ Interpretation scriptOf(std::string_view text, const std::filesystem::path& path
     return {std::move(script), {}};
 }
 
-Scene at(Interpretation& script, double time) {
+Scene sceneAt(Interpretation& script, double time) {
     FrameInputs inputs;
     inputs.time = time;
     return script.at(inputs);
@@ -45,7 +45,7 @@ const glib::UniformSpec* uniformOf(const Scene& scene, const Draw& draw, std::st
     return nullptr;
 }
 
-std::vector<double> valuesOf(const Scene& scene, const Draw& draw, std::string_view tag) {
+std::vector<double> uniformValues(const Scene& scene, const Draw& draw, std::string_view tag) {
     const glib::UniformSpec* found = uniformOf(scene, draw, tag);
     return found != nullptr ? found->values : std::vector<double>();
 }
@@ -67,13 +67,13 @@ TEST(Modern, AnEvaluatedNumberObeysTheRuleOfItsArgument) {
 
 TEST(Modern, AScriptWithTimeGivesADifferentSceneForEachTime) {
     Interpretation script = scriptOf("Translate (2 * time) 0 0\nBox\n");
-    EXPECT_EQ(placeOf(drawsOf(at(script, 0))[0]).x, 0);
-    EXPECT_EQ(placeOf(drawsOf(at(script, 1.5))[0]).x, 3);
+    EXPECT_EQ(placeOf(drawsOf(sceneAt(script, 0))[0]).x, 0);
+    EXPECT_EQ(placeOf(drawsOf(sceneAt(script, 1.5))[0]).x, 3);
     EXPECT_TRUE(any(script.depends() & expression::Depends::time));
-    EXPECT_EQ(placeOf(drawsOf(at(script, 0))[0]).x, 0) << "and the same for the same time";
+    EXPECT_EQ(placeOf(drawsOf(sceneAt(script, 0))[0]).x, 0) << "and the same for the same time";
 
     Interpretation still = scriptOf("Let size <1 2 3>\nBox (size)\n");
-    at(still, 0);
+    sceneAt(still, 0);
     EXPECT_FALSE(any(still.depends() & expression::Depends::time));
 }
 
@@ -125,10 +125,10 @@ TEST(Modern, SetChangesUniformsUntilItsScopeEnds) {
             "Box\n");
     const std::vector<Draw> draws = drawsOf(scene);
     ASSERT_EQ(draws.size(), 3U);
-    EXPECT_EQ(valuesOf(scene, draws[0], "uA"), std::vector<double>{2});
-    EXPECT_EQ(valuesOf(scene, draws[1], "uA"), std::vector<double>{3});
-    EXPECT_EQ(valuesOf(scene, draws[1], "uB"), (std::vector<double>{1, 0, 0}));
-    EXPECT_EQ(valuesOf(scene, draws[2], "uA"), std::vector<double>{2});
+    EXPECT_EQ(uniformValues(scene, draws[0], "uA"), std::vector<double>{2});
+    EXPECT_EQ(uniformValues(scene, draws[1], "uA"), std::vector<double>{3});
+    EXPECT_EQ(uniformValues(scene, draws[1], "uB"), (std::vector<double>{1, 0, 0}));
+    EXPECT_EQ(uniformValues(scene, draws[2], "uA"), std::vector<double>{2});
     EXPECT_EQ(draws[0].uniforms, draws[2].uniforms) << "equal values are shared";
 }
 
@@ -140,10 +140,10 @@ TEST(Modern, TagsOfAProgramAreEvaluatedAtItsDraws) {
     EXPECT_EQ(textsOf(scene.diagnostics).find("E"), std::string::npos) << textsOf(scene.diagnostics);
     const std::vector<Draw> draws = drawsOf(scene);
     ASSERT_EQ(draws.size(), 2U);
-    EXPECT_EQ(valuesOf(scene, draws[0], "uPlace"), (std::vector<double>{1, 0, 0}));
-    EXPECT_EQ(valuesOf(scene, draws[1], "uPlace"), (std::vector<double>{2, 0, 0}));
-    EXPECT_EQ(valuesOf(scene, draws[1], "uK"), std::vector<double>{2});
-    EXPECT_EQ(valuesOf(scene, draws[1], "uList"), (std::vector<double>{0, 1, 4}));
+    EXPECT_EQ(uniformValues(scene, draws[0], "uPlace"), (std::vector<double>{1, 0, 0}));
+    EXPECT_EQ(uniformValues(scene, draws[1], "uPlace"), (std::vector<double>{2, 0, 0}));
+    EXPECT_EQ(uniformValues(scene, draws[1], "uK"), std::vector<double>{2});
+    EXPECT_EQ(uniformValues(scene, draws[1], "uList"), (std::vector<double>{0, 1, 4}));
     EXPECT_EQ(uniformOf(scene, draws[1], "uPlain"), nullptr) << "plain numbers stay with the program";
     EXPECT_EQ(scene.programs.at(0).uniforms.at(0).tag, "uPlain");
 }
@@ -154,7 +154,7 @@ TEST(Modern, AVariableOfAnyMagnitudeIsATagsValue) {
             run("Let k " + std::to_string(value) + "\nVertex a.vert\nFragment a.frag\nProgram P uK k\nBox\n");
         const std::vector<Draw> draws = drawsOf(scene);
         ASSERT_EQ(draws.size(), 1U);
-        EXPECT_EQ(valuesOf(scene, draws[0], "uK"), std::vector<double>{value});
+        EXPECT_EQ(uniformValues(scene, draws[0], "uK"), std::vector<double>{value});
         EXPECT_EQ(uniformOf(scene, draws[0], "uK")->word, "") << value;
     }
 }
@@ -162,13 +162,13 @@ TEST(Modern, AVariableOfAnyMagnitudeIsATagsValue) {
 TEST(Modern, MaterialsSetTheirFourMembers) {
     const Scene scene = run("Vertex a.vert\nFragment a.frag\nProgram P\nMaterial gold\nBox\n");
     const Draw draw = drawsOf(scene).at(0);
-    EXPECT_EQ(valuesOf(scene, draw, "material.diffuse"), (std::vector<double>{.7516, .6065, .2265, 1}));
-    EXPECT_EQ(valuesOf(scene, draw, "material.shininess"), std::vector<double>{51.2});
+    EXPECT_EQ(uniformValues(scene, draw, "material.diffuse"), (std::vector<double>{.7516, .6065, .2265, 1}));
+    EXPECT_EQ(uniformValues(scene, draw, "material.shininess"), std::vector<double>{51.2});
     const Scene chosen = run(
         "Vertex a.vert\nFragment a.frag\nProgram P\nRepeat [silver gold] as metal\nMaterial (metal)\nBox\n"
         "EndRepeat\n");
     EXPECT_EQ(textsOf(chosen.diagnostics), "");
-    EXPECT_EQ(valuesOf(chosen, drawsOf(chosen).at(1), "material.diffuse"),
+    EXPECT_EQ(uniformValues(chosen, drawsOf(chosen).at(1), "material.diffuse"),
               (std::vector<double>{.7516, .6065, .2265, 1}));
     const Scene wrong = run("Material glod\nBox\n");
     EXPECT_EQ(textsOf(wrong.diagnostics), "1:10 glib-E27 no material 'glod'; did you mean 'gold'?");
@@ -243,7 +243,7 @@ TEST(Modern, FilesKeepTheirIndicesFromFrameToFrame) {
     folder.write("b.obj", "v 0 0 0\n");
     Interpretation script =
         scriptOf("When (time < 1)\nObj a.obj\nEndWhen\nObj b.obj\n", folder.write("scene.glib", ""));
-    const Scene first = at(script, 2), second = at(script, 0), third = at(script, 2);
+    const Scene first = sceneAt(script, 2), second = sceneAt(script, 0), third = sceneAt(script, 2);
     const auto fileOf = [](const Scene& scene, std::size_t draw) {
         const Draw made = drawsOf(scene).at(draw);
         return std::pair(scene.shapes[made.shape].file.position(),
@@ -293,14 +293,17 @@ TEST(ModernPasses, ClearEachTargetToAColourOfItsOwn) {
         run(textures + "Pass a b clear {1 0 0 1} {0 0 1 0}\nEndPass\nPass a b clear {0 1 0}\nEndPass\n");
     EXPECT_EQ(textsOf(scene.diagnostics), "");
     ASSERT_GE(scene.frame.passes.size(), 2U);
-    using Colors = std::vector<std::optional<glm::dvec4>>;
-    EXPECT_EQ(scene.frame.passes[0].clearColors, (Colors{glm::dvec4(1, 0, 0, 1), glm::dvec4(0, 0, 1, 0)}));
-    EXPECT_EQ(scene.frame.passes[1].clearColors, (Colors{glm::dvec4(0, 1, 0, 1), glm::dvec4(0, 1, 0, 1)}));
+    using ClearColors = std::vector<std::optional<glm::dvec4>>;
+    EXPECT_EQ(scene.frame.passes[0].clearColors,
+              (ClearColors{glm::dvec4(1, 0, 0, 1), glm::dvec4(0, 0, 1, 0)}));
+    EXPECT_EQ(scene.frame.passes[1].clearColors,
+              (ClearColors{glm::dvec4(0, 1, 0, 1), glm::dvec4(0, 1, 0, 1)}));
     const Scene kept =
         run(textures + "Texture2D z 4 4 depth24\nPass a b z clear {1 0 0 1} keep depth\nEndPass\n");
     EXPECT_EQ(textsOf(kept.diagnostics), "");
     ASSERT_GE(kept.frame.passes.size(), 1U);
-    EXPECT_EQ(kept.frame.passes[0].clearColors, (Colors{glm::dvec4(1, 0, 0, 1), glm::dvec4(1, 0, 0, 1)}));
+    EXPECT_EQ(kept.frame.passes[0].clearColors,
+              (ClearColors{glm::dvec4(1, 0, 0, 1), glm::dvec4(1, 0, 0, 1)}));
     EXPECT_FALSE(kept.frame.passes[0].clearDepth);
     EXPECT_EQ(idsOf(run(textures + "Pass a b clear {1 0 0} {1 0 0} {1 0 0}\nEndPass\n").diagnostics),
               "glib-E26");
@@ -327,21 +330,21 @@ TEST(Cameras, FieldsAgreeWithTheMatrices) {
     const glm::dmat4 projection = base::perspectiveProjection(70, 2, 1, 20);
     const glm::dmat4 bias = base::translation({.5, .5, .5}) * base::scaling({.5, .5, .5});
     const glm::dmat4 expected = bias * (projection * view) * base::translation({1, 2, 3});
-    const std::vector<double> got = valuesOf(scene, draw, "uShadow");
+    const std::vector<double> got = uniformValues(scene, draw, "uShadow");
     ASSERT_EQ(got.size(), 16U);
     for (std::size_t i = 0; i < 16; ++i)
         EXPECT_NEAR(got[i], expected[static_cast<int>(i / 4)][static_cast<int>(i % 4)], 1e-14) << i;
-    const std::vector<double> place = valuesOf(scene, draw, "uPlace");
+    const std::vector<double> place = uniformValues(scene, draw, "uPlace");
     for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(place[i], (std::array{3., 6., 3.}[i]), 1e-14);
-    EXPECT_EQ(valuesOf(scene, draw, "uNear"), std::vector<double>{1});
-    EXPECT_EQ(valuesOf(scene, draw, "uAspect"), std::vector<double>{2});
+    EXPECT_EQ(uniformValues(scene, draw, "uNear"), std::vector<double>{1});
+    EXPECT_EQ(uniformValues(scene, draw, "uAspect"), std::vector<double>{2});
 }
 
 TEST(Cameras, AShiftMovesTheEyeInItsOwnAxes) {
     const Scene scene =
         run("Camera eye LookAt 5 0 0  0 0 0  0 1 0  Perspective 60 1 10\nCamera right Shift eye .5 0 0\n"
             "Vertex a.vert\nFragment a.frag\nProgram P uPlace (right.position)\nBox\n");
-    const std::vector<double> place = valuesOf(scene, drawsOf(scene).at(0), "uPlace");
+    const std::vector<double> place = uniformValues(scene, drawsOf(scene).at(0), "uPlace");
     // The eye looks along -x, so its right is -z.
     EXPECT_NEAR(place[0], 5, 1e-14);
     EXPECT_NEAR(place[2], -.5, 1e-14);
@@ -351,7 +354,7 @@ TEST(Cameras, AReflectedCameraSeesTheMirrorImage) {
     const Scene scene =
         run("Camera eye LookAt 1 3 6  0 0 0  0 1 0  Perspective 60 1 10\nCamera below Reflect eye 0 1 0 -1\n"
             "Vertex a.vert\nFragment a.frag\nProgram P uPlace (below.position)\nBox\n");
-    const std::vector<double> place = valuesOf(scene, drawsOf(scene).at(0), "uPlace");
+    const std::vector<double> place = uniformValues(scene, drawsOf(scene).at(0), "uPlace");
     EXPECT_NEAR(place[0], 1, 1e-13);
     EXPECT_NEAR(place[1], -1, 1e-13) << "mirrored about y = 1";
     EXPECT_NEAR(place[2], 6, 1e-13);
@@ -398,10 +401,10 @@ TEST(Cameras, PrevIsTheCameraOneFrameBefore) {
     Interpretation script = scriptOf(
         "Fps 10\nCamera eye LookAt (time) 0 5  (time) 0 0  0 1 0  Perspective 60 1 10\n"
         "Vertex a.vert\nFragment a.frag\nProgram P uBefore (eye.prev.position) uNow (eye.position)\nBox\n");
-    const Scene scene = at(script, 2);
+    const Scene scene = sceneAt(script, 2);
     const Draw draw = drawsOf(scene).at(0);
-    EXPECT_NEAR(valuesOf(scene, draw, "uNow").at(0), 2, 1e-14);
-    EXPECT_NEAR(valuesOf(scene, draw, "uBefore").at(0), 1.9, 1e-14);
+    EXPECT_NEAR(uniformValues(scene, draw, "uNow").at(0), 2, 1e-14);
+    EXPECT_NEAR(uniformValues(scene, draw, "uBefore").at(0), 1.9, 1e-14);
 }
 
 TEST(Cameras, PrevOfTheFirstPictureIsTheCameraItself) {
@@ -410,12 +413,12 @@ TEST(Cameras, PrevOfTheFirstPictureIsTheCameraItself) {
         "Let before (eye.prev.position.x)\nLet ratio (1 / (1 + before))\n"
         "Vertex a.vert\nFragment a.frag\nProgram P uBefore (before) uRatio (ratio)\nBox\n");
     const auto before = [&](double time) {
-        const Scene scene = at(script, time);
+        const Scene scene = sceneAt(script, time);
         std::string errors;
         for (const Diagnostic& each : scene.diagnostics)
             if (each.severity == Severity::error) errors += each.text;
         EXPECT_EQ(errors, "") << time;
-        return valuesOf(scene, drawsOf(scene).at(0), "uBefore").at(0);
+        return uniformValues(scene, drawsOf(scene).at(0), "uBefore").at(0);
     };
     EXPECT_EQ(before(0), 0);
     EXPECT_NEAR(before(3), 2.9, 1e-14) << "whatever was drawn before";
@@ -427,10 +430,10 @@ TEST(Cameras, PrevOfTheClassicViewHasAValue) {
     Interpretation script = scriptOf(
         "Fps 10\nLookAt (time) 0 5  0 0 0  0 1 0\nVertex a.vert\nFragment a.frag\n"
         "Program P uBefore (eye.prev.position)\nBox\n");
-    const Scene scene = at(script, 2);
+    const Scene scene = sceneAt(script, 2);
     EXPECT_EQ(tests::textsOf(scene.diagnostics).find("expr-E"), std::string::npos)
         << tests::textsOf(scene.diagnostics);
-    EXPECT_NEAR(valuesOf(scene, drawsOf(scene).at(0), "uBefore").at(0), 1.9, 1e-12);
+    EXPECT_NEAR(uniformValues(scene, drawsOf(scene).at(0), "uBefore").at(0), 1.9, 1e-12);
 }
 
 TEST(Choices, NameTheTopologyOfVertices) {

@@ -25,7 +25,7 @@ glm::dvec3 moved(const glm::dmat4& m, const glm::dvec3& p) {
     return result;
 }
 
-void expectNear(const glm::dvec3& a, const glm::dvec3& b) {
+void expectAt(const glm::dvec3& a, const glm::dvec3& b) {
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(a[i], b[i], 1e-14) << "component " << i;
 }
 
@@ -64,15 +64,15 @@ TEST(SkyBox, KeepsRotationsAndScalesOnly) {
     const Draw draw = drawOf(
         "LookAt 1 2 3 1 2 0 0 1 0\nTranslate 5 6 7\nRotate 90 0 1 0\nScale 2\nTranslate 1 0 0\nSkyBox\n");
     EXPECT_TRUE(draw.isSky);
-    expectNear(moved(draw.modelView, {0, 0, 0}), {0, 0, 0});
-    expectNear(moved(draw.modelView, {1, 0, 0}), {0, 0, -2});
+    expectAt(moved(draw.modelView, {0, 0, 0}), {0, 0, 0});
+    expectAt(moved(draw.modelView, {1, 0, 0}), {0, 0, -2});
     EXPECT_TRUE(draw.raster.depthClamp);
     EXPECT_EQ(draw.raster.depthNear, 1);
     EXPECT_EQ(draw.raster.depthFar, 1);
     const Draw next = drawsOf(run("SkyBox\nTranslate 1 0 0\nBox\n")).at(1);
     EXPECT_FALSE(next.isSky);
     EXPECT_FALSE(next.raster.depthClamp);
-    expectNear(moved(next.modelView, {0, 0, 0}), {1, 0, 0});
+    expectAt(moved(next.modelView, {0, 0, 0}), {1, 0, 0});
 }
 
 TEST(DrawIds, AreDifferentWithinAScene) {
@@ -97,7 +97,7 @@ TEST(State, LaterStatementsNeverChangeEarlierDraws) {
     EXPECT_EQ(draws[0].modelView, glm::dmat4(1.0));
     EXPECT_TRUE(std::holds_alternative<Perspective>(draws[0].projection));
     EXPECT_EQ(draws[1].color, glm::dvec4(0, 1, 0, 1));
-    expectNear(moved(draws[1].modelView, {0, 0, 0}), {1, 0, 0});
+    expectAt(moved(draws[1].modelView, {0, 0, 0}), {1, 0, 0});
     EXPECT_TRUE(std::holds_alternative<Orthographic>(draws[1].projection));
     EXPECT_TRUE(draws[1].flatColors);
     EXPECT_TRUE(draws[1].sampling.clamp);
@@ -119,15 +119,15 @@ TEST(State, SwitchesCanBeTurnedBack) {
 TEST(State, TransformsAreMultipliedFromTheRight) {
     const Draw draw = drawOf("Translate 1 2 3\nRotate 90 0 0 1\nScale 2\nSphere\n");
     // The point is scaled, then turned from x to y, then translated.
-    expectNear(moved(draw.modelView, {1, 0, 0}), {1, 4, 3});
-    expectNear(moved(draw.modelView, {0, 1, 0}), {-1, 2, 3});
-    expectNear(moved(draw.modelView, {0, 0, 1}), {1, 2, 5});
+    expectAt(moved(draw.modelView, {1, 0, 0}), {1, 4, 3});
+    expectAt(moved(draw.modelView, {0, 1, 0}), {-1, 2, 3});
+    expectAt(moved(draw.modelView, {0, 0, 1}), {1, 2, 5});
 }
 
 TEST(State, RotationIsRightHandedAboutAnyAxis) {
     const Draw draw = drawOf("Rotate 120 1 1 1\nSphere\n");
-    expectNear(moved(draw.modelView, {1, 0, 0}), {0, 1, 0});
-    expectNear(moved(draw.modelView, {0, 1, 0}), {0, 0, 1});
+    expectAt(moved(draw.modelView, {1, 0, 0}), {0, 1, 0});
+    expectAt(moved(draw.modelView, {0, 1, 0}), {0, 0, 1});
 }
 
 TEST(State, RotationAboutTheZeroVectorDoesNothing) {
@@ -135,15 +135,15 @@ TEST(State, RotationAboutTheZeroVectorDoesNothing) {
 }
 
 TEST(State, OneFactorScalesAllAxesAndTwoLeaveZAlone) {
-    expectNear(moved(drawOf("Scale 3\nSphere\n").modelView, {1, 1, 1}), {3, 3, 3});
-    expectNear(moved(drawOf("Scale 3 4\nSphere\n").modelView, {1, 1, 1}), {3, 4, 1});
-    expectNear(moved(drawOf("Scale 3 4 5\nSphere\n").modelView, {1, 1, 1}), {3, 4, 5});
+    expectAt(moved(drawOf("Scale 3\nSphere\n").modelView, {1, 1, 1}), {3, 3, 3});
+    expectAt(moved(drawOf("Scale 3 4\nSphere\n").modelView, {1, 1, 1}), {3, 4, 1});
+    expectAt(moved(drawOf("Scale 3 4 5\nSphere\n").modelView, {1, 1, 1}), {3, 4, 5});
 }
 
 TEST(State, PushAndPopBracketTheMatrixOnly) {
     const auto draws =
         drawsOf(run("PushMatrix\nTranslate 1 0 0\nColor 1 0 0\nSphere\nTransformEnd\nSphere\n"));
-    expectNear(moved(draws.at(0).modelView, {}), {1, 0, 0});
+    expectAt(moved(draws.at(0).modelView, {}), {1, 0, 0});
     EXPECT_EQ(draws.at(1).modelView, glm::dmat4(1.0));
     EXPECT_EQ(draws.at(1).color, glm::dvec4(1, 0, 0, 1));
 }
@@ -151,17 +151,17 @@ TEST(State, PushAndPopBracketTheMatrixOnly) {
 TEST(State, LookAtReplacesTheTopMatrixOnly) {
     const auto draws =
         drawsOf(run("Translate 9 9 9\nPushMatrix\nLookAt 0 0 5 0 0 0 0 1 0\nSphere\nPopMatrix\nSphere\n"));
-    expectNear(moved(draws.at(0).modelView, {1, 2, 3}), {1, 2, -2});
-    expectNear(moved(draws.at(1).modelView, {}), {9, 9, 9});
+    expectAt(moved(draws.at(0).modelView, {1, 2, 3}), {1, 2, -2});
+    expectAt(moved(draws.at(1).modelView, {}), {9, 9, 9});
 }
 
 TEST(State, LookAtPutsTheCentreAheadAndUpUp) {
     const Scene scene = run("LookAt 3 4 5  3 4 -5  1 0 0\nSphere\n");
     const Draw draw = drawsOf(scene).at(0);
-    expectNear(moved(draw.modelView, {3, 4, 5}), {0, 0, 0});
-    expectNear(moved(draw.modelView, {3, 4, -5}), {0, 0, -10});
-    expectNear(moved(draw.modelView, {4, 4, 5}), {0, 1, 0});
-    expectNear(moved(draw.modelView, {3, 5, 5}), {-1, 0, 0});
+    expectAt(moved(draw.modelView, {3, 4, 5}), {0, 0, 0});
+    expectAt(moved(draw.modelView, {3, 4, -5}), {0, 0, -10});
+    expectAt(moved(draw.modelView, {4, 4, 5}), {0, 1, 0});
+    expectAt(moved(draw.modelView, {3, 5, 5}), {-1, 0, 0});
     EXPECT_TRUE(scene.usesLookAt);
     EXPECT_EQ(scene.view, draw.modelView);
 }
@@ -176,7 +176,7 @@ TEST(State, LookAtWithParallelUpUsesTheFirstAxisThatIsNotParallel) {
     const Scene down = run("LookAt 0 5 0 0 0 0 0 1 0\nSphere\n");
     EXPECT_EQ(textsOf(down.diagnostics),
               "1:1 glib-W30 LookAt: up is parallel to the view direction; +z is used instead");
-    expectNear(moved(drawsOf(down).at(0).modelView, {0, 0, 1}), {0, 1, -5});
+    expectAt(moved(drawsOf(down).at(0).modelView, {0, 0, 1}), {0, 1, -5});
     const Scene ahead = run("LookAt 0 0 5 0 0 0 0 0 -2\nSphere\n");
     EXPECT_EQ(textsOf(ahead.diagnostics),
               "1:1 glib-W30 LookAt: up is parallel to the view direction; +y is used instead");
@@ -186,7 +186,7 @@ TEST(State, LookAtWithParallelUpUsesTheFirstAxisThatIsNotParallel) {
 TEST(State, PopWithoutPushIsAnErrorAndChangesNothing) {
     const Scene scene = run("Translate 1 0 0\nPopMatrix\nSphere\n");
     EXPECT_EQ(textsOf(scene.diagnostics), "2:1 glib-E06 PopMatrix without PushMatrix");
-    expectNear(moved(drawsOf(scene).at(0).modelView, {}), {1, 0, 0});
+    expectAt(moved(drawsOf(scene).at(0).modelView, {}), {1, 0, 0});
 }
 
 TEST(State, PushesThatAreNeverPoppedAreCounted) {
@@ -236,7 +236,7 @@ TEST(State, AnErrorIsNotCutBehindWarnings) {
 TEST(State, MatricesThatLeaveTheRangeOfFloatsAreRefused) {
     const Scene scene = run("Scale 1e30\nScale 1e30\nSphere\n");
     EXPECT_EQ(idsOf(scene.diagnostics), "glib-E05");
-    expectNear(moved(drawsOf(scene).at(0).modelView, {1e-30, 0, 0}), {1, 0, 0});
+    expectAt(moved(drawsOf(scene).at(0).modelView, {1e-30, 0, 0}), {1, 0, 0});
 }
 
 TEST(State, OneNumberIsGreyAndAlphaIsOptional) {

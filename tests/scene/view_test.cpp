@@ -47,7 +47,7 @@ glm::dvec3 projected(const Projection& projection, double aspect, const glm::dve
     const glm::dvec4 clip = projectionMatrix(projection, aspect) * glm::dvec4(p, 1);
     return glm::dvec3(clip) / clip.w;
 }
-void expectNear(const glm::dvec3& a, const glm::dvec3& b) {
+void expectProjected(const glm::dvec3& a, const glm::dvec3& b) {
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(a[i], b[i], 1e-12) << "component " << i;
 }
 
@@ -64,35 +64,35 @@ TEST(Projection, PerspectiveIsThatOfGlm) {
 TEST(Projection, PerspectiveAngleIsTheFullVerticalOne) {
     const Perspective view{50, 2, 10};
     const double top = 2 * std::tan(25 * kDegree);
-    expectNear(projected(view, 2, {0, top, -2}), {0, 1, -1});
-    expectNear(projected(view, 2, {2 * top, 0, -2}), {1, 0, -1});
-    expectNear(projected(view, 2, {0, 0, -10}), {0, 0, 1});
+    expectProjected(projected(view, 2, {0, top, -2}), {0, 1, -1});
+    expectProjected(projected(view, 2, {2 * top, 0, -2}), {1, 0, -1});
+    expectProjected(projected(view, 2, {0, 0, -10}), {0, 0, 1});
 }
 
 TEST(Projection, OrthoShowsTheBoxWholeAndUndistorted) {
     const Orthographic wide{0, 4, 0, 1, -1, 1};  // wider than the viewport: height grows to 4 / 2 about .5
-    expectNear(projected(wide, 2, {0, -.5, 0}), {-1, -1, 0});
-    expectNear(projected(wide, 2, {4, 1.5, 1}), {1, 1, -1});
+    expectProjected(projected(wide, 2, {0, -.5, 0}), {-1, -1, 0});
+    expectProjected(projected(wide, 2, {4, 1.5, 1}), {1, 1, -1});
     const Orthographic tall{0, 1, 0, 4, -1, 1};  // width grows to 4 * 2 about .5
-    expectNear(projected(tall, 2, {-3.5, 0, 0}), {-1, -1, 0});
-    expectNear(projected(tall, 2, {4.5, 4, -1}), {1, 1, 1});
+    expectProjected(projected(tall, 2, {-3.5, 0, 0}), {-1, -1, 0});
+    expectProjected(projected(tall, 2, {4.5, 4, -1}), {1, 1, 1});
     const Orthographic fits{-3, 3, -1.5, 1.5, -1, 1};
-    expectNear(projected(fits, 2, {3, 1.5, 0}), {1, 1, 0});
+    expectProjected(projected(fits, 2, {3, 1.5, 0}), {1, 1, 0});
 }
 
 TEST(Projection, OrthoWithExchangedLimitsMirrors) {
-    expectNear(projected(Orthographic{3, -3, -3, 3, -1, 1}, 1, {3, 3, 0}), {-1, 1, 0});
-    expectNear(projected(Orthographic{-3, 3, 3, -3, -1, 1}, 2, {6, 3, 0}), {1, -1, 0});
+    expectProjected(projected(Orthographic{3, -3, -3, 3, -1, 1}, 1, {3, 3, 0}), {-1, 1, 0});
+    expectProjected(projected(Orthographic{-3, 3, 3, -3, -1, 1}, 2, {6, 3, 0}), {1, -1, 0});
 }
 
 TEST(Projection, OrthoNearAndFarAreDistancesAlongMinusZ) {
-    expectNear(projected(Orthographic{-1, 1, -1, 1, 2, 6}, 1, {0, 0, -2}), {0, 0, -1});
-    expectNear(projected(Orthographic{-1, 1, -1, 1, 2, 6}, 1, {0, 0, -6}), {0, 0, 1});
+    expectProjected(projected(Orthographic{-1, 1, -1, 1, 2, 6}, 1, {0, 0, -2}), {0, 0, -1});
+    expectProjected(projected(Orthographic{-1, 1, -1, 1, 2, 6}, 1, {0, 0, -6}), {0, 0, 1});
 }
 
 TEST(Projection, OrthoWithEqualLimitsUsesOne) {
-    expectNear(projected(Orthographic{0, 0, 0, 0, -1, 1}, 1, {1, -1, 0}), {1, -1, 0});
-    expectNear(projected(Orthographic{5, 5, -2, 2, -1, 1}, 1, {2, 2, 0}), {1, 1, 0});
+    expectProjected(projected(Orthographic{0, 0, 0, 0, -1, 1}, 1, {1, -1, 0}), {1, -1, 0});
+    expectProjected(projected(Orthographic{5, 5, -2, 2, -1, 1}, 1, {2, 2, 0}), {1, 1, 0});
 }
 
 TEST(ViewPolicy, TheDefaultSphereIsSeenWhole) {

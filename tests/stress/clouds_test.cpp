@@ -15,7 +15,7 @@
 namespace glibra::stress {
 namespace {
 
-constexpr int kColumns = 601;
+constexpr int kCloudColumns = 601;
 constexpr int kPoints = 20;  // along each axis
 
 /// The number of points in each column of the picture.
@@ -23,11 +23,11 @@ std::vector<double> columns(const std::string& projection, const std::string& cl
     const FloatPicture picture =
         draw(fmt::format("WindowSize {0} {0}\nBackground 0\n{1}\nVertex v.vert\nFragment f.frag\nProgram "
                          "P\n{2} {3} {3} {3}\n",
-                         kColumns, projection, cloud, kPoints),
+                         kCloudColumns, projection, cloud, kPoints),
              {{"v.vert",
                "#version 330 core\nvoid main() { gl_Position = uModelViewProjectionMatrix * aVertex; }\n"},
               {"f.frag", addingFragment("1., 0., 0.")}});
-    std::vector<double> sums(kColumns, 0.);
+    std::vector<double> sums(kCloudColumns, 0.);
     for (int x = 0; x < picture.width; ++x)
         for (int y = 0; y < picture.height; ++y)
             sums[static_cast<std::size_t>(x)] += static_cast<double>(picture.at(x, y)[0]);
@@ -54,7 +54,7 @@ TEST(PointClouds, FormRowsUnlessTheyAreJittered) {
     EXPECT_EQ(all, kPoints * kPoints * kPoints);
     // The positions of the rows give the distance between them.
     std::vector<int> rows;
-    for (int x = 0; x < kColumns; ++x)
+    for (int x = 0; x < kCloudColumns; ++x)
         if (regular[static_cast<std::size_t>(x)] > 0) rows.push_back(x);
     ASSERT_EQ(rows.size(), static_cast<std::size_t>(kPoints));
     const double period = static_cast<double>(rows.back() - rows.front()) / (kPoints - 1);

@@ -14,8 +14,6 @@
 namespace glibra::stress {
 namespace {
 
-const std::string kView = "LookAt 0 0 5 0 0 0 0 1 0\nBackground 0\n";
-
 /// A sheet that covers the window, with w = 1 on the left and w = 4 on the right. vAlong goes from 0 to 1.
 FloatPicture recedingSheet(const std::string& qualifier) {
     const Files files{{"v.vert", fmt::format("#version 330 core\n{} out float vAlong;\nvoid main() {{\n"
@@ -26,7 +24,7 @@ FloatPicture recedingSheet(const std::string& qualifier) {
                       {"f.frag", fmt::format("#version 330 core\n{} in float vAlong;\nout vec4 fColor;\n"
                                              "void main() {{ fColor = vec4(vAlong, 0., 0., 1.); }}\n",
                                              qualifier)}};
-    return draw("WindowSize 64 4\n" + kView + kProgram + "QuadXY 0 1 1 1\n", files);
+    return draw("WindowSize 64 4\n" + kFrontView + kProgram + "QuadXY 0 1 1 1\n", files);
 }
 
 TEST(InterpolatedVaryings, FollowThePerspectiveUnlessDeclaredNoperspective) {
@@ -53,8 +51,8 @@ TEST(FlatVaryings, AreThoseOfTheLastVertexOfEachTriangle) {
                        "#version 330 core\nflat in vec3 vColor;\nout vec4 fColor;\n"
                        "void main() { fColor = vec4(vColor, 1.); }\n"}};
     const auto picture = [&](const std::string& topology, const std::string& vertices) {
-        return draw("WindowSize 64 64\nOrtho 0 4 0 4\n" + kView + kProgram + "glBegin " + topology + "\n" +
-                        vertices + "glEnd\n",
+        return draw("WindowSize 64 64\nOrtho 0 4 0 4\n" + kFrontView + kProgram + "glBegin " + topology +
+                        "\n" + vertices + "glEnd\n",
                     files);
     };
     const auto vertex = [](double red, double x, double y) {
@@ -87,7 +85,7 @@ TEST(Refraction, KeepsSnellsLawAndIsZeroBeyondTheCriticalAngle) {
     // Columns are angles of incidence from 0 to 90 degrees for rays that leave glass of this ratio.
     for (const double ratio : {1.1, 1.4, 1.5}) {
         const FloatPicture picture =
-            draw("WindowSize 256 1\n" + kView + "Vertex v.vert\nFragment f.frag\nProgram P uRatio " +
+            draw("WindowSize 256 1\n" + kFrontView + "Vertex v.vert\nFragment f.frag\nProgram P uRatio " +
                      number(ratio) + "\nQuadXY 0 1000\n",
                  shaded("refracted()",
                         "uniform float uRatio;\nvec3 refracted() {\n"
@@ -131,8 +129,8 @@ TEST(BezierCurves, AreTheSameBeforeAndAfterTheProjection) {
          "  vec4 apart = abs(before - after) / after.w;\n"
          "  fColor = vec4(max(apart.x, apart.y), apart.w, after.w, 1.);\n}\n"}};
     const FloatPicture picture =
-        draw("WindowSize 256 4\nPerspective 70 .1 100\n" + kView + "Rotate 25 1 2 3\nTranslate .3 -.2 .5\n" +
-                 kProgram + "QuadXY 0 1 1 1\n",
+        draw("WindowSize 256 4\nPerspective 70 .1 100\n" + kFrontView +
+                 "Rotate 25 1 2 3\nTranslate .3 -.2 .5\n" + kProgram + "QuadXY 0 1 1 1\n",
              files);
     ASSERT_EQ(picture.width, 256);
     EXPECT_EQ(picture.nonFinite(), 0U);

@@ -15,10 +15,6 @@
 namespace glibra::stress {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
-const std::string kFlat =
-    "Background 0\nOrtho -1 1 -1 1\nLookAt 0 0 5 0 0 0 0 1 0\nVertex v.vert\nFragment f.frag\n";
-
 /// The colour ramp from blue over cyan, green and yellow to red.
 std::array<double, 3> ramp(double t) {
     const double band = 4 * std::clamp(t, 0., 1.);
@@ -37,7 +33,7 @@ TEST(Contours, OfNegativeValuesLieWhereThoseOfPositiveOnesDo) {
     for (const double half : {1., 4., 4.9}) {
         const FloatPicture picture = draw(
             fmt::format("WindowSize {0} {0}\n{1}Program P uZ 0 uMin -100 uMax 100 uTol {2}\nQuadXY 0 1\n",
-                        kColumns, kFlat, half),
+                        kColumns, kFlatView, half),
             {{"v.vert", shipped("visualization/cutting_plane.vert")}, {"f.frag", fragment}});
         ASSERT_EQ(picture.width, kColumns);
         for (int x = 0; x < kColumns; ++x) {
@@ -57,7 +53,7 @@ TEST(CircleSquared, HasTheParityOfTheRoundedSquare) {
     constexpr int kSide = 300;
     for (const float side : {.875F, 1.F, 1.08F}) {
         const FloatPicture picture =
-            draw(fmt::format("WindowSize {0} {0}\n{1}Program P uSide {2}\nQuadXY 0 1\n", kSide, kFlat,
+            draw(fmt::format("WindowSize {0} {0}\n{1}Program P uSide {2}\nQuadXY 0 1\n", kSide, kFlatView,
                              number(static_cast<double>(side))),
                  {{"v.vert", shipped("effects/circle_squared.vert")},
                   {"f.frag", shipped("effects/circle_squared.frag")}});
@@ -204,7 +200,7 @@ TEST(Rainbow, RunsFromVioletAtFortyToRedAtFortyTwoDegrees) {
         replaced(withRamp("effects/rainbow.frag"), "texture(uImageUnit, vST).rgb", "vec3(0.)");
     const FloatPicture picture = draw(
         fmt::format("WindowSize {0} {0}\n{1}Program P uUpDown .5 uLeftRight 0 uInOut 1 uAlf 1\nQuadXY 0 1\n",
-                    kSide, kFlat),
+                    kSide, kFlatView),
         {{"v.vert", shipped("effects/rainbow.vert")}, {"f.frag", fragment}});
     ASSERT_EQ(picture.width, kSide);
     const auto smooth = [](double low, double high, double x) {

@@ -13,7 +13,7 @@
 namespace glibra::stress {
 namespace {
 
-const char* const kView =
+const char* const kMatricesView =
     "WindowSize 64 64\nBackground 0\nOrtho -1.5 1.5 -1.5 1.5\nLookAt 0 0 5 0 0 0 0 1 0\n";
 
 glm::dmat4 modelViewOf(const std::string& text) {
@@ -102,8 +102,9 @@ TEST(SingularMatrices, GiveFiniteValuesToShaders) {
               "uModelViewMatrixInverse[3].xyz", "gl_ModelViewProjectionMatrixInverse[0].xyz",
               "gl_ModelViewProjectionMatrixInverse[3].xyz", "gl_ModelViewMatrixInverseTranspose[0].xyz",
               "uModelViewProjectionMatrix[3].xyz"}) {
-            const FloatPicture picture = draw(
-                std::string(kView) + transforms + "\n" + kProgram + "QuadXY 0 1 1 1\n", values(expression));
+            const FloatPicture picture =
+                draw(std::string(kMatricesView) + transforms + "\n" + kProgram + "QuadXY 0 1 1 1\n",
+                     values(expression));
             EXPECT_EQ(picture.nonFinite(), 0U) << transforms << " " << expression;
         }
     }
@@ -114,7 +115,7 @@ TEST(SingularMatrices, FlattenWithTheRightNormal) {
     // into a float, which is possible down to scales of about 1e-19.
     for (const char* transforms : {"Scale 1 1 0", "Scale 1 1 1e-15", "Scale 1e-10 1e-10 0\nScale 1e10"}) {
         const FloatPicture picture =
-            draw(kView + std::string(transforms) + "\n" + kProgram + "Sphere 1 41 20\n",
+            draw(kMatricesView + std::string(transforms) + "\n" + kProgram + "Sphere 1 41 20\n",
                  shaded("vec3(abs(normalize(vN).z), vEC.xy)"));
         EXPECT_EQ(picture.nonFinite(), 0U) << transforms;
         EXPECT_NEAR(picture.at(20, 27)[0], 1, 1e-5) << transforms;
@@ -161,7 +162,7 @@ TEST(MirroredMatrices, ShowTheMirroredPictureAndTurnTheFaces) {
     // The mirrored picture shows at x what the original shows at -x, with front and back faces exchanged.
     const std::string shape = "Translate .3 .1 0\nRotate 20 1 1 0\nTorus .6 .25 12 20\n";
     const Files files = shaded("vec3(gl_FrontFacing ? 1. : 0., vMC.x, vMC.y)");
-    const std::string view = std::string(kView) + kProgram;
+    const std::string view = std::string(kMatricesView) + kProgram;
     const FloatPicture straight = draw(view + shape, files);
     const FloatPicture mirrored = draw(view + "Scale -1 1 1\n" + shape, files);
     ASSERT_EQ(mirrored.width, 64);

@@ -15,9 +15,6 @@
 namespace glibra::stress {
 namespace {
 
-const std::string kFlat =
-    "Background 0\nOrtho -1 1 -1 1\nLookAt 0 0 5 0 0 0 0 1 0\nVertex v.vert\nFragment f.frag\n";
-
 TEST(TransferFunctions, OfTheInterpolatedValueAreNotTheInterpolatedColours) {
     constexpr int kColumns = 100;
     const std::string ramp = shipped("common/rainbow.glsl");
@@ -31,8 +28,8 @@ TEST(TransferFunctions, OfTheInterpolatedValueAreNotTheInterpolatedColours) {
              ramp + "void main() { fColor = vec4(uAfter ? rainbow(vValue) : vColor, 1.); }\n"}};
     for (const bool after : {false, true}) {
         const FloatPicture picture =
-            draw(fmt::format("WindowSize {0} {0}\n{1}Program P uAfter {2}\nQuadXY 0 1 1 1\n", kColumns, kFlat,
-                             after ? 1 : 0),
+            draw(fmt::format("WindowSize {0} {0}\n{1}Program P uAfter {2}\nQuadXY 0 1 1 1\n", kColumns,
+                             kFlatView, after ? 1 : 0),
                  files);
         ASSERT_EQ(picture.width, kColumns);
         for (int x = 0; x < kColumns; ++x) {
@@ -84,8 +81,9 @@ TEST(HeightFields, ComeCloserWithTheSquareOfTheGrid) {
          "  fColor = vec4(vHeight - sin(3. * vXY.x) * cos(2. * vXY.y), 1., 0., 1.);\n}\n"}};
     std::vector<double> errors;
     for (const int cells : {8, 16, 32, 64}) {
-        const FloatPicture picture = draw(
-            fmt::format("WindowSize 256 256\n{}Program P\nQuadXY 0 1 {} {}\n", kFlat, cells, cells), files);
+        const FloatPicture picture =
+            draw(fmt::format("WindowSize 256 256\n{}Program P\nQuadXY 0 1 {} {}\n", kFlatView, cells, cells),
+                 files);
         ASSERT_EQ(picture.sum(1), 256 * 256);
         double squares = 0;
         double most = 0;
@@ -111,8 +109,8 @@ TEST(ClipPlanes, CutTheSameWhateverTheirLength) {
                       {"f.frag", addingFragment("1., 0., 0.")}};
     for (const double length : {1., 64., 0x1p-20, 100., 1e-3, 1e6}) {
         const FloatPicture picture =
-            draw(fmt::format("WindowSize {0} {0}\n{1}Program P uLength {2}\nQuadXY 0 .8 3 3\n", kSide, kFlat,
-                             number(length)),
+            draw(fmt::format("WindowSize {0} {0}\n{1}Program P uLength {2}\nQuadXY 0 .8 3 3\n", kSide,
+                             kFlatView, number(length)),
                  files);
         ASSERT_EQ(picture.width, kSide);
         std::size_t wrong = 0;
@@ -134,7 +132,7 @@ TEST(DiscardedFragments, LeaveWhatGeometryWouldHaveLeft) {
     const std::string behind = "Fragment green.frag\nProgram G\nQuadXY 0 1\n";
     const auto drawn = [&](const std::string& fragment, const std::string& sheet) {
         return draw(
-            "WindowSize 64 64\n" + kFlat + "Program P\n" + sheet + behind,
+            "WindowSize 64 64\n" + kFlatView + "Program P\n" + sheet + behind,
             {{"v.vert",
               "#version 330 core\nvoid main() { gl_Position = uModelViewProjectionMatrix * aVertex; }\n"},
              {"f.frag", "#version 330 core\nout vec4 fColor;\nvoid main() { " + fragment + " }\n"},

@@ -9,13 +9,13 @@
 namespace glibra::stress {
 namespace {
 
-constexpr int kSide = 256;
+constexpr int kNumbersSide = 256;
 
 std::string start(const std::string& stages) {
     return fmt::format(
         "WindowSize {0} {0}\nBackground 0\nOrtho -1 1 -1 1 -1 1\nVertex v.vert\n{1}Fragment "
         "f.frag\n",
-        kSide, stages);
+        kNumbersSide, stages);
 }
 
 const char* const kVertex = "#version 400 core\nvoid main() { gl_Position = aVertex; }\n";
@@ -23,15 +23,15 @@ const char* const kVertex = "#version 400 core\nvoid main() { gl_Position = aVer
 /// The GLSL statement that sets gl_Position to the middle of pixel `number`.
 std::string toPixel(const std::string& number) {
     return fmt::format("gl_Position = vec4((vec2({0} % {1}, {0} / {1}) + .5) / {2}. - 1., 0., 1.)", number,
-                       kSide, kSide / 2);
+                       kNumbersSide, kNumbersSide / 2);
 }
 
 /// Expects that pixels 0 .. count - 1, in rows from the lower left, are 1 and all others 0.
 void expectEachOnce(const FloatPicture& picture, int count) {
     int wrong = 0, first = -1;
-    for (int i = 0; i < kSide * kSide; ++i) {
+    for (int i = 0; i < kNumbersSide * kNumbersSide; ++i) {
         const float expected = i < count ? 1.F : 0.F;
-        if (picture.at(i % kSide, kSide - 1 - i / kSide)[0] == expected) continue;
+        if (picture.at(i % kNumbersSide, kNumbersSide - 1 - i / kNumbersSide)[0] == expected) continue;
         if (wrong++ == 0) first = i;
     }
     EXPECT_EQ(wrong, 0) << "the first is number " << first;
@@ -80,7 +80,8 @@ TEST(PatchNumbers, InTheFragmentStageAreThoseOfTheWholeDraw) {
                    "#version 400 core\nlayout(quads) in;\nflat out float vOwn;\nvoid main() {\n  "
                    "int own = int(gl_in[0].gl_Position.x + .5);\n  vOwn = float(own);\n" +
                        toPixel("own") +
-                       fmt::format(";\n  gl_Position.xy += (gl_TessCoord.xy - .45) / {}.;\n}}\n", kSide / 2)},
+                       fmt::format(";\n  gl_Position.xy += (gl_TessCoord.xy - .45) / {}.;\n}}\n",
+                                   kNumbersSide / 2)},
                   {"f.frag", addingFragment("vOwn == float(gl_PrimitiveID) ? 1. : 1000., 0., 0.",
                                             "flat in float vOwn;\n")}});
         expectEachOnce(picture, 3000);

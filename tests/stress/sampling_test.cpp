@@ -17,8 +17,6 @@
 namespace glibra::stress {
 namespace {
 
-const std::string kView = "LookAt 0 0 5 0 0 0 0 1 0\nBackground 0\n";
-
 /// A raw float texture with these red values, s fastest.
 std::string rawTexture(std::uint32_t width, std::uint32_t height, const std::vector<float>& red) {
     std::vector<float> texels;
@@ -48,7 +46,7 @@ TEST(TexelCentres, GiveTheTexelItselfWhateverTheSize) {
         files["t.tex"] =
             rawTexture(static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), red);
         const FloatPicture picture =
-            draw(fmt::format("WindowSize {} {}\n", width, height) + kView +
+            draw(fmt::format("WindowSize {} {}\n", width, height) + kFrontView +
                      "Texture2D 6 t.tex\nVertex v.vert\nFragment f.frag\nProgram P uTex 6\nQuadXY 0 1000\n",
                  files);
         ASSERT_EQ(picture.width, width);
@@ -72,10 +70,11 @@ TEST(TextureBorders, RepeatOrClampAsTheSceneSays) {
                          "uniform sampler2D uTex;\n");
     files["t.tex"] = rawTexture(kTexels, 1, red);
     for (const bool isClamped : {false, true}) {
-        const FloatPicture picture = draw(
-            fmt::format("WindowSize {} 1\n", kSteps) + kView + (isClamped ? "Clamp on\n" : "Clamp off\n") +
-                "Texture2D 6 t.tex\nVertex v.vert\nFragment f.frag\nProgram P uTex 6\nQuadXY 0 10000\n",
-            files);
+        const FloatPicture picture =
+            draw(fmt::format("WindowSize {} 1\n", kSteps) + kFrontView +
+                     (isClamped ? "Clamp on\n" : "Clamp off\n") +
+                     "Texture2D 6 t.tex\nVertex v.vert\nFragment f.frag\nProgram P uTex 6\nQuadXY 0 10000\n",
+                 files);
         ASSERT_EQ(picture.width, kSteps);
         const auto texel = [&](int i) {
             const int inside =
@@ -102,7 +101,7 @@ TEST(RenderedTextures, KeepWhatTheirFormatCan) {
         const FloatPicture picture =
             draw(fmt::format("WindowSize 256 1\n{}Texture2D 6 256 1 {}\nRenderToTexture 6\n{}QuadXY 0 10000\n"
                              "RenderToTexture\nFragment show.frag\nProgram Show uTex 6\nQuadXY 0 10000\n",
-                             kView, format, kProgram),
+                             kFrontView, format, kProgram),
                  files);
         ASSERT_EQ(picture.width, 256);
         int limited = 0;
@@ -131,18 +130,18 @@ const std::array<Face, 6> kFaces{{{{{1, 0, 0}, {0, 0, -1}, {0, -1, 0}}},
                                   {{{0, -1, 0}, {1, 0, 0}, {0, 0, -1}}},
                                   {{{0, 0, 1}, {1, 0, 0}, {0, -1, 0}}},
                                   {{{0, 0, -1}, {-1, 0, 0}, {0, -1, 0}}}}};
-constexpr int kSide = 16;
+constexpr int kFaceSide = 16;
 
 /// The six pictures of a cube with 16 bits per component, coloured by the direction of each texel.
 Files cubeFiles(glm::dvec3 (*color)(int face, const glm::dvec3& direction)) {
     Files files;
     for (std::size_t face = 0; face < 6; ++face) {
-        image::Image picture{kSide, kSide, 3, image::Component::u16, {}};
-        for (int row = 0; row < kSide; ++row)
-            for (int column = 0; column < kSide; ++column) {
+        image::Image picture{kFaceSide, kFaceSide, 3, image::Component::u16, {}};
+        for (int row = 0; row < kFaceSide; ++row)
+            for (int column = 0; column < kFaceSide; ++column) {
                 const glm::dvec3 direction = kFaces[face][0] +
-                                             (2 * column + 1. - kSide) / kSide * kFaces[face][1] +
-                                             (2 * row + 1. - kSide) / kSide * kFaces[face][2];
+                                             (2 * column + 1. - kFaceSide) / kFaceSide * kFaces[face][1] +
+                                             (2 * row + 1. - kFaceSide) / kFaceSide * kFaces[face][2];
                 const glm::dvec3 rgb = color(static_cast<int>(face), glm::normalize(direction));
                 for (int i = 0; i < 3; ++i) {
                     const auto level = static_cast<std::uint16_t>(std::lround(rgb[i] * 65535));
@@ -175,7 +174,7 @@ std::vector<std::array<float, 3>> looked(Files files, const std::vector<glm::dve
                "uniform samplerCube uSky;\nuniform sampler2D uDirections;\n");
     files.insert(shaders.begin(), shaders.end());
     const FloatPicture picture =
-        draw(fmt::format("WindowSize {} 1\n", count) + kView +
+        draw(fmt::format("WindowSize {} 1\n", count) + kFrontView +
                  "CubeMap 6 0.png 1.png 2.png 3.png 4.png 5.png\nTexture2D 7 directions.tex\n"
                  "Vertex v.vert\nFragment f.frag\nProgram P uSky 6 uDirections 7\nQuadXY 0 100000\n",
              files);

@@ -17,10 +17,6 @@ namespace glibra::stress {
 namespace {
 
 using Rgb = std::array<double, 3>;
-constexpr double kDegree = std::numbers::pi / 180;
-/// A view in which eye space equals model space and the quad fills the window.
-const std::string kFlat =
-    "Background 0\nOrtho -1 1 -1 1\nLookAt 0 0 5 0 0 0 0 1 0\nVertex v.vert\nFragment f.frag\n";
 
 /// Hue, saturation, value and back by the six sectors of the circle (Smith 1978).
 Rgb turned(const Rgb& rgb, double degrees) {
@@ -66,9 +62,9 @@ TEST(HueShift, ComesBackAtTheFullCircleAndIsRightAtEverySector) {
                         fmt::format("const vec3 given[{}] = vec3[]({});", colors.size(), list));
     const Files files{{"v.vert", shipped("image/picture.vert")}, {"f.frag", fragment}};
     for (const double degrees : {0., 60., 119.99999, 120., 180., 240., 300., 359.99997, 360.}) {
-        const FloatPicture picture = draw(
-            fmt::format("WindowSize {} 1\n{}Program P uT {}\nQuadXY 0 999\n", colors.size(), kFlat, degrees),
-            files);
+        const FloatPicture picture = draw(fmt::format("WindowSize {} 1\n{}Program P uT {}\nQuadXY 0 999\n",
+                                                      colors.size(), kFlatView, degrees),
+                                          files);
         ASSERT_EQ(picture.width, static_cast<int>(colors.size()));
         EXPECT_EQ(picture.nonFinite(), 0U);
         for (int i = 0; i < picture.width; ++i) {
@@ -87,7 +83,7 @@ TEST(LightAttenuation, IsTheQuotientOfItsPolynomial) {
                                   std::array{0., 1e-3, 0.}, std::array{1., 1e-6, 1e-12}}) {
         const FloatPicture picture =
             draw(fmt::format("WindowSize {} 1\n{}Program P uA {} uB {} uC {}\nQuadXY 0 999\n", kColumns,
-                             kFlat, number(a), number(b), number(c)),
+                             kFlatView, number(a), number(b), number(c)),
                  shaded("1. / (uA + uB * d + uC * d * d), d, 0.",
                         "uniform float uA, uB, uC;\n#define d exp2(floor(gl_FragCoord.x) * .4 - 6.)\n"));
         ASSERT_EQ(picture.width, kColumns);
@@ -103,7 +99,7 @@ TEST(LightAttenuation, IsTheQuotientOfItsPolynomial) {
 
 TEST(LightAttenuation, DoesNotApplyToLightsThatScenesCannotDefine) {
     const FloatPicture picture = draw(
-        "WindowSize 8 1\n" + kFlat + "Program P\nQuadXY 0 999\n",
+        "WindowSize 8 1\n" + kFlatView + "Program P\nQuadXY 0 999\n",
         {{"v.vert",
           "#version 120\nvarying float d;\nvoid main() { d = length(gl_Vertex.xyz); gl_Position = "
           "ftransform(); }\n"},
@@ -157,7 +153,7 @@ TEST(HyperbolicZoom, CompressesEveryDistanceIntoOne) {
     constexpr int kColumns = 128;
     for (const double k : {1e-6, .01, .3, 1., 100.}) {
         const FloatPicture picture = draw(
-            fmt::format("WindowSize {} 1\n{}Program P uK {}\nQuadXY 0 999\n", kColumns, kFlat, number(k)),
+            fmt::format("WindowSize {} 1\n{}Program P uK {}\nQuadXY 0 999\n", kColumns, kFlatView, number(k)),
             shaded("x / sqrt(x * x + uK * uK), r / (r + uK), 8. * r / (8. * r + uK) - r / (r + uK / 8.)",
                    "uniform float uK;\n#define x ((gl_FragCoord.x - 64.) * .25)\n#define r abs(x)\n"));
         ASSERT_EQ(picture.width, kColumns);
@@ -185,7 +181,7 @@ TEST(HyperbolicZoom, CompressesEveryDistanceIntoOne) {
 
 TEST(HyperbolicZoom, HasNoValueAtTheCentreWithoutItsConstant) {
     const FloatPicture picture =
-        draw("WindowSize 1 1\n" + kFlat + "Program P uK 0 uX 0\nQuadXY 0 999\n",
+        draw("WindowSize 1 1\n" + kFlatView + "Program P uK 0 uX 0\nQuadXY 0 999\n",
              shaded("uX / sqrt(uX * uX + uK * uK), 0., 0.", "uniform float uK, uX;\n"));
     EXPECT_EQ(picture.nonFinite(), 1U);
 }

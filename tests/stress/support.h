@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,14 @@ struct FloatPicture {
 FloatPicture draw(const std::string& scene, const Files& files = {}, RenderOptions options = {});
 /// The same, but returns the messages instead of failing.
 Result<FloatPicture> tryDraw(const std::string& scene, const Files& files = {}, RenderOptions options = {});
+
+inline constexpr double kDegree = std::numbers::pi / 180;
+
+/// The eye looks along -z.
+inline const std::string kFrontView = "LookAt 0 0 5 0 0 0 0 1 0\nBackground 0\n";
+/// A view in which eye space equals model space and the quad fills the window.
+inline const std::string kFlatView =
+    "Background 0\nOrtho -1 1 -1 1\nLookAt 0 0 5 0 0 0 0 1 0\nVertex v.vert\nFragment f.frag\n";
 
 /// "Vertex v.vert / Fragment f.frag / Program P", and the two files: the vertex stage multiplies by the
 /// matrices and passes on vMC and vEC (model and eye coordinates), vN (uNormalMatrix * aNormal) and vST; the

@@ -49,8 +49,9 @@ TEST(DriverKey, HoldsWhatCanChangeABitAndNothingElse) {
     const std::string key = driverKey(software);
     EXPECT_TRUE(key.starts_with("llvmpipe (LLVM 15.0.6, 256 bits); 4.5 Mesa 22.3.6; ")) << key;
     ::setenv("LP_NATIVE_VECTOR_WIDTH", "128", 1);
-    EXPECT_EQ(driverKey(software), key + "; LP_NATIVE_VECTOR_WIDTH=128");
+    EXPECT_NE(driverKey(software).find("; LP_NATIVE_VECTOR_WIDTH=128"), std::string::npos);
     ::unsetenv("LP_NATIVE_VECTOR_WIDTH");
+    EXPECT_EQ(driverKey(software), key);
 
     gpu::Capabilities card = software;
     card.family = "nvidia";

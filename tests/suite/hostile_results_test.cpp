@@ -9,7 +9,6 @@
 #include <random>
 
 #include "folder.h"
-#include "image/png/png_writer.h"
 #include "pictures.h"
 #include "results_maker.h"
 #include "suite/report/html_report.h"
@@ -24,11 +23,6 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::string kSecret = "TOP-SECRET-0f3c9a41";
-
-std::string png(int value) {
-    const std::vector<std::byte> bytes = image::encodePng(oneColor(value));
-    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
 
 /// All files below a folder with their contents; links with their targets.
 std::map<std::string, std::string> contents(const fs::path& folder) {

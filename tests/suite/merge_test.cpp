@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "folder.h"
-#include "image/png/png_writer.h"
 #include "pictures.h"
 #include "suite/results/results_file.h"
 
@@ -21,12 +20,6 @@ ShotResult shot(const std::string& name, Verdict verdict, const std::string& got
     made.verdict = verdict;
     made.got = got;
     return made;
-}
-
-/// The bytes of a PNG picture, different for each value.
-std::string png(int value) {
-    const std::vector<std::byte> bytes = image::encodePng(oneColor(value));
-    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
 /// A run that planned these shots, and is complete if it skips none.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "image/image.h"
+#include "image/png/png_writer.h"
 #include "suite/run/verdict.h"
 #include "suite/suite.h"
 
@@ -28,6 +29,12 @@ inline image::Image gradient(int more = 0) {
 
 inline image::Image oneColor(int value) {
     return picture(32, 32, [value](int, int, int) { return value; });
+}
+
+/// The bytes of a PNG picture, different for each value.
+inline std::string png(int value) {
+    const std::vector<std::byte> bytes = image::encodePng(oneColor(value));
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
 /// A 32-bit float RGB picture of one colour, except for one pixel.

@@ -12,7 +12,7 @@
 namespace glibra::suite::test {
 namespace {
 
-Shot shot(std::string name, std::vector<std::string> tags = {}) {
+Shot taggedShot(std::string name, std::vector<std::string> tags = {}) {
     Shot made;
     made.name = std::move(name);
     made.tags = std::move(tags);
@@ -22,7 +22,7 @@ Shot shot(std::string name, std::vector<std::string> tags = {}) {
 Suite numbered(int count) {
     Suite suite;
     suite.name = "many";
-    for (int i = 0; i < count; ++i) suite.shots.push_back(shot("shot" + std::to_string(i)));
+    for (int i = 0; i < count; ++i) suite.shots.push_back(taggedShot("shot" + std::to_string(i)));
     return suite;
 }
 
@@ -65,8 +65,8 @@ TEST(Shards, AreAboutOfOneSize) {
 TEST(Shards, StayWhereTheyAreWhenShotsAreAdded) {
     const Suite suite = numbered(100);
     Suite more = suite;
-    more.shots.insert(more.shots.begin() + 50, shot("new"));
-    more.shots.insert(more.shots.begin(), shot("newer"));
+    more.shots.insert(more.shots.begin() + 50, taggedShot("new"));
+    more.shots.insert(more.shots.begin(), taggedShot("newer"));
     for (int i = 1; i <= 4; ++i) {
         std::set<std::string> before;
         std::set<std::string> after;
@@ -103,18 +103,18 @@ TEST(Shards, KeepPicturesThatAreComparedTogether) {
 TEST(Shards, OfAGroupStayWhenAShotThatNamesOneIsAdded) {
     Suite suite;
     suite.name = "s";
-    suite.shots = {shot("m"), shot("n")};
+    suite.shots = {taggedShot("m"), taggedShot("n")};
     suite.shots[1].match = "m";
     EXPECT_EQ(shardNames(suite).at(1), "m");
-    suite.shots.push_back(shot("a"));  // earlier in the alphabet, and names n
+    suite.shots.push_back(taggedShot("a"));  // earlier in the alphabet, and names n
     suite.shots[2].differ = "n";
     EXPECT_EQ(shardNames(suite), (std::vector<std::string_view>{"m", "m", "m"}));
 }
 
 TEST(Selection, TakesNamesSweepsAndTags) {
     Suite suite;
-    suite.shots = {shot("teapot"), shot("oval@uTol=0"), shot("oval@uTol=0.1", {"slow"}),
-                   shot("start/teapot", {"slow"}), shot("ovals")};
+    suite.shots = {taggedShot("teapot"), taggedShot("oval@uTol=0"), taggedShot("oval@uTol=0.1", {"slow"}),
+                   taggedShot("start/teapot", {"slow"}), taggedShot("ovals")};
     EXPECT_EQ(names(suite, {}), "teapot oval@uTol=0 oval@uTol=0.1 start/teapot ovals ");
     EXPECT_EQ(names(suite, {"teapot"}), "teapot ");
     EXPECT_EQ(names(suite, {"*teapot"}), "teapot start/teapot ");
@@ -127,7 +127,7 @@ TEST(Selection, TakesNamesSweepsAndTags) {
 
 TEST(Selection, TakesWithAShotWhatItIsComparedWith) {
     Suite suite;
-    suite.shots = {shot("a"), shot("b"), shot("c"), shot("d")};
+    suite.shots = {taggedShot("a"), taggedShot("b"), taggedShot("c"), taggedShot("d")};
     suite.shots[2].match = "b";
     suite.shots[1].differ = "a";
     EXPECT_EQ(names(suite, {"c"}), "a b c ");
@@ -135,8 +135,8 @@ TEST(Selection, TakesWithAShotWhatItIsComparedWith) {
 
 TEST(Selection, NamesPatternsThatMeanNothing) {
     std::vector<Suite> suites(2);
-    suites[0].shots = {shot("teapot"), shot("oval@uTol=0", {"slow"})};
-    suites[1].shots = {shot("cow")};
+    suites[0].shots = {taggedShot("teapot"), taggedShot("oval@uTol=0", {"slow"})};
+    suites[1].shots = {taggedShot("cow")};
     EXPECT_TRUE(unmatchedPatterns(suites, std::vector<std::string>{"cow", "tea*", "tag:slow"}).empty());
     const auto problems =
         unmatchedPatterns(suites, std::vector<std::string>{"teapto", "ovla", "tag:slwo", "x*", "cow"});

@@ -10,10 +10,10 @@ namespace {
 using view::History;
 using view::Session;
 
-constexpr const char* kScene =
+constexpr const char* kAnimatedScene =
     "WindowSize 32 32\nOrtho -1 1 -1 1\nVertex a.vert\nFragment a.frag\n"
     "Program Flat uR <0 .25 1> uG <0 1 4> uTint {1 1 1}\nQuadXY 0 1\n";
-const std::map<std::string, std::string> kFiles{
+const std::map<std::string, std::string> kAnimatedFiles{
     {"a.vert", kPlainVertex},
     {"a.frag",
      "#version 330\nuniform float uR; uniform int uG; uniform vec3 uTint; out vec4 c;\n"
@@ -36,7 +36,7 @@ class Animated : public ::testing::Test {
         history.record(session);
         r = knobIndex(session, "uR");
     }
-    SceneFolder folder{kScene, kFiles};
+    SceneFolder folder{kAnimatedScene, kAnimatedFiles};
     Session session{context(), {}};
     History history;
     std::size_t r = 0;

@@ -5,8 +5,6 @@
 namespace glibra::view {
 namespace {
 
-constexpr double kReadable = 4.5;  // WCAG 2.1, 1.4.3
-
 TEST(CodePalette, WordsAreReadableOnEveryTint) {
     for (const bool isLight : {false, true}) {
         const Palette& p = paletteOf(isLight);

@@ -12,8 +12,6 @@ namespace {
 using view::DebugView;
 using view::Session;
 
-const std::string kHead = "WindowSize 40 40\nOrtho -1 1 -1 1 -1 1\n";
-const std::string kProgram = "Vertex a.vert\nFragment a.frag\nProgram P\n";
 const std::string kPlainFragment =
     "#version 330\nin vec4 vST; out vec4 c;\nvoid main() { c = vec4(vST.st, 1., 1.); }\n";
 const std::map<std::string, std::string> kPlain{{"a.vert", kPlainVertex}, {"a.frag", kPlainFragment}};
@@ -28,7 +26,7 @@ std::array<float, 4> numbersAt(const Session& session, int x, int y) {
     return {texel[0], texel[1], texel[2], texel[3]};
 }
 
-void show(Session& session, const SceneFolder& folder, DebugView kind) {
+void openView(Session& session, const SceneFolder& folder, DebugView kind) {
     ASSERT_TRUE(session.open(folder.scene())) << text(session.diagnostics());
     session.setDebugView(kind);
     ASSERT_TRUE(session.drawIfNeeded());
@@ -43,7 +41,7 @@ TEST(DebugView, OverdrawCountsFragmentsThatPassAndLayersAllOfThem) {
         scene.append(program).append(quads);
         const SceneFolder folder(scene, kPlain);
         Session session(context(), {});
-        show(session, folder, DebugView::overdraw);
+        openView(session, folder, DebugView::overdraw);
         EXPECT_EQ(numbersAt(session, 10, 20)[0], 2) << program;
         EXPECT_EQ(numbersAt(session, 30, 20)[0], 3) << program;
         EXPECT_EQ(numbersAt(session, 1, 1)[3], 0) << program;
@@ -66,7 +64,7 @@ TEST(DebugView, OverdrawLeavesOutWhatTheFragmentStageDiscards) {
          {"a.frag",
           "#version 330\nin vec4 vST; out vec4 c;\nvoid main() { if (vST.s < .5) discard; c = vST; }\n"}});
     Session session(context(), {});
-    show(session, folder, DebugView::layers);
+    openView(session, folder, DebugView::layers);
     EXPECT_EQ(numbersAt(session, 5, 20)[3], 0);
     EXPECT_EQ(numbersAt(session, 35, 20)[0], 2);
 }
@@ -77,7 +75,7 @@ TEST(DebugView, FacingShowsTheBackOfATurnedQuad) {
                                  "Rotate 180 0 1 0\nQuadXY 0 .4\n",
                              kPlain);
     Session session(context(), {});
-    show(session, folder, DebugView::facing);
+    openView(session, folder, DebugView::facing);
     EXPECT_EQ(numbersAt(session, 10, 20), (std::array<float, 4>{1, 0, 0, 1}));
     EXPECT_EQ(numbersAt(session, 30, 20), (std::array<float, 4>{0, 0, 0, 1}));
     EXPECT_EQ(view::wordsOf(DebugView::facing, numbersAt(session, 30, 20).data()), "back");
@@ -92,7 +90,7 @@ TEST(DebugView, FacingIncludesWhatAVertexStageTurns) {
                                "gl_Position = uModelViewProjectionMatrix * p; }\n"},
                               {"a.frag", kPlainFragment}});
     Session session(context(), {});
-    show(session, folder, DebugView::facing);
+    openView(session, folder, DebugView::facing);
     EXPECT_EQ(numbersAt(session, 20, 20)[0], 0);
 }
 
@@ -101,7 +99,7 @@ TEST(DebugView, DepthIsTheWindowsAndTheDistanceFromTheEye) {
         "WindowSize 40 40\nPerspective 90 1 11\nLookAt 0 0 5 0 0 0 0 1 0\n" + kProgram + "QuadXY 0 1\n",
         kPlain);
     Session session(context(), {});
-    show(session, folder, DebugView::depth);
+    openView(session, folder, DebugView::depth);
     // A plane at distance d between planes n and f has depth f (d - n) / (d (f - n)).
     const auto [depth, distance, blue, alpha] = numbersAt(session, 20, 20);
     EXPECT_NEAR(depth, 11 * (5 - 1.) / (5 * (11 - 1.)), 1e-6);
@@ -118,7 +116,7 @@ TEST(DebugView, DepthIsWhatAFragmentStageWrites) {
           "#version 330\nout vec4 c;\nvoid main() { c = vec4(1.); if (gl_FragCoord.x > 20.) gl_FragDepth = "
           ".125; }\n"}});
     Session session(context(), {});
-    show(session, folder, DebugView::depth);
+    openView(session, folder, DebugView::depth);
     EXPECT_NEAR(numbersAt(session, 30, 20)[0], .125F, 1e-6F);
     EXPECT_NEAR(numbersAt(session, 10, 20)[0], .5F, 1e-6F);
 }
@@ -130,7 +128,7 @@ TEST(DebugView, CoordinatesAreThoseOfTheMeshAlsoWhereNoStageReadsThem) {
     for (const std::string& program : {std::string(), kProgram}) {
         const SceneFolder folder(kHead + program + "QuadXY 0 1\n", files);
         Session session(context(), {});
-        show(session, folder, DebugView::coordinates);
+        openView(session, folder, DebugView::coordinates);
         const auto [s, t, p, alpha] = numbersAt(session, 10, 30);
         EXPECT_NEAR(s, 10.5 / 40, 1e-5) << program;
         EXPECT_NEAR(t, 30.5 / 40, 1e-5) << program;
@@ -162,7 +160,7 @@ const std::map<std::string, std::string> kMoved{
 TEST(DebugView, IncludesWhatATessellationStageMoves) {
     const SceneFolder folder(kHead + kTessellated + kPatch, kMoved);
     Session session(context(), {});
-    show(session, folder, DebugView::depth);
+    openView(session, folder, DebugView::depth);
     EXPECT_NEAR(numbersAt(session, 11, 30)[0], .375F, 1e-6F);
     session.setDebugView(DebugView::coordinates);
     session.drawIfNeeded();
@@ -253,7 +251,7 @@ TEST(DebugView, SurfacesBehindAGeometryStageShowWhereTheyFace) {
           "EmitVertex(); } }\n"},
          {"a.frag", "#version 330\nout vec4 c;\nvoid main() { c = vec4(1.); }\n"}});
     Session session(context(), {});
-    show(session, folder, DebugView::normals);
+    openView(session, folder, DebugView::normals);
     EXPECT_NEAR(pixelOf(session, 20, 20)[0], 128, 1);
     EXPECT_NEAR(pixelOf(session, 20, 20)[1], 128, 1);
     EXPECT_EQ(pixelOf(session, 20, 20)[2], 255);
@@ -289,7 +287,7 @@ TEST(DebugView, FollowsChangedValuesAndAReloadedScene) {
           "uTurn; p.z += uMove;\ngl_Position = uModelViewProjectionMatrix * p; }\n"},
          {"a.frag", kPlainFragment}});
     Session session(context(), {});
-    show(session, folder, DebugView::facing);
+    openView(session, folder, DebugView::facing);
     EXPECT_EQ(numbersAt(session, 20, 20)[0], 1);
     session.setValue(knobIndex(session, "uTurn"), {-1});
     session.drawIfNeeded();

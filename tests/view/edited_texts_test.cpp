@@ -7,9 +7,9 @@ namespace {
 
 using view::Session;
 
-const std::string kHead = "WindowSize 20 20\nOrtho -1 1 -1 1 -1 1\n";
+const std::string kSmallHead = "WindowSize 20 20\nOrtho -1 1 -1 1 -1 1\n";
 
-std::string fragment(std::string_view color) {
+std::string constantFragment(std::string_view color) {
     return "#version 330\nout vec4 c;\nvoid main() { c = vec4(" + std::string(color) + ", 1.); }\n";
 }
 
@@ -21,15 +21,15 @@ std::array<int, 3> centre(Session& session) {
 constexpr std::array<int, 3> kRed{255, 0, 0}, kGreen{0, 255, 0}, kBlue{0, 0, 255};
 
 TEST(EditedTexts, TakeTheShadersPlaceUntilTheyAreGone) {
-    const SceneFolder folder(kHead + "Vertex a.vert\nFragment a.frag\nProgram P\nQuadXY 0 1\n",
-                             {{"a.vert", kPlainVertex}, {"a.frag", fragment("1., 0., 0.")}});
+    const SceneFolder folder(kSmallHead + "Vertex a.vert\nFragment a.frag\nProgram P\nQuadXY 0 1\n",
+                             {{"a.vert", kPlainVertex}, {"a.frag", constantFragment("1., 0., 0.")}});
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene())) << text(session.diagnostics());
     EXPECT_EQ(centre(session), kRed);
-    session.setTexts({{folder / "a.frag", fragment("0., 1., 0.")}});
+    session.setTexts({{folder / "a.frag", constantFragment("0., 1., 0.")}});
     ASSERT_TRUE(session.reload());
     EXPECT_EQ(centre(session), kGreen);
-    EXPECT_EQ(folder.read("a.frag"), fragment("1., 0., 0.")) << "nothing is written";
+    EXPECT_EQ(folder.read("a.frag"), constantFragment("1., 0., 0.")) << "nothing is written";
     EXPECT_EQ(session.onlyOnScreen(), "text that is not saved");
     EXPECT_TRUE(session.renderOptions().texts.empty()) << "hardcopies are made from the files";
     // A broken text keeps the last good picture, and its errors have its lines.
@@ -46,7 +46,7 @@ TEST(EditedTexts, TakeTheShadersPlaceUntilTheyAreGone) {
 
 TEST(EditedTexts, TakeThePlaceOfScenesAndOfIncludedFiles) {
     const SceneFolder folder(
-        kHead + "Let size <.2 .5 1>\nVertex a.vert\nFragment a.frag\nProgram P\nInclude part.glib\n",
+        kSmallHead + "Let size <.2 .5 1>\nVertex a.vert\nFragment a.frag\nProgram P\nInclude part.glib\n",
         {{"a.vert", kPlainVertex},
          {"part.glib", "QuadXY 0 1\n"},
          {"color.h", "vec3 color() { return vec3(1., 0., 0.); }\n"},
@@ -62,16 +62,16 @@ TEST(EditedTexts, TakeThePlaceOfScenesAndOfIncludedFiles) {
     ASSERT_TRUE(session.reload());
     const std::array<int, 3> background = centre(session);
     EXPECT_NE(background, kRed);
-    session.setTexts({{folder.scene(), kHead + "Background 0 1 0\n"}});
+    session.setTexts({{folder.scene(), kSmallHead + "Background 0 1 0\n"}});
     ASSERT_TRUE(session.reload());
     EXPECT_EQ(centre(session), kGreen);
 }
 
 TEST(EditedTexts, AreForgottenWhenAnotherSceneIsOpened) {
-    const SceneFolder folder(kHead + "Color 1 0 0\nQuadXY 0 1\n");
+    const SceneFolder folder(kSmallHead + "Color 1 0 0\nQuadXY 0 1\n");
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene()));
-    session.setTexts({{folder.scene(), kHead + "Color 0 1 0\nQuadXY 0 1\n"}});
+    session.setTexts({{folder.scene(), kSmallHead + "Color 0 1 0\nQuadXY 0 1\n"}});
     ASSERT_TRUE(session.reload());
     EXPECT_EQ(centre(session), kGreen);
     ASSERT_TRUE(session.open(folder.scene()));

@@ -44,17 +44,17 @@ TEST(ExampleScenes, AreFoundFromTheProgramTheSceneOrTheRootsGiven) {
     EXPECT_EQ(view::exampleRoot({}, {}, "/nowhere/program"), fs::path());
 }
 
-constexpr const char* kScene =
+constexpr const char* kExampleScene =
     "WindowSize 64 64\nOrtho -1 1 -1 1\nVertex a.vert\nFragment a.frag\nProgram P\nQuadXY 0 .5\n";
-std::string fragment(const char* color) {
+std::string includingFragment(const char* color) {
     return std::string("#version 330\n#include \"color.glsl\"\nout vec4 c;\nvoid main() { c = vec4(") +
            color + ", 1.); }\n";
 }
 
 TEST(Thumbnails, ShowTheSceneAndAreKept) {
-    const SceneFolder folder(kScene, {{"a.vert", kPlainVertex},
-                                      {"a.frag", fragment("color()")},
-                                      {"color.glsl", "vec3 color() { return vec3(1., .5, 0.); }\n"}});
+    const SceneFolder folder(kExampleScene, {{"a.vert", kPlainVertex},
+                                             {"a.frag", includingFragment("color()")},
+                                             {"color.glsl", "vec3 color() { return vec3(1., .5, 0.); }\n"}});
     const fs::path cache = folder / "cache";
     EXPECT_EQ(view::findThumbnail(cache, folder.scene()).state, Thumbnail::State::missing);
     const Thumbnail made = view::makeThumbnail(context(), cache, folder.scene(), {});
@@ -108,7 +108,7 @@ TEST(Thumbnails, OfTexturesInTheWindowsSizeAreWhatRenderDraws) {
 }
 
 TEST(Thumbnails, OfAWrongSceneAreNotTriedAgainUntilItChanges) {
-    const SceneFolder folder(kScene, {{"a.vert", kPlainVertex}, {"a.frag", "void main() { oops }\n"}});
+    const SceneFolder folder(kExampleScene, {{"a.vert", kPlainVertex}, {"a.frag", "void main() { oops }\n"}});
     const fs::path cache = folder / "cache";
     EXPECT_EQ(view::makeThumbnail(context(), cache, folder.scene(), {}).state, Thumbnail::State::failed);
     const Thumbnail known = view::findThumbnail(cache, folder.scene());
@@ -121,7 +121,7 @@ TEST(Thumbnails, OfAWrongSceneAreNotTriedAgainUntilItChanges) {
 
 TEST(Thumbnails, ADamagedCacheIsMadeAnew) {
     const SceneFolder folder(
-        kScene,
+        kExampleScene,
         {{"a.vert", kPlainVertex}, {"a.frag", "#version 330\nout vec4 c;\nvoid main() { c = vec4(1.); }\n"}});
     const fs::path cache = folder / "cache";
     ASSERT_EQ(view::makeThumbnail(context(), cache, folder.scene(), {}).state, Thumbnail::State::ready);

@@ -6,7 +6,7 @@
 namespace glibra::test {
 namespace {
 
-using Kind = view::FileUse::Kind;
+using view::FileUse;
 
 TEST(FileUse, KnowsWhatTheSceneDoesWithAFile) {
     const SceneFolder folder(
@@ -23,18 +23,18 @@ TEST(FileUse, KnowsWhatTheSceneDoesWithAFile) {
     view::Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene())) << text(session.diagnostics());
     const auto use = [&](const char* name) { return view::useOf(session.live(), folder / name); };
-    EXPECT_EQ(use("scene.glib").kind, Kind::text);
-    EXPECT_EQ(use("a.frag").kind, Kind::text);
+    EXPECT_EQ(use("scene.glib").kind, FileUse::Kind::text);
+    EXPECT_EQ(use("a.frag").kind, FileUse::Kind::text);
     EXPECT_EQ(std::filesystem::path(use("a.frag").place.file).filename(), "a.frag");
-    EXPECT_EQ(use("shown.ppm").kind, Kind::texture) << text(session.diagnostics());
+    EXPECT_EQ(use("shown.ppm").kind, FileUse::Kind::texture) << text(session.diagnostics());
     ASSERT_TRUE(use("shown.ppm").texture);
     EXPECT_NE(session.live().texture(use("shown.ppm").texture), nullptr);
-    EXPECT_EQ(use("unused.ppm").kind, Kind::data);
+    EXPECT_EQ(use("unused.ppm").kind, FileUse::Kind::data);
     EXPECT_EQ(use("unused.ppm").place.line, 3);
-    EXPECT_EQ(use("tri.obj").kind, Kind::data);
+    EXPECT_EQ(use("tri.obj").kind, FileUse::Kind::data);
     EXPECT_EQ(use("tri.obj").place.line, 7);
-    EXPECT_EQ(use("other.ppm").kind, Kind::none);
-    EXPECT_EQ(use("missing.ppm").kind, Kind::none);
+    EXPECT_EQ(use("other.ppm").kind, FileUse::Kind::none);
+    EXPECT_EQ(use("missing.ppm").kind, FileUse::Kind::none);
 }
 
 TEST(FileUse, AnotherNameOfTheFileIsTheSameFile) {
@@ -44,7 +44,7 @@ TEST(FileUse, AnotherNameOfTheFileIsTheSameFile) {
     view::Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene())) << text(session.diagnostics());
     std::filesystem::create_symlink(folder / "a.frag", folder / "link.frag");
-    EXPECT_EQ(view::useOf(session.live(), folder / "link.frag").kind, Kind::text);
+    EXPECT_EQ(view::useOf(session.live(), folder / "link.frag").kind, FileUse::Kind::text);
 }
 
 }  // namespace

@@ -8,23 +8,22 @@ namespace glibra::view {
 namespace {
 
 using Event = Display::InputEvent;
-using Kind = Event::Kind;
 using Point = MousePoint;
 
 constexpr int kLeft = 0, kRight = 1;
 constexpr int kShift = 340, kA = 65, kEnter = 257;  // as in GLFW
 
 Event move(double x, double y) {
-    return {Kind::move, 0, false, {x, y}};
+    return {Event::Kind::move, 0, false, {x, y}};
 }
 Event press(int button) {
-    return {Kind::button, button, true, {}};
+    return {Event::Kind::button, button, true, {}};
 }
 Event release(int button) {
-    return {Kind::button, button, false, {}};
+    return {Event::Kind::button, button, false, {}};
 }
 Event key(int code, bool isDown) {
-    return {Kind::key, code, isDown, {}};
+    return {Event::Kind::key, code, isDown, {}};
 }
 
 std::vector<InputQueue::Frame> framesOf(InputQueue& queue, const std::vector<Event>& events) {
@@ -108,7 +107,7 @@ TEST(InputQueue, AKeyKnowsWhetherShiftWasDownWhenItWasPressed) {
 
 TEST(InputQueue, KeysKeepTheirOrderAndAClickComesBeforeWhatIsTypedAfterIt) {
     InputQueue queue;
-    const Event a{Kind::character, 'a', true, {}};
+    const Event a{Event::Kind::character, 'a', true, {}};
     const auto frames =
         framesOf(queue, {move(5, 5), press(kLeft), release(kLeft), key(kA, true), a, key(kA, false),
                          key(kEnter, true), key(kEnter, false), press(kLeft)});
@@ -122,7 +121,7 @@ TEST(InputQueue, KeysKeepTheirOrderAndAClickComesBeforeWhatIsTypedAfterIt) {
 
 TEST(InputQueue, TheMouseIsUnknownOutsideTheWindowButForADrag) {
     InputQueue queue;
-    const Event leave{Kind::leave, 0, false, {}};
+    const Event leave{Event::Kind::leave, 0, false, {}};
     EXPECT_FALSE(queue.next().mouse) << "no event yet";
     EXPECT_TRUE(framesOf(queue, {move(5, 5)}).back().mouse);
     EXPECT_FALSE(framesOf(queue, {leave}).back().mouse);
@@ -133,7 +132,7 @@ TEST(InputQueue, TheMouseIsUnknownOutsideTheWindowButForADrag) {
 
 TEST(InputQueue, TheWheelTurnsByAllItsNotches) {
     InputQueue queue;
-    const Event notch{Kind::wheel, 0, false, {0, 1}};
+    const Event notch{Event::Kind::wheel, 0, false, {0, 1}};
     double sum = 0;
     for (const InputQueue::Frame& each : framesOf(queue, {move(5, 5), notch, notch, move(6, 5), notch}))
         sum += each.wheel;

@@ -16,7 +16,7 @@ const std::string kTwoPasses =
     "WindowSize 20 10\nOrtho -1 1 -1 1\nTexture2D 6 8 4 RGBA32F\nRenderToTexture 6\nVertex a.vert\nFragment "
     "float.frag\n"
     "Program Floats\nQuadXY 0 4\nRenderToTexture\nFragment show.frag\nProgram Show uT 6\nQuadXY .5 1\n";
-const std::map<std::string, std::string> kFiles{
+const std::map<std::string, std::string> kPassFiles{
     {"a.vert", kPlainVertex},
     {"float.frag",
      "#version 330\nout vec4 c;\nvoid main() { c = vec4(gl_FragCoord.xy, -2.5, 1.);\n"
@@ -28,7 +28,7 @@ const std::map<std::string, std::string> kFiles{
      "8., 0., 1.); }\n"}};
 
 TEST(Texels, OfAFloatTargetAreItsNumbers) {
-    const SceneFolder folder(kTwoPasses, kFiles);
+    const SceneFolder folder(kTwoPasses, kPassFiles);
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene())) << text(session.diagnostics());
     session.drawIfNeeded();
@@ -158,7 +158,7 @@ TEST(Texels, OfNamedTexturesAreThoseOfALevelALayerOrTheResolvedSamples) {
 }
 
 TEST(FrameCost, CountsFramesDrawsAndVertices) {
-    const SceneFolder folder(kTwoPasses, kFiles);
+    const SceneFolder folder(kTwoPasses, kPassFiles);
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene()));
     session.drawIfNeeded();

@@ -154,7 +154,7 @@ TEST(ModernScene, ReportsAKeyThatKeyboardsDoNotHave) {
 }
 
 const std::string kEye = "LookAt 0 0 5  0 0 0  0 1 0  Perspective 60 .1 100\n";
-const std::string kSide = "LookAt 5 1 0  0 0 0  0 1 0  Ortho -2 2 -2 2 .1 10\n";
+const std::string kFromTheSide = "LookAt 5 1 0  0 0 0  0 1 0  Ortho -2 2 -2 2 .1 10\n";
 
 std::string twoCameras(const std::string& eye, const std::string& other) {
     return "WindowSize 32 32\nTexture2D small 4 4 rgba8\nFragment show.frag\nProgram Show\n"
@@ -164,7 +164,7 @@ std::string twoCameras(const std::string& eye, const std::string& other) {
            "Color 1 .5 0\nTranslate .5 0 1\nBox 1 1 2\nEndPass\n";
 }
 
-std::vector<std::byte> pictureOf(const std::string& scene, const std::string& camera) {
+std::vector<std::byte> pictureBy(const std::string& scene, const std::string& camera) {
     const SceneFolder folder(scene,
                              {{"show.frag", "#version 330\nout vec4 c;\nvoid main() { c = vec4(1); }\n"}});
     Session session(context(), {});
@@ -177,15 +177,15 @@ std::vector<std::byte> pictureOf(const std::string& scene, const std::string& ca
 }
 
 TEST(ModernScene, IsSeenThroughAnyOfItsCameras) {
-    const auto own = pictureOf(twoCameras(kEye, kSide), "");
-    const auto other = pictureOf(twoCameras(kEye, kSide), "other");
+    const auto own = pictureBy(twoCameras(kEye, kFromTheSide), "");
+    const auto other = pictureBy(twoCameras(kEye, kFromTheSide), "other");
     EXPECT_FALSE(own == other);
-    EXPECT_TRUE(other == pictureOf(twoCameras(kSide, kEye), ""));
-    EXPECT_TRUE(own == pictureOf(twoCameras(kEye, kSide), "eye"));
+    EXPECT_TRUE(other == pictureBy(twoCameras(kFromTheSide, kEye), ""));
+    EXPECT_TRUE(own == pictureBy(twoCameras(kEye, kFromTheSide), "eye"));
 }
 
 TEST(ModernScene, KeepsTheCameraThroughAReloadAndReturnsToItsOwn) {
-    const SceneFolder folder(twoCameras(kEye, kSide),
+    const SceneFolder folder(twoCameras(kEye, kFromTheSide),
                              {{"show.frag", "#version 330\nout vec4 c;\nvoid main() { c = vec4(1); }\n"}});
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene()));

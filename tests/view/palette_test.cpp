@@ -5,8 +5,7 @@
 namespace glibra::view {
 namespace {
 
-constexpr double kReadable = 4.5;  // WCAG 2.1, 1.4.3, for text of this size
-constexpr double kSeen = 3;        // WCAG 2.1, 1.4.11, for parts of widgets
+constexpr double kSeen = 3;  // WCAG 2.1, 1.4.11, for parts of widgets
 
 TEST(Palette, ContrastIsThatOfTheStandard) {
     // The figures of the standard's own examples, and of WebAIM's checker.

@@ -14,9 +14,6 @@ namespace {
 using view::ProbedPixel;
 using view::Session;
 
-const std::string kHead = "WindowSize 40 40\nOrtho -1 1 -1 1 -1 1\n";
-const std::string kProgram = "Vertex a.vert\nFragment a.frag\nProgram P\n";
-
 std::vector<double> numbers(const ProbedPixel& probed, std::string_view name) {
     const view::ProbedValue* value = probed.find(name);
     return value ? value->numbers : std::vector<double>();

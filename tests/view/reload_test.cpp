@@ -6,36 +6,37 @@ namespace glibra::test {
 namespace {
 
 using view::Session;
-using Color = std::array<int, 3>;
 
-std::string fragment(const std::string& expression) {
+std::string knobFragment(const std::string& expression) {
     return "#version 330\nuniform float uR; uniform float uG; out vec4 c;\nvoid main() { c = vec4(" +
            expression + ", 1.); }\n";
 }
-const std::string kScene =
+const std::string kReloadedScene =
     "WindowSize 16 16\nOrtho -1 1 -1 1\nVertex a.vert\nFragment a.frag\nProgram P uR <0 .2 1> uG <0 .4 1>\n"
     "QuadXY 0 1\n";
 
 TEST(Reload, ShowsAnEditedShaderWithTheValuesAsTheyWere) {
-    const SceneFolder folder(kScene, {{"a.vert", kPlainVertex}, {"a.frag", fragment("uR, uG, 0.")}});
+    const SceneFolder folder(kReloadedScene,
+                             {{"a.vert", kPlainVertex}, {"a.frag", knobFragment("uR, uG, 0.")}});
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene()));
     session.setValue(knobIndex(session, "uR"), {.8});
     session.drawIfNeeded();
     EXPECT_EQ(pixelOf(session, 8, 8), (Color{204, 102, 0}));
-    folder.write("a.frag", fragment("uG, uR, 1."));
+    folder.write("a.frag", knobFragment("uG, uR, 1."));
     ASSERT_TRUE(session.reload());
     session.drawIfNeeded();
     EXPECT_EQ(pixelOf(session, 8, 8), (Color{102, 204, 255}));
 }
 
 TEST(Reload, KeepsTheLastGoodProgramAndReportsTheError) {
-    const SceneFolder folder(kScene, {{"a.vert", kPlainVertex}, {"a.frag", fragment("uR, uG, 0.")}});
+    const SceneFolder folder(kReloadedScene,
+                             {{"a.vert", kPlainVertex}, {"a.frag", knobFragment("uR, uG, 0.")}});
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene()));
     session.setValue(knobIndex(session, "uR"), {.8});
     for (int i = 0; i < 3; ++i) {
-        folder.write("a.frag", fragment("uR, oops, 0."));
+        folder.write("a.frag", knobFragment("uR, oops, 0."));
         ASSERT_TRUE(session.reload());
         session.drawIfNeeded();
         EXPECT_EQ(pixelOf(session, 8, 8), (Color{204, 102, 0}));
@@ -47,7 +48,7 @@ TEST(Reload, KeepsTheLastGoodProgramAndReportsTheError) {
     session.setValue(knobIndex(session, "uG"), {1});
     session.drawIfNeeded();
     EXPECT_EQ(pixelOf(session, 8, 8), (Color{204, 255, 0})) << "its values can still be changed";
-    folder.write("a.frag", fragment("0., uG, 1."));
+    folder.write("a.frag", knobFragment("0., uG, 1."));
     ASSERT_TRUE(session.reload());
     session.drawIfNeeded();
     EXPECT_EQ(pixelOf(session, 8, 8), (Color{0, 255, 255}));
@@ -56,7 +57,8 @@ TEST(Reload, KeepsTheLastGoodProgramAndReportsTheError) {
 }
 
 TEST(Reload, AnEmptyOrMissingShaderCountsAsFailing) {
-    const SceneFolder folder(kScene, {{"a.vert", kPlainVertex}, {"a.frag", fragment("uR, uG, 0.")}});
+    const SceneFolder folder(kReloadedScene,
+                             {{"a.vert", kPlainVertex}, {"a.frag", knobFragment("uR, uG, 0.")}});
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene()));
     session.drawIfNeeded();
@@ -73,7 +75,8 @@ TEST(Reload, AnEmptyOrMissingShaderCountsAsFailing) {
 }
 
 TEST(Reload, OfASceneKeepsValuesWhoseSpecificationIsUnchanged) {
-    const SceneFolder folder(kScene, {{"a.vert", kPlainVertex}, {"a.frag", fragment("uR, uG, 0.")}});
+    const SceneFolder folder(kReloadedScene,
+                             {{"a.vert", kPlainVertex}, {"a.frag", knobFragment("uR, uG, 0.")}});
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene()));
     session.setValue(knobIndex(session, "uR"), {.8});
@@ -88,7 +91,8 @@ TEST(Reload, OfASceneKeepsValuesWhoseSpecificationIsUnchanged) {
 }
 
 TEST(Reload, ATagThatIsGoneGivesTheUniformItsFirstValueBack) {
-    const SceneFolder folder(kScene, {{"a.vert", kPlainVertex}, {"a.frag", fragment("uR, uG, 0.")}});
+    const SceneFolder folder(kReloadedScene,
+                             {{"a.vert", kPlainVertex}, {"a.frag", knobFragment("uR, uG, 0.")}});
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene()));
     session.drawIfNeeded();
@@ -105,7 +109,9 @@ TEST(Reload, CompilesOnlyWhatChanged) {
     const SceneFolder folder(
         "WindowSize 16 16\nOrtho -2 2 -1 1\nVertex a.vert\nFragment a.frag\nProgram A uR .2\n"
         "QuadXY 0 1\nFragment b.frag\nProgram B uR .2\nSphere 1 60 60\n",
-        {{"a.vert", kPlainVertex}, {"a.frag", fragment("uR, uG, 0.")}, {"b.frag", fragment("0., uR, uG")}});
+        {{"a.vert", kPlainVertex},
+         {"a.frag", knobFragment("uR, uG, 0.")},
+         {"b.frag", knobFragment("0., uR, uG")}});
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene()));
     const auto count = [&](std::string_view name) {
@@ -115,7 +121,7 @@ TEST(Reload, CompilesOnlyWhatChanged) {
     };
     EXPECT_EQ(count("programs"), 2U);
     EXPECT_EQ(count("meshes"), 2U);
-    folder.write("b.frag", fragment("1., uR, uG"));
+    folder.write("b.frag", knobFragment("1., uR, uG"));
     ASSERT_TRUE(session.reload());
     EXPECT_EQ(count("programs"), 1U);
     EXPECT_EQ(count("meshes"), 0U);
@@ -181,7 +187,8 @@ TEST(Reload, ReadsAnEditedIncludeAndTextureAndModel) {
 }
 
 TEST(Reload, ASceneThatIsGoneLeavesWhatIsShown) {
-    const SceneFolder folder(kScene, {{"a.vert", kPlainVertex}, {"a.frag", fragment("uR, uG, 0.")}});
+    const SceneFolder folder(kReloadedScene,
+                             {{"a.vert", kPlainVertex}, {"a.frag", knobFragment("uR, uG, 0.")}});
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene()));
     session.drawIfNeeded();
@@ -190,7 +197,7 @@ TEST(Reload, ASceneThatIsGoneLeavesWhatIsShown) {
     session.resize(20, 20);
     EXPECT_TRUE(session.drawIfNeeded());
     EXPECT_EQ(pixelOf(session, 8, 8), (Color{51, 102, 0}));
-    folder.write("scene.glib", kScene);
+    folder.write("scene.glib", kReloadedScene);
     EXPECT_TRUE(session.reload());
     EXPECT_FALSE(hasError(session.diagnostics()));
 }

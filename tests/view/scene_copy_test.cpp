@@ -17,15 +17,15 @@ namespace {
 namespace fs = std::filesystem;
 using view::Session;
 
-constexpr const char* kFlatFragment =
+constexpr const char* kCopiedFragment =
     "#version 330\n#include \"lib/flat.glsl\"\nuniform float uR; out vec4 c;\n"
     "void main() { c = flatColor(uR); }\n";
-constexpr const char* kFlatInclude = "vec4 flatColor(float r) { return vec4(r, .5, 0., 1.); }\n";
-constexpr const char* kFlatScene =
+constexpr const char* kCopiedInclude = "vec4 flatColor(float r) { return vec4(r, .5, 0., 1.); }\n";
+constexpr const char* kCopiedScene =
     "WindowSize 32 32\nOrtho -1 1 -1 1\nVertex a.vert\nFragment a.frag\nProgram Flat uR <0 .2 1>\nQuadXY 0 "
     "1\n";
-const std::map<std::string, std::string> kFlatFiles{
-    {"a.vert", kPlainVertex}, {"a.frag", kFlatFragment}, {"lib/flat.glsl", kFlatInclude}};
+const std::map<std::string, std::string> kCopiedFiles{
+    {"a.vert", kPlainVertex}, {"a.frag", kCopiedFragment}, {"lib/flat.glsl", kCopiedInclude}};
 constexpr const char* kTriangle = "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n";
 
 std::string contentOf(const fs::path& file) {
@@ -34,7 +34,7 @@ std::string contentOf(const fs::path& file) {
 }
 
 /// Opens and draws.
-void show(Session& session, const fs::path& scene) {
+void openAndDraw(Session& session, const fs::path& scene) {
     ASSERT_TRUE(session.open(scene)) << text(session.diagnostics());
     session.resize(120, 90);
     session.drawIfNeeded();
@@ -48,13 +48,13 @@ TEST(SceneCopy, OfAnExampleIsCompleteAndShowsTheSame) {
         if (each.topic != "start" && each.name != "fountain" && each.name != "flat_water") continue;
         ++count;
         Session original(context(), {}), copy(context(), {});
-        show(original, each.file);
+        openAndDraw(original, each.file);
         const fs::path target = folder / (each.name + "/mine.glib");
         const auto files = view::filesOfCopy(original.live(), target, true, {});
         EXPECT_FALSE(files.empty()) << each.name;
         const Diagnostics problems = view::writeCopy(contentOf(each.file), target, files);
         ASSERT_TRUE(problems.empty()) << text(problems);
-        show(copy, target);
+        openAndDraw(copy, target);
         EXPECT_TRUE(pixelsOf(original) == pixelsOf(copy)) << each.name;
         for (const fs::path& file : copy.live().files())
             EXPECT_TRUE(file.string().starts_with(target.parent_path().string())) << file;
@@ -63,32 +63,32 @@ TEST(SceneCopy, OfAnExampleIsCompleteAndShowsTheSame) {
 }
 
 TEST(SceneCopy, KeepsTheFoldersOfIncludedFiles) {
-    const SceneFolder folder(kFlatScene, kFlatFiles);
+    const SceneFolder folder(kCopiedScene, kCopiedFiles);
     Session original(context(), {}), copy(context(), {});
-    show(original, folder.scene());
+    openAndDraw(original, folder.scene());
     const fs::path target = folder / "deep/er/b.glib";
     ASSERT_TRUE(
-        view::writeCopy(kFlatScene, target, view::filesOfCopy(original.live(), target, false, {})).empty());
-    EXPECT_EQ(contentOf(folder / "deep/er/lib/flat.glsl"), kFlatInclude);
-    show(copy, target);
+        view::writeCopy(kCopiedScene, target, view::filesOfCopy(original.live(), target, false, {})).empty());
+    EXPECT_EQ(contentOf(folder / "deep/er/lib/flat.glsl"), kCopiedInclude);
+    openAndDraw(copy, target);
     EXPECT_TRUE(pixelsOf(original) == pixelsOf(copy));
 }
 
 TEST(SceneCopy, InTheSameFolderNeedsNoFiles) {
-    const SceneFolder folder(kFlatScene, kFlatFiles);
+    const SceneFolder folder(kCopiedScene, kCopiedFiles);
     Session original(context(), {});
-    show(original, folder.scene());
+    openAndDraw(original, folder.scene());
     EXPECT_TRUE(view::filesOfCopy(original.live(), folder / "b.glib", false, {}).empty());
 }
 
 TEST(SceneCopy, ReplacesNoOtherFile) {
-    const SceneFolder folder(kFlatScene, kFlatFiles);
+    const SceneFolder folder(kCopiedScene, kCopiedFiles);
     folder.write("there/a.frag", "somebody's work");
     Session original(context(), {});
-    show(original, folder.scene());
+    openAndDraw(original, folder.scene());
     const fs::path target = folder / "there/b.glib";
     const Diagnostics problems =
-        view::writeCopy(kFlatScene, target, view::filesOfCopy(original.live(), target, true, {}));
+        view::writeCopy(kCopiedScene, target, view::filesOfCopy(original.live(), target, true, {}));
     ASSERT_EQ(problems.size(), 1U);
     EXPECT_NE(problems.front().text.find("choose an empty folder"), std::string::npos);
     EXPECT_EQ(folder.read("there/a.frag"), "somebody's work");
@@ -110,7 +110,7 @@ TEST(Examples, AreNotWrittenTo) {
     EXPECT_EQ(problems.front().id, "view-E03");
     EXPECT_EQ(contentOf(scene), before);
     EXPECT_NE(view::EditedFile(scene).whyReadOnly().find("save a copy"), std::string::npos);
-    const SceneFolder folder(kFlatScene, kFlatFiles);
+    const SceneFolder folder(kCopiedScene, kCopiedFiles);
     EXPECT_FALSE(view::isExample(folder.scene()));
     EXPECT_EQ(view::EditedFile(folder.scene()).whyReadOnly(), "");
 }
@@ -135,7 +135,7 @@ TEST(ChosenFiles, AreUsedAndSavedIntoTheScene) {
     const SceneFolder folder(
         "WindowSize 32 32\nOrtho -1 1 -1 1\r\nVertex a.vert\nFragment a.frag\nProgram Flat uR <0 .2 1>\n"
         "  Obj   # a model\nObj\n",
-        kFlatFiles);
+        kCopiedFiles);
     folder.write("models/a.obj", kTriangle);
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene()));
@@ -170,7 +170,7 @@ TEST(ChosenFiles, FollowTheirStatementsWhenLinesMove) {
 }
 
 TEST(Verbose, ReportsEachStatementOnlyWhileItIsOn) {
-    const SceneFolder folder(kFlatScene, kFlatFiles);
+    const SceneFolder folder(kCopiedScene, kCopiedFiles);
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene()));
     const auto reported = [&] {

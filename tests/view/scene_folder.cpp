@@ -51,7 +51,7 @@ std::vector<std::byte> pixelsOf(const view::Session& session) {
     return pixels ? std::move(*pixels) : std::vector<std::byte>();
 }
 
-std::array<int, 3> pixelOf(const view::Session& session, int x, int y) {
+Color pixelOf(const view::Session& session, int x, int y) {
     const std::vector<std::byte> all = pixelsOf(session);
     const std::size_t at = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(session.width()) +
                                 static_cast<std::size_t>(x));

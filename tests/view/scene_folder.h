@@ -36,8 +36,10 @@ class SceneFolder {
     std::filesystem::path folder_;
 };
 
-/// Red, green and blue (0..255) of a pixel of the last picture; x and y count from the top left.
-std::array<int, 3> pixelOf(const view::Session& session, int x, int y);
+using Color = std::array<int, 3>;  ///< red, green and blue, 0..255
+
+/// A pixel of the last picture; x and y count from the top left.
+Color pixelOf(const view::Session& session, int x, int y);
 /// The whole picture: RGB bytes, top row first.
 std::vector<std::byte> pixelsOf(const view::Session& session);
 
@@ -50,5 +52,9 @@ std::string text(const Diagnostics& diagnostics);
 inline constexpr const char* kPlainVertex =
     "#version 330\nout vec4 vST;\nvoid main() { vST = aTexCoord0; gl_Position = uModelViewProjectionMatrix * "
     "aVertex; }\n";
+
+/// The beginning of a scene of 40 x 40 pixels, and a program of the files a.vert and a.frag.
+inline const std::string kHead = "WindowSize 40 40\nOrtho -1 1 -1 1 -1 1\n",
+                         kProgram = "Vertex a.vert\nFragment a.frag\nProgram P\n";
 
 }  // namespace glibra::test

@@ -7,7 +7,6 @@ namespace glibra::test {
 namespace {
 
 using view::Session;
-using Color = std::array<int, 3>;
 
 constexpr const char* kFlatFragment =
     "#version 330\nuniform float uR; uniform int uG; uniform bool uB; uniform vec3 uTint; out vec4 c;\n"

@@ -11,7 +11,7 @@ namespace {
 using view::Session;
 
 /// Renders the only shot of a suite to RGB.
-std::vector<std::byte> pictureOf(const std::filesystem::path& file, Diagnostics& problems) {
+std::vector<std::byte> shotPicture(const std::filesystem::path& file, Diagnostics& problems) {
     const auto read = suite::readSuite(file);
     append(problems, read.diagnostics);
     if (!read || read->shots.size() != 1) return {};
@@ -49,7 +49,7 @@ TEST(SuiteShot, GivesThePixelsOfTheScreen) {
     const Diagnostics problems = view::appendShot(folder / "s.toml", "turned", session);
     ASSERT_TRUE(problems.empty()) << text(problems);
     Diagnostics said;
-    const std::vector<std::byte> picture = pictureOf(folder / "s.toml", said);
+    const std::vector<std::byte> picture = shotPicture(folder / "s.toml", said);
     ASSERT_FALSE(picture.empty()) << text(said) << folder.read("s.toml");
     EXPECT_TRUE(picture == pixelsOf(session)) << folder.read("s.toml");
 }
@@ -77,7 +77,7 @@ TEST(SuiteShot, KnowsWhichProgramAValueBelongsTo) {
     EXPECT_NE(folder.read("s.toml").find("\"5:uB\" = true, \"7:uR\" = \"0.75\""), std::string::npos)
         << folder.read("s.toml");
     Diagnostics said;
-    EXPECT_TRUE(pictureOf(folder / "s.toml", said) == pixelsOf(session)) << text(said);
+    EXPECT_TRUE(shotPicture(folder / "s.toml", said) == pixelsOf(session)) << text(said);
 }
 
 TEST(SuiteShot, IsAddedBelowWhatTheFileHasAndNeverTwiceUnderOneName) {
@@ -117,7 +117,7 @@ TEST(SuiteShot, NamesWhatItLeavesOutOfTheScreen) {
     session.setDebugView(view::DebugView::picture);
     session.drawIfNeeded();
     Diagnostics said;
-    EXPECT_TRUE(pictureOf(folder / "s.toml", said) == pixelsOf(session)) << text(said);
+    EXPECT_TRUE(shotPicture(folder / "s.toml", said) == pixelsOf(session)) << text(said);
 }
 
 TEST(SuiteShot, StrangeNamesOfFilesAreQuoted) {

@@ -12,10 +12,10 @@ namespace {
 
 using view::Session;
 
-const std::string kScene =
+const std::string kTextScene =
     "WindowSize 16 16  # small\r\nOrtho -1 1 -1 1\nVertex a.vert\nFragment a.frag\n"
     "Program P uA <0 .25 1> \\\n\tuI < -3 1 9 >   uOn <true> uC {1 .5 0} uV [1 2] uN 4.\nQuadXY 0 1\n";
-const std::map<std::string, std::string> kFiles{
+const std::map<std::string, std::string> kTextFiles{
     {"a.vert", kPlainVertex},
     {"a.frag",
      "#version 330\nuniform float uA, uN; uniform int uI; uniform bool uOn; uniform vec3 uC; uniform vec2 "
@@ -32,7 +32,7 @@ void turnAll(Session& session) {
 }
 
 TEST(SavedValues, ReplaceTheirOwnTextAndNothingElse) {
-    const SceneFolder folder(kScene, kFiles);
+    const SceneFolder folder(kTextScene, kTextFiles);
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene()));
     turnAll(session);
@@ -49,7 +49,7 @@ TEST(SavedValues, ReplaceTheirOwnTextAndNothingElse) {
 }
 
 TEST(SavedValues, AreRefusedWhenTheSceneHasBecomeShorter) {
-    const SceneFolder folder(kScene, kFiles);
+    const SceneFolder folder(kTextScene, kTextFiles);
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene()));
     turnAll(session);
@@ -59,7 +59,7 @@ TEST(SavedValues, AreRefusedWhenTheSceneHasBecomeShorter) {
 }
 
 TEST(ProgramLine, ReadsBackAsTheValuesItWasMadeFrom) {
-    const SceneFolder folder(kScene, kFiles);
+    const SceneFolder folder(kTextScene, kTextFiles);
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene()));
     turnAll(session);
@@ -80,7 +80,7 @@ TEST(ProgramLine, ReadsBackAsTheValuesItWasMadeFrom) {
 }
 
 TEST(SetArguments, GiveTheValuesBack) {
-    const SceneFolder folder(kScene, kFiles);
+    const SceneFolder folder(kTextScene, kTextFiles);
     Session session(context(), {});
     Session other(context(), {});
     ASSERT_TRUE(session.open(folder.scene()) && other.open(folder.scene()));
@@ -91,7 +91,7 @@ TEST(SetArguments, GiveTheValuesBack) {
 }
 
 TEST(History, GoesBackAndForward) {
-    const SceneFolder folder(kScene, kFiles);
+    const SceneFolder folder(kTextScene, kTextFiles);
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene()));
     view::History history;

@@ -4,7 +4,9 @@
 include(CMakePackageConfigHelpers)
 
 # The library: what include/glibra declares is defined in one file. The linker takes from the rooms what that file uses.
+# In a unity build that file stays an object of its own in its room, or the linker would take it from there as well.
 add_library(glibra SHARED ${PROJECT_SOURCE_DIR}/src/render/renderer.cpp)
+set_source_files_properties(${PROJECT_SOURCE_DIR}/src/render/renderer.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 add_library(glibra::glibra ALIAS glibra)
 glibra_compile_options(glibra)
 set_target_properties(glibra PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})

@@ -13,7 +13,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double kShortest = 20e-6;  ///< seconds; shorter work is repeated inside one measurement
 constexpr double kLong = .25;        ///< seconds; for work this long, warming up does not matter
-constexpr int kFewest = 5, kMost = 101, kQuick = 3;
+constexpr int kFewestRepeats = 5, kMostRepeats = 101, kQuickRepeats = 3;
 
 double seconds(const std::function<void()>& work, int inner) {
     const Clock::time_point start = Clock::now();
@@ -75,8 +75,8 @@ Timing Bench::time(const std::function<void()>& work, double enough) const {
     const bool isLong = std::min(first, taken.front()) > kLong;
     if (isLong) taken.push_back(first);
     double total = taken.front() * inner;
-    const int fewest = isQuick() || isLong ? kQuick : kFewest;
-    const int most = isQuick() || isLong ? kQuick : kMost;
+    const int fewest = isQuick() || isLong ? kQuickRepeats : kFewestRepeats;
+    const int most = isQuick() || isLong ? kQuickRepeats : kMostRepeats;
     while (static_cast<int>(taken.size()) < fewest ||
            (static_cast<int>(taken.size()) < most && total < enough)) {
         taken.push_back(seconds(work, inner));

@@ -18,7 +18,7 @@ using Cost = double (*)(const Point&);
 
 /// Visits the points in rising cost: a point is on the front if it is more accurate than all before it. Equal
 /// points are on it together.
-void markFront(std::vector<Point*> points, Cost cost) {
+void markFrontBy(std::vector<Point*> points, Cost cost) {
     std::ranges::sort(points, {}, [&](const Point* each) { return std::pair(cost(*each), each->error); });
     const Point* best = nullptr;
     for (Point* each : points) {
@@ -61,7 +61,7 @@ void markFront(Figure& figure) {
                                                                               : 0;
             groups[key].push_back(&point);
         }
-    for (auto& [key, points] : groups) markFront(std::move(points), cost);
+    for (auto& [key, points] : groups) markFrontBy(std::move(points), cost);
 }
 
 Report run(std::span<const Subject* const> chosen, const BenchOptions& options, const Progress& progress) {

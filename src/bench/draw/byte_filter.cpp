@@ -7,7 +7,7 @@
 namespace glibra::bench {
 namespace {
 
-constexpr const char* kQuick = " quick";
+constexpr const char* kQuickWord = " quick";
 
 }  // namespace
 
@@ -46,7 +46,7 @@ std::optional<std::vector<Point>> pointsFromText(const std::string& text) {
 std::string measureWithByteFilter(const std::string& request,
                                   Result<std::vector<Point>> (*measure)(const Bench&,
                                                                         const gpu::Capabilities&)) {
-    const bool isQuick = request.ends_with(kQuick);
+    const bool isQuick = request.ends_with(kQuickWord);
     const std::optional<Driver> driver = driverOfWord(request.substr(0, request.find(' ')));
     if (!driver) return {};
     unsetenv("GALLIVM_PERF");
@@ -58,7 +58,7 @@ std::string measureWithByteFilter(const std::string& request,
 }
 
 std::string byteFilterRequest(Bench& bench, const gpu::Context& context) {
-    return std::string(word(context.driver())) + (bench.isQuick() ? kQuick : "");
+    return std::string(word(context.driver())) + (bench.isQuick() ? kQuickWord : "");
 }
 
 }  // namespace glibra::bench

@@ -12,6 +12,8 @@
 
 namespace glibra::bench {
 
+inline constexpr double kByte = 255;  ///< errors of pictures are in steps of a byte
+
 /// Points as text and back without loss.
 std::string pointsToText(const std::vector<Point>& points);
 std::optional<std::vector<Point>> pointsFromText(const std::string& text);

@@ -12,13 +12,13 @@ namespace glibra::bench {
 namespace {
 
 // Eye space; z is the distance. uProjection: clip z = x * distance + y.
-constexpr std::string_view kVertex =
+constexpr std::string_view kDepthVertex =
     "layout(location = 0) in vec3 aPosition;\n"
     "uniform vec2 uProjection;\n"
     "void main() {\n"
     "    gl_Position = vec4(aPosition.xy, uProjection.x * aPosition.z + uProjection.y, aPosition.z);\n"
     "}\n";
-constexpr std::string_view kFragment =
+constexpr std::string_view kDepthFragment =
     "uniform float uBrightness;\n"
     "out vec4 fColor;\n"
     "void main() { fColor = vec4(uBrightness); }\n";
@@ -43,7 +43,7 @@ void push(std::vector<float>& vertices, double x, double y, double distance) {
 }  // namespace
 
 Result<DepthTarget> DepthTarget::create(const gpu::Capabilities& capabilities, GLenum depthFormat, int side) {
-    Result<gpu::Program> built = program(capabilities, kVertex, kFragment);
+    Result<gpu::Program> built = program(capabilities, kDepthVertex, kDepthFragment);
     if (!built) return std::move(built.diagnostics);
     DepthTarget target(std::move(*built));
     target.capabilities_ = &capabilities;

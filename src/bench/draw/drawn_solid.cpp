@@ -15,11 +15,11 @@
 namespace glibra::bench {
 namespace {
 
-constexpr std::string_view kVertex = R"(layout(location = 0) in vec3 aPosition;
+constexpr std::string_view kSolidVertex = R"(layout(location = 0) in vec3 aPosition;
 uniform float uScale;
 void main() { gl_Position = vec4(aPosition.xy * uScale, 0., 1.); }
 )";
-constexpr std::string_view kFragment = R"(out vec4 fColor;
+constexpr std::string_view kSolidFragment = R"(out vec4 fColor;
 void main() { fColor = vec4(1); }
 )";
 
@@ -44,7 +44,7 @@ Result<DrawnMesh> drawMesh(Bench& bench, const geometry::Mesh& mesh, int side, d
     const Result<gpu::Context*> context = bench.context();
     if (!context) return context.diagnostics;
     const gpu::Capabilities& capabilities = (*context)->capabilities();
-    const Result<gpu::Program> drawing = program(capabilities, kVertex, kFragment);
+    const Result<gpu::Program> drawing = program(capabilities, kSolidVertex, kSolidFragment);
     if (!drawing) return drawing.diagnostics;
     setFloats(*drawing, "uScale", {static_cast<float>(2 * radius / side)});
     const Result<gpu::Target> target = gpu::Target::window(capabilities, side, side, gpu::TexelFormat::rgba8);

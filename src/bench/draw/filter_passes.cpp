@@ -11,7 +11,7 @@
 namespace glibra::bench {
 namespace {
 
-constexpr std::string_view kHead = R"(
+constexpr std::string_view kFilterHead = R"(
 in vec2 vPlace;
 uniform sampler2D uPicture;
 out vec4 fColor;
@@ -28,7 +28,7 @@ std::string weightTable(std::string_view name, const std::vector<double>& values
 }
 
 std::string body(std::string_view declarations, std::string_view statements) {
-    return fmt::format("{}{}void main() {{\n    ivec2 p = ivec2(gl_FragCoord.xy);\n{}}}\n", kHead,
+    return fmt::format("{}{}void main() {{\n    ivec2 p = ivec2(gl_FragCoord.xy);\n{}}}\n", kFilterHead,
                        declarations, statements);
 }
 

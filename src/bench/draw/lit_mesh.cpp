@@ -21,7 +21,7 @@ float intensity(vec3 n) {
 }
 )";
 
-constexpr std::string_view kVertex = R"(
+constexpr std::string_view kLitVertex = R"(
 layout(location = 0) in vec3 aPosition;
 layout(location = 1) in vec3 aNormal;
 uniform mat4 uToEye;
@@ -38,7 +38,7 @@ void main() {
 }
 )";
 
-constexpr std::string_view kFragment = R"(
+constexpr std::string_view kLitFragment = R"(
 in vec3 vModel;
 in vec3 vNormal;
 in float vIntensity;
@@ -63,19 +63,14 @@ std::string_view expression(LitSurface surface, LightingMethod method) {
                : "intensity(mat3(uToEye) * normalize(vModel - vec3(normalize(vModel.xy) * uRing, 0.)))";
 }
 
-void setVector(const gpu::Program& program, const char* name, const glm::dvec3& value) {
-    setFloats(program, name,
-              {static_cast<float>(value.x), static_cast<float>(value.y), static_cast<float>(value.z)});
-}
-
 }  // namespace
 
 Result<gpu::Program> lightingProgram(const gpu::Capabilities& capabilities, LitSurface surface,
                                      LightingMethod method, const glm::dvec3& light, double exponent) {
     Result<gpu::Program> built = program(
-        capabilities, fmt::format("{}{}", kModel, kVertex),
+        capabilities, fmt::format("{}{}", kModel, kLitVertex),
         fmt::format("{}{}uniform float uRing;\nvoid main() {{\n    fColor = vec4({}, 1., 0., 1.);\n}}\n",
-                    kModel, kFragment, expression(surface, method)));
+                    kModel, kLitFragment, expression(surface, method)));
     if (!built) return built;
     const glm::dmat3 turn = surface == LitSurface::sphere ? glm::dmat3(1) : torusRotation();
     std::array<float, 16> matrix{};

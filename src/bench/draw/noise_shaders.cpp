@@ -9,7 +9,7 @@
 namespace glibra::bench {
 namespace {
 
-constexpr std::string_view kHead =
+constexpr std::string_view kNoiseHead =
     "in vec2 vPlace;\n"
     "uniform vec3 uCorner, uAcross, uUp;\n"
     "uniform sampler3D uNoise;\n"
@@ -82,17 +82,12 @@ std::string textOf(NoiseShader shader) {
     return functionText();
 }
 
-void setVector(const gpu::Program& program, const char* name, const glm::dvec3& value) {
-    const glm::vec3 rounded(value);
-    setFloats(program, name, {rounded.x, rounded.y, rounded.z});
-}
-
 }  // namespace
 
 Result<NoisePicture> NoisePicture::create(const gpu::Capabilities& capabilities, NoiseShader shader,
                                           int side) {
     Result<gpu::Program> built =
-        program(capabilities, kWholeTarget, std::string(kHead) + textOf(shader) + std::string(kMain));
+        program(capabilities, kWholeTarget, std::string(kNoiseHead) + textOf(shader) + std::string(kMain));
     if (!built) return std::move(built.diagnostics);
     Result<gpu::Target> target = gpu::Target::window(capabilities, side, side, gpu::TexelFormat::rgba32f);
     if (!target) return std::move(target.diagnostics);

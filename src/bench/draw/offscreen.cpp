@@ -22,7 +22,7 @@ std::string logOf(const gpu::BuildOutcome& outcome) {
     return log + outcome.linkLog;
 }
 
-int verticesOf(GLenum captures) {
+int verticesEach(GLenum captures) {
     return captures == GL_TRIANGLES ? 3 : captures == GL_LINES ? 2 : 1;
 }
 
@@ -79,6 +79,11 @@ void setFloats(const gpu::Program& program, const char* name, std::span<const fl
 
 void setFloats(const gpu::Program& program, const char* name, std::initializer_list<float> values) {
     setFloats(program, name, std::span(values.begin(), values.size()));
+}
+
+void setVector(const gpu::Program& program, const char* name, const glm::dvec3& value) {
+    const glm::vec3 rounded(value);
+    setFloats(program, name, {rounded.x, rounded.y, rounded.z});
 }
 
 void setInt(const gpu::Program& program, const char* name, int value) {
@@ -139,7 +144,7 @@ Result<Captured> capture(const gpu::Capabilities& capabilities, const gpu::Progr
 
     Captured result;
     result.primitives = static_cast<int>(kept);
-    result.values.resize(static_cast<std::size_t>(kept) * static_cast<std::size_t>(verticesOf(captures)) *
+    result.values.resize(static_cast<std::size_t>(kept) * static_cast<std::size_t>(verticesEach(captures)) *
                          static_cast<std::size_t>(floatsPerVertex));
     buffer->bind(GL_TRANSFORM_FEEDBACK_BUFFER);
     if (!result.values.empty())

@@ -5,6 +5,7 @@
 
 #include <glibra/result.h>
 
+#include <glm/vec3.hpp>
 #include <initializer_list>
 #include <span>
 #include <string>
@@ -34,6 +35,8 @@ Result<gpu::Program> program(const gpu::Capabilities& capabilities, std::string_
 /// floats (a mat4, column by column). Names that are not active are ignored.
 void setFloats(const gpu::Program& program, const char* name, std::initializer_list<float> values);
 void setFloats(const gpu::Program& program, const char* name, std::span<const float> values);
+/// Sets a vec3 of rounded components.
+void setVector(const gpu::Program& program, const char* name, const glm::dvec3& value);
 /// Sets an int, or the texture unit of a sampler.
 void setInt(const gpu::Program& program, const char* name, int value);
 

@@ -58,7 +58,7 @@ constexpr std::string_view kStripes =
     "    float t = dot(vPlace, direction) / size;\n"
     "    return uSide * size * (t / 24. + .5 * (1. / 1.3 - 1. / 24.) * t * t);\n"
     "}\n";
-constexpr std::string_view kStep = "void main() { fColor = vec4(step(.5, fract(phase()))); }\n";
+constexpr std::string_view kHardStep = "void main() { fColor = vec4(step(.5, fract(phase()))); }\n";
 constexpr std::string_view kSmoothStep =
     "void main() {\n"
     "    float p = phase(), width = length(vec2(dFdx(p), dFdy(p)));\n"
@@ -140,7 +140,7 @@ Result<std::vector<Pattern>> patterns(const gpu::Capabilities& capabilities) {
         {{"", kStarVertex, std::string(kStarFragment)}},
         {{"", kWholeTarget, std::string(kCheckerFragment)}},
         {{"", kWholeTarget, std::string(kPlaneFragment)}},
-        {{"step", kWholeTarget, stripes(kStep)},
+        {{"step", kWholeTarget, stripes(kHardStep)},
          {"smooth step", kWholeTarget, stripes(kSmoothStep)},
          {"integral along the gradient", kWholeTarget, stripes(kAlongGradient)},
          {"integral over the pixel", kWholeTarget, stripes(kOverSquare)}},

@@ -16,7 +16,7 @@ namespace glibra::bench {
 namespace {
 
 /// Components limited to 0..1; NaN becomes 0.
-std::vector<float> limited(const image::Image& picture) {
+std::vector<float> limitedComponents(const image::Image& picture) {
     std::vector<float> values;
     if (picture.type == image::Component::u8) {
         for (const std::byte each : picture.data)
@@ -94,7 +94,7 @@ Result<image::Image> sampledPicture(gpu::Context& context, const std::filesystem
         loaded->setShift(orders.front()[i], std::move(textures));
         Result<image::Image> sample = loaded->draw(0, stats);
         if (!sample) return sample;
-        const std::vector<float> values = limited(*sample);
+        const std::vector<float> values = limitedComponents(*sample);
         sums.resize(values.size());
         for (std::size_t k = 0; k < values.size(); ++k) sums[k] += static_cast<double>(values[k]);
         picture = std::move(*sample);
@@ -108,7 +108,7 @@ Result<image::Image> sampledPicture(gpu::Context& context, const std::filesystem
 
 PictureError pictureError(const image::Image& reference, const image::Image& picture) {
     constexpr float kVisible = 8.F / 255;
-    const std::vector<float> wanted = limited(reference), got = limited(picture);
+    const std::vector<float> wanted = limitedComponents(reference), got = limitedComponents(picture);
     double sum = 0;
     std::size_t differing = 0;
     for (std::size_t pixel = 0; 3 * pixel < wanted.size(); ++pixel) {

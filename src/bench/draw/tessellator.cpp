@@ -14,7 +14,7 @@ namespace {
 constexpr int kFloatsAVertex = 7;
 
 // Patches are numbered over several draws.
-constexpr std::string_view kVertex =
+constexpr std::string_view kPatchVertex =
     "uniform float uFirst;\n"
     "out float vPatch;\n"
     "void main() { vPatch = uFirst + float(gl_VertexID); gl_Position = vec4(0.); }\n";
@@ -107,7 +107,7 @@ constexpr std::string_view kPnTriangle =
     "         + 6. * middle * u * v * w;\n"
     "}\n";
 
-constexpr std::string_view kFragment =
+constexpr std::string_view kPatchFragment =
     "in vec3 vPosition;\n"
     "out vec4 fColor;\n"
     "void main() { fColor = vec4(fract(vPosition.z)); }\n";
@@ -175,10 +175,10 @@ Result<Tessellator> Tessellator::create(const gpu::Capabilities& capabilities, E
         fmt::runtime(kEvaluation),
         fmt::format("{}, {}", isTriangle(evaluation) ? "triangles" : "quads", layoutWord(spacing)),
         surfaceOf(evaluation));
-    const std::array<gpu::StageSource, 4> stages{{{GL_VERTEX_SHADER, kVertex},
+    const std::array<gpu::StageSource, 4> stages{{{GL_VERTEX_SHADER, kPatchVertex},
                                                   {GL_TESS_CONTROL_SHADER, kControl},
                                                   {GL_TESS_EVALUATION_SHADER, text},
-                                                  {GL_FRAGMENT_SHADER, kFragment}}};
+                                                  {GL_FRAGMENT_SHADER, kPatchFragment}}};
     Result<gpu::Program> built = program(capabilities, stages, {"vPosition", "vWhere"});
     if (!built) return std::move(built.diagnostics);
     constexpr std::size_t kMostPoints = 1024;

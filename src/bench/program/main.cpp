@@ -33,7 +33,7 @@ void addMeasure(cli::CommandLine& line, MeasureArguments& to) {
     line.driver(to.options.driver);
 }
 
-int run(int argc, char** argv) {
+int runProgram(int argc, char** argv) {
     cli::Program program(
         "run time against error: curves and their Pareto fronts",
         "glibra bench --list\n"
@@ -62,7 +62,7 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
     if (!glibra::base::openStandardFiles()) return glibra::cli::kNoDriver;
     try {
-        return glibra::bench::run(argc, argv);
+        return glibra::bench::runProgram(argc, argv);
     } catch (const std::exception& failure) {
         glibra::cli::printError(failure.what());
         return glibra::cli::kSceneIsWrong;

@@ -16,7 +16,7 @@ std::optional<glm::dvec3> sphereNormal(double x, double y) {
 }
 
 /// Signed distance from the torus around the z axis.
-double distance(const glm::dvec3& p) {
+double torusDistance(const glm::dvec3& p) {
     return glm::length(glm::dvec2(glm::length(glm::dvec2(p)) - kRingRadius, p.z)) - kTubeRadius;
 }
 
@@ -29,7 +29,7 @@ std::optional<glm::dvec3> torusNormal(double x, double y) {
     glm::dvec3 p = toModel * glm::dvec3(x, y, kReach);
     double travelled = 0;
     for (int i = 0; i < kMostSteps && travelled < 2 * kReach; ++i) {
-        const double step = distance(p);
+        const double step = torusDistance(p);
         if (step < kHit) {
             const glm::dvec2 ring = glm::normalize(glm::dvec2(p)) * kRingRadius;
             return glm::transpose(toModel) * glm::normalize(p - glm::dvec3(ring, 0));

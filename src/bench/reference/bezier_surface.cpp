@@ -4,16 +4,18 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "geometry/shapes/teapot.h"
+
 namespace glibra::bench {
 namespace {
 
-using Four = std::array<glm::dvec3, 4>;
+using FourPoints = std::array<glm::dvec3, 4>;
 
 struct CurvePoint {
     glm::dvec3 position{0}, slope{0};
 };
 
-CurvePoint deCasteljau(Four p, double u) {
+CurvePoint deCasteljau(FourPoints p, double u) {
     for (std::size_t level = 3; level > 1; --level)
         for (std::size_t i = 0; i < level; ++i) p[i] = glm::mix(p[i], p[i + 1], u);
     return {glm::mix(p[0], p[1], u), 3. * (p[1] - p[0])};
@@ -22,7 +24,7 @@ CurvePoint deCasteljau(Four p, double u) {
 }  // namespace
 
 PatchPoint patchPoint(const geometry::Patch& patch, const glm::dvec2& st) {
-    Four columns, slopes;
+    FourPoints columns, slopes;
     for (std::size_t column = 0; column < 4; ++column) {
         const CurvePoint down =
             deCasteljau({patch[0][column], patch[1][column], patch[2][column], patch[3][column]}, st.y);
@@ -48,6 +50,14 @@ glm::dvec2 nearestOnPatch(const geometry::Patch& patch, const glm::dvec3& point,
         st = glm::clamp(st + step, 0., 1.);
     }
     return st;
+}
+
+TeapotPatches placedTeapotPatches() {
+    TeapotPatches patches = geometry::teapotPatches();
+    for (geometry::Patch& patch : patches)
+        for (auto& row : patch)
+            for (glm::dvec3& point : row) point = geometry::teapotPlace(point);
+    return patches;
 }
 
 }  // namespace glibra::bench

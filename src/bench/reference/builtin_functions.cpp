@@ -53,11 +53,11 @@ std::vector<ArgumentSweep> pairs() {
     return {{2, "0.5 to 2", {.5, 2, false, true}, {.5, 2, false, true}},
             {1e6, "10^-6 to 10^6", signedMagnitudes(1e-6, 1e6), signedMagnitudes(1e-6, 1e6)}};
 }
-std::vector<ArgumentSweep> plain() {
+std::vector<ArgumentSweep> plainSweeps() {
     return {{100, "|x| to 100", upTo(100)}, {1e6, "|x| from 10^-6 to 10^6", signedMagnitudes(1e-6, 1e6)}};
 }
 
-long double length(const A& x) {
+long double exactLength(const A& x) {
     return std::hypot(std::hypot(x[0], x[1]), x[2]);
 }
 
@@ -222,21 +222,21 @@ std::span<const BuiltinFunction> builtinFunctions() {
          .bound = "exact",
          .exact = [](const A& x, V& y) { y[0] = std::floor(x[0]); },
          .allowed = bounds::none,
-         .sweeps = plain()},
+         .sweeps = plainSweeps()},
         {.name = "roundEven",
          .group = "common",
          .expression = "roundEven(a.x)",
          .bound = "exact",
          .exact = [](const A& x, V& y) { y[0] = std::nearbyint(x[0]); },
          .allowed = bounds::none,
-         .sweeps = plain()},
+         .sweeps = plainSweeps()},
         {.name = "fract",
          .group = "common",
          .expression = "fract(a.x)",
          .bound = "as x - floor(x)",
          .exact = [](const A& x, V& y) { y[0] = x[0] - std::floor(x[0]); },
          .allowed = bounds::ulps<1>,
-         .sweeps = plain()},
+         .sweeps = plainSweeps()},
         {.name = "mod",
          .group = "common",
          .expression = "mod(a.x, b.x)",
@@ -281,7 +281,7 @@ std::span<const BuiltinFunction> builtinFunctions() {
          .group = "geometric",
          .expression = "length(a.xyz)",
          .bound = "as sqrt(dot(v, v))",
-         .exact = [](const A& x, V& y) { y[0] = length(x); },
+         .exact = [](const A& x, V& y) { y[0] = exactLength(x); },
          .allowed = bounds::length,
          .sweeps = {{1, "to 1", upTo(1)}, {1e15, "from 10^-15 to 10^15", signedMagnitudes(1e-15, 1e15)}}},
         {.name = "distance",
@@ -299,7 +299,7 @@ std::span<const BuiltinFunction> builtinFunctions() {
          .bound = "as v / length(v)",
          .exact =
              [](const A& x, V& y) {
-                 for (std::size_t i = 0; i < 3; ++i) y[i] = x[i] / length(x);
+                 for (std::size_t i = 0; i < 3; ++i) y[i] = x[i] / exactLength(x);
              },
          .allowed = bounds::normalized,
          .sweeps = {{1, "to 1", upTo(1)}, {1e15, "from 10^-15 to 10^15", signedMagnitudes(1e-15, 1e15)}}},

@@ -35,7 +35,7 @@ double area(const Polygon& polygon) {
     return std::abs(twice) / 2;
 }
 
-int limited(double value, int most) {
+int limitedPixel(double value, int most) {
     return static_cast<int>(std::clamp(value, 0., static_cast<double>(most)));
 }
 
@@ -47,9 +47,9 @@ std::vector<double> coverage(std::span<const FlatTriangle> triangles, int width,
         const auto [left, right] = std::minmax({triangle[0].x, triangle[1].x, triangle[2].x});
         const auto [top, bottom] = std::minmax({triangle[0].y, triangle[1].y, triangle[2].y});
         const Polygon whole(triangle.begin(), triangle.end());
-        for (int y = limited(top, height); y < limited(std::ceil(bottom), height); ++y) {
+        for (int y = limitedPixel(top, height); y < limitedPixel(std::ceil(bottom), height); ++y) {
             const Polygon row = cut(cut(whole, 1, y, false), 1, y + 1, true);
-            for (int x = limited(left, width); x < limited(std::ceil(right), width); ++x)
+            for (int x = limitedPixel(left, width); x < limitedPixel(std::ceil(right), width); ++x)
                 shares[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
                        static_cast<std::size_t>(x)] += area(cut(cut(row, 0, x, false), 0, x + 1, true));
         }

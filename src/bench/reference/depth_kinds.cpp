@@ -25,7 +25,6 @@ constexpr std::array kKinds{
               .isZeroToOne = true},
 };
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr int kMantissa = 24;  // bits of the floats that coordinates are kept in
 
 /// The spacing at `value` of floats with `bits` bits of mantissa.

@@ -3,6 +3,7 @@
 
 #include <glad/gl.h>
 
+#include <limits>
 #include <span>
 #include <string_view>
 
@@ -20,6 +21,9 @@ struct DepthKind {
 
 /// 16 bit, 24 bit, 32 bit float, and reversed 32 bit float with either range.
 std::span<const DepthKind> depthKinds();
+
+/// Stands for a gap that does not exist.
+inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// The gap beyond distance z (eye space, near <= z <= far) that one step of the depth buffer stands for, in
 /// the unit of z; NaN if it would reach beyond the far plane. With k = step (f - n) / (f n) it is k z^2 / (1

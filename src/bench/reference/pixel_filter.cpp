@@ -119,4 +119,11 @@ std::vector<double> reduce(std::span<const float> samples, int width, int height
     return pixels;
 }
 
+double errorInBytes(const std::vector<double>& picture, const std::vector<double>& reference) {
+    double sum = 0;
+    for (std::size_t i = 0; i < picture.size(); ++i)
+        sum += (picture[i] - reference[i]) * (picture[i] - reference[i]);
+    return 255 * std::sqrt(sum / static_cast<double>(picture.size()));
+}
+
 }  // namespace glibra::bench

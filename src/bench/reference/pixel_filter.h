@@ -27,4 +27,7 @@ double weightOf(PixelFilter filter, double x);
 std::vector<double> reduce(std::span<const float> samples, int width, int height, int factor,
                            PixelFilter filter);
 
+/// The root mean square of the differences of two pictures of equal size, whose white is 1, in 255ths.
+double errorInBytes(const std::vector<double>& picture, const std::vector<double>& reference);
+
 }  // namespace glibra::bench

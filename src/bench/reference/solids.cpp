@@ -16,7 +16,7 @@
 namespace glibra::bench {
 namespace {
 
-constexpr double kTube = .4, kHeight = 2;
+constexpr double kTube = .4, kSolidHeight = 2;
 constexpr double kApex = 1e-6;  ///< nearer to its axis, a cone has no normal
 constexpr double kPi = std::numbers::pi;
 
@@ -38,17 +38,17 @@ bool isCap(const glm::dvec3& face) {
 }
 
 Foot footOnCylinder(const glm::dvec3& p, const glm::dvec3& face) {
-    if (isCap(face)) return {std::abs(p.y - (face.y > 0 ? kHeight : 0)), {0, face.y > 0 ? 1 : -1, 0}};
+    if (isCap(face)) return {std::abs(p.y - (face.y > 0 ? kSolidHeight : 0)), {0, face.y > 0 ? 1 : -1, 0}};
     const double around = std::hypot(p.x, p.z);
     return {std::abs(around - 1), {p.x / around, 0, p.z / around}};
 }
 
 Foot footOnCone(const glm::dvec3& p, const glm::dvec3& face) {
     if (isCap(face)) return {std::abs(p.y), {0, -1, 0}};
-    const double around = std::hypot(p.x, p.z), slant = std::hypot(1., kHeight);
+    const double around = std::hypot(p.x, p.z), slant = std::hypot(1., kSolidHeight);
     const double cosine = around > 0 ? p.x / around : 1, sine = around > 0 ? p.z / around : 0;
-    return {std::abs(around * kHeight + p.y - kHeight) / slant,
-            glm::dvec3(kHeight * cosine, 1, kHeight * sine) / slant, around > kApex};
+    return {std::abs(around * kSolidHeight + p.y - kSolidHeight) / slant,
+            glm::dvec3(kSolidHeight * cosine, 1, kSolidHeight * sine) / slant, around > kApex};
 }
 
 constexpr Solid kSolids[] = {
@@ -57,11 +57,12 @@ constexpr Solid kSolids[] = {
     {"torus", [](int n) { return geometry::torus(kSolidRadius, kTube * kSolidRadius, n / 2, n); },
      footOnTorus, 2 * kPi* kPi* kTube* kTube,
      [](const glm::dvec3& d) { return std::hypot(d.x, d.y) + kTube; }},
-    {"cylinder", [](int n) { return geometry::cylinder(kSolidRadius, kHeight * kSolidRadius, n, 1); },
-     footOnCylinder, kPi* kHeight,
-     [](const glm::dvec3& d) { return std::hypot(d.x, d.z) + std::max(0., kHeight * d.y); }},
-    {"cone", [](int n) { return geometry::cone(kSolidRadius, kHeight * kSolidRadius, n, 1); }, footOnCone,
-     kPi* kHeight / 3, [](const glm::dvec3& d) { return std::max(std::hypot(d.x, d.z), kHeight * d.y); }},
+    {"cylinder", [](int n) { return geometry::cylinder(kSolidRadius, kSolidHeight * kSolidRadius, n, 1); },
+     footOnCylinder, kPi* kSolidHeight,
+     [](const glm::dvec3& d) { return std::hypot(d.x, d.z) + std::max(0., kSolidHeight * d.y); }},
+    {"cone", [](int n) { return geometry::cone(kSolidRadius, kSolidHeight * kSolidRadius, n, 1); },
+     footOnCone, kPi* kSolidHeight / 3,
+     [](const glm::dvec3& d) { return std::max(std::hypot(d.x, d.z), kSolidHeight * d.y); }},
 };
 
 }  // namespace

@@ -47,6 +47,8 @@ MeshError meshError(const geometry::Mesh& mesh, Foot (*foot)(const glm::dvec3&, 
 /// The same for a mesh of the unit sphere scaled by kSolidRadius.
 MeshError sphereError(const geometry::Mesh& mesh);
 
+inline constexpr double kOutlineRadius = 512;  ///< pixels of a radius where outlines are compared
+
 /// The largest distance between the outlines of mesh and solid in three views without perspective: the
 /// largest difference of the extents of their convex hulls in 360 directions per view.
 double outlineError(const geometry::Mesh& mesh, const std::function<double(const glm::dvec3&)>& extent);

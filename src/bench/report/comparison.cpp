@@ -22,7 +22,7 @@ struct PlacedPoint {
 
 using Points = std::vector<std::pair<Key, PlacedPoint>>;
 
-Points pointsOf(const Report& report, const Report& other) {
+Points sharedPoints(const Report& report, const Report& other) {
     Points points;
     for (const SubjectRun& subject : report.subjects) {
         if (std::ranges::none_of(other.subjects,
@@ -64,7 +64,7 @@ PointChange changeOf(const Key& key, const PlacedPoint& before, const PlacedPoin
     return change;
 }
 
-std::string nameOf(const Key& key) {
+std::string keyText(const Key& key) {
     return fmt::format("{}/{}/{} {}", key[0], key[1], key[2], key[3]);
 }
 
@@ -72,7 +72,7 @@ std::string withUnit(double error, const std::string& unit) {
     return unit.empty() || std::isnan(error) ? numberText(error) : numberText(error) + " " + unit;
 }
 
-std::string line(const PointChange& change, std::string_view word, const std::string& what) {
+std::string changeLine(const PointChange& change, std::string_view word, const std::string& what) {
     return fmt::format("{:<7} {}/{}, {}, {}: {}\n", word, change.subject, change.figure, change.curve,
                        change.label, what);
 }
@@ -84,13 +84,13 @@ RunComparison compare(const Report& earlier, const Report& now, const Comparison
     const Machine &then = earlier.machine, &machine = now.machine;
     comparison.sameMachine = then.processor == machine.processor && then.cores == machine.cores &&
                              then.renderer == machine.renderer && then.version == machine.version;
-    const Points before = pointsOf(earlier, now), after = pointsOf(now, earlier);
+    const Points before = sharedPoints(earlier, now), after = sharedPoints(now, earlier);
     std::map<Key, PlacedPoint> known(before.begin(), before.end());
     std::vector<std::string> added;
     for (const auto& [key, point] : after) {
         const auto found = known.find(key);
         if (found == known.end()) {
-            added.push_back(nameOf(key));
+            added.push_back(keyText(key));
             continue;
         }
         comparison.points.push_back(changeOf(key, found->second, point, options));
@@ -98,7 +98,7 @@ RunComparison compare(const Report& earlier, const Report& now, const Comparison
     }
     if (earlier.quick != now.quick) return comparison;
     for (const auto& [key, point] : before)
-        if (known.contains(key)) comparison.missing.push_back(nameOf(key));
+        if (known.contains(key)) comparison.missing.push_back(keyText(key));
     comparison.missing.insert(comparison.missing.end(), added.begin(), added.end());
     return comparison;
 }
@@ -115,18 +115,18 @@ std::string comparisonText(const RunComparison& comparison) {
     for (const PointChange& each : comparison.points) {
         if (each.errorIsWorse || each.errorIsBetter) {
             ++(each.errorIsWorse ? worse : better);
-            errorLines += line(each, each.errorIsWorse ? "worse" : "better",
-                               fmt::format("error {} -> {}", withUnit(each.errorBefore, each.errorUnit),
-                                           withUnit(each.errorNow, each.errorUnit)));
+            errorLines += changeLine(each, each.errorIsWorse ? "worse" : "better",
+                                     fmt::format("error {} -> {}", withUnit(each.errorBefore, each.errorUnit),
+                                                 withUnit(each.errorNow, each.errorUnit)));
         }
         if (each.timeRatio) ratios.push_back(*each.timeRatio);
         if (each.timeIsWorse || each.timeIsBetter) {
             ++(each.timeIsWorse ? slower : faster);
-            timeLines += line(each,
-                              each.timeFails     ? "worse"
-                              : each.timeIsWorse ? "slower"
-                                                 : "faster",
-                              fmt::format("{:.2f} times as long", *each.timeRatio));
+            timeLines += changeLine(each,
+                                    each.timeFails     ? "worse"
+                                    : each.timeIsWorse ? "slower"
+                                                       : "faster",
+                                    fmt::format("{:.2f} times as long", *each.timeRatio));
         }
     }
     std::string text = errorLines + timeLines;

@@ -12,14 +12,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kFormat = "glibra-bench-1";
+constexpr const char* kReportFormat = "glibra-bench-1";
 
 Json written(double value) {
     if (std::isfinite(value)) return value;
     return std::isnan(value) ? Json(nullptr) : Json("inf");
 }
 
-const char* word(Alternatives alternatives) {
+const char* alternativesWord(Alternatives alternatives) {
     switch (alternatives) {
         case Alternatives::curve:
             return "curve";
@@ -72,7 +72,7 @@ Json written(const Figure& figure) {
             {"errorUnit", figure.errorUnit},
             {"reference", figure.reference},
             {"findings", figure.findings},
-            {"alternatives", word(figure.alternatives)},
+            {"alternatives", alternativesWord(figure.alternatives)},
             {"curves", writtenList(figure.curves)}};
 }
 
@@ -96,61 +96,61 @@ Json written(const Machine& machine) {
 
 // Reading. nlohmann's exceptions, which name the member, report wrong types.
 
-double numberOf(const Json& json) {
+double readNumber(const Json& json) {
     if (json.is_null()) return std::numeric_limits<double>::quiet_NaN();
     if (json == "inf") return std::numeric_limits<double>::infinity();
     return json.get<double>();
 }
 
 template <class Value>
-void read(const Json& json, const char* key, Value& to) {
+void readMember(const Json& json, const char* key, Value& to) {
     if (const auto member = json.find(key); member != json.end()) member->get_to(to);
 }
 
-Point pointOf(const Json& json) {
+Point readPoint(const Json& json) {
     Point point;
-    point.setting = numberOf(json.at("setting"));
+    point.setting = readNumber(json.at("setting"));
     json.at("label").get_to(point.label);
-    point.error = numberOf(json.at("error"));
+    point.error = readNumber(json.at("error"));
     if (const auto time = json.find("time"); time != json.end()) {
         point.time.emplace();
         time->at("median").get_to(point.time->median);
         time->at("low").get_to(point.time->low);
         time->at("high").get_to(point.time->high);
-        read(*time, "repeats", point.time->repeats);
+        readMember(*time, "repeats", point.time->repeats);
     }
     if (const auto memory = json.find("memory"); memory != json.end()) point.memory = memory->get<double>();
-    read(json, "front", point.isOnFront);
+    readMember(json, "front", point.isOnFront);
     return point;
 }
 
-Curve curveOf(const Json& json) {
+Curve readCurve(const Json& json) {
     Curve curve;
     json.at("name").get_to(curve.name);
-    for (const Json& each : json.at("points")) curve.points.push_back(pointOf(each));
+    for (const Json& each : json.at("points")) curve.points.push_back(readPoint(each));
     if (const auto of = json.find("theoryOf"); of != json.end()) curve.theoryOf = of->get<std::size_t>();
     return curve;
 }
 
-Figure figureOf(const Json& json) {
+Figure readFigure(const Json& json) {
     Figure figure;
     json.at("name").get_to(figure.name);
-    read(json, "title", figure.title);
-    read(json, "settingName", figure.settingName);
-    read(json, "errorName", figure.errorName);
-    read(json, "errorUnit", figure.errorUnit);
-    read(json, "reference", figure.reference);
-    read(json, "findings", figure.findings);
+    readMember(json, "title", figure.title);
+    readMember(json, "settingName", figure.settingName);
+    readMember(json, "errorName", figure.errorName);
+    readMember(json, "errorUnit", figure.errorUnit);
+    readMember(json, "reference", figure.reference);
+    readMember(json, "findings", figure.findings);
     if (const auto kind = json.find("alternatives"); kind != json.end())
         figure.alternatives = *kind == "curve"     ? Alternatives::curve
                               : *kind == "setting" ? Alternatives::setting
                               : *kind == "none"    ? Alternatives::none
                                                    : Alternatives::figure;
-    for (const Json& each : json.at("curves")) figure.curves.push_back(curveOf(each));
+    for (const Json& each : json.at("curves")) figure.curves.push_back(readCurve(each));
     return figure;
 }
 
-Diagnostic diagnosticOf(const Json& json) {
+Diagnostic readDiagnostic(const Json& json) {
     const auto severity = json.at("severity").get<std::string>();
     return {severity == "error"     ? Severity::error
             : severity == "warning" ? Severity::warning
@@ -160,37 +160,37 @@ Diagnostic diagnosticOf(const Json& json) {
             {}};
 }
 
-SubjectRun subjectOf(const Json& json) {
+SubjectRun readSubject(const Json& json) {
     SubjectRun subject;
     json.at("name").get_to(subject.name);
-    read(json, "title", subject.title);
-    read(json, "seconds", subject.seconds);
-    for (const Json& each : json.at("figures")) subject.figures.push_back(figureOf(each));
+    readMember(json, "title", subject.title);
+    readMember(json, "seconds", subject.seconds);
+    for (const Json& each : json.at("figures")) subject.figures.push_back(readFigure(each));
     if (const auto found = json.find("diagnostics"); found != json.end())
-        for (const Json& each : *found) subject.diagnostics.push_back(diagnosticOf(each));
+        for (const Json& each : *found) subject.diagnostics.push_back(readDiagnostic(each));
     return subject;
 }
 
-Machine machineOf(const Json& json) {
+Machine readMachine(const Json& json) {
     Machine machine;
-    read(json, "processor", machine.processor);
-    read(json, "cores", machine.cores);
-    read(json, "memory", machine.memory);
-    read(json, "system", machine.system);
-    read(json, "compiler", machine.compiler);
-    read(json, "driver", machine.driver);
-    read(json, "renderer", machine.renderer);
-    read(json, "version", machine.version);
+    readMember(json, "processor", machine.processor);
+    readMember(json, "cores", machine.cores);
+    readMember(json, "memory", machine.memory);
+    readMember(json, "system", machine.system);
+    readMember(json, "compiler", machine.compiler);
+    readMember(json, "driver", machine.driver);
+    readMember(json, "renderer", machine.renderer);
+    readMember(json, "version", machine.version);
     return machine;
 }
 
-Report reportOf(const Json& json) {
+Report readReport(const Json& json) {
     Report report;
-    read(json, "glibra", report.glibra);
-    read(json, "date", report.date);
-    read(json, "quick", report.quick);
-    report.machine = machineOf(json.at("machine"));
-    for (const Json& each : json.at("subjects")) report.subjects.push_back(subjectOf(each));
+    readMember(json, "glibra", report.glibra);
+    readMember(json, "date", report.date);
+    readMember(json, "quick", report.quick);
+    report.machine = readMachine(json.at("machine"));
+    for (const Json& each : json.at("subjects")) report.subjects.push_back(readSubject(each));
     return report;
 }
 
@@ -211,7 +211,7 @@ std::string plainText(const Json::exception& problem) {
 }  // namespace
 
 std::string jsonReport(const Report& report) {
-    const Json json = {{"format", kFormat},
+    const Json json = {{"format", kReportFormat},
                        {"glibra", report.glibra},
                        {"date", report.date},
                        {"quick", report.quick},
@@ -223,10 +223,10 @@ std::string jsonReport(const Report& report) {
 Result<Report> readJsonReport(std::string_view text, const std::string& file) {
     try {
         const Json json = Json::parse(text);
-        if (!json.is_object() || json.value("format", "") != kFormat)
+        if (!json.is_object() || json.value("format", "") != kReportFormat)
             return diagnose("bench-E02", "this is not a run of glibra bench; --against takes its bench.json",
                             {file, 1, 1});
-        return reportOf(json);
+        return readReport(json);
     } catch (const Json::parse_error& problem) {
         return diagnose("bench-E02", "not valid JSON: " + plainText(problem),
                         placeOfByte(text, problem.byte, file));

@@ -14,7 +14,7 @@ namespace glibra::bench {
 namespace {
 
 // In units of the SVG's coordinates.
-constexpr double kWidth = 560, kHeight = 380;
+constexpr double kPlotWidth = 560, kPlotHeight = 380;
 constexpr double kLeft = 52, kRight = 14, kTop = 28, kBottom = 54;
 constexpr double kSign = 4.2;  ///< half the size of a point's symbol
 constexpr std::size_t kStyles = 9;
@@ -65,8 +65,8 @@ std::string tip(const Figure& figure, const Curve& curve, const Point& point) {
     return escapeHtml(text);
 }
 
-std::string grid(const LogAxis& across, const LogAxis& up, bool hasZero) {
-    const double right = kWidth - kRight, floor = kHeight - kBottom;
+std::string gridLines(const LogAxis& across, const LogAxis& up, bool hasZero) {
+    const double right = kPlotWidth - kRight, floor = kPlotHeight - kBottom;
     std::string svg = "<g class=\"grid\">";
     std::string labels = "<g class=\"ticks\">";
     for (const Tick& tick : across.ticks()) {
@@ -98,7 +98,7 @@ std::string axisNames(const Figure& figure, Abscissa abscissa) {
     return fmt::format(
         "<g class=\"names\"><text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>"
         "<text x=\"{}\" y=\"{}\">{}</text></g>",
-        kLeft + (kWidth - kRight - kLeft) / 2, kHeight - 12, escapeHtml(across), kLeft, kTop - 10,
+        kLeft + (kPlotWidth - kRight - kLeft) / 2, kPlotHeight - 12, escapeHtml(across), kLeft, kTop - 10,
         escapeHtml(up));
 }
 
@@ -159,7 +159,7 @@ std::string plot(const Figure& figure, Abscissa abscissa) {
         }
     if (costs.empty()) return {};
     const LogAxis across(costs, 8), up(errors, 9);
-    const double right = kWidth - kRight, floor = kHeight - kBottom;
+    const double right = kPlotWidth - kRight, floor = kPlotHeight - kBottom;
     const auto placeX = [&](double cost) { return kLeft + across.place(cost) * (right - kLeft); };
 
     const bool hasFront = isTimed(figure) == (abscissa == Abscissa::time);
@@ -184,10 +184,10 @@ std::string plot(const Figure& figure, Abscissa abscissa) {
     }
     if (hasFront && figure.alternatives == Alternatives::figure) fronts = frontLine(std::move(all));
     return fmt::format("<svg class=\"plot\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{} against {}\">",
-                       kWidth, kHeight, escapeHtml(figure.errorName),
+                       kPlotWidth, kPlotHeight, escapeHtml(figure.errorName),
                        abscissa == Abscissa::time ? "time" : escapeHtml(figure.settingName)) +
-           grid(across, up, std::ranges::find(errors, 0.) != errors.end()) + axisNames(figure, abscissa) +
-           fronts + curves + "</svg>";
+           gridLines(across, up, std::ranges::find(errors, 0.) != errors.end()) +
+           axisNames(figure, abscissa) + fronts + curves + "</svg>";
 }
 
 std::string legendSign(const Figure& figure, std::size_t index) {

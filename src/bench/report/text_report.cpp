@@ -16,7 +16,7 @@ std::string describe(const Point& point, const std::string& unit) {
     return text;
 }
 
-std::string line(const Curve& curve, const Figure& figure, std::size_t width) {
+std::string curveLine(const Curve& curve, const Figure& figure, std::size_t width) {
     if (curve.points.empty()) return fmt::format("    {}\n", curve.name);
     const auto front = std::ranges::count_if(curve.points, &Point::isOnFront);
     std::string ends = describe(curve.points.front(), figure.errorUnit);
@@ -34,7 +34,7 @@ std::string textReport(const SubjectRun& subject) {
                             figure.settingName);
         std::size_t width = 0;
         for (const Curve& curve : figure.curves) width = std::max(width, curve.name.size());
-        for (const Curve& curve : figure.curves) text += line(curve, figure, width);
+        for (const Curve& curve : figure.curves) text += curveLine(curve, figure, width);
         for (const std::string& finding : figure.findings) text += fmt::format("    - {}\n", finding);
     }
     return text;

@@ -15,20 +15,13 @@
 namespace glibra::bench {
 namespace {
 
-constexpr int kReferenceFactor = 32;
+constexpr int kPatternFactor = 32;
 constexpr std::array kFactors{1, 2, 3, 4, 6, 8};
 constexpr std::array kSamples{1, 2, 4, 8, 16};
-constexpr auto kFormat = gpu::TexelFormat::r32f;
+constexpr auto kSampleFormat = gpu::TexelFormat::r32f;
 
 /// One grey value per sample, rows from the top.
 using Samples = std::vector<float>;
-
-double rootMeanSquare(const std::vector<double>& picture, const std::vector<double>& reference) {
-    double sum = 0;
-    for (std::size_t i = 0; i < picture.size(); ++i)
-        sum += (picture[i] - reference[i]) * (picture[i] - reference[i]);
-    return 255 * std::sqrt(sum / static_cast<double>(picture.size()));
-}
 
 /// Draws one pattern at any density; there is one target per density.
 class PatternPicture {
@@ -40,7 +33,7 @@ class PatternPicture {
 
     /// The target of factor x factor pixels per final pixel with that many samples each.
     Result<gpu::Target> target(int factor, int samples) const {
-        return gpu::Target::window(*capabilities_, side_ * factor, side_ * factor, kFormat, samples);
+        return gpu::Target::window(*capabilities_, side_ * factor, side_ * factor, kSampleFormat, samples);
     }
     Result<Samples> draw(const gpu::Target& target, const PatternProgram& program) const {
         target.bind();
@@ -64,8 +57,8 @@ struct Setup {
     const References& references;
 };
 
-Result<Point> measure(const Setup& setup, const PatternProgram& program, int factor, int samples,
-                      PixelFilter filter) {
+Result<Point> measureSamples(const Setup& setup, const PatternProgram& program, int factor, int samples,
+                             PixelFilter filter) {
     const int side = setup.picture.side();
     Result<gpu::Target> target = setup.picture.target(factor, samples);
     if (!target) return std::move(target.diagnostics);
@@ -83,9 +76,9 @@ Result<Point> measure(const Setup& setup, const PatternProgram& program, int fac
     Point point{
         .setting = static_cast<double>(perPixel),
         .label = samples > 1 ? fmt::format("MSAA {}", target->samples()) : fmt::format("{0} x {0}", factor),
-        .error = rootMeanSquare(reduced, setup.references.at(filter))};
+        .error = errorInBytes(reduced, setup.references.at(filter))};
     point.time = timing;
-    point.memory = static_cast<double>(gpu::bytesPerTexel(kFormat)) * perPixel * side * side;
+    point.memory = static_cast<double>(gpu::bytesPerTexel(kSampleFormat)) * perPixel * side * side;
     return point;
 }
 
@@ -95,7 +88,7 @@ Result<Curve> supersampled(const Setup& setup, const PatternProgram& program, Pi
     Curve curve{.name = std::move(curveName)};
     for (const int factor : kFactors) {
         if (setup.bench.isQuick() && factor != 1 && factor != 2 && factor != 4) continue;
-        Result<Point> point = measure(setup, program, factor, 1, filter);
+        Result<Point> point = measureSamples(setup, program, factor, 1, filter);
         if (!point) return std::move(point.diagnostics);
         curve.points.push_back(std::move(*point));
     }
@@ -106,7 +99,7 @@ Result<Curve> multisampled(const Setup& setup, const PatternProgram& program, in
     Curve curve{.name = "multisampling (MSAA), box"};
     for (const int samples : kSamples) {
         if (samples > mostSamples) break;
-        Result<Point> point = measure(setup, program, 1, samples, PixelFilter::box);
+        Result<Point> point = measureSamples(setup, program, 1, samples, PixelFilter::box);
         if (!point) return std::move(point.diagnostics);
         // A driver may have more samples than requested, but not this number.
         if (curve.points.empty() || curve.points.back().setting < point->setting)
@@ -115,7 +108,7 @@ Result<Curve> multisampled(const Setup& setup, const PatternProgram& program, in
     return curve;
 }
 
-const Point* pointOf(const Figure& figure, std::string_view curve, double setting) {
+const Point* pointAt(const Figure& figure, std::string_view curve, double setting) {
     for (const Curve& each : figure.curves)
         if (each.name == curve)
             for (const Point& point : each.points)
@@ -132,7 +125,7 @@ void compareMultisampling(Figure& figure) {
                     100 * most.error / one.error, most.time->median / one.time->median));
     for (const Curve& each : figure.curves) {
         if (&each == &curve) continue;
-        const Point* same = pointOf(figure, each.name, most.setting);
+        const Point* same = pointAt(figure, each.name, most.setting);
         if (!same || !each.name.ends_with("box")) continue;
         figure.findings.push_back(fmt::format(
             "{} has {:.2f} times the error of {} ({}) in {:.2f} times its time", most.label,
@@ -144,7 +137,7 @@ void compareMultisampling(Figure& figure) {
 void compareWays(Figure& figure, const Pattern& pattern) {
     for (const PatternProgram& way : pattern.programs) {
         if (&way == &pattern.programs.front()) continue;
-        const Point* one = pointOf(figure, fmt::format("{}, supersampling, box", way.name), 1);
+        const Point* one = pointAt(figure, fmt::format("{}, supersampling, box", way.name), 1);
         const Curve* steps = nullptr;
         for (const Curve& each : figure.curves)
             if (each.name == fmt::format("{}, supersampling, box", pattern.programs.front().name))
@@ -174,18 +167,17 @@ Result<Figure> measurePattern(const Bench& bench, const gpu::Capabilities& capab
                                      "same filter over 32 x 32 samples"
                                    : "the same filter over 32 x 32 samples of the pattern itself"};
     const PatternPicture picture(capabilities, pattern, side);
-    Result<gpu::Target> dense = picture.target(kReferenceFactor, 1);
+    Result<gpu::Target> dense = picture.target(kPatternFactor, 1);
     if (!dense) return std::move(dense.diagnostics);
     Result<Samples> many = picture.draw(*dense, pattern.programs.front());
     if (!many) return std::move(many.diagnostics);
     References references;
     for (const PixelFilter filter : kPixelFilters)
-        references[filter] = reduce(*many, side, side, kReferenceFactor, filter);
+        references[filter] = reduce(*many, side, side, kPatternFactor, filter);
     if (pattern.exact) {
         std::vector<double> exact = pattern.exact(side);
-        figure.findings.push_back(
-            fmt::format("32 x 32 samples are within {} / 255 of the exact integral",
-                        numberText(rootMeanSquare(references[PixelFilter::box], exact))));
+        figure.findings.push_back(fmt::format("32 x 32 samples are within {} / 255 of the exact integral",
+                                              numberText(errorInBytes(references[PixelFilter::box], exact))));
         references[PixelFilter::box] = std::move(exact);
     }
 

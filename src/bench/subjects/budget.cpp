@@ -19,10 +19,10 @@ constexpr double kBound = .25;  ///< pixels
 constexpr int kEnlarged = 4;
 constexpr int kMostDisplacement = 12;  ///< enlarged pixels
 /// Counts grow with the square root: the reference is four times as fine.
-constexpr double kReference = kBound / 16;
+constexpr double kReferenceBound = kBound / 16;
 
 /// One scene with one setting.
-struct Measured {
+struct MeasuredSetting {
     double off = 0;           ///< pixels
     bool isReported = false;  ///< the program reports that it does not keep the bound
     Timing time;
@@ -30,7 +30,7 @@ struct Measured {
 };
 struct SceneRow {
     std::string name;
-    Measured byDefault{}, chosen{}, allChosen{}, fine{};
+    MeasuredSetting byDefault{}, chosen{}, allChosen{}, fine{};
 };
 
 /// draw-W07: the bound cannot be kept; draw-N03: it is not kept, because the scene states its numbers.
@@ -53,7 +53,7 @@ class Measuring {
         height_ = first->height;
         RenderOptions chosen = plain, allChosen = plain, fine = plain;
         chosen.maxError = allChosen.maxError = kBound;
-        fine.maxError = kReference;
+        fine.maxError = kReferenceBound;
         allChosen.overrideCounts = fine.overrideCounts = true;
 
         Result<image::Image> reference = scenePicture(context_, scene_.path, enlarged(fine));
@@ -91,7 +91,7 @@ class Measuring {
     int width_ = 0, height_ = 0;
 };
 
-Curve curveOf(const std::vector<SceneRow>& rows, std::string name, Measured SceneRow::*which) {
+Curve sceneCurve(const std::vector<SceneRow>& rows, std::string name, MeasuredSetting SceneRow::*which) {
     Curve curve{.name = std::move(name), .points = {}};
     for (std::size_t i = 0; i < rows.size(); ++i)
         curve.points.push_back({.setting = static_cast<double>(i + 1),
@@ -102,7 +102,7 @@ Curve curveOf(const std::vector<SceneRow>& rows, std::string name, Measured Scen
     return curve;
 }
 
-double total(const std::vector<SceneRow>& rows, Measured SceneRow::*which) {
+double total(const std::vector<SceneRow>& rows, MeasuredSetting SceneRow::*which) {
     double sum = 0;
     for (const SceneRow& each : rows) sum += (each.*which).time.median;
     return sum;
@@ -110,8 +110,8 @@ double total(const std::vector<SceneRow>& rows, Measured SceneRow::*which) {
 
 /// How many scenes keep the bound, which one is worst, and the total time; and which scenes break the bound
 /// without a report by the program.
-std::string finding(const std::vector<SceneRow>& rows, std::string_view name, Measured SceneRow::*which,
-                    bool isBounded) {
+std::string finding(const std::vector<SceneRow>& rows, std::string_view name,
+                    MeasuredSetting SceneRow::*which, bool isBounded) {
     const auto worst =
         std::ranges::max_element(rows, {}, [&](const SceneRow& each) { return (each.*which).off; });
     const auto kept =
@@ -159,10 +159,10 @@ Result<std::vector<Figure>> measureBudget(Bench& bench) {
                   .reference =
                       "pictures four times as large with meshes and noise four times as fine: the radius "
                       "within which all but 1 of 1000 pixels find their value",
-                  .curves = {curveOf(rows, "default", &SceneRow::byDefault),
-                             curveOf(rows, "--max-error", &SceneRow::chosen),
-                             curveOf(rows, "--max-error --override-counts", &SceneRow::allChosen),
-                             curveOf(rows, "four times as fine", &SceneRow::fine)},
+                  .curves = {sceneCurve(rows, "default", &SceneRow::byDefault),
+                             sceneCurve(rows, "--max-error", &SceneRow::chosen),
+                             sceneCurve(rows, "--max-error --override-counts", &SceneRow::allChosen),
+                             sceneCurve(rows, "four times as fine", &SceneRow::fine)},
                   .findings = {finding(rows, "default", &SceneRow::byDefault, false),
                                finding(rows, "--max-error", &SceneRow::chosen, true),
                                finding(rows, "--max-error --override-counts", &SceneRow::allChosen, true),

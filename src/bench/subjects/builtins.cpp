@@ -22,7 +22,7 @@ constexpr std::array<Group, 6> kGroups{{{"trigonometric", "sin, cos, tan"},
                                         {"geometric", "dot, length, normalize, matrix times vector"}}};
 
 /// The result of one function over one sweep, for the findings.
-struct Measured {
+struct MeasuredSweep {
     const BuiltinFunction* function;
     const ArgumentSweep* sweep;
     PrecisionStage stage;
@@ -30,15 +30,15 @@ struct Measured {
 };
 
 /// True for the vertex stage if the fragment stage gave the same.
-bool isRepeated(const Measured& each, const std::vector<Measured>& all) {
-    return each.stage == PrecisionStage::vertex && std::ranges::any_of(all, [&](const Measured& other) {
+bool isRepeated(const MeasuredSweep& each, const std::vector<MeasuredSweep>& all) {
+    return each.stage == PrecisionStage::vertex && std::ranges::any_of(all, [&](const MeasuredSweep& other) {
                return other.stage == PrecisionStage::fragment && other.sweep == each.sweep &&
                       other.precision.largest == each.precision.largest &&
                       other.precision.mean == each.precision.mean;
            });
 }
 
-std::string found(const Measured& each) {
+std::string found(const MeasuredSweep& each) {
     const std::string where = fmt::format("{} over {}{}", each.function->name, each.sweep->words,
                                           each.stage == PrecisionStage::vertex ? " in the vertex stage" : "");
     if (each.precision.notNumbers > 0)
@@ -53,10 +53,10 @@ std::string found(const Measured& each) {
 }
 
 /// For a function whose precision GLSL leaves undefined: the sweeps where it is best and worst.
-std::string spread(const BuiltinFunction& function, const std::vector<Measured>& all) {
-    const Measured* best = nullptr;
-    const Measured* worst = nullptr;
-    for (const Measured& each : all) {
+std::string bestAndWorst(const BuiltinFunction& function, const std::vector<MeasuredSweep>& all) {
+    const MeasuredSweep* best = nullptr;
+    const MeasuredSweep* worst = nullptr;
+    for (const MeasuredSweep& each : all) {
         if (each.function != &function || each.stage != PrecisionStage::fragment) continue;
         if (!best || each.precision.largest < best->precision.largest) best = &each;
         if (!worst || each.precision.largest > worst->precision.largest) worst = &each;
@@ -67,11 +67,11 @@ std::string spread(const BuiltinFunction& function, const std::vector<Measured>&
                        worst->sweep->words);
 }
 
-std::vector<std::string> findings(const std::vector<Measured>& all) {
+std::vector<std::string> findings(const std::vector<MeasuredSweep>& all) {
     std::vector<std::string> sentences;
-    const Measured* worst = nullptr;
+    const MeasuredSweep* worst = nullptr;
     std::size_t bounded = 0, kept = 0;
-    for (const Measured& each : all) {
+    for (const MeasuredSweep& each : all) {
         if (isRepeated(each, all)) continue;
         if (!worst || each.precision.largest > worst->precision.largest) worst = &each;
         if (each.precision.timesTheBound) {
@@ -84,7 +84,7 @@ std::vector<std::string> findings(const std::vector<Measured>& all) {
         sentences.insert(sentences.begin(),
                          fmt::format("{} of {} bounds of GLSL 4.60, section 4.7.1, are kept", kept, bounded));
     for (const BuiltinFunction& function : builtinFunctions())
-        if (std::string sentence = function.allowed ? std::string() : spread(function, all);
+        if (std::string sentence = function.allowed ? std::string() : bestAndWorst(function, all);
             !sentence.empty())
             sentences.push_back(std::move(sentence));
     if (worst && std::isfinite(worst->precision.largest))
@@ -97,8 +97,9 @@ std::vector<std::string> findings(const std::vector<Measured>& all) {
 
 /// A curve of one function in one stage, timed in the fragment stage. The measured values are also added to
 /// `all`.
-Result<Curve> curveOf(Bench& bench, const gpu::Capabilities& capabilities, const BuiltinFunction& function,
-                      PrecisionStage stage, std::vector<Measured>& all) {
+Result<Curve> functionCurve(Bench& bench, const gpu::Capabilities& capabilities,
+                            const BuiltinFunction& function, PrecisionStage stage,
+                            std::vector<MeasuredSweep>& all) {
     const int side = bench.isQuick() ? 32 : 512;
     Curve curve;
     curve.name = std::string(function.name) + (stage == PrecisionStage::vertex ? ", vertex stage" : "");
@@ -142,16 +143,16 @@ Result<std::vector<Figure>> measureBuiltins(Bench& bench) {
                       .curves = {},
                       .findings = {},
                       .alternatives = Alternatives::setting};
-        std::vector<Measured> all;
+        std::vector<MeasuredSweep> all;
         for (const BuiltinFunction& function : builtinFunctions()) {
             if (function.group != group.name) continue;
             for (const PrecisionStage stage : {PrecisionStage::fragment, PrecisionStage::vertex}) {
                 if (bench.isQuick() && stage == PrecisionStage::vertex) continue;
-                Result<Curve> curve = curveOf(bench, capabilities, function, stage, all);
+                Result<Curve> curve = functionCurve(bench, capabilities, function, stage, all);
                 if (!curve) return std::move(curve.diagnostics);
                 const bool isNew =
                     std::any_of(all.end() - static_cast<std::ptrdiff_t>(curve->points.size()), all.end(),
-                                [&](const Measured& each) { return !isRepeated(each, all); });
+                                [&](const MeasuredSweep& each) { return !isRepeated(each, all); });
                 if (isNew) figure.curves.push_back(std::move(*curve));
             }
         }

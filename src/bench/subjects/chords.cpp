@@ -29,7 +29,7 @@ glm::dvec2 powerForm(double t) {
 }
 
 /// De Casteljau's algorithm.
-glm::dvec2 deCasteljau(double t) {
+glm::dvec2 byDeCasteljau(double t) {
     Cubic p = kCurve;
     for (std::size_t level = 3; level > 0; --level)
         for (std::size_t i = 0; i < level; ++i) p[i] = (1 - t) * p[i] + t * p[i + 1];
@@ -48,17 +48,17 @@ glm::dvec2 stepByExponentials(double t) {
 }
 
 /// t runs from 0 to 1.
-struct Shape {
+struct ChordShape {
     const char *name, *title, *reference;
     glm::dvec2 (*place)(double t);
     glm::dvec2 (*truth)(double t);  ///< by another formula
 };
 
-constexpr Shape kBezier{
+constexpr ChordShape kBezierShape{
     "chords", "A Bézier curve with a narrow bend, as line segments",
     "de Casteljau's algorithm in double at 32 points of every segment; a length is that from end to end",
-    powerForm, deCasteljau};
-constexpr Shape kStep{
+    powerForm, byDeCasteljau};
+constexpr ChordShape kStepShape{
     "chords-step", "A graph with a steep step, as line segments",
     "the step from exponentials in double at 32 points of every segment; a length is that of the t axis",
     step, stepByExponentials};
@@ -70,7 +70,7 @@ struct Vertex {
 
 using Chain = std::vector<Vertex>;
 
-Chain fixedSteps(const Shape& shape, int steps) {
+Chain byFixedSteps(const ChordShape& shape, int steps) {
     Chain chain;
     for (int i = 0; i <= steps; ++i) {
         const double t = static_cast<double>(i) / steps;
@@ -79,7 +79,7 @@ Chain fixedSteps(const Shape& shape, int steps) {
     return chain;
 }
 
-double distanceFromSegment(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b) {
+double distanceFromChord(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b) {
     const glm::dvec2 along = b - a;
     const double square = glm::dot(along, along);
     const double s = square > 0 ? std::clamp(glm::dot(p - a, along) / square, 0., 1.) : 0.;
@@ -87,19 +87,19 @@ double distanceFromSegment(const glm::dvec2& p, const glm::dvec2& a, const glm::
 }
 
 /// Halves a part until points at its quarters are within the tolerance of the chord.
-void addFlat(Chain& chain, const Shape& shape, const Vertex& from, const Vertex& to, double tolerance) {
-    constexpr double kShortest = 1e-9, kLongest = .125;
+void addFlat(Chain& chain, const ChordShape& shape, const Vertex& from, const Vertex& to, double tolerance) {
+    constexpr double kShortestPart = 1e-9, kLongestPart = .125;
     const auto at = [&](double share) {
         const double t = std::lerp(from.t, to.t, share);
         return Vertex{t, shape.place(t)};
     };
     const Vertex middle = at(.5);
     const auto isNear = [&](const Vertex& v) {
-        return distanceFromSegment(v.place, from.place, to.place) <= tolerance;
+        return distanceFromChord(v.place, from.place, to.place) <= tolerance;
     };
     const double length = to.t - from.t;
-    const bool isFlat = length <= kLongest && isNear(middle) && isNear(at(.25)) && isNear(at(.75));
-    if (isFlat || length < kShortest) {
+    const bool isFlat = length <= kLongestPart && isNear(middle) && isNear(at(.25)) && isNear(at(.75));
+    if (isFlat || length < kShortestPart) {
         chain.push_back(to);
         return;
     }
@@ -107,7 +107,7 @@ void addFlat(Chain& chain, const Shape& shape, const Vertex& from, const Vertex&
     addFlat(chain, shape, middle, to, tolerance);
 }
 
-Chain byFlatness(const Shape& shape, double tolerance) {
+Chain byFlatness(const ChordShape& shape, double tolerance) {
     const Vertex from{0, shape.place(0)}, to{1, shape.place(1)};
     Chain chain{from};
     addFlat(chain, shape, from, to, tolerance);
@@ -115,19 +115,19 @@ Chain byFlatness(const Shape& shape, double tolerance) {
 }
 
 /// The largest distance of the curve from its chords, at 32 points of each.
-double largestDistance(const Shape& shape, const Chain& chain) {
-    constexpr int kPoints = 32;
+double largestDistance(const ChordShape& shape, const Chain& chain) {
+    constexpr int kPointsEach = 32;
     double largest = 0;
     for (std::size_t i = 0; i + 1 < chain.size(); ++i)
-        for (int k = 1; k < kPoints; ++k) {
-            const double t = std::lerp(chain[i].t, chain[i + 1].t, static_cast<double>(k) / kPoints);
+        for (int k = 1; k < kPointsEach; ++k) {
+            const double t = std::lerp(chain[i].t, chain[i + 1].t, static_cast<double>(k) / kPointsEach);
             largest =
-                std::max(largest, distanceFromSegment(shape.truth(t), chain[i].place, chain[i + 1].place));
+                std::max(largest, distanceFromChord(shape.truth(t), chain[i].place, chain[i + 1].place));
         }
     return largest;
 }
 
-Point pointOf(const Shape& shape, const Chain& chain, std::string label, const Timing& time) {
+Point chordPoint(const ChordShape& shape, const Chain& chain, std::string label, const Timing& time) {
     return {.setting = static_cast<double>(chain.size() - 1),
             .label = std::move(label),
             .error = largestDistance(shape, chain),
@@ -138,7 +138,7 @@ Point pointOf(const Shape& shape, const Chain& chain, std::string label, const T
 }  // namespace
 
 Figure chordFigure(const Bench& bench, bool isStep) {
-    const Shape& shape = isStep ? kStep : kBezier;
+    const ChordShape& shape = isStep ? kStepShape : kBezierShape;
     Figure figure;
     figure.name = shape.name;
     figure.title = shape.title;
@@ -149,14 +149,15 @@ Figure chordFigure(const Bench& bench, bool isStep) {
     Curve fixed{"fixed steps of t", {}}, adaptive{"halved until flat", {}};
     const int finest = bench.isQuick() ? 1024 : 8192;
     for (int steps = 8; steps <= finest; steps *= 2)
-        fixed.points.push_back(pointOf(shape, fixedSteps(shape, steps), fmt::format("{} segments", steps),
-                                       bench.time([&] { fixedSteps(shape, steps); })));
+        fixed.points.push_back(chordPoint(shape, byFixedSteps(shape, steps),
+                                          fmt::format("{} segments", steps),
+                                          bench.time([&] { byFixedSteps(shape, steps); })));
     const int smallest = bench.isQuick() ? -16 : -20;
     for (int power = -4; power >= smallest; power -= 2) {
         const double tolerance = std::ldexp(1., power);
-        adaptive.points.push_back(pointOf(shape, byFlatness(shape, tolerance),
-                                          fmt::format("tolerance 2^{}", power),
-                                          bench.time([&] { byFlatness(shape, tolerance); })));
+        adaptive.points.push_back(chordPoint(shape, byFlatness(shape, tolerance),
+                                             fmt::format("tolerance 2^{}", power),
+                                             bench.time([&] { byFlatness(shape, tolerance); })));
     }
     figure.findings = {orderSentence(fixed, "segments", 256), orderSentence(adaptive, "segments", 30)};
     // The number of fixed steps that reaches the error of the finest adaptive chain, by the fitted order.

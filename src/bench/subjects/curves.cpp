@@ -36,7 +36,7 @@ double summedWithCompensation(int steps) {
     });
 }
 
-double multiplied(int steps) {
+double multipliedStep(int steps) {
     const float step = 1.F / static_cast<float>(steps);
     return largestParameterError(steps, [&](int i) { return static_cast<float>(i) * step; });
 }
@@ -51,21 +51,21 @@ double summedInDouble(int steps) {
     return largestParameterError(steps, [&, t = 0.](int) mutable { return t += step; });
 }
 
-struct Method {
+struct ParameterMethod {
     const char* name;
     double (*largestError)(int steps);
     std::size_t bytes;  ///< of the state between two steps
 };
 
-constexpr Method kMethods[] = {
+constexpr ParameterMethod kParameterMethods[] = {
     {"float, t += dt", summed, sizeof(float)},
     {"float, t += dt with compensation", summedWithCompensation, 2 * sizeof(float)},
-    {"float, t = i * dt", multiplied, sizeof(int)},
+    {"float, t = i * dt", multipliedStep, sizeof(int)},
     {"float, t = i / n", divided, sizeof(int)},
     {"double, t += dt", summedInDouble, sizeof(double)},
 };
 
-constexpr const char* kShader = R"(uniform int uSteps;
+constexpr const char* kSummingShader = R"(uniform int uSteps;
 vec4 value() {
     float dt = 1. / float(uSteps), t = 0.;
     for (int i = 0; i < uSteps; i += 10) {
@@ -87,7 +87,7 @@ vec4 value() {
 }
 )";
 
-Point pointOf(int steps, double error, const Timing& time, double bytes) {
+Point stepsPoint(int steps, double error, const Timing& time, double bytes) {
     return {.setting = static_cast<double>(steps),
             .label = fmt::format("{} steps", steps),
             .error = error,
@@ -96,9 +96,9 @@ Point pointOf(int steps, double error, const Timing& time, double bytes) {
 }
 
 /// The last parameter only, which is the worst one of a sum.
-Result<Curve> shaderCurve(Bench& bench, const std::vector<int>& counts) {
+Result<Curve> summedInShader(Bench& bench, const std::vector<int>& counts) {
     const Four nothing{};
-    const Result<ShaderValues> shader = ShaderValues::create(bench, kShader, std::span(&nothing, 1));
+    const Result<ShaderValues> shader = ShaderValues::create(bench, kSummingShader, std::span(&nothing, 1));
     if (!shader) return shader.diagnostics;
     Curve curve{"shader, t += dt (at the end)", {}};
     for (const int steps : counts) {
@@ -109,7 +109,7 @@ Result<Curve> shaderCurve(Bench& bench, const std::vector<int>& counts) {
         if (!values) return values.diagnostics;
         const double error = std::abs(static_cast<double>(values->front()[0]) - 1);
         curve.points.push_back(
-            pointOf(steps, error, bench.time([&] { shader->compute(); }), shader->bytes()));
+            stepsPoint(steps, error, bench.time([&] { shader->compute(); }), shader->bytes()));
     }
     return curve;
 }
@@ -155,7 +155,7 @@ Figure parameterFigure(Bench& bench, Diagnostics& problems) {
     figure.alternatives = Alternatives::setting;
     std::vector<int> counts{10, 100, 1000, 10000, 100000};
     if (!bench.isQuick()) counts.insert(counts.end(), {1000000, 10000000});
-    for (const Method& method : kMethods) {
+    for (const ParameterMethod& method : kParameterMethods) {
         Curve& curve = figure.curves.emplace_back(Curve{method.name, {}});
         for (const int steps : counts) {
             // The result must reach memory, otherwise the compiler removes the work.
@@ -164,12 +164,12 @@ Figure parameterFigure(Bench& bench, Diagnostics& problems) {
                 static_cast<void>(kept);
             });
             curve.points.push_back(
-                pointOf(steps, method.largestError(steps), time, static_cast<double>(method.bytes)));
+                stepsPoint(steps, method.largestError(steps), time, static_cast<double>(method.bytes)));
         }
     }
     std::vector<int> shaderCounts = counts;
     std::erase_if(shaderCounts, [](int steps) { return steps > kMostShaderSteps; });
-    Result<Curve> shader = shaderCurve(bench, shaderCounts);
+    Result<Curve> shader = summedInShader(bench, shaderCounts);
     append(problems, std::move(shader.diagnostics));
     if (shader) figure.curves.push_back(std::move(*shader));
     for (const Curve& curve : figure.curves) figure.findings.push_back(orderSentence(curve, "steps", 100));

@@ -22,23 +22,10 @@
 namespace glibra::bench {
 namespace {
 
-constexpr double kOutlineRadius = 512;  ///< pixels
-
-/// Their positions in the meshes of scenes.
-std::vector<geometry::Patch> placedPatches() {
-    std::vector<geometry::Patch> patches;
-    for (geometry::Patch patch : geometry::teapotPatches()) {
-        for (auto& row : patch)
-            for (glm::dvec3& point : row) point = geometry::teapotPlace(point);
-        patches.push_back(patch);
-    }
-    return patches;
-}
-
 /// The volume between the patches and the origin, which also exists for the teapot although it is open: the
 /// integral of P . (Ps x Pt) / 3, a polynomial of degree 8 in s and in t, for which five Gauss points are
 /// exact.
-double patchVolume(const std::vector<geometry::Patch>& patches) {
+double patchVolume(const TeapotPatches& patches) {
     constexpr std::array<std::array<double, 2>, 5> kGauss{{{-.9061798459386640, .2369268850561891},
                                                            {-.5384693101056831, .4786286704993665},
                                                            {0, .5688888888888889},
@@ -58,7 +45,7 @@ double patchVolume(const std::vector<geometry::Patch>& patches) {
 /// smaller steps.
 class PatchExtent {
   public:
-    explicit PatchExtent(const std::vector<geometry::Patch>& patches) : patches_(patches) {
+    explicit PatchExtent(const TeapotPatches& patches) : patches_(patches) {
         for (std::size_t patch = 0; patch < patches.size(); ++patch)
             for (int j = 0; j <= kCells; ++j)
                 for (int i = 0; i <= kCells; ++i) {
@@ -94,11 +81,11 @@ class PatchExtent {
         glm::dvec2 st{0};
         glm::dvec3 position{0};
     };
-    const std::vector<geometry::Patch>& patches_;
+    const TeapotPatches& patches_;
     std::vector<Place> places_;
 };
 
-struct Shape {
+struct CutShape {
     std::string name;
     std::function<geometry::Mesh(int cells)> mesh;
     std::function<double(const glm::dvec3& direction)> extent;
@@ -106,7 +93,8 @@ struct Shape {
     double unit = 1;    ///< size of the mesh, in the units of extent and volume
 };
 
-Point pointOf(const Bench& bench, const Shape& shape, const geometry::Mesh& mesh, int cells, double error) {
+Point cutPoint(const Bench& bench, const CutShape& shape, const geometry::Mesh& mesh, int cells,
+               double error) {
     return {.setting = static_cast<double>(cells),
             .label = fmt::format("{} cells along an edge", cells),
             .error = error,
@@ -114,8 +102,8 @@ Point pointOf(const Bench& bench, const Shape& shape, const geometry::Mesh& mesh
             .memory = meshBytes(mesh)};
 }
 
-Figure figureOf(std::string name, std::string title, std::string error, std::string unit,
-                std::string reference) {
+Figure cutFigure(std::string name, std::string title, std::string error, std::string unit,
+                 std::string reference) {
     return {.name = std::move(name),
             .title = std::move(title),
             .settingName = "cells along an edge",
@@ -130,33 +118,33 @@ Figure figureOf(std::string name, std::string title, std::string error, std::str
 }  // namespace
 
 std::vector<Figure> cutShapeFigures(const Bench& bench) {
-    const std::vector<geometry::Patch> patches = placedPatches();
-    const std::vector<Shape> shapes{
+    const TeapotPatches patches = placedTeapotPatches();
+    const std::vector<CutShape> shapes{
         {"soccer ball", [](int cells) { return geometry::soccerball(kSolidRadius, cells); },
          [](const glm::dvec3&) { return 1.; }, 4 * std::numbers::pi / 3, kSolidRadius},
         {"teapot", [](int cells) { return geometry::teapot(cells); }, PatchExtent(patches),
          patchVolume(patches), 1}};
     Figure distance =
-        figureOf("ball-position", "Soccer ball: distance of the mesh from the surface", "largest distance",
-                 "radii", "the sphere in closed form, at a net of 28 points on every triangle");
-    Figure normal = figureOf("ball-normal", "Soccer ball: interpolated normals", "largest angle", "degrees",
-                             "the radius at the same places");
+        cutFigure("ball-position", "Soccer ball: distance of the mesh from the surface", "largest distance",
+                  "radii", "the sphere in closed form, at a net of 28 points on every triangle");
+    Figure normal = cutFigure("ball-normal", "Soccer ball: interpolated normals", "largest angle", "degrees",
+                              "the radius at the same places");
     Figure outline =
-        figureOf("cut-outline",
-                 fmt::format("Soccer ball and teapot: outline, a radius being {} pixels", kOutlineRadius),
-                 "largest distance of the outlines", "pixels",
-                 "the extent in 360 directions of three views: of the sphere, and of the patches by a "
-                 "search in double");
-    Figure volume = figureOf("cut-volume", "Soccer ball and teapot: volume", "relative error", "",
-                             "the sphere's, and the patches' by Gauss's quadrature, which is exact for "
-                             "them; the meshes' by the divergence theorem");
+        cutFigure("cut-outline",
+                  fmt::format("Soccer ball and teapot: outline, a radius being {} pixels", kOutlineRadius),
+                  "largest distance of the outlines", "pixels",
+                  "the extent in 360 directions of three views: of the sphere, and of the patches by a "
+                  "search in double");
+    Figure volume = cutFigure("cut-volume", "Soccer ball and teapot: volume", "relative error", "",
+                              "the sphere's, and the patches' by Gauss's quadrature, which is exact for "
+                              "them; the meshes' by the divergence theorem");
     const std::vector<int> counts =
         bench.isQuick() ? std::vector{2, 4, 8} : std::vector{2, 3, 4, 6, 8, 12, 16, 24, 32};
-    for (const Shape& shape : shapes) {
+    for (const CutShape& shape : shapes) {
         Curve distances{shape.name, {}}, normals = distances, outlines = distances, volumes = distances;
         for (const int cells : counts) {
             const geometry::Mesh mesh = shape.mesh(cells);
-            Point point = pointOf(bench, shape, mesh, cells, 0);
+            Point point = cutPoint(bench, shape, mesh, cells, 0);
             const auto add = [&](Curve& curve, double error) {
                 point.error = error;
                 curve.points.push_back(point);

@@ -14,9 +14,8 @@ namespace glibra::bench {
 namespace {
 
 constexpr double kNear = 1;  // only ratios matter
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr int kSide = 256;
-constexpr const char* kReference =
+constexpr int kBufferSide = 256;
+constexpr const char* kOrderReference =
     "the order of the two distances, known in double; theory: one step of the buffer times z^2 (f - n) / (f "
     "n)";
 
@@ -54,12 +53,12 @@ double bitsKept(const DepthKind& kind) {
     return kind.format == GL_DEPTH_COMPONENT16 ? 16 : 32;
 }
 /// Bytes of a buffer with `side` x `side` pixels.
-double bytesOf(const DepthKind& kind, int side) {
+double bufferBytes(const DepthKind& kind, int side) {
     return bitsKept(kind) / 8 * side * side;
 }
 
 /// The place where a gap is measured.
-struct Place {
+struct GapPlace {
     double setting = 0, far = 0, z = 0;
     std::string label;
 };
@@ -79,20 +78,20 @@ std::string againstTheory(const Curve& measured, const Curve& theory) {
 
 /// A measured curve and a theoretical one for each kind.
 Diagnostics sweep(Figure& figure, const Bench& bench, const gpu::Capabilities& capabilities,
-                  const std::vector<Place>& places) {
+                  const std::vector<GapPlace>& places) {
     std::vector<Curve> theories;
     for (const DepthKind& kind : usableKinds(capabilities)) {
-        Result<DepthTarget> target = DepthTarget::create(capabilities, kind.format, kSide);
+        Result<DepthTarget> target = DepthTarget::create(capabilities, kind.format, kBufferSide);
         if (!target) return std::move(target.diagnostics);
         Curve curve{.name = std::string(kind.name)};
         Curve theory{.name = fmt::format("theory: {}", kind.name), .theoryOf = figure.curves.size()};
-        for (const Place& place : places) {
+        for (const GapPlace& place : places) {
             Result<double> gap = smallestGap(*target, kind, place.far, place.z, bench.isQuick());
             if (!gap) return std::move(gap.diagnostics);
             curve.points.push_back({.setting = place.setting,
                                     .label = place.label,
                                     .error = *gap,
-                                    .memory = bytesOf(kind, kSide)});
+                                    .memory = bufferBytes(kind, kBufferSide)});
             theory.points.push_back({.setting = place.setting,
                                      .label = place.label,
                                      .error = depthStep(kind, kNear, place.far, place.z) / place.z});
@@ -135,11 +134,11 @@ Result<Figure> gapByRatio(const Bench& bench, const gpu::Capabilities& capabilit
                   .settingName = "far / near",
                   .errorName = "smallest gap that is always resolved",
                   .errorUnit = "distances",
-                  .reference = kReference,
+                  .reference = kOrderReference,
                   .curves = {},
                   .findings = {},
                   .alternatives = Alternatives::setting};
-    std::vector<Place> places;
+    std::vector<GapPlace> places;
     for (const double ratio : ratios(bench.isQuick()))
         places.push_back({ratio, kNear * ratio, kNear * ratio / 2, fmt::format("{:.3g}:1", ratio)});
     Diagnostics problems = sweep(figure, bench, capabilities, places);
@@ -166,11 +165,11 @@ Result<Figure> gapByDistance(const Bench& bench, const gpu::Capabilities& capabi
                   .settingName = "distance / near",
                   .errorName = "smallest gap that is always resolved",
                   .errorUnit = "distances",
-                  .reference = kReference,
+                  .reference = kOrderReference,
                   .curves = {},
                   .findings = {},
                   .alternatives = Alternatives::setting};
-    std::vector<Place> places;
+    std::vector<GapPlace> places;
     for (int octave = 1; octave <= 12; octave += bench.isQuick() ? 3 : 1) {
         const double z = std::ldexp(1., octave);
         places.push_back({z, kFar, z, fmt::format("{:g}", z)});
@@ -194,7 +193,7 @@ Result<Figure> fightingByGap(const Bench& bench, const gpu::Capabilities& capabi
 
     };
     for (const DepthKind& kind : usableKinds(capabilities)) {
-        Result<DepthTarget> target = DepthTarget::create(capabilities, kind.format, kSide);
+        Result<DepthTarget> target = DepthTarget::create(capabilities, kind.format, kBufferSide);
         if (!target) return std::move(target.diagnostics);
         Curve curve{.name = std::string(kind.name)};
         double clean = kNaN;
@@ -206,7 +205,7 @@ Result<Figure> fightingByGap(const Bench& bench, const gpu::Capabilities& capabi
             curve.points.push_back({.setting = steps,
                                     .label = fmt::format("{:.3g} steps", steps),
                                     .error = *wrong,
-                                    .memory = bytesOf(kind, kSide)});
+                                    .memory = bufferBytes(kind, kBufferSide)});
             if (*wrong > 0)
                 clean = kNaN;
             else if (std::isnan(clean))
@@ -228,7 +227,7 @@ Result<Figure> cost(const Bench& bench, const gpu::Capabilities& capabilities) {
         .settingName = "bits per pixel",
         .errorName = "smallest gap that is always resolved",
         .errorUnit = "distances",
-        .reference = kReference,
+        .reference = kOrderReference,
 
     };
     for (const DepthKind& kind : usableKinds(capabilities)) {
@@ -241,7 +240,7 @@ Result<Figure> cost(const Bench& bench, const gpu::Capabilities& capabilities) {
         if (!problems.empty()) return problems;
         Point point{.setting = bitsKept(kind), .label = std::string(kind.name), .error = *gap};
         point.time = timing;
-        point.memory = bytesOf(kind, kCostSide);
+        point.memory = bufferBytes(kind, kCostSide);
         figure.curves.push_back({.name = std::string(kind.name), .points = {point}});
     }
     const Point& standard = figure.curves[1].points.front();

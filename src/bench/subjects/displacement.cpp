@@ -21,7 +21,7 @@ Ranges rangesOf(const image::Image& picture) {
 
 /// Minima and maxima over every value and those `step` components before and after it, within runs of `run`
 /// components.
-void spread(std::vector<std::uint8_t>& values, std::size_t step, std::size_t run, bool wantsLargest) {
+void spreadExtremes(std::vector<std::uint8_t>& values, std::size_t step, std::size_t run, bool wantsLargest) {
     const std::vector<std::uint8_t> before = values;
     const auto pick = [&](std::uint8_t a, std::uint8_t b) {
         return wantsLargest ? std::max(a, b) : std::min(a, b);
@@ -39,8 +39,8 @@ void grow(Ranges& ranges, const image::Image& picture) {
     const std::size_t row = pixel * static_cast<std::size_t>(picture.width);
     for (const bool wantsLargest : {false, true}) {
         std::vector<std::uint8_t>& values = wantsLargest ? ranges.high : ranges.low;
-        spread(values, pixel, row, wantsLargest);
-        spread(values, row, values.size(), wantsLargest);
+        spreadExtremes(values, pixel, row, wantsLargest);
+        spreadExtremes(values, row, values.size(), wantsLargest);
     }
 }
 

@@ -15,7 +15,7 @@ namespace {
 constexpr double kBytes = 255;  ///< errors are in steps of a byte
 
 /// A way to filter: its passes for a setting, and the format of the texels between them.
-struct Method {
+struct FilterMethod {
     std::string name;
     std::function<std::vector<std::string>(int setting)> fragments;
     gpu::TexelFormat between = gpu::TexelFormat::rgba32f;
@@ -30,7 +30,7 @@ constexpr std::array<Format, 4> kFormats{{{gpu::TexelFormat::rgba32f, "float"},
                                           {gpu::TexelFormat::rgba16, "16 bit"},
                                           {gpu::TexelFormat::rgba8, "8 bit"}}};
 
-struct Measured {
+struct MeasuredFilter {
     Point point;
     double shift = 0;  ///< mean of the signed differences, in 255ths
 };
@@ -41,8 +41,9 @@ double meanDifference(const Plane& a, const Plane& b) {
     return sum / static_cast<double>(a.values.size());
 }
 
-Result<Measured> measure(Bench& bench, const gpu::Capabilities& capabilities, const Plane& picture,
-                         const Method& method, int setting, const Plane& wanted) {
+Result<MeasuredFilter> measureFilter(Bench& bench, const gpu::Capabilities& capabilities,
+                                     const Plane& picture, const FilterMethod& method, int setting,
+                                     const Plane& wanted) {
     const Result<FilterChain> chain =
         FilterChain::create(capabilities, picture, method.fragments(setting), method.between);
     if (!chain) return chain.diagnostics;
@@ -56,10 +57,10 @@ Result<Measured> measure(Bench& bench, const gpu::Capabilities& capabilities, co
     if (!drawn) return drawn.diagnostics;
     point.error = rootMeanSquare(*drawn, wanted) * kBytes;
     point.memory = chain->bytesBetween();
-    return Measured{std::move(point), meanDifference(*drawn, wanted) * kBytes};
+    return MeasuredFilter{std::move(point), meanDifference(*drawn, wanted) * kBytes};
 }
 
-std::vector<Method> blurMethods() {
+std::vector<FilterMethod> blurMethods() {
     const auto separable = [](int radius) {
         const std::vector<double> weights = gaussianWeights(radius);
         return std::vector<std::string>{blurAlong(weights, false), blurAlong(weights, true)};
@@ -68,7 +69,7 @@ std::vector<Method> blurMethods() {
         const std::vector<double> weights = gaussianWeights(radius);
         return std::vector<std::string>{pairedBlurAlong(weights, false), pairedBlurAlong(weights, true)};
     };
-    std::vector<Method> methods{
+    std::vector<FilterMethod> methods{
         {"direct", [](int radius) { return std::vector<std::string>{directBlur(gaussianWeights(radius))}; }}};
     for (const Format& each : kFormats)
         methods.push_back({fmt::format("separable, {} between", each.name), separable, each.format});
@@ -93,10 +94,11 @@ Result<Figure> blurFigure(Bench& bench, const gpu::Capabilities& capabilities) {
     std::vector<Plane> wanted;
     wanted.reserve(radii.size());
     for (const int radius : radii) wanted.push_back(blurred(picture, gaussianWeights(radius)));
-    for (const Method& method : blurMethods()) {
+    for (const FilterMethod& method : blurMethods()) {
         Curve curve{.name = method.name, .points = {}};
         for (std::size_t i = 0; i < radii.size(); ++i) {
-            Result<Measured> measured = measure(bench, capabilities, picture, method, radii[i], wanted[i]);
+            Result<MeasuredFilter> measured =
+                measureFilter(bench, capabilities, picture, method, radii[i], wanted[i]);
             if (!measured) return std::move(measured.diagnostics);
             measured->point.label = fmt::format("radius {}", radii[i]);
             curve.points.push_back(std::move(measured->point));
@@ -135,21 +137,22 @@ Result<Figure> repeatedFigure(Bench& bench, const gpu::Capabilities& capabilitie
         next *= 2;
     }
     for (const Format& format : kFormats) {
-        const Method method{std::string(format.name),
-                            [&](int count) {
-                                std::vector<std::string> passes;
-                                for (int i = 0; i < count; ++i) {
-                                    passes.push_back(blurAlong(weights, false));
-                                    passes.push_back(blurAlong(weights, true));
-                                }
-                                return passes;
-                            },
-                            format.format};
+        const FilterMethod method{std::string(format.name),
+                                  [&](int count) {
+                                      std::vector<std::string> passes;
+                                      for (int i = 0; i < count; ++i) {
+                                          passes.push_back(blurAlong(weights, false));
+                                          passes.push_back(blurAlong(weights, true));
+                                      }
+                                      return passes;
+                                  },
+                                  format.format};
         Curve curve{.name = fmt::format("{} between", format.name), .points = {}};
         std::size_t at = 0;
         double shift = 0;
         for (int count = 1; count <= most; count *= 2) {
-            Result<Measured> measured = measure(bench, capabilities, picture, method, count, wanted[at++]);
+            Result<MeasuredFilter> measured =
+                measureFilter(bench, capabilities, picture, method, count, wanted[at++]);
             if (!measured) return std::move(measured.diagnostics);
             measured->point.label = fmt::format("{} blurs", count);
             shift = measured->shift;
@@ -173,7 +176,8 @@ Result<Figure> sobelFigure(Bench& bench, const gpu::Capabilities& capabilities) 
                   .curves = {},
                   .findings = {},
                   .alternatives = Alternatives::setting};
-    std::vector<Method> methods{{"direct", [](int) { return std::vector<std::string>{directSobel()}; }}};
+    std::vector<FilterMethod> methods{
+        {"direct", [](int) { return std::vector<std::string>{directSobel()}; }}};
     for (const Format& each : kFormats) {
         // Normalised texels hold 0..1. The smoothed column is in 0..4, its difference in -1..1.
         const bool isFloat = gpu::isFloat(each.format);
@@ -187,11 +191,12 @@ Result<Figure> sobelFigure(Bench& bench, const gpu::Capabilities& capabilities) 
     }
     const std::vector<int> sides =
         bench.isQuick() ? std::vector<int>{64, 128} : std::vector<int>{128, 256, 512, 1024};
-    for (const Method& method : methods) {
+    for (const FilterMethod& method : methods) {
         Curve curve{.name = method.name, .points = {}};
         for (const int side : sides) {
             const Plane picture = testPicture(side);
-            Result<Measured> measured = measure(bench, capabilities, picture, method, side, sobel(picture));
+            Result<MeasuredFilter> measured =
+                measureFilter(bench, capabilities, picture, method, side, sobel(picture));
             if (!measured) return std::move(measured.diagnostics);
             measured->point.label = fmt::format("{0} x {0}", side);
             curve.points.push_back(std::move(measured->point));

@@ -24,8 +24,8 @@ using Deep =
 
 /// The number of iterations after which a point is inside. The view escapes after about 2.5 per decade of
 /// zoom.
-constexpr int kMost = 100;
-constexpr double kWidth = 3;        ///< width of the view at zoom 1
+constexpr int kMostIterations = 100;
+constexpr double kViewWidth = 3;    ///< width of the view at zoom 1
 constexpr double kTolerable = .01;  ///< share of wrong pixels
 
 template <class Number>
@@ -52,10 +52,10 @@ Pair<Deep> centre() {
     return c;
 }
 
-struct View {
+struct FractalView {
     int side = 0;
     double zoom = 1;
-    [[nodiscard]] double spacing() const { return kWidth / (zoom * side); }
+    [[nodiscard]] double spacing() const { return kViewWidth / (zoom * side); }
     /// The centre of a pixel, in pixels from the middle.
     [[nodiscard]] double offset(int pixel) const { return pixel - .5 * (side - 1); }
 };
@@ -65,17 +65,17 @@ using Counts = std::vector<int>;
 template <class Number>
 int escape(const Number& cx, const Number& cy) {
     Number x = 0, y = 0;
-    for (int i = 0; i < kMost; ++i) {
+    for (int i = 0; i < kMostIterations; ++i) {
         const Number xx = x * x, yy = y * y;
         if (xx + yy > 4) return i;
         y = 2 * x * y + cy;
         x = xx - yy + cx;
     }
-    return kMost;
+    return kMostIterations;
 }
 
 template <class Number>
-void plain(const View& view, Counts& counts) {
+void countIterations(const FractalView& view, Counts& counts) {
     const Pair<Deep> middle = centre();
     const auto cx = static_cast<Number>(middle.x), cy = static_cast<Number>(middle.y);
     const auto spacing = static_cast<Number>(view.spacing());
@@ -91,7 +91,7 @@ std::vector<glm::vec2> centreOrbit() {
     const Pair<Deep> c = centre();
     Pair<Deep> z;
     std::vector<glm::vec2> orbit;
-    for (int i = 0; i < kMost; ++i) {
+    for (int i = 0; i < kMostIterations; ++i) {
         orbit.emplace_back(static_cast<float>(z.x), static_cast<float>(z.y));
         z = {z.x * z.x - z.y * z.y + c.x, 2 * z.x * z.y + c.y};
     }
@@ -100,7 +100,7 @@ std::vector<glm::vec2> centreOrbit() {
 
 /// Iterates only the difference of a pixel's orbit from that of the centre (K. I. Martin, Superfractalthing
 /// Maths, 2013).
-void perturbed(const View& view, Counts& counts) {
+void perturbed(const FractalView& view, Counts& counts) {
     static const std::vector<glm::vec2> orbit = centreOrbit();
     const auto spacing = static_cast<float>(view.spacing());
     counts.clear();
@@ -110,7 +110,7 @@ void perturbed(const View& view, Counts& counts) {
                               spacing * static_cast<float>(view.offset(j)));
             glm::vec2 d(0);
             int count = 0;
-            for (; count < kMost; ++count) {
+            for (; count < kMostIterations; ++count) {
                 const glm::vec2 z = orbit[static_cast<std::size_t>(count)], all = z + d;
                 if (all.x * all.x + all.y * all.y > 4) break;
                 const glm::vec2 sum = z + all;
@@ -120,16 +120,16 @@ void perturbed(const View& view, Counts& counts) {
         }
 }
 
-struct Method {
+struct FractalMethod {
     const char* name;
-    void (*draw)(const View&, Counts&);
+    void (*draw)(const FractalView&, Counts&);
     bool hasOrbit = false;
 };
 
-constexpr Method kMethods[] = {
-    {"CPU, float", plain<float>},
-    {"CPU, double", plain<double>},
-    {"CPU, long double", plain<long double>},
+constexpr FractalMethod kFractalMethods[] = {
+    {"CPU, float", countIterations<float>},
+    {"CPU, double", countIterations<double>},
+    {"CPU, long double", countIterations<long double>},
     {"CPU, float by perturbation", perturbed, true},
 };
 
@@ -162,20 +162,21 @@ vec4 value() {{
 }}
 )";
 
-struct ShaderMethod {
+struct FractalShader {
     const char* name;
     std::string glsl;
     bool isDouble = false;
 };
 
-std::vector<ShaderMethod> shaderMethods() {
-    return {{"shader, float", fmt::format(fmt::runtime(kPlainShader), "", "float", kMost), false},
-            {"shader, double", fmt::format(fmt::runtime(kPlainShader), "d", "double", kMost), true},
-            {"shader, float by perturbation", fmt::format(fmt::runtime(kPerturbedShader), kMost), false}};
+std::vector<FractalShader> fractalShaders() {
+    return {{"shader, float", fmt::format(fmt::runtime(kPlainShader), "", "float", kMostIterations), false},
+            {"shader, double", fmt::format(fmt::runtime(kPlainShader), "d", "double", kMostIterations), true},
+            {"shader, float by perturbation", fmt::format(fmt::runtime(kPerturbedShader), kMostIterations),
+             false}};
 }
 
 /// Uniforms that a method does not have are ignored.
-void setView(const gpu::Program& program, const View& view, bool isDouble) {
+void setFractalView(const gpu::Program& program, const FractalView& view, bool isDouble) {
     program.use();
     const auto location = [&](const char* name) { return glGetUniformLocation(program.id(), name); };
     const Pair<Deep> middle = centre();
@@ -187,7 +188,7 @@ void setView(const gpu::Program& program, const View& view, bool isDouble) {
         glUniform2f(location("uCentre"), static_cast<float>(middle.x), static_cast<float>(middle.y));
         glUniform1f(location("uSpacing"), static_cast<float>(view.spacing()));
     }
-    glUniform2fv(location("uOrbit"), kMost, &orbit[0].x);
+    glUniform2fv(location("uOrbit"), kMostIterations, &orbit[0].x);
 }
 
 double wrongShare(const Counts& truth, const Counts& counts) {
@@ -198,11 +199,11 @@ double wrongShare(const Counts& truth, const Counts& counts) {
 }
 
 struct Case {
-    View view;
+    FractalView view;
     Counts truth{};
 };
 
-Point pointOf(const View& view, double error, const Timing& time, double bytes) {
+Point zoomPoint(const FractalView& view, double error, const Timing& time, double bytes) {
     return {.setting = view.zoom,
             .label = fmt::format("zoom {:.0e}", view.zoom),
             .error = error,
@@ -210,9 +211,9 @@ Point pointOf(const View& view, double error, const Timing& time, double bytes) 
             .memory = bytes};
 }
 
-Result<Curve> shaderCurve(Bench& bench, const ShaderMethod& method, const std::vector<Case>& cases) {
+Result<Curve> fractalShaderCurve(Bench& bench, const FractalShader& method, const std::vector<Case>& cases) {
     std::vector<Four> offsets;
-    const View& any = cases.front().view;
+    const FractalView& any = cases.front().view;
     for (int j = 0; j < any.side; ++j)
         for (int i = 0; i < any.side; ++i)
             offsets.push_back({static_cast<float>(any.offset(i)), static_cast<float>(any.offset(j)), 0, 0});
@@ -220,14 +221,14 @@ Result<Curve> shaderCurve(Bench& bench, const ShaderMethod& method, const std::v
     if (!shader) return shader.diagnostics;
     Curve curve{method.name, {}};
     for (const Case& each : cases) {
-        setView(shader->program(), each.view, method.isDouble);
+        setFractalView(shader->program(), each.view, method.isDouble);
         shader->compute();
         const Result<std::vector<Four>> values = shader->values();
         if (!values) return values.diagnostics;
         Counts counts;
         for (const Four& value : *values) counts.push_back(static_cast<int>(value[0]));
-        curve.points.push_back(pointOf(each.view, wrongShare(each.truth, counts),
-                                       bench.time([&] { shader->compute(); }), shader->bytes()));
+        curve.points.push_back(zoomPoint(each.view, wrongShare(each.truth, counts),
+                                         bench.time([&] { shader->compute(); }), shader->bytes()));
     }
     return curve;
 }
@@ -257,21 +258,21 @@ Result<std::vector<Figure>> measureFractals(Bench& bench) {
     figure.title = "The Mandelbrot set around a Misiurewicz point";
     for (int decade = 0; decade <= 15; decade += bench.isQuick() ? 5 : 1) {
         Case& each = cases.emplace_back(Case{{side, std::pow(10., decade)}});
-        plain<Quad>(each.view, each.truth);
+        countIterations<Quad>(each.view, each.truth);
     }
     Diagnostics problems;
     Counts counts;
-    for (const Method& method : kMethods) {
+    for (const FractalMethod& method : kFractalMethods) {
         Curve& curve = figure.curves.emplace_back(Curve{method.name, {}});
         for (const Case& each : cases) {
             const Timing time = bench.time([&] { method.draw(each.view, counts); });
-            const std::size_t orbit = method.hasOrbit ? kMost * sizeof(glm::vec2) : 0;
-            curve.points.push_back(pointOf(each.view, wrongShare(each.truth, counts), time,
-                                           static_cast<double>(counts.size() * sizeof(int) + orbit)));
+            const std::size_t orbit = method.hasOrbit ? kMostIterations * sizeof(glm::vec2) : 0;
+            curve.points.push_back(zoomPoint(each.view, wrongShare(each.truth, counts), time,
+                                             static_cast<double>(counts.size() * sizeof(int) + orbit)));
         }
     }
-    for (const ShaderMethod& method : shaderMethods()) {
-        Result<Curve> curve = shaderCurve(bench, method, cases);
+    for (const FractalShader& method : fractalShaders()) {
+        Result<Curve> curve = fractalShaderCurve(bench, method, cases);
         if (!hasError(problems)) append(problems, std::move(curve.diagnostics));
         if (curve) figure.curves.push_back(std::move(*curve));
     }

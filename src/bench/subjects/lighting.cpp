@@ -48,7 +48,7 @@ Difference difference(const std::vector<float>& drawn, const std::vector<std::op
     return found;
 }
 
-std::vector<std::optional<double>> reference(LitSurface surface, int side) {
+std::vector<std::optional<double>> litReference(LitSurface surface, int side) {
     std::vector<std::optional<double>> values;
     for (int row = 0; row < side; ++row)
         for (int column = 0; column < side; ++column) {
@@ -67,11 +67,11 @@ geometry::Mesh meshOf(LitSurface surface, int slices) {
                                          : geometry::torus(kRingRadius, kTubeRadius, slices / 2, slices);
 }
 
-struct Method {
+struct NamedMethod {
     LightingMethod method;
     std::string_view name;
 };
-constexpr std::array<Method, 4> kMethods{
+constexpr std::array<NamedMethod, 4> kNamedMethods{
     {{LightingMethod::perVertex, "per vertex (Gouraud)"},
      {LightingMethod::interpolated, "per fragment, normals as interpolated"},
      {LightingMethod::renormalised, "per fragment, normals renormalised"},
@@ -91,10 +91,10 @@ Result<Figure> surfaceFigure(Bench& bench, const gpu::Capabilities& capabilities
         .curves = {},
         .findings = {}};
     const int side = bench.isQuick() ? 96 : 384, most = bench.isQuick() ? 64 : 512;
-    const std::vector<std::optional<double>> wanted = reference(surface, side);
+    const std::vector<std::optional<double>> wanted = litReference(surface, side);
     Result<gpu::Target> target = gpu::Target::window(capabilities, side, side, gpu::TexelFormat::rgba32f);
     if (!target) return std::move(target.diagnostics);
-    for (const Method& method : kMethods) {
+    for (const NamedMethod& method : kNamedMethods) {
         Result<gpu::Program> program =
             lightingProgram(capabilities, surface, method.method, obliqueLight(), kExponent);
         if (!program) return std::move(program.diagnostics);
@@ -127,7 +127,7 @@ Result<Figure> surfaceFigure(Bench& bench, const gpu::Capabilities& capabilities
     return figure;
 }
 
-double bytesOf(const gpu::Target& target) {
+double targetBytes(const gpu::Target& target) {
     return static_cast<double>(target.width()) * target.height() * 4 * sizeof(float);
 }
 
@@ -154,8 +154,7 @@ std::vector<std::optional<double>> highlights(int side, const glm::dvec3& light,
 Result<double> highlightError(const gpu::Capabilities& capabilities, const gpu::Program& program,
                               const gpu::Target& target, const glm::dvec3& light, double exponent,
                               const std::vector<std::optional<double>>& wanted) {
-    setFloats(program, "uLight",
-              {static_cast<float>(light.x), static_cast<float>(light.y), static_cast<float>(light.z)});
+    setVector(program, "uLight", light);
     setFloats(program, "uExponent", {static_cast<float>(exponent)});
     target.bind();
     drawWhole(program);
@@ -201,7 +200,7 @@ Result<Figure> halfVectorFigure(Bench& bench, const gpu::Capabilities& capabilit
                                         .label = fmt::format("{} times", factor),
                                         .error = *error,
                                         .time = {},
-                                        .memory = bytesOf(*target)});
+                                        .memory = targetBytes(*target)});
             }
             figure.findings.push_back(bestFactor(curve));
             figure.curves.push_back(std::move(curve));
@@ -243,7 +242,7 @@ Result<Figure> modelFigure(Bench& bench, const gpu::Capabilities& capabilities) 
                         .label = fmt::format("{} degrees", angle),
                         .error = *error,
                         .time = {},
-                        .memory = bytesOf(*target)};
+                        .memory = targetBytes(*target)};
             point.time = bench.time([&] {
                 target->bind();
                 drawWhole(*program);

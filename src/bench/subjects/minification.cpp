@@ -17,13 +17,12 @@
 namespace glibra::bench {
 namespace {
 
-constexpr int kReferenceFactor = 16;
-constexpr double kByte = 255;
-constexpr const char* kReference =
+constexpr int kCardFactor = 16;
+constexpr const char* kCardReference =
     "16 x 16 bilinear samples per pixel of the texture itself, in double on the CPU";
 
 /// The mapping of the picture to the texture: a plane in perspective, or one seen from the front.
-struct View {
+struct CardView {
     bool isPlane = true;
     double texels = 1;  ///< plane: texels per unit of its width and depth; front: texels across the picture
     glm::dvec2 start{.3, .7};  ///< texels
@@ -31,13 +30,13 @@ struct View {
 
 /// The texels at a place of the picture, 0..1 from the lower left. The shader below computes the same in
 /// float.
-glm::dvec2 texelsAt(const View& view, const glm::dvec2& place) {
+glm::dvec2 texelsAt(const CardView& view, const glm::dvec2& place) {
     if (!view.isPlane) return view.start + view.texels * place;
     const double depth = 1 / (1.1 - place.y);
     return view.start + view.texels * glm::dvec2((place.x - .5) * depth, depth);
 }
 
-constexpr std::string_view kFragment =
+constexpr std::string_view kCardFragment =
     "in vec2 vPlace;\n"
     "uniform sampler2D uCard;\n"
     "uniform vec4 uView;\n"  // start, texels, is a plane
@@ -83,7 +82,7 @@ std::vector<Filter> filters(const gpu::Capabilities& capabilities) {
 class CardPicture {
   public:
     static Result<CardPicture> create(const gpu::Capabilities& capabilities, int side) {
-        Result<gpu::Program> built = program(capabilities, kWholeTarget, kFragment);
+        Result<gpu::Program> built = program(capabilities, kWholeTarget, kCardFragment);
         if (!built) return std::move(built.diagnostics);
         Result<CardTexture> texture = CardTexture::create();
         if (!texture) return std::move(texture.diagnostics);
@@ -98,7 +97,7 @@ class CardPicture {
         return gpu::Target::window(*capabilities_, side_ * factor, side_ * factor, gpu::TexelFormat::r32f);
     }
     /// One grey value per pixel, 0..1, rows from the top.
-    Result<std::vector<double>> draw(const gpu::Target& target, const View& view,
+    Result<std::vector<double>> draw(const gpu::Target& target, const CardView& view,
                                      const Filter& filter) const {
         const gpu::Sampler sampler(
             gpu::SamplerState{.filter = filter.filter, .anisotropy = filter.anisotropy, .border = {}});
@@ -130,7 +129,7 @@ class CardPicture {
 };
 
 /// The reference for a view: means of factor x factor samples per pixel.
-std::vector<double> reference(const View& view, int side, int factor) {
+std::vector<double> cardReference(const CardView& view, int side, int factor) {
     const std::vector<std::uint8_t> card = testCard();
     std::vector<double> pixels;
     for (int row = side - 1; row >= 0; --row)
@@ -147,29 +146,23 @@ std::vector<double> reference(const View& view, int side, int factor) {
     return pixels;
 }
 
-double rootMeanSquare(const std::vector<double>& picture, const std::vector<double>& wanted) {
-    double sum = 0;
-    for (std::size_t i = 0; i < picture.size(); ++i) sum += std::pow(picture[i] - wanted[i], 2);
-    return kByte * std::sqrt(sum / static_cast<double>(picture.size()));
-}
-
 /// Bytes of the texels that the filter may read, including smaller levels, and of the pixels.
-double bytesOf(const Filter& filter, const gpu::Target& target) {
+double filterBytes(const Filter& filter, const gpu::Target& target) {
     const bool hasLevels = base::SamplerState{.filter = filter.filter, .border = {}}.readsMipmaps();
     const double texels = 4. * kCardSide * kCardSide * (hasLevels ? 4. / 3 : 1);
     return texels + static_cast<double>(target.width()) * target.height() * sizeof(float);
 }
 
-Result<Point> measure(const Bench& bench, const CardPicture& picture, const View& view, const Filter& filter,
-                      const std::vector<double>& wanted) {
+Result<Point> measureCard(const Bench& bench, const CardPicture& picture, const CardView& view,
+                          const Filter& filter, const std::vector<double>& wanted) {
     Result<gpu::Target> target = picture.target(filter.factor);
     if (!target) return std::move(target.diagnostics);
     Result<std::vector<double>> drawn;
     const Timing timing = bench.time([&] { drawn = picture.draw(*target, view, filter); });
     if (!drawn) return std::move(drawn.diagnostics);
-    Point point{.setting = filter.reads, .label = filter.label, .error = rootMeanSquare(*drawn, wanted)};
+    Point point{.setting = filter.reads, .label = filter.label, .error = errorInBytes(*drawn, wanted)};
     point.time = timing;
-    point.memory = bytesOf(filter, *target);
+    point.memory = filterBytes(filter, *target);
     return point;
 }
 
@@ -189,7 +182,7 @@ int sideOf(const Bench& bench) {
 }
 
 /// A plane from .26 texels per pixel at the bottom to 32 at the top.
-View planeView(int side) {
+CardView planeView(int side) {
     return {.texels = .32 * side};
 }
 
@@ -197,12 +190,12 @@ View planeView(int side) {
 Result<std::vector<Point>> planeInBytes(const Bench& bench, const gpu::Capabilities& capabilities) {
     Result<CardPicture> picture = CardPicture::create(capabilities, sideOf(bench));
     if (!picture) return std::move(picture.diagnostics);
-    const View view = planeView(picture->side());
-    const std::vector<double> wanted = reference(view, picture->side(), kReferenceFactor);
+    const CardView view = planeView(picture->side());
+    const std::vector<double> wanted = cardReference(view, picture->side(), kCardFactor);
     std::vector<Point> points;
     for (const Filter& filter : filters(capabilities)) {
         if (filter.curve != "linear" && filter.curve != "mipmaps, trilinear") continue;
-        Result<Point> point = measure(bench, *picture, view, filter, wanted);
+        Result<Point> point = measureCard(bench, *picture, view, filter, wanted);
         if (!point) return std::move(point.diagnostics);
         points.push_back(std::move(*point));
     }
@@ -219,11 +212,11 @@ Result<Figure> plane(Bench& bench, const gpu::Context& context) {
                   .settingName = "texels read per pixel, at most",
                   .errorName = "root mean square error",
                   .errorUnit = "1/255",
-                  .reference = kReference};
-    const View view = planeView(picture->side());
-    const std::vector<double> wanted = reference(view, picture->side(), kReferenceFactor);
+                  .reference = kCardReference};
+    const CardView view = planeView(picture->side());
+    const std::vector<double> wanted = cardReference(view, picture->side(), kCardFactor);
     for (const Filter& filter : filters(capabilities)) {
-        Result<Point> point = measure(bench, *picture, view, filter, wanted);
+        Result<Point> point = measureCard(bench, *picture, view, filter, wanted);
         if (!point) return std::move(point.diagnostics);
         addTo(figure, filter.curve, std::move(*point));
     }
@@ -250,7 +243,7 @@ Result<Figure> plane(Bench& bench, const gpu::Context& context) {
     }
     figure.findings.push_back(
         fmt::format("16 x 16 and 24 x 24 samples of the reference differ by {}/255",
-                    numberText(rootMeanSquare(reference(view, picture->side(), 24), wanted))));
+                    numberText(errorInBytes(cardReference(view, picture->side(), 24), wanted))));
     figure.findings.push_back(
         fmt::format("glGenerateMipmap's texels are within {}/255 of the means of four that are used here",
                     numberText(picture->texture().differenceOfDriversLevels())));
@@ -265,7 +258,7 @@ Result<Figure> front(const Bench& bench, const gpu::Capabilities& capabilities) 
                   .settingName = "texels per pixel",
                   .errorName = "root mean square error",
                   .errorUnit = "1/255",
-                  .reference = kReference,
+                  .reference = kCardReference,
                   .curves = {},
                   .findings = {},
                   .alternatives = Alternatives::setting};
@@ -273,11 +266,11 @@ Result<Figure> front(const Bench& bench, const gpu::Capabilities& capabilities) 
         bench.isQuick() ? std::vector{1., 2., 4., 11.3}
                         : std::vector{1., 1.19, 1.41, 1.68, 2., 2.38, 2.83, 4., 5.66, 8., 11.3, 16., 22.6};
     for (const double ratio : ratios) {
-        const View view{.isPlane = false, .texels = ratio * picture->side()};
-        const std::vector<double> wanted = reference(view, picture->side(), kReferenceFactor);
+        const CardView view{.isPlane = false, .texels = ratio * picture->side()};
+        const std::vector<double> wanted = cardReference(view, picture->side(), kCardFactor);
         for (const Filter& filter : filters(capabilities)) {
             if (filter.factor > 1 || (filter.anisotropy > 1 && filter.anisotropy < 16)) continue;
-            Result<Point> point = measure(bench, *picture, view, filter, wanted);
+            Result<Point> point = measureCard(bench, *picture, view, filter, wanted);
             if (!point) return std::move(point.diagnostics);
             point->setting = ratio;
             point->label = fmt::format("{:g} texels per pixel", ratio);
@@ -302,11 +295,12 @@ Result<std::vector<Point>> magnified(const Bench& bench, const gpu::Capabilities
     const Filter linear{.curve = "linear", .label = "linear"};
     std::vector<Point> points;
     for (int pixels = 1; pixels <= kSide; pixels *= bench.isQuick() ? 8 : 2) {
-        const View view{.isPlane = false, .texels = static_cast<double>(kSide) / pixels, .start = {5.3, 9.7}};
+        const CardView view{
+            .isPlane = false, .texels = static_cast<double>(kSide) / pixels, .start = {5.3, 9.7}};
         Result<std::vector<double>> drawn;
         const Timing timing = bench.time([&] { drawn = picture->draw(*target, view, linear); });
         if (!drawn) return std::move(drawn.diagnostics);
-        const std::vector<double> wanted = reference(view, kSide, 1);
+        const std::vector<double> wanted = cardReference(view, kSide, 1);
         double largest = 0;
         for (std::size_t i = 0; i < wanted.size(); ++i)
             largest = std::max(largest, std::abs((*drawn)[i] - wanted[i]));
@@ -314,7 +308,7 @@ Result<std::vector<Point>> magnified(const Bench& bench, const gpu::Capabilities
                     .label = fmt::format("{} pixels per texel", pixels),
                     .error = kByte * largest};
         point.time = timing;
-        point.memory = bytesOf(linear, *target);
+        point.memory = filterBytes(linear, *target);
         points.push_back(std::move(point));
     }
     return points;

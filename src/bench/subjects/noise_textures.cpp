@@ -16,9 +16,8 @@
 namespace glibra::bench {
 namespace {
 
-constexpr int kSide = 256;
-constexpr double kByte = 255;
-constexpr const char* kReference = "the noise function itself, in double";
+constexpr int kNoiseSide = 256;
+constexpr const char* kNoiseReference = "the noise function itself, in double";
 
 /// A slanted plane through one period.
 constexpr NoisePlane slanted() {
@@ -108,13 +107,13 @@ std::vector<Figure> onCpu(const Bench& bench, ExactTexels& exact) {
                .settingName = "texels per side",
                .errorName = "root mean square error",
                .errorUnit = "1/255",
-               .reference = kReference};
+               .reference = kNoiseReference};
     Figure octaves{.name = "octaves",
                    .title = "Noise texture of floats: each octave, interpolated in double",
                    .settingName = "texels per side",
                    .errorName = "root mean square error, of the octave's own root mean square",
                    .errorUnit = "",
-                   .reference = kReference,
+                   .reference = kNoiseReference,
                    .curves = {},
                    .findings = {},
                    .alternatives = Alternatives::curve};
@@ -159,7 +158,7 @@ std::vector<Figure> onCpu(const Bench& bench, ExactTexels& exact) {
 }
 
 /// The root mean square of the error of the sum over a picture, in 255ths.
-Result<double> pictureError(const NoisePicture& picture, const NoisePlane& plane) {
+Result<double> noiseSumError(const NoisePicture& picture, const NoisePlane& plane) {
     Result<std::vector<float>> pixels = picture.pixels();
     if (!pixels) return std::move(pixels.diagnostics);
     double sum = 0;
@@ -176,7 +175,7 @@ Result<double> pictureError(const NoisePicture& picture, const NoisePlane& plane
 Result<Point> drawn(const Bench& bench, const NoisePicture& picture, const NoiseVolume* volume,
                     const gpu::Texture* texture) {
     const Timing timing = bench.time([&] { picture.draw(slanted(), texture); });
-    Result<double> error = pictureError(picture, slanted());
+    Result<double> error = noiseSumError(picture, slanted());
     if (!error) return std::move(error.diagnostics);
     Point point{.setting = volume ? static_cast<double>(volume->side()) : 1,
                 .label = volume ? texelsLabel(volume->side()) : "no texture",
@@ -188,7 +187,7 @@ Result<Point> drawn(const Bench& bench, const NoisePicture& picture, const Noise
 
 /// The driver's filter on the bytes of scenes, for each size.
 Result<std::vector<Point>> filteredBytes(const Bench& bench, const gpu::Capabilities& capabilities) {
-    Result<NoisePicture> picture = NoisePicture::create(capabilities, NoiseShader::driverFilter, kSide);
+    Result<NoisePicture> picture = NoisePicture::create(capabilities, NoiseShader::driverFilter, kNoiseSide);
     if (!picture) return std::move(picture.diagnostics);
     std::vector<Point> points;
     for (const int side : sidesOf(bench)) {
@@ -231,15 +230,16 @@ void compareDrawn(Figure& figure) {
 
 Result<Figure> onDevice(Bench& bench, const gpu::Context& context, ExactTexels& exact) {
     const gpu::Capabilities& capabilities = context.capabilities();
-    Figure figure{.name = "drawn",
-                  .title = fmt::format("Noise in a picture of {0} x {0} pixels, sum of four octaves", kSide),
-                  .settingName = "texels per side",
-                  .errorName = "root mean square error",
-                  .errorUnit = "1/255",
-                  .reference = kReference};
-    Result<NoisePicture> byDriver = NoisePicture::create(capabilities, NoiseShader::driverFilter, kSide);
-    Result<NoisePicture> byShader = NoisePicture::create(capabilities, NoiseShader::shaderFilter, kSide);
-    Result<NoisePicture> byFunction = NoisePicture::create(capabilities, NoiseShader::function, kSide);
+    Figure figure{
+        .name = "drawn",
+        .title = fmt::format("Noise in a picture of {0} x {0} pixels, sum of four octaves", kNoiseSide),
+        .settingName = "texels per side",
+        .errorName = "root mean square error",
+        .errorUnit = "1/255",
+        .reference = kNoiseReference};
+    Result<NoisePicture> byDriver = NoisePicture::create(capabilities, NoiseShader::driverFilter, kNoiseSide);
+    Result<NoisePicture> byShader = NoisePicture::create(capabilities, NoiseShader::shaderFilter, kNoiseSide);
+    Result<NoisePicture> byFunction = NoisePicture::create(capabilities, NoiseShader::function, kNoiseSide);
     for (Result<NoisePicture>* each : {&byDriver, &byShader, &byFunction})
         if (!*each) return std::move(each->diagnostics);
     for (const int side : sidesOf(bench))
@@ -288,10 +288,11 @@ Result<Figure> seam(const Bench& bench, const gpu::Capabilities& capabilities, E
                   .settingName = "texels per side",
                   .errorName = "largest error of an octave",
                   .errorUnit = "1/255",
-                  .reference = kReference};
-    Result<NoisePicture> picture = NoisePicture::create(capabilities, NoiseShader::driverFilter, kSide / 4);
+                  .reference = kNoiseReference};
+    Result<NoisePicture> picture =
+        NoisePicture::create(capabilities, NoiseShader::driverFilter, kNoiseSide / 4);
     if (!picture) return std::move(picture.diagnostics);
-    struct Way {
+    struct Wrapping {
         std::string_view name;
         gpu::Wrap wrap;
         double middle;
@@ -302,10 +303,10 @@ Result<Figure> seam(const Bench& bench, const gpu::Capabilities& capabilities, E
         Result<gpu::Texture> texture = volume.upload(capabilities);
         if (!texture) return std::move(texture.diagnostics);
         const double border = 1 - .5 / side;
-        for (const Way& way : {Way{"repeated", gpu::Wrap::repeat, border},
-                               Way{"clamped to the edge", gpu::Wrap::clampToEdge, border},
-                               Way{"mirrored", gpu::Wrap::mirroredRepeat, border},
-                               Way{"repeated, in the middle", gpu::Wrap::repeat, .5 - .5 / side}}) {
+        for (const Wrapping& way : {Wrapping{"repeated", gpu::Wrap::repeat, border},
+                                    Wrapping{"clamped to the edge", gpu::Wrap::clampToEdge, border},
+                                    Wrapping{"mirrored", gpu::Wrap::mirroredRepeat, border},
+                                    Wrapping{"repeated, in the middle", gpu::Wrap::repeat, .5 - .5 / side}}) {
             Result<double> error = strip(*picture, *texture, way.wrap, way.middle);
             if (!error) return std::move(error.diagnostics);
             curveNamed(figure, way.name)

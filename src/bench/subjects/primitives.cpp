@@ -17,7 +17,6 @@
 namespace glibra::bench {
 namespace {
 
-constexpr double kOutlineRadius = 512;  ///< pixels
 constexpr int kPictureSide = 1024;
 constexpr double kPictureRadius =
     500.3;  ///< pixels; not an integer, so that no pixel centre lies on the edge
@@ -31,16 +30,16 @@ std::vector<int> sliceCounts(const Bench& bench) {
 }
 
 /// All measures of one mesh.
-struct Measured {
+struct MeasuredMesh {
     int slices = 0;
     double triangles = 0, bytes = 0, outline = 0, volume = 0;
     MeshError error;
     Timing time;
 };
 
-Measured measure(const Bench& bench, const Solid& solid, int slices) {
+MeasuredMesh measureMesh(const Bench& bench, const Solid& solid, int slices) {
     const geometry::Mesh mesh = solid.mesh(slices);
-    Measured all;
+    MeasuredMesh all;
     all.slices = slices;
     all.triangles = static_cast<double>(mesh.indices.size()) / 3;
     all.bytes = meshBytes(mesh);
@@ -51,11 +50,11 @@ Measured measure(const Bench& bench, const Solid& solid, int slices) {
     return all;
 }
 
-using Sweep = std::vector<Measured>;
+using Sweep = std::vector<MeasuredMesh>;
 
-Curve curveOf(std::string name, const Sweep& sweep, double (*error)(const Measured&)) {
+Curve sliceCurve(std::string name, const Sweep& sweep, double (*error)(const MeasuredMesh&)) {
     Curve curve{std::move(name), {}};
-    for (const Measured& each : sweep)
+    for (const MeasuredMesh& each : sweep)
         curve.points.push_back({.setting = static_cast<double>(each.slices),
                                 .label = fmt::format("{} slices", each.slices),
                                 .error = error(each),
@@ -64,12 +63,12 @@ Curve curveOf(std::string name, const Sweep& sweep, double (*error)(const Measur
     return curve;
 }
 
-Figure bySlices(std::span<const Sweep> sweeps, double (*error)(const Measured&)) {
+Figure bySlices(std::span<const Sweep> sweeps, double (*error)(const MeasuredMesh&)) {
     Figure figure;
     figure.settingName = "slices";
     figure.alternatives = Alternatives::curve;
     for (std::size_t i = 0; i < sweeps.size(); ++i)
-        figure.curves.push_back(curveOf(std::string(solids()[i].name), sweeps[i], error));
+        figure.curves.push_back(sliceCurve(std::string(solids()[i].name), sweeps[i], error));
     return figure;
 }
 
@@ -79,7 +78,7 @@ void addOrders(Figure& figure) {
 }
 
 Figure positionFigure(std::span<const Sweep> sweeps) {
-    Figure figure = bySlices(sweeps, [](const Measured& each) { return each.error.distance; });
+    Figure figure = bySlices(sweeps, [](const MeasuredMesh& each) { return each.error.distance; });
     figure.name = "position";
     figure.title = "Distance of the mesh from the surface";
     figure.errorName = "largest distance";
@@ -90,14 +89,14 @@ Figure positionFigure(std::span<const Sweep> sweeps) {
 }
 
 Figure normalFigure(std::span<const Sweep> sweeps) {
-    Figure figure = bySlices(sweeps, [](const Measured& each) { return each.error.normal; });
+    Figure figure = bySlices(sweeps, [](const MeasuredMesh& each) { return each.error.normal; });
     figure.name = "normal";
     figure.title = "Interpolated normals, and the normals of flat triangles";
     figure.errorName = "largest angle";
     figure.errorUnit = "degrees";
     figure.reference = kClosedForm;
-    figure.curves.push_back(curveOf("sphere, flat triangles", sweeps.front(),
-                                    [](const Measured& each) { return each.error.faceNormal; }));
+    figure.curves.push_back(sliceCurve("sphere, flat triangles", sweeps.front(),
+                                       [](const MeasuredMesh& each) { return each.error.faceNormal; }));
     for (const Curve& each : figure.curves)
         figure.findings.push_back(angleSentence(each, figure.settingName, 8));
     const Point& smooth = figure.curves.front().points.back();
@@ -108,7 +107,7 @@ Figure normalFigure(std::span<const Sweep> sweeps) {
 }
 
 Figure outlineFigure(std::span<const Sweep> sweeps) {
-    Figure figure = bySlices(sweeps, [](const Measured& each) { return each.outline; });
+    Figure figure = bySlices(sweeps, [](const MeasuredMesh& each) { return each.outline; });
     figure.name = "outline";
     figure.title = fmt::format("Outline, where the radius is {} pixels", kOutlineRadius);
     figure.errorName = "largest distance of the outlines";
@@ -128,7 +127,7 @@ Figure outlineFigure(std::span<const Sweep> sweeps) {
 }
 
 Figure volumeFigure(std::span<const Sweep> sweeps) {
-    Figure figure = bySlices(sweeps, [](const Measured& each) { return each.volume; });
+    Figure figure = bySlices(sweeps, [](const MeasuredMesh& each) { return each.volume; });
     figure.name = "volume";
     figure.title = "Volume";
     figure.errorName = "relative error";
@@ -146,8 +145,8 @@ Figure balanceFigure(const Bench& bench, const Sweep& balanced) {
     figure.errorName = "largest distance";
     figure.errorUnit = "radii";
     figure.reference = kClosedForm;
-    figure.curves.push_back(
-        curveOf("stacks = slices / 2", balanced, [](const Measured& each) { return each.error.distance; }));
+    figure.curves.push_back(sliceCurve("stacks = slices / 2", balanced,
+                                       [](const MeasuredMesh& each) { return each.error.distance; }));
     const std::vector<int> stackCounts = bench.isQuick() ? std::vector{8} : std::vector{8, 32, 128};
     for (const int stacks : stackCounts) {
         Curve curve{fmt::format("{} stacks", stacks), {}};
@@ -248,7 +247,7 @@ Result<std::vector<Figure>> measurePrimitives(Bench& bench) {
     std::vector<Sweep> sweeps;
     for (const Solid& solid : solids()) {
         Sweep& sweep = sweeps.emplace_back();
-        for (const int slices : sliceCounts(bench)) sweep.push_back(measure(bench, solid, slices));
+        for (const int slices : sliceCounts(bench)) sweep.push_back(measureMesh(bench, solid, slices));
     }
     std::vector<Figure> teapot = teapotFigures(bench);
     std::vector<Figure> figures{positionFigure(sweeps), normalFigure(sweeps), outlineFigure(sweeps),

@@ -94,23 +94,23 @@ double stableDiscriminant(const Ray& ray) {
     return discriminant < 0 ? kMissed : static_cast<double>((b - std::sqrt(a * discriminant)) / a);
 }
 
-struct Method {
+struct RayMethod {
     const char* name;
     double (*hit)(const Ray&);
 };
 
-constexpr Method kMethods[] = {
+constexpr RayMethod kRayMethods[] = {
     {"CPU, float, textbook", textbook<float>}, {"CPU, float, discriminant by distance", stableDiscriminant},
     {"CPU, float, stable", stable<float>},     {"CPU, double, textbook", textbook<double>},
     {"CPU, double, stable", stable<double>},
 };
 
-struct ShaderMethod {
+struct RayShader {
     const char* name;
     const char* glsl;
 };
 
-constexpr ShaderMethod kShaderMethods[] = {
+constexpr RayShader kRayShaders[] = {
     {"shader, textbook", R"(vec4 value() {
     vec3 o = given(0).xyz, d = given(1).xyz;
     float a = dot(d, d), b = 2. * dot(o, d), c = dot(o, o) - 1., discriminant = b * b - 4. * a * c;
@@ -165,24 +165,25 @@ Setting settingOf(double value, std::string label, std::vector<Ray> rays) {
 
 using Choice = double Outcome::*;
 
-Point pointOf(const Setting& setting, double error, const Timing& time, double bytes) {
+Point rayPoint(const Setting& setting, double error, const Timing& time, double bytes) {
     return {.setting = setting.value, .label = setting.label, .error = error, .time = time, .memory = bytes};
 }
 
-Curve cpuCurve(const Bench& bench, const Method& method, std::span<const Setting> settings, Choice choice) {
+Curve cpuRayCurve(const Bench& bench, const RayMethod& method, std::span<const Setting> settings,
+                  Choice choice) {
     Curve curve{method.name, {}};
     std::vector<double> hits(kRays);
     for (const Setting& setting : settings) {
         const auto compute = [&] { std::ranges::transform(setting.rays, hits.begin(), method.hit); };
         compute();
-        curve.points.push_back(pointOf(setting, judge(setting.truths, hits).*choice, bench.time(compute),
-                                       kRays * static_cast<double>(sizeof(Ray) + sizeof(double))));
+        curve.points.push_back(rayPoint(setting, judge(setting.truths, hits).*choice, bench.time(compute),
+                                        kRays * static_cast<double>(sizeof(Ray) + sizeof(double))));
     }
     return curve;
 }
 
-Result<Curve> shaderCurve(Bench& bench, const ShaderMethod& method, std::span<const Setting> settings,
-                          Choice choice) {
+Result<Curve> shaderRayCurve(Bench& bench, const RayShader& method, std::span<const Setting> settings,
+                             Choice choice) {
     Curve curve{method.name, {}};
     for (const Setting& setting : settings) {
         std::vector<Four> inputs;
@@ -198,17 +199,18 @@ Result<Curve> shaderCurve(Bench& bench, const ShaderMethod& method, std::span<co
         std::vector<double> hits;
         for (const Four& each : *values)
             hits.push_back(each[1] > .5F ? static_cast<double>(each[0]) : kMissed);
-        curve.points.push_back(pointOf(setting, judge(setting.truths, hits).*choice,
-                                       bench.time([&] { shader->compute(); }), shader->bytes()));
+        curve.points.push_back(rayPoint(setting, judge(setting.truths, hits).*choice,
+                                        bench.time([&] { shader->compute(); }), shader->bytes()));
     }
     return curve;
 }
 
 void addCurves(Figure& figure, Bench& bench, std::span<const Setting> settings, Choice choice,
                Diagnostics& problems) {
-    for (const Method& method : kMethods) figure.curves.push_back(cpuCurve(bench, method, settings, choice));
-    for (const ShaderMethod& method : kShaderMethods) {
-        Result<Curve> curve = shaderCurve(bench, method, settings, choice);
+    for (const RayMethod& method : kRayMethods)
+        figure.curves.push_back(cpuRayCurve(bench, method, settings, choice));
+    for (const RayShader& method : kRayShaders) {
+        Result<Curve> curve = shaderRayCurve(bench, method, settings, choice);
         if (!hasError(problems)) append(problems, std::move(curve.diagnostics));
         if (curve) figure.curves.push_back(std::move(*curve));
     }

@@ -43,7 +43,7 @@ Thoroughness thoroughness(const Bench& bench) {
 }
 
 /// One scene drawn in each of the ways.
-struct Measured {
+struct MeasuredScene {
     const ShippedScene* scene = nullptr;
     int width = 0, height = 0;
     std::array<PictureError, kWays.size()> errors{};
@@ -52,10 +52,10 @@ struct Measured {
     int referenceSamples = 0;
 };
 
-Result<Measured> measure(Bench& bench, gpu::Context& context, const ShippedScene& scene) {
+Result<MeasuredScene> measureScene(Bench& bench, gpu::Context& context, const ShippedScene& scene) {
     RenderOptions options;
     if (bench.isQuick()) options.width = options.height = 64;
-    Measured measured{.scene = &scene};
+    MeasuredScene measured{.scene = &scene};
     std::array<image::Image, kWays.size()> pictures;
     for (std::size_t i = 0; i < kWays.size(); ++i) {
         RenderOptions way = options;
@@ -85,14 +85,14 @@ Result<Measured> measure(Bench& bench, gpu::Context& context, const ShippedScene
     return measured;
 }
 
-std::string sizeText(const Measured& each) {
+std::string sizeText(const MeasuredScene& each) {
     return fmt::format("{} x {}", each.width, each.height);
 }
 
 /// Scenes by one measure of their error, largest first; one curve per way.
-Figure ranked(std::vector<Measured> all, Figure figure, double (*errorOf)(const PictureError&)) {
+Figure ranked(std::vector<MeasuredScene> all, Figure figure, double (*errorOf)(const PictureError&)) {
     std::ranges::sort(all, std::ranges::greater(),
-                      [&](const Measured& each) { return errorOf(each.errors.front()); });
+                      [&](const MeasuredScene& each) { return errorOf(each.errors.front()); });
     for (std::size_t i = 0; i < kWays.size(); ++i) {
         Curve curve{.name = std::string(kWays[i].name), .points = {}};
         for (std::size_t rank = 0; rank < all.size(); ++rank)
@@ -105,7 +105,7 @@ Figure ranked(std::vector<Measured> all, Figure figure, double (*errorOf)(const 
     }
     constexpr std::size_t kNamed = 10;
     for (std::size_t rank = 0; rank < std::min(kNamed, all.size()); ++rank) {
-        const Measured& each = all[rank];
+        const MeasuredScene& each = all[rank];
         figure.findings.push_back(fmt::format(
             "{} ({}): {}, with 4 samples {}; {} and {}", each.scene->name, sizeText(each),
             numberText(errorOf(each.errors[kPlain])), numberText(errorOf(each.errors[kFourSamples])),
@@ -120,10 +120,10 @@ double median(std::vector<double> values) {
 }
 
 /// The gain and the cost of a way against one sample and the scene's own counts.
-std::string comparison(const std::vector<Measured>& all, std::size_t way) {
+std::string comparison(const std::vector<MeasuredScene>& all, std::size_t way) {
     std::vector<double> better, longer;
     std::size_t faster = 0;
-    for (const Measured& each : all) {
+    for (const MeasuredScene& each : all) {
         const double ratio = each.times[way].median / each.times[kPlain].median;
         if (each.errors[kPlain].rootMeanSquare > 0)
             better.push_back(each.errors[way].rootMeanSquare / each.errors[kPlain].rootMeanSquare);
@@ -137,12 +137,12 @@ std::string comparison(const std::vector<Measured>& all, std::size_t way) {
 }
 
 /// How long the scenes take, and what the ways gain.
-std::vector<std::string> overall(const std::vector<Measured>& all) {
+std::vector<std::string> overall(const std::vector<MeasuredScene>& all) {
     std::vector<double> times;
     times.reserve(all.size());
-    for (const Measured& each : all) times.push_back(each.times[kPlain].median);
-    const auto slowest =
-        std::ranges::max_element(all, {}, [](const Measured& each) { return each.times[kPlain].median; });
+    for (const MeasuredScene& each : all) times.push_back(each.times[kPlain].median);
+    const auto slowest = std::ranges::max_element(
+        all, {}, [](const MeasuredScene& each) { return each.times[kPlain].median; });
     return {
         fmt::format("{} scenes; half of the pictures take less than {} (parse, plan, upload, draw, read), "
                     "the longest takes {}: {}",
@@ -152,11 +152,11 @@ std::vector<std::string> overall(const std::vector<Measured>& all) {
 }
 
 /// Names the scenes whose reference has fewer samples than the others; empty if there are none.
-std::string slowOnes(const std::vector<Measured>& all) {
-    const int most = std::ranges::max_element(all, {}, &Measured::referenceSamples)->referenceSamples;
+std::string slowOnes(const std::vector<MeasuredScene>& all) {
+    const int most = std::ranges::max_element(all, {}, &MeasuredScene::referenceSamples)->referenceSamples;
     std::vector<std::string> names;
     int fewest = most;
-    for (const Measured& each : all)
+    for (const MeasuredScene& each : all)
         if (each.referenceSamples < most) {
             names.push_back(each.scene->name);
             fewest = each.referenceSamples;
@@ -173,13 +173,13 @@ Result<std::vector<Figure>> measureScenes(Bench& bench) {
     if (!context) return context.diagnostics;
     const Result<std::vector<ShippedScene>> scenes = shippedScenes();
     if (!scenes) return scenes.diagnostics;
-    std::vector<Measured> all;
+    std::vector<MeasuredScene> all;
     std::vector<std::string> failures;
     Diagnostics reasons;
     const Thoroughness thorough = thoroughness(bench);
     for (std::size_t i = 0; i < scenes->size(); i += thorough.stride) {
         const ShippedScene& scene = (*scenes)[i];
-        Result<Measured> measured = measure(bench, **context, scene);
+        Result<MeasuredScene> measured = measureScene(bench, **context, scene);
         if (measured) {
             all.push_back(*measured);
             continue;

@@ -37,7 +37,7 @@ struct Traced {
 };
 
 template <class Number, class Step>
-Traced fixedSteps(int steps, int evaluationsEach, Step step) {
+Traced tracedInFixedSteps(int steps, int evaluationsEach, Step step) {
     Complex<Number> z(kStart);
     const auto h = static_cast<Number>(kEnd / steps);
     double largest = 0;
@@ -49,18 +49,19 @@ Traced fixedSteps(int steps, int evaluationsEach, Step step) {
 }
 
 Traced euler(int steps) {
-    return fixedSteps<double>(steps, 1, [](const Complex<double>& z, double h) { return z + h * field(z); });
+    return tracedInFixedSteps<double>(steps, 1,
+                                      [](const Complex<double>& z, double h) { return z + h * field(z); });
 }
 
 Traced midpoint(int steps) {
-    return fixedSteps<double>(
+    return tracedInFixedSteps<double>(
         steps, 2, [](const Complex<double>& z, double h) { return z + h * field(z + .5 * h * field(z)); });
 }
 
 /// The classic Runge-Kutta method.
 template <class Number>
 Traced rungeKutta(int steps) {
-    return fixedSteps<Number>(steps, 4, [](const Complex<Number>& z, Number h) {
+    return tracedInFixedSteps<Number>(steps, 4, [](const Complex<Number>& z, Number h) {
         const Complex<Number> a = field(z), b = field(z + h / 2 * a), c = field(z + h / 2 * b),
                               d = field(z + h * c);
         return z + h / 6 * (a + Number(2) * (b + c) + d);
@@ -112,8 +113,8 @@ Traced dormandPrince(double tolerance) {
     return {largest, evaluations};
 }
 
-Point pointOf(const Bench& bench, std::string label, std::size_t bytes,
-              const std::function<Traced()>& trace) {
+Point tracePoint(const Bench& bench, std::string label, std::size_t bytes,
+                 const std::function<Traced()>& trace) {
     const Traced traced = trace();
     return {.setting = static_cast<double>(traced.evaluations),
             .label = std::move(label),
@@ -122,7 +123,7 @@ Point pointOf(const Bench& bench, std::string label, std::size_t bytes,
             .memory = static_cast<double>(bytes)};
 }
 
-struct Method {
+struct StreamlineMethod {
     const char* name;
     Traced (*trace)(int steps);
     std::size_t bytes;  ///< the place and the slopes of a step
@@ -138,16 +139,17 @@ Figure streamlineFigure(const Bench& bench) {
     figure.errorName = "largest distance on the way";
     figure.errorUnit = "radii of the start";
     figure.reference = "the solution in closed form at the time of every step, z(t) = z0 / (1 - z0 t)";
-    constexpr Method kMethods[] = {{"Euler", euler, 2 * sizeof(Complex<double>)},
-                                   {"midpoint", midpoint, 3 * sizeof(Complex<double>)},
-                                   {"Runge-Kutta 4", rungeKutta<double>, 5 * sizeof(Complex<double>)},
-                                   {"Runge-Kutta 4, float", rungeKutta<float>, 5 * sizeof(Complex<float>)}};
+    constexpr StreamlineMethod kMethods[] = {
+        {"Euler", euler, 2 * sizeof(Complex<double>)},
+        {"midpoint", midpoint, 3 * sizeof(Complex<double>)},
+        {"Runge-Kutta 4", rungeKutta<double>, 5 * sizeof(Complex<double>)},
+        {"Runge-Kutta 4, float", rungeKutta<float>, 5 * sizeof(Complex<float>)}};
     const int finest = bench.isQuick() ? 4096 : 65536;
-    for (const Method& method : kMethods) {
+    for (const StreamlineMethod& method : kMethods) {
         Curve& curve = figure.curves.emplace_back(Curve{method.name, {}});
         for (int steps = 256; steps <= finest; steps *= 4)
-            curve.points.push_back(pointOf(bench, fmt::format("{} steps", steps), method.bytes,
-                                           [&] { return method.trace(steps); }));
+            curve.points.push_back(tracePoint(bench, fmt::format("{} steps", steps), method.bytes,
+                                              [&] { return method.trace(steps); }));
     }
     const int smallest = bench.isQuick() ? -6 : -12;
     for (const bool isDouble : {true, false}) {
@@ -156,7 +158,7 @@ Figure streamlineFigure(const Bench& bench) {
         for (int power = -2; power >= (isDouble ? smallest : std::max(smallest, -6)); power -= 2) {
             const double tolerance = std::pow(10., power);
             const std::size_t bytes = 8 * (isDouble ? sizeof(Complex<double>) : sizeof(Complex<float>));
-            curve.points.push_back(pointOf(bench, fmt::format("tolerance 1e{}", power), bytes, [&] {
+            curve.points.push_back(tracePoint(bench, fmt::format("tolerance 1e{}", power), bytes, [&] {
                 return isDouble ? dormandPrince<double>(tolerance) : dormandPrince<float>(tolerance);
             }));
         }

@@ -16,25 +16,14 @@
 namespace glibra::bench {
 namespace {
 
-using Patches = std::array<geometry::Patch, 32>;
-
 constexpr int kShippedCells = 16;
-
-/// In the coordinates of geometry::teapot, whose body is two units wide.
-Patches placedPatches() {
-    Patches patches = geometry::teapotPatches();
-    for (geometry::Patch& patch : patches)
-        for (auto& row : patch)
-            for (glm::dvec3& p : row) p = {.5 * p.x, .5 * (p.z - 1.5), -.5 * p.y};
-    return patches;
-}
 
 geometry::Attribute attribute(std::string_view name, int components) {
     return {std::string(name), components, {}};
 }
 
 /// A grid on every patch, rounded once to float, with (cells + 1)^2 vertices per patch.
-geometry::Mesh grid(const Patches& patches, int cells) {
+geometry::Mesh patchGrid(const TeapotPatches& patches, int cells) {
     geometry::Attribute positions = attribute(geometry::kPosition, 3),
                         normals = attribute(geometry::kNormal, 3),
                         texCoords = attribute(geometry::kTexCoord, 2);
@@ -80,7 +69,7 @@ struct TeapotError {
 };
 
 /// Every mesh here has its patches one after the other, with (cells + 1)^2 vertices each.
-TeapotError errorOf(const geometry::Mesh& mesh, const Patches& patches, int cells) {
+TeapotError errorOf(const geometry::Mesh& mesh, const TeapotPatches& patches, int cells) {
     const auto vertices = static_cast<std::uint32_t>((cells + 1) * (cells + 1));
     TeapotError largest;
     forEachTriangle(mesh, 3, [&](const Triangle& triangle, const glm::dvec3& weights) {
@@ -105,7 +94,7 @@ TeapotError errorOf(const geometry::Mesh& mesh, const Patches& patches, int cell
     return largest;
 }
 
-Point pointOf(const geometry::Mesh& mesh, int cells, double error, const Timing& time) {
+Point teapotPoint(const geometry::Mesh& mesh, int cells, double error, const Timing& time) {
     return {.setting = static_cast<double>(cells),
             .label = fmt::format("{0} x {0} cells", cells),
             .error = error,
@@ -116,7 +105,7 @@ Point pointOf(const geometry::Mesh& mesh, int cells, double error, const Timing&
 }  // namespace
 
 std::vector<Figure> teapotFigures(const Bench& bench) {
-    const Patches patches = placedPatches();
+    const TeapotPatches patches = placedTeapotPatches();
     Figure position;
     position.name = "teapot-position";
     position.title = "Teapot: distance of the mesh from the patches";
@@ -136,11 +125,11 @@ std::vector<Figure> teapotFigures(const Bench& bench) {
     Curve positions{"grid on every patch", {}}, normals = positions;
     const std::vector<int> counts = bench.isQuick() ? std::vector{4, 8} : std::vector{2, 4, 8, 16, 32};
     for (const int cells : counts) {
-        const geometry::Mesh mesh = grid(patches, cells);
+        const geometry::Mesh mesh = patchGrid(patches, cells);
         const TeapotError found = errorOf(mesh, patches, cells);
-        const Timing time = bench.time([&] { grid(patches, cells); });
-        positions.points.push_back(pointOf(mesh, cells, found.distance, time));
-        normals.points.push_back(pointOf(mesh, cells, found.normal, time));
+        const Timing time = bench.time([&] { patchGrid(patches, cells); });
+        positions.points.push_back(teapotPoint(mesh, cells, found.distance, time));
+        normals.points.push_back(teapotPoint(mesh, cells, found.normal, time));
     }
     const geometry::Mesh shipped = geometry::teapot();
     const TeapotError found = errorOf(shipped, patches, kShippedCells);
@@ -152,9 +141,9 @@ std::vector<Figure> teapotFigures(const Bench& bench) {
         orderSentence(normals, "cells"),
         fmt::format("the teapot of scenes: {} degrees, at the {}", numberText(found.normal), found.normalAt)};
     position.curves = {std::move(positions),
-                       {"the teapot of scenes", {pointOf(shipped, kShippedCells, found.distance, time)}}};
+                       {"the teapot of scenes", {teapotPoint(shipped, kShippedCells, found.distance, time)}}};
     normal.curves = {std::move(normals),
-                     {"the teapot of scenes", {pointOf(shipped, kShippedCells, found.normal, time)}}};
+                     {"the teapot of scenes", {teapotPoint(shipped, kShippedCells, found.normal, time)}}};
     return {std::move(position), std::move(normal)};
 }
 

@@ -103,7 +103,7 @@ struct Distances {
     double atVertices = 0;  ///< largest distance of a vertex from the point of its own coordinate
 };
 
-Distances measure(const Analytic& surface, const std::vector<TessellatedVertex>& vertices) {
+Distances measureDistances(const Analytic& surface, const std::vector<TessellatedVertex>& vertices) {
     Distances found;
     double count = 0;
     for (std::size_t first = 0; first + 2 < vertices.size(); first += 3) {
@@ -131,7 +131,7 @@ Distances measure(const Analytic& surface, const std::vector<TessellatedVertex>&
     return found;
 }
 
-Figure figureOf(const Analytic& surface, std::string_view measure) {
+Figure distanceFigure(const Analytic& surface, std::string_view measure) {
     return {.name = fmt::format("{}-{}", surface.name, measure),
             .title = fmt::format("{}: {} distance of the triangles from the surface", surface.title, measure),
             .settingName = "tessellation level",
@@ -155,7 +155,7 @@ std::string modelFinding(const Analytic& surface) {
 
 Result<std::vector<Figure>> measureSurface(const Bench& bench, const gpu::Capabilities& capabilities,
                                            const Analytic& surface) {
-    Figure largest = figureOf(surface, "largest"), mean = figureOf(surface, "mean");
+    Figure largest = distanceFigure(surface, "largest"), mean = distanceFigure(surface, "mean");
     Result<gpu::Target> target =
         gpu::Target::window(capabilities, kPicture, kPicture, gpu::TexelFormat::rgba8);
     if (!target) return std::move(target.diagnostics);
@@ -169,7 +169,7 @@ Result<std::vector<Figure>> measureSurface(const Bench& bench, const gpu::Capabi
             const Levels levels{.outer = static_cast<float>(level), .inner = static_cast<float>(level)};
             Result<std::vector<TessellatedVertex>> vertices = tessellator->capture(levels);
             if (!vertices) return std::move(vertices.diagnostics);
-            const Distances found = measure(surface, *vertices);
+            const Distances found = measureDistances(surface, *vertices);
             atVertices = std::max(atVertices, found.atVertices);
             target->bind();
             target->clearColor(0, {});

@@ -58,7 +58,7 @@ ControlPoints turnedTeapot() {
     return points;
 }
 
-std::array<glm::vec3, 4> pointsOf(const ControlPoints& points, const Edge& edge) {
+std::array<glm::vec3, 4> edgePoints(const ControlPoints& points, const Edge& edge) {
     const std::span<const glm::vec3> patch =
         std::span(points).subspan(16 * static_cast<std::size_t>(edge.patch), 16);
     const auto at = [&](std::size_t row, std::size_t column) { return patch[row * 4 + column]; };
@@ -89,8 +89,8 @@ std::vector<SharedEdge> sharedEdges(const ControlPoints& points) {
     std::vector<SharedEdge> shared;
     for (std::size_t i = 0; i < edges.size(); ++i)
         for (std::size_t j = i + 1; j < edges.size(); ++j) {
-            const std::array<glm::vec3, 4> first = pointsOf(points, edges[i]);
-            std::array<glm::vec3, 4> second = pointsOf(points, edges[j]);
+            const std::array<glm::vec3, 4> first = edgePoints(points, edges[i]);
+            std::array<glm::vec3, 4> second = edgePoints(points, edges[j]);
             if (first.front() == first.back() || edges[i].patch == edges[j].patch) continue;
             if (first == second) shared.push_back({edges[i], edges[j], false});
             std::ranges::reverse(second);
@@ -113,7 +113,7 @@ std::vector<EdgeVertices> edgeVertices(const std::vector<TessellatedVertex>& ver
     return edges;
 }
 
-const EdgeVertices& verticesOf(const std::vector<EdgeVertices>& edges, const Edge& edge) {
+const EdgeVertices& verticesAlong(const std::vector<EdgeVertices>& edges, const Edge& edge) {
     return edges[static_cast<std::size_t>(edge.patch) * 4 + static_cast<std::size_t>(edge.side)];
 }
 
@@ -132,8 +132,8 @@ struct Cracks {
 Cracks countCracks(const std::vector<SharedEdge>& shared, const std::vector<EdgeVertices>& edges) {
     Cracks count;
     for (const SharedEdge& each : shared) {
-        const EdgeVertices& other = verticesOf(edges, each.second);
-        for (const auto& [place, position] : verticesOf(edges, each.first)) {
+        const EdgeVertices& other = verticesAlong(edges, each.second);
+        for (const auto& [place, position] : verticesAlong(edges, each.first)) {
             ++count.vertices;
             const auto partner = other.find(each.isReversed ? 1 - place : place);
             if (partner == other.end()) {
@@ -148,7 +148,7 @@ Cracks countCracks(const std::vector<SharedEdge>& shared, const std::vector<Edge
     return count;
 }
 
-std::string_view nameOf(Evaluation evaluation) {
+std::string_view evaluationName(Evaluation evaluation) {
     switch (evaluation) {
         case Evaluation::interpolated:
             return "de Casteljau";
@@ -223,9 +223,9 @@ Result<Figure> sharedEdgeCracks(const Bench& bench, const gpu::Capabilities& cap
     const ControlPoints points = turnedTeapot();
     const std::vector<SharedEdge> shared = sharedEdges(points);
     Figure figure = emptyCrackFigure(shared);
-    constexpr int kPicture = 256;  // pixels per side, for the time
+    constexpr int kTimedSide = 256;  // pixels per side, for the time
     const Result<gpu::Target> target =
-        gpu::Target::window(capabilities, kPicture, kPicture, gpu::TexelFormat::rgba8);
+        gpu::Target::window(capabilities, kTimedSide, kTimedSide, gpu::TexelFormat::rgba8);
     if (!target) return target.diagnostics;
     for (const Evaluation evaluation :
          {Evaluation::bernstein, Evaluation::interpolated, Evaluation::symmetric})
@@ -236,7 +236,7 @@ Result<Figure> sharedEdgeCracks(const Bench& bench, const gpu::Capabilities& cap
             Result<Curve> curve =
                 crackCurve(bench, *teapot, shared, static_cast<int>(points.size() / 16), *target, all);
             if (!curve) return std::move(curve.diagnostics);
-            curve->name = fmt::format("{}, {}", nameOf(evaluation), name(spacing));
+            curve->name = fmt::format("{}, {}", evaluationName(evaluation), name(spacing));
             figure.findings.push_back(fmt::format(
                 "{}: {} of {} vertices differ, by up to {} teapot units; {} have no partner", curve->name,
                 all.different, all.vertices, numberText(all.widest), all.withoutPartner));

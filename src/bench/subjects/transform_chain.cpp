@@ -19,12 +19,12 @@
 namespace glibra::bench {
 namespace {
 
-constexpr double kStep = .0179;  ///< radians
+constexpr double kTurn = .0179;  ///< radians
 const glm::dvec3 kAxis(1, 2, 3);
 
 /// The rotation by `count` steps with 100 digits (Rodrigues' formula).
 ExactMatrix exactRotation(int count) {
-    const Exact angle = Exact(kStep) * count, c = cos(angle), s = sin(angle);
+    const Exact angle = Exact(kTurn) * count, c = cos(angle), s = sin(angle);
     const ExactVector direction = exact(kAxis);
     const ExactVector k = (1 / length(direction)) * direction;
     ExactMatrix m;
@@ -55,8 +55,8 @@ glm::mat<3, 3, Number> rotation(Number angle) {
 }
 
 template <class Number>
-glm::dmat3 multiplied(int count) {
-    const glm::mat<3, 3, Number> step = rotation<Number>(static_cast<Number>(kStep));
+glm::dmat3 multipliedMatrices(int count) {
+    const glm::mat<3, 3, Number> step = rotation<Number>(static_cast<Number>(kTurn));
     glm::mat<3, 3, Number> m(1);
     for (int i = 0; i < count; ++i) m = step * m;
     return glm::dmat3(m);
@@ -64,7 +64,7 @@ glm::dmat3 multiplied(int count) {
 
 /// Gram-Schmidt orthogonalisation after every step.
 glm::dmat3 orthonormalised(int count) {
-    const glm::mat3 step = rotation<float>(static_cast<float>(kStep));
+    const glm::mat3 step = rotation<float>(static_cast<float>(kTurn));
     glm::mat3 m(1);
     for (int i = 0; i < count; ++i) {
         m = step * m;
@@ -76,7 +76,7 @@ glm::dmat3 orthonormalised(int count) {
 }
 
 glm::dmat3 quaternions(int count) {
-    const glm::quat step = glm::angleAxis(static_cast<float>(kStep), glm::normalize(glm::vec3(kAxis)));
+    const glm::quat step = glm::angleAxis(static_cast<float>(kTurn), glm::normalize(glm::vec3(kAxis)));
     glm::quat q(1, 0, 0, 0);
     for (int i = 0; i < count; ++i) q = glm::normalize(step * q);
     return glm::dmat3(glm::mat3_cast(q));
@@ -84,37 +84,37 @@ glm::dmat3 quaternions(int count) {
 
 glm::dmat3 summedAngle(int count) {
     float angle = 0;
-    for (int i = 0; i < count; ++i) angle += static_cast<float>(kStep);
+    for (int i = 0; i < count; ++i) angle += static_cast<float>(kTurn);
     return glm::dmat3(rotation<float>(angle));
 }
 
 template <class Number>
 glm::dmat3 computedAngle(int count) {
-    return glm::dmat3(rotation<Number>(static_cast<Number>(count) * static_cast<Number>(kStep)));
+    return glm::dmat3(rotation<Number>(static_cast<Number>(count) * static_cast<Number>(kTurn)));
 }
 
 /// In double, reduced to one turn, and rounded once.
 glm::dmat3 roundedOnce(int count) {
-    return glm::dmat3(glm::mat3(rotation<double>(count * kStep)));
+    return glm::dmat3(glm::mat3(rotation<double>(count * kTurn)));
 }
 
-struct Method {
+struct ChainMethod {
     const char* name;
     glm::dmat3 (*rotate)(int count);
     std::size_t bytes;  ///< of the state between two rotations
 };
 
-constexpr Method kMethods[] = {
-    {"float matrices multiplied", multiplied<float>, sizeof(glm::mat3)},
+constexpr ChainMethod kChainMethods[] = {
+    {"float matrices multiplied", multipliedMatrices<float>, sizeof(glm::mat3)},
     {"float, orthonormalised each time", orthonormalised, sizeof(glm::mat3)},
     {"float quaternions", quaternions, sizeof(glm::quat)},
     {"float, angle summed up", summedAngle, sizeof(float)},
     {"float, angle = i * step", computedAngle<float>, sizeof(int)},
     {"angle in double, matrix rounded once", roundedOnce, sizeof(int)},
-    {"double matrices multiplied", multiplied<double>, sizeof(glm::dmat3)},
+    {"double matrices multiplied", multipliedMatrices<double>, sizeof(glm::dmat3)},
 };
 
-constexpr const char* kShader = R"(uniform mat3 uStep;
+constexpr const char* kChainShader = R"(uniform mat3 uStep;
 uniform int uCount;
 vec4 value() {
     mat3 m = mat3(1.);
@@ -124,7 +124,7 @@ vec4 value() {
 }
 )";
 
-Point pointOf(int count, double error, const Timing& time, double bytes) {
+Point chainPoint(int count, double error, const Timing& time, double bytes) {
     return {.setting = static_cast<double>(count),
             .label = fmt::format("{} rotation{}", count, count == 1 ? "" : "s"),
             .error = error,
@@ -132,12 +132,12 @@ Point pointOf(int count, double error, const Timing& time, double bytes) {
             .memory = bytes};
 }
 
-Result<Curve> shaderCurve(Bench& bench, const std::vector<int>& counts) {
+Result<Curve> shaderChainCurve(Bench& bench, const std::vector<int>& counts) {
     const std::vector<Four> columns{{0, 0, 0, 0}, {1, 0, 0, 0}, {2, 0, 0, 0}};
-    const Result<ShaderValues> shader = ShaderValues::create(bench, kShader, columns);
+    const Result<ShaderValues> shader = ShaderValues::create(bench, kChainShader, columns);
     if (!shader) return shader.diagnostics;
     const GLuint program = shader->program().id();
-    const glm::mat3 step(rotation<double>(kStep));
+    const glm::mat3 step(rotation<double>(kTurn));
     Curve curve{"shader, float matrices multiplied", {}};
     for (const int count : counts) {
         shader->program().use();
@@ -151,8 +151,8 @@ Result<Curve> shaderCurve(Bench& bench, const std::vector<int>& counts) {
             for (int row = 0; row < 3; ++row)
                 matrix[column][row] =
                     (*values)[static_cast<std::size_t>(column)][static_cast<std::size_t>(row)];
-        curve.points.push_back(pointOf(count, largestEntryError(exactRotation(count), matrix),
-                                       bench.time([&] { shader->compute(); }), shader->bytes()));
+        curve.points.push_back(chainPoint(count, largestEntryError(exactRotation(count), matrix),
+                                          bench.time([&] { shader->compute(); }), shader->bytes()));
     }
     return curve;
 }
@@ -170,18 +170,18 @@ Figure chainFigure(Bench& bench, Diagnostics& problems) {
     figure.alternatives = Alternatives::setting;
     const std::vector<int> counts =
         bench.isQuick() ? std::vector{1, 100, 10000} : std::vector{1, 3, 10, 30, 100, 300, 1000, 3000, 10000};
-    for (const Method& method : kMethods) {
+    for (const ChainMethod& method : kChainMethods) {
         Curve& curve = figure.curves.emplace_back(Curve{method.name, {}});
         for (const int count : counts)
-            curve.points.push_back(
-                pointOf(count, largestEntryError(exactRotation(count), method.rotate(count)), bench.time([&] {
+            curve.points.push_back(chainPoint(
+                count, largestEntryError(exactRotation(count), method.rotate(count)), bench.time([&] {
                     // The result must reach memory, otherwise the compiler removes the work.
                     volatile double kept = method.rotate(count)[1][0];
                     static_cast<void>(kept);
                 }),
-                        static_cast<double>(method.bytes)));
+                static_cast<double>(method.bytes)));
     }
-    Result<Curve> shader = shaderCurve(bench, counts);
+    Result<Curve> shader = shaderChainCurve(bench, counts);
     append(problems, std::move(shader.diagnostics));
     if (shader) figure.curves.push_back(std::move(*shader));
     for (const Curve& curve : figure.curves) figure.findings.push_back(orderSentence(curve, "rotations", 10));

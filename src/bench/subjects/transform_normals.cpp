@@ -53,12 +53,12 @@ ExactMatrix exactCofactors(const ExactMatrix& m) {
     return {cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1])};
 }
 
-struct Method {
+struct NormalMethod {
     const char* name;
     glm::mat3 (*matrix)(const glm::dmat3& model);
 };
 
-constexpr Method kMethods[] = {
+constexpr NormalMethod kNormalMethods[] = {
     {"the model matrix itself", [](const glm::dmat3& model) { return glm::mat3(model); }},
     {"float inverse transpose",
      [](const glm::dmat3& model) { return glm::transpose(glm::inverse(glm::mat3(model))); }},
@@ -68,7 +68,7 @@ constexpr Method kMethods[] = {
     {"double cofactors, rounded once", [](const glm::dmat3& model) { return glm::mat3(cofactors(model)); }},
 };
 
-constexpr const char* kShader = R"(uniform mat3 uModel;
+constexpr const char* kNormalShader = R"(uniform mat3 uModel;
 vec4 value() { return vec4(normalize(transpose(inverse(uModel)) * given(0).xyz), 0.); }
 )";
 
@@ -80,7 +80,7 @@ std::vector<ExactVector> exactNormals(const glm::dmat3& model) {
     return all;
 }
 
-Point pointOf(double ratio, double error, const Timing& time, double bytes) {
+Point normalsPoint(double ratio, double error, const Timing& time, double bytes) {
     return {.setting = ratio,
             .label = fmt::format("1 : {:.0f}", ratio),
             .error = error,
@@ -88,16 +88,16 @@ Point pointOf(double ratio, double error, const Timing& time, double bytes) {
             .memory = bytes};
 }
 
-void transformAll(const Method& method, const glm::dmat3& model, const std::vector<glm::vec3>& all,
-                  std::vector<glm::vec3>& results) {
+void transformNormals(const NormalMethod& method, const glm::dmat3& model, const std::vector<glm::vec3>& all,
+                      std::vector<glm::vec3>& results) {
     const glm::mat3 matrix = method.matrix(model);
     for (std::size_t i = 0; i < all.size(); ++i) results[i] = glm::normalize(matrix * all[i]);
 }
 
-Result<Curve> shaderCurve(Bench& bench, const std::vector<double>& ratios) {
+Result<Curve> shaderNormalsCurve(Bench& bench, const std::vector<double>& ratios) {
     std::vector<Four> inputs;
     for (const glm::vec3& each : normals()) inputs.push_back({each.x, each.y, each.z, 0});
-    const Result<ShaderValues> shader = ShaderValues::create(bench, kShader, inputs);
+    const Result<ShaderValues> shader = ShaderValues::create(bench, kNormalShader, inputs);
     if (!shader) return shader.diagnostics;
     Curve curve{"shader, inverse transpose", {}};
     for (const double ratio : ratios) {
@@ -113,7 +113,7 @@ Result<Curve> shaderCurve(Bench& bench, const std::vector<double>& ratios) {
             largest = std::max(largest,
                                degreesBetween(truth[i], {(*values)[i][0], (*values)[i][1], (*values)[i][2]}));
         curve.points.push_back(
-            pointOf(ratio, largest, bench.time([&] { shader->compute(); }), shader->bytes()));
+            normalsPoint(ratio, largest, bench.time([&] { shader->compute(); }), shader->bytes()));
     }
     return curve;
 }
@@ -134,21 +134,21 @@ Figure normalMatrixFigure(Bench& bench, Diagnostics& problems) {
         bench.isQuick() ? std::vector{1., 30., 1000.} : std::vector{1., 3., 10., 30., 100., 300., 1000.};
     const std::vector<glm::vec3> all = normals();
     std::vector<glm::vec3> results(all.size());
-    for (const Method& method : kMethods) {
+    for (const NormalMethod& method : kNormalMethods) {
         Curve& curve = figure.curves.emplace_back(Curve{method.name, {}});
         for (const double ratio : ratios) {
             const glm::dmat3 model = modelOf(ratio);
             const std::vector<ExactVector> truth = exactNormals(model);
-            transformAll(method, model, all, results);
+            transformNormals(method, model, all, results);
             double largest = 0;
             for (std::size_t i = 0; i < truth.size(); ++i)
                 largest = std::max(largest, degreesBetween(truth[i], glm::dvec3(results[i])));
-            curve.points.push_back(
-                pointOf(ratio, largest, bench.time([&] { transformAll(method, model, all, results); }),
-                        static_cast<double>(2 * all.size() * sizeof(all[0]) + sizeof(glm::mat3))));
+            curve.points.push_back(normalsPoint(
+                ratio, largest, bench.time([&] { transformNormals(method, model, all, results); }),
+                static_cast<double>(2 * all.size() * sizeof(all[0]) + sizeof(glm::mat3))));
         }
     }
-    Result<Curve> shader = shaderCurve(bench, ratios);
+    Result<Curve> shader = shaderNormalsCurve(bench, ratios);
     append(problems, std::move(shader.diagnostics));
     if (shader) figure.curves.push_back(std::move(*shader));
     for (std::size_t i = 1; i < figure.curves.size(); ++i)

@@ -76,40 +76,40 @@ double largestError(const std::vector<ExactVector>& truth, const Results& result
     return largest;
 }
 
-struct CpuMethod {
+struct PlacementMethod {
     const char* name;
     void (*transform)(const Placement&, const std::vector<glm::vec3>&, Results&);
 };
 
 template <class Number>
-void transformAll(const glm::mat<4, 4, Number>& matrix, const std::vector<glm::vec3>& points,
-                  Results& results) {
+void transformPoints(const glm::mat<4, 4, Number>& matrix, const std::vector<glm::vec3>& points,
+                     Results& results) {
     for (std::size_t i = 0; i < points.size(); ++i)
         results[i] = glm::dvec3(matrix * glm::vec<4, Number>(points[i], 1));
 }
 
-constexpr CpuMethod kCpuMethods[] = {
+constexpr PlacementMethod kPlacementMethods[] = {
     {"CPU, float matrices",
      [](const Placement& placement, const std::vector<glm::vec3>& points, Results& results) {
-         transformAll(placement.view<float>() * placement.model<float>(), points, results);
+         transformPoints(placement.view<float>() * placement.model<float>(), points, results);
      }},
     {"CPU, product in double, rounded once",
      [](const Placement& placement, const std::vector<glm::vec3>& points, Results& results) {
-         transformAll(glm::mat4(placement.view<double>() * placement.model<double>()), points, results);
+         transformPoints(glm::mat4(placement.view<double>() * placement.model<double>()), points, results);
      }},
     {"CPU, double",
      [](const Placement& placement, const std::vector<glm::vec3>& points, Results& results) {
-         transformAll(placement.view<double>() * placement.model<double>(), points, results);
+         transformPoints(placement.view<double>() * placement.model<double>(), points, results);
      }},
 };
 
-struct ShaderMethod {
+struct PlacementShader {
     const char* name;
     const char* glsl;
     bool isDouble;
 };
 
-constexpr ShaderMethod kShaderMethods[] = {
+constexpr PlacementShader kPlacementShaders[] = {
     {"shader, model then view",
      "uniform mat4 uFirst, uSecond;\n"
      "vec4 value() { return uSecond * (uFirst * vec4(given(0).xyz, 1.)); }\n",
@@ -129,7 +129,7 @@ constexpr ShaderMethod kShaderMethods[] = {
      true},
 };
 
-void setMatrices(const ShaderMethod& method, const gpu::Program& program, const Placement& placement) {
+void setMatrices(const PlacementShader& method, const gpu::Program& program, const Placement& placement) {
     program.use();
     const GLint first = glGetUniformLocation(program.id(), "uFirst"),
                 second = glGetUniformLocation(program.id(), "uSecond");
@@ -145,7 +145,7 @@ void setMatrices(const ShaderMethod& method, const gpu::Program& program, const 
     if (!isProduct) glUniformMatrix4fv(second, 1, GL_FALSE, &other[0][0]);
 }
 
-Result<Results> shaderResults(const ShaderMethod& method, const ShaderValues& shader) {
+Result<Results> shaderResults(const PlacementShader& method, const ShaderValues& shader) {
     Results results(kPoints, glm::dvec3(0));
     for (int half = 0; half < (method.isDouble ? 2 : 1); ++half) {
         shader.program().use();
@@ -162,8 +162,8 @@ Result<Results> shaderResults(const ShaderMethod& method, const ShaderValues& sh
 using PlacementOf = std::function<Placement(double setting)>;
 using Settings = std::vector<std::pair<double, std::string>>;
 
-Curve cpuCurve(const Bench& bench, const CpuMethod& method, const Settings& settings,
-               const PlacementOf& placementOf) {
+Curve cpuPlacementCurve(const Bench& bench, const PlacementMethod& method, const Settings& settings,
+                        const PlacementOf& placementOf) {
     const std::vector<glm::vec3> points = cubePoints();
     Results results(points.size());
     Curve curve{method.name, {}};
@@ -180,8 +180,8 @@ Curve cpuCurve(const Bench& bench, const CpuMethod& method, const Settings& sett
     return curve;
 }
 
-Result<Curve> shaderCurve(Bench& bench, const ShaderMethod& method, const Settings& settings,
-                          const PlacementOf& placementOf) {
+Result<Curve> shaderPlacementCurve(Bench& bench, const PlacementShader& method, const Settings& settings,
+                                   const PlacementOf& placementOf) {
     const std::vector<glm::vec3> points = cubePoints();
     std::vector<Four> inputs;
     inputs.reserve(points.size());
@@ -227,10 +227,10 @@ Figure placementFigure(Bench& bench, bool byDistance, Diagnostics& problems) {
     const PlacementOf placementOf = [&](double setting) {
         return byDistance ? Placement(setting, 1) : Placement(1, setting);
     };
-    for (const CpuMethod& method : kCpuMethods)
-        figure.curves.push_back(cpuCurve(bench, method, settings, placementOf));
-    for (const ShaderMethod& method : kShaderMethods) {
-        Result<Curve> curve = shaderCurve(bench, method, settings, placementOf);
+    for (const PlacementMethod& method : kPlacementMethods)
+        figure.curves.push_back(cpuPlacementCurve(bench, method, settings, placementOf));
+    for (const PlacementShader& method : kPlacementShaders) {
+        Result<Curve> curve = shaderPlacementCurve(bench, method, settings, placementOf);
         append(problems, std::move(curve.diagnostics));
         if (curve) figure.curves.push_back(std::move(*curve));
     }

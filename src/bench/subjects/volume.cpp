@@ -136,15 +136,11 @@ Result<Volume> makeVolume(const gpu::Capabilities& capabilities, int side, int p
                   .target = std::move(*target)};
 }
 
-void setView(const gpu::Program& program, const Volume& volume) {
+void setVolumeView(const gpu::Program& program, const Volume& volume) {
     const VolumeView view = volumeView();
-    const auto set = [&](const char* name, const glm::dvec3& value) {
-        setFloats(program, name,
-                  {static_cast<float>(value.x), static_cast<float>(value.y), static_cast<float>(value.z)});
-    };
-    set("uRight", view.right);
-    set("uUp", view.up);
-    set("uDirection", view.direction);
+    setVector(program, "uRight", view.right);
+    setVector(program, "uUp", view.up);
+    setVector(program, "uDirection", view.direction);
     setFloats(program, "uSeen", {static_cast<float>(kVolumeSeen)});
     setFloats(program, "uBlockCount", {static_cast<float>(volume.blocks.size().width)});
     setInt(program, "uField", 0);
@@ -162,7 +158,7 @@ void draw(const Volume& volume, const gpu::Program& program) {
 }
 
 /// Light and opacity of every pixel, top row first.
-std::vector<float> reference(const Volume& volume, double strength, int steps) {
+std::vector<float> volumeReference(const Volume& volume, double strength, int steps) {
     const int side = volume.target.width();
     std::vector<float> values;
     for (int row = 0; row < side; ++row)
@@ -175,7 +171,7 @@ std::vector<float> reference(const Volume& volume, double strength, int steps) {
     return values;
 }
 
-double rootMeanSquare(const std::vector<float>& a, const std::vector<float>& b) {
+double volumeError(const std::vector<float>& a, const std::vector<float>& b) {
     double sum = 0;
     for (std::size_t i = 0; i < a.size(); ++i) {
         const double difference = static_cast<double>(a[i]) - static_cast<double>(b[i]);
@@ -185,14 +181,14 @@ double rootMeanSquare(const std::vector<float>& a, const std::vector<float>& b) 
 }
 
 /// Draws once for the picture, then repeatedly for the time.
-Result<Point> measure(Bench& bench, const gpu::Capabilities& capabilities, const Volume& volume,
-                      const gpu::Program& program, const std::vector<float>& wanted,
-                      std::vector<float>* kept = nullptr) {
+Result<Point> measureVolumePoint(Bench& bench, const gpu::Capabilities& capabilities, const Volume& volume,
+                                 const gpu::Program& program, const std::vector<float>& wanted,
+                                 std::vector<float>* kept = nullptr) {
     draw(volume, program);
     Result<std::vector<float>> drawn = readFloats(capabilities, volume.target, 2);
     if (!drawn) return std::move(drawn.diagnostics);
     Point point;
-    point.error = rootMeanSquare(*drawn, wanted);
+    point.error = volumeError(*drawn, wanted);
     point.time = bench.time([&] { draw(volume, program); });
     if (kept) *kept = std::move(*drawn);
     return point;
@@ -210,7 +206,7 @@ Result<Figure> stepsFigure(Bench& bench, const gpu::Capabilities& capabilities, 
         .curves = {},
         .findings = {}};
     const int most = bench.isQuick() ? 128 : 1024;
-    const std::vector<float> wanted = reference(volume, kStrength, 8 * most);
+    const std::vector<float> wanted = volumeReference(volume, kStrength, 8 * most);
     const std::vector<Casting> castings{{.name = "all steps"},
                                         {.name = "sampled at the start of each step", .offset = 0},
                                         {.name = "opacity of a step linear in its length", .isLinear = true},
@@ -221,7 +217,7 @@ Result<Figure> stepsFigure(Bench& bench, const gpu::Capabilities& capabilities, 
     for (const Casting& casting : castings) {
         Result<gpu::Program> program = bench::program(capabilities, kWholeTarget, fragmentOf(casting));
         if (!program) return std::move(program.diagnostics);
-        setView(*program, volume);
+        setVolumeView(*program, volume);
         setFloats(*program, "uStrength", {static_cast<float>(kStrength)});
         Curve curve{.name = casting.name, .points = {}};
         for (int steps = 8; steps <= most; steps *= 2) {
@@ -229,7 +225,7 @@ Result<Figure> stepsFigure(Bench& bench, const gpu::Capabilities& capabilities, 
             std::vector<float>* kept = casting.name == "all steps"            ? &plain
                                        : casting.name == "skips empty blocks" ? &skipping
                                                                               : nullptr;
-            Result<Point> point = measure(bench, capabilities, volume, *program, wanted, kept);
+            Result<Point> point = measureVolumePoint(bench, capabilities, volume, *program, wanted, kept);
             if (!point) return std::move(point.diagnostics);
             point->setting = steps;
             point->label = fmt::format("{} steps", steps);
@@ -269,7 +265,7 @@ Result<Figure> terminationFigure(Bench& bench, const gpu::Capabilities& capabili
             bench::program(capabilities, kWholeTarget,
                            fragmentOf({.name = "", .threshold = threshold, .skipsEmpty = false}));
         if (program) {
-            setView(*program, volume);
+            setVolumeView(*program, volume);
             setFloats(*program, "uStrength", {static_cast<float>(strength)});
             setFloats(*program, "uSteps", {steps});
         }
@@ -286,7 +282,7 @@ Result<Figure> terminationFigure(Bench& bench, const gpu::Capabilities& capabili
         for (const double threshold : {.5, .2, .1, .05, .02, .01, .005, .002, .001, .0001}) {
             Result<gpu::Program> program = prepared(threshold, strength);
             if (!program) return std::move(program.diagnostics);
-            Result<Point> point = measure(bench, capabilities, volume, *program, *wanted);
+            Result<Point> point = measureVolumePoint(bench, capabilities, volume, *program, *wanted);
             if (!point) return std::move(point.diagnostics);
             point->setting = threshold;
             point->label = fmt::format("below {}", threshold);

@@ -28,12 +28,14 @@ struct ObjCorner {
     friend bool operator==(const ObjCorner&, const ObjCorner&) = default;
 };
 
+using Triple = std::array<float, 3>;
+
 /// All indices are valid, every face has three corners or more, all numbers are finite.
 struct ObjModel {
-    std::vector<std::array<float, 3>> positions;
-    std::vector<std::array<float, 3>> texCoords;  ///< s, t, p; missing ones 0
-    std::vector<std::array<float, 3>> normals;    ///< as written, not yet of unit length
-    std::vector<ObjCorner> corners;               ///< of all faces, face after face
+    std::vector<Triple> positions;
+    std::vector<Triple> texCoords;          ///< s, t, p; missing ones 0
+    std::vector<Triple> normals;            ///< as written, not yet of unit length
+    std::vector<ObjCorner> corners;         ///< of all faces, face after face
     std::vector<std::uint32_t> faceStarts;  ///< the first corner of each face; last, the number of corners
 
     [[nodiscard]] std::size_t faceCount() const { return faceStarts.empty() ? 0 : faceStarts.size() - 1; }

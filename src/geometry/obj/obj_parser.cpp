@@ -11,8 +11,6 @@
 namespace glibra::geometry {
 namespace {
 
-using Triple = std::array<float, 3>;
-
 /// No model uses more elements of a kind than its triangles have corners.
 constexpr std::uint64_t kMostElements = 3 * kMostTriangles;
 
@@ -25,7 +23,7 @@ struct ForwardFace {
 };
 
 /// The elements that an index refers to.
-struct Kind {
+struct ElementKind {
     std::string_view name;
     std::size_t count = 0;  ///< how many are defined so far
 };
@@ -42,7 +40,7 @@ class ObjReader {
     bool readTriple(std::vector<Triple>& triples, std::string_view word, int least, int line, int column);
     bool readFace(int line, int column);
     bool readCorner(ObjCorner& corner, bool& isForward, std::string& fault);
-    bool readIndex(const Kind& kind, std::uint32_t& index, bool& isForward, std::string& fault);
+    bool readIndex(const ElementKind& kind, std::uint32_t& index, bool& isForward, std::string& fault);
     [[nodiscard]] std::string outOfRange(const ObjCorner& corner) const;
     void dropForwardFaces();
     Result<ObjModel> failed(std::string_view id, std::string text) &&;
@@ -170,7 +168,8 @@ bool ObjReader::readCorner(ObjCorner& corner, bool& isForward, std::string& faul
     return true;
 }
 
-bool ObjReader::readIndex(const Kind& kind, std::uint32_t& index, bool& isForward, std::string& fault) {
+bool ObjReader::readIndex(const ElementKind& kind, std::uint32_t& index, bool& isForward,
+                          std::string& fault) {
     long long written = 0;
     if (!scanner_.integer(written)) {
         fault = fmt::format("'{}' is not an index", shown(scanner_.token()));

@@ -13,8 +13,6 @@
 namespace glibra::geometry {
 namespace {
 
-using Triple = std::array<float, 3>;
-
 /// A piece of whole lines and its content.
 struct Piece {
     std::string_view text;
@@ -192,10 +190,9 @@ std::vector<Value> joined(std::vector<Piece>& pieces, std::vector<Value> Piece::
 }
 
 bool withinLimits(const ObjModel& model) {
-    constexpr std::size_t kMostElements = 3 * kMostTriangles;
-    return model.faceCount() > 0 && model.positions.size() <= kMostElements &&
-           model.texCoords.size() <= kMostElements && model.normals.size() <= kMostElements &&
-           model.triangleCount() <= kMostTriangles;
+    constexpr std::size_t kMost = 3 * kMostTriangles;
+    return model.faceCount() > 0 && model.positions.size() <= kMost && model.texCoords.size() <= kMost &&
+           model.normals.size() <= kMost && model.triangleCount() <= kMostTriangles;
 }
 
 }  // namespace

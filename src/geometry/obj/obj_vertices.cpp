@@ -16,7 +16,7 @@ glm::dvec3 precise(const std::array<float, 3>& v) {
     return {v[0], v[1], v[2]};
 }
 
-void put(std::vector<float>& values, const glm::dvec3& v) {
+void putVector(std::vector<float>& values, const glm::dvec3& v) {
     values.push_back(static_cast<float>(v.x));
     values.push_back(static_cast<float>(v.y));
     values.push_back(static_cast<float>(v.z));
@@ -102,7 +102,7 @@ std::vector<float> tangentValues(const ObjModel& model, const ObjVertices& verti
         const glm::dvec3 sum = unitOr(sums[i], glm::dvec3(0));
         const glm::dvec3 level = sum - glm::dot(sum, normals[i]) * normals[i];
         // A direction along the normal leaves only rounding errors.
-        put(values, glm::length(level) < 1e-9 ? fallbackTangent(normals[i]) : glm::normalize(level));
+        putVector(values, glm::length(level) < 1e-9 ? fallbackTangent(normals[i]) : glm::normalize(level));
     }
     return values;
 }
@@ -159,7 +159,7 @@ std::vector<Attribute> objAttributes(const ObjModel& model, const ObjVertices& v
     const std::vector<glm::dvec3> normals = unitNormals(model, vertices.corners);
     Attribute normal{std::string(kNormal), 3, {}};
     normal.values.reserve(3 * count);
-    for (const glm::dvec3& each : normals) put(normal.values, each);
+    for (const glm::dvec3& each : normals) putVector(normal.values, each);
     attributes.push_back(std::move(normal));
 
     if (withTangents)

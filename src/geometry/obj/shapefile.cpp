@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kHeaderLength = 100, kRecordHeaderLength = 8, kBoxLength = 32, kRangeLength = 16;
 
 /// The shape type is kind + 10 with z, or kind + 20 with measures only.
-enum Kind : std::uint32_t {
+enum ShapeKind : std::uint32_t {
     kNull = 0,
     kPoint = 1,
     kPolyline = 3,

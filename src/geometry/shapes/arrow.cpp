@@ -41,9 +41,10 @@ Mesh xarrow(int slices, int sides) {
 
 namespace {
 
-constexpr ShapeArgument kArguments[] = {countArgument("slices", 100, 2), fixedCount("sides", 24, 3, 24)};
+constexpr ShapeArgument kXarrowArguments[] = {countArgument("slices", 100, 2),
+                                              fixedCount("sides", 24, 3, 24)};
 
-double deviation(Numbers n, Fidelity fidelity) {
+double xarrowDeviation(Numbers n, Fidelity fidelity) {
     const double onHead = n[0] - xarrowShaftSlices(countAt(n, 0));
     return coneSideDeviation(.1, n[1], onHead, fidelity);
 }
@@ -52,12 +53,12 @@ double deviation(Numbers n, Fidelity fidelity) {
 
 constexpr PrimitiveSpec kXarrowRow{
     .names = {"Xarrow"},
-    .arguments = kArguments,
+    .arguments = kXarrowArguments,
     .summary = "arrow along x",
     .counts = [](Numbers n) { return xarrowCounts(countAt(n, 0), countAt(n, 1)); },
     .make = [](Numbers n) { return xarrow(countAt(n, 0), countAt(n, 1)); },
     .isClosed = true,
-    .deviation = deviation,
+    .deviation = xarrowDeviation,
     .extent =
         [](Numbers) {
             return boxExtent({-1, -.1, -.1}, {1, .1, .1});

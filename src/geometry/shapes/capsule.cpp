@@ -27,22 +27,22 @@ SurfacePoint capsulePoint(double radius, const Ring& ring, const glm::dvec2& aro
             .texCoord = {s, ring.t, 0}};
 }
 
-void addPole(Surface& surface, double radius, const Ring& pole, int slices) {
+void addCapsulePole(Surface& surface, double radius, const Ring& pole, int slices) {
     for (int i = 0; i < slices; ++i)
         surface.add(capsulePoint(radius, pole, unitTurn(2 * std::int64_t{i} + 1, 2 * std::int64_t{slices}),
                                  (i + .5) / slices));
 }
 
-constexpr ShapeArgument kArguments[] = {sizeArgument("radius", .5), sizeArgument("height", 1),
-                                        countArgument("slices", 60, 3, kSmoothTurn),
-                                        countArgument("stacks", 20, 1, kSmoothTurn / 4)};
+constexpr ShapeArgument kCapsuleArguments[] = {sizeArgument("radius", .5), sizeArgument("height", 1),
+                                               countArgument("slices", 60, 3, kSmoothTurn),
+                                               countArgument("stacks", 20, 1, kSmoothTurn / 4)};
 
 /// The half spheres are off by more than the cylinder.
-double deviation(Numbers n, Fidelity fidelity) {
+double capsuleDeviation(Numbers n, Fidelity fidelity) {
     return ballDeviation(n[0], 2 * std::numbers::pi / n[2], std::numbers::pi / 2 / n[3], fidelity);
 }
 
-Extent extent(Numbers n) {
+Extent capsuleExtent(Numbers n) {
     const double end = n[0] + n[1] / 2;
     return {{-n[0], -end, -n[0]}, {n[0], end, n[0]}, end};
 }
@@ -55,7 +55,7 @@ Mesh capsule(double radius, double height, int slices, int stacks) {
     const auto t = [&](double along) { return length > 0 ? along / length : 0; };
     const std::vector<glm::dvec2> circle = unitCircle(slices);
     Surface surface(Topology::triangles, 2, capsuleCounts(slices, stacks));
-    addPole(surface, radius, {-height / 2, {0, -1}, 0}, slices);
+    addCapsulePole(surface, radius, {-height / 2, {0, -1}, 0}, slices);
     for (int half = 0; half < 2; ++half)
         for (int j = 0; j < stacks; ++j) {
             // Counted from the pole in the south, from the equator in the north.
@@ -68,7 +68,7 @@ Mesh capsule(double radius, double height, int slices, int stacks) {
                 surface.add(capsulePoint(radius, ring, circle[static_cast<std::size_t>(i)],
                                          static_cast<double>(i) / slices));
         }
-    addPole(surface, radius, {height / 2, {0, 1}, 1}, slices);
+    addCapsulePole(surface, radius, {height / 2, {0, 1}, 1}, slices);
 
     const auto a = static_cast<std::uint32_t>(slices);
     const std::uint32_t rows = 2 * static_cast<std::uint32_t>(stacks) - 1;
@@ -81,12 +81,12 @@ Mesh capsule(double radius, double height, int slices, int stacks) {
 
 constexpr PrimitiveSpec kCapsuleRow{
     .names = {"Capsule"},
-    .arguments = kArguments,
+    .arguments = kCapsuleArguments,
     .summary = "cylinder with a half sphere at each end, centred; height is the cylinder's",
     .counts = [](Numbers n) { return capsuleCounts(countAt(n, 2), countAt(n, 3)); },
     .make = [](Numbers n) { return capsule(n[0], n[1], countAt(n, 2), countAt(n, 3)); },
     .isClosed = true,
-    .deviation = deviation,
-    .extent = extent};
+    .deviation = capsuleDeviation,
+    .extent = capsuleExtent};
 
 }  // namespace glibra::geometry

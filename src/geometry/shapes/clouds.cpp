@@ -58,13 +58,14 @@ Mesh jitterCloud(int nx, int ny, int nz, std::uint32_t seed) {
 
 namespace {
 
-constexpr ShapeArgument kAlongX = countArgument("nx", 10, 1), kAlongY = countArgument("ny", 10, 1),
-                        kAlongZ = countArgument("nz", 10, 1);
-constexpr ShapeArgument kPointArguments[] = {kAlongX, kAlongY, kAlongZ};
+constexpr ShapeArgument kPointsAlongX = countArgument("nx", 10, 1),
+                        kPointsAlongY = countArgument("ny", 10, 1),
+                        kPointsAlongZ = countArgument("nz", 10, 1);
+constexpr ShapeArgument kPointArguments[] = {kPointsAlongX, kPointsAlongY, kPointsAlongZ};
 constexpr ShapeArgument kJitterArguments[] = {
-    kAlongX,
-    kAlongY,
-    kAlongZ,
+    kPointsAlongX,
+    kPointsAlongY,
+    kPointsAlongZ,
     {.name = "seed", .kind = ArgumentKind::seed, .byDefault = 0, .least = -0x1p31, .most = 0x1p32 - 1}};
 
 Counts countsOf(Numbers n) {

@@ -20,15 +20,15 @@ Mesh diskXY(double z, double radius, int slices, int rings) {
 
 namespace {
 
-constexpr ShapeArgument kArguments[] = {numberArgument("z", 0), sizeArgument("radius", 1),
-                                        countArgument("slices", 60, 3, kSmoothTurn),
-                                        countArgument("rings", 10, 1)};
+constexpr ShapeArgument kDiskArguments[] = {numberArgument("z", 0), sizeArgument("radius", 1),
+                                            countArgument("slices", 60, 3, kSmoothTurn),
+                                            countArgument("rings", 10, 1)};
 
 }  // namespace
 
 constexpr PrimitiveSpec kDiskXYRow{
     .names = {"DiskXY"},
-    .arguments = kArguments,
+    .arguments = kDiskArguments,
     .summary = "disk parallel to XY",
     .counts = [](Numbers n) { return diskXYCounts(countAt(n, 2), countAt(n, 3)); },
     .make = [](Numbers n) { return diskXY(n[0], n[1], countAt(n, 2), countAt(n, 3)); },

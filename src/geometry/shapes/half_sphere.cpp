@@ -11,8 +11,6 @@
 namespace glibra::geometry {
 namespace {
 
-const Axis kStanding{.along = {0, 1, 0}, .zero = {-1, 0, 0}, .quarter = {0, 0, 1}};
-
 SurfacePoint domePoint(double radius, const glm::dvec2& around, const glm::dvec2& latitude, double s,
                        double t) {
     const double c = latitude.x, y = latitude.y;
@@ -23,11 +21,11 @@ SurfacePoint domePoint(double radius, const glm::dvec2& around, const glm::dvec2
             .texCoord = {s, t, 0}};
 }
 
-constexpr ShapeArgument kArguments[] = {sizeArgument("radius", 1),
-                                        countArgument("slices", 60, 3, kSmoothTurn),
-                                        countArgument("stacks", 30, 1, kSmoothTurn / 4)};
+constexpr ShapeArgument kHalfSphereArguments[] = {sizeArgument("radius", 1),
+                                                  countArgument("slices", 60, 3, kSmoothTurn),
+                                                  countArgument("stacks", 30, 1, kSmoothTurn / 4)};
 
-double deviation(Numbers n, Fidelity fidelity) {
+double halfSphereDeviation(Numbers n, Fidelity fidelity) {
     return ballDeviation(n[0], 2 * std::numbers::pi / n[1], std::numbers::pi / 2 / n[2], fidelity);
 }
 
@@ -57,12 +55,12 @@ Mesh halfSphere(double radius, int slices, int stacks) {
 
 constexpr PrimitiveSpec kHalfSphereRow{
     .names = {"HalfSphere"},
-    .arguments = kArguments,
+    .arguments = kHalfSphereArguments,
     .summary = "upper half of a sphere, closed by a disk at y = 0",
     .counts = [](Numbers n) { return halfSphereCounts(countAt(n, 1), countAt(n, 2)); },
     .make = [](Numbers n) { return halfSphere(n[0], countAt(n, 1), countAt(n, 2)); },
     .isClosed = true,
-    .deviation = deviation,
+    .deviation = halfSphereDeviation,
     .extent = [](Numbers n) { return standingExtent(n[0], n[0]); }};
 
 }  // namespace glibra::geometry

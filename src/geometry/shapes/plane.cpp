@@ -8,9 +8,9 @@
 namespace glibra::geometry {
 namespace {
 
-constexpr ShapeArgument kArguments[] = {sizeArgument("size", 1), numberArgument("s repeats", 1),
-                                        numberArgument("t repeats", 1), countArgument("nx", 4, 1),
-                                        countArgument("nz", 4, 1)};
+constexpr ShapeArgument kPlaneArguments[] = {sizeArgument("size", 1), numberArgument("s repeats", 1),
+                                             numberArgument("t repeats", 1), countArgument("nx", 4, 1),
+                                             countArgument("nz", 4, 1)};
 
 }  // namespace
 
@@ -31,7 +31,7 @@ Mesh plane(double size, double sRepeats, double tRepeats, int nx, int nz) {
 
 constexpr PrimitiveSpec kPlaneRow{
     .names = {"Plane"},
-    .arguments = kArguments,
+    .arguments = kPlaneArguments,
     .summary = "square -size..size at y = 0 on which a texture repeats",
     .counts = [](Numbers n) { return planeCounts(countAt(n, 3), countAt(n, 4)); },
     .make = [](Numbers n) { return plane(n[0], n[1], n[2], countAt(n, 3), countAt(n, 4)); },

@@ -11,7 +11,7 @@
 namespace glibra::geometry {
 namespace {
 
-constexpr ShapeArgument kArguments[] = {sizeArgument("base", 2), sizeArgument("height", 1)};
+constexpr ShapeArgument kPyramidArguments[] = {sizeArgument("base", 2), sizeArgument("height", 1)};
 
 }  // namespace
 
@@ -48,7 +48,7 @@ Mesh pyramid(double base, double height) {
 }
 
 constexpr PrimitiveSpec kPyramidRow{.names = {"Pyramid"},
-                                    .arguments = kArguments,
+                                    .arguments = kPyramidArguments,
                                     .summary = "closed pyramid with a square base at y = 0",
                                     .counts = [](Numbers) { return pyramidCounts(); },
                                     .make = [](Numbers n) { return pyramid(n[0], n[1]); },

@@ -66,11 +66,11 @@ Mesh quadBox(int n) {
 namespace {
 
 constexpr ShapeArgument kSize = sizeArgument("size", 1);
-constexpr ShapeArgument kAlongX = countArgument("nx", 4, 1), kAlongY = countArgument("ny", 4, 1),
-                        kAlongZ = countArgument("nz", 4, 1);
-constexpr ShapeArgument kXYArguments[] = {numberArgument("z", 0), kSize, kAlongX, kAlongY};
-constexpr ShapeArgument kXZArguments[] = {numberArgument("y", 0), kSize, kAlongX, kAlongZ};
-constexpr ShapeArgument kYZArguments[] = {numberArgument("x", 0), kSize, kAlongY, kAlongZ};
+constexpr ShapeArgument kCellsAlongX = countArgument("nx", 4, 1), kCellsAlongY = countArgument("ny", 4, 1),
+                        kCellsAlongZ = countArgument("nz", 4, 1);
+constexpr ShapeArgument kXYArguments[] = {numberArgument("z", 0), kSize, kCellsAlongX, kCellsAlongY};
+constexpr ShapeArgument kXZArguments[] = {numberArgument("y", 0), kSize, kCellsAlongX, kCellsAlongZ};
+constexpr ShapeArgument kYZArguments[] = {numberArgument("x", 0), kSize, kCellsAlongY, kCellsAlongZ};
 constexpr ShapeArgument kBoxArguments[] = {
     countArgument("quads", 10, 1, kAsGiven, static_cast<int>(kMostVertices / 4))};
 

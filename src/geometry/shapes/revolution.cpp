@@ -8,7 +8,7 @@ namespace glibra::geometry {
 namespace {
 
 /// Interpolates; exact at both ends.
-double mix(double from, double to, double part) {
+double interpolated(double from, double to, double part) {
     return (1 - part) * from + part * to;
 }
 
@@ -40,11 +40,12 @@ void addBandPoints(Surface& surface, const Axis& axis, const Band& band, std::sp
         unitOr({band.endAlong - band.startAlong, band.endRadius - band.startRadius, 0}, {1, 0, 0});
     const auto point = [&](double part, const glm::dvec2& around, double s) {
         const glm::dvec3 out = outward(axis, around);
-        return SurfacePoint{.position = ringPoint(axis, mix(band.startAlong, band.endAlong, part),
-                                                  mix(band.startRadius, band.endRadius, part), around),
-                            .normal = direction.x * out - direction.y * axis.along,
-                            .tangent = direction.y * out + direction.x * axis.along,
-                            .texCoord = {s, mix(band.startT, band.endT, part), 0}};
+        return SurfacePoint{
+            .position = ringPoint(axis, interpolated(band.startAlong, band.endAlong, part),
+                                  interpolated(band.startRadius, band.endRadius, part), around),
+            .normal = direction.x * out - direction.y * axis.along,
+            .tangent = direction.y * out + direction.x * axis.along,
+            .texCoord = {s, interpolated(band.startT, band.endT, part), 0}};
     };
     const int rings = band.apex ? band.rows - 1 : band.rows;
     for (int j = 0; j <= rings; ++j)

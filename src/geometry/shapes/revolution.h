@@ -16,6 +16,9 @@ struct Axis {
     glm::dvec3 quarter;  ///< where s = 1/4
 };
 
+/// The axis of shapes that stand on the plane y = 0.
+inline const Axis kStanding{.along = {0, 1, 0}, .zero = {-1, 0, 0}, .quarter = {0, 0, 1}};
+
 /// A straight profile from (startAlong, startRadius) to (endAlong, endRadius), in equal rows with t from
 /// startT to endT. If `apex` is set, endRadius is 0, and the apex has one vertex per slice.
 struct Band {

@@ -176,13 +176,13 @@ Mesh soccerball(double radius, int cuts) {
 
 namespace {
 
-constexpr ShapeArgument kArguments[] = {sizeArgument("radius", 1), fixedCount("cuts", 8, 1, 3)};
+constexpr ShapeArgument kSoccerballArguments[] = {sizeArgument("radius", 1), fixedCount("cuts", 8, 1, 3)};
 
 /// The middle of a hexagon is pushed out furthest, by 1/d, where d is its distance in radii. The small
 /// triangles there have the side e / (d cuts), where e is the edge of the truncated icosahedron, and the
 /// circumradius q. They lie 1 - sqrt(1 - q^2) <= q^2 / (1 + sqrt(1 - q^2)) inside. Measured, the pattern
 /// moves by less than 2.2 times that.
-double deviation(Numbers n, Fidelity fidelity) {
+double soccerballDeviation(Numbers n, Fidelity fidelity) {
     constexpr double kEdge = .403548, kDistance = .914958;
     const double circumradius = std::min(1., kEdge / (kDistance * n[1] * std::numbers::sqrt3));
     const double inside = 1 - std::sqrt(1 - circumradius * circumradius);
@@ -192,13 +192,13 @@ double deviation(Numbers n, Fidelity fidelity) {
 }  // namespace
 
 constexpr PrimitiveSpec kSoccerballRow{.names = {"Soccerball"},
-                                       .arguments = kArguments,
+                                       .arguments = kSoccerballArguments,
                                        .summary = "sphere of 12 pentagons and 20 hexagons",
                                        .counts = [](Numbers n) { return soccerballCounts(countAt(n, 1)); },
                                        .make = [](Numbers n) { return soccerball(n[0], countAt(n, 1)); },
                                        .isClosed = true,
                                        .hasFaceIndex = true,
-                                       .deviation = deviation,
+                                       .deviation = soccerballDeviation,
                                        .extent = [](Numbers n) { return ballExtent(n[0]); }};
 
 }  // namespace glibra::geometry

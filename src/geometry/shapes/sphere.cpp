@@ -20,17 +20,17 @@ SurfacePoint spherePoint(double radius, const glm::dvec2& around, const glm::dve
             .texCoord = {s, t, 0}};
 }
 
-void addPole(Surface& surface, double radius, int slices, double t) {
+void addSpherePole(Surface& surface, double radius, int slices, double t) {
     const glm::dvec2 latitude{0, t == 0 ? -1 : 1};
     for (int i = 0; i < slices; ++i)
         surface.add(spherePoint(radius, unitTurn(2 * std::int64_t{i} + 1, 2 * std::int64_t{slices}), latitude,
                                 (i + .5) / slices, t));
 }
 
-void addPoints(Surface& surface, double radius, int slices, int stacks) {
+void addSpherePoints(Surface& surface, double radius, int slices, int stacks) {
     assert(radius >= 0 && slices >= 3 && stacks >= 2);
     const std::vector<glm::dvec2> circle = unitCircle(slices);
-    addPole(surface, radius, slices, 0);
+    addSpherePole(surface, radius, slices, 0);
     for (int j = 1; j < stacks; ++j) {
         const glm::dvec2 colatitude = unitTurn(j, 2 * std::int64_t{stacks});  // from the south pole
         for (int i = 0; i <= slices; ++i)
@@ -38,14 +38,14 @@ void addPoints(Surface& surface, double radius, int slices, int stacks) {
                                     {colatitude.y, -colatitude.x}, static_cast<double>(i) / slices,
                                     static_cast<double>(j) / stacks));
     }
-    addPole(surface, radius, slices, 1);
+    addSpherePole(surface, radius, slices, 1);
 }
 
 }  // namespace
 
 Mesh sphere(double radius, int slices, int stacks) {
     Surface surface(Topology::triangles, 2, sphereCounts(slices, stacks));
-    addPoints(surface, radius, slices, stacks);
+    addSpherePoints(surface, radius, slices, stacks);
     const auto a = static_cast<std::uint32_t>(slices), b = static_cast<std::uint32_t>(stacks);
     const std::uint32_t lastRing = a + (b - 2) * (a + 1), north = lastRing + a + 1;
     for (std::uint32_t i = 0; i < a; ++i) surface.triangle(i, a + i + 1, a + i);
@@ -56,7 +56,7 @@ Mesh sphere(double radius, int slices, int stacks) {
 
 Mesh wireSphere(double radius, int slices, int stacks) {
     Surface surface(Topology::lines, 2, wireSphereCounts(slices, stacks));
-    addPoints(surface, radius, slices, stacks);
+    addSpherePoints(surface, radius, slices, stacks);
     const auto a = static_cast<std::uint32_t>(slices), b = static_cast<std::uint32_t>(stacks);
     const std::uint32_t lastRing = a + (b - 2) * (a + 1), north = lastRing + a + 1;
     for (std::uint32_t i = 0; i < a; ++i) surface.segment(i, a + i);
@@ -67,13 +67,13 @@ Mesh wireSphere(double radius, int slices, int stacks) {
 
 namespace {
 
-constexpr ShapeArgument kArguments[] = {sizeArgument("radius", 1),
-                                        countArgument("slices", 60, 3, kSmoothTurn),
-                                        countArgument("stacks", 60, 2, kSmoothTurn / 2)};
-constexpr ShapeArgument kWireArguments[] = {sizeArgument("radius", 1), countArgument("slices", 20, 3),
-                                            countArgument("stacks", 20, 2)};
+constexpr ShapeArgument kSphereArguments[] = {sizeArgument("radius", 1),
+                                              countArgument("slices", 60, 3, kSmoothTurn),
+                                              countArgument("stacks", 60, 2, kSmoothTurn / 2)};
+constexpr ShapeArgument kWireSphereArguments[] = {sizeArgument("radius", 1), countArgument("slices", 20, 3),
+                                                  countArgument("stacks", 20, 2)};
 
-double deviation(Numbers n, Fidelity fidelity) {
+double sphereDeviation(Numbers n, Fidelity fidelity) {
     return ballDeviation(n[0], 2 * std::numbers::pi / n[1], std::numbers::pi / n[2], fidelity);
 }
 
@@ -81,18 +81,18 @@ double deviation(Numbers n, Fidelity fidelity) {
 
 constexpr PrimitiveSpec kSphereRow{
     .names = {"Sphere"},
-    .arguments = kArguments,
+    .arguments = kSphereArguments,
     .summary = "sphere, poles on the y axis",
     .counts = [](Numbers n) { return sphereCounts(countAt(n, 1), countAt(n, 2)); },
     .make = [](Numbers n) { return sphere(n[0], countAt(n, 1), countAt(n, 2)); },
     .isClosed = true,
     .twin = &kWireSphereRow,
-    .deviation = deviation,
+    .deviation = sphereDeviation,
     .extent = [](Numbers n) { return ballExtent(n[0]); }};
 
 constexpr PrimitiveSpec kWireSphereRow{
     .names = {"WireSphere"},
-    .arguments = kWireArguments,
+    .arguments = kWireSphereArguments,
     .summary = "sphere as lines",
     .topology = Topology::lines,
     .counts = [](Numbers n) { return wireSphereCounts(countAt(n, 1), countAt(n, 2)); },

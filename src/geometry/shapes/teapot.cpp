@@ -119,16 +119,16 @@ Mesh wireTeapot() {
 
 namespace {
 
-constexpr ShapeArgument kArguments[] = {fixedCount("cells per side", 16, 2, 16)};
+constexpr ShapeArgument kTeapotArguments[] = {fixedCount("cells per side", 16, 2, 16)};
 
 /// Patches that meet need the same number of cells along the seam, so the most bent ones, those of the spout,
 /// decide for all. The theorem's bound would be 1.41 / cells^2; the factors here are those measured on meshes
 /// of 2 to 48 cells, where they rise to 1.07 and 0.805.
-double deviation(Numbers n, Fidelity fidelity) {
+double teapotDeviation(Numbers n, Fidelity fidelity) {
     return (fidelity == Fidelity::shape ? .81 : 1.1) / (n[0] * n[0]);
 }
 
-Extent extent(Numbers) {
+Extent teapotExtent(Numbers) {
     glm::dvec3 low(1e9), high(-1e9);
     for (const Patch& patch : teapotPatches())
         for (const auto& row : patch)
@@ -142,13 +142,13 @@ Extent extent(Numbers) {
 }  // namespace
 
 constexpr PrimitiveSpec kTeapotRow{.names = {"Teapot"},
-                                   .arguments = kArguments,
+                                   .arguments = kTeapotArguments,
                                    .summary = "the classic teapot",
                                    .counts = [](Numbers n) { return teapotCounts(countAt(n, 0)); },
                                    .make = [](Numbers n) { return teapot(countAt(n, 0)); },
                                    .twin = &kWireTeapotRow,
-                                   .deviation = deviation,
-                                   .extent = extent};
+                                   .deviation = teapotDeviation,
+                                   .extent = teapotExtent};
 
 constexpr PrimitiveSpec kWireTeapotRow{.names = {"WireTeapot"},
                                        .summary = "the teapot as lines",

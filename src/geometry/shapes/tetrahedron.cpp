@@ -12,7 +12,7 @@
 namespace glibra::geometry {
 namespace {
 
-constexpr ShapeArgument kArguments[] = {sizeArgument("radius", 1)};
+constexpr ShapeArgument kTetrahedronArguments[] = {sizeArgument("radius", 1)};
 
 }  // namespace
 
@@ -45,7 +45,7 @@ Mesh tetrahedron(double radius) {
 }
 
 constexpr PrimitiveSpec kTetrahedronRow{.names = {"Tetrahedron"},
-                                        .arguments = kArguments,
+                                        .arguments = kTetrahedronArguments,
                                         .summary = "regular tetrahedron, centred, its corners at this radius",
                                         .counts = [](Numbers) { return tetrahedronCounts(); },
                                         .make = [](Numbers n) { return tetrahedron(n[0]); },

@@ -12,28 +12,25 @@
 namespace glibra::glib {
 namespace {
 
-using Kind = Value::Kind;
-using Node = SyntaxNode;
-
 bool isName(const Event& event) {
-    if (event.node->kind == Node::Kind::pairs) return true;
+    if (event.node->kind == SyntaxNode::Kind::pairs) return true;
     const ValueType type = event.node->type;
     return type == ValueType::object || type == ValueType::array || type == ValueType::any;
 }
 
 /// `true` is a truth only where any value may stand. The words of a list have one spelling.
-void finish(Value& value, const Node& node) {
-    const bool isAny =
-        node.kind == Node::Kind::pairs || node.type == ValueType::any || node.type == ValueType::constant;
-    if (value.kind == Kind::truth) {
+void finishValue(Value& value, const SyntaxNode& node) {
+    const bool isAny = node.kind == SyntaxNode::Kind::pairs || node.type == ValueType::any ||
+                       node.type == ValueType::constant;
+    if (value.kind == Value::Kind::truth) {
         if (isAny) {
             value.text.clear();
         } else {
-            value.kind = Kind::word;
+            value.kind = Value::Kind::word;
             value.number = 0;
         }
     }
-    if (node.type == ValueType::oneOf && value.kind == Kind::word) value.text = lower(value.text);
+    if (node.type == ValueType::oneOf && value.kind == Value::Kind::word) value.text = lower(value.text);
 }
 
 void checkTags(const StatementRow& row, const Command& command, MessageLog& log) {
@@ -72,11 +69,11 @@ void build(const StatementRow& row, const std::vector<Event>& events, Pieces pie
             if (path.size() > 1 || !path.front().index.empty()) tag.path = std::move(path);
             command.tags.push_back(std::move(tag));
             place = &command.tags.back().values;
-        } else if (first.kind == Kind::word && isName(event)) {
+        } else if (first.kind == Value::Kind::word && isName(event)) {
             place->push_back(pieces.nameOf(event.begin, event.end));
         } else {
             for (std::size_t i = event.begin; i < event.end; ++i) place->push_back(pieces.take(i));
-            finish(place->back(), *event.node);
+            finishValue(place->back(), *event.node);
         }
     }
     checkTags(row, command, log);

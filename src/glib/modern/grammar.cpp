@@ -12,7 +12,7 @@
 namespace glibra::glib {
 namespace {
 
-using Kind = SyntaxNode::Kind;
+using NodeKind = SyntaxNode::Kind;
 
 constexpr std::size_t kMostShownWords = 7;
 constexpr std::string_view kRepeats = "...";
@@ -74,7 +74,7 @@ class Compiler {
     explicit Compiler(std::string_view text) : text_(text) {}
 
     SyntaxNode compile() {
-        SyntaxNode root = alternatives(Kind::choice);
+        SyntaxNode root = alternatives(NodeKind::choice);
         assert(at_ >= text_.size());
         return root;
     }
@@ -90,12 +90,12 @@ class Compiler {
     }
 
     /// a | b | c up to a closing bracket. One sequence alone is that sequence, except in a set.
-    SyntaxNode alternatives(Kind kind) {
+    SyntaxNode alternatives(NodeKind kind) {
         SyntaxNode node;
         node.kind = kind;
         do node.children.push_back(sequence());
         while (take("|"));
-        if (kind == Kind::choice && node.children.size() == 1) return std::move(node.children.front());
+        if (kind == NodeKind::choice && node.children.size() == 1) return std::move(node.children.front());
         return node;
     }
 
@@ -111,14 +111,14 @@ class Compiler {
     SyntaxNode item() {
         SyntaxNode node;
         if (take("(")) {
-            node = alternatives(Kind::choice);
+            node = alternatives(NodeKind::choice);
             take(")");
         } else if (take("[")) {
-            node.kind = Kind::optional;
-            node.children.push_back(alternatives(Kind::choice));
+            node.kind = NodeKind::optional;
+            node.children.push_back(alternatives(NodeKind::choice));
             take("]");
         } else if (take("{")) {
-            node = alternatives(Kind::set);
+            node = alternatives(NodeKind::set);
             take("}");
             node.needsOne = take("+");
         } else {
@@ -137,11 +137,11 @@ class Compiler {
         if (colon != std::string_view::npos) return value(all.substr(0, colon), all.substr(colon + 1));
         SyntaxNode node;
         if (all.starts_with("pairs")) {
-            node.kind = Kind::pairs;
+            node.kind = NodeKind::pairs;
             node.needsOne = all.ends_with('+');
             return node;
         }
-        node.kind = Kind::key;
+        node.kind = NodeKind::key;
         const std::size_t point = all.find('.');
         node.text = all.substr(0, point);
         if (point == std::string_view::npos) return node;
@@ -152,7 +152,7 @@ class Compiler {
 
     static SyntaxNode value(std::string_view name, std::string_view type) {
         SyntaxNode node;
-        node.kind = Kind::value;
+        node.kind = NodeKind::value;
         node.text = name;
         const std::size_t count = type.find_first_of("*+");
         if (count != std::string_view::npos) {
@@ -186,19 +186,19 @@ struct Surroundings {
 };
 
 /// Sets isSkippable and isChosen, and collects the keys.
-void finish(SyntaxNode& node, Surroundings around, Syntax& syntax) {
+void finishNode(SyntaxNode& node, Surroundings around, Syntax& syntax) {
     node.isSkippable = around.isSkippable;
     node.isChosen = around.isChosen;
-    if (node.kind == Kind::key) {
+    if (node.kind == NodeKind::key) {
         addOnce(syntax.keys, node.text);
         if (!around.isAfterKey) addOnce(syntax.outerKeys, node.text);
     }
-    if (node.kind == Kind::optional || node.kind == Kind::set) around.isSkippable = true;
-    if (node.kind == Kind::choice) around.isChosen = true;
+    if (node.kind == NodeKind::optional || node.kind == NodeKind::set) around.isSkippable = true;
+    if (node.kind == NodeKind::choice) around.isChosen = true;
     for (SyntaxNode& each : node.children) {
-        finish(each, around, syntax);
+        finishNode(each, around, syntax);
         // What follows the key of an alternative belongs to it: it cannot be left out, nor be another's key.
-        if (node.kind == Kind::sequence && each.kind == Kind::key) around = {false, false, true};
+        if (node.kind == NodeKind::sequence && each.kind == NodeKind::key) around = {false, false, true};
     }
 }
 
@@ -207,12 +207,12 @@ std::string joined(const SyntaxNode& node, std::string_view between);
 std::string shown(const SyntaxNode& node) {
     std::string text;
     switch (node.kind) {
-        case Kind::key:
+        case NodeKind::key:
             text = node.text;
             if (node.hasNumberSuffix) text += "[.n]";
             if (!node.words.empty()) text += fmt::format("[.{}]", fmt::join(node.words, "|."));
             break;
-        case Kind::value:
+        case NodeKind::value:
             if (node.type == ValueType::oneOf && node.words.size() <= kMostShownWords)
                 text = fmt::format("{}", fmt::join(node.words, "|"));
             else
@@ -222,19 +222,19 @@ std::string shown(const SyntaxNode& node) {
             if (node.most > 1)
                 text += fmt::format("{}{}", node.least < node.most ? " up to x" : " x", node.most);
             break;
-        case Kind::sequence:
+        case NodeKind::sequence:
             text = joined(node, " ");
             break;
-        case Kind::choice:
+        case NodeKind::choice:
             text = "(" + joined(node, " | ") + ")";
             break;
-        case Kind::optional:
+        case NodeKind::optional:
             text = "[" + joined(node, " ") + "]";
             break;
-        case Kind::set:
+        case NodeKind::set:
             text = "{" + joined(node, " | ") + "}";
             break;
-        case Kind::pairs:
+        case NodeKind::pairs:
             text = node.needsOne ? "tag value ..." : "[tag value]...";
             break;
     }
@@ -267,7 +267,7 @@ const Syntax& syntaxOf(const StatementRow& row) {
         for (const StatementRow& each : statementTable()) {
             Syntax syntax;
             syntax.root = Compiler(expanded(each.syntax)).compile();
-            finish(syntax.root, {}, syntax);
+            finishNode(syntax.root, {}, syntax);
             all.emplace(each.id, std::move(syntax));
         }
         return all;
@@ -293,8 +293,8 @@ std::vector<std::string> wordsOf(const StatementRow& row) {
         if (std::find(words.begin(), words.end(), word) == words.end()) words.push_back(word);
     };
     forEachNode(syntaxOf(row).root, [&](const SyntaxNode& node) {
-        if (node.kind == Kind::key) add(node.text);
-        if (node.kind == Kind::value)
+        if (node.kind == NodeKind::key) add(node.text);
+        if (node.kind == NodeKind::value)
             for (const std::string& each : node.words) add(each);
     });
     return words;

@@ -18,7 +18,6 @@
 namespace glibra::glib {
 namespace {
 
-using Kind = Value::Kind;
 using Node = SyntaxNode;
 
 class Matcher {
@@ -146,7 +145,7 @@ class Matcher {
         const std::size_t begin = at;
         bool hasExpression = false;
         while (at < pieces_.size() && at - begin < node.most && isNumeric(pieces_[at]))
-            hasExpression = pieces_[at++].kind == Kind::expression || hasExpression;
+            hasExpression = pieces_[at++].kind == Value::Kind::expression || hasExpression;
         const std::size_t count = at - begin;
         if (count < node.most)
             mismatch_.expect(at, node.most == 1
@@ -161,7 +160,7 @@ class Matcher {
         const std::size_t begin = at;
         while (at - begin < node.most) {
             const Value* value = pieces_.find(at);
-            const bool fits = value != nullptr && (value->kind == Kind::text || isUnquoted(*value)) &&
+            const bool fits = value != nullptr && (value->kind == Value::Kind::text || isUnquoted(*value)) &&
                               !isKeyInstead(*value, isSkippable || node.isChosen || at > begin);
             if (!fits) {
                 mismatch_.expect(at, node.most == 1 ? fmt::format("a file ({})", node.text)
@@ -222,17 +221,17 @@ class Matcher {
     std::size_t valueEnd(const Node& node, std::size_t at, bool isSkippable) const {
         const Value* value = pieces_.find(at);
         if (value == nullptr) return at;
-        const Kind kind = value->kind;
-        const bool isLone = !pieces_.isJoined(at + 1) || pieces_[at + 1].kind == Kind::word;
+        const Value::Kind kind = value->kind;
+        const bool isLone = !pieces_.isJoined(at + 1) || pieces_[at + 1].kind == Value::Kind::word;
         bool fits = false;
         switch (node.type) {
             case ValueType::name:
-                fits = isLone && kind == Kind::word && isIdentifier(value->text) &&
+                fits = isLone && kind == Value::Kind::word && isIdentifier(value->text) &&
                        !isKeyInstead(*value, isSkippable || node.isChosen);
                 break;
             case ValueType::array:  // [...] at the end is the value
-                if (kind != Kind::word || !isIdentifier(value->text)) return at;
-                return pieces_.isSubscript(at + 1) && pieces_[at + 1].kind == Kind::list &&
+                if (kind != Value::Kind::word || !isIdentifier(value->text)) return at;
+                return pieces_.isSubscript(at + 1) && pieces_[at + 1].kind == Value::Kind::list &&
                                at + 2 < pieces_.size()
                            ? at + 2
                            : at + 1;
@@ -245,34 +244,35 @@ class Matcher {
                 fits = isUnquoted(*value) && !isKeyInstead(*value, isSkippable);
                 break;
             case ValueType::program:
-                fits = isUnquoted(*value) || kind == Kind::text;
+                fits = isUnquoted(*value) || kind == Value::Kind::text;
                 break;
             case ValueType::key:
-                fits = isUnquoted(*value) || kind == Kind::text || kind == Kind::number;
+                fits = isUnquoted(*value) || kind == Value::Kind::text || kind == Value::Kind::number;
                 break;
             case ValueType::any:
-                if (kind == Kind::word) return pieces_.objectEnd(at);
+                if (kind == Value::Kind::word) return pieces_.objectEnd(at);
                 [[fallthrough]];
             case ValueType::constant:
-                fits = kind != Kind::word && kind != Kind::text;
+                fits = kind != Value::Kind::word && kind != Value::Kind::text;
                 break;
             case ValueType::expression:
-                fits = kind == Kind::expression;
+                fits = kind == Value::Kind::expression;
                 break;
             case ValueType::list:
-                fits = kind == Kind::list;
+                fits = kind == Value::Kind::list;
                 break;
             case ValueType::words:
-                fits = kind == Kind::list && value->count.empty();
+                fits = kind == Value::Kind::list && value->count.empty();
                 break;
             case ValueType::color:
-                fits = kind == Kind::color || kind == Kind::expression;
+                fits = kind == Value::Kind::color || kind == Value::Kind::expression;
                 break;
             case ValueType::components:
-                fits = kind == Kind::color || kind == Kind::list || kind == Kind::expression;
+                fits = kind == Value::Kind::color || kind == Value::Kind::list ||
+                       kind == Value::Kind::expression;
                 break;
             case ValueType::oneOf:
-                fits = kind == Kind::expression ||
+                fits = kind == Value::Kind::expression ||
                        (isUnquoted(*value) &&
                         std::any_of(node.words.begin(), node.words.end(),
                                     [&](const std::string& each) { return sameWord(each, value->text); }));
@@ -356,8 +356,8 @@ class Matcher {
 
     std::size_t anyEnd(std::size_t at) const {
         const Value* value = pieces_.find(at);
-        if (value == nullptr || value->kind == Kind::text) return at;
-        return value->kind == Kind::word ? pieces_.objectEnd(at) : at + 1;
+        if (value == nullptr || value->kind == Value::Kind::text) return at;
+        return value->kind == Value::Kind::word ? pieces_.objectEnd(at) : at + 1;
     }
 
     const StatementRow& row_;

@@ -8,8 +8,6 @@
 namespace glibra::glib {
 namespace {
 
-using Kind = Value::Kind;
-
 /// Adds the parts of a text with points between them.
 void addParts(std::string_view text, std::vector<NamePart>& path) {
     if (text.starts_with('.')) text.remove_prefix(1);
@@ -24,10 +22,10 @@ void addParts(std::string_view text, std::vector<NamePart>& path) {
 }  // namespace
 
 bool isNumeric(const Value& value) {
-    return value.kind == Kind::number || value.kind == Kind::expression;
+    return value.kind == Value::Kind::number || value.kind == Value::Kind::expression;
 }
 bool isUnquoted(const Value& value) {
-    return (value.kind == Kind::word || value.kind == Kind::truth) && !value.text.empty();
+    return (value.kind == Value::Kind::word || value.kind == Value::Kind::truth) && !value.text.empty();
 }
 
 bool looksLikeExpression(std::string_view word) {
@@ -63,18 +61,19 @@ std::string_view afterPoint(std::string_view text) {
 bool Pieces::isSubscript(std::size_t at) const {
     if (!isJoined(at)) return false;
     const Value& value = (*this)[at];
-    if (value.kind == Kind::expression) return true;
-    return value.kind == Kind::list && value.count.empty() &&
+    if (value.kind == Value::Kind::expression) return true;
+    return value.kind == Value::Kind::list && value.count.empty() &&
            source(value).find_first_of("\r\n") == std::string_view::npos;
 }
 
 std::size_t Pieces::objectEnd(std::size_t at) const {
     const Value* value = find(at);
-    if (value == nullptr || value->kind != Kind::word || !isDotted(value->text, false)) return at;
+    if (value == nullptr || value->kind != Value::Kind::word || !isDotted(value->text, false)) return at;
     for (std::size_t next = at + 1;;) {
         if (isSubscript(next))
             ++next;
-        else if (isJoined(next) && (*this)[next].kind == Kind::word && isDotted((*this)[next].text, true))
+        else if (isJoined(next) && (*this)[next].kind == Value::Kind::word &&
+                 isDotted((*this)[next].text, true))
             ++next;
         else
             return next;
@@ -85,9 +84,9 @@ std::size_t Pieces::tagEnd(std::size_t at) const {
     const Value* value = find(at);
     if (value == nullptr || !isUnquoted(*value) || !isDotted(value->text, false)) return at;
     std::size_t next = at + 1;
-    while (isSubscript(next) && (*this)[next].kind == Kind::list && valueFollows(next + 1)) {
+    while (isSubscript(next) && (*this)[next].kind == Value::Kind::list && valueFollows(next + 1)) {
         ++next;
-        if (isJoined(next) && (*this)[next].kind == Kind::word) ++next;
+        if (isJoined(next) && (*this)[next].kind == Value::Kind::word) ++next;
     }
     return next;
 }
@@ -95,12 +94,12 @@ std::size_t Pieces::tagEnd(std::size_t at) const {
 bool Pieces::valueFollows(std::size_t at) const {
     const Value* value = find(at);
     if (value == nullptr) return false;
-    if (value->kind != Kind::word) return true;
+    if (value->kind != Value::Kind::word) return true;
     if (isJoined(at) && isDotted(value->text, true)) return true;
     // A word is a value if what follows it is not: `uTex[2] shadow uB 5`, but `uA[3] uB 5`.
     const std::size_t next = objectEnd(at);
     if (next == at) return false;
-    return next == size() || (*this)[next].kind == Kind::word;
+    return next == size() || (*this)[next].kind == Value::Kind::word;
 }
 
 std::string_view Pieces::source(const Value& value) const {
@@ -113,9 +112,9 @@ std::string Pieces::written(std::size_t begin, std::size_t end) const {
 
 Value Pieces::indexOf(const Value& subscript) const {
     Value index = subscript;
-    if (subscript.kind == Kind::expression) return index;
+    if (subscript.kind == Value::Kind::expression) return index;
     if (subscript.items.size() == 1 && isNumeric(subscript.items.front())) return subscript.items.front();
-    index.kind = Kind::expression;
+    index.kind = Value::Kind::expression;
     index.items.clear();
     const std::string_view all = source(subscript);
     index.text = all.substr(1, all.size() - 2);
@@ -126,7 +125,7 @@ std::vector<NamePart> Pieces::pathOf(std::size_t begin, std::size_t end) const {
     std::vector<NamePart> path;
     for (std::size_t i = begin; i < end; ++i) {
         const Value& value = (*this)[i];
-        if (value.kind == Kind::word || value.kind == Kind::truth)
+        if (value.kind == Value::Kind::word || value.kind == Value::Kind::truth)
             addParts(value.text, path);
         else
             path.back().index = {indexOf(value)};
@@ -136,7 +135,7 @@ std::vector<NamePart> Pieces::pathOf(std::size_t begin, std::size_t end) const {
 
 Value Pieces::nameOf(std::size_t begin, std::size_t end) const {
     Value name = (*this)[begin];
-    name.kind = Kind::word;
+    name.kind = Value::Kind::word;
     name.text = written(begin, end);
     name.end = (*this)[end - 1].end;
     name.path = pathOf(begin, end);

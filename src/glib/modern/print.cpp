@@ -21,7 +21,7 @@ std::string itemsOf(const Value& group) {
     return text;
 }
 
-void append(const std::vector<Value>& values, std::string& text) {
+void appendValues(const std::vector<Value>& values, std::string& text) {
     for (const Value& each : values) text += " " + written(each);
 }
 
@@ -52,15 +52,15 @@ std::string written(const Value& value) {
 
 std::string written(const Command& command) {
     std::string text = command.word;
-    append(command.values, text);
+    appendValues(command.values, text);
     for (const KeyedValues& each : command.keys) {
         text += " " + each.key;
         if (!each.suffix.empty()) text += "." + each.suffix;
-        append(each.values, text);
+        appendValues(each.values, text);
     }
     for (const KeyedValues& each : command.tags) {
         text += " " + each.key;
-        append(each.values, text);
+        appendValues(each.values, text);
     }
     if (command.bodyPosition.line > 1) text += "\n" + command.body + "End" + command.word;
     return text;

@@ -14,8 +14,6 @@
 namespace glibra::glib {
 namespace {
 
-using Kind = Value::Kind;
-
 class PieceReader {
   public:
     PieceReader(std::span<const Token> tokens, MessageLog& log) : tokens_(tokens), log_(log) {}
@@ -37,7 +35,7 @@ class PieceReader {
         return std::nullopt;
     }
 
-    static Value valueOf(const Token& token, Kind kind) {
+    static Value valueOf(const Token& token, Value::Kind kind) {
         Value value;
         value.kind = kind;
         value.text = token.text;
@@ -59,7 +57,7 @@ class PieceReader {
                 if (isCompleteNumber(token.text)) return readNumberToken(token);
                 break;
             case TokenKind::quoted:
-                return valueOf(token, Kind::text);
+                return valueOf(token, Value::Kind::text);
             case TokenKind::expression:
                 return readExpression(token);
             case TokenKind::open:
@@ -74,14 +72,14 @@ class PieceReader {
             case TokenKind::word:
                 break;
         }
-        Value word = valueOf(token, token.truth() ? Kind::truth : Kind::word);
+        Value word = valueOf(token, token.truth() ? Value::Kind::truth : Value::Kind::word);
         word.number = token.truth() == true ? 1 : 0;
         return word;
     }
 
     std::optional<Value> readNumberToken(const Token& token) {
         const std::size_t errors = log_.errorCount();
-        Value value = valueOf(token, Kind::number);
+        Value value = valueOf(token, Value::Kind::number);
         value.number = readNumber(token, log_).value;
         value.text.clear();
         if (log_.errorCount() > errors) return std::nullopt;
@@ -102,7 +100,7 @@ class PieceReader {
                           token.position);
         if (token.text.find_first_not_of(" \t") == std::string_view::npos)
             return refuse("glib-E20", "an expression is missing between '(' and ')'", token.position);
-        return valueOf(token, Kind::expression);
+        return valueOf(token, Value::Kind::expression);
     }
 
     std::optional<Value> readGroup() {
@@ -110,7 +108,7 @@ class PieceReader {
         // A Program statement is cut by the classic rules, by which `(1)` and `(1 0 0)` are brackets.
         if (open.text == "(" && !isNumericBracket()) return readSingle();
         if (open.text == "(" && tokens_[at_ + 2].kind == TokenKind::close) {
-            Value number = valueOf(tokens_[at_ + 1], Kind::expression);
+            Value number = valueOf(tokens_[at_ + 1], Value::Kind::expression);
             number.position = open.position;
             number.begin = open.begin;
             number.end = tokens_[at_ + 2].end;
@@ -118,9 +116,9 @@ class PieceReader {
             return number;
         }
         ++at_;
-        Value group = valueOf(open, open.text == "<"   ? Kind::range
-                                    : open.text == "{" ? Kind::color
-                                                       : Kind::list);
+        Value group = valueOf(open, open.text == "<"   ? Value::Kind::range
+                                    : open.text == "{" ? Value::Kind::color
+                                                       : Value::Kind::list);
         group.text.clear();
         while (at_ < tokens_.size() && tokens_[at_].kind != TokenKind::close) {
             std::optional<Value> item = readSingle();
@@ -146,26 +144,26 @@ class PieceReader {
     }
 
     static bool isNumeric(const Value& value) {
-        return value.kind == Kind::number || value.kind == Kind::expression;
+        return value.kind == Value::Kind::number || value.kind == Value::Kind::expression;
     }
     static bool allNumeric(const Value& group) {
         return std::all_of(group.items.begin(), group.items.end(), isNumeric);
     }
     static bool hasExpression(const Value& group) {
         return std::any_of(group.items.begin(), group.items.end(),
-                           [](const Value& each) { return each.kind == Kind::expression; });
+                           [](const Value& each) { return each.kind == Value::Kind::expression; });
     }
 
     std::optional<Value> checked(Value group) {
         for (const Value& each : group.items)
-            if (each.kind == Kind::text)
+            if (each.kind == Value::Kind::text)
                 return refuse("glib-E20", "a text in quotes cannot stand in brackets", each.position);
         if (group.items.empty())
             return refuse("glib-E20", "a value is missing between the brackets", group.position);
         switch (group.kind) {
-            case Kind::range:
+            case Value::Kind::range:
                 return checkedRange(std::move(group));
-            case Kind::color:
+            case Value::Kind::color:
                 return checkedColor(std::move(group));
             default:
                 return checkedList(std::move(group));
@@ -173,14 +171,14 @@ class PieceReader {
     }
 
     std::optional<Value> checkedRange(Value range) {
-        if (range.items.size() == 1 && range.items.front().kind == Kind::truth) {
-            range.kind = Kind::truth;
+        if (range.items.size() == 1 && range.items.front().kind == Value::Kind::truth) {
+            range.kind = Value::Kind::truth;
             range.number = range.items.front().number;
             range.items.clear();
             return range;
         }
         const bool isChoice = std::all_of(range.items.begin(), range.items.end(),
-                                          [](const Value& each) { return each.kind == Kind::word; });
+                                          [](const Value& each) { return each.kind == Value::Kind::word; });
         if (isChoice || (allNumeric(range) && range.items.size() == 3)) return range;
         return refuse("glib-E20", "< > needs three numbers (min cur max), or words, or true or false",
                       range.position);
@@ -195,7 +193,8 @@ class PieceReader {
 
     /// `[6 of (...)]` becomes a count and one item.
     std::optional<Value> checkedList(Value list) {
-        if (list.items.size() < 2 || list.items[1].kind != Kind::word || !sameWord(list.items[1].text, "of"))
+        if (list.items.size() < 2 || list.items[1].kind != Value::Kind::word ||
+            !sameWord(list.items[1].text, "of"))
             return list;
         if (list.items.size() != 3 || !isNumeric(list.items[0]) || !isNumeric(list.items[2]))
             return refuse("glib-E20", "expected [COUNT of (EXPRESSION)]", list.position);

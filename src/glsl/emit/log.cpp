@@ -7,13 +7,10 @@
 #include "glsl/emit/emit.h"
 #include "glsl/emit/log_advice.h"
 #include "glsl/emit/log_line.h"
+#include "glsl/read/token.h"
 
 namespace glibra::glsl {
 namespace {
-
-bool isWordPart(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-}
 
 std::string userName(const TranslatedProgram& program, const std::string& emitted) {
     if (const auto found = program.userNames.find(emitted); found != program.userNames.end())

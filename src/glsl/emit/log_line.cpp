@@ -6,6 +6,8 @@
 #include <charconv>
 #include <limits>
 
+#include "glsl/read/token.h"
+
 namespace glibra::glsl {
 namespace {
 
@@ -16,7 +18,7 @@ bool startsWithNoCase(std::string_view text, std::string_view prefix) {
     });
 }
 
-bool take(std::string_view& text, std::string_view prefix) {
+bool takeNoCase(std::string_view& text, std::string_view prefix) {
     if (!startsWithNoCase(text, prefix)) return false;
     text.remove_prefix(prefix.size());
     return true;
@@ -63,10 +65,10 @@ bool takeSource(std::string_view& text, std::span<const std::string> files, char
 
 /// Takes "error", "preprocessor error", "warning" ... from the front; false if there is none.
 bool takeSeverity(std::string_view& text, bool& isWarning) {
-    take(text, "preprocessor ");
-    take(text, "fatal ");
+    takeNoCase(text, "preprocessor ");
+    takeNoCase(text, "fatal ");
     isWarning = startsWithNoCase(text, "warning");
-    return take(text, "error") || take(text, "warning");
+    return takeNoCase(text, "error") || takeNoCase(text, "warning");
 }
 
 /// Takes " C1008: " or "(#143) " after the severity from the front.
@@ -87,14 +89,14 @@ void dropCode(std::string_view& text) {
 
 /// Takes the "#error " that drivers repeat from the shader: the severity says it already.
 void dropDirective(std::string_view& text) {
-    if (text.size() > 7 && take(text, "#error ")) skipBlanks(text);
+    if (text.size() > 7 && takeNoCase(text, "#error ")) skipBlanks(text);
 }
 
 /// Reads "ERROR: 0:12: text".
 std::optional<LogLine> parsePrefixed(std::string_view text, std::span<const std::string> files) {
     LogLine line;
     line.isWarning = startsWithNoCase(text, "warning:");
-    if (!take(text, "error:") && !take(text, "warning:")) return std::nullopt;
+    if (!takeNoCase(text, "error:") && !takeNoCase(text, "warning:")) return std::nullopt;
     skipBlanks(text);
     if (!takeSource(text, files, ':', line.source)) return std::nullopt;
     text.remove_prefix(1);
@@ -127,7 +129,7 @@ std::optional<LogLine> parseMesa(std::string_view text, std::span<const std::str
     text.remove_prefix(1);
     if (!takeNumber(text, line.line) || !text.starts_with("(")) return std::nullopt;
     text.remove_prefix(1);
-    if (!takeNumber(text, line.column) || !take(text, "):")) return std::nullopt;
+    if (!takeNumber(text, line.column) || !takeNoCase(text, "):")) return std::nullopt;
     skipBlanks(text);
     if (!takeSeverity(text, line.isWarning)) return std::nullopt;
     dropCode(text);
@@ -141,19 +143,15 @@ std::optional<LogLine> parseNvidia(std::string_view text, std::span<const std::s
     LogLine line;
     if (!takeSource(text, files, '(', line.source)) return std::nullopt;
     text.remove_prefix(1);
-    if (!takeNumber(text, line.line) || !take(text, ")")) return std::nullopt;
+    if (!takeNumber(text, line.line) || !takeNoCase(text, ")")) return std::nullopt;
     skipBlanks(text);
-    if (!take(text, ":")) return std::nullopt;
+    if (!takeNoCase(text, ":")) return std::nullopt;
     skipBlanks(text);
     if (!takeSeverity(text, line.isWarning)) return std::nullopt;
     dropCode(text);
     dropDirective(text);
     line.text = text;
     return line;
-}
-
-bool isWordPart(char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
 /// The column in `text` for the `column` of a preprocessor that counts a run of blanks and comments as one

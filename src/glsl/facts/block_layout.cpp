@@ -8,9 +8,9 @@
 namespace glibra::glsl {
 namespace {
 
-constexpr int kDeepest = 32;
+constexpr int kDeepestStructure = 32;
 constexpr int kMostMembers = 20'000;
-constexpr long long kMostBytes = 1LL << 40;
+constexpr long long kMostBlockBytes = 1LL << 40;
 
 struct Extent {
     long long alignment = 1;
@@ -84,7 +84,8 @@ class Layouter {
     std::optional<Extent> arrayOf(const Extent& element, long long count) {
         const long long alignment = inArray(element.alignment);
         const long long stride = roundUp(element.size, alignment);
-        if (count > kMostBytes / std::max(stride, 1LL)) return fail("the array is larger than 1 TiB", {});
+        if (count > kMostBlockBytes / std::max(stride, 1LL))
+            return fail("the array is larger than 1 TiB", {});
         return Extent{alignment, stride * count};
     }
 
@@ -120,7 +121,7 @@ class Layouter {
             fail("'" + name + "' is neither a basic type nor a structure of the shader", {});
             return nullptr;
         }
-        if (depth_ >= kDeepest) {
+        if (depth_ >= kDeepestStructure) {
             fail("structures are nested more than 32 levels deep", found->second.place);
             return nullptr;
         }
@@ -156,8 +157,8 @@ class Layouter {
                 extent = arrayOf(*extent, count);
                 if (!extent) return std::nullopt;
             }
-            if (each.offset.value_or(0) < 0 || each.offset.value_or(0) > kMostBytes ||
-                each.align.value_or(1) < 1 || each.align.value_or(1) > kMostBytes)
+            if (each.offset.value_or(0) < 0 || each.offset.value_or(0) > kMostBlockBytes ||
+                each.align.value_or(1) < 1 || each.align.value_or(1) > kMostBlockBytes)
                 return fail("the offset or alignment of '" + each.name + "' is out of range", each.place);
             next = each.offset.value_or(roundUp(next, extent->alignment));
             if (each.align) next = roundUp(next, *each.align);
@@ -166,7 +167,7 @@ class Layouter {
                 std::max({placed.extent.alignment, extent->alignment, each.align.value_or(1)});
             next += extent->size;
             end = std::max(end, next);
-            if (next > kMostBytes) return fail("the members are larger than 1 TiB", each.place);
+            if (next > kMostBlockBytes) return fail("the members are larger than 1 TiB", each.place);
         }
         if (placed.runtimeStride > 0)
             placed.extent.size = placed.offsets.back();

@@ -7,7 +7,7 @@
 namespace glibra::glsl {
 namespace {
 
-constexpr int kDeepest = 24;
+constexpr int kDeepestFormula = 24;
 constexpr std::size_t kMostTokens = 2'000'000;  // per stage
 
 bool isScalarType(std::string_view word) {
@@ -68,7 +68,7 @@ bool TokenSearch::changes(std::string_view name, Range range) {
 std::optional<Formula> TokenSearch::formula(Range range) {
     Formula result;
     std::uint32_t at = range.first;
-    const bool isKnown = ++depth_ <= kDeepest && !range.empty() && spend(range.end - range.first) &&
+    const bool isKnown = ++depth_ <= kDeepestFormula && !range.empty() && spend(range.end - range.first) &&
                          sum(at, range.end, result) && at == range.end;
     --depth_;
     return isKnown ? std::optional(std::move(result)) : std::nullopt;

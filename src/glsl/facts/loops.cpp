@@ -12,7 +12,7 @@
 namespace glibra::glsl {
 namespace {
 
-constexpr int kDeepest = 24;
+constexpr int kDeepestLoop = 24;
 
 std::optional<Formula> negated(std::optional<Formula> formula) {
     if (formula) formula->steps.emplace_back(Operation::negate);
@@ -54,7 +54,7 @@ class LoopSearch {
 
     std::vector<CountedLoop> loopsIn(Range range, int depth) {
         std::vector<CountedLoop> loops;
-        if (depth > kDeepest) return loops;
+        if (depth > kDeepestLoop) return loops;
         const auto take = [&loops](std::vector<CountedLoop> more) {
             std::move(more.begin(), more.end(), std::back_inserter(loops));
         };

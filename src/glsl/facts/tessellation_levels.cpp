@@ -42,7 +42,7 @@ bool isPureFunction(std::string_view word) {
                                              "mod", "step", "fract", "trunc", "length", "inversesqrt"});
 }
 
-bool isAssignment(std::string_view token) {
+bool isAssignmentWithoutShift(std::string_view token) {
     return token.size() <= 2 && token.back() == '=' &&
            !isOneOf(token, std::array<std::string_view, 4>{"==", "<=", ">=", "!="});
 }
@@ -117,7 +117,7 @@ class Flow {
         auto begin = statement.begin();
         std::vector<Tokens> places;
         for (auto at = begin; at != statement.end(); ++at)
-            if (isAssignment(*at)) {
+            if (isAssignmentWithoutShift(*at)) {
                 places.emplace_back(begin, at);
                 begin = at + 1;
             }

@@ -4,12 +4,13 @@
 #include <tuple>
 #include <utility>
 
+#include "glsl/parse/usage.h"
 #include "glsl/read/words.h"
 
 namespace glibra::glsl {
 namespace {
 
-constexpr int kDeepest = 300;
+constexpr int kDeepestExpression = 300;
 
 struct Operator {
     std::string_view text;
@@ -19,11 +20,6 @@ constexpr Operator kOperators[] = {{"||", 1}, {"^^", 2}, {"&&", 3}, {"|", 4},  {
                                    {"&", 6},  {"==", 7}, {"!=", 7}, {"<", 8},  {">", 8},
                                    {"<=", 8}, {">=", 8}, {"<<", 9}, {">>", 9}, {"+", 10},
                                    {"-", 10}, {"*", 11}, {"/", 11}, {"%", 11}};
-
-bool isAssignment(std::string_view text) {
-    return text == "=" || (text.size() >= 2 && text.back() == '=' && text != "==" && text != "!=" &&
-                           text != "<=" && text != ">=");
-}
 
 Type typeOfNumber(std::string_view text) {
     const bool hex = text.starts_with("0x") || text.starts_with("0X");
@@ -87,7 +83,7 @@ Type Expressions::fail() {
 }
 
 Type Expressions::assignment() {
-    if (depth_ > kDeepest) {
+    if (depth_ > kDeepestExpression) {
         at_ = end_;
         return fail();
     }
@@ -108,7 +104,7 @@ Type Expressions::assignment() {
 }
 
 Type Expressions::binary(int lowest) {
-    if (depth_ > kDeepest) {
+    if (depth_ > kDeepestExpression) {
         at_ = end_;
         return fail();
     }
@@ -198,7 +194,7 @@ Type Expressions::primary() {
     }
     if (token.text == "(" || token.text == "{") {
         const std::uint32_t close = std::min(matches_[at_], end_);
-        if (depth_ > kDeepest) {
+        if (depth_ > kDeepestExpression) {
             at_ = std::min(close + 1, end_);
             return fail();
         }
@@ -239,7 +235,7 @@ Type Expressions::call(std::uint32_t name) {
     const std::uint32_t open = at_;
     const std::uint32_t close = std::min(matches_[open], end_);
     std::uint32_t start = open + 1;
-    if (depth_ > kDeepest) {
+    if (depth_ > kDeepestExpression) {
         at_ = std::min(close + 1, end_);
         return fail();
     }

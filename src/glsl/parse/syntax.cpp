@@ -8,7 +8,7 @@
 namespace glibra::glsl {
 namespace {
 
-constexpr int kDeepest = 32;  ///< nesting of structs and blocks
+constexpr int kDeepestBlock = 32;  ///< nesting of structs and blocks
 
 class Parser {
   public:
@@ -227,7 +227,7 @@ class Parser {
         const std::uint32_t end = close(at_);
         declaration.body = {at_, std::min(end + 1, end_)};
         ++at_;
-        if (++depth_ <= kDeepest)
+        if (++depth_ <= kDeepestBlock)
             while (at_ < end) {
                 const std::uint32_t start = at_;
                 const std::uint32_t outer = std::exchange(end_, end);

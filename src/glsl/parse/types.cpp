@@ -10,11 +10,6 @@ namespace {
 
 using enum BaseType;
 
-bool listed(std::string_view list, std::string_view word) {
-    const std::string key = " " + std::string(word) + " ";
-    return list.find(key) != std::string_view::npos;
-}
-
 int digit(char c) {
     return c >= '2' && c <= '4' ? c - '0' : 0;
 }

@@ -13,18 +13,12 @@ struct Output {
     std::string_view function;
     unsigned arguments;
 };
-constexpr std::array kOutputs = std::to_array<Output>({{"modf", 2},
-                                                       {"frexp", 2},
-                                                       {"uaddCarry", 4},
-                                                       {"usubBorrow", 4},
-                                                       {"umulExtended", 12},
-                                                       {"imulExtended", 12}});
-
-bool isAssignment(std::string_view text) {
-    static constexpr std::array<std::string_view, 11> kOperators = {
-        "=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>="};
-    return std::find(kOperators.begin(), kOperators.end(), text) != kOperators.end();
-}
+constexpr std::array kWritingFunctions = std::to_array<Output>({{"modf", 2},
+                                                                {"frexp", 2},
+                                                                {"uaddCarry", 4},
+                                                                {"usubBorrow", 4},
+                                                                {"umulExtended", 12},
+                                                                {"imulExtended", 12}});
 
 void addDeclared(Unit& unit, const Declaration& declaration) {
     const auto add = [&](std::uint32_t at) {
@@ -50,11 +44,17 @@ std::map<std::string_view, unsigned> outputArguments(const Unit& unit) {
         }
         result[unit.text(each.name)] |= bits;
     }
-    for (const Output& each : kOutputs) result.emplace(each.function, each.arguments);
+    for (const Output& each : kWritingFunctions) result.emplace(each.function, each.arguments);
     return result;
 }
 
 }  // namespace
+
+bool isAssignment(std::string_view text) {
+    static constexpr std::array<std::string_view, 11> kAssignments = {
+        "=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>="};
+    return std::find(kAssignments.begin(), kAssignments.end(), text) != kAssignments.end();
+}
 
 std::uint32_t afterSuffixes(const Unit& unit, std::uint32_t at) {
     const auto end = static_cast<std::uint32_t>(unit.view.size());

@@ -8,6 +8,9 @@ namespace glibra::glsl {
 /// Fills `declared`, `uses` and `writes` of the unit.
 void findUsage(Unit& unit);
 
+/// True for "=", "+=", "<<=", ...
+bool isAssignment(std::string_view text);
+
 /// True if the name at `at`, or a part of its value, is assigned to, incremented or decremented there.
 bool isWrittenAt(const Unit& unit, std::uint32_t at);
 

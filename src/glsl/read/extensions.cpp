@@ -6,12 +6,12 @@
 namespace glibra::glsl {
 namespace {
 
-struct Row {
+struct ExtensionRow {
     std::string_view name;
     int version;
 };
 
-constexpr std::array kRows = std::to_array<Row>({
+constexpr std::array kExtensions = std::to_array<ExtensionRow>({
     {"GL_ARB_arrays_of_arrays", 430},
     {"GL_ARB_compatibility", 0},
     {"GL_ARB_conservative_depth", 420},
@@ -83,9 +83,9 @@ constexpr std::array kRows = std::to_array<Row>({
 }  // namespace
 
 std::optional<int> extensionInCoreSince(std::string_view name) {
-    const auto* const found =
-        std::find_if(kRows.begin(), kRows.end(), [&](const Row& row) { return row.name == name; });
-    if (found == kRows.end()) return std::nullopt;
+    const auto* const found = std::find_if(kExtensions.begin(), kExtensions.end(),
+                                           [&](const ExtensionRow& row) { return row.name == name; });
+    if (found == kExtensions.end()) return std::nullopt;
     return found->version;
 }
 

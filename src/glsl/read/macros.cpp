@@ -5,7 +5,7 @@
 namespace glibra::glsl {
 namespace {
 
-constexpr int kDeepest = 64;
+constexpr int kDeepestExpansion = 64;
 
 /// The index after the parenthesis that closes the one at `open`; tokens.size() + 1 if none does.
 std::size_t splitArguments(std::span<const ViewToken> tokens, std::size_t open,
@@ -62,7 +62,7 @@ void MacroTable::expandInto(std::span<const ViewToken> tokens, std::vector<ViewT
     for (std::size_t i = 0; i < tokens.size(); ++i) {
         const ViewToken& token = tokens[i];
         const auto found = token.kind == TokenKind::word ? macros_.find(token.text) : macros_.end();
-        if (found == macros_.end() || depth > kDeepest || disabled_.contains(token.text) ||
+        if (found == macros_.end() || depth > kDeepestExpansion || disabled_.contains(token.text) ||
             ++steps_ > kMostSteps) {
             // Arguments are copied for each use of their parameter, so what they hold counts, too.
             if (depth > 0) ++steps_;

@@ -9,7 +9,7 @@
 namespace glibra::glsl {
 namespace {
 
-constexpr std::size_t kMostBytes = 4U << 20;  // language, 11
+constexpr std::size_t kMostSourceBytes = 4U << 20;  // language, 11
 constexpr int kDeepestInclude = 32;
 constexpr std::size_t kMostFiles = 256;
 
@@ -31,7 +31,7 @@ class SourceReader {
         const std::string& text = stage_.storage.back();
         const std::vector<Token> tokens = lex(text, stage_.storage);
         bytes_ = text.size();
-        if (bytes_ > kMostBytes) return tooLarge(source.path);
+        if (bytes_ > kMostSourceBytes) return tooLarge(source.path);
         findVersion(tokens);
         addFile(tokens, 0);
         preprocessor_.flush();
@@ -270,7 +270,7 @@ class SourceReader {
             return end();
         }
         bytes_ += found->text.size();
-        if (bytes_ > kMostBytes) {
+        if (bytes_ > kMostSourceBytes) {
             tooLarge(stage_.path);
             return end();
         }

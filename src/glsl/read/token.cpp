@@ -11,9 +11,6 @@ constexpr bool isDigit(char c) {
 constexpr bool isWordStart(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
 }
-constexpr bool isWordPart(char c) {
-    return isWordStart(c) || isDigit(c);
-}
 constexpr bool isBlank(char c) {
     return c == ' ' || c == '\t' || c == '\v' || c == '\f';
 }

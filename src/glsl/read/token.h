@@ -34,6 +34,11 @@ constexpr bool isSignificant(TokenKind kind) {
            kind == TokenKind::other;
 }
 
+/// True for letters, digits and '_'.
+constexpr bool isWordPart(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
 /// The text with LF line ends and without a byte-order mark.
 std::string normalizeLines(std::string_view text);
 

@@ -8,7 +8,7 @@
 namespace glibra::glsl {
 namespace {
 
-struct Row {
+struct KeywordRow {
     int since;
     std::string_view words;
 };
@@ -20,7 +20,7 @@ constexpr std::string_view kQualifiers =
 constexpr std::string_view kStatements =
     " if else for while do switch case default return break continue discard ";
 
-constexpr std::array<Row, 17> kTypes = {{
+constexpr std::array<KeywordRow, 17> kTypes = {{
     {110, "void float int bool vec2 vec3 vec4 ivec2 ivec3 ivec4 bvec2 bvec3 bvec4 mat2 mat3 mat4"},
     {110, "sampler1D sampler2D sampler3D samplerCube sampler1DShadow sampler2DShadow"},
     {120, "mat2x2 mat2x3 mat2x4 mat3x2 mat3x3 mat3x4 mat4x2 mat4x3 mat4x4"},
@@ -44,7 +44,7 @@ constexpr std::array<Row, 17> kTypes = {{
     {kReserved, "sampler3DRect"},
 }};
 
-constexpr std::array<Row, 11> kOthers = {{
+constexpr std::array<KeywordRow, 11> kOthers = {{
     {110,
      "attribute const uniform varying break continue do for while if else in out inout true false discard"},
     {110, "return struct"},
@@ -62,7 +62,7 @@ constexpr std::array<Row, 11> kOthers = {{
 
 template <class Rows>
 void addRows(std::unordered_map<std::string_view, int>& table, const Rows& rows) {
-    for (const Row& row : rows) {
+    for (const KeywordRow& row : rows) {
         std::string_view rest = row.words;
         while (!rest.empty()) {
             const std::size_t end = std::min(rest.find(' '), rest.size());
@@ -90,12 +90,12 @@ const std::unordered_map<std::string_view, int>& otherTable() {
     return kTable;
 }
 
+}  // namespace
+
 bool listed(std::string_view list, std::string_view word) {
     const std::string key = " " + std::string(word) + " ";
     return list.find(key) != std::string_view::npos;
 }
-
-}  // namespace
 
 int keywordSince(std::string_view word) {
     if (const auto found = typeTable().find(word); found != typeTable().end()) return found->second;

@@ -14,6 +14,9 @@ inline constexpr int kReserved = 1000;
 /// All keywords and reserved words, in byte order.
 std::vector<std::string_view> keywords();
 
+/// True if `word` is in `list`, which has a blank before and after every word.
+bool listed(std::string_view list, std::string_view word);
+
 /// True for words that name a type: "float", "vec3", "sampler2D", "void", ...
 bool isTypeWord(std::string_view word);
 

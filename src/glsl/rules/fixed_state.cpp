@@ -4,6 +4,7 @@
 #include <array>
 
 #include "glsl/rules/rules.h"
+#include "glsl/types/builtins.h"
 
 namespace glibra::glsl {
 namespace {
@@ -85,10 +86,6 @@ constexpr std::array kValues = std::to_array<Value>({
 constexpr std::array<std::string_view, 4> kLimits = {"gl_MaxLights", "gl_MaxClipPlanes", "gl_MaxTextureUnits",
                                                      "gl_MaxTextureCoords"};
 
-std::string emitted(std::string_view user) {
-    return "glibra_" + std::string(user.substr(3));
-}
-
 class FixedState {
   public:
     FixedState(Unit& unit, Report& report) : unit_(unit), report_(report) {}
@@ -97,14 +94,14 @@ class FixedState {
         for (const Structure& each : kStructures)
             if (isWanted(each.user)) {
                 unit_.declare(std::string(each.definition));
-                unit_.renames[std::string(each.user)] = emitted(each.user);
+                unit_.renames[std::string(each.user)] = emittedName(each.user);
             }
         for (const Value& each : kValues)
             if (isWanted(each.user)) value(each);
         for (const std::string_view each : kLimits)
             if (isWanted(each)) {
-                unit_.declare("const int " + emitted(each) + " = 8;");
-                unit_.renames[std::string(each)] = emitted(each);
+                unit_.declare("const int " + emittedName(each) + " = 8;");
+                unit_.renames[std::string(each)] = emittedName(each);
             }
         if (isWanted("gl_MaxVaryingFloats")) unit_.renames["gl_MaxVaryingFloats"] = "gl_MaxVaryingComponents";
     }
@@ -123,7 +120,7 @@ class FixedState {
         for (const Structure& each : kStructures)
             if (each.user == row.structure) {
                 unit_.declare(std::string(each.definition));
-                type = emitted(each.user);
+                type = emittedName(each.user);
             }
         const bool point = row.user == "gl_Point";
         if (point) unit_.declare("uniform float glibra_PointSize;");
@@ -134,8 +131,9 @@ class FixedState {
             text += ")";
         }
         const std::string size = row.size > 0 ? "[" + std::to_string(row.size) + "]" : "";
-        unit_.declare((point ? "" : "const ") + type + " " + emitted(row.user) + size + " = " + text + ";");
-        unit_.renames[std::string(row.user)] = emitted(row.user);
+        unit_.declare((point ? "" : "const ") + type + " " + emittedName(row.user) + size + " = " + text +
+                      ";");
+        unit_.renames[std::string(row.user)] = emittedName(row.user);
         const auto use = unit_.uses.find(row.user);
         report_.reportOnce(
             unit_.path + std::string(row.user), "glsl-W04",

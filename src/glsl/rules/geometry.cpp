@@ -73,9 +73,9 @@ class OldNames {
     Report& report_;
 };
 
-constexpr std::array<std::string_view, 5> kInputs = {"points", "lines", "lines_adjacency", "triangles",
-                                                     "triangles_adjacency"};
-constexpr std::array<std::string_view, 3> kOutputs = {"points", "line_strip", "triangle_strip"};
+constexpr std::array<std::string_view, 5> kGeometryInputs = {"points", "lines", "lines_adjacency",
+                                                             "triangles", "triangles_adjacency"};
+constexpr std::array<std::string_view, 3> kGeometryOutputs = {"points", "line_strip", "triangle_strip"};
 
 /// The content of the layout statements of the stage.
 struct Layout {
@@ -84,7 +84,7 @@ struct Layout {
     std::uint32_t inputAt = kNone, outputAt = kNone;
 };
 
-Layout layoutOf(const Unit& unit) {
+Layout geometryLayoutOf(const Unit& unit) {
     Layout layout;
     const auto has = [](const auto& list, const std::string& name) {
         return std::find(list.begin(), list.end(), name) != list.end();
@@ -92,13 +92,13 @@ Layout layoutOf(const Unit& unit) {
     for (const Declaration& each : unit.syntax.declarations) {
         if (each.kind != DeclarationKind::layoutOnly) continue;
         for (const LayoutItem& item : each.qualifiers.layout) {
-            if (each.qualifiers.storage == Storage::input && has(kInputs, item.name) &&
+            if (each.qualifiers.storage == Storage::input && has(kGeometryInputs, item.name) &&
                 layout.input.empty()) {
                 layout.input = item.name;
                 layout.inputAt = item.tokens.first;
             }
             if (each.qualifiers.storage != Storage::output) continue;
-            if (has(kOutputs, item.name) && layout.output.empty()) {
+            if (has(kGeometryOutputs, item.name) && layout.output.empty()) {
                 layout.output = item.name;
                 layout.outputAt = item.tokens.first;
             }
@@ -110,7 +110,8 @@ Layout layoutOf(const Unit& unit) {
 
 class Completion {
   public:
-    Completion(ProgramUnits& program, Unit& unit) : program_(program), unit_(unit), layout_(layoutOf(unit)) {}
+    Completion(ProgramUnits& program, Unit& unit)
+        : program_(program), unit_(unit), layout_(geometryLayoutOf(unit)) {}
 
     void run() {
         const ProgramRequest& request = *program_.request;
@@ -235,7 +236,7 @@ void modernizeGeometry(Unit& unit, const TokenWalk& walk, Report& report) {
 
 void readFactsAsIs(ProgramUnits& program) {
     if (const Unit* unit = program.find(Stage::geometry)) {
-        Layout layout = layoutOf(*unit);
+        Layout layout = geometryLayoutOf(*unit);
         program.result->geometryInput = std::move(layout.input);
         program.result->geometryOutput = std::move(layout.output);
     }

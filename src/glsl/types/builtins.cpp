@@ -436,11 +436,11 @@ constexpr std::array<std::string_view, 2> kDirectionTypes{"vec3", "vec4"};
 constexpr std::array<std::string_view, 3> kTexCoordTypes{"vec4", "vec2", "vec3"};
 constexpr std::array<std::string_view, 2> kColorTypes{"vec4", "vec3"};
 
-std::string emitted(std::string_view name) {
+}  // namespace
+
+std::string emittedName(std::string_view name) {
     return name.starts_with("gl_") ? "glibra_" + std::string(name.substr(3)) : std::string(name);
 }
-
-}  // namespace
 
 std::span<const BuiltinUniform> builtinUniforms() {
     return kUniforms;
@@ -451,14 +451,14 @@ std::span<const BuiltinInput> builtinInputs() {
 }
 
 const BuiltinUniform* findBuiltinUniform(std::string_view name) {
-    const std::string key = emitted(name);
+    const std::string key = emittedName(name);
     const auto* const found =
         std::find_if(kUniforms.begin(), kUniforms.end(), [&](const auto& row) { return row.name == key; });
     return found == kUniforms.end() ? nullptr : found;
 }
 
 const BuiltinInput* findBuiltinInput(std::string_view name) {
-    const std::string key = emitted(name);
+    const std::string key = emittedName(name);
     const auto* const found =
         std::find_if(kInputs.begin(), kInputs.end(), [&](const auto& row) { return row.name == key; });
     return found == kInputs.end() ? nullptr : found;

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace glibra::glsl {
@@ -56,6 +57,9 @@ struct BuiltinInput {
     /// The attribute's name in geometry ("position", ...); empty: the input is constant (0, 0, 0, 1).
     std::string_view attribute;
 };
+
+/// The name as emitted ("glibra_NormalMatrix") of a name as the user writes it ("gl_NormalMatrix").
+std::string emittedName(std::string_view name);
 
 /// Every name once. The *TextureMatrix* names are arrays of 8 matrices: element 0 has the value, the others
 /// are identities.

@@ -11,7 +11,7 @@ namespace {
 
 constexpr GLenum kMaxAnisotropy = GL_MAX_TEXTURE_MAX_ANISOTROPY;
 
-int integer(GLenum what) {
+int integerOf(GLenum what) {
     GLint value = 0;
     glGetIntegerv(what, &value);
     return value;
@@ -61,7 +61,7 @@ std::string familyOf(const Capabilities& driver, bool throughOsmesa) {
 }
 
 void readExtensions(Capabilities& driver) {
-    const int count = integer(GL_NUM_EXTENSIONS);
+    const int count = integerOf(GL_NUM_EXTENSIONS);
     driver.extensions.reserve(static_cast<std::size_t>(std::max(count, 0)));
     for (GLuint i = 0; i < static_cast<GLuint>(std::max(count, 0)); ++i)
         if (const auto* name = reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, i)))
@@ -70,53 +70,53 @@ void readExtensions(Capabilities& driver) {
 }
 
 void readSizes(Capabilities& driver) {
-    driver.max2DTextureSide = integer(GL_MAX_TEXTURE_SIZE);
+    driver.max2DTextureSide = integerOf(GL_MAX_TEXTURE_SIZE);
     driver.max1DTextureSide = driver.max2DTextureSide;
-    driver.max3DTextureSide = integer(GL_MAX_3D_TEXTURE_SIZE);
-    driver.maxArrayLayers = integer(GL_MAX_ARRAY_TEXTURE_LAYERS);
-    driver.maxCubeSide = integer(GL_MAX_CUBE_MAP_TEXTURE_SIZE);
-    driver.maxRenderbufferSide = integer(GL_MAX_RENDERBUFFER_SIZE);
+    driver.max3DTextureSide = integerOf(GL_MAX_3D_TEXTURE_SIZE);
+    driver.maxArrayLayers = integerOf(GL_MAX_ARRAY_TEXTURE_LAYERS);
+    driver.maxCubeSide = integerOf(GL_MAX_CUBE_MAP_TEXTURE_SIZE);
+    driver.maxRenderbufferSide = integerOf(GL_MAX_RENDERBUFFER_SIZE);
     std::array<GLint, 2> viewport{};
     glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport.data());
     driver.maxViewportWidth = viewport[0];
     driver.maxViewportHeight = viewport[1];
-    driver.maxSamples = std::max(1, integer(GL_MAX_SAMPLES));
-    driver.maxIntegerSamples = std::max(1, integer(GL_MAX_INTEGER_SAMPLES));
-    driver.maxDrawBuffers = integer(GL_MAX_DRAW_BUFFERS);
-    driver.maxColorAttachments = integer(GL_MAX_COLOR_ATTACHMENTS);
+    driver.maxSamples = std::max(1, integerOf(GL_MAX_SAMPLES));
+    driver.maxIntegerSamples = std::max(1, integerOf(GL_MAX_INTEGER_SAMPLES));
+    driver.maxDrawBuffers = integerOf(GL_MAX_DRAW_BUFFERS);
+    driver.maxColorAttachments = integerOf(GL_MAX_COLOR_ATTACHMENTS);
 }
 
 void readUnits(Capabilities& driver) {
-    driver.vertexTextureUnits = integer(GL_MAX_VERTEX_TEXTURE_IMAGE_UNITS);
-    driver.tessControlTextureUnits = integer(GL_MAX_TESS_CONTROL_TEXTURE_IMAGE_UNITS);
-    driver.tessEvaluationTextureUnits = integer(GL_MAX_TESS_EVALUATION_TEXTURE_IMAGE_UNITS);
-    driver.geometryTextureUnits = integer(GL_MAX_GEOMETRY_TEXTURE_IMAGE_UNITS);
-    driver.fragmentTextureUnits = integer(GL_MAX_TEXTURE_IMAGE_UNITS);
-    driver.combinedTextureUnits = integer(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS);
-    if (driver.atLeast(4, 2)) driver.imageUnits = integer(GL_MAX_IMAGE_UNITS);
+    driver.vertexTextureUnits = integerOf(GL_MAX_VERTEX_TEXTURE_IMAGE_UNITS);
+    driver.tessControlTextureUnits = integerOf(GL_MAX_TESS_CONTROL_TEXTURE_IMAGE_UNITS);
+    driver.tessEvaluationTextureUnits = integerOf(GL_MAX_TESS_EVALUATION_TEXTURE_IMAGE_UNITS);
+    driver.geometryTextureUnits = integerOf(GL_MAX_GEOMETRY_TEXTURE_IMAGE_UNITS);
+    driver.fragmentTextureUnits = integerOf(GL_MAX_TEXTURE_IMAGE_UNITS);
+    driver.combinedTextureUnits = integerOf(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS);
+    if (driver.atLeast(4, 2)) driver.imageUnits = integerOf(GL_MAX_IMAGE_UNITS);
     if (driver.atLeast(4, 6) || driver.hasExtension("GL_ARB_texture_filter_anisotropic") ||
         driver.hasExtension("GL_EXT_texture_filter_anisotropic"))
-        driver.maxAnisotropy = std::max(1, integer(kMaxAnisotropy));
+        driver.maxAnisotropy = std::max(1, integerOf(kMaxAnisotropy));
 }
 
 void readStages(Capabilities& driver) {
-    driver.maxVertexAttributes = integer(GL_MAX_VERTEX_ATTRIBS);
-    driver.maxGeometryOutputVertices = integer(GL_MAX_GEOMETRY_OUTPUT_VERTICES);
-    driver.maxGeometryTotalOutputComponents = integer(GL_MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS);
-    driver.maxTessellationLevel = integer(GL_MAX_TESS_GEN_LEVEL);
-    driver.maxPatchVertices = integer(GL_MAX_PATCH_VERTICES);
-    driver.maxClipDistances = integer(GL_MAX_CLIP_DISTANCES);
-    driver.maxVertexUniformComponents = integer(GL_MAX_VERTEX_UNIFORM_COMPONENTS);
-    driver.maxFragmentUniformComponents = integer(GL_MAX_FRAGMENT_UNIFORM_COMPONENTS);
-    driver.maxUniformBlockBytes = integer(GL_MAX_UNIFORM_BLOCK_SIZE);
-    driver.maxUniformBufferBindings = integer(GL_MAX_UNIFORM_BUFFER_BINDINGS);
+    driver.maxVertexAttributes = integerOf(GL_MAX_VERTEX_ATTRIBS);
+    driver.maxGeometryOutputVertices = integerOf(GL_MAX_GEOMETRY_OUTPUT_VERTICES);
+    driver.maxGeometryTotalOutputComponents = integerOf(GL_MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS);
+    driver.maxTessellationLevel = integerOf(GL_MAX_TESS_GEN_LEVEL);
+    driver.maxPatchVertices = integerOf(GL_MAX_PATCH_VERTICES);
+    driver.maxClipDistances = integerOf(GL_MAX_CLIP_DISTANCES);
+    driver.maxVertexUniformComponents = integerOf(GL_MAX_VERTEX_UNIFORM_COMPONENTS);
+    driver.maxFragmentUniformComponents = integerOf(GL_MAX_FRAGMENT_UNIFORM_COMPONENTS);
+    driver.maxUniformBlockBytes = integerOf(GL_MAX_UNIFORM_BLOCK_SIZE);
+    driver.maxUniformBufferBindings = integerOf(GL_MAX_UNIFORM_BUFFER_BINDINGS);
     if (driver.atLeast(4, 3))
-        driver.maxStorageBufferBindings = integer(GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS);
+        driver.maxStorageBufferBindings = integerOf(GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS);
 }
 
 void readCompute(Capabilities& driver) {
     if (driver.atLeast(4, 2))
-        driver.maxAtomicCounterBindings = integer(GL_MAX_ATOMIC_COUNTER_BUFFER_BINDINGS);
+        driver.maxAtomicCounterBindings = integerOf(GL_MAX_ATOMIC_COUNTER_BUFFER_BINDINGS);
     driver.compute = driver.atLeast(4, 3);
     if (!driver.compute) return;
     glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &driver.maxStorageBlockBytes);
@@ -124,8 +124,8 @@ void readCompute(Capabilities& driver) {
         glGetIntegeri_v(GL_MAX_COMPUTE_WORK_GROUP_COUNT, axis, &driver.maxComputeGroups.at(axis));
         glGetIntegeri_v(GL_MAX_COMPUTE_WORK_GROUP_SIZE, axis, &driver.maxComputeLocalSize.at(axis));
     }
-    driver.maxComputeInvocations = integer(GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS);
-    driver.maxComputeSharedBytes = integer(GL_MAX_COMPUTE_SHARED_MEMORY_SIZE);
+    driver.maxComputeInvocations = integerOf(GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS);
+    driver.maxComputeSharedBytes = integerOf(GL_MAX_COMPUTE_SHARED_MEMORY_SIZE);
 }
 
 void readRaster(Capabilities& driver) {
@@ -133,7 +133,8 @@ void readRaster(Capabilities& driver) {
     glGetFloatv(GL_ALIASED_LINE_WIDTH_RANGE, range.data());
     driver.minLineWidth = static_cast<double>(range[0]);
     driver.maxLineWidth = static_cast<double>(range[1]);
-    const bool forwardCompatible = (integer(GL_CONTEXT_FLAGS) & GL_CONTEXT_FLAG_FORWARD_COMPATIBLE_BIT) != 0;
+    const bool forwardCompatible =
+        (integerOf(GL_CONTEXT_FLAGS) & GL_CONTEXT_FLAG_FORWARD_COMPATIBLE_BIT) != 0;
     driver.wideLines = !forwardCompatible && driver.maxLineWidth > 1;
     glGetFloatv(GL_POINT_SIZE_RANGE, range.data());
     driver.minPointSize = static_cast<double>(range[0]);
@@ -152,8 +153,8 @@ Capabilities readCapabilities(bool throughOsmesa) {
     driver.renderer = text(GL_RENDERER);
     driver.version = text(GL_VERSION);
     driver.shadingLanguage = text(GL_SHADING_LANGUAGE_VERSION);
-    driver.major = integer(GL_MAJOR_VERSION);
-    driver.minor = integer(GL_MINOR_VERSION);
+    driver.major = integerOf(GL_MAJOR_VERSION);
+    driver.minor = integerOf(GL_MINOR_VERSION);
     driver.glslVersion = glslNumber(driver.shadingLanguage);
     driver.family = familyOf(driver, throughOsmesa);
     driver.isSoftware = driver.family.ends_with("llvmpipe") || driver.family.ends_with("softpipe");

@@ -10,10 +10,9 @@ namespace glibra::image {
 namespace {
 
 constexpr std::size_t kFileHeader = 14;
-using Bytes = std::span<const std::byte>;
 
 /// Size, bits and compression, from either family of headers. False if they contradict each other.
-bool readGeometry(Bytes file, std::uint32_t headerSize, BmpHeader& header, std::uint32_t& colorsUsed) {
+bool readGeometry(ByteSpan file, std::uint32_t headerSize, BmpHeader& header, std::uint32_t& colorsUsed) {
     if (headerSize == 12) {
         header.width = little16(file, 18);
         header.height = little16(file, 20);
@@ -52,7 +51,7 @@ bool isKnown(const BmpHeader& header) {
 
 /// Sets the masks. `at` is the start of the palette and is moved past masks that follow the header. False if
 /// the file ends before.
-bool readMasks(Bytes file, std::uint32_t headerSize, BmpHeader& header, std::size_t& at) {
+bool readMasks(ByteSpan file, std::uint32_t headerSize, BmpHeader& header, std::size_t& at) {
     if (header.compression == BmpCompression::none) {
         // Masks in the header apply only with bit fields; the fourth byte of plain 32-bit pixels has no
         // meaning.
@@ -77,7 +76,7 @@ bool readMasks(Bytes file, std::uint32_t headerSize, BmpHeader& header, std::siz
     return true;
 }
 
-void readPalette(Bytes file, std::uint32_t headerSize, std::uint32_t colorsUsed, std::size_t at,
+void readPalette(ByteSpan file, std::uint32_t headerSize, std::uint32_t colorsUsed, std::size_t at,
                  BmpHeader& header) {
     if (header.bits > 8 || header.bits == 0) return;
     const std::size_t entryBytes = headerSize == 12 ? 3 : 4;
@@ -86,7 +85,7 @@ void readPalette(Bytes file, std::uint32_t headerSize, std::uint32_t colorsUsed,
     count = std::min(count, (header.dataOffset - at) /
                                 entryBytes);  // old writers store fewer entries than the header allows
     for (std::size_t i = 0; i < count; ++i) {
-        const Bytes entry = file.subspan(at + i * entryBytes, 3);
+        const ByteSpan entry = file.subspan(at + i * entryBytes, 3);
         header.palette.push_back({std::to_integer<std::uint8_t>(entry[2]),
                                   std::to_integer<std::uint8_t>(entry[1]),
                                   std::to_integer<std::uint8_t>(entry[0])});
@@ -95,7 +94,7 @@ void readPalette(Bytes file, std::uint32_t headerSize, std::uint32_t colorsUsed,
 
 }  // namespace
 
-Result<BmpHeader> readBmpHeader(Bytes file, const FileLabel& label) {
+Result<BmpHeader> readBmpHeader(ByteSpan file, const FileLabel& label) {
     const auto tooShort = [&] { return damaged(label, "the file ends within the BMP header"); };
     if (file.size() < kFileHeader + 4) return tooShort();
     const std::uint32_t headerSize = little32(file, 14);

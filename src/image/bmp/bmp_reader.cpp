@@ -11,9 +11,6 @@
 namespace glibra::image {
 namespace {
 
-using Bytes = std::span<const std::byte>;
-using Pixel = std::array<std::uint8_t, 4>;
-
 /// One component of a bit-field pixel, scaled to 0..255 with rounding. A component without a mask is
 /// `missing`.
 struct Field {
@@ -33,14 +30,14 @@ struct Field {
     }
 };
 
-std::vector<Pixel> colorsOf(const BmpHeader& header) {
-    std::vector<Pixel> colors(std::size_t{1} << header.bits, Pixel{0, 0, 0, 255});
+std::vector<BmpPixel> colorsOf(const BmpHeader& header) {
+    std::vector<BmpPixel> colors(std::size_t{1} << header.bits, BmpPixel{0, 0, 0, 255});
     for (std::size_t i = 0; i < header.palette.size(); ++i)
         std::copy(header.palette[i].begin(), header.palette[i].end(), colors[i].begin());
     return colors;
 }
 
-void indexedRow(Bytes from, std::uint32_t bits, std::span<const Pixel> colors, std::span<Pixel> to) {
+void indexedRow(ByteSpan from, std::uint32_t bits, std::span<const BmpPixel> colors, std::span<BmpPixel> to) {
     const std::uint32_t perByte = 8 / bits, mask = (1U << bits) - 1;
     for (std::size_t x = 0; x < to.size(); ++x) {
         const auto byte = std::to_integer<std::uint32_t>(from[x / perByte]);
@@ -49,28 +46,28 @@ void indexedRow(Bytes from, std::uint32_t bits, std::span<const Pixel> colors, s
     }
 }
 
-void directRow(Bytes from, std::span<Pixel> to) {
+void directRow(ByteSpan from, std::span<BmpPixel> to) {
     for (std::size_t x = 0; x < to.size(); ++x)
         to[x] = {std::to_integer<std::uint8_t>(from[3 * x + 2]),
                  std::to_integer<std::uint8_t>(from[3 * x + 1]), std::to_integer<std::uint8_t>(from[3 * x]),
                  255};
 }
 
-void fieldRow(Bytes from, std::uint32_t bits, const std::array<Field, 4>& fields, std::span<Pixel> to) {
+void fieldRow(ByteSpan from, std::uint32_t bits, const std::array<Field, 4>& fields, std::span<BmpPixel> to) {
     for (std::size_t x = 0; x < to.size(); ++x) {
         const std::uint32_t pixel = bits == 16 ? little16(from, 2 * x) : little32(from, 4 * x);
         to[x] = {fields[0].of(pixel), fields[1].of(pixel), fields[2].of(pixel), fields[3].of(pixel)};
     }
 }
 
-void plainRows(const BmpHeader& header, Bytes data, std::size_t stride, std::span<Pixel> pixels) {
-    const std::vector<Pixel> colors = header.bits <= 8 ? colorsOf(header) : std::vector<Pixel>();
+void plainRows(const BmpHeader& header, ByteSpan data, std::size_t stride, std::span<BmpPixel> pixels) {
+    const std::vector<BmpPixel> colors = header.bits <= 8 ? colorsOf(header) : std::vector<BmpPixel>();
     const std::array<Field, 4> fields{Field(header.masks[0], 0), Field(header.masks[1], 0),
                                       Field(header.masks[2], 0), Field(header.masks[3], 255)};
     for (std::size_t y = 0; y < header.height; ++y) {
         const std::size_t row = header.topDown ? y : header.height - 1 - y;
-        const std::span<Pixel> to = pixels.subspan(row * header.width, header.width);
-        const Bytes from = data.subspan(y * stride);
+        const std::span<BmpPixel> to = pixels.subspan(row * header.width, header.width);
+        const ByteSpan from = data.subspan(y * stride);
         if (header.bits <= 8)
             indexedRow(from, header.bits, colors, to);
         else if (header.bits == 24)
@@ -82,7 +79,7 @@ void plainRows(const BmpHeader& header, Bytes data, std::size_t stride, std::spa
 
 }  // namespace
 
-std::optional<std::span<const std::byte>> embeddedPicture(Bytes file) {
+std::optional<std::span<const std::byte>> embeddedPicture(ByteSpan file) {
     const auto header = readBmpHeader(file, {});
     if (!header) return std::nullopt;
     if (header->compression != BmpCompression::jpeg && header->compression != BmpCompression::png)
@@ -90,7 +87,7 @@ std::optional<std::span<const std::byte>> embeddedPicture(Bytes file) {
     return file.subspan(header->dataOffset);
 }
 
-Result<Image> decodeBmp(Bytes file, const FileLabel& label, const Limits& limits) {
+Result<Image> decodeBmp(ByteSpan file, const FileLabel& label, const Limits& limits) {
     auto read = readBmpHeader(file, label);
     if (!read) return std::move(read.diagnostics);
     const BmpHeader& header = *read;
@@ -103,7 +100,7 @@ Result<Image> decodeBmp(Bytes file, const FileLabel& label, const Limits& limits
     if (packed)
         if (auto tooShort = checkInflation(header.width, header.height, file.size(), label))
             return *std::move(tooShort);
-    const Bytes data = file.subspan(header.dataOffset);
+    const ByteSpan data = file.subspan(header.dataOffset);
     const std::uint64_t rowBits = std::uint64_t{header.width} * header.bits;
     const std::uint64_t stride = (rowBits + 31) / 32 * 4;
     // Some writers omit the padding of the last row.
@@ -113,12 +110,12 @@ Result<Image> decodeBmp(Bytes file, const FileLabel& label, const Limits& limits
     const std::size_t count = std::size_t{header.width} * header.height;
     Image image{static_cast<int>(header.width), static_cast<int>(header.height), 4, Component::u8, {}};
     image.data.resize(4 * count);
-    const std::span<Pixel> pixels(reinterpret_cast<Pixel*>(image.data.data()), count);
+    const std::span<BmpPixel> pixels(reinterpret_cast<BmpPixel*>(image.data.data()), count);
     if (!packed) {
         plainRows(header, data, stride, pixels);
         return image;
     }
-    const std::vector<Pixel> colors = colorsOf(header);
+    const std::vector<BmpPixel> colors = colorsOf(header);
     const std::uint64_t wholeRows =
         decodeRunLengths(data, {header.width, header.height, header.topDown, header.bits}, colors, pixels);
     if (wholeRows < header.height) return endsEarly(label, wholeRows, header.height);

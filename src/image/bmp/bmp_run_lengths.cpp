@@ -5,12 +5,10 @@
 namespace glibra::image {
 namespace {
 
-using Pixel = std::array<std::uint8_t, 4>;
-
 /// The place of the next pixel; rows are counted in the order of the file.
 class Canvas {
   public:
-    Canvas(const RunLengthLayout& layout, std::span<const Pixel> colors, std::span<Pixel> pixels)
+    Canvas(const RunLengthLayout& layout, std::span<const BmpPixel> colors, std::span<BmpPixel> pixels)
         : layout_(layout), colors_(colors), pixels_(pixels) {}
 
     void put(std::uint32_t index) {
@@ -35,15 +33,15 @@ class Canvas {
 
   private:
     RunLengthLayout layout_;
-    std::span<const Pixel> colors_;
-    std::span<Pixel> pixels_;
+    std::span<const BmpPixel> colors_;
+    std::span<BmpPixel> pixels_;
     std::uint64_t x_ = 0, y_ = 0;
 };
 
 }  // namespace
 
 std::uint64_t decodeRunLengths(std::span<const std::byte> data, const RunLengthLayout& layout,
-                               std::span<const Pixel> colors, std::span<Pixel> pixels) {
+                               std::span<const BmpPixel> colors, std::span<BmpPixel> pixels) {
     std::fill(pixels.begin(), pixels.end(), colors[0]);
     Canvas canvas(layout, colors, pixels);
     const auto byteAt = [&](std::size_t at) { return std::to_integer<std::uint32_t>(data[at]); };

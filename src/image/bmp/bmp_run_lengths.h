@@ -8,6 +8,9 @@
 
 namespace glibra::image {
 
+/// Red, green, blue, alpha.
+using BmpPixel = std::array<std::uint8_t, 4>;
+
 struct RunLengthLayout {
     std::uint32_t width, height;
     bool topDown;
@@ -19,7 +22,6 @@ struct RunLengthLayout {
 /// rows: layout.height if the picture is complete (all rows reached, or an end-of-picture command), fewer if
 /// the data end early.
 std::uint64_t decodeRunLengths(std::span<const std::byte> data, const RunLengthLayout& layout,
-                               std::span<const std::array<std::uint8_t, 4>> colors,
-                               std::span<std::array<std::uint8_t, 4>> pixels);
+                               std::span<const BmpPixel> colors, std::span<BmpPixel> pixels);
 
 }  // namespace glibra::image

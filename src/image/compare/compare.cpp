@@ -5,6 +5,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "image/bytes.h"
 #include "image/compare/alike.h"
 #include "image/convert.h"
 
@@ -12,7 +13,7 @@ namespace glibra::image {
 namespace {
 
 /// The number of values of a row that can be summed before the sum of their squares could overflow.
-constexpr std::size_t kChunk = 4096;
+constexpr std::size_t kSumChunk = 4096;
 
 /// Steps between two values; integers for integer types, so that sums of squares are exact.
 template <class Value>
@@ -26,13 +27,6 @@ auto distance(Value a, Value b) {
         if (std::isnan(a) || std::isnan(b)) return std::numeric_limits<double>::infinity();
         return std::abs(static_cast<double>(a) - static_cast<double>(b));
     }
-}
-
-template <class Value>
-Value valueAt(const std::byte* row, std::size_t index) {
-    Value value;
-    std::memcpy(&value, row + index * sizeof value, sizeof value);
-    return value;
 }
 
 /// Largest distance and sum of squares of `count` values; the compiler vectorises the loops.
@@ -83,10 +77,10 @@ Comparison compareAlike(const Image& a, const Image& b) {
         const std::byte* rowB = b.row(y).data();
         if (std::memcmp(rowA, rowB, a.rowBytes()) == 0) continue;
         Distance ofRow = 0;
-        for (std::size_t at = 0; at < rowValues; at += kChunk) {
+        for (std::size_t at = 0; at < rowValues; at += kSumChunk) {
             Distance ofChunk = 0;
             addDistances<Value>(rowA + at * sizeof(Value), rowB + at * sizeof(Value),
-                                std::min(kChunk, rowValues - at), ofRow, ofChunk);
+                                std::min(kSumChunk, rowValues - at), ofRow, ofChunk);
             squares += ofChunk;
         }
         if (ofRow == 0) continue;
@@ -109,7 +103,7 @@ Comparison compareAlike(const Image& a, const Image& b) {
     return result;
 }
 
-std::uint64_t countNonFinite(const Image& a, const Image& b) {
+std::uint64_t countNonFiniteOfBoth(const Image& a, const Image& b) {
     if (a.type != Component::f32) return 0;
     std::uint64_t count = 0;
     for (std::size_t i = 0; i < a.data.size() / sizeof(float); ++i)
@@ -138,7 +132,7 @@ Comparison compare(const Image& first, const Image& second) {
                 return compareAlike<std::uint16_t>(a, b);
             case Component::f32:
                 found = compareAlike<float>(a, b);
-                found.nonFinite = countNonFinite(a, b);
+                found.nonFinite = countNonFiniteOfBoth(a, b);
                 break;
         }
         return found;

@@ -7,15 +7,10 @@
 #include <type_traits>
 #include <vector>
 
+#include "image/bytes.h"
+
 namespace glibra::image {
 namespace {
-
-template <class Value>
-Value valueAt(const std::byte* row, std::size_t index) {
-    Value value;
-    std::memcpy(&value, row + index * sizeof value, sizeof value);
-    return value;
-}
 
 /// Signed differences and limits of integers are in steps of their type, those of floats in units of 1.
 template <class Value>

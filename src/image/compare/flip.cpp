@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "base/parallel.h"
+#include "image/bytes.h"
 #include "image/compare/alike.h"
 #include "image/compare/flip_color.h"
 #include "image/compare/flip_filters.h"
@@ -23,13 +24,6 @@ constexpr std::size_t kTileColumns = kTileWidth;
 constexpr std::size_t kRowUnit = 8;
 constexpr std::size_t roundedUp(std::size_t count) {
     return (count + kRowUnit - 1) / kRowUnit * kRowUnit;
-}
-
-template <class Value>
-Value valueAt(const std::byte* row, std::size_t index) {
-    Value value;
-    std::memcpy(&value, row + index * sizeof value, sizeof value);
-    return value;
 }
 
 /// The linear values of all integers of a type.
@@ -143,7 +137,7 @@ class FilteredTile {
 
 /// True if the pictures have the same bytes in the tile and `radius` pixels around it, so that its errors are
 /// 0.
-bool sameAround(const Image& a, const Image& b, int left, int top, int radius) {
+bool sameAroundTile(const Image& a, const Image& b, int left, int top, int radius) {
     const int x = std::max(left - radius, 0), y = std::max(top - radius, 0);
     const int right = std::min(left + kTileWidth + radius, a.width);
     const int bottom = std::min(top + kTileHeight + radius, a.height);
@@ -174,7 +168,7 @@ std::vector<float> errorsOf(const Image& a, const Image& b, const FlipOptions& o
             auto& [first, second, rowErrors] = buffers;
             const int tile = static_cast<int>(index);
             const int left = tile % columns * kTileWidth, top = tile / columns * kTileHeight;
-            if (sameAround(a, b, left, top, static_cast<int>(filters.radius))) return;
+            if (sameAroundTile(a, b, left, top, static_cast<int>(filters.radius))) return;
             const int height = std::min(kTileHeight, a.height - top);
             first.load(a, left, top, height);
             second.load(b, left, top, height);

@@ -13,7 +13,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 
 /// Values that are computed together: enough independent sums to keep the processor busy.
-constexpr std::size_t kChunk = 2 * kLanes;
+constexpr std::size_t kFilterChunk = 2 * kLanes;
 
 /// Drops the ends of a filter that are too small to change a float result.
 HalfFilter narrowed(const std::vector<double>& weights) {
@@ -90,7 +90,8 @@ template <std::size_t Even, std::size_t Odd>
 void filter(const float* in, std::ptrdiff_t step, std::size_t count,
             const std::array<FilterOutput, Even + Odd>& outputs) {
     const std::size_t taps = outputs[0].weights.size();
-    for (std::size_t x = 0; x < count; x += kChunk) filterChunk<Even, Odd>(in + x, step, taps, outputs, x);
+    for (std::size_t x = 0; x < count; x += kFilterChunk)
+        filterChunk<Even, Odd>(in + x, step, taps, outputs, x);
 }
 
 }  // namespace

@@ -23,12 +23,12 @@ constexpr double kMagma[7][3] = {
     {18.65570506591883, -11.48977351997711, -5.601961508734096},
 };
 
-using Color = std::array<std::byte, 3>;
+using HeatColor = std::array<std::byte, 3>;
 
 /// 256 colours, so that a pixel costs one look-up.
-const std::array<Color, 256>& palette() {
-    static const std::array<Color, 256> colors = [] {
-        std::array<Color, 256> all{};
+const std::array<HeatColor, 256>& palette() {
+    static const std::array<HeatColor, 256> colors = [] {
+        std::array<HeatColor, 256> all{};
         for (std::size_t i = 0; i < all.size(); ++i) {
             double rgb[3];
             magma(static_cast<double>(i) / 255, rgb[0], rgb[1], rgb[2]);

@@ -53,7 +53,7 @@ struct Window {
     int x, y, width, height;
 };
 
-bool sameAround(const Plane& a, const Plane& b, const Window& w) {
+bool sameInWindow(const Plane& a, const Plane& b, const Window& w) {
     const std::size_t bytes = static_cast<std::size_t>(w.width) * sizeof(Lanes);
     for (int y = w.y; y < w.y + w.height; ++y)
         if (std::memcmp(a.row(w.x, y), b.row(w.x, y), bytes) != 0) return false;
@@ -84,7 +84,7 @@ float lossAt(const Plane& a, const Plane& b, const Window& w, int dx, int dy) {
 }
 
 float lossOf(const Plane& a, const Plane& b, const Window& window) {
-    if (sameAround(a, b, window)) return 0;
+    if (sameInWindow(a, b, window)) return 0;
     float best = lossAt(a, b, window, 0, 0);
     for (int dy = -1; dy <= 1; ++dy)
         for (int dx = -1; dx <= 1; ++dx)

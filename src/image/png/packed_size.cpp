@@ -10,7 +10,7 @@ namespace glibra::image {
 namespace {
 
 constexpr std::size_t kShortest = 4, kLongest = 258;
-constexpr std::size_t kWindow = 32768;
+constexpr std::size_t kDeflateWindow = 32768;
 
 /// The number of equal bytes after the first four; `end` is the end of the later text.
 std::size_t matchLength(const std::uint8_t* earlier, const std::uint8_t* later, const std::uint8_t* end) {
@@ -52,7 +52,7 @@ void PackedSize::readTo(const std::uint8_t* text, std::size_t end) {
         std::uint32_t earlierFour = ~four;
         if (last != 0) std::memcpy(&earlierFour, text + earlier, 4);
         last = static_cast<std::uint32_t>(at + 1);
-        if (earlierFour != four || distance > kWindow) {
+        if (earlierFour != four || distance > kDeflateWindow) {
             ++symbols_[text[at++]];
             continue;
         }

@@ -16,21 +16,21 @@ namespace {
 // PNG allows 2^31 - 1; this is a round number below it.
 constexpr std::size_t kLargestChunk = std::size_t{1} << 30;
 
-std::span<const std::byte> bytesOf(std::string_view text) {
+std::span<const std::byte> textBytes(std::string_view text) {
     return std::as_bytes(std::span(text));
 }
 
 void putChunk(std::vector<std::byte>& png, std::string_view type, std::span<const std::byte> content) {
     putBig32(png, static_cast<std::uint32_t>(content.size()));
     const std::size_t begin = png.size();
-    const auto name = bytesOf(type);
+    const auto name = textBytes(type);
     png.insert(png.end(), name.begin(), name.end());
     png.insert(png.end(), content.begin(), content.end());
     putBig32(png, libdeflate_crc32(0, png.data() + begin, png.size() - begin));
 }
 
 void putHeader(std::vector<std::byte>& png, const Image& image) {
-    const auto signature = bytesOf("\x89PNG\r\n\x1a\n");
+    const auto signature = textBytes("\x89PNG\r\n\x1a\n");
     png.insert(png.end(), signature.begin(), signature.end());
     constexpr std::array<std::uint8_t, 5> kColorTypes{0, 0, 4, 2, 6};  // by component count
     std::vector<std::byte> header;
@@ -54,7 +54,7 @@ void putText(std::vector<std::byte>& png, const std::string& keyword, const std:
     // iTXt: not compressed, no language, no translated keyword.
     const std::string content = keyword + (plain ? std::string(1, '\0') : std::string(5, '\0')) + text;
     if (content.size() > kLargestChunk) return;
-    putChunk(png, plain ? "tEXt" : "iTXt", bytesOf(content));
+    putChunk(png, plain ? "tEXt" : "iTXt", textBytes(content));
 }
 
 }  // namespace

@@ -9,8 +9,8 @@
 namespace glibra::image {
 namespace {
 
-constexpr int kRows = 14;     // of a character, from its second row on; the others are empty
-constexpr int kHalfRows = 7;  // in each of the two numbers
+constexpr int kGlyphRows = 14;  // of a character, from its second row on; the others are empty
+constexpr int kHalfRows = 7;    // in each of the two numbers
 constexpr int kFirst = 0x20, kLast = 0x7e;
 
 /// The printable characters of ASCII: a byte per row, the left pixel in its highest bit, the upper row in the
@@ -115,7 +115,7 @@ constexpr std::array<Glyph, kLast - kFirst + 1> kGlyphs{{
 }};
 
 bool isSet(const Glyph& glyph, int x, int y) {
-    if (x < 0 || y < 0 || x >= kCharacterWidth || y >= kRows) return false;
+    if (x < 0 || y < 0 || x >= kCharacterWidth || y >= kGlyphRows) return false;
     const std::uint64_t half = glyph.at(y < kHalfRows ? 0 : 1);
     const int row = kHalfRows - 1 - y % kHalfRows;
     return (half >> (8 * row + kCharacterWidth - 1 - x) & 1) != 0;
@@ -154,7 +154,7 @@ void drawText(Image& picture, int left, int top, std::string_view text, int scal
             // The bytes of a character beyond ASCII that follow its first one show nothing.
             if ((static_cast<unsigned char>(character) & 0xc0U) == 0x80U) continue;
             const Glyph& glyph = glyphOf(character);
-            for (int row = -1; row <= kRows; ++row)
+            for (int row = -1; row <= kGlyphRows; ++row)
                 for (int column = -1; column <= kCharacterWidth; ++column) {
                     bool isDrawn = isSet(glyph, column, row);
                     if (!isWhite)

@@ -77,10 +77,6 @@ std::string lastLine(std::FILE* file) {
     return last;
 }
 
-struct CloseFile {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-};
-
 }  // namespace
 
 bool isVideo(const fs::path& file) {
@@ -109,6 +105,10 @@ struct VideoFile::State {
     State(const State&) = delete;
     State& operator=(const State&) = delete;
     ~State() { end(); }
+
+    struct CloseFile {
+        void operator()(std::FILE* stream) const { std::fclose(stream); }
+    };
 
     fs::path file;
     int width, height;

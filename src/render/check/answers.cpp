@@ -17,7 +17,7 @@ using Numbers = std::span<const double>;
 constexpr double kHalfStep = .5 + 1e-4;
 
 /// Numbers with as many digits as tell them apart.
-std::string textOf(Numbers numbers) {
+std::string numbersText(Numbers numbers) {
     constexpr std::size_t kMost = 8;
     const Numbers shown = numbers.first(std::min(numbers.size(), kMost));
     return fmt::format("{:.9g}{}", fmt::join(shown, " "), shown.size() < numbers.size() ? " ..." : "");
@@ -89,8 +89,9 @@ class Answerer {
         return true;
     }
     [[nodiscard]] std::string wantedText() const {
-        return check_.tolerance > 0 ? fmt::format("{} within {:.9g}", textOf(check_.wanted), check_.tolerance)
-                                    : textOf(check_.wanted);
+        return check_.tolerance > 0
+                   ? fmt::format("{} within {:.9g}", numbersText(check_.wanted), check_.tolerance)
+                   : numbersText(check_.wanted);
     }
     /// Why the wanted components do not fit the content; empty if they do.
     [[nodiscard]] std::string misfit(const Content& content) const {
@@ -112,7 +113,7 @@ class Answerer {
                            static_cast<std::size_t>(x);
         const Numbers found = content.at(index);
         if (equal(check_.wanted, found, content)) return std::nullopt;
-        return wrong(wantedText(), textOf(shown(found, check_.wanted.size())));
+        return wrong(wantedText(), numbersText(shown(found, check_.wanted.size())));
     }
 
     [[nodiscard]] Answer mean(const Content& content) const {
@@ -132,7 +133,7 @@ class Answerer {
             }
         for (double& each : sum) each /= w * h;
         if (equal(check_.wanted, sum, content)) return std::nullopt;
-        return wrong(wantedText(), textOf(shown(sum, check_.wanted.size())));
+        return wrong(wantedText(), numbersText(shown(sum, check_.wanted.size())));
     }
 
     [[nodiscard]] Answer count(const Content& content) const {
@@ -155,7 +156,7 @@ class Answerer {
             std::span(content.values).subspan(static_cast<std::size_t>(begin), check_.wanted.size());
         for (std::size_t i = 0; i < found.size(); ++i) {
             if (equal(check_.wanted[i], found[i], content)) continue;
-            if (found.size() <= 8) return wrong(wantedText(), textOf(found));
+            if (found.size() <= 8) return wrong(wantedText(), numbersText(found));
             return wrong(fmt::format("{:.9g} as value {}", check_.wanted[i], i),
                          fmt::format("{:.9g}", found[i]));
         }

@@ -40,7 +40,8 @@ double stepOf(base::TexelFormat format) {
     return 0;
 }
 
-Result<Content> contentOf(const scene::Scene& scene, DeviceScene& device, const scene::TextureView& view) {
+Result<Content> textureContent(const scene::Scene& scene, DeviceScene& device,
+                               const scene::TextureView& view) {
     const scene::Texture& declared = scene.textures[view.texture];
     const gpu::Texture* texture = device.texture(view);
     const auto refuse = [&](const std::string& why) {
@@ -53,13 +54,13 @@ Result<Content> contentOf(const scene::Scene& scene, DeviceScene& device, const 
     if (level > 0) texture = device.completed(view);  // its mipmaps may not have been needed so far
     if (view.layer && *view.layer >= texture->layers(level))
         return refuse(fmt::format("has no layer {}", *view.layer));
-    Result<Content> content = render::contentOf(*texture, level, view.layer);
+    Result<Content> content = contentOf(*texture, level, view.layer);
     if (content) content->name = declared.name;
     return content;
 }
 
-Result<Content> contentOf(const scene::Scene& scene, const DeviceBuffers& buffers,
-                          const scene::BufferView& view) {
+Result<Content> bufferContent(const scene::Scene& scene, const DeviceBuffers& buffers,
+                              const scene::BufferView& view) {
     const scene::Buffer& declared = scene.buffers[view.buffer];
     const plan::BufferLayout* layout = buffers.layout(view.buffer);
     if (layout == nullptr || buffers.buffer(view) == nullptr)
@@ -104,8 +105,8 @@ Result<Content> contentOf(const gpu::Texture& texture, int level, std::optional<
 
 Result<Content> contentOf(const scene::Scene& scene, DeviceScene& device, const scene::ObjectView& object) {
     if (const auto* texture = std::get_if<scene::TextureView>(&object))
-        return contentOf(scene, device, *texture);
-    return contentOf(scene, device.buffers(), std::get<scene::BufferView>(object));
+        return textureContent(scene, device, *texture);
+    return bufferContent(scene, device.buffers(), std::get<scene::BufferView>(object));
 }
 
 }  // namespace glibra::render

@@ -34,7 +34,7 @@ Result<Content> readWindow(SceneRenderer::State& state) {
     return windowContent(state, std::move(*pixels));
 }
 
-bool contains(const Diagnostics& all, const Diagnostic& one) {
+bool hasMessage(const Diagnostics& all, const Diagnostic& one) {
     return std::any_of(all.begin(), all.end(), [&](const Diagnostic& each) {
         return each.id == one.id && each.text == one.text && each.place.file == one.place.file &&
                each.place.line == one.place.line && each.place.column == one.place.column;
@@ -122,7 +122,7 @@ Diagnostics runChecks(gpu::Context& context, const std::filesystem::path& path, 
     Result<SceneRenderer> renderer = SceneRenderer::load(context, path, checked, stats);
     Diagnostics reported = std::move(known);
     for (Diagnostic& each : renderer.diagnostics)
-        if (!contains(reported, each)) reported.push_back(std::move(each));
+        if (!hasMessage(reported, each)) reported.push_back(std::move(each));
     if (!renderer) return withoutExpected(checksOf(path, options), std::move(reported));
     Diagnostics wrong = renderer->answerChecks(options.time, reported, stats);
     append(reported, std::move(wrong));

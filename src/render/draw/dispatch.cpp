@@ -12,7 +12,7 @@
 namespace glibra::render {
 namespace {
 
-GroupCounts sizeOf(const DeviceScene& device, const scene::ObjectView& object) {
+GroupCounts objectSizeOf(const DeviceScene& device, const scene::ObjectView& object) {
     if (const auto* buffer = std::get_if<scene::BufferView>(&object)) {
         const plan::BufferLayout* layout = device.buffers().layout(buffer->buffer);
         return {layout ? std::max<std::uint64_t>(1, layout->elements) : 0, 1, 1};
@@ -129,7 +129,7 @@ const GroupCounts& FrameDrawer::groupsOf(const plan::PlannedDispatch& planned, c
     if (const auto* over = std::get_if<scene::Over>(&dispatch.groups)) {
         const auto* object = std::get_if<scene::ObjectView>(&over->what);
         groups = gpu::groupsOver(
-            object ? sizeOf(device_, *object) : std::get<std::array<std::uint64_t, 3>>(over->what),
+            object ? objectSizeOf(device_, *object) : std::get<std::array<std::uint64_t, 3>>(over->what),
             gpu::localSizeOf(*built.program));
     }
     return groups;

@@ -95,7 +95,7 @@ bool missesCentres(const VertexBox& bounds, const Form& coordinate, const Form& 
 }
 
 template <std::size_t Components>
-VertexBox boundsOf(const std::vector<float>& values) {
+VertexBox boundsOfValues(const std::vector<float>& values) {
     constexpr float kMost = std::numeric_limits<float>::infinity();
     std::array<float, 4> low{kMost, kMost, kMost, kMost};
     std::array<float, 4> high{-kMost, -kMost, -kMost, -kMost};
@@ -124,9 +124,9 @@ VertexBox boundsOf(const geometry::Mesh& mesh) {
     if (position == nullptr || position->values.empty()) return {};
     switch (position->components) {
         case 3:
-            return boundsOf<3>(position->values);
+            return boundsOfValues<3>(position->values);
         case 4:
-            return boundsOf<4>(position->values);
+            return boundsOfValues<4>(position->values);
         default:
             return {};
     }

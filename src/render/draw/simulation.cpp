@@ -23,7 +23,7 @@ bool isEarlier(std::span<const double> rates, const StepNumber& a, const StepNum
     return dueA != dueB ? dueA < dueB : a.block < b.block;
 }
 
-bool contains(const std::vector<scene::ObjectView>& list, const scene::ObjectView& object) {
+bool hasObject(const std::vector<scene::ObjectView>& list, const scene::ObjectView& object) {
     return std::any_of(list.begin(), list.end(), [&](const auto& each) { return each == object; });
 }
 
@@ -34,7 +34,7 @@ std::string nameOf(const scene::Scene& scene, const scene::ObjectView& object) {
     return texture.name.empty() ? fmt::format("unit {}", texture.unit) : texture.name;
 }
 
-const Place& placeOf(const plan::FramePlan& plan, const scene::NodeIndex& node) {
+const Place& nodePlaceOf(const plan::FramePlan& plan, const scene::NodeIndex& node) {
     switch (node.kind) {
         case scene::NodeIndex::Kind::dispatch:
             return plan.dispatchOf(plan.dispatches.at(node.index)).place;
@@ -49,7 +49,7 @@ const Place& placeOf(const plan::FramePlan& plan, const scene::NodeIndex& node) 
 void addReads(const plan::FramePlan& plan, std::vector<scene::ObjectView>& roots) {
     for (std::size_t i = 0; i < plan.order.size(); ++i)
         for (const plan::ObjectUse& each : usesOf(plan, i))
-            if (each.reads && !contains(roots, each.object)) roots.push_back(each.object);
+            if (each.reads && !hasObject(roots, each.object)) roots.push_back(each.object);
 }
 
 /// Calls `visit` with each draw of the plan that covers its target and reads the camera.
@@ -251,7 +251,7 @@ Diagnostics Simulation::check(const plan::FramePlan& frame) const {
                          fmt::format("'{}' lasts, because {} writes it (line {}), so the frame may only read "
                                      "it; write it in Step",
                                      nameOf(parts_.scene, each.object), lasts->word, lasts->place.line),
-                         placeOf(frame, frame.order[node])));
+                         nodePlaceOf(frame, frame.order[node])));
             return diagnostics;
         }
     return diagnostics;

@@ -6,7 +6,7 @@
 namespace glibra::render {
 namespace {
 
-constexpr int kMargin = 64;
+constexpr int kTileMargin = 64;
 constexpr int kUsualSide = 4096;
 
 }  // namespace
@@ -19,15 +19,16 @@ TileGrid tileGrid(int width, int height, int wanted, int largest, std::int64_t m
         grid.tiles = grid.parts = {{0, 0, width, height}};
         return grid;
     }
-    const int side = std::max(1, std::min(wanted > 0 ? wanted : kUsualSide, largest - 2 * kMargin));
+    const int side = std::max(1, std::min(wanted > 0 ? wanted : kUsualSide, largest - 2 * kTileMargin));
     // All tiles have one size, so that one target serves them all. At the borders they are moved inside.
-    const int tileWidth = std::min(width, side + 2 * kMargin);
-    const int tileHeight = std::min(height, side + 2 * kMargin);
+    const int tileWidth = std::min(width, side + 2 * kTileMargin);
+    const int tileHeight = std::min(height, side + 2 * kTileMargin);
     for (int y = 0; y < height; y += side) {
         for (int x = 0; x < width; x += side) {
             grid.parts.push_back({x, y, std::min(side, width - x), std::min(side, height - y)});
-            grid.tiles.push_back({std::clamp(x - kMargin, 0, width - tileWidth),
-                                  std::clamp(y - kMargin, 0, height - tileHeight), tileWidth, tileHeight});
+            grid.tiles.push_back({std::clamp(x - kTileMargin, 0, width - tileWidth),
+                                  std::clamp(y - kTileMargin, 0, height - tileHeight), tileWidth,
+                                  tileHeight});
         }
     }
     return grid;

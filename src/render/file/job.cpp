@@ -83,7 +83,7 @@ std::filesystem::path frameFile(const std::filesystem::path& output, int index, 
 namespace {
 
 /// The absolute path without links in its folders. A link at its end stays: writing replaces it.
-std::filesystem::path placeOf(const std::filesystem::path& file) {
+std::filesystem::path filePlaceOf(const std::filesystem::path& file) {
     std::error_code failure;
     const std::filesystem::path absolute = std::filesystem::absolute(file, failure).lexically_normal();
     const std::filesystem::path folder = std::filesystem::weakly_canonical(absolute.parent_path(), failure);
@@ -101,7 +101,7 @@ Diagnostics reportOverwritten(const scene::Scene& scene, const Job& job) {
     for (const scene::FileReference& each : scene.files) {
         if (each.path.empty()) continue;
         std::error_code failure;
-        read.try_emplace(placeOf(each.path), &each);
+        read.try_emplace(filePlaceOf(each.path), &each);
         if (const auto target = std::filesystem::canonical(each.path, failure); !failure)
             read.try_emplace(target, &each);
     }
@@ -110,7 +110,7 @@ Diagnostics reportOverwritten(const scene::Scene& scene, const Job& job) {
     for (const std::filesystem::path& each : written) {
         const bool isFilm = job.frames > 1 && image::holdsAnimation(each);
         const int count = isFilm ? 1 : job.frames;
-        const std::filesystem::path place = placeOf(each);
+        const std::filesystem::path place = filePlaceOf(each);
         if (std::none_of(read.begin(), read.end(),
                          [&](const auto& one) { return one.first.parent_path() == place.parent_path(); }))
             continue;

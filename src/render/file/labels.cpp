@@ -13,7 +13,7 @@
 namespace glibra::render {
 namespace {
 
-constexpr int kMargin = 4;  ///< pixels around the block, at scale 1
+constexpr int kLabelMargin = 4;  ///< pixels around the block, at scale 1
 
 std::string valueText(const std::vector<double>& values, const plan::ValueType& type) {
     std::string text;
@@ -94,7 +94,7 @@ LabelBlock labelBlock(int width, int height, std::vector<std::string> lines, Lab
     constexpr int kRowsPerScale = 720;
     LabelBlock block;
     block.scale = std::max(1, (height + kRowsPerScale / 2) / kRowsPerScale);
-    const int margin = kMargin * block.scale;
+    const int margin = kLabelMargin * block.scale;
     const auto most =
         static_cast<std::size_t>(std::max(0, height - 2 * margin) / (image::kLineHeight * block.scale));
     if (lines.size() > most) {

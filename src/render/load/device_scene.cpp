@@ -56,7 +56,7 @@ std::size_t bytesOf(const DeviceMesh& mesh) {
     return bytes;
 }
 
-bool contains(const std::vector<std::string>& names, std::string_view name) {
+bool hasName(const std::vector<std::string>& names, std::string_view name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
@@ -77,7 +77,7 @@ Result<DeviceMesh> copyToDevice(const geometry::Mesh& source, const std::vector<
     copy.indices = upload(std::span(indices));
     if (!copy.indices) return diagnostics;
     for (const geometry::Attribute& each : source.attributes) {
-        if (!contains(wanted, each.name)) continue;
+        if (!hasName(wanted, each.name)) continue;
         std::optional<gpu::Buffer> floats = upload(std::span(each.values));
         if (!floats) return diagnostics;
         DeviceMesh::Attribute attribute{each.name, each.components, std::move(*floats), std::nullopt};
@@ -93,7 +93,7 @@ Result<DeviceMesh> copyToDevice(const geometry::Mesh& source, const std::vector<
 }
 
 /// How the numbers of a buffer reach an input of that type.
-gpu::AttributeSource::Type typeOf(plan::NumberKind kind, const base::ValueType& input) {
+gpu::AttributeSource::Type sourceTypeOf(plan::NumberKind kind, const base::ValueType& input) {
     using Type = gpu::AttributeSource::Type;
     const bool isFloat = kind == plan::NumberKind::floating || kind == plan::NumberKind::doublePrecision;
     if (isFloat) return Type::floating;
@@ -306,7 +306,7 @@ Diagnostics DeviceScene::upload(const plan::FramePlan& plan, plan::PlannedMeshIn
     if (parts.meshes[planned]) return {};
     Diagnostics diagnostics;
     const geometry::Mesh* source =
-        mesh(wanted.shape, contains(wanted.attributes, geometry::kTangent), &diagnostics);
+        mesh(wanted.shape, hasName(wanted.attributes, geometry::kTangent), &diagnostics);
     if (!source || source->indices.empty()) return diagnostics;
 
     std::vector<std::uint32_t> adjacency;
@@ -397,7 +397,7 @@ void DeviceScene::addBufferSources(const scene::BufferView& view, bool isPerInst
         source.offset = pattern.elementsAt + pattern.element[first].offset;
         source.stride = pattern.stride;
         source.divisor = isPerInstance ? 1 : 0;
-        source.type = typeOf(pattern.element[first].kind, input.type);
+        source.type = sourceTypeOf(pattern.element[first].kind, input.type);
         sources.push_back(source);
     }
 }

@@ -62,7 +62,7 @@ gpu::TexelFormat formatOf(image::Component type) {
     return gpu::TexelFormat::rgba32f;
 }
 
-gpu::TexelType typeOf(image::Component type) {
+gpu::TexelType texelTypeOf(image::Component type) {
     switch (type) {
         case image::Component::u8:
             return gpu::TexelType::u8;
@@ -88,7 +88,7 @@ std::uint64_t texelsOf(gpu::TextureSize size, scene::TextureTarget target) {
 }
 
 /// "unit 5 / 3D", or "'brick'".
-std::string textOf(const scene::Texture& texture) {
+std::string textureLabel(const scene::Texture& texture) {
     if (!texture.name.empty()) return "'" + texture.name + "'";
     return "unit " + plan::slotText(texture.unit, texture.target);
 }
@@ -147,7 +147,7 @@ std::optional<Diagnostic> DeviceScene::charge(std::uint64_t bytes, const scene::
     image::Limits limits;
     limits.sceneBytesLeft = texelBytesLeft_;
     auto over = image::checkSceneBytes(
-        bytes, limits, (texture.name.empty() ? "the texture of " : "texture ") + textOf(texture),
+        bytes, limits, (texture.name.empty() ? "the texture of " : "texture ") + textureLabel(texture),
         texture.place);
     if (!over) texelBytesLeft_ -= bytes;
     return over;
@@ -194,10 +194,11 @@ Diagnostics DeviceScene::makeTextures(const plan::FramePlan& plan) {
         textures_.insert_or_assign(each, from->second.copies[0].texture);
         copies_.insert_or_assign(each, from->second);
         stats_.add("textures that share memory", 1);
-        stats_.skip("texture",
-                    fmt::format("{}: uses the memory of {}, which is not needed at the same time",
-                                textOf(scene_.textures[each]), textOf(scene_.textures[from->first])),
-                    scene_.textures[each].place);
+        stats_.skip(
+            "texture",
+            fmt::format("{}: uses the memory of {}, which is not needed at the same time",
+                        textureLabel(scene_.textures[each]), textureLabel(scene_.textures[from->first])),
+            scene_.textures[each].place);
     }
     return diagnostics;
 }
@@ -258,7 +259,7 @@ Diagnostics DeviceScene::makeTexture(scene::TextureIndex index, bool isFilled) {
             sameTexture_[index] = first->second;
             stats_.skip("texture",
                         fmt::format("{}: shares the texture that line {} makes from the same file",
-                                    textOf(texture), scene_.textures[first->second].place.line),
+                                    textureLabel(texture), scene_.textures[first->second].place.line),
                         texture.place);
             return {};
         }
@@ -301,7 +302,7 @@ std::shared_ptr<const gpu::Texture> DeviceScene::earlierTexture(const std::strin
     if (!found) return nullptr;
     stats_.add("textures kept", 1);
     const bool isNoise = std::holds_alternative<scene::NoiseSource>(texture.source);
-    stats_.skip(isNoise ? "noise texture" : "texture", textOf(texture) + ": already on the device",
+    stats_.skip(isNoise ? "noise texture" : "texture", textureLabel(texture) + ": already on the device",
                 texture.place);
     return found;
 }
@@ -353,10 +354,11 @@ Result<gpu::Texture> DeviceScene::createTexture(const scene::Texture& texture, c
     append(diagnostics, std::move(block.diagnostics));
     if (!block) return diagnostics;
     Result<gpu::Texture> made =
-        texture.name.empty() ? gpu::Texture::create(capabilities, shape, formatOf(block->type),
-                                                    {block->width, block->height, block->depth},
-                                                    {block->data, block->components, typeOf(block->type)})
-                             : createNamed(texture, std::move(*block));
+        texture.name.empty()
+            ? gpu::Texture::create(capabilities, shape, formatOf(block->type),
+                                   {block->width, block->height, block->depth},
+                                   {block->data, block->components, texelTypeOf(block->type)})
+            : createNamed(texture, std::move(*block));
     append(diagnostics, std::move(made.diagnostics));
     made.diagnostics = std::move(diagnostics);
     return made;
@@ -372,7 +374,8 @@ Result<gpu::Texture> DeviceScene::createNamed(const scene::Texture& texture, ima
                               {block.width, block.height, block.depth}};
     if (texture.hasMipmaps) layout.levels = gpu::mostLevels(layout.shape, layout.size);
     Result<gpu::Texture> made = gpu::Texture::create(context_.capabilities(), layout);
-    if (made) append(made.diagnostics, made->upload(0, {block.data, block.components, typeOf(block.type)}));
+    if (made)
+        append(made.diagnostics, made->upload(0, {block.data, block.components, texelTypeOf(block.type)}));
     for (Diagnostic& each : made.diagnostics) each.place = texture.place;
     if (made && hasError(made.diagnostics)) return std::move(made.diagnostics);
     if (made && layout.levels > 1) made->generateMipmaps();

@@ -34,7 +34,7 @@ std::vector<std::string_view> wordsOf(std::string_view text) {
     return words;
 }
 
-std::optional<scene::TextureTarget> targetOf(std::string_view samplerType) {
+std::optional<scene::TextureTarget> textureTargetOf(std::string_view samplerType) {
     if (samplerType == "sampler1D") return scene::TextureTarget::texture1D;
     if (samplerType == "sampler2D") return scene::TextureTarget::texture2D;
     if (samplerType == "sampler3D") return scene::TextureTarget::texture3D;
@@ -49,7 +49,7 @@ plan::ProgramInterface samplersIn(const glsl::TranslatedProgram& program) {
         if (stage.source.find("sampler") == std::string::npos) continue;
         const std::vector<std::string_view> words = wordsOf(stage.source);
         for (std::size_t i = 1; i + 1 < words.size(); ++i) {
-            const std::optional<scene::TextureTarget> target = targetOf(words[i]);
+            const std::optional<scene::TextureTarget> target = textureTargetOf(words[i]);
             if (!target || words[i - 1] != "uniform" ||
                 std::count(words.begin(), words.end(), words[i + 1]) < 2)
                 continue;

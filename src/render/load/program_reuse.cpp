@@ -15,7 +15,7 @@ namespace {
 
 /// Everything that decides a translation, except what the translator asks for: included files and kinds of
 /// textures.
-std::string keyOf(const glsl::ProgramRequest& asked) {
+std::string requestKeyOf(const glsl::ProgramRequest& asked) {
     std::string key =
         fmt::format("{}\n{}:{}:{} {}{}{}{}{} {} {} {} {}\n", asked.name, asked.place.file, asked.place.line,
                     asked.place.column, asked.shim, asked.flatColors, asked.tiled, asked.inPieces,
@@ -65,7 +65,7 @@ const ProgramLibrary::Translation& ProgramLibrary::translationOf(const plan::Pro
 
 std::shared_ptr<const glsl::TranslatedProgram> ProgramLibrary::translate(glsl::ProgramRequest asked) {
     if (!shared_) return std::make_shared<const glsl::TranslatedProgram>(glsl::translate(asked));
-    const std::string key = render::keyOf(asked);
+    const std::string key = requestKeyOf(asked);
     if (const auto known = shared_->translations.find(key)) {
         stats_.add("translations kept", 1);
         return *known;

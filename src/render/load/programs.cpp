@@ -25,7 +25,7 @@ std::string asText(const std::vector<std::byte>& bytes) {
     return text;
 }
 
-glsl::Target targetOf(const gpu::Capabilities& capabilities) {
+glsl::Target glslTargetOf(const gpu::Capabilities& capabilities) {
     glsl::Target target;
     target.version = std::clamp(capabilities.glslVersion, 410, 450);
     target.lineDirectiveTakesFileName = capabilities.hasExtension("GL_ARB_shading_language_include");
@@ -88,7 +88,7 @@ std::vector<InitialValue> initialValues(const BuiltProgram& built) {
 }
 
 /// Completes the interface of a program that was linked, or failed.
-void describe(BuiltProgram& built, glsl::TranslatedProgram facts, bool isBuiltin) {
+void completeInterface(BuiltProgram& built, glsl::TranslatedProgram facts, bool isBuiltin) {
     for (base::ActiveUniform& each : built.interface.uniforms) each.name = userName(each.emittedName, facts);
     built.interface.facts = std::move(facts);
     built.interface.usable = built.program.has_value();
@@ -179,7 +179,7 @@ std::vector<glsl::SamplerKind> ProgramLibrary::samplerKinds(scene::ProgramIndex 
 
 glsl::ProgramRequest ProgramLibrary::request(const plan::ProgramVariant& variant, Diagnostics& diagnostics) {
     glsl::ProgramRequest request;
-    request.target = targetOf(context_.capabilities());
+    request.target = glslTargetOf(context_.capabilities());
     request.flatColors = variant.flatColors;
     request.colorTargets = variant.colorTargets;
     request.tiled = tiled_;
@@ -294,7 +294,7 @@ void ProgramLibrary::build(const plan::ProgramVariant& variant, BuiltProgram& bu
         return;
     }
     translated.diagnostics = std::move(diagnostics);
-    describe(built, std::move(translated), isBuiltin);
+    completeInterface(built, std::move(translated), isBuiltin);
 }
 
 bool ProgramLibrary::observe(const BuiltProgram& program, const glsl::MainWrapper& fragment) {
@@ -308,7 +308,7 @@ bool ProgramLibrary::observe(const BuiltProgram& program, const glsl::MainWrappe
     auto built = std::make_unique<BuiltProgram>();
     if (!compile(known->first, stages, *built, built->remarks)) return false;
     if (scene_.isModern) built->initialValues = initialValues(*built);
-    describe(*built, std::move(stages), program.interface.isBuiltin);
+    completeInterface(*built, std::move(stages), program.interface.isBuiltin);
     observed_.emplace(known->first, std::move(built));
     return true;
 }

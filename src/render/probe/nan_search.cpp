@@ -145,8 +145,8 @@ std::string textureText(const scene::Texture& texture) {
 }
 
 /// "Sphere draws NaN or infinity into 12 pixels of texture unit 6, the first at 3, 4".
-std::string describe(const Found& found, const scene::Draw& draw, const scene::Scene& scene,
-                     const std::map<scene::TextureIndex, int>& lines) {
+std::string describeFound(const Found& found, const scene::Draw& draw, const scene::Scene& scene,
+                          const std::map<scene::TextureIndex, int>& lines) {
     std::string text = fmt::format("{} leaves NaN or infinity in {} pixel{}", draw.word, found.pixels,
                                    found.pixels == 1 ? "" : "s");
     if (found.texture) text += " of the texture " + textureText(scene.textures[found.texture]);
@@ -157,7 +157,7 @@ std::string describe(const Found& found, const scene::Draw& draw, const scene::S
     return text;
 }
 
-std::string describe(const LostPrimitives& lost, const scene::Draw& draw) {
+std::string describeLost(const LostPrimitives& lost, const scene::Draw& draw) {
     return fmt::format("{}: gl_Position is NaN or infinite in {} of {} {}, which {} lost", draw.word,
                        glib::groupedText(static_cast<long long>(lost.lost)),
                        glib::groupedText(static_cast<long long>(lost.all)), lost.kind,
@@ -191,7 +191,7 @@ Diagnostics NanSearch::at(double time) {
     for (std::size_t i = 0; i < found.size(); ++i) {
         const scene::Draw& draw = renderer_.plan().drawOf(*found[i].draw);
         const Place& place = draw.place;
-        const std::string text = describe(found[i], draw, renderer_.scene(), lines);
+        const std::string text = describeFound(found[i], draw, renderer_.scene(), lines);
         if (found[i].texture) lines.emplace(found[i].texture, place.line);
         diagnostics.push_back(diagnose("draw-W06", countingRest(text, i, found.size()), place));
         if (i + 1 == kMostNamed) break;
@@ -200,7 +200,7 @@ Diagnostics NanSearch::at(double time) {
     for (std::size_t i = 0; i < std::min(lost.size(), kMostNamed); ++i) {
         const scene::Draw& draw = renderer_.plan().drawOf(*lost[i].draw);
         diagnostics.push_back(
-            diagnose("draw-W09", countingRest(describe(lost[i], draw), i, lost.size()), draw.place));
+            diagnose("draw-W09", countingRest(describeLost(lost[i], draw), i, lost.size()), draw.place));
     }
     applyStrict(diagnostics, strict_);
     return diagnostics;

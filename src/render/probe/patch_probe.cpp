@@ -22,7 +22,7 @@ namespace {
 
 constexpr int kLargestSide = 64;
 constexpr int kMostPatches = 64;
-constexpr std::size_t kFloats = 8;  ///< per captured vertex: gl_Position, and the coordinate with a 0
+constexpr std::size_t kPatchFloats = 8;  ///< per captured vertex: gl_Position, and the coordinate with a 0
 
 /// The evaluation stage with its tessellation coordinate as an output.
 std::string withCoordinate(const glsl::TranslatedStage& stage) {
@@ -32,7 +32,8 @@ std::string withCoordinate(const glsl::TranslatedStage& stage) {
 }
 
 /// A program of the stages up to the evaluation stage, whose output is captured.
-std::optional<gpu::Program> capturing(const gpu::Capabilities& capabilities, const BuiltProgram& built) {
+std::optional<gpu::Program> capturingPatches(const gpu::Capabilities& capabilities,
+                                             const BuiltProgram& built) {
     std::vector<std::pair<GLenum, std::string>> sources;
     for (const glsl::TranslatedStage& each : built.interface.facts.stages) {
         if (each.stage == glsl::Stage::vertex) sources.emplace_back(GL_VERTEX_SHADER, each.source);
@@ -62,12 +63,12 @@ budget::Patch capture(int firstIndex, int indices, GLenum primitives, const gpu:
     written.end();
     const auto count = static_cast<std::size_t>(written.result());
     budget::Patch patch{primitives == GL_LINES ? 2U : 3U, {}};
-    std::vector<float> floats(count * patch.corners * kFloats);
+    std::vector<float> floats(count * patch.corners * kPatchFloats);
     buffer.bind(GL_TRANSFORM_FEEDBACK_BUFFER);
     if (!floats.empty())
         glGetBufferSubData(GL_TRANSFORM_FEEDBACK_BUFFER, 0,
                            static_cast<GLsizeiptr>(floats.size() * sizeof(float)), floats.data());
-    for (std::size_t i = 0; i < floats.size(); i += kFloats)
+    for (std::size_t i = 0; i < floats.size(); i += kPatchFloats)
         patch.vertices.push_back({{floats[i], floats[i + 1], floats[i + 2], floats[i + 3]},
                                   {floats[i + 4], floats[i + 5], floats[i + 6]}});
     return patch;
@@ -101,7 +102,7 @@ bool PatchProbe::State::prepare() {
     const int level = context.capabilities().maxTessellationLevel;
     // Two triangles per square of the finest grid. Lines need less.
     const auto bytes = static_cast<std::size_t>(level + 1) * static_cast<std::size_t>(level + 1) * 6 *
-                       kFloats * sizeof(float);
+                       kPatchFloats * sizeof(float);
     Result<gpu::Buffer> room = gpu::Buffer::create(bytes, GL_STREAM_READ);
     if (!made || !room) return false;
     renderer = std::move(made.value);
@@ -112,7 +113,7 @@ bool PatchProbe::State::prepare() {
 const gpu::Program* PatchProbe::State::capturingFor(const BuiltProgram& built) {
     for (const auto& [known, program] : programs)
         if (known == &built) return &program;
-    std::optional<gpu::Program> made = capturing(context.capabilities(), built);
+    std::optional<gpu::Program> made = capturingPatches(context.capabilities(), built);
     if (!made) return nullptr;
     return &programs.emplace_back(&built, std::move(*made)).second;
 }

@@ -17,7 +17,7 @@ namespace glibra::render {
 namespace {
 
 constexpr GLuint kMostVertices = 1U << 25U;
-constexpr std::size_t kFloats = 4;  ///< per captured vertex
+constexpr std::size_t kPositionFloats = 4;  ///< per captured vertex
 
 /// The primitives that leave the last stage before rasterisation.
 struct Output {
@@ -42,7 +42,8 @@ Output outputOf(const glsl::TranslatedProgram& program, geometry::Topology topol
 }
 
 /// The program without its fragment stage, which captures gl_Position.
-std::optional<gpu::Program> capturing(const gpu::Capabilities& capabilities, const BuiltProgram& built) {
+std::optional<gpu::Program> capturingPositions(const gpu::Capabilities& capabilities,
+                                               const BuiltProgram& built) {
     std::vector<gpu::StageSource> stages;
     for (const glsl::TranslatedStage& each : built.interface.facts.stages)
         if (each.stage != glsl::Stage::fragment) stages.push_back({glStage(each.stage), each.source});
@@ -65,15 +66,15 @@ GLuint counted(GLenum what, const Work& work) {
 
 /// The number of captured primitives with a component that is not finite.
 std::uint64_t countLost(const gpu::Buffer& buffer, GLuint primitives, GLuint corners) {
-    const std::size_t floats = std::size_t{primitives} * corners * kFloats;
+    const std::size_t floats = std::size_t{primitives} * corners * kPositionFloats;
     if (floats == 0) return 0;
     buffer.bind(GL_TRANSFORM_FEEDBACK_BUFFER);
     const auto* values = static_cast<const float*>(glMapBufferRange(
         GL_TRANSFORM_FEEDBACK_BUFFER, 0, static_cast<GLsizeiptr>(floats * sizeof(float)), GL_MAP_READ_BIT));
     if (!values) return 0;
     std::uint64_t lost = 0;
-    for (std::size_t at = 0; at < floats; at += corners * kFloats)
-        if (!std::all_of(values + at, values + at + corners * kFloats,
+    for (std::size_t at = 0; at < floats; at += corners * kPositionFloats)
+        if (!std::all_of(values + at, values + at + corners * kPositionFloats,
                          [](float each) { return std::isfinite(each); }))
             ++lost;
     glUnmapBuffer(GL_TRANSFORM_FEEDBACK_BUFFER);
@@ -98,7 +99,7 @@ std::vector<LostPrimitives> PositionSearch::search(SceneRenderer& renderer, doub
 
 const gpu::Program* PositionSearch::programFor(const BuiltProgram& built) {
     const auto [known, isNew] = programs_.try_emplace(&built);
-    if (isNew) known->second = capturing(*capabilities_, built);
+    if (isNew) known->second = capturingPositions(*capabilities_, built);
     return known->second ? &*known->second : nullptr;
 }
 
@@ -114,7 +115,7 @@ std::optional<LostPrimitives> PositionSearch::look(FrameDrawer& drawer, const pl
     const GLuint most = std::min(all, kMostVertices / output.corners);
     std::uint64_t lost = 0;
     const Result<gpu::Buffer> buffer = gpu::Buffer::create(
-        std::max<std::size_t>(1, std::size_t{most} * output.corners) * kFloats * sizeof(float),
+        std::max<std::size_t>(1, std::size_t{most} * output.corners) * kPositionFloats * sizeof(float),
         GL_STREAM_READ);
     if (buffer) {
         buffer->bindBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0);

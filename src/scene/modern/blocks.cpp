@@ -96,9 +96,7 @@ void doStep(Interpreter& in, const Command& command) {
     if (isRight) in.scene.steps.push_back(std::move(step));
 }
 
-void doNothing(Interpreter&, const Command&) {}
-
-constexpr CommandAction kActions[] = {
+constexpr CommandAction kBlockActions[] = {
     {CommandId::once, doOnce, InList::isWrong, true},
     {CommandId::endOnce, doNothing, InList::isWrong, true},
     {CommandId::step, doStep, InList::isWrong, true},
@@ -124,7 +122,7 @@ void noteFill(Interpreter& in) {
 }
 
 std::span<const CommandAction> blockActions() {
-    return kActions;
+    return kBlockActions;
 }
 
 }  // namespace glibra::scene

@@ -23,7 +23,7 @@ using glib::CommandId;
 using glib::KeyedValues;
 using glib::Value;
 
-constexpr double kMostElements = 1 << 30;
+constexpr double kMostBufferElements = 1 << 30;
 constexpr double kMostNumbers = 1 << 26;                           ///< that an expression gives a buffer
 constexpr std::uint64_t kLargestBuffer = std::uint64_t{1} << 30U;  // bytes
 constexpr double kMostGroups = 2'147'483'647;
@@ -47,12 +47,6 @@ constexpr BasicType kBasicTypes[] = {
 std::optional<Type> basicType(std::string_view name) {
     for (const BasicType& each : kBasicTypes)
         if (each.name == name) return each.type;
-    return std::nullopt;
-}
-
-std::nullopt_t refuse(Interpreter& in, const char* id, const Command& command, glib::Position position,
-                      const std::string& text) {
-    in.report(diagnose(id, fmt::format("{}: {}", command.word, text), in.script->place(position)));
     return std::nullopt;
 }
 
@@ -171,10 +165,10 @@ void doBuffer(Interpreter& in, const Command& command) {
         const auto size = numberOf(in, *parts.size);
         if (!size) return;
         const double whole = std::trunc(*size) + 0.0;  // never -0
-        if (!(whole >= 1 && whole <= kMostElements)) {
-            refuse(in, whole > kMostElements ? "glib-E15" : "glib-E26", command, parts.size->position,
+        if (!(whole >= 1 && whole <= kMostBufferElements)) {
+            refuse(in, whole > kMostBufferElements ? "glib-E15" : "glib-E26", command, parts.size->position,
                    fmt::format("the count {} is not between 1 and {}", glib::numberText(whole),
-                               glib::groupedText(static_cast<long long>(kMostElements))));
+                               glib::groupedText(static_cast<long long>(kMostBufferElements))));
             return;
         }
         buffer.count = static_cast<std::uint64_t>(whole);
@@ -213,8 +207,8 @@ void doCompute(Interpreter& in, const Command& command) {
 }
 
 /// Three counts from 1 to 2^31 - 1; missing ones are 1.
-std::optional<std::array<std::uint64_t, 3>> countsOf(Interpreter& in, const Command& command,
-                                                     std::span<const Value> values) {
+std::optional<std::array<std::uint64_t, 3>> groupCounts(Interpreter& in, const Command& command,
+                                                        std::span<const Value> values) {
     const auto numbers = numbersOf(in, values);
     if (!numbers) return std::nullopt;
     if (numbers->empty() || numbers->size() > 3)
@@ -240,7 +234,7 @@ std::optional<decltype(Dispatch::groups)> groupsOf(Interpreter& in, const Comman
     }
     const KeyedValues* over = command.key("over");
     if (over == nullptr) {
-        const auto counts = countsOf(in, command, std::span(command.values).subspan(1));
+        const auto counts = groupCounts(in, command, std::span(command.values).subspan(1));
         if (!counts) return std::nullopt;
         return *counts;
     }
@@ -249,7 +243,7 @@ std::optional<decltype(Dispatch::groups)> groupsOf(Interpreter& in, const Comman
         return refuse(in, "glib-E27", command, first.position,
                       "'window' is not a texture; write 'over (window)' for one invocation per pixel");
     if (first.kind != Value::Kind::word) {
-        const auto counts = countsOf(in, command, over->values);
+        const auto counts = groupCounts(in, command, over->values);
         if (!counts) return std::nullopt;
         return Over{*counts};
     }
@@ -296,7 +290,7 @@ void doDispatch(Interpreter& in, const Command& command) {
     in.nodes->add(std::move(made));
 }
 
-constexpr CommandAction kActions[] = {
+constexpr CommandAction kBufferActions[] = {
     {CommandId::buffer, doBuffer},
     {CommandId::compute, doCompute},
     {CommandId::dispatch, doDispatch, InList::isWrong, true},
@@ -324,7 +318,7 @@ void doClearObject(Interpreter& in, const Command& command) {
 }
 
 std::span<const CommandAction> bufferActions() {
-    return kActions;
+    return kBufferActions;
 }
 
 }  // namespace glibra::scene

@@ -36,7 +36,7 @@ glm::dvec3 vectorAt(const std::vector<double>& numbers, std::size_t first) {
     return {numbers[first], numbers[first + 1], numbers[first + 2]};
 }
 
-void refuse(Interpreter& in, const Command& command, std::string text) {
+void refuseCamera(Interpreter& in, const Command& command, std::string text) {
     in.reportAt(command, "glib-E29", "Camera: " + std::move(text));
 }
 
@@ -51,7 +51,7 @@ bool readLens(Interpreter& in, const Command& command, SceneCamera& camera) {
         if (!n) return false;
         const Perspective lens{(*n)[0], (*n)[1], (*n)[2]};
         if (!(lens.fieldOfView > 0 && lens.fieldOfView < 180 && lens.near > 0 && lens.far > lens.near)) {
-            refuse(in, command, "Perspective needs an angle between 0 and 180, and 0 < near < far");
+            refuseCamera(in, command, "Perspective needs an angle between 0 and 180, and 0 < near < far");
             return false;
         }
         camera.projection = lens;
@@ -59,7 +59,7 @@ bool readLens(Interpreter& in, const Command& command, SceneCamera& camera) {
             const auto ratio = numberOf(in, aspect->values.front());
             if (!ratio) return false;
             if (!(*ratio > 0)) {
-                refuse(in, command, "the aspect must be above 0");
+                refuseCamera(in, command, "the aspect must be above 0");
                 return false;
             }
             camera.aspect = *ratio;
@@ -73,9 +73,10 @@ bool readLens(Interpreter& in, const Command& command, SceneCamera& camera) {
     if (!n) return false;
     const bool isFlat = (*n)[0] == (*n)[1] || (*n)[2] == (*n)[3] || (*n)[4] == (*n)[5];
     if (isFlat || (ortho == nullptr && !((*n)[4] > 0 && (*n)[5] > 0))) {
-        refuse(in, command,
-               "the volume of Ortho or Frustum is empty, or the near plane of Frustum is not in front of the "
-               "eye");
+        refuseCamera(
+            in, command,
+            "the volume of Ortho or Frustum is empty, or the near plane of Frustum is not in front of the "
+            "eye");
         return false;
     }
     const auto make = ortho != nullptr ? base::boxProjection : base::frustumProjection;
@@ -85,12 +86,12 @@ bool readLens(Interpreter& in, const Command& command, SceneCamera& camera) {
     return true;
 }
 
-std::optional<SceneCamera> lookAt(Interpreter& in, const Command& command, const KeyedValues& key) {
+std::optional<SceneCamera> lookAtCamera(Interpreter& in, const Command& command, const KeyedValues& key) {
     const Numbers n = numbersOf(in, key.values, 9, "Camera: LookAt");
     if (!n) return std::nullopt;
     const auto view = viewingMatrix(vectorAt(*n, 0), vectorAt(*n, 3), vectorAt(*n, 6));
     if (!view) {
-        refuse(in, command, "the eye looks at itself, or up is parallel to the direction of view");
+        refuseCamera(in, command, "the eye looks at itself, or up is parallel to the direction of view");
         return std::nullopt;
     }
     SceneCamera camera;
@@ -107,7 +108,7 @@ std::optional<SceneCamera> atAxes(Interpreter& in, const Command& command, const
     const glm::dmat4 frame(glm::dvec4(vectorAt(*n, 0), 0), glm::dvec4(vectorAt(*n, 3), 0),
                            glm::dvec4(vectorAt(*n, 6), 0), glm::dvec4(vectorAt(*place, 0), 1));
     if (isSingular(frame)) {
-        refuse(in, command, "the three axes lie in one plane");
+        refuseCamera(in, command, "the three axes lie in one plane");
         return std::nullopt;
     }
     SceneCamera camera;
@@ -121,7 +122,7 @@ std::optional<SceneCamera> reflected(Interpreter& in, const Command& command, co
     if (!camera || !n) return std::nullopt;
     const glm::dvec3 normal = vectorAt(*n, 0);
     if (glm::dot(normal, normal) == 0) {
-        refuse(in, command, "the plane of Reflect has no normal");
+        refuseCamera(in, command, "the plane of Reflect has no normal");
         return std::nullopt;
     }
     camera->view = camera->view * reflection(normal, (*n)[3]);
@@ -150,7 +151,7 @@ std::optional<SceneCamera> ofFace(Interpreter& in, const Command& command, const
     if (!n) return std::nullopt;
     const double face = std::trunc((*n)[0]), near = (*n)[4], far = (*n)[5];
     if (face < 0 || face > 5 || !(near > 0 && far > near)) {
-        refuse(in, command, "Face needs a face from 0 to 5, and 0 < near < far");
+        refuseCamera(in, command, "Face needs a face from 0 to 5, and 0 < near < far");
         return std::nullopt;
     }
     SceneCamera camera;
@@ -173,7 +174,7 @@ std::optional<SceneCamera> ofMatrices(Interpreter& in, const Command& command) {
 }
 
 std::optional<SceneCamera> read(Interpreter& in, const Command& command) {
-    if (const KeyedValues* key = command.key("LookAt")) return lookAt(in, command, *key);
+    if (const KeyedValues* key = command.key("LookAt")) return lookAtCamera(in, command, *key);
     if (const KeyedValues* key = command.key("At")) return atAxes(in, command, *key);
     if (const KeyedValues* key = command.key("Reflect")) return reflected(in, command, *key);
     if (const KeyedValues* key = command.key("Shift")) return shifted(in, *key);
@@ -216,7 +217,7 @@ void declareCamera(Interpreter& in, const Command& command) {
         count = std::trunc(*given);
         constexpr double kMostCameras = 256;
         if (!(count >= 1 && count <= kMostCameras))
-            return refuse(in, command, "an array has 1 to 256 cameras");
+            return refuseCamera(in, command, "an array has 1 to 256 cameras");
     }
     if (!declareName(in, command, name, DeclaredName::Kind::camera)) return;
     names.declareCamera(name, isArray ? static_cast<std::size_t>(count) : 0);
@@ -268,12 +269,12 @@ bool mentions(const Command& command, std::string_view camera) {
     return holdsWord(glib::written(rest), camera);
 }
 
-constexpr CommandAction kActions[] = {{CommandId::camera, doCamera}};
+constexpr CommandAction kCameraActions[] = {{CommandId::camera, doCamera}};
 
 }  // namespace
 
 std::span<const CommandAction> cameraActions() {
-    return kActions;
+    return kCameraActions;
 }
 
 const SceneCamera* findCamera(const Interpreter& in, const CameraName& name) {

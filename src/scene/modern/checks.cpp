@@ -21,19 +21,19 @@ using glib::Command;
 using glib::CommandId;
 using glib::KeyedValues;
 using glib::Value;
-using Kind = Check::Kind;
+using CheckKind = Check::Kind;
 
 struct KindRow {
     std::string_view key;
-    Kind kind;
+    CheckKind kind;
 };
 constexpr KindRow kKinds[] = {
-    {"pixel", Kind::pixel},         {"mean", Kind::mean},
-    {"count", Kind::count},         {"buffer", Kind::buffer},
-    {"range", Kind::range},         {"same", Kind::same},
-    {"finite", Kind::finite},       {"primitives", Kind::primitives},
-    {"samples", Kind::samples},     {"error", Kind::error},
-    {"different", Kind::different},
+    {"pixel", CheckKind::pixel},         {"mean", CheckKind::mean},
+    {"count", CheckKind::count},         {"buffer", CheckKind::buffer},
+    {"range", CheckKind::range},         {"same", CheckKind::same},
+    {"finite", CheckKind::finite},       {"primitives", CheckKind::primitives},
+    {"samples", CheckKind::samples},     {"error", CheckKind::error},
+    {"different", CheckKind::different},
 };
 
 /// The object that a value names; nothing for the window.
@@ -71,7 +71,7 @@ class CheckReader {
                 return readKind(*key);
             }
         if (command_.values.empty()) return false;
-        check_.kind = Kind::condition;
+        check_.kind = CheckKind::condition;
         check_.condition = &command_.values.front();
         static constexpr expression::Type kTypes[] = {expression::Type::boolean(),
                                                       expression::Type::number()};
@@ -173,15 +173,15 @@ class CheckReader {
 
     bool readKind(const KeyedValues& key) {
         switch (check_.kind) {
-            case Kind::pixel:
+            case CheckKind::pixel:
                 return readColor(key, 2);
-            case Kind::mean:
+            case CheckKind::mean:
                 return readColor(key, 4);
-            case Kind::count:
+            case CheckKind::count:
                 return readCount(key);
-            case Kind::buffer:
+            case CheckKind::buffer:
                 return readBuffer(key);
-            case Kind::range: {
+            case CheckKind::range: {
                 const auto bounds = numbersOf(in_, std::span(key.values).subspan(1), 2, "Expect: range");
                 if (!bounds || !readObject(in_, key.values.front(), check_.object)) return false;
                 if ((*bounds)[0] > (*bounds)[1])
@@ -189,20 +189,20 @@ class CheckReader {
                 check_.numbers = *bounds;
                 return true;
             }
-            case Kind::same:
-            case Kind::different:
+            case CheckKind::same:
+            case CheckKind::different:
                 return key.values.size() > 1 && readObject(in_, key.values[0], check_.object) &&
                        readObject(in_, key.values[1], check_.other) && isSameKind(key.values[1]);
-            case Kind::finite:
+            case CheckKind::finite:
                 return readObject(in_, key.values.front(), check_.object);
-            case Kind::primitives:
-            case Kind::samples: {
+            case CheckKind::primitives:
+            case CheckKind::samples: {
                 const auto count = numberOf(in_, key.values.front());
                 if (!count || !isCount(key.values.front(), *count)) return false;
                 check_.numbers = {*count};
                 return true;
             }
-            case Kind::error: {
+            case CheckKind::error: {
                 const Value& id = key.values.front();
                 check_.word = id.text;
                 if (glib::findDiagnostic(id.text) != nullptr) return true;
@@ -211,7 +211,7 @@ class CheckReader {
                 return refuse(
                     id, fmt::format("there is no message '{}'{}", id.text, base::suggestion(id.text, ids)));
             }
-            case Kind::condition:
+            case CheckKind::condition:
                 break;
         }
         return false;
@@ -245,12 +245,12 @@ void doExpect(Interpreter& in, const Command& command) {
     if (auto check = CheckReader(in, command).read()) in.scene.checks.push_back(std::move(*check));
 }
 
-constexpr CommandAction kActions[] = {{CommandId::expect, doExpect}};
+constexpr CommandAction kCheckActions[] = {{CommandId::expect, doExpect}};
 
 }  // namespace
 
 std::span<const CommandAction> checkActions() {
-    return kActions;
+    return kCheckActions;
 }
 
 }  // namespace glibra::scene

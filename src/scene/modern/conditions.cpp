@@ -12,17 +12,17 @@
 namespace glibra::scene {
 namespace {
 
-struct Comparison {
+struct ComparisonAt {
     std::size_t at = 0;
     std::string_view operation;
 };
 
 /// The operator that compares the two sides of the text; nothing if there is none or more than one, or if the
 /// comparison is a part of something else.
-std::optional<Comparison> comparisonIn(std::string_view text) {
+std::optional<ComparisonAt> comparisonIn(std::string_view text) {
     static constexpr std::string_view kComparisons[] = {"==", "!=", "<=", ">=", "<", ">"};
     static constexpr std::string_view kOthers[] = {"&&", "||", "^^", "?"};
-    std::optional<Comparison> found;
+    std::optional<ComparisonAt> found;
     int depth = 0;
     for (std::size_t at = 0; at < text.size(); ++at) {
         const std::string_view rest = text.substr(at);
@@ -34,14 +34,14 @@ std::optional<Comparison> comparisonIn(std::string_view text) {
         const auto* each = std::find_if(std::begin(kComparisons), std::end(kComparisons), isNext);
         if (each == std::end(kComparisons)) continue;
         if (found) return std::nullopt;
-        found = Comparison{at, *each};
+        found = ComparisonAt{at, *each};
         at += each->size() - 1;
     }
     return found;
 }
 
 /// A number, or the components of a vector or matrix: "[1 0 2]".
-std::string textOf(const expression::Value& value) {
+std::string textOfValue(const expression::Value& value) {
     if (value.type == expression::Type::boolean()) return value.truth() ? "true" : "false";
     if (value.all().size() == 1) return glib::numberText(value.number());
     std::string text;
@@ -51,13 +51,13 @@ std::string textOf(const expression::Value& value) {
 
 /// The two sides of a comparison with their values; empty if the text is something else.
 std::string sidesOf(std::string_view text, const Environment& names) {
-    const std::optional<Comparison> comparison = comparisonIn(text);
+    const std::optional<ComparisonAt> comparison = comparisonIn(text);
     if (!comparison) return {};
     const auto valueOf = [&](std::string_view side) -> std::string {
         const auto parsed = expression::parse(side, {}, names);
         if (!parsed) return {};
         const auto value = parsed->evaluate(names);
-        return value ? textOf(*value) : std::string();
+        return value ? textOfValue(*value) : std::string();
     };
     const std::string left = valueOf(text.substr(0, comparison->at));
     const std::string right = valueOf(text.substr(comparison->at + comparison->operation.size()));
@@ -84,7 +84,7 @@ Result<ConditionAnswer> answerCondition(
     const auto value = parsed->evaluate(names);
     if (!value) return value.problem.message;
     std::string found = sidesOf(text, names);
-    if (found.empty()) found = textOf(*value);
+    if (found.empty()) found = textOfValue(*value);
     return ConditionAnswer{value->truth(), std::move(found)};
 }
 

@@ -110,7 +110,7 @@ std::optional<std::string> roleNamed(Interpreter& in, const Value& value) {
 }
 
 /// A key that is equal for equal bindings.
-std::vector<std::pair<std::string, std::vector<double>>> keyOf(const AttributeSet& set) {
+std::vector<std::pair<std::string, std::vector<double>>> keyOfAttributes(const AttributeSet& set) {
     std::vector<std::pair<std::string, std::vector<double>>> key;
     for (const AttributeBinding& each : set.bindings) {
         std::string name = each.name + (each.isPerInstance ? " per instance" : "");
@@ -134,7 +134,7 @@ void bind(Interpreter& in, AttributeBinding binding) {
     if (in.state.local.attributes) set = in.scene.attributeSets[in.state.local.attributes];
     std::erase_if(set.bindings, [&](const AttributeBinding& each) { return each.name == binding.name; });
     set.bindings.push_back(std::move(binding));
-    AttributeSetIndex& index = in.attributeSets[keyOf(set)];
+    AttributeSetIndex& index = in.attributeSets[keyOfAttributes(set)];
     if (!index) index = in.scene.attributeSets.add(std::move(set));
     in.state.local.attributes = index;
 }
@@ -188,7 +188,7 @@ void doTessLevels(Interpreter& in, const Command& command) {
     in.state.local.tessellationLevels = made;
 }
 
-constexpr CommandAction kActions[] = {
+constexpr CommandAction kVertexActions[] = {
     {CommandId::instances, doInstances},
     {CommandId::vertices, doVertices, InList::isWrong, true},
     {CommandId::attribute, doAttribute, InList::isPart},
@@ -198,7 +198,7 @@ constexpr CommandAction kActions[] = {
 }  // namespace
 
 std::span<const CommandAction> vertexActions() {
-    return kActions;
+    return kVertexActions;
 }
 
 }  // namespace glibra::scene

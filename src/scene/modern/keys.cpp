@@ -35,7 +35,8 @@ const Variable* variableNamed(Interpreter& in, const Value& value) {
 }
 
 /// The components of a value that the key sets.
-std::optional<std::vector<double>> valueOf(Interpreter& in, const Value& value, const Variable& variable) {
+std::optional<std::vector<double>> valueForKey(Interpreter& in, const Value& value,
+                                               const Variable& variable) {
     if (value.kind == Value::Kind::word) {
         for (std::size_t i = 0; i < variable.words.size(); ++i)
             if (glib::sameWord(variable.words[i], value.text)) return std::vector{static_cast<double>(i)};
@@ -101,19 +102,19 @@ void doKey(Interpreter& in, const Command& command) {
     if (variable == nullptr) return;
     binding.variable = variable->name;
     for (const Value& each : rest.subspan(1)) {
-        auto value = valueOf(in, each, *variable);
+        auto value = valueForKey(in, each, *variable);
         if (!value) return;
         binding.values.push_back(std::move(*value));
     }
     in.scene.keys.push_back(std::move(binding));
 }
 
-constexpr CommandAction kActions[] = {{glib::CommandId::key, doKey}};
+constexpr CommandAction kKeyActions[] = {{glib::CommandId::key, doKey}};
 
 }  // namespace
 
 std::span<const CommandAction> keyActions() {
-    return kActions;
+    return kKeyActions;
 }
 
 }  // namespace glibra::scene

@@ -8,7 +8,7 @@
 namespace glibra::scene {
 namespace {
 
-struct Numbers {
+struct MaterialNumbers {
     std::string_view name;
     std::array<double, 4> ambient, diffuse, specular;
     double shininess;
@@ -16,7 +16,7 @@ struct Numbers {
 
 /// Source: V. S. Gordon and J. Clevenger, Computer Graphics Programming in OpenGL, section 7.3, whose numbers
 /// are those of the OpenGL teapots example.
-constexpr Numbers kMaterials[] = {
+constexpr MaterialNumbers kMaterials[] = {
     {"gold", {.2473, .1995, .0745, 1}, {.7516, .6065, .2265, 1}, {.6283, .5558, .3661, 1}, 51.2},
     {"silver", {.1923, .1923, .1923, 1}, {.5075, .5075, .5075, 1}, {.5083, .5083, .5083, 1}, 51.2},
     {"bronze", {.2125, .1275, .054, 1}, {.714, .4284, .1814, 1}, {.3935, .2719, .1667, 1}, 25.6},
@@ -42,7 +42,7 @@ glib::KeyedValues tag(const char* name, std::span<const double> numbers) {
 const std::vector<MaterialRow>& rows() {
     static const std::vector<MaterialRow> kRows = [] {
         std::vector<MaterialRow> made;
-        for (const Numbers& each : kMaterials)
+        for (const MaterialNumbers& each : kMaterials)
             made.push_back(
                 {each.name,
                  {tag("material.ambient", each.ambient), tag("material.diffuse", each.diffuse),

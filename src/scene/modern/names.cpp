@@ -19,28 +19,28 @@ namespace {
 
 using glib::NamePart;
 using glib::Value;
-using Kind = DeclaredName::Kind;
+using NameKind = DeclaredName::Kind;
 
-const char* wordOf(Kind kind) {
+const char* wordOfKind(NameKind kind) {
     switch (kind) {
-        case Kind::camera:
+        case NameKind::camera:
             return "a camera";
-        case Kind::texture:
+        case NameKind::texture:
             return "a texture";
-        case Kind::sampler:
+        case NameKind::sampler:
             return "a sampler";
-        case Kind::buffer:
+        case NameKind::buffer:
             return "a buffer";
-        case Kind::variable:
-        case Kind::computed:
+        case NameKind::variable:
+        case NameKind::computed:
             break;
     }
     return "a variable";
 }
 
-bool isReserved(std::string_view name, Kind kind) {
+bool isReserved(std::string_view name, NameKind kind) {
     constexpr std::array<std::string_view, 4> kWords{"camera", "pi", "true", "false"};
-    if (name == "eye") return kind != Kind::camera;
+    if (name == "eye") return kind != NameKind::camera;
     const auto isName = [&](const expression::NameRow& row) { return row.path == name; };
     const auto rows = expression::sceneNames();
     return std::find(kWords.begin(), kWords.end(), name) != kWords.end() ||
@@ -59,18 +59,18 @@ class PartReader {
 
     std::optional<ObjectView> read() {
         auto known = in_.modern.names.find(name_.name);
-        if (known == in_.modern.names.end() || known->second.kind == Kind::variable ||
-            known->second.kind == Kind::computed)
+        if (known == in_.modern.names.end() || known->second.kind == NameKind::variable ||
+            known->second.kind == NameKind::computed)
             known = in_.modern.names.find(name_.name = wordBehind(in_, name_.name));
         if (known == in_.modern.names.end()) return unknown();
         const DeclaredName& declared = known->second;
-        if (declared.kind != Kind::texture && declared.kind != Kind::buffer)
+        if (declared.kind != NameKind::texture && declared.kind != NameKind::buffer)
             return refuse("glib-E27", fmt::format("'{}' is {}, not a texture or buffer", name_.name,
-                                                  wordOf(declared.kind)));
+                                                  wordOfKind(declared.kind)));
         if (std::holds_alternative<std::monostate>(declared.object)) return std::nullopt;
         if (!name_.index.empty())
             return refuse("glib-E27",
-                          fmt::format("'{}' is {}, not an array", name_.name, wordOf(declared.kind)));
+                          fmt::format("'{}' is {}, not an array", name_.name, wordOfKind(declared.kind)));
         if (declared.view) return readParts(*declared.view);
         if (const auto* buffer = std::get_if<BufferIndex>(&declared.object))
             return readParts(BufferView{*buffer});
@@ -91,7 +91,8 @@ class PartReader {
         if (isLost(in_, name_.name)) return std::nullopt;
         std::vector<std::string_view> names;
         for (const auto& [name, declared] : in_.modern.names)
-            if (declared.kind == Kind::texture || declared.kind == Kind::buffer) names.push_back(name);
+            if (declared.kind == NameKind::texture || declared.kind == NameKind::buffer)
+                names.push_back(name);
         return refuse("glib-E27", fmt::format("no texture or buffer '{}' is declared before this line{}",
                                               name_.name, base::suggestion(name_.name, names)));
     }
@@ -181,7 +182,7 @@ class PartReader {
                 fmt::format("'{0}' has no part 'prev'; write 'history' where it is declared", name_.name));
         if (!hasHistory) std::erase(parts, "prev");
         for (const auto& [name, declared] : in_.modern.names)
-            if (declared.kind == Kind::sampler) parts.push_back(name);
+            if (declared.kind == NameKind::sampler) parts.push_back(name);
         std::string help = base::suggestion(part.name, parts);
         if (help.empty() && !parts.empty()) help = fmt::format("; it has {}", fmt::join(parts, ", "));
         return refuse("glib-E27", fmt::format("'{}' has no part '{}'{}", name_.name, part.name, help));
@@ -213,7 +214,7 @@ std::optional<View> viewOf(Interpreter& in, const Value& value, std::string_view
 
 }  // namespace
 
-bool declareName(Interpreter& in, const glib::Command& command, const std::string& name, Kind kind) {
+bool declareName(Interpreter& in, const glib::Command& command, const std::string& name, NameKind kind) {
     const auto refuse = [&](std::string text) {
         const Value& value = command.values.front();
         in.report(diagnose("glib-E27", std::move(text), in.script->place(value.position)));
@@ -225,10 +226,11 @@ bool declareName(Interpreter& in, const glib::Command& command, const std::strin
         in.modern.names.try_emplace(name, DeclaredName{kind, in.place(command), &command, std::monostate{}});
     if (isNew || known->second.command == &command) return true;
     // Cameras and computed variables may be set again.
-    const bool isSetAgain = kind == known->second.kind && (kind == Kind::camera || kind == Kind::computed);
+    const bool isSetAgain =
+        kind == known->second.kind && (kind == NameKind::camera || kind == NameKind::computed);
     if (isSetAgain) return true;
     return refuse(fmt::format("'{}' is declared on {} already, as {}", name, lineOf(in, known->second.place),
-                              wordOf(known->second.kind)));
+                              wordOfKind(known->second.kind)));
 }
 
 void setObject(Interpreter& in, const std::string& name,
@@ -244,7 +246,7 @@ bool namesObject(const Interpreter& in, const Value& value) {
     if (value.kind != Value::Kind::word) return false;
     const auto known = in.modern.names.find(value.path.empty() ? value.text : value.path.front().name);
     return known != in.modern.names.end() &&
-           (known->second.kind == Kind::texture || known->second.kind == Kind::buffer);
+           (known->second.kind == NameKind::texture || known->second.kind == NameKind::buffer);
 }
 
 bool choosesObject(Interpreter& in, const Value& value) {
@@ -254,7 +256,7 @@ bool choosesObject(Interpreter& in, const Value& value) {
     if (!value.path.empty() && !value.path.front().index.empty()) return false;
     const auto known = in.modern.names.find(wordBehind(in, name));
     return known != in.modern.names.end() && known->first != name &&
-           (known->second.kind == Kind::texture || known->second.kind == Kind::buffer);
+           (known->second.kind == NameKind::texture || known->second.kind == NameKind::buffer);
 }
 
 std::optional<ObjectView> objectNamed(Interpreter& in, const Value& value) {

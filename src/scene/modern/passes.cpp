@@ -141,7 +141,7 @@ TargetPart partOf(const TextureView& view) {
 }
 
 /// Equal for equal lists of targets, which share an implicit depth buffer.
-std::vector<int> keyOf(const Targets& targets) {
+std::vector<int> keyOfTargets(const Targets& targets) {
     std::vector<int> key;
     for (const TextureView& each : targets.colors)
         key.insert(key.end(), {-1 - static_cast<int>(each.texture.position()), each.level.value_or(0),
@@ -226,7 +226,7 @@ std::optional<Clearing> readClearing(Interpreter& in, const Command& command, co
     return clearing;
 }
 
-int layersOf(const Interpreter& in, const TextureView& view) {
+int layersOfView(const Interpreter& in, const TextureView& view) {
     const auto size = sizeOfLevel(in.scene.textures[view.texture], view.level.value_or(0));
     return size ? (*size)[2] : 1;
 }
@@ -266,16 +266,16 @@ Pass makePass(Interpreter& in, const Command& command, const Targets& targets, c
         pass.targets.push_back(each.texture);
         pass.parts.push_back(partOf(each));
         hasPart = hasPart || each.level || each.layer;
-        clearColor(isFirstUse(in, each.texture, partOf(each), layersOf(in, each)),
+        clearColor(isFirstUse(in, each.texture, partOf(each), layersOfView(in, each)),
                    clearColorOf(in, each, clearing.color(pass.targets.size() - 1)));
     }
     if (!hasPart) pass.parts.clear();
     pass.depth = targets.depth;
     if (!targets.isWindow && !targets.depth)
-        pass.depthBuffer = depthBufferOf(in, keyOf(targets), targets.width, targets.height);
+        pass.depthBuffer = depthBufferOf(in, keyOfTargets(targets), targets.width, targets.height);
     if (!usesDepth) return pass;
     const bool isFirst = targets.depth ? isFirstUse(in, targets.depth->texture, partOf(*targets.depth),
-                                                    layersOf(in, *targets.depth))
+                                                    layersOfView(in, *targets.depth))
                                        : in.cleared.depthBuffers.insert(pass.depthBuffer).second;
     // Depth buffers without a name begin every picture anew.
     const bool isAnew = isFirst && !targets.depth;
@@ -433,9 +433,7 @@ void doScissor(Interpreter& in, const Command& command) {
     if (const auto area = areaOf(in, command, true)) in.state.raster.scissor = *area;
 }
 
-void doNothing(Interpreter&, const Command&) {}
-
-constexpr CommandAction kActions[] = {
+constexpr CommandAction kTargetActions[] = {
     {CommandId::pass, doPass, InList::isWrong, true},
     {CommandId::endPass, doNothing, InList::isWrong, true},
     {CommandId::fill, doFill, InList::isWrong, true},
@@ -447,7 +445,7 @@ constexpr CommandAction kActions[] = {
 }  // namespace
 
 std::span<const CommandAction> targetActions() {
-    return kActions;
+    return kTargetActions;
 }
 
 }  // namespace glibra::scene

@@ -30,7 +30,7 @@ using glib::Value;
 
 /// The words of a list of the statement table, whose order is that of the enumeration they stand for, except
 /// for those below.
-std::vector<std::string_view> wordsOf(std::string_view fragment) {
+std::vector<std::string_view> wordsOfFragment(std::string_view fragment) {
     std::vector<std::string_view> words;
     std::string_view text = glib::syntaxFragment(fragment);
     while (!text.empty()) {
@@ -41,10 +41,10 @@ std::vector<std::string_view> wordsOf(std::string_view fragment) {
     return words;
 }
 
-constexpr std::array kActions = {StencilAction::keep,          StencilAction::zero,
-                                 StencilAction::replace,       StencilAction::increment,
-                                 StencilAction::incrementWrap, StencilAction::decrement,
-                                 StencilAction::decrementWrap, StencilAction::invert};
+constexpr std::array kStencilActions = {StencilAction::keep,          StencilAction::zero,
+                                        StencilAction::replace,       StencilAction::increment,
+                                        StencilAction::incrementWrap, StencilAction::decrement,
+                                        StencilAction::decrementWrap, StencilAction::invert};
 
 constexpr double kLargestStencil = 255;
 
@@ -97,7 +97,7 @@ class StateReader {
 
     /// The index of a word among those of a list of the table.
     std::optional<std::size_t> word(const Value& value, std::string_view fragment) {
-        const std::vector<std::string_view> words = wordsOf(fragment);
+        const std::vector<std::string_view> words = wordsOfFragment(fragment);
         return wordOf(in_, value, words);
     }
     template <std::size_t n>
@@ -155,7 +155,7 @@ class StateReader {
 
     bool readDepth(const Value& value, base::RasterState& state) {
         std::vector<std::string_view> words{"off"};
-        for (const std::string_view each : wordsOf("compare")) words.push_back(each);
+        for (const std::string_view each : wordsOfFragment("compare")) words.push_back(each);
         const auto index = wordOf(in_, value, words);
         if (!index) return false;
         state.depthTest = *index > 0;
@@ -239,7 +239,7 @@ class StateReader {
     }
 
     bool readWrite(const Value& value, base::RasterState& state) {
-        const std::vector<std::string_view> words = wordsOf("mask");
+        const std::vector<std::string_view> words = wordsOfFragment("mask");
         const auto index = wordOf(in_, value, words);
         if (!index) return false;
         const std::string_view mask = words[*index] == "none" ? "" : words[*index];
@@ -284,7 +284,7 @@ class StateReader {
             for (std::size_t i = 0; i < actions.size(); ++i) {
                 const auto index = i < key.values.size() ? word(key.values[i], "operation") : std::nullopt;
                 if (!index) return false;
-                actions[i] = kActions.at(*index);
+                actions[i] = kStencilActions.at(*index);
             }
             state.stencilTest = true;
             forFaces(key, state, [&](base::StencilFace& face) {
@@ -303,7 +303,8 @@ class StateReader {
             return mask.has_value();
         }
         const auto test = word(key.values[0], "compare");
-        const auto reference = test ? stencilValue(key.values.at(1), what) : std::nullopt;
+        if (!test) return false;
+        const auto reference = stencilValue(key.values.at(1), what);
         const auto mask = key.values.size() > 2 ? stencilValue(key.values[2], what) : std::optional(255);
         if (!reference || !mask) return false;
         state.stencilTest = true;

@@ -380,9 +380,7 @@ void doInclude(Interpreter& in, const Command& command) {
     in.modern.including.erase(script);
 }
 
-void doNothing(Interpreter&, const Command&) {}
-
-constexpr CommandAction kActions[] = {
+constexpr CommandAction kStructureActions[] = {
     {CommandId::group, doGroup},
     {CommandId::endGroup, doNothing},
     {CommandId::draw, doDraw, InList::isWrong, true},
@@ -397,7 +395,7 @@ constexpr CommandAction kActions[] = {
 }  // namespace
 
 std::span<const CommandAction> structureActions() {
-    return kActions;
+    return kStructureActions;
 }
 
 Scope::Scope(Interpreter& in)

@@ -20,10 +20,6 @@ using glib::Command;
 using glib::CommandId;
 using glib::Value;
 
-Place placeOf(const Interpreter& in, const Value& value) {
-    return in.script->place(value.position);
-}
-
 /// Puts tags into the list of the scope; the last one of a name counts.
 void addTags(Interpreter& in, std::span<const glib::KeyedValues> tags) {
     for (const glib::KeyedValues& each : tags) {
@@ -53,13 +49,13 @@ void doMaterial(Interpreter& in, const Command& command) {
     if (row == nullptr) {
         const std::string hint = base::suggestion(name, materialNames());
         in.report(diagnose("glib-E27", fmt::format("no material '{}'{}", name, hint),
-                           placeOf(in, command.values.front())));
+                           in.place(command.values.front())));
         return;
     }
     addTags(in, row->tags);
 }
 
-constexpr CommandAction kActions[] = {
+constexpr CommandAction kTagActions[] = {
     {CommandId::set, doSet},
     {CommandId::material, doMaterial},
 };
@@ -132,7 +128,7 @@ std::optional<glib::UniformSpec> specOf(Interpreter& in, const glib::KeyedValues
             in.report(diagnose("glib-E27",
                                fmt::format("'{}' is no variable, texture or buffer{}", first.text,
                                            base::suggestion(first.text, views)),
-                               placeOf(in, first)));
+                               in.place(first)));
             return std::nullopt;
         }
     } else if (first.kind == Value::Kind::list) {
@@ -161,7 +157,7 @@ std::optional<glib::UniformSpec> specOf(Interpreter& in, const glib::KeyedValues
 }
 
 /// A number for each different object, for keys of sets.
-std::vector<double> keyOf(const ObjectView& object) {
+std::vector<double> keyOfObject(const ObjectView& object) {
     if (const auto* buffer = std::get_if<BufferView>(&object))
         return {-1, static_cast<double>(buffer->buffer.position()), buffer->isPrevious ? 1.0 : 0};
     const auto& view = std::get<TextureView>(object);
@@ -176,7 +172,7 @@ std::vector<double> keyOf(const ObjectView& object) {
 }  // namespace
 
 std::span<const CommandAction> tagActions() {
-    return kActions;
+    return kTagActions;
 }
 
 UniformSetIndex uniformsOf(Interpreter& in, ProgramIndex program, std::span<const glib::KeyedValues> own) {
@@ -232,7 +228,7 @@ UniformSetIndex uniformsOf(Interpreter& in, ProgramIndex program, std::span<cons
     for (const ObjectBinding& each : set.objects)
         key.emplace_back(
             fmt::format("{}\n{}{}{}", each.tag, each.mayBeUnknown, each.isChosen, each.resembles),
-            keyOf(each.object));
+            keyOfObject(each.object));
     for (const std::string& each : set.lost) key.emplace_back(each + "\nlost", std::vector<double>());
     UniformSetIndex& index = in.uniformSets[std::move(key)];
     if (!index) index = in.scene.uniformSets.add(std::move(set));

@@ -51,11 +51,6 @@ constexpr Form kForms[] = {
     {CommandId::namedCubeMap, TextureTarget::cube, 1, 2, 2},
 };
 
-void refuse(Interpreter& in, const char* id, const Command& command, glib::Position position,
-            const std::string& text) {
-    in.report(diagnose(id, fmt::format("{}: {}", command.word, text), in.script->place(position)));
-}
-
 // ---- Options.
 
 constexpr std::pair<std::string_view, Filter> kFilters[] = {
@@ -75,7 +70,7 @@ constexpr std::pair<std::string_view, Wrap> kWraps[] = {
 };
 
 template <class T, std::size_t N>
-const T* valueOf(const std::pair<std::string_view, T> (&rows)[N], std::string_view word) {
+const T* valueOfWord(const std::pair<std::string_view, T> (&rows)[N], std::string_view word) {
     for (const auto& [name, value] : rows)
         if (name == word) return &value;
     return nullptr;
@@ -117,10 +112,10 @@ std::optional<Options> readOptions(Interpreter& in, const Command& command, std:
         return integerIn(in, key.values.front(), fmt::format("{}: {}", command.word, key.key), 1, most);
     };
     for (const KeyedValues& key : command.keys) {
-        if (const Filter* filter = valueOf(kFilters, key.key)) {
+        if (const Filter* filter = valueOfWord(kFilters, key.key)) {
             options.filter = *filter;
             options.filterPosition = key.position;
-        } else if (const Wrap* wrap = valueOf(kWraps, key.key)) {
+        } else if (const Wrap* wrap = valueOfWord(kWraps, key.key)) {
             if (options.wraps.size() == axes) {
                 refuse(in, "glib-E18", command, key.position,
                        fmt::format("'{}' is one wrap mode too many; write one, or {}", key.key, axes));
@@ -199,7 +194,7 @@ bool isNumeric(const Value& value) {
     return value.kind == Value::Kind::number || value.kind == Value::Kind::expression;
 }
 
-std::optional<EmptySource> emptySource(Interpreter& in, const Command& command, const Form& form) {
+std::optional<EmptySource> emptySourceOfForm(Interpreter& in, const Command& command, const Form& form) {
     const std::span<const Value> all(command.values);
     const std::span<const Value> sizes = all.subspan(1, all.size() - 2);
     const auto format = formatNamed(in, command, all.back());
@@ -352,7 +347,7 @@ void setPictureSize(Interpreter& in, const std::string& name, const Texture& tex
     set(side, side, 6);
 }
 
-void doTexture(Interpreter& in, const Command& command) {
+void doNamedTexture(Interpreter& in, const Command& command) {
     const Form& form = *std::find_if(std::begin(kForms), std::end(kForms),
                                      [&](const Form& f) { return f.id == command.id; });
     const std::string& name = command.values.front().text;
@@ -367,7 +362,7 @@ void doTexture(Interpreter& in, const Command& command) {
     Texture texture;
     const bool isEmpty = isNumeric(command.values[1]);
     if (isEmpty) {
-        const auto source = emptySource(in, command, form);
+        const auto source = emptySourceOfForm(in, command, form);
         if (!source) return;
         texture.source = *source;
         texture.target = form.target;
@@ -411,16 +406,16 @@ void doSampler(Interpreter& in, const Command& command) {
     setObject(in, name, in.scene.samplers.add({name, stateOf(*options, {}), in.place(command)}));
 }
 
-constexpr CommandAction kActions[] = {
-    {CommandId::namedTexture1D, doTexture}, {CommandId::namedTexture2D, doTexture},
-    {CommandId::namedTexture3D, doTexture}, {CommandId::textureArray, doTexture},
-    {CommandId::namedCubeMap, doTexture},   {CommandId::sampler, doSampler},
+constexpr CommandAction kObjectActions[] = {
+    {CommandId::namedTexture1D, doNamedTexture}, {CommandId::namedTexture2D, doNamedTexture},
+    {CommandId::namedTexture3D, doNamedTexture}, {CommandId::textureArray, doNamedTexture},
+    {CommandId::namedCubeMap, doNamedTexture},   {CommandId::sampler, doSampler},
 };
 
 }  // namespace
 
 std::span<const CommandAction> objectActions() {
-    return kActions;
+    return kObjectActions;
 }
 
 }  // namespace glibra::scene

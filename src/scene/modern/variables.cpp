@@ -22,11 +22,7 @@ using glib::Command;
 using glib::CommandId;
 using glib::Value;
 
-constexpr int kMostElements = 65'536;
-
-Place placeOf(const Interpreter& in, const Value& value) {
-    return in.script->place(value.position);
-}
+constexpr int kMostVariableElements = 65'536;
 
 /// The value that the run gives a variable in place of the scene's, if it has as many components.
 const std::vector<double>* chosenValue(Interpreter& in, const std::string& name, std::size_t components) {
@@ -83,7 +79,7 @@ void addVariable(Interpreter& in, Variable variable) {
 void declareControl(Interpreter& in, const Command& command, const std::string& name, const Value& value) {
     Variable made;
     made.name = name;
-    made.place = placeOf(in, value);
+    made.place = in.place(value);
     const auto numbers = numbersOf(in, value.items);
     if (!numbers) return;
     made.written = *numbers;
@@ -105,7 +101,7 @@ void declareControl(Interpreter& in, const Command& command, const std::string& 
         symbol = variable(expression::Type::number());
         if (made.written.size() != 3 || made.written[0] > made.written[2]) {
             in.report(diagnose("glib-E26", fmt::format("'{}' needs <least current largest>", name),
-                               placeOf(in, value)));
+                               in.place(value)));
             return;
         }
     }
@@ -122,11 +118,11 @@ void declareArray(Interpreter& in, const Command& command, const std::string& na
                   const Value& value) {
     const auto wanted = numberOf(in, count);
     if (!wanted) return;
-    if (!(*wanted >= 1 && *wanted <= kMostElements)) {
+    if (!(*wanted >= 1 && *wanted <= kMostVariableElements)) {
         in.report(diagnose("glib-E26",
                            fmt::format("'{}' cannot have {} elements; there are 1 to {}", name,
-                                       std::trunc(*wanted), kMostElements),
-                           placeOf(in, count)));
+                                       std::trunc(*wanted), kMostVariableElements),
+                           in.place(count)));
         return;
     }
     const auto elements = static_cast<std::size_t>(*wanted);
@@ -210,7 +206,7 @@ void declareVariable(Interpreter& in, const Command& command) {
     if (value.kind != Value::Kind::expression) {
         Variable made;
         made.name = name;
-        made.place = placeOf(in, value);
+        made.place = in.place(value);
         made.form = value.kind == Value::Kind::truth ? glib::UniformForm::truth : glib::UniformForm::number;
         made.written.assign(written.all().begin(), written.all().end());
         made.current.assign(result->all().begin(), result->all().end());
@@ -239,14 +235,14 @@ void doFps(Interpreter& in, const Command& command) {
     constexpr double kLeast = 1e-3, kMost = 1e6;
     if (!(*rate >= kLeast && *rate <= kMost)) {
         in.report(diagnose("glib-E26", fmt::format("Fps: {} is not between {} and {}", *rate, kLeast, kMost),
-                           placeOf(in, command.values.front())));
+                           in.place(command.values.front())));
         return;
     }
     in.shared->frameRate = *rate;
     setTime(in);
 }
 
-constexpr CommandAction kActions[] = {
+constexpr CommandAction kVariableActions[] = {
     {CommandId::let, doLet, InList::isPart},
     {CommandId::use, doUse},
     {CommandId::fps, doFps},
@@ -255,7 +251,7 @@ constexpr CommandAction kActions[] = {
 }  // namespace
 
 std::span<const CommandAction> variableActions() {
-    return kActions;
+    return kVariableActions;
 }
 
 std::optional<expression::Value> constantOf(Interpreter& in, std::span<const Value> values) {
@@ -266,7 +262,7 @@ std::optional<expression::Value> constantOf(Interpreter& in, std::span<const Val
     if (numbers->size() > 4) {
         in.report(diagnose(
             "glib-E26", fmt::format("{} numbers are not a value here; write an expression", numbers->size()),
-            placeOf(in, values.front())));
+            in.place(values.front())));
         return std::nullopt;
     }
     value.type = values[0].kind == Value::Kind::truth ? expression::Type::boolean()
@@ -277,9 +273,9 @@ std::optional<expression::Value> constantOf(Interpreter& in, std::span<const Val
 
 std::optional<std::vector<double>> listOf(Interpreter& in, const Value& list) {
     if (list.count.empty()) return numbersOf(in, {&list, 1});
-    const auto count = integerIn(in, list.count.front(), "the number of elements", 1, kMostElements);
+    const auto count = integerIn(in, list.count.front(), "the number of elements", 1, kMostVariableElements);
     if (!count) return std::nullopt;
-    constexpr double kMostComponents = 16.0 * kMostElements;
+    constexpr double kMostComponents = 16.0 * kMostVariableElements;
     return elementsOf(in, list, list.items, *count, kMostComponents);
 }
 
@@ -301,7 +297,7 @@ std::optional<std::vector<double>> elementsOf(Interpreter& in, const Value& owne
                 "glib-E15",
                 fmt::format("{} elements of {} numbers; the limit is {} numbers", glib::groupedText(count),
                             numbers->size(), glib::groupedText(static_cast<long long>(most))),
-                placeOf(in, owner)));
+                in.place(owner)));
             all.reset();
         } else {
             all->insert(all->end(), numbers->begin(), numbers->end());
@@ -316,7 +312,7 @@ std::optional<ProgramIndex> programNamed(Interpreter& in, const Value& name, boo
         return in.scene.programs[program].hasStage(glsl::Stage::compute);
     };
     const auto refuse = [&](std::string text) {
-        in.report(diagnose("glib-E27", std::move(text), placeOf(in, name)));
+        in.report(diagnose("glib-E27", std::move(text), in.place(name)));
         return std::nullopt;
     };
     auto known = in.modern.programs.find(name.text);

@@ -158,7 +158,7 @@ struct Key {
     void (*read)(const Context&, const TomlValue&);
 };
 
-constexpr std::array<Key, 10> kKeys{{
+constexpr std::array<Key, 10> kTemplateKeys{{
     {"script", false, readScript},
     {"except", false, readExceptions},
     {"name", false, readName<&ShotTemplate::name>},
@@ -175,14 +175,14 @@ constexpr std::array<Key, 10> kKeys{{
 }};
 
 const Key* findKey(std::string_view name) {
-    const auto* const found =
-        std::find_if(kKeys.begin(), kKeys.end(), [&](const Key& key) { return key.name == name; });
-    return found == kKeys.end() ? nullptr : found;
+    const auto* const found = std::find_if(kTemplateKeys.begin(), kTemplateKeys.end(),
+                                           [&](const Key& key) { return key.name == name; });
+    return found == kTemplateKeys.end() ? nullptr : found;
 }
 
 std::vector<std::string_view> keys(bool isDefaults) {
     std::vector<std::string_view> names;
-    for (const Key& each : kKeys)
+    for (const Key& each : kTemplateKeys)
         if (each.inDefaults || !isDefaults) names.push_back(each.name);
     for (const OptionRow& each : optionTable())
         if (!each.key.empty()) names.push_back(each.key);

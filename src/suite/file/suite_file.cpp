@@ -31,7 +31,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t kLargestFile = std::uint64_t{16} << 20;
+constexpr std::uint64_t kLargestSuiteFile = std::uint64_t{16} << 20;
 
 /// Makes shots of templates.
 class SuiteBuilder {
@@ -292,7 +292,7 @@ Result<Suite> readSuite(const fs::path& fileOrFolder) {
     if (fs::is_directory(fileOrFolder, failure)) return readFolder(fileOrFolder);
     if (glib::sameWord(fileOrFolder.extension().string(), ".glib"))
         return diagnose("suite-E13", "this is a scene; a suite is a .toml file or a folder of scenes", place);
-    auto bytes = image::readFile(fileOrFolder, {fileOrFolder.string(), place}, kLargestFile);
+    auto bytes = image::readFile(fileOrFolder, {fileOrFolder.string(), place}, kLargestSuiteFile);
     if (!bytes) {
         if (const std::string near = nearestFile(fileOrFolder);
             !near.empty() && !fs::exists(fileOrFolder, failure))

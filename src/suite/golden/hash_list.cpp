@@ -22,7 +22,7 @@ constexpr std::string_view kHeading =
     "# Pixels that were accepted: shot, golden variant, hash of the golden file, hash of the pixels, "
     "driver.\n"
     "# Written by glibra test --update. Lines may be deleted at any time.\n";
-constexpr std::uint64_t kLargestFile = 256ULL << 20;
+constexpr std::uint64_t kLargestHashList = 256ULL << 20;
 
 /// Locks a folder for one process, if the file system has locks, as long as the object lives. The folder
 /// itself is locked, so that no lock file is left among the goldens.
@@ -70,7 +70,7 @@ Result<HashList> HashList::read(const fs::path& file) {
     std::error_code failure;
     if (!fs::exists(file, failure)) return list;
     const Place place{file.string(), 1, 1};
-    const auto bytes = image::readFile(file, {file.string(), place}, kLargestFile);
+    const auto bytes = image::readFile(file, {file.string(), place}, kLargestHashList);
     if (!bytes) {
         for (Diagnostic each : bytes.diagnostics) {
             each.severity = Severity::warning;

@@ -18,12 +18,10 @@
 namespace glibra::suite {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// JSON for a <script> element. Without '<' nothing in it can close or open an element.
-std::string inScript(const Json& json) {
+std::string inScript(const nlohmann::ordered_json& json) {
     std::string text;
-    for (const char each : json.dump(-1, ' ', false, Json::error_handler_t::replace))
+    for (const char each : json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace))
         if (each == '<')
             text += "\\u003c";
         else
@@ -31,8 +29,9 @@ std::string inScript(const Json& json) {
     return text;
 }
 
-Json toJson(const ShotResult& shot, const ShownShot& shown) {
-    Json json = {{"suite", shot.suite}, {"shot", shot.shot}, {"verdict", name(shot.verdict)}};
+nlohmann::ordered_json toJson(const ShotResult& shot, const ShownShot& shown) {
+    nlohmann::ordered_json json = {
+        {"suite", shot.suite}, {"shot", shot.shot}, {"verdict", name(shot.verdict)}};
     const auto add = [&](const char* key, const auto& value) {
         if (!value.empty()) json[key] = value;
     };
@@ -55,10 +54,10 @@ Json toJson(const ShotResult& shot, const ShownShot& shown) {
         json["height"] = shot.height;
     }
     if (shot.milliseconds > 0) json["milliseconds"] = shot.milliseconds;
-    Json list = Json::array();
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const Figure& each : figures(shot)) list.push_back({each.name, each.value, each.limit, each.beyond});
     add("figures", list);
-    Json told = Json::array();
+    nlohmann::ordered_json told = nlohmann::ordered_json::array();
     for (const Diagnostic& each : shot.diagnostics)
         if (!isPlain(shot) || each.severity == Severity::warning)
             told.push_back({name(each.severity), each.id, each.text, each.place.file, each.place.line,
@@ -68,12 +67,12 @@ Json toJson(const ShotResult& shot, const ShownShot& shown) {
 }
 
 std::string toJson(const RunResult& run, std::span<const ShownShot> shown, const ReportFiles& files) {
-    Json json = {{"run", {{"driver", run.driver}}}};
+    nlohmann::ordered_json json = {{"run", {{"driver", run.driver}}}};
     for (const Verdict verdict : kVerdictsByConcern) json["groups"].push_back(name(verdict));
-    json["sources"] = Json::array();
+    json["sources"] = nlohmann::ordered_json::array();
     for (const Source& source : files.sources())
         json["sources"].push_back({{"file", source.file}, {"text", source.text}});
-    json["shots"] = Json::array();
+    json["shots"] = nlohmann::ordered_json::array();
     for (std::size_t i = 0; i < run.shots.size(); ++i)
         json["shots"].push_back(toJson(run.shots[i], shown[i]));
     return inScript(json);

@@ -27,18 +27,18 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostRemarks = 20;
 
-struct Run {
+struct MergedRun {
     fs::path folder;
     RunResult results;
 };
 
 /// A shot and its run.
-struct Source {
+struct ShotSource {
     ShotResult* shot;
-    const Run* run;
+    const MergedRun* run;
 };
 
-std::optional<std::pair<int, int>> shardOf(const std::string& text) {
+std::optional<std::pair<int, int>> shardNumbers(const std::string& text) {
     std::pair<int, int> shard;
     const char* const end = text.data() + text.size();
     const auto [slash, problem] = std::from_chars(text.data(), end, shard.first);
@@ -50,11 +50,11 @@ std::optional<std::pair<int, int>> shardOf(const std::string& text) {
 }
 
 /// result-E03 and result-E04: whether all shards of a run are there, and only those.
-Diagnostics checkShards(const std::vector<Run>& runs) {
+Diagnostics checkShards(const std::vector<MergedRun>& runs) {
     std::map<int, std::set<int>> parts;  // by count
     bool undivided = false;
-    for (const Run& run : runs)
-        if (const auto shard = shardOf(run.results.shard))
+    for (const MergedRun& run : runs)
+        if (const auto shard = shardNumbers(run.results.shard))
             parts[shard->second].insert(shard->first);
         else
             undivided = true;
@@ -87,18 +87,18 @@ Diagnostics checkShards(const std::vector<Run>& runs) {
 
 /// result-E03 for every run with planned shots that have no verdict. A run that was killed falls short unless
 /// runs that reached their end have verdicts on all of its shots.
-Diagnostics checkPlans(const std::vector<Run>& runs) {
+Diagnostics checkPlans(const std::vector<MergedRun>& runs) {
     std::set<ShotKey> judged;
-    for (const Run& run : runs)
+    for (const MergedRun& run : runs)
         for (const ShotResult& shot : run.results.shots)
             if (run.results.complete && shot.verdict != Verdict::skipped)
                 judged.emplace(shot.suite, shot.shot);
     Diagnostics problems;
-    const auto report = [&](const Run& run, const std::string& why) {
+    const auto report = [&](const MergedRun& run, const std::string& why) {
         problems.push_back(
             diagnose("result-E03", fmt::format("results in '{}': {}", run.folder.string(), why)));
     };
-    for (const Run& run : runs) {
+    for (const MergedRun& run : runs) {
         if (!run.results.planned) {
             report(run, "the file does not say which shots were planned; run the suite again");
             continue;
@@ -114,9 +114,9 @@ Diagnostics checkPlans(const std::vector<Run>& runs) {
 }
 
 /// All that the runs planned, each shot once.
-std::vector<PlannedShots> joinedPlans(std::span<const Run> runs) {
+std::vector<PlannedShots> joinedPlans(std::span<const MergedRun> runs) {
     std::map<std::string, std::set<std::string>> bySuite;
-    for (const Run& run : runs)
+    for (const MergedRun& run : runs)
         if (run.results.planned)
             for (const PlannedShots& suite : *run.results.planned)
                 bySuite[suite.suite].insert(suite.shots.begin(), suite.shots.end());
@@ -133,13 +133,13 @@ std::ptrdiff_t weight(Verdict verdict) {
 }
 
 /// Chooses one source per shot; the warnings name those on which runs differ.
-Diagnostics choose(std::vector<Run>& runs, std::map<ShotKey, Source>& chosen) {
+Diagnostics choose(std::vector<MergedRun>& runs, std::map<ShotKey, ShotSource>& chosen) {
     Diagnostics remarks;
-    for (Run& run : runs)
+    for (MergedRun& run : runs)
         for (ShotResult& shot : run.results.shots) {
-            const auto [at, isNew] = chosen.try_emplace({shot.suite, shot.shot}, Source{&shot, &run});
+            const auto [at, isNew] = chosen.try_emplace({shot.suite, shot.shot}, ShotSource{&shot, &run});
             if (isNew) continue;
-            Source& old = at->second;
+            ShotSource& old = at->second;
             const Verdict before = old.shot->verdict;
             const bool takes = weight(shot.verdict) > weight(before);
             if (before != shot.verdict && before != Verdict::skipped && shot.verdict != Verdict::skipped)
@@ -161,7 +161,7 @@ class PictureCopier {
 
     /// Replaces the path by that of the copy. A path that leads out of the folder of the run, or to nothing
     /// in it, stays as it is; what is not a picture loses its path, and the remark says why. Error: file-E10.
-    Diagnostics copy(fs::path& picture, const Run& run) {
+    Diagnostics copy(fs::path& picture, const MergedRun& run) {
         if (picture.empty()) return {};
         const base::Descriptor file = base::openBeneath(run.folder, picture.lexically_normal());
         if (!file && (errno == EINVAL || errno == ENOENT || errno == ENOTDIR)) return {};
@@ -197,9 +197,10 @@ class PictureCopier {
 };
 
 /// The values of a member in all runs, each once.
-std::string joined(std::span<const Run> runs, std::string RunResult::*member, std::string_view between) {
+std::string joined(std::span<const MergedRun> runs, std::string RunResult::*member,
+                   std::string_view between) {
     std::vector<std::string_view> values;
-    for (const Run& run : runs) {
+    for (const MergedRun& run : runs) {
         const std::string& value = run.results.*member;
         if (!value.empty() && std::find(values.begin(), values.end(), value) == values.end())
             values.push_back(value);
@@ -207,12 +208,12 @@ std::string joined(std::span<const Run> runs, std::string RunResult::*member, st
     return fmt::format("{}", fmt::join(values, between));
 }
 
-RunResult header(std::span<const Run> runs) {
+RunResult header(std::span<const MergedRun> runs) {
     RunResult merged;
     merged.driver = joined(runs, &RunResult::driver, "; ");
     merged.machine = joined(runs, &RunResult::machine, "; ");
     merged.command = joined(runs, &RunResult::command, "\n");
-    for (const Run& run : runs) {
+    for (const MergedRun& run : runs) {
         merged.seconds = std::max(merged.seconds, run.results.seconds);
         const std::string& began = run.results.began;
         if (!began.empty() && (merged.began.empty() || began < merged.began)) merged.began = began;
@@ -227,7 +228,7 @@ Result<RunResult> mergeResults(std::span<const fs::path> folders, const fs::path
     const Result<base::Descriptor> lock = lockResults(into);
     if (!lock) return lock.diagnostics;
     Diagnostics remarks;
-    std::vector<Run> runs;
+    std::vector<MergedRun> runs;
     for (const fs::path& folder : folders) {
         Result<RunResult> results = readResults(folder);
         append(remarks, std::move(results.diagnostics));
@@ -241,7 +242,7 @@ Result<RunResult> mergeResults(std::span<const fs::path> folders, const fs::path
     append(remarks, checkShards(runs));
     append(remarks, checkPlans(runs));
     const bool isWhole = !hasError(remarks);
-    std::map<ShotKey, Source> chosen;
+    std::map<ShotKey, ShotSource> chosen;
     append(remarks, choose(runs, chosen));
     RunResult merged = header(runs);
     merged.planned = joinedPlans(runs);

@@ -127,8 +127,7 @@ void ShotRenderer::forget() {
 }
 
 Rendering ShotRenderer::render(const Shot& shot, std::span<const Shot* const> coming) {
-    using Clock = std::chrono::steady_clock;
-    const Clock::time_point start = Clock::now();
+    const auto start = std::chrono::steady_clock::now();
     Rendering rendering;
     const auto fail = [&](const char* id, const char* text) {
         forget();
@@ -144,7 +143,8 @@ Rendering ShotRenderer::render(const Shot& shot, std::span<const Shot* const> co
     } catch (const std::exception& failure) {
         fail("draw-E06", failure.what());
     }
-    rendering.milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    rendering.milliseconds =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     return rendering;
 }
 

@@ -17,7 +17,7 @@ bool isMadeOf(const scene::Texture& texture, scene::FileIndex file) {
            std::find(picture->files.begin(), picture->files.end(), file) != picture->files.end();
 }
 
-bool isSame(const fs::path& a, const fs::path& b) {
+bool isEquivalent(const fs::path& a, const fs::path& b) {
     std::error_code failure;
     return !a.empty() && fs::equivalent(a, b, failure);
 }
@@ -26,11 +26,11 @@ bool isSame(const fs::path& a, const fs::path& b) {
 
 FileUse useOf(const LiveScene& live, const fs::path& file) {
     for (const SourceFile& each : sourceFiles(live))
-        if (isSame(each.path, file)) return {FileUse::Kind::text, {}, {each.path.string(), 1, 1}};
+        if (isEquivalent(each.path, file)) return {FileUse::Kind::text, {}, {each.path.string(), 1, 1}};
     const scene::Scene& scene = live.scene();
     FileUse use;
     for (const scene::FileIndex i : scene.files.indices()) {
-        if (!isSame(scene.files[i].path, file)) continue;
+        if (!isEquivalent(scene.files[i].path, file)) continue;
         use = {FileUse::Kind::data, {}, scene.files[i].place};
         for (const scene::TextureIndex texture : scene.textures.indices())
             if (isMadeOf(scene.textures[texture], i) && live.texture(texture))

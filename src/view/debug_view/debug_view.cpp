@@ -8,25 +8,21 @@
 namespace glibra::view {
 namespace {
 
-using Color = std::array<std::uint8_t, 3>;
+using Rgb = std::array<std::uint8_t, 3>;
 
-constexpr Color kNothing{24, 24, 28};
-constexpr Color kFront{70, 130, 220};
-constexpr Color kBack{235, 120, 40};
-constexpr std::array<Color, 9> kCounts{{{0, 0, 0},
-                                        {20, 30, 110},
-                                        {30, 80, 200},
-                                        {30, 160, 180},
-                                        {50, 180, 60},
-                                        {220, 210, 40},
-                                        {240, 140, 30},
-                                        {220, 40, 30},
-                                        {255, 255, 255}}};
+constexpr Rgb kNothing{24, 24, 28};
+constexpr Rgb kFront{70, 130, 220};
+constexpr Rgb kBack{235, 120, 40};
+constexpr std::array<Rgb, 9> kCounts{{{0, 0, 0},
+                                      {20, 30, 110},
+                                      {30, 80, 200},
+                                      {30, 160, 180},
+                                      {50, 180, 60},
+                                      {220, 210, 40},
+                                      {240, 140, 30},
+                                      {220, 40, 30},
+                                      {255, 255, 255}}};
 constexpr double kFarthestGrey = .12;
-
-std::uint8_t asByte(double value) {
-    return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 1.0) * 255));
-}
 
 bool isSomething(const float* rgba) {
     return rgba[3] > 0;
@@ -36,7 +32,7 @@ double shownNumber(DebugView kind, const float* rgba) {
     return rgba[kind == DebugView::depth ? 1 : 0];
 }
 
-Color colorOfCoordinates(const float* rgba) {
+Rgb colorOfCoordinates(const float* rgba) {
     const auto inside = [](double value) { return value >= 0 && value <= 1; };
     const auto part = [&](double value) { return inside(value) ? value : value - std::floor(value); };
     if (!std::isfinite(rgba[0]) || !std::isfinite(rgba[1])) return {255, 0, 255};
@@ -44,7 +40,7 @@ Color colorOfCoordinates(const float* rgba) {
             asByte(inside(rgba[0]) && inside(rgba[1]) ? 0 : .5)};
 }
 
-Color colorOf(DebugView kind, const float* rgba, const ValueRange& range) {
+Rgb texelColor(DebugView kind, const float* rgba, const ValueRange& range) {
     switch (kind) {
         case DebugView::coordinates:
             return colorOfCoordinates(rgba);
@@ -92,7 +88,7 @@ std::vector<std::uint8_t> colorsOf(DebugView kind, const TexelImage& numbers) {
     std::vector<std::uint8_t> bytes(numbers.rgba.size(), 255);
     for (std::size_t i = 0; i + 3 < bytes.size(); i += 4) {
         const float* texel = numbers.rgba.data() + i;
-        const Color color = isSomething(texel) ? colorOf(kind, texel, range) : kNothing;
+        const Rgb color = isSomething(texel) ? texelColor(kind, texel, range) : kNothing;
         std::copy(color.begin(), color.end(), bytes.begin() + static_cast<std::ptrdiff_t>(i));
     }
     return bytes;

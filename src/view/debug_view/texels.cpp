@@ -22,11 +22,7 @@ TexelImage readBound(int width, int height) {
     return image;
 }
 
-std::uint8_t asByte(double value) {
-    return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 1.0) * 255));
-}
-
-const char* word(scene::TextureTarget target) {
+const char* targetWord(scene::TextureTarget target) {
     switch (target) {
         case scene::TextureTarget::texture1D:
             return "1D";
@@ -151,8 +147,9 @@ std::string textureTitle(const scene::Scene& scene, scene::TextureIndex texture)
     } else {
         what = empty ? "target" : "noise";
     }
-    std::string title = of.name.empty() ? fmt::format("unit {} / {}: {}", of.unit, word(of.target), what)
-                                        : fmt::format("{}: {}, {}", of.name, word(of.target), what);
+    std::string title = of.name.empty()
+                            ? fmt::format("unit {} / {}: {}", of.unit, targetWord(of.target), what)
+                            : fmt::format("{}: {}, {}", of.name, targetWord(of.target), what);
     // Built-in noise textures are not made by a statement, so they have no line.
     if (!std::holds_alternative<scene::NoiseSource>(of.source))
         title += fmt::format(", line {}", of.place.line);

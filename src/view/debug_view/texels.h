@@ -1,6 +1,8 @@
 #pragma once
 // Reads texels of pictures, and turns numbers into bytes that a screen can show.
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -22,6 +24,11 @@ struct TexelImage {
 TexelImage colorTexels(const gpu::Target& picture);
 /// The same as numbers with a name; `isDepth`: its window depth, 0..1, in place of its colours.
 render::Content contentOf(const gpu::Target& picture, bool isDepth);
+
+/// 0..1 as 0..255, rounded; numbers beyond are limited to it.
+inline std::uint8_t asByte(double value) {
+    return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 1.0) * 255));
+}
 
 /// How numbers become bytes: `low` is black and `high` is white; all channels in colour or one channel in
 /// grey. What has one component is grey.

@@ -23,7 +23,7 @@ namespace {
 constexpr std::size_t kMost = 200;
 constexpr int kDefaultVersion = 110;
 
-bool isOfWord(char c) {
+bool isOfName(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
@@ -35,7 +35,7 @@ std::string_view lineWith(std::string_view text, std::size_t byte, std::size_t& 
 
 std::string_view firstWord(std::string_view line) {
     line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
-    const auto* const end = std::find_if_not(line.begin(), line.end(), isOfWord);
+    const auto* const end = std::find_if_not(line.begin(), line.end(), isOfName);
     return line.substr(0, static_cast<std::size_t>(end - line.begin()));
 }
 
@@ -214,8 +214,8 @@ void addGlib(Collector& words, std::string_view text, const TextRange& typed,
 TextRange wordAt(std::string_view text, std::size_t byte) {
     byte = std::min(byte, text.size());
     TextRange word{byte, byte};
-    while (word.begin > 0 && isOfWord(text[word.begin - 1])) --word.begin;
-    while (word.end < text.size() && isOfWord(text[word.end])) ++word.end;
+    while (word.begin > 0 && isOfName(text[word.begin - 1])) --word.begin;
+    while (word.end < text.size() && isOfName(text[word.end])) ++word.end;
     return word;
 }
 

@@ -12,17 +12,17 @@
 namespace glibra::view {
 namespace {
 
-constexpr std::string_view kBlanks = " \t";
+constexpr std::string_view kSpacesAndTabs = " \t";
 
 /// The word after `#what` in a directive; empty if it is another directive.
 std::string_view wordOfDirective(std::string_view line, std::string_view what) {
-    line.remove_prefix(std::min(line.find_first_not_of(kBlanks), line.size()));
+    line.remove_prefix(std::min(line.find_first_not_of(kSpacesAndTabs), line.size()));
     if (!line.starts_with('#')) return {};
     line.remove_prefix(1);
-    line.remove_prefix(std::min(line.find_first_not_of(kBlanks), line.size()));
+    line.remove_prefix(std::min(line.find_first_not_of(kSpacesAndTabs), line.size()));
     if (!line.starts_with(what)) return {};
     line.remove_prefix(what.size());
-    const std::size_t begin = line.find_first_not_of(kBlanks);
+    const std::size_t begin = line.find_first_not_of(kSpacesAndTabs);
     if (begin == 0 || begin == std::string_view::npos) return {};
     line.remove_prefix(begin);
     const auto end = std::find_if(line.begin(), line.end(), [](char c) {
@@ -69,7 +69,7 @@ class Reader {
                 found_.push_back(
                     {std::string(name), "macro", std::string(whole.substr(first)), line, false, false});
             }
-            const std::size_t first = whole.find_first_not_of(kBlanks);
+            const std::size_t first = whole.find_first_not_of(kSpacesAndTabs);
             if (first != std::string_view::npos && whole[first] == '#')
                 std::fill(text_.begin() + static_cast<std::ptrdiff_t>(begin),
                           text_.begin() + static_cast<std::ptrdiff_t>(end), ' ');

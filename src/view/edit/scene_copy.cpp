@@ -20,7 +20,7 @@ fs::path whole(const fs::path& file) {
     return fs::absolute(file, failure).lexically_normal();
 }
 
-bool isSame(const fs::path& a, const fs::path& b) {
+bool isSameFile(const fs::path& a, const fs::path& b) {
     std::error_code failure;
     return a == b || fs::equivalent(a, b, failure);
 }
@@ -34,7 +34,7 @@ fs::path below(const fs::path& file, const fs::path& folder) {
 /// The place of a file beside the copy, if a name in the scene leads to it.
 fs::path placeByName(const scene::Scene& scene, const fs::path& file, const fs::path& folder) {
     for (const scene::FileReference& each : scene.files) {
-        if (each.path.empty() || !isSame(each.path, file)) continue;
+        if (each.path.empty() || !isSameFile(each.path, file)) continue;
         std::string name = each.name;
         std::replace(name.begin(), name.end(), '\\', '/');
         const fs::path path = fs::path(name).lexically_normal();
@@ -54,9 +54,9 @@ fs::path placeByInclude(const std::vector<CopiedFile>& known, const fs::path& fi
 /// True if the copy finds the file by the scene's own name for it.
 bool isFound(const scene::Scene& scene, const fs::path& file, const scene::SearchFolders& folders) {
     return std::any_of(scene.files.begin(), scene.files.end(), [&](const scene::FileReference& each) {
-        if (each.path.empty() || !isSame(each.path, file)) return false;
+        if (each.path.empty() || !isSameFile(each.path, file)) return false;
         scene::FolderListings listings;
-        return isSame(scene::findFile(each.name, each.place, folders, listings).path, file);
+        return isSameFile(scene::findFile(each.name, each.place, folders, listings).path, file);
     });
 }
 
@@ -82,7 +82,7 @@ std::vector<CopiedFile> filesOfCopy(const LiveScene& live, const fs::path& targe
     std::vector<CopiedFile> copied;
     std::vector<fs::path> included;
     for (const fs::path& file : live.files()) {
-        if (isSame(file, scene.path) || (!all && isFound(scene, file, folders))) continue;
+        if (isSameFile(file, scene.path) || (!all && isFound(scene, file, folders))) continue;
         fs::path place = placeByName(scene, file, to);
         if (const fs::path inside = below(file, from); place.empty() && !inside.empty()) place = to / inside;
         if (place.empty())

@@ -7,7 +7,7 @@
 namespace glibra::view {
 namespace {
 
-const char* wordOf(glsl::Stage stage) {
+const char* stageWord(glsl::Stage stage) {
     switch (stage) {
         case glsl::Stage::vertex:
             return "vertex";
@@ -43,7 +43,7 @@ std::vector<SourceFile> sourceFiles(const LiveScene& live) {
             for (const scene::StageFile& each : program.stages) {
                 const std::filesystem::path& path = scene.files[each.file].path;
                 if (each.stage != static_cast<glsl::Stage>(i) || path.empty()) continue;
-                const std::string role = wordOf(each.stage) + std::string(" shader of ");
+                const std::string role = stageWord(each.stage) + std::string(" shader of ");
                 SourceFile* known = find(files, path);
                 if (!known)
                     files.push_back({path, {}, role + program.name});

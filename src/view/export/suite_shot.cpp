@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string contentOf(const fs::path& file) {
+std::string fileText(const fs::path& file) {
     const auto bytes = image::readFile(file, {file.string(), {}});
     return bytes ? std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size()) : std::string();
 }
@@ -34,7 +34,7 @@ std::string shotText(const Session& session, const std::string& name, const fs::
 }
 
 Diagnostics appendShot(const fs::path& suite, const std::string& name, const Session& session) {
-    std::string text = contentOf(suite);
+    std::string text = fileText(suite);
     if (!text.empty()) text += text.ends_with('\n') ? "\n" : "\n\n";
     const fs::path folder = suite.parent_path().empty() ? fs::path(".") : suite.parent_path();
     text += shotText(session, name, folder);
@@ -45,7 +45,7 @@ Diagnostics appendShot(const fs::path& suite, const std::string& name, const Ses
 
 std::string freeShotName(const fs::path& suite, const Session& session) {
     std::string name = suite::nameOfScene(session.path().filename().string());
-    const Result<suite::Suite> read = suite::readSuiteText(contentOf(suite), suite);
+    const Result<suite::Suite> read = suite::readSuiteText(fileText(suite), suite);
     const auto isTaken = [&](const std::string& wanted) {
         return read && std::any_of(read->shots.begin(), read->shots.end(),
                                    [&](const suite::Shot& each) { return each.name == wanted; });

@@ -13,7 +13,7 @@ namespace glibra::view {
 namespace {
 
 /// Empty for variables, which belong to no program.
-std::string nameOf(const scene::Scene& scene, scene::ProgramIndex program) {
+std::string programName(const scene::Scene& scene, scene::ProgramIndex program) {
     return program ? scene.programs[program].name : std::string();
 }
 
@@ -187,7 +187,7 @@ std::vector<plan::PlannedProgramIndex> apply(const scene::Scene& scene, std::spa
 
 void KeptValues::keep(const scene::Scene& scene, std::span<const Knob> knobs) {
     for (const Knob& each : knobs) {
-        const std::tuple key(each.program, nameOf(scene, each.program), each.tag);
+        const std::tuple key(each.program, programName(scene, each.program), each.tag);
         if (each.isChanged())
             values_[key] = {each.form, each.written, each.current};
         else
@@ -197,7 +197,7 @@ void KeptValues::keep(const scene::Scene& scene, std::span<const Knob> knobs) {
 
 void KeptValues::restore(const scene::Scene& scene, std::span<Knob> knobs) const {
     for (Knob& each : knobs) {
-        const auto found = values_.find({each.program, nameOf(scene, each.program), each.tag});
+        const auto found = values_.find({each.program, programName(scene, each.program), each.tag});
         if (found == values_.end()) continue;
         const Kept& kept = found->second;
         if (kept.form == each.form && kept.written == each.written &&

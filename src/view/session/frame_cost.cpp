@@ -31,7 +31,7 @@ double milliseconds(const gpu::Query& timer) {
     return static_cast<double>(timer.result()) / kNanosecondsInMillisecond;
 }
 
-std::string nameOf(const scene::Scene& scene, scene::TextureIndex index) {
+std::string textureName(const scene::Scene& scene, scene::TextureIndex index) {
     const scene::Texture& texture = scene.textures[index];
     return texture.name.empty() ? fmt::format("unit {}", texture.unit) : texture.name;
 }
@@ -40,13 +40,13 @@ std::string targetsOf(const scene::Scene& scene, const scene::Pass& pass) {
     if (pass.isWindow) return "window";
     std::string targets;
     for (std::size_t i = 0; i < pass.targets.size(); ++i) {
-        targets += (targets.empty() ? "" : ", ") + nameOf(scene, pass.targets[i]);
+        targets += (targets.empty() ? "" : ", ") + textureName(scene, pass.targets[i]);
         if (i >= pass.parts.size()) continue;
         if (pass.parts[i].level) targets += fmt::format(" level {}", *pass.parts[i].level);
         if (pass.parts[i].layer) targets += fmt::format(" layer {}", *pass.parts[i].layer);
     }
     if (!pass.depth) return targets;
-    targets += (targets.empty() ? "" : ", ") + nameOf(scene, pass.depth->texture);
+    targets += (targets.empty() ? "" : ", ") + textureName(scene, pass.depth->texture);
     if (pass.depth->layer) targets += fmt::format(" layer {}", *pass.depth->layer);
     return targets;
 }
@@ -63,9 +63,10 @@ NodeCost nodeOf(const scene::Scene& scene, const plan::FramePlan& plan, std::siz
     }
     const scene::ClearObject& clear = plan.clearOf(plan.clears[at.index]);
     const auto* buffer = std::get_if<scene::BufferIndex>(&clear.object);
-    return {"clear of " + (buffer != nullptr ? scene.buffers[*buffer].name
-                                             : nameOf(scene, std::get<scene::TextureIndex>(clear.object))),
-            clear.place.line, 0};
+    return {
+        "clear of " + (buffer != nullptr ? scene.buffers[*buffer].name
+                                         : textureName(scene, std::get<scene::TextureIndex>(clear.object))),
+        clear.place.line, 0};
 }
 
 /// Draws frames with a timer around every draw, and others with a timer around every node: only one timer

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string show(Ui& ui, const FileUse& use, const std::string& name) {
+std::string showUse(Ui& ui, const FileUse& use, const std::string& name) {
     switch (use.kind) {
         case FileUse::Kind::none:
             return {};
@@ -54,7 +54,7 @@ Dropped takeDroppedFile(Tabs& tabs, const fs::path& file) {
         Tab& tab = tabs.at(index);
         if (!tab.session.hasScene()) continue;
         const FileUse use = useOf(tab.session.live(), file);
-        if (use.kind != FileUse::Kind::none) return {false, index, show(tab.ui, use, name)};
+        if (use.kind != FileUse::Kind::none) return {false, index, showUse(tab.ui, use, name)};
     }
     return {false, {}, fmt::format("{} is neither a scene (.glib) nor a file that an open scene uses", name)};
 }

@@ -70,7 +70,7 @@ CodeContext contextOf(const Ui& ui, const EditedFile& file) {
     return context;
 }
 
-void update(CodeAssist& state, const Ui& ui, const EditedFile& file, const CodeView& view) {
+void updateWords(CodeAssist& state, const Ui& ui, const EditedFile& file, const CodeView& view) {
     const auto cursor = static_cast<std::size_t>(view.cursor);
     state.words = completionsAt(file.text(), cursor, contextOf(ui, file));
     state.typed = wordBefore(file.text(), cursor);
@@ -91,7 +91,7 @@ void accept(CodeAssist& state, EditedFile& file, CodeView& view) {
 }
 
 /// One row of the list. Returns true if it was clicked.
-bool row(Ui& ui, const CodeAssist& state, std::size_t index, float wordWidth, float width) {
+bool wordRow(Ui& ui, const CodeAssist& state, std::size_t index, float wordWidth, float width) {
     const Completion& each = state.words[index];
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float height = ImGui::GetTextLineHeight();
@@ -119,7 +119,7 @@ void placeAtCursor(const CodeView& view, float width, float height) {
     ImGui::SetNextWindowSize({width, height});
 }
 
-void list(Ui& ui, CodeAssist& state, EditedFile& file, CodeView& view) {
+void wordList(Ui& ui, CodeAssist& state, EditedFile& file, CodeView& view) {
     ImGui::PushFont(codeFont());
     const std::size_t rows = std::min(kRows, state.words.size());
     const std::size_t first =
@@ -148,7 +148,7 @@ void list(Ui& ui, CodeAssist& state, EditedFile& file, CodeView& view) {
     if (ImGui::Begin("##completion", nullptr, kFlags)) {
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
         for (std::size_t i = first; i < first + rows; ++i)
-            if (row(ui, state, i, wordWidth, inside)) clicked = i;
+            if (wordRow(ui, state, i, wordWidth, inside)) clicked = i;
         ImGui::PopStyleVar();
         if (!what.empty()) {
             ImGui::PushStyleColor(ImGuiCol_Text, packed(palette().dim));
@@ -290,20 +290,20 @@ void assist(Ui& ui, EditedFile& file, CodeView& view, bool isChanged) {
     const bool mayEdit = file.whyReadOnly().empty();
     const bool hasAccepted = std::exchange(state.hasAccepted, false);
     if (std::exchange(state.isAsked, false) && mayEdit) {
-        update(state, ui, file, view);
+        updateWords(state, ui, file, view);
     } else if (isChanged && view.isActive && !hasAccepted) {
         const TextRange typed = wordBefore(file.text(), static_cast<std::size_t>(view.cursor));
         const bool wasTyped = view.cursor > state.cursor || state.isOpen;
         const bool isLong = typed.end - typed.begin >= (state.isOpen ? 1 : kLeastTyped);
         if (isLong && wasTyped)
-            update(state, ui, file, view);
+            updateWords(state, ui, file, view);
         else
             state.isOpen = false;
     } else if (view.cursor != state.cursor) {
         state.isOpen = false;
     }
     state.cursor = view.cursor;
-    if (state.isOpen && state.chosen < state.words.size()) list(ui, state, file, view);
+    if (state.isOpen && state.chosen < state.words.size()) wordList(ui, state, file, view);
     hover(ui, state, file, view, isChanged);
 }
 

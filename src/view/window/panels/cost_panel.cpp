@@ -11,7 +11,7 @@
 namespace glibra::view {
 namespace {
 
-std::string lineOf(int line) {
+std::string lineNote(int line) {
     return line > 0 ? fmt::format(" (line {})", line) : "";
 }
 
@@ -38,24 +38,24 @@ void bars(Ui& ui, const FrameCost& cost) {
     for (const BlockCost& each : cost.blocks) longest = std::max(longest, each.milliseconds);
     for (std::size_t node = 0; node < cost.nodes.size(); ++node) {
         const NodeCost& each = cost.nodes[node];
-        bar(each.milliseconds, longest, each.what + lineOf(each.line));
+        bar(each.milliseconds, longest, each.what + lineNote(each.line));
         mark(ui, "cost/node/{}", node);
         inner([&] {
             for (const DrawCost& draw : cost.draws)
-                if (draw.node == node) bar(draw.milliseconds, longest, draw.word + lineOf(draw.line));
+                if (draw.node == node) bar(draw.milliseconds, longest, draw.word + lineNote(draw.line));
         });
     }
     for (const BlockCost& each : cost.blocks) {
         if (each.runs == 0) {
-            ImGui::TextDisabled("%s%s: no step has run yet", each.what.c_str(), lineOf(each.line).c_str());
+            ImGui::TextDisabled("%s%s: no step has run yet", each.what.c_str(), lineNote(each.line).c_str());
             continue;
         }
-        bar(each.milliseconds, longest, each.what + lineOf(each.line));
+        bar(each.milliseconds, longest, each.what + lineNote(each.line));
         if (ImGui::IsItemHovered())
             ImGui::SetTooltip("One run of the block: mean of the last %d before this picture", each.runs);
         inner([&] {
             for (const NodeCost& node : each.nodes)
-                bar(node.milliseconds, longest, node.what + lineOf(node.line));
+                bar(node.milliseconds, longest, node.what + lineNote(node.line));
         });
     }
 }

@@ -35,7 +35,7 @@ const char* helpOf(DebugView kind) {
     return "Distance from the eye: white is nearest";
 }
 
-void swatch(const std::array<std::uint8_t, 3>& color, const std::string& label) {
+void colorSwatch(const std::array<std::uint8_t, 3>& color, const std::string& label) {
     const float side = ImGui::GetTextLineHeight();
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + side, at.y + side},
@@ -55,7 +55,7 @@ void legend(const Ui& ui) {
         constexpr int kColors = 8;
         for (int count = 1; count <= kColors; ++count) {
             if (count > 1) ImGui::SameLine(0, 8);
-            swatch(colorOfCount(count), std::to_string(count) + (count == kColors ? "+" : ""));
+            colorSwatch(colorOfCount(count), std::to_string(count) + (count == kColors ? "+" : ""));
         }
         ImGui::TextDisabled("maximum %g", range.highest);
     }

@@ -23,7 +23,7 @@ constexpr float kTileWidth = 168;
 constexpr float kTileHeight = kTileWidth * kThumbnailHeight / kThumbnailWidth;
 
 /// Lists the examples on the disk, and starts making the missing pictures.
-void list(Ui& ui) {
+void listExamples(Ui& ui) {
     ExampleBrowser& browser = ui.shared.examples;
     browser.isListed = true;
     browser.maker.reset();
@@ -184,7 +184,7 @@ void exampleWindow(Ui& ui) {
         browser.maker.reset();
         return;
     }
-    if (!browser.isListed) list(ui);
+    if (!browser.isListed) listExamples(ui);
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowSize({std::min(screen.x - 40 * ui.scale, 940 * ui.scale), screen.y * .86F},
                              ImGuiCond_Appearing);

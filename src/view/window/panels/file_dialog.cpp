@@ -16,11 +16,10 @@ namespace glibra::view {
 namespace {
 
 namespace fs = std::filesystem;
-using Kind = FileQuestion::Kind;
 constexpr const char* kId = "###file dialog";
 
-Kind kindOf(const FileDialog& dialog) {
-    return dialog.question ? dialog.question->kind : Kind::open;
+FileQuestion::Kind kindOf(const FileDialog& dialog) {
+    return dialog.question ? dialog.question->kind : FileQuestion::Kind::open;
 }
 
 void setEntry(FileDialog& dialog, const std::string& text) {
@@ -30,9 +29,9 @@ void setEntry(FileDialog& dialog, const std::string& text) {
 /// The proposed name of a file to save stays in every folder.
 void showFolder(FileDialog& dialog, const fs::path& folder) {
     dialog.list = listFolder(folder, dialog.question ? dialog.question->endings : ".glib");
-    if (kindOf(dialog) == Kind::folder)
+    if (kindOf(dialog) == FileQuestion::Kind::folder)
         std::erase_if(dialog.list.entries, [](const FolderEntry& each) { return !each.isFolder; });
-    if (kindOf(dialog) != Kind::save) setEntry(dialog, "");
+    if (kindOf(dialog) != FileQuestion::Kind::save) setEntry(dialog, "");
     dialog.existing.clear();
     dialog.problem.clear();
     dialog.focusEntry = true;
@@ -53,7 +52,7 @@ void answer(Ui& ui, const fs::path& path) {
     FileDialog& dialog = ui.shared.dialog;
     if (!dialog.question) return openAndClose(ui, path);
     std::error_code failure;
-    if (kindOf(dialog) == Kind::save && fs::exists(path, failure) && dialog.existing != path) {
+    if (kindOf(dialog) == FileQuestion::Kind::save && fs::exists(path, failure) && dialog.existing != path) {
         dialog.existing = path.string();
         dialog.problem.clear();
         return;
@@ -71,14 +70,14 @@ void answer(Ui& ui, const fs::path& path) {
 void takeEntry(Ui& ui, bool isEntered) {
     FileDialog& dialog = ui.shared.dialog;
     const std::string text = dialog.entry.data();
-    if (text.empty() && kindOf(dialog) != Kind::folder) return;
+    if (text.empty() && kindOf(dialog) != FileQuestion::Kind::folder) return;
     fs::path path = dialog.list.folder / text;
     if (text == "~" || text.starts_with("~/"))
         path = homeFolder() / text.substr(std::min<std::size_t>(2, text.size()));
     if (text.empty()) path = dialog.list.folder;
     std::error_code failure;
     const bool isFolder = fs::is_directory(path, failure);
-    if (isFolder && (kindOf(dialog) != Kind::folder || (isEntered && !text.empty())))
+    if (isFolder && (kindOf(dialog) != FileQuestion::Kind::folder || (isEntered && !text.empty())))
         return showFolder(dialog, path);
     answer(ui, path.lexically_normal());
 }
@@ -149,10 +148,10 @@ void folderList(Ui& ui) {
 }
 
 /// The buttons right of the entry. Returns true if the user takes the entry.
-bool buttons(Ui& ui) {
+bool dialogButtons(Ui& ui) {
     FileDialog& dialog = ui.shared.dialog;
     ImGui::SameLine();
-    ImGui::BeginDisabled(dialog.entry[0] == 0 && kindOf(dialog) != Kind::folder);
+    ImGui::BeginDisabled(dialog.entry[0] == 0 && kindOf(dialog) != FileQuestion::Kind::folder);
     const char* label = !dialog.existing.empty() ? "Replace" : nullptr;
     if (!label) label = dialog.question ? dialog.question->button.c_str() : "Open";
     bool isTaken = ImGui::Button(label);
@@ -166,7 +165,7 @@ bool buttons(Ui& ui) {
     return isTaken;
 }
 
-void entry(Ui& ui) {
+void pathEntry(Ui& ui) {
     FileDialog& dialog = ui.shared.dialog;
     const ImGuiStyle& style = ImGui::GetStyle();
     const std::string words =
@@ -184,7 +183,7 @@ void entry(Ui& ui) {
         dialog.existing.clear();
         dialog.problem.clear();
     }
-    const bool isPressed = buttons(ui);
+    const bool isPressed = dialogButtons(ui);
     if (isEntered || isPressed) takeEntry(ui, isEntered && !isPressed);
     ImGui::SameLine();
     if (ImGui::Button("Cancel") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) {
@@ -195,7 +194,7 @@ void entry(Ui& ui) {
 }
 
 /// Sets the dialog up for what is wanted.
-void begin(Ui& ui) {
+void beginDialog(Ui& ui) {
     FileDialog& dialog = ui.shared.dialog;
     const fs::path usual = ui.session.hasScene()        ? ui.session.path().parent_path()
                            : ui.settings.recent.empty() ? fs::path(".")
@@ -225,7 +224,7 @@ void hint(Ui& ui) {
 
 void fileDialog(Ui& ui) {
     FileDialog& dialog = ui.shared.dialog;
-    if (std::exchange(dialog.isWanted, false) && !ImGui::IsPopupOpen(kId)) begin(ui);
+    if (std::exchange(dialog.isWanted, false) && !ImGui::IsPopupOpen(kId)) beginDialog(ui);
     if (!ImGui::IsPopupOpen(kId)) {
         dialog.question.reset();
         return;
@@ -250,7 +249,7 @@ void fileDialog(Ui& ui) {
     folderList(ui);
     ImGui::EndChild();
     ImGui::EndGroup();
-    entry(ui);
+    pathEntry(ui);
     ImGui::EndPopup();
 }
 

@@ -23,7 +23,7 @@ CodeView& shownView(Ui& ui) {
 }
 
 /// Scrolls to the current match; selects it if the text has the keyboard focus.
-void show(FindBar& bar, CodeView& view) {
+void showMatch(FindBar& bar, CodeView& view) {
     if (bar.shown >= bar.found.size()) return;
     const TextRange& range = bar.found[bar.shown];
     bar.from = range.begin;
@@ -33,7 +33,7 @@ void show(FindBar& bar, CodeView& view) {
         view.reveal = range.begin;
 }
 
-void step(FindBar& bar, CodeView& view, bool backwards) {
+void stepToMatch(FindBar& bar, CodeView& view, bool backwards) {
     if (bar.found.empty()) return;
     // With the focus in the text the search starts at the cursor, otherwise at the current match.
     const bool isSelected = view.selection.begin != view.selection.end;
@@ -41,7 +41,7 @@ void step(FindBar& bar, CodeView& view, bool backwards) {
     if (view.isActive) at = view.selection.begin;
     const bool standsOnOne = !view.isActive || isSelected;
     bar.shown = backwards ? previousFound(bar.found, at) : nextFound(bar.found, at + (standsOnOne ? 1 : 0));
-    show(bar, view);
+    showMatch(bar, view);
 }
 
 void updateMatches(FindBar& bar, const std::string& text, CodeView& view) {
@@ -52,7 +52,7 @@ void updateMatches(FindBar& bar, const std::string& text, CodeView& view) {
     bar.found = findAll(text, search);
     if (view.isActive) bar.from = view.selection.begin;
     bar.shown = nextFound(bar.found, bar.from);
-    if (isNew) show(bar, view);
+    if (isNew) showMatch(bar, view);
 }
 
 void replaceOne(FindBar& bar, const EditedFile& file, CodeView& view) {
@@ -62,7 +62,7 @@ void replaceOne(FindBar& bar, const EditedFile& file, CodeView& view) {
     bar.from = range.begin + std::string_view(bar.by.data()).size();
     bar.found = findAll(*view.newText, bar.search);
     bar.shown = nextFound(bar.found, bar.from);
-    show(bar, view);
+    showMatch(bar, view);
 }
 
 void replaceAll(Ui& ui, FindBar& bar, EditedFile& file, CodeView& view) {
@@ -84,7 +84,8 @@ bool toggle(Ui& ui, const char* label, bool& on, const char* name, const char* h
 }
 
 /// A text field that keeps the keyboard focus when Enter is pressed. Returns true if it was pressed.
-bool entry(Ui& ui, const char* hint, std::array<char, 256>& text, bool focus, float width, const char* name) {
+bool findEntry(Ui& ui, const char* hint, std::array<char, 256>& text, bool focus, float width,
+               const char* name) {
     ImGui::SetNextItemWidth(width);
     if (focus) ImGui::SetKeyboardFocusHere();
     const std::string label = fmt::format("##{}", name);
@@ -107,7 +108,7 @@ float widthWithout(const Ui& ui, const char* buttons, int count) {
 void findRow(Ui& ui, FindBar& bar, CodeView& view) {
     const float width = widthWithout(ui, "AaW0000 of 0000<>x", 6);
     const bool isEntered =
-        entry(ui, "find", bar.words, std::exchange(bar.focus, false), width, "source/find");
+        findEntry(ui, "find", bar.words, std::exchange(bar.focus, false), width, "source/find");
     toggle(ui, "Aa", bar.matchesCase, "source/find/case", "Match upper and lower case");
     toggle(ui, "W", bar.wholeWords, "source/find/whole", "Match whole words");
     bool forward = isEntered && !ImGui::GetIO().KeyShift;
@@ -120,7 +121,7 @@ void findRow(Ui& ui, FindBar& bar, CodeView& view) {
     mark(ui, "source/find/next");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Next match (F3)");
     ImGui::SameLine();
-    if (forward || backwards) step(bar, view, backwards);
+    if (forward || backwards) stepToMatch(bar, view, backwards);
     if (ImGui::Button("x")) bar.isOpen = false;
     mark(ui, "source/find/close");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Close (Esc)");
@@ -133,7 +134,7 @@ void findRow(Ui& ui, FindBar& bar, CodeView& view) {
 
 void replaceRow(Ui& ui, FindBar& bar, EditedFile& file, CodeView& view) {
     const bool isEntered =
-        entry(ui, "replace with", bar.by, false, widthWithout(ui, "ReplaceAll", 2), "source/find/by");
+        findEntry(ui, "replace with", bar.by, false, widthWithout(ui, "ReplaceAll", 2), "source/find/by");
     ImGui::BeginDisabled(bar.found.empty() || !file.whyReadOnly().empty());
     const bool isPressed = ImGui::Button("Replace");
     mark(ui, "source/find/replace");
@@ -206,7 +207,7 @@ void findAgain(Ui& ui, bool backwards) {
     bar.isOpen = true;
     bar.search = {bar.words.data(), bar.matchesCase, bar.wholeWords};
     bar.found = findAll(file->text(), bar.search);
-    step(bar, view, backwards);
+    stepToMatch(bar, view, backwards);
 }
 
 bool closeFind(Ui& ui) {

@@ -75,7 +75,7 @@ Hardcopy wanted(const Ui& ui) {
 }
 
 /// Puts the path of a free name into the entry: the name alone if it is in the folder of hardcopies.
-void propose(Ui& ui, const fs::path& file) {
+void proposeFile(Ui& ui, const fs::path& file) {
     HardcopyEntries& entries = ui.hardcopy;
     const bool isHere = file.parent_path() == folderOf(ui);
     entries.proposed = isHere ? file.filename().string() : file.string();
@@ -92,10 +92,10 @@ void proposeIfNeeded(Ui& ui) {
         entries.stem = ui.session.path().stem().string();
         Hardcopy first = wanted(ui);
         first.file = folderOf(ui) / (entries.stem + ending.string());
-        return propose(ui, freeName(first));
+        return proposeFile(ui, freeName(first));
     }
     if (entries.proposed != entries.file.data() || entries.job) return;
-    if (const Hardcopy next = wanted(ui); replacesFile(next)) propose(ui, freeName(next));
+    if (const Hardcopy next = wanted(ui); replacesFile(next)) proposeFile(ui, freeName(next));
 }
 
 void end(Ui& ui, const Diagnostics& problems, const std::string& message) {
@@ -108,10 +108,10 @@ void end(Ui& ui, const Diagnostics& problems, const std::string& message) {
     entries.job.reset();
     ui.notice = {entries.message, entries.failed};
     if (entries.proposed != entries.file.data()) entries.stem = fs::path(entries.file.data()).stem().string();
-    propose(ui, freeName(wanted(ui)));
+    proposeFile(ui, freeName(wanted(ui)));
 }
 
-void begin(Ui& ui, const Hardcopy& hardcopy) {
+void beginHardcopy(Ui& ui, const Hardcopy& hardcopy) {
     HardcopyEntries& entries = ui.hardcopy;
     entries.last.clear();
     ui.notice = {};
@@ -160,7 +160,7 @@ void setEnding(Ui& ui, const char* ending) {
             static_cast<int>(std::lround(kSeconds * static_cast<double>(entries.framesPerSecond)));
     if (wasFilm && !isFilm) entries.frames = 1;
     next.frames = entries.frames;
-    propose(ui, freeName(next));
+    proposeFile(ui, freeName(next));
 }
 
 void fileEntry(Ui& ui) {
@@ -285,11 +285,11 @@ void replaceDialog(Ui& ui) {
     ImGui::Spacing();
     bool isDone = ImGui::Button("Replace");
     mark(ui, "hardcopy/replace");
-    if (isDone) begin(ui, next);
+    if (isDone) beginHardcopy(ui, next);
     ImGui::SameLine();
     if (ImGui::Button(("Write " + other.filename().string()).c_str())) {
-        propose(ui, other);
-        begin(ui, wanted(ui));
+        proposeFile(ui, other);
+        beginHardcopy(ui, wanted(ui));
         isDone = true;
     }
     mark(ui, "hardcopy/other");
@@ -317,8 +317,8 @@ void writeHardcopy(Ui& ui) {
     if (!ui.session.hasScene() || ui.hardcopy.job) return;
     if (ui.hardcopy.file[0] == 0) ui.hardcopy.scene.clear();
     proposeIfNeeded(ui);
-    propose(ui, freeName(wanted(ui)));
-    begin(ui, wanted(ui));
+    proposeFile(ui, freeName(wanted(ui)));
+    beginHardcopy(ui, wanted(ui));
 }
 
 void continueHardcopy(Ui& ui) {
@@ -350,7 +350,7 @@ void hardcopyPanel(Ui& ui) {
     ImGui::BeginDisabled(entries.file[0] == 0);
     if (ImGui::Button("Write")) {
         entries.asks = replacesFile(next);
-        if (!entries.asks) begin(ui, next);
+        if (!entries.asks) beginHardcopy(ui, next);
     }
     ImGui::EndDisabled();
     mark(ui, "hardcopy/write");

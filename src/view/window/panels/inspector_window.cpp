@@ -233,7 +233,7 @@ void settings(Ui& ui) {
     ImGui::PopItemWidth();
 }
 
-std::string textOf(const render::Content& content, std::size_t column, std::size_t row) {
+std::string texelText(const render::Content& content, std::size_t column, std::size_t row) {
     std::string text = fmt::format("{}, {}:", column, row);
     for (const double each : content.at(row * static_cast<std::size_t>(content.width) + column)) {
         // Integers up to 2^32 with all their digits.
@@ -310,7 +310,7 @@ void image(Ui& ui) {
         const int x = std::clamp(static_cast<int>((mouse.x - at.x) / inspector.zoom), 0, content.width - 1);
         const int y = std::clamp(static_cast<int>((mouse.y - at.y) / inspector.zoom), 0, content.height - 1);
         inspector.hovered =
-            textOf(content, static_cast<std::size_t>(x), static_cast<std::size_t>(content.height - 1 - y));
+            texelText(content, static_cast<std::size_t>(x), static_cast<std::size_t>(content.height - 1 - y));
         ImGui::SetTooltip("%s", inspector.hovered.c_str());
     }
     panImage();

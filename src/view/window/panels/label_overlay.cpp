@@ -15,7 +15,7 @@ namespace glibra::view {
 namespace {
 
 /// Draws the block into a texture, unless the texture has it already.
-void update(Ui& ui, const render::LabelBlock& block) {
+void updateTexture(Ui& ui, const render::LabelBlock& block) {
     LabelOverlay& overlay = ui.labels;
     if (overlay.texture && overlay.scale == block.scale && overlay.lines == block.lines) return;
     image::Image picture{block.width, block.height, 4, image::Component::u8, {}};
@@ -39,7 +39,7 @@ void labelOverlay(Ui& ui) {
     const render::LabelBlock block = render::labelBlock(ui.session.width(), ui.session.height(),
                                                         ui.session.live().labels(), ui.settings.labelCorner);
     if (block.lines.empty()) return;
-    update(ui, block);
+    updateTexture(ui, block);
     if (!ui.labels.texture) return;
     // The picture is blitted pixel by pixel; so is the block.
     const float pixels = ImGui::GetIO().DisplayFramebufferScale.x;  // per unit of the screen

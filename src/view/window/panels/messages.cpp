@@ -30,7 +30,7 @@ std::ptrdiff_t countOf(const Ui& ui, Severity severity) {
 }
 
 /// The line that the message is about, as it was compiled.
-std::string lineOfText(const Ui& ui, const Place& place) {
+std::string compiledLine(const Ui& ui, const Place& place) {
     const auto edited = ui.session.texts().find(place.file);
     if (edited == ui.session.texts().end()) return sourceLine(place);
     std::size_t begin = 0;
@@ -45,7 +45,7 @@ std::string lineOfText(const Ui& ui, const Place& place) {
 }
 
 void sourceExcerpt(const Ui& ui, const Place& place) {
-    const std::string line = lineOfText(ui, place);
+    const std::string line = compiledLine(ui, place);
     if (line.empty()) return;
     ImGui::PushFont(codeFont());
     const Excerpt shown = excerpt(line, place.column, roomForCode());

@@ -15,7 +15,6 @@ namespace {
 
 constexpr float kReachPixels = 9;     ///< how near the mouse must be to grab something
 constexpr double kTangentCells = .3;  ///< from a point to either end of its gradient line
-constexpr double kSteepest = 8;       ///< limit of dragged gradients, height per cell
 
 /// The graph's position on the screen, and its coordinates.
 struct Frame {
@@ -86,7 +85,7 @@ void dragTo(NoiseWindow& window, const Frame& frame, const ImVec2& mouse, const 
     }
 }
 
-void draw(const NoiseWindow& window, const Frame& frame, ImDrawList& list) {
+void drawGraph(const NoiseWindow& window, const Frame& frame, ImDrawList& list) {
     const noise::GraphOptions& options = frame.options;
     list.AddRectFilled(frame.at, {frame.at.x + frame.size.x, frame.at.y + frame.size.y},
                        IM_COL32(250, 250, 250, 255));
@@ -130,7 +129,7 @@ void noiseGraph(Ui& ui, float width, float height) {
         dragTo(window, frame, io.MousePos, io.MouseDelta);
     }
     if (!ImGui::IsItemActive()) window.drag = NoiseWindow::Drag::none;
-    draw(window, frame, *ImGui::GetWindowDrawList());
+    drawGraph(window, frame, *ImGui::GetWindowDrawList());
 }
 
 }  // namespace glibra::view

@@ -20,7 +20,7 @@ constexpr int kPictureSide = 160;  ///< pixels of the picture in the window
 constexpr float kPanelWidth = 300;
 
 template <std::size_t N, class Enumerator>
-void choice(Ui& ui, const char* label, const std::array<const char*, N>& words, Enumerator& value) {
+void noiseMenu(Ui& ui, const char* label, const std::array<const char*, N>& words, Enumerator& value) {
     if (!ImGui::BeginCombo(label, words.at(static_cast<std::size_t>(value)))) {
         markField(ui, fmt::format("noise/{}", label), label);
         return;
@@ -44,10 +44,10 @@ bool countSlider(Ui& ui, const char* label, int least, int most, int& count) {
 
 void functionControls(Ui& ui) {
     noise::GraphOptions& options = ui.shared.noise.noise.options;
-    choice(ui, "Lattice", noise::kLatticeWords, options.lattice);
-    choice(ui, "Smoothness", noise::kSmoothnessWords, options.smoothness);
+    noiseMenu(ui, "Lattice", noise::kLatticeWords, options.lattice);
+    noiseMenu(ui, "Smoothness", noise::kSmoothnessWords, options.smoothness);
     ImGui::BeginDisabled(options.lattice != noise::Lattice::value);
-    choice(ui, "Gradients", noise::kSlopesWords, options.slopes);
+    noiseMenu(ui, "Gradients", noise::kSlopesWords, options.slopes);
     ImGui::EndDisabled();
     constexpr int kMostShownPoints = 64;
     countSlider(ui, "Octaves", 1, noise::kMostGraphOctaves, options.octaves);
@@ -79,7 +79,6 @@ void pointControls(Ui& ui) {
     pointSlider(ui, "Height", point.height, 1, options.heights);
     ImGui::EndDisabled();
     ImGui::BeginDisabled(options.lattice == noise::Lattice::value);
-    constexpr double kSteepest = 8;
     pointSlider(ui, "Gradient", point.gradient, kSteepest, options.gradients);
     ImGui::EndDisabled();
     ImGui::BeginDisabled(options.smoothness == noise::Smoothness::cubic);
@@ -101,7 +100,7 @@ void pointControls(Ui& ui) {
     mark(ui, "noise/ResetAll");
 }
 
-void write(NoiseWindow& window, int dimensions) {
+void writeNoiseFile(NoiseWindow& window, int dimensions) {
     window.noise.options.dimensions = dimensions;
     window.noise.width = std::clamp(window.noise.width, 1, 16384);
     window.noise.height = std::clamp(window.noise.height, 1, 16384);
@@ -126,12 +125,12 @@ void fileControls(Ui& ui) {
         window.noise.height = std::clamp(size[1], 1, 16384);
     }
     markField(ui, "noise/Size", "Size");
-    if (ImGui::Button("Write graph")) write(window, 1);
+    if (ImGui::Button("Write graph")) writeNoiseFile(window, 1);
     mark(ui, "noise/WriteGraph");
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("The file name ends in .png, .svg, or .tex for a raw one-dimensional texture");
     ImGui::SameLine();
-    if (ImGui::Button("Write picture")) write(window, 2);
+    if (ImGui::Button("Write picture")) writeNoiseFile(window, 2);
     mark(ui, "noise/WritePicture");
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("The file name ends in .png, or .tex for a raw two-dimensional texture");
@@ -192,7 +191,7 @@ void noiseWindow(Ui& ui) {
         ImGui::Separator();
         pointControls(ui);
         ImGui::Separator();
-        choice(ui, "Colours", noise::kColorWords, ui.shared.noise.noise.colors);
+        noiseMenu(ui, "Colours", noise::kColorWords, ui.shared.noise.noise.colors);
         fileControls(ui);
         ImGui::PopItemWidth();
         ImGui::EndChild();

@@ -10,6 +10,8 @@
 
 namespace glibra::view {
 
+inline constexpr double kSteepest = 8;  ///< limit of gradients set by hand, height per cell
+
 struct NoiseWindow {
     bool isOpen = false;
     noise::NoiseFile noise;

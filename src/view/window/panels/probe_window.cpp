@@ -13,7 +13,7 @@
 namespace glibra::view {
 namespace {
 
-std::string textOf(const ProbedPixel& pixel) {
+std::string pixelText(const ProbedPixel& pixel) {
     std::string text =
         fmt::format("pixel {}, {}: line {} {}\n", pixel.x, pixel.y, pixel.draw.line, pixel.word);
     const auto add = [&](const char* title, const std::vector<ProbedValue>& values) {
@@ -27,7 +27,7 @@ std::string textOf(const ProbedPixel& pixel) {
     return text;
 }
 
-void swatch(const ProbedValue& value) {
+void valueSwatch(const ProbedValue& value) {
     const float side = ImGui::GetTextLineHeight();
     const auto part = [&](std::size_t i) {
         return static_cast<float>(std::clamp(value.numbers[i], 0.0, 1.0));
@@ -60,7 +60,7 @@ void table(Ui& ui, const char* title, const std::vector<ProbedValue>& values, bo
         ImGui::TextDisabled("%s", each.type.c_str());
         mark(ui, "probe/type/{}", each.name);
         ImGui::TableNextColumn();
-        if (areColors && each.numbers.size() >= 3 && each.numbers.size() <= 4) swatch(each);
+        if (areColors && each.numbers.size() >= 3 && each.numbers.size() <= 4) valueSwatch(each);
         if (each.numbers.empty())
             ImGui::TextDisabled("%s", each.why.c_str());
         else
@@ -93,7 +93,7 @@ void place(const Ui& ui) {
     ImGui::SetNextWindowPos(screen, ImGuiCond_Appearing, {1, 1});
 }
 
-void content(Ui& ui) {
+void probeContent(Ui& ui) {
     const ProbedPixel& pixel = *ui.probe.pixel;
     if (!pixel.isDrawn) {
         ImGui::Text("pixel %d, %d: nothing is drawn here", pixel.x, pixel.y);
@@ -113,7 +113,7 @@ void content(Ui& ui) {
         mark(ui, "probe/show");
     }
     ImGui::SameLine();
-    if (ImGui::SmallButton("Copy")) ImGui::SetClipboardText(textOf(pixel).c_str());
+    if (ImGui::SmallButton("Copy")) ImGui::SetClipboardText(pixelText(pixel).c_str());
     mark(ui, "probe/copy");
     ImGui::BeginChild("values");
     table(ui, "Outputs", pixel.outputs, true);
@@ -155,7 +155,7 @@ void probeWindow(Ui& ui) {
         const ImVec2 size = ImGui::GetWindowSize();
         if (ui.shared.marksWidgets) ui.widgets["probeWindow"] = {at.x, at.y, size.x, size.y};
         if (ui.probe.pixel)
-            content(ui);
+            probeContent(ui);
         else
             ImGui::TextWrapped("Click a pixel of the picture.");
     }

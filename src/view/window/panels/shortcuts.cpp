@@ -35,7 +35,7 @@ void changeClock(Ui& ui, const Change& change) {
     ui.session.setClock(clock);
 }
 
-void step(Ui& ui, int frames) {
+void stepFrames(Ui& ui, int frames) {
     changeClock(ui, [&](Clock& clock) { clock.step(frames); });
 }
 
@@ -130,18 +130,18 @@ void nextProjection(Ui& ui) {
 }
 
 /// A row that begins a group of the list of keys.
-constexpr Shortcut group(const char* name) {
+constexpr Shortcut groupRow(const char* name) {
     return {0, false, "", name, nullptr};
 }
 
 const auto kShortcuts = std::to_array<Shortcut>({
-    group("Time"),
+    groupRow("Time"),
     {GLFW_KEY_SPACE, false, "Space", "play or pause",
      [](Ui& ui) { changeClock(ui, [](Clock& clock) { clock.play(!clock.isPlaying()); }); }},
-    {GLFW_KEY_PERIOD, false, ".", "next frame", [](Ui& ui) { step(ui, 1); }},
-    {GLFW_KEY_COMMA, false, ",", "previous frame", [](Ui& ui) { step(ui, -1); }},
+    {GLFW_KEY_PERIOD, false, ".", "next frame", [](Ui& ui) { stepFrames(ui, 1); }},
+    {GLFW_KEY_COMMA, false, ",", "previous frame", [](Ui& ui) { stepFrames(ui, -1); }},
     {GLFW_KEY_B, false, "B", "pause, and go to the next step", [](Ui& ui) { ui.session.nextStep(); }},
-    group("View"),
+    groupRow("View"),
     {GLFW_KEY_1, false, "1", "the mouse moves the scene", [](Ui& ui) { ui.mode = TransformMode::scene; }},
     {GLFW_KEY_2, false, "2", "the mouse moves the eye", [](Ui& ui) { ui.mode = TransformMode::eye; }},
     {GLFW_KEY_3, false, "3", "the mouse moves the picked object",
@@ -156,14 +156,14 @@ const auto kShortcuts = std::to_array<Shortcut>({
     {GLFW_KEY_A, false, "A", "show axes", [](Ui& ui) { ui.session.setAxes(!ui.session.axes()); }},
     {GLFW_KEY_W, false, "W", "show wireframe",
      [](Ui& ui) { ui.session.setWireframe(!ui.session.wireframe()); }},
-    group("Values"),
+    groupRow("Values"),
     {GLFW_KEY_R, true, "Ctrl+R", "reset all values", [](Ui& ui) { ui.session.resetValues(); }},
     {GLFW_KEY_L, false, "L", "show values over the picture", [](Ui& ui) { ui.showLabels = !ui.showLabels; }},
     {GLFW_KEY_H, false, "H", "write a hardcopy, to the next free name", writeHardcopy},
     {GLFW_KEY_Z, true, "Ctrl+Z", "undo a change of values or view, or an edit of the source",
      [](Ui& ui) { undo(ui, ImGui::GetIO().KeyShift); }, true},
     {GLFW_KEY_Y, true, "Ctrl+Y", "redo", [](Ui& ui) { undo(ui, true); }, true},
-    group("Look into the pipeline"),
+    groupRow("Look into the pipeline"),
     {GLFW_KEY_V, false, "V", "show normals, facing, overdraw, depth ... in place of the picture",
      showNextDebugView},
     {GLFW_KEY_I, false, "I", "show textures, targets and buffers",
@@ -173,7 +173,7 @@ const auto kShortcuts = std::to_array<Shortcut>({
     {GLFW_KEY_D, false, "D", "probe: click a pixel to see its inputs, outputs and uniforms", toggleProbe},
     {GLFW_KEY_N, false, "N", "show noise functions",
      [](Ui& ui) { ui.shared.noise.isOpen = !ui.shared.noise.isOpen; }},
-    group("Source"),
+    groupRow("Source"),
     {GLFW_KEY_E, false, "E", "show the source: the scene and its shaders",
      [](Ui& ui) { ui.settings.showSource = !ui.settings.showSource; }},
     {GLFW_KEY_E, true, "Ctrl+E", "the same, also while editing text",
@@ -188,7 +188,7 @@ const auto kShortcuts = std::to_array<Shortcut>({
     {GLFW_KEY_F3, false, "F3, Shift+F3", "next match, previous match",
      [](Ui& ui) { findAgain(ui, ImGui::GetIO().KeyShift); }, true},
     {GLFW_KEY_G, true, "Ctrl+G", "go to a line of the source", askLine, true},
-    group("Scenes and tabs"),
+    groupRow("Scenes and tabs"),
     {GLFW_KEY_O, true, "Ctrl+O", "open a scene", [](Ui& ui) { openDialog(ui, false); }, true},
     {GLFW_KEY_T, true, "Ctrl+T", "open a scene in a new tab", [](Ui& ui) { openDialog(ui, true); }, true},
     {GLFW_KEY_X, false, "X", "example scenes",
@@ -198,7 +198,7 @@ const auto kShortcuts = std::to_array<Shortcut>({
      true},
     {GLFW_KEY_PAGE_DOWN, true, "Ctrl+PgDn", "next tab", [](Ui& ui) { goToTab(ui, 1); }, true},
     {GLFW_KEY_PAGE_UP, true, "Ctrl+PgUp", "previous tab", [](Ui& ui) { goToTab(ui, -1); }, true},
-    group("Window"),
+    groupRow("Window"),
     {GLFW_KEY_B, true, "Ctrl+B", "show or hide the panel", [](Ui& ui) { ui.showPanel = !ui.showPanel; },
      true},
     {GLFW_KEY_EQUAL, true, "Ctrl+=", "larger texts and widgets", [](Ui& ui) { zoom(ui, 1.1F); }, true},
@@ -233,7 +233,7 @@ constexpr auto kMouse = std::to_array<std::pair<const char*, const char*>>({
 namespace {
 
 /// The key as Key statements name it; empty if they cannot.
-std::string nameOf(int key) {
+std::string keyName(int key) {
     if (key >= GLFW_KEY_A && key <= GLFW_KEY_Z) return {static_cast<char>('a' + key - GLFW_KEY_A)};
     if (key >= GLFW_KEY_0 && key <= GLFW_KEY_9) return {static_cast<char>('0' + key - GLFW_KEY_0)};
     constexpr std::pair<int, const char*> kNames[] = {{GLFW_KEY_SPACE, "space"}, {GLFW_KEY_ENTER, "enter"},
@@ -252,7 +252,7 @@ const std::vector<scene::KeyBinding>& sceneKeys(const Ui& ui) {
 /// The scene uses the key of this shortcut, which then needs Shift.
 bool isTaken(const Ui& ui, const Shortcut& shortcut) {
     if (shortcut.control || shortcut.whileTyping) return false;
-    const std::string name = nameOf(shortcut.key);
+    const std::string name = keyName(shortcut.key);
     return std::any_of(sceneKeys(ui).begin(), sceneKeys(ui).end(),
                        [&](const scene::KeyBinding& each) { return glib::sameWord(each.key, name); });
 }
@@ -270,7 +270,7 @@ void shortcuts(Ui& ui) {
     const bool isTyping = ImGui::GetIO().WantTextInput;
     for (const Display::KeyPress& press : pressed) {
         const bool isPlain = !isTyping && !press.control && !press.shift;
-        const std::string name = isPlain ? nameOf(press.key) : std::string();
+        const std::string name = isPlain ? keyName(press.key) : std::string();
         if (!name.empty() && ui.session.pressKey(name)) continue;
         for (const Shortcut& each : kShortcuts)
             if (each.control == press.control && each.key == press.key && (each.whileTyping || !isTyping))
@@ -289,7 +289,7 @@ void keysPanel(Ui& ui) {
         ImGui::SameLine();
         ImGui::TextUnformatted(effectOf(keys[i]).c_str());
         for (const Shortcut& each : kShortcuts)
-            if (isTaken(ui, each) && glib::sameWord(nameOf(each.key), keys[i].key)) {
+            if (isTaken(ui, each) && glib::sameWord(keyName(each.key), keys[i].key)) {
                 ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
                 ImGui::TextWrapped("Shift+%s: %s", each.keys, each.what);
                 ImGui::PopStyleColor();

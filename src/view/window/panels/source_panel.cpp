@@ -90,7 +90,7 @@ void takeGoTo(Ui& ui) {
     ui.notice = {place->file + " is not a file of this scene", true};
 }
 
-bool hasError(const Ui& ui, const std::filesystem::path& file) {
+bool fileHasError(const Ui& ui, const std::filesystem::path& file) {
     return std::any_of(ui.session.diagnostics().begin(), ui.session.diagnostics().end(),
                        [&](const Diagnostic& each) {
                            return each.severity == Severity::error && isSame(each.place.file, file);
@@ -103,7 +103,7 @@ void fileTabs(Ui& ui) {
     for (const SourceFile& each : panel.files) {
         const auto known = ui.shared.sources.find(each.path);
         const bool isChanged = known != ui.shared.sources.end() && known->second.isChanged();
-        const bool isWrong = hasError(ui, each.path);
+        const bool isWrong = fileHasError(ui, each.path);
         ImGuiTabItemFlags flags = isChanged ? ImGuiTabItemFlags_UnsavedDocument : 0;
         if (panel.follow && each.path == panel.chosen) flags |= ImGuiTabItemFlags_SetSelected;
         if (isWrong) ImGui::PushStyleColor(ImGuiCol_Text, asVector(palette().error));
@@ -135,7 +135,7 @@ void conflict(Ui& ui, EditedFile& file, CodeView& view) {
     mark(ui, "source/takeDisk");
 }
 
-void buttons(Ui& ui, EditedFile& file, CodeView& view) {
+void sourceButtons(Ui& ui, EditedFile& file, CodeView& view) {
     if (isExample(ui.session.path())) {
         if (ImGui::Button("Save a copy...")) saveSceneAs(ui);
         mark(ui, "source/copy");
@@ -186,11 +186,11 @@ void buttons(Ui& ui, EditedFile& file, CodeView& view) {
     ImGui::PopStyleColor();
 }
 
-void content(Ui& ui) {
+void sourceContent(Ui& ui) {
     SourcePanel& panel = ui.source;
     EditedFile& file = edited(ui, panel.chosen);
     CodeView& view = panel.views[panel.chosen];
-    buttons(ui, file, view);
+    sourceButtons(ui, file, view);
     conflict(ui, file, view);
     findBar(ui, file, view);
     std::vector<CodeMark> marks;
@@ -340,7 +340,7 @@ void sourcePanel(Ui& ui, Rectangle& free) {
                          ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollbar |
                          ImGuiWindowFlags_NoScrollWithMouse)) {
         fileTabs(ui);
-        content(ui);
+        sourceContent(ui);
         // Moving the keyboard focus to the text scrolls this window too.
         ImGui::SetScrollX(0);
         ImGui::SetScrollY(0);

@@ -20,7 +20,7 @@ void put(std::array<char, size>& field, std::string_view text) {
 }
 
 /// Proposes a suite in the scene's folder, and a name that the suite does not have yet.
-void propose(Ui& ui) {
+void proposeShot(Ui& ui) {
     SuiteEntries& entries = ui.suite;
     if (entries.scene == ui.session.path()) return;
     entries.scene = ui.session.path();
@@ -29,7 +29,7 @@ void propose(Ui& ui) {
     put(entries.name, freeShotName(entries.file.data(), ui.session));
 }
 
-void append(Ui& ui) {
+void addShot(Ui& ui) {
     SuiteEntries& entries = ui.suite;
     const std::filesystem::path file = entries.file.data();
     const std::string name = entries.name.data();
@@ -49,7 +49,7 @@ void append(Ui& ui) {
 void suitePanel(Ui& ui) {
     if (!section(ui, "Suite shot", "suite", false)) return;
     SuiteEntries& entries = ui.suite;
-    propose(ui);
+    proposeShot(ui);
     ImGui::PushItemWidth(-ImGui::CalcTextSize("Suite ").x);
     ImGui::InputTextWithHint("Suite", "pictures.toml", entries.file.data(), entries.file.size());
     markField(ui, "suite/file", "Suite");
@@ -60,7 +60,7 @@ void suitePanel(Ui& ui) {
     markField(ui, "suite/name", "Shot");
     ImGui::PopItemWidth();
     ImGui::BeginDisabled(entries.file[0] == 0 || entries.name[0] == 0);
-    if (ImGui::Button("Add shot")) append(ui);
+    if (ImGui::Button("Add shot")) addShot(ui);
     ImGui::EndDisabled();
     mark(ui, "suite/add");
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))

@@ -5,7 +5,7 @@
 namespace glibra::view {
 namespace {
 
-const Color& colorOf(SyntaxKind kind) {
+const Color& kindColor(SyntaxKind kind) {
     const Palette& p = palette();
     switch (kind) {
         case SyntaxKind::keyword:
@@ -29,7 +29,7 @@ const Color& colorOf(SyntaxKind kind) {
 }  // namespace
 
 ImU32 syntaxColor(SyntaxKind kind) {
-    return packed(colorOf(kind));
+    return packed(kindColor(kind));
 }
 
 ImU32 tintColor(CodeTint tint) {

@@ -28,13 +28,13 @@ struct Part {
 };
 
 /// The widget's name for `--state` and Ui::typing.
-std::string nameOf(const Knob& knob, std::size_t component) {
+std::string widgetName(const Knob& knob, std::size_t component) {
     std::string name = "uniform/" + knob.title + "/" + knob.tag;
     return knob.current.size() == 1 ? name : fmt::format("{}/{}", name, component);
 }
 
 void markPart(Ui& ui, const Part& part) {
-    if (ui.shared.marksWidgets) mark(ui, nameOf(ui.session.knobs()[part.index], part.component));
+    if (ui.shared.marksWidgets) mark(ui, widgetName(ui.session.knobs()[part.index], part.component));
 }
 
 void setPart(Ui& ui, const Part& part, double value) {
@@ -44,7 +44,7 @@ void setPart(Ui& ui, const Part& part, double value) {
 }
 
 /// A text field in place of the slider, for any value, also beyond the range.
-void entry(Ui& ui, const Part& part) {
+void valueEntry(Ui& ui, const Part& part) {
     double value = ui.session.knobs()[part.index].current[part.component];
     const bool isTyped = sliderEntry(ui, "##slider", value);
     markPart(ui, part);
@@ -57,7 +57,7 @@ int shownInteger(double value) {
 }
 
 /// A menu of the words of a choice.
-void choice(Ui& ui, const Part& part) {
+void wordMenu(Ui& ui, const Part& part) {
     const Knob& knob = ui.session.knobs()[part.index];
     int word = shownInteger(knob.current[part.component]);
     std::string items;  // ended by zero bytes
@@ -71,11 +71,11 @@ void choice(Ui& ui, const Part& part) {
 bool slider(Ui& ui, const Part& part) {
     const Knob& knob = ui.session.knobs()[part.index];
     if (!knob.words.empty()) {
-        choice(ui, part);
+        wordMenu(ui, part);
         return false;
     }
-    if (!ui.typing.empty() && ui.typing == nameOf(knob, part.component)) {
-        entry(ui, part);
+    if (!ui.typing.empty() && ui.typing == widgetName(knob, part.component)) {
+        valueEntry(ui, part);
         return false;
     }
     double value = knob.current[part.component];
@@ -85,7 +85,7 @@ bool slider(Ui& ui, const Part& part) {
     if (use.isActivated && !isSecondClick) ui.valuesBeforeClick = knob.current;
     if (use.isActivated || use.isChanged) ui.session.animate(part.index, false);
     if (use.isTyped) {
-        ui.typing = nameOf(knob, part.component);
+        ui.typing = widgetName(knob, part.component);
         ui.typingBegins = true;
         // The first click of the two has moved the slider.
         if (isSecondClick) ui.session.setValue(part.index, ui.valuesBeforeClick);
@@ -192,7 +192,7 @@ void contextMenu(Ui& ui, std::size_t index) {
 }
 
 /// The buttons after the value: animate, and back to the scene's value.
-void buttons(Ui& ui, std::size_t index) {
+void knobButtons(Ui& ui, std::size_t index) {
     const Knob& knob = ui.session.knobs()[index];
     const float side = ImGui::GetFrameHeight();
     if (canMove(knob)) {
@@ -212,7 +212,7 @@ void buttons(Ui& ui, std::size_t index) {
     if (isPressed) ui.session.resetValue(index);
 }
 
-void row(Ui& ui, std::size_t index) {
+void knobRow(Ui& ui, std::size_t index) {
     const Knob& knob = ui.session.knobs()[index];
     ImGui::PushID(static_cast<int>(index));
     ImGui::TableNextRow();
@@ -240,7 +240,7 @@ void row(Ui& ui, std::size_t index) {
     if (wantsMenu) ImGui::OpenPopup("menu");
     contextMenu(ui, index);
     ImGui::TableNextColumn();
-    buttons(ui, index);
+    knobButtons(ui, index);
     ImGui::PopID();
 }
 
@@ -257,7 +257,7 @@ void valuesOf(Ui& ui, scene::ProgramIndex program) {
     ImGui::TableSetupColumn("buttons", ImGuiTableColumnFlags_WidthFixed,
                             2 * ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x);
     for (std::size_t i = 0; i < knobs.size(); ++i)
-        if (knobs[i].program == program) row(ui, i);
+        if (knobs[i].program == program) knobRow(ui, i);
     ImGui::EndTable();
     if (ImGui::Button(program ? "Copy Program line" : "Copy Let lines"))
         ImGui::SetClipboardText(programLine(ui.session.live().scene(), program, knobs).c_str());

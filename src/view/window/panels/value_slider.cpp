@@ -23,7 +23,7 @@ constexpr double kFine = .1;
 using Text = std::array<char, 48>;
 
 /// "0.25", with four digits; integers with all of theirs.
-const char* write(Text& text, double value, const SliderScale& scale, const char* unit) {
+const char* writeValue(Text& text, double value, const SliderScale& scale, const char* unit) {
     const auto end = scale.isInteger
                          ? fmt::format_to_n(text.data(), text.size() - 1, "{:.0f}{}", value, unit).out
                          : fmt::format_to_n(text.data(), text.size() - 1, "{:.4g}{}", value + 0.0, unit).out;
@@ -49,7 +49,7 @@ struct Track {
 };
 
 /// Follows the mouse. A click on the thumb moves nothing, a click beside it brings the thumb to the mouse.
-void drag(Ui& ui, const Track& track, const SliderScale& scale, bool begins, double& value) {
+void dragThumb(Ui& ui, const Track& track, const SliderScale& scale, bool begins, double& value) {
     const ImGuiIO& io = ImGui::GetIO();
     SliderDrag& drag = ui.sliderDrag;
     if (begins) {
@@ -78,7 +78,7 @@ void drawTexts(const Track& track, const SliderScale& scale, double value, doubl
     const ImGuiStyle& style = ImGui::GetStyle();
     const float gap = style.ItemInnerSpacing.x;
     Text text;
-    write(text, value, scale, unit);
+    writeValue(text, value, scale, unit);
     const ImVec2 size = ImGui::CalcTextSize(text.data());
     const float thumbLeft = track.centreAt(position) - track.thumb / 2;
     const float thumbRight = thumbLeft + track.thumb;
@@ -92,7 +92,7 @@ void drawTexts(const Track& track, const SliderScale& scale, double value, doubl
     const float smallSize = small->FontSize * ImGui::GetIO().FontGlobalScale;
     const auto end = [&](double bound, bool isHigh) {
         Text boundText;
-        write(boundText, bound, scale, "");
+        writeValue(boundText, bound, scale, "");
         const ImVec2 boundSize = small->CalcTextSizeA(smallSize, 1e9F, 0, boundText.data());
         const float x = isHigh ? track.high.x - gap - boundSize.x : track.low.x + gap;
         const auto touches = [&](float from, float to) {
@@ -108,8 +108,8 @@ void drawTexts(const Track& track, const SliderScale& scale, double value, doubl
     list.AddText({left, top}, ImGui::GetColorU32(ImGuiCol_Text), text.data());
 }
 
-void draw(const Ui& ui, const Track& track, const SliderScale& scale, double value, const char* unit,
-          bool isFocused) {
+void drawTrack(const Ui& ui, const Track& track, const SliderScale& scale, double value, const char* unit,
+               bool isFocused) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImGuiStyle& style = ImGui::GetStyle();
     const int background = ImGui::IsItemActive()    ? ImGuiCol_FrameBgActive
@@ -161,14 +161,14 @@ SliderUse valueSlider(Ui& ui, const char* id, const SliderScale& scale, double& 
     }
     const bool isFocused = ui.focusedSlider == itemId;
     if (ImGui::IsItemActive() && !use.isTyped) {
-        drag(ui, track, scale, use.isActivated, value);
+        dragThumb(ui, track, scale, use.isActivated, value);
     } else if (isFocused) {
         if (std::exchange(ui.revealsSlider, false) && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
         takeKeys(ui, scale, value);
         use.isTyped = use.isTyped || std::exchange(ui.sliderIsTyped, false);
     }
     use.isChanged = value != before;
-    draw(ui, track, scale, value, unit, isFocused);
+    drawTrack(ui, track, scale, value, unit, isFocused);
     return use;
 }
 

@@ -11,7 +11,7 @@
 namespace glibra::view {
 namespace {
 
-std::string textOf(const Session& session) {
+std::string verboseText(const Session& session) {
     std::string text;
     for (const Diagnostic& each : session.diagnostics())
         if (each.id == "glib-N02") text += std::to_string(each.place.line) + ": " + each.text + "\n";
@@ -28,7 +28,7 @@ void verboseWindow(Ui& ui) {
     if (!ui.shared.isVerbose) return;
     placeFloating(ui, 30, 60, 620, 420);
     if (ImGui::Begin("Verbose", &ui.shared.isVerbose, ImGuiWindowFlags_NoCollapse)) {
-        const std::string text = ui.session.hasScene() ? textOf(ui.session) : std::string();
+        const std::string text = ui.session.hasScene() ? verboseText(ui.session) : std::string();
         if (ImGui::Button("Copy")) ImGui::SetClipboardText(text.c_str());
         mark(ui, "verbose/copy");
         ImGui::BeginChild("text", {0, 0}, true, ImGuiWindowFlags_HorizontalScrollbar);

@@ -36,7 +36,7 @@ void modes(Ui& ui) {
     }
 }
 
-bool drag(Ui& ui, const char* label, double* values, int count, float speed) {
+bool dragNumbers(Ui& ui, const char* label, double* values, int count, float speed) {
     const bool changed =
         ImGui::DragScalarN(label, ImGuiDataType_Double, values, count, speed, nullptr, nullptr, "%.4g");
     if (changed && ImGui::IsMouseDown(ImGuiMouseButton_Left))
@@ -55,9 +55,9 @@ void numbers(Ui& ui) {
         ImGui::Text("%s, line %d", picked->word.c_str(), picked->draw.line);
     }
     Similarity now = similarityOf(render::asMatrix(ui.session.transform(ui.mode)));
-    bool changed = drag(ui, "Translate", &now.translation.x, 3, .01F);
-    changed = drag(ui, "Rotate", &now.degrees.x, 3, .5F) || changed;
-    changed = drag(ui, "Scale", &now.scale, 1, .01F) || changed;
+    bool changed = dragNumbers(ui, "Translate", &now.translation.x, 3, .01F);
+    changed = dragNumbers(ui, "Rotate", &now.degrees.x, 3, .5F) || changed;
+    changed = dragNumbers(ui, "Scale", &now.scale, 1, .01F) || changed;
     if (changed && now.scale > 0) ui.session.setTransform(ui.mode, render::asNumbers(matrixOf(now)));
     if (ImGui::Button("Reset this")) ui.session.setTransform(ui.mode, kIdentity);
     mark(ui, "transform/resetThis");

@@ -8,7 +8,7 @@
 namespace glibra::view {
 namespace {
 
-using Kind = Display::InputEvent::Kind;
+using EventKind = Display::InputEvent::Kind;
 
 bool isModifier(int key) {
     return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER;
@@ -22,20 +22,20 @@ bool isPrinted(int key) {
 
 void InputQueue::add(std::span<const Display::InputEvent> events) {
     for (const Display::InputEvent& each : events)
-        if (each.kind != Kind::key || (each.code > 0 && each.code < static_cast<int>(kKeys)))
+        if (each.kind != EventKind::key || (each.code > 0 && each.code < static_cast<int>(kKeys)))
             waiting_.push_back(each);
 }
 
 void InputQueue::takeMouse(const Display::InputEvent& event, Frame& frame) {
     switch (event.kind) {
-        case Kind::move:
+        case EventKind::move:
             mouse_ = event.at;
             if (buttons_ != 0) frame.way.push_back(event.at);
             return;
-        case Kind::leave:
+        case EventKind::leave:
             if (buttons_ == 0) mouse_.reset();  // a drag goes on outside
             return;
-        case Kind::wheel:
+        case EventKind::wheel:
             frame.wheel += event.at.y;
             return;
         default:
@@ -50,9 +50,9 @@ InputQueue::Frame InputQueue::next() {
     bool isFull = false, hasKeys = false, hasButton = false;
     for (; !waiting_.empty() && !isFull; waiting_.pop_front()) {
         const Display::InputEvent event = waiting_.front();
-        const bool isKey = event.kind == Kind::key || event.kind == Kind::character;
+        const bool isKey = event.kind == EventKind::key || event.kind == EventKind::character;
         if (!isKey) {
-            const bool isButton = event.kind == Kind::button;
+            const bool isButton = event.kind == EventKind::button;
             if (hasButton || (isButton && (hasKeys || !frame.way.empty()))) break;
             hasButton = isButton;
             takeMouse(event, frame);
@@ -60,7 +60,7 @@ InputQueue::Frame InputQueue::next() {
         }
         if (hasButton || !frame.way.empty()) break;
         hasKeys = true;
-        if (event.kind == Kind::character) {
+        if (event.kind == EventKind::character) {
             frame.characters.push_back(static_cast<unsigned>(event.code));
             continue;
         }
