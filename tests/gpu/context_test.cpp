@@ -5,11 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
-#include <thread>
-
 #include <cstdlib>
 #include <filesystem>
 #include <map>
+#include <thread>
 
 #include "fixture.h"
 #include "gpu/object/vertex_array.h"
