@@ -45,9 +45,9 @@ class FramePlanner {
         for (const scene::BufferIndex each : scene_.buffers.indices())
             if (needs.buffers.size() > each.position() && needs.buffers[each]) plan_.buffers.push_back(each);
         listAttributes();
-        if (options_.reportsOverrides) {
+        if (options_.reportsNames) {
             const FramePlan* own = &plan_;
-            for (const Diagnostic& each : reportOverrides(scene_, {&own, 1}, options_.overrides))
+            for (const Diagnostic& each : reportNames(scene_, {&own, 1}, options_.overrides))
                 report(each);
         }
         if (scene_.isModern) {

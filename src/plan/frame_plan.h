@@ -182,9 +182,8 @@ struct PlanOptions {
     std::function<int()> loopLimit{};
     /// Objects of a modern scene whose content is wanted besides the window.
     std::vector<scene::ObjectView> roots{};
-    bool everything = false;  ///< for `glibra check` and --no-skip: skips nothing
-    bool reportsOverrides =
-        true;                   ///< false: one of several lists; reportOverrides() is called with all plans
+    bool everything = false;    ///< for `glibra check` and --no-skip: skips nothing
+    bool reportsNames = true;   ///< false: one of several lists; reportNames() is called with all plans
     bool shareMeshes = true;    ///< false: one mesh per draw
     bool shareTargets = false;  ///< textures may share memory; only `roots` keep their content
     /// Returns in words why nothing of the draw is visible; empty if it may be visible or has effects besides
@@ -206,8 +205,9 @@ FramePlan planFrame(const scene::Scene& scene, const scene::NodeList& nodes, con
 /// glib-W23 for `--set` names that no program of the plans has, and glib-W24 for those that are declared but
 /// not active. `plans` are those of the scene's frame and of its Once and Step blocks, made with the same
 /// overrides. For a program that none of them asked for, or that did not link, only the pairs are known, so a
-/// name among them is accepted.
-Diagnostics reportOverrides(const scene::Scene& scene, std::span<const FramePlan* const> plans,
-                            std::span<const Override> overrides);
+/// name among them is accepted. Also glib-W23 for names of Set that look misspelt: no program has them, one
+/// has a name that is near, and all programs of the scene are known.
+Diagnostics reportNames(const scene::Scene& scene, std::span<const FramePlan* const> plans,
+                        std::span<const Override> overrides);
 
 }  // namespace glibra::plan

@@ -3,10 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 
 #include "plan/loop_rounds.h"
-#include "plan/overrides.h"
 #include "plan/uniform_names.h"
 
 namespace glibra::plan {
@@ -131,59 +129,6 @@ std::vector<ObjectUse> PlannedPrograms::usesOf(const scene::Dispatch& dispatch) 
     if (const scene::ObjectView* size = sizeObjectOf(dispatch))  // its content is not read
         uses.push_back({*size, false, false});
     return uses;
-}
-
-namespace {
-
-/// True if a program declares the uniform without using it. Drivers differ in which unused uniforms they
-/// keep.
-bool isDeclaredUnused(const scene::Scene& scene, const FramePlan& plan, const Override& override) {
-    return std::any_of(plan.programs.begin(), plan.programs.end(), [&](const PlannedProgram& program) {
-        const scene::ProgramIndex own = program.variant.program;
-        return own && isFor(override, scene.programs[own]) &&
-               program.interface->facts.uniforms.contains(std::string(rootName(override.name)));
-    });
-}
-
-}  // namespace
-
-Diagnostics reportOverrides(const scene::Scene& scene, std::span<const FramePlan* const> plans,
-                            std::span<const Override> overrides) {
-    if (overrides.empty()) return {};
-    std::vector<bool> used(overrides.size());
-    std::vector<std::string> names;
-    for (const scene::Variable& each : scene.variables) names.push_back(each.name);
-    std::set<scene::ProgramIndex> known;
-    for (const FramePlan* plan : plans) {
-        for (std::size_t i = 0; i < used.size(); ++i)
-            if (plan->usedOverrides.at(i)) used[i] = true;
-        for (const PlannedProgram& program : plan->programs) {
-            if (program.interface->usable) known.insert(program.variant.program);
-            for (const ActiveUniform& uniform : program.interface->uniforms)
-                if (!isInternalName(uniform.name) && suppliedBy(uniform) == nullptr)
-                    names.push_back(uniform.name);
-        }
-    }
-    for (const scene::ProgramIndex i : scene.programs.indices()) {
-        if (known.contains(i)) continue;
-        for (const glib::UniformSpec& spec : scene.programs[i].uniforms)
-            for (std::size_t each = 0; each < overrides.size(); ++each)
-                if (overrides[each].name == spec.tag) used[each] = true;
-    }
-    Diagnostics diagnostics;
-    for (std::size_t i = 0; i < overrides.size(); ++i) {
-        const auto declares = [&](const FramePlan* plan) {
-            return isDeclaredUnused(scene, *plan, overrides[i]);
-        };
-        if (used[i] || !overrides[i].word.empty() || std::none_of(plans.begin(), plans.end(), declares))
-            continue;
-        used[i] = true;
-        diagnostics.push_back(diagnose(
-            "glib-W24", fmt::format("uniform '{}' is declared but unused, so setting it has no effect",
-                                    overrides[i].name)));
-    }
-    append(diagnostics, unusedOverrides(overrides, used, names));
-    return diagnostics;
 }
 
 }  // namespace glibra::plan

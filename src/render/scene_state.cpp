@@ -99,7 +99,7 @@ Diagnostics SceneRenderer::State::preparePlan(Stats& stats, bool everything) {
     planOptions.loopLimit = [this] { return gpu::measureLoopLimit(context); };
     planOptions.everything = everything || !options.skip;
     planOptions.shareMeshes = options.skip;
-    planOptions.reportsOverrides = scene.once.empty() && scene.steps.empty();
+    planOptions.reportsNames = scene.once.empty() && scene.steps.empty();
     planOptions.shareTargets = options.skip && !options.checkNan;  // the search looks into every target
     Diagnostics diagnostics;
     // A picture of another moment would need other counts.
@@ -176,7 +176,7 @@ Diagnostics SceneRenderer::State::planSimulation(const plan::PlanOptions& planOp
     Diagnostics diagnostics = simulation->plan(plan, changesWithTime, planOptions.roots);
     std::vector<const plan::FramePlan*> all = simulation->plans();
     all.push_back(&plan);
-    append(diagnostics, reportOverrides(scene, all, planOptions.overrides));
+    append(diagnostics, reportNames(scene, all, planOptions.overrides));
     explainSimulation(stats);
     return diagnostics;
 }

@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <glm/mat4x4.hpp>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -45,6 +46,7 @@ struct Scene : Declarations {
     /// The values of variables at the end of the script: uniforms of the same name that nothing else sets
     /// read them.
     std::vector<glib::UniformSpec> namedValues;
+    std::map<std::string, Place, std::less<>> setNames;  ///< tags of Set, and where each stands first
     bool usesLookAt = false;
     glm::dmat4 view{1.0};  ///< viewing matrix of the last LookAt
     std::vector<Variable> variables;

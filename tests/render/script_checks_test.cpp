@@ -79,6 +79,42 @@ TEST(ScriptChecks, AConditionThatFailsShowsBothSides) {
               std::string::npos);
 }
 
+TEST(ScriptChecks, EqualContentsMayDifferWithinATolerance) {
+    const auto found = [](const std::string& check) {
+        return problemsOf("Buffer a float [1 2 3]\nBuffer b float [1 2.25 3]\nExpect " + check + "\n");
+    };
+    EXPECT_EQ(found("same a b within .25"), "");
+    EXPECT_EQ(found("different a b within .2"), "");
+    EXPECT_NE(found("same a b within .2")
+                  .find("expected the same content within 0.2, found 1 differing value, by up to 0.25"),
+              std::string::npos)
+        << found("same a b within .2");
+    EXPECT_NE(
+        found("different a b within .25").find("expected different content, found the same within 0.25"),
+        std::string::npos);
+}
+
+TEST(ScriptChecks, AMisspeltSetIsReported) {
+    const auto found = [](const std::string& set, const std::string& after = "FullScreen\n") {
+        return problemsOf(
+            "WindowSize 8 8\nFragment inline\n#version 430\nuniform vec4 uColor, uLight1; out vec4 c;\n"
+            "layout(std430) buffer Sums { float sums[]; };\nvoid main() { c = uColor + uLight1; sums[0] = "
+            "1.; }\n"
+            "EndFragment\nBuffer sums float 1\nProgram P uColor {1 0 0} uLight1 {0 0 0 0}\n" +
+            set + "\n" + after);
+    };
+    const std::string expected =
+        "warning: no program of the scene has a uniform 'uClor'; did you mean 'uColor'?";
+    EXPECT_NE(found("Set uClor {1 0 0 1}").find(expected), std::string::npos) << found("Set uClor {1 0 0 1}");
+    EXPECT_NE(found("Set uClor {1 0 0 1}", "Once\nClear sums\nEndOnce\nFullScreen\n").find(expected),
+              std::string::npos);
+    EXPECT_EQ(found("Set uColor {1 0 0 1}"), "");
+    EXPECT_EQ(found("Set uLight2 {1 0 0 1}"), "") << "it may be of a row that this scene does not need whole";
+    EXPECT_EQ(found("Set uOther 5"), "") << "a Set is for all programs, and none of them need have it";
+    EXPECT_EQ(found("Set Sums sums"), "");
+    EXPECT_EQ(found("Set uClor {1 0 0 1}", "Program Q\nUse P\nFullScreen\n"), "") << "Q may have it";
+}
+
 TEST(ScriptChecks, OutputsFitTheirTargets) {
     const auto drawn = [](const std::string& output, const std::string& format,
                           const std::string& state = {}) {

@@ -144,6 +144,7 @@ constexpr Specimen kSpecimens[] = {
     {"Expect buffer counts at 2 [1 2] at 1", "Box\n"},
     {"Expect range points 0 1", "Box\n"},
     {"Expect same albedo second", "Box\n"},
+    {"Expect same albedo second within .1 at 2", "Box\n"},
     {"Expect different albedo second", "Box\n"},
     {"Expect finite points", "Box\n"},
     {"Expect primitives 12", "Box\n"},

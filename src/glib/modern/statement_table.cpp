@@ -37,6 +37,7 @@ constexpr Fragment kFragments[] = {
     {"blending",
      "(source:$factor destination:$factor [equation:$equation] [alpha source:$factor destination:$factor "
      "[equation:$equation]] | mode:off,alpha,add,multiply,premultiplied)"},
+    {"within", "{within tolerance:number}"},
     {"tolerance", "{within tolerance:number | of target:object}"},
 };
 
@@ -294,13 +295,12 @@ constexpr StatementRow kStatementRows[] = {
     // Checks
     {.id = CommandId::expect,
      .name = "Expect",
-     .syntax =
-         "(pixel place:number*2 color:components $tolerance | mean area:number*4 color:components "
-         "$tolerance | count color:components number:number $tolerance | buffer name:object (at "
-         "index:number values:list | values:list) {within tolerance:number} | range name:object "
-         "bounds:number*2 | same a:object b:object | different a:object b:object | finite name:object | "
-         "primitives count:number | samples count:number | error id:word | condition:expression) [at "
-         "seconds:number]",
+     .syntax = "(pixel place:number*2 color:components $tolerance | mean area:number*4 color:components "
+               "$tolerance | count color:components number:number $tolerance | buffer name:object (at "
+               "index:number values:list | values:list) $within | range name:object bounds:number*2 | "
+               "same a:object b:object $within | different a:object b:object $within | finite name:object | "
+               "primitives count:number | samples count:number | error id:word | condition:expression) [at "
+               "seconds:number]",
      .summary = "a check of the picture, a buffer, a count or a condition"},
 };
 

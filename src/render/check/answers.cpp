@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "glib/text.h"
+
 namespace glibra::render {
 namespace {
 
@@ -207,9 +209,11 @@ class Answerer {
             largest = std::max(largest, std::abs(a - b));
         }
         if (wantsSame == (differing == 0)) return std::nullopt;
-        return wantsSame ? wrong("the same content",
-                                 fmt::format("{} values that differ, by up to {:.9g}", differing, largest))
-                         : wrong("different content", "the same");
+        const std::string within =
+            check_.tolerance > 0 ? fmt::format(" within {:.9g}", check_.tolerance) : std::string();
+        return wantsSame ? wrong("the same content" + within,
+                                 fmt::format("{}, by up to {:.9g}", glib::counted(differing, "differing value"), largest))
+                         : wrong("different content", "the same" + within);
     }
 
     [[nodiscard]] Answer number(const char* what, std::uint64_t found) const {

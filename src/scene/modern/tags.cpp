@@ -35,6 +35,8 @@ void addTags(Interpreter& in, std::span<const glib::KeyedValues> tags) {
 
 void doSet(Interpreter& in, const Command& command) {
     addTags(in, command.tags);
+    for (const glib::KeyedValues& each : command.tags)
+        in.scene.setNames.try_emplace(each.key, in.script->place(each.position));
 }
 
 void doMaterial(Interpreter& in, const Command& command) {
