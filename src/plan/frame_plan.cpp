@@ -47,8 +47,7 @@ class FramePlanner {
         listAttributes();
         if (options_.reportsNames) {
             const FramePlan* own = &plan_;
-            for (const Diagnostic& each : reportNames(scene_, {&own, 1}, options_.overrides))
-                report(each);
+            for (const Diagnostic& each : reportNames(scene_, {&own, 1}, options_.overrides)) report(each);
         }
         if (scene_.isModern) {
             plan_.exchanges = exchangesOf(scene_, plan_);

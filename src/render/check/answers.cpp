@@ -212,7 +212,8 @@ class Answerer {
         const std::string within =
             check_.tolerance > 0 ? fmt::format(" within {:.9g}", check_.tolerance) : std::string();
         return wantsSame ? wrong("the same content" + within,
-                                 fmt::format("{}, by up to {:.9g}", glib::counted(differing, "differing value"), largest))
+                                 fmt::format("{}, by up to {:.9g}",
+                                             glib::counted(differing, "differing value"), largest))
                          : wrong("different content", "the same" + within);
     }
 
