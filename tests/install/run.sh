@@ -5,6 +5,7 @@ source=$1
 build=$2
 place=$(mktemp -d)
 trap 'rm -rf "$place"' EXIT
+export CMAKE_GENERATOR=Ninja  # a bare machine has no make
 fail() { echo "$*"; cat "$place/log"; exit 1; }
 
 # A project's scene and its suite; the first pictures become the goldens.
