@@ -22,22 +22,29 @@ bool isDeclaredUnused(const scene::Scene& scene, const FramePlan& plan, const Ov
     });
 }
 
+/// The programs of the scene that linked in one of the plans.
+std::set<scene::ProgramIndex> knownPrograms(std::span<const FramePlan* const> plans) {
+    std::set<scene::ProgramIndex> known;
+    for (const FramePlan* plan : plans)
+        for (const PlannedProgram& program : plan->programs)
+            if (program.interface->usable) known.insert(program.variant.program);
+    return known;
+}
+
 Diagnostics reportOverrides(const scene::Scene& scene, std::span<const FramePlan* const> plans,
                             std::span<const Override> overrides) {
     std::vector<bool> used(overrides.size());
     std::vector<std::string> names;
     for (const scene::Variable& each : scene.variables) names.push_back(each.name);
-    std::set<scene::ProgramIndex> known;
     for (const FramePlan* plan : plans) {
         for (std::size_t i = 0; i < used.size(); ++i)
             if (plan->usedOverrides.at(i)) used[i] = true;
-        for (const PlannedProgram& program : plan->programs) {
-            if (program.interface->usable) known.insert(program.variant.program);
+        for (const PlannedProgram& program : plan->programs)
             for (const ActiveUniform& uniform : program.interface->uniforms)
                 if (!isInternalName(uniform.name) && suppliedBy(uniform) == nullptr)
                     names.push_back(uniform.name);
-        }
     }
+    const std::set<scene::ProgramIndex> known = knownPrograms(plans);
     for (const scene::ProgramIndex i : scene.programs.indices()) {
         if (known.contains(i)) continue;
         for (const glib::UniformSpec& spec : scene.programs[i].uniforms)
@@ -60,66 +67,56 @@ Diagnostics reportOverrides(const scene::Scene& scene, std::span<const FramePlan
     return diagnostics;
 }
 
-/// True for the name of a block, of its instance, of a member, or of an atomic counter.
-bool namesMemory(const glsl::MemoryFacts& memory, const std::string& name) {
-    return memory.counters.contains(name) ||
-           std::any_of(memory.blocks.begin(), memory.blocks.end(), [&](const glsl::MemoryBlock& each) {
-               return each.name == name || each.instance == name ||
-                      std::any_of(each.members.begin(), each.members.end(),
-                                  [&](const auto& member) { return member.name == name; });
+/// True if the tag names a uniform, a member of a uniform block or memory of the program.
+bool has(const ProgramInterface& interface, std::string_view tag) {
+    const std::string root(rootName(tag));
+    const std::string member = "." + root;
+    return interface.facts.uniforms.contains(root) || namesMemory(interface.facts.memory, root) ||
+           std::any_of(interface.uniforms.begin(), interface.uniforms.end(), [&](const ActiveUniform& each) {
+               return rootName(each.name) == root || each.name.ends_with(member);
            });
 }
 
-/// What the programs of all plans have.
-struct KnownNames {
-    std::vector<std::string> uniforms;  ///< for suggestions
-    std::set<scene::ProgramIndex> programs;
-
-    KnownNames(std::span<const FramePlan* const> plans) {
-        for (const FramePlan* plan : plans)
-            for (const PlannedProgram& program : plan->programs) {
-                if (program.interface->usable) programs.insert(program.variant.program);
-                for (const auto& [name, declared] : program.interface->facts.uniforms)
-                    if (!isInternalName(name) && !isSuppliedName(name)) uniforms.push_back(name);
-            }
-    }
-};
-
 bool isKnown(std::string_view tag, std::span<const FramePlan* const> plans) {
-    const std::string root(rootName(tag));
-    return isSuppliedName(root) || std::any_of(plans.begin(), plans.end(), [&](const FramePlan* plan) {
-               return std::any_of(plan->programs.begin(), plan->programs.end(), [&](const auto& program) {
-                   const ProgramInterface& interface = *program.interface;
-                   return interface.facts.uniforms.contains(root) ||
-                          namesMemory(interface.facts.memory, root) ||
-                          !UniformNames(interface).find(tag).empty();
-               });
+    return isSuppliedName(rootName(tag)) ||
+           std::any_of(plans.begin(), plans.end(), [&](const FramePlan* plan) {
+               return std::any_of(plan->programs.begin(), plan->programs.end(),
+                                  [&](const PlannedProgram& each) { return has(*each.interface, tag); });
            });
+}
+
+std::vector<std::string> declaredUniforms(std::span<const FramePlan* const> plans) {
+    std::vector<std::string> names;
+    for (const FramePlan* plan : plans)
+        for (const PlannedProgram& program : plan->programs)
+            for (const auto& [name, declared] : program.interface->facts.uniforms)
+                if (!isInternalName(name) && !isSuppliedName(name)) names.push_back(name);
+    return names;
 }
 
 /// The hint for a name that looks misspelt. Names of a row (uLight1, uLight2) do not: a Set is for all
 /// programs, and not all of them need the whole row.
-std::string misspelling(std::string_view tag, const KnownNames& known) {
+std::string misspelling(std::string_view tag, std::span<const std::string> names) {
     const auto withoutDigits = [](std::string_view name) {
         std::string text(name);
         std::erase_if(text, [](char c) { return c >= '0' && c <= '9'; });
         return text;
     };
     const std::string base = withoutDigits(tag);
-    if (std::any_of(known.uniforms.begin(), known.uniforms.end(),
+    if (std::any_of(names.begin(), names.end(),
                     [&](const std::string& each) { return withoutDigits(each) == base; }))
         return {};
-    return suggestionFor(tag, known.uniforms);
+    return suggestionFor(tag, names);
 }
 
 Diagnostics reportSets(const scene::Scene& scene, std::span<const FramePlan* const> plans) {
-    const KnownNames known(plans);
-    for (const scene::ProgramIndex i : scene.programs.indices())
-        if (!known.programs.contains(i)) return {};  // it may have any name
     Diagnostics diagnostics;
     for (const auto& [tag, place] : scene.setNames) {
         if (isKnown(tag, plans)) continue;
-        if (const std::string hint = misspelling(rootName(tag), known); !hint.empty())
+        const std::set<scene::ProgramIndex> known = knownPrograms(plans);
+        for (const scene::ProgramIndex i : scene.programs.indices())
+            if (!known.contains(i)) return {};  // it may have any name
+        if (const std::string hint = misspelling(rootName(tag), declaredUniforms(plans)); !hint.empty())
             diagnostics.push_back(diagnose(
                 "glib-W23", fmt::format("no program of the scene has a uniform '{}'{}", tag, hint), place));
     }

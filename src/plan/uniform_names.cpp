@@ -81,6 +81,14 @@ bool isInternalName(std::string_view name) {
     return name.starts_with("glibra_") || name.starts_with("gl_");
 }
 
+bool namesMemory(const glsl::MemoryFacts& memory, std::string_view name) {
+    return memory.counters.contains(std::string(name)) ||
+           std::any_of(memory.blocks.begin(), memory.blocks.end(), [&](const glsl::MemoryBlock& each) {
+               return each.name == name || each.instance == name ||
+                      (!each.members.empty() && each.members.back().name == name);
+           });
+}
+
 std::string suggestionFor(std::string_view tag, std::span<const std::string> names) {
     constexpr std::size_t kPrefix = 1;  // the u at the beginning of most uniform names
     const std::vector<std::string_view> candidates(names.begin(), names.end());

@@ -55,6 +55,9 @@ bool isSuppliedName(std::string_view name);
 /// True for names that exist only in translated sources. Messages never show them.
 bool isInternalName(std::string_view name);
 
+/// True for the name of a block, of its instance, of its last member, or of an atomic counter.
+bool namesMemory(const glsl::MemoryFacts& memory, std::string_view name);
+
 /// Returns "; did you mean 'uShrink'?" with the nearest of these names, or nothing if none is near.
 std::string suggestionFor(std::string_view tag, std::span<const std::string> names);
 

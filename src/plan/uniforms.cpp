@@ -152,7 +152,8 @@ class Resolver {
                                    place(spec.valuePosition)};
             const std::vector<NamedUniform> named = names_.find(spec.tag);
             const bool isChosen = choosesObject(spec.tag);
-            if (named.empty() && !spec.mayBeUnknown && !(isChosen && namesMemory(spec.tag)))
+            if (named.empty() && !spec.mayBeUnknown &&
+                !(isChosen && namesMemory(interface_.facts.memory, spec.tag)))
                 reportUnknown(given, spec.resembles);
             for (const NamedUniform& each : named)
                 if (!isChosen || !isOpaque(uniform(each.uniform)))
@@ -187,7 +188,8 @@ class Resolver {
         for (const scene::ObjectBinding& each : drawn_.set->objects) {
             const auto* view = std::get_if<scene::TextureView>(&each.object);
             if (view == nullptr) {
-                if (!each.isChosen && !each.resembles.empty() && !namesMemory(each.tag))
+                if (!each.isChosen && !each.resembles.empty() &&
+                    !namesMemory(interface_.facts.memory, each.tag))
                     reportMisspelt(each.tag, each.resembles, place(each.tagPosition));
                 continue;
             }
@@ -383,16 +385,6 @@ class Resolver {
         }
         warn("glib-W25", fmt::format("glibra supplies '{}', so the tag has no effect", given.tag),
              given.tagPlace);
-    }
-
-    /// True for the name of a block, of its instance, of its last member, or of an atomic counter.
-    bool namesMemory(std::string_view tag) const {
-        const glsl::MemoryFacts& memory = interface_.facts.memory;
-        return memory.counters.contains(std::string(tag)) ||
-               std::any_of(memory.blocks.begin(), memory.blocks.end(), [&](const glsl::MemoryBlock& each) {
-                   return each.name == tag || each.instance == tag ||
-                          (!each.members.empty() && each.members.back().name == tag);
-               });
     }
 
     /// Only Dispatch has keys that its tags may resemble.

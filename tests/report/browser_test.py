@@ -4,7 +4,6 @@
 usage: browser_test.py SAMPLE_PROGRAM [--pictures FOLDER]     (the second writes screenshots to look at)
 """
 import contextlib
-import json
 import os
 import re
 import shutil
@@ -46,7 +45,7 @@ class Report(unittest.TestCase):
         cls.page = "file://" + os.path.join(cls.folder, "report", "index.html")
         cls.browser = cls.stack.enter_context(webdriver.Browser())
         cls.browser.open("about:blank")
-        cls.browser.logs("performance")  # what the browser's own first page asked for
+        cls.browser.requests()  # what the browser's own first page asked for
 
     @classmethod
     def tearDownClass(cls):
@@ -280,14 +279,9 @@ class Report(unittest.TestCase):
         for shot in ("sample/deep", "sample/within", "sample/scene"):
             self.browser.run("location.hash = '#' + encodeURIComponent(arguments[0])", shot)
             self.shown(shot)
-        urls = []
-        for entry in self.browser.logs("performance"):
-            message = json.loads(entry["message"])["message"]
-            if message["method"] == "Network.requestWillBeSent":
-                urls.append(message["params"]["request"]["url"])
+        urls = self.browser.requests()
         self.assertTrue(any("pixels/%05d" % (PASSES + 9) in url for url in urls), "requests are seen")
-        foreign = [url for url in urls if not re.match(r"(file:///|data:|blob:|about:)", url)]
-        self.assertEqual(foreign, [])
+        self.assertEqual(self.browser.foreign(urls), [])
 
     def test_without_scripts_everything_is_there(self):
         with open(os.path.join(self.folder, "report", "index.html"), encoding="utf-8") as file:

@@ -4,9 +4,7 @@
 usage: class_test.py GLIBRA [--pictures FOLDER [SITE]]     (the second writes screenshots to look at, of SITE if given)
 """
 import contextlib
-import json
 import os
-import re
 import shutil
 import subprocess
 import sys
@@ -99,7 +97,7 @@ class ClassPage(unittest.TestCase):
         cls.page = make_site(cls.folder, "--sweep", "uEdge = [0.1, 0.3]")
         cls.browser = cls.stack.enter_context(webdriver.Browser(WIDTH, HEIGHT))
         cls.browser.command("Emulation.setDeviceMetricsOverride", width=WIDTH, height=HEIGHT, deviceScaleFactor=1, mobile=False)
-        cls.browser.logs("performance")
+        cls.browser.requests()
 
     @classmethod
     def tearDownClass(cls):
@@ -198,10 +196,9 @@ class ClassPage(unittest.TestCase):
         self.assertNotEqual(backs[0], backs[1])
 
     def test_nothing_is_asked_of_the_network(self):
-        urls = [json.loads(each["message"])["message"]["params"]["request"]["url"] for each in self.browser.logs("performance")
-                if json.loads(each["message"])["message"]["method"] == "Network.requestWillBeSent"]
+        urls = self.browser.requests()
         self.assertTrue(any("pictures/0000-1.png" in url for url in urls), "requests are seen")
-        self.assertEqual([url for url in urls if not re.match(r"(file:///|data:|blob:|about:)", url)], [])
+        self.assertEqual(self.browser.foreign(urls), [])
 
 
 def pictures(folder, site=None):

@@ -126,6 +126,17 @@ class Browser:
     def logs(self, kind):
         return self.ask("POST", self.session + "/se/log", {"type": kind})
 
+    def requests(self):
+        """The URLs that pages have asked for since the last call; not those of the browser's own pages, which may load late."""
+        messages = [json.loads(each["message"])["message"] for each in self.logs("performance")]
+        urls = [each["params"]["request"]["url"] for each in messages if each["method"] == "Network.requestWillBeSent"]
+        return [url for url in urls if not url.startswith("chrome:")]
+
+    @staticmethod
+    def foreign(urls):
+        """Those that lead out of this machine."""
+        return [url for url in urls if not url.startswith(("file:///", "data:", "blob:", "about:"))]
+
     def screenshot(self, path=None, selector=None):
         where = "/element/" + self.element(selector) if selector else ""
         picture = base64.b64decode(self.ask("GET", self.session + where + "/screenshot"))

@@ -79,7 +79,7 @@ TEST_F(ChangedScene, TheCommandLineGivesTheSameBytes) {
         const view::Hardcopy again{folder / "b.png", width, height};
         std::string command = view::renderCommand(session, again);
         ASSERT_TRUE(command.starts_with("glibra render "));
-        command = GLIBRA_PROGRAM + command.substr(6);
+        command = "'" GLIBRA_PROGRAM "'" + command.substr(6);
         ASSERT_EQ(std::system(command.c_str()), 0) << command;
         const auto first = image::readImage(hardcopy.file);
         const auto second = image::readImage(again.file);
@@ -212,7 +212,7 @@ TEST_F(ChangedScene, TheCommandOfALabelledHardcopyGivesTheSameBytes) {
     ASSERT_FALSE(hasError(writeAll(session, hardcopy)));
     std::string command = view::renderCommand(session, {folder / "b.png", 640, 480});
     EXPECT_NE(command.find("--labels top-right"), std::string::npos) << command;
-    command = GLIBRA_PROGRAM + command.substr(6);
+    command = "'" GLIBRA_PROGRAM "'" + command.substr(6);
     ASSERT_EQ(std::system(command.c_str()), 0) << command;
     const auto first = image::readImage(hardcopy.file);
     const auto second = image::readImage(folder / "b.png");

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "glsl/facts/facts.h"
+#include "glsl/parse/usage.h"
 
 namespace glibra::glsl {
 namespace {
@@ -40,11 +41,6 @@ bool isPureFunction(std::string_view word) {
                                              "max", "min",  "clamp", "mix",   "ceil",   "floor",      "round",
                                              "abs", "sqrt", "pow",   "exp2",  "log2",   "exp",        "log",
                                              "mod", "step", "fract", "trunc", "length", "inversesqrt"});
-}
-
-bool isAssignmentWithoutShift(std::string_view token) {
-    return token.size() <= 2 && token.back() == '=' &&
-           !isOneOf(token, std::array<std::string_view, 4>{"==", "<=", ">=", "!="});
 }
 
 /// Everything in a control stage that the value of one uniform can reach.
@@ -117,7 +113,7 @@ class Flow {
         auto begin = statement.begin();
         std::vector<Tokens> places;
         for (auto at = begin; at != statement.end(); ++at)
-            if (isAssignmentWithoutShift(*at)) {
+            if (isAssignment(*at)) {
                 places.emplace_back(begin, at);
                 begin = at + 1;
             }

@@ -24,7 +24,7 @@ constexpr Color colorOf(std::uint32_t hexadecimal) {
 
 struct Palette {
     Color well;                              ///< around the picture
-    Color panel;                             ///< behind the sections
+    Color panel;                             ///< the background of the sections
     Color popup;                             ///< menus, tooltips
     Color frame, frameHovered, frameActive;  ///< fields and the tracks of sliders
     Color button, buttonHovered, buttonActive;

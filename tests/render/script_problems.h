@@ -1,0 +1,44 @@
+#pragma once
+// For tests of scenes that state about themselves, with Expect lines, what must hold.
+
+#include <map>
+#include <string>
+
+#include "render/check/answers.h"
+#include "render/scene_renderer.h"
+#include "scene_text.h"
+#include "skip_runs.h"
+
+namespace glibra::test {
+
+/// The messages of drawing a scene and answering its checks; empty if all is well.
+inline std::string problemsOf(const std::string& scene, const std::map<std::string, std::string>& files = {},
+                              const RenderOptions& options = {}) {
+    const SceneFolder folder(scene, files);
+    return text(render::runChecks(sharedContext(), folder / "scene.glib", options));
+}
+
+/// A BMP picture of one colour, as blue, green, red.
+inline std::string bmp(int width, int height, const std::string& color) {
+    const auto number = [](int value) {
+        std::string bytes;
+        for (int i = 0; i < 4; ++i) bytes += static_cast<char>(value >> (8 * i) & 0xff);
+        return bytes;
+    };
+    std::string row;
+    for (int x = 0; x < width; ++x) row += color;
+    row.resize((row.size() + 3) / 4 * 4);
+    std::string rows;
+    for (int y = 0; y < height; ++y) rows += row;
+    return "BM" + number(54 + static_cast<int>(rows.size())) + number(0) + number(54) + number(40) +
+           number(width) + number(height) + std::string("\1\0\30\0", 4) + number(0) +
+           number(static_cast<int>(rows.size())) + number(0) + number(0) + number(0) + number(0) + rows;
+}
+
+/// A program that shows the colour of the sampler `uT`, of this type, at these coordinates.
+inline std::string showing(const std::string& type, const std::string& at) {
+    return "Fragment inline\n#version 330\nin vec2 vST;\nout vec4 c;\nuniform " + type +
+           " uT;\nvoid main() { c = texture(uT, " + at + "); }\nEndFragment\n";
+}
+
+}  // namespace glibra::test
