@@ -12,7 +12,7 @@ namespace glibra::base {
 enum class BaseType { floating, doublePrecision, integer, unsignedInteger, boolean, sampler, image, other };
 
 /// The kind of texture that a scene can fill. Only textures with a name are arrays.
-enum class TextureTarget { texture1D, texture2D, texture3D, cube, texture2DArray };
+enum class TextureTarget { texture1D, texture2D, texture3D, cube, texture2DArray, cubeArray };
 
 /// A GLSL type: columns x rows of the base type. Vectors have one column; scalars have one row as well.
 struct ValueType {

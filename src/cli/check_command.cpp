@@ -20,6 +20,7 @@
 #include "cli/render_answer.h"
 #include "cli/scene_arguments.h"
 #include "cli/untrusted.h"
+#include "cli/written_files.h"
 #include "gpu/context/context.h"
 #include "image/file.h"
 #include "render/check/answers.h"
@@ -44,14 +45,18 @@ struct CheckArguments {
 /// Writes each shader to the folder, which is made if it does not exist. This is done in the parent process,
 /// in the order of the scenes, since shaders of two scenes may have the same name.
 Diagnostics writeShaders(const std::vector<render::TranslatedShader>& shaders,
-                         const std::filesystem::path& folder) {
+                         const std::filesystem::path& folder, const ReadFiles& read) {
     if (shaders.empty()) return {};
     Diagnostics problems;
     std::error_code ignored;  // reported with the first file that cannot be written
     std::filesystem::create_directories(folder, ignored);
-    for (const render::TranslatedShader& each : shaders)
-        append(problems, image::writeFileAtomically(folder / std::filesystem::path(each.name).filename(),
-                                                    std::as_bytes(std::span(each.source))));
+    for (const render::TranslatedShader& each : shaders) {
+        const std::filesystem::path file = folder / std::filesystem::path(each.name).filename();
+        Diagnostics refused = read.overwrittenBy(file, "--translated");
+        if (refused.empty())
+            refused = image::writeFileAtomically(file, std::as_bytes(std::span(each.source)));
+        append(problems, std::move(refused));
+    }
     return problems;
 }
 
@@ -98,8 +103,9 @@ class SceneChecker {
 /// Reports what the workers found, in the order of the scenes.
 class CheckReport {
   public:
-    explicit CheckReport(const CheckArguments& arguments)
-        : arguments_(arguments), answers_(arguments.scenes.size()) {}
+    /// What the scenes read is not written over by their translated shaders.
+    CheckReport(const CheckArguments& arguments, ReadFiles read)
+        : arguments_(arguments), read_(std::move(read)), answers_(arguments.scenes.size()) {}
 
     void add(std::size_t index, Answer answer) {
         answers_[index] = std::move(answer);
@@ -122,7 +128,7 @@ class CheckReport {
 
     void report(const std::string& scene, Answer& answer) {
         Diagnostics diagnostics = std::move(answer.remarks.general);
-        append(diagnostics, writeShaders(answer.shaders, arguments_.translated));
+        append(diagnostics, writeShaders(answer.shaders, arguments_.translated, read_));
         status_ = std::max({status_, answer.status, statusOf(diagnostics)});
         if (arguments_.json && status_ != kNoDriver)
             scenes_.push_back({scene, std::move(diagnostics)});
@@ -131,6 +137,7 @@ class CheckReport {
     }
 
     const CheckArguments& arguments_;
+    ReadFiles read_;
     std::vector<std::optional<Answer>> answers_;
     std::size_t next_ = 0;  ///< the first scene that is not reported
     int status_ = kDone;
@@ -154,8 +161,17 @@ int runCheckCommand(CheckArguments& arguments) {
         sandbox = sandboxOf(arguments.scenes, arguments.picture.options, arguments.driver);
     }
     SceneChecker checker(arguments, jobs);
-    CheckReport report(arguments);
     const Interruption interruption;
+    ReadFiles read;
+    if (std::error_code failure; std::filesystem::is_directory(arguments.translated, failure))
+        read = filesReadBy(
+            arguments.scenes, arguments.standardInput, arguments.picture.options,
+            {.workers = jobs,
+             .timeout = arguments.picture.timeout,
+             .memory = arguments.picture.memory.value_or(base::memoryShare(jobs, arguments.scenes.size())),
+             .stop = [&] { return interruption.signal() != 0; },
+             .sandbox = sandbox ? &*sandbox : nullptr});
+    CheckReport report(arguments, std::move(read));
     base::runInWorkers(
         arguments.scenes.size(),
         {.workers = jobs,

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -93,6 +94,13 @@ int runClassCommand(const ClassArguments& arguments, const std::string& command)
             printError(fmt::format("there is no template '{}'", each.string()));
             return kWrongUsage;
         }
+    if (std::error_code failure; fs::equivalent(plan.site, plan.folder, failure)) {
+        printError(fmt::format(
+            "-o {}: this is the folder of the submissions, among which the page would count; name "
+            "another one",
+            arguments.site));
+        return kWrongUsage;
+    }
     std::optional<std::vector<classroom::Moment>> moments = momentsOf(arguments, plan.reference);
     if (!moments) return kWrongUsage;
     plan.moments = std::move(*moments);

@@ -14,6 +14,7 @@
 #include "cli/commands.h"
 #include "cli/json_output.h"
 #include "cli/picture_options.h"
+#include "cli/written_files.h"
 #include "image/compare/heat_map.h"
 #include "image/compare/judge.h"
 #include "image/file.h"
@@ -177,6 +178,8 @@ std::set<std::string> picturesBelow(const fs::path& folder) {
     return names;
 }
 
+constexpr const char* kIsCompared = "it is compared";
+
 int compareFolders(const CompareArguments& arguments, Comparer& comparer) {
     const std::set<std::string> expected = picturesBelow(arguments.first),
                                 got = picturesBelow(arguments.second);
@@ -185,6 +188,17 @@ int compareFolders(const CompareArguments& arguments, Comparer& comparer) {
     if (all.empty()) {
         printError(fmt::format("there are no pictures in '{}' and '{}'", arguments.first, arguments.second));
         return kSceneIsWrong;
+    }
+    if (!arguments.heatMap.empty()) {
+        ReadFiles read;
+        for (const std::string& name : all)
+            for (const std::string& folder : {arguments.first, arguments.second})
+                read.add(fs::path(folder) / name, kIsCompared);
+        Diagnostics problems;
+        for (const std::string& name : all)
+            append(problems, read.overwrittenBy(fs::path(arguments.heatMap) / name, "--heatmap"));
+        print(problems);
+        if (hasError(problems)) return kSceneIsWrong;
     }
     int status = kDone;
     std::size_t same = 0;
@@ -212,6 +226,13 @@ int runCompareCommand(CompareArguments& arguments) {
     Comparer comparer(arguments);
     if (fs::is_directory(arguments.first, failure) && fs::is_directory(arguments.second, failure))
         return compareFolders(arguments, comparer);
+    if (!arguments.heatMap.empty()) {
+        ReadFiles read;
+        for (const std::string& each : {arguments.first, arguments.second}) read.add(each, kIsCompared);
+        const Diagnostics problems = read.overwrittenBy(arguments.heatMap, "--heatmap");
+        print(problems);
+        if (hasError(problems)) return kSceneIsWrong;
+    }
     return comparer.compare({arguments.first, arguments.second, {}, arguments.heatMap});
 }
 

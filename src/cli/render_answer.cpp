@@ -7,6 +7,8 @@
 #include <exception>
 #include <new>
 
+#include "cli/library_hint.h"
+
 namespace glibra::cli {
 namespace {
 
@@ -132,7 +134,9 @@ Answer answerOf(const base::Outcome& outcome, const std::string& scene, const su
 
 Answer guarded(const std::string& scene, const std::function<Answer()>& work) {
     try {
-        return work();
+        Answer answer = work();
+        append(answer.remarks.general, libraryHint(scene, answer.remarks.general));
+        return answer;
     } catch (const std::bad_alloc&) {
         return wrong(scene, "draw-E05", "out of memory (--memory)");
     } catch (const std::exception& failure) {

@@ -22,6 +22,7 @@
 #include "cli/render_answer.h"
 #include "cli/scene_arguments.h"
 #include "cli/untrusted.h"
+#include "cli/written_files.h"
 #include "gpu/context/context.h"
 #include "gpu/context/hardware.h"
 #include "image/file.h"
@@ -227,6 +228,10 @@ class SceneBatch {
 
     /// Returns the exit status.
     int run() {
+        if (const Diagnostics problems = overwritten(); hasError(problems)) {
+            print(problems);
+            return kSceneIsWrong;
+        }
         for (const fs::path& each : writtenFiles()) makeFolders(each.parent_path());
         confine();
         JobRunner runner(arguments_, outputs_, parts_, staging_ ? &*staging_ : nullptr);
@@ -254,6 +259,30 @@ class SceneBatch {
     }
 
   private:
+    /// file-E13 for files that would replace one that another scene of the command reads, or a scene. What a
+    /// scene itself reads is known to its worker; this pass asks for all before the first is drawn.
+    [[nodiscard]] Diagnostics overwritten() const {
+        const bool hasStats = !arguments_.statsFile.empty() && arguments_.statsFile != "-";
+        if (arguments_.scenes.size() == 1 && !hasStats) return {};
+        std::vector<fs::path> written;
+        for (const fs::path& file : writtenFiles())
+            for (int frame = 0; frame < arguments_.frames; ++frame)
+                written.push_back(render::frameFile(file, frame, arguments_.frames));
+        if (!anyExists(written) && !(hasStats && anyExists(std::vector<fs::path>{arguments_.statsFile})))
+            return {};
+        const ReadFiles read =
+            filesReadBy(arguments_.scenes, arguments_.standardInput, arguments_.picture.options,
+                        {.workers = jobsOf(arguments_),
+                         .timeout = arguments_.picture.timeout,
+                         .memory = memoryOf(arguments_, arguments_.scenes.size()),
+                         .stop = [this] { return interruption_.signal() != 0; },
+                         .sandbox = sandbox_ ? &*sandbox_ : nullptr});
+        Diagnostics problems;
+        for (const fs::path& each : written) append(problems, read.overwrittenBy(each, "-o"));
+        if (hasStats) append(problems, read.overwrittenBy(arguments_.statsFile, "--stats"));
+        return problems;
+    }
+
     void makeFolders(const fs::path& folder) {
         std::error_code failure;
         if (folder.empty() || fs::exists(folder, failure)) return;

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
+#include "base/memory_limit.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "suite/file/selection.h"
@@ -18,6 +20,16 @@ void addSelectionOptions(CommandLine& command, SuiteArguments& to) {
     command.option("--shard", to.shard,
                    "only the I-th of N parts of the shots; the parts are the same on every machine");
     command.flag("--resume", to.resume, "continue a run that was stopped or killed");
+}
+
+base::WorkerOptions inputWorkers(const SuiteArguments& arguments, std::size_t shots,
+                                 const base::Sandbox* sandbox, std::function<bool()> stop) {
+    const int jobs = arguments.jobs > 0 ? arguments.jobs : suite::defaultJobs();
+    return {.workers = jobs,
+            .timeout = arguments.timeout.value_or(suite::Shot().timeout),
+            .memory = arguments.memory.value_or(base::memoryShare(jobs, shots)),
+            .stop = std::move(stop),
+            .sandbox = sandbox};
 }
 
 std::optional<Selection> readSelection(const SuiteArguments& arguments, int& status) {

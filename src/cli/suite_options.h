@@ -6,10 +6,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/workers.h"
 #include "suite/run/run.h"
 #include "suite/suite.h"
 
@@ -40,6 +42,10 @@ struct Selection {
     std::vector<suite::Suite> suites;
     std::vector<suite::ShotReference> shots;  ///< in the order of the suites
 };
+
+/// How to find out what the scenes of so many shots read (suite/run/read_inputs.h).
+base::WorkerOptions inputWorkers(const SuiteArguments& arguments, std::size_t shots,
+                                 const base::Sandbox* sandbox, std::function<bool()> stop);
 
 /// Reads the suites and selects the shots. Without a value, the reason has been printed and `status` is the
 /// exit status.

@@ -4,15 +4,48 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <functional>
+#include <span>
+#include <vector>
 
 #include "cli/commands.h"
 #include "cli/interruption.h"
 #include "cli/suite_progress.h"
 #include "cli/untrusted.h"
+#include "cli/written_files.h"
+#include "suite/golden/golden_store.h"
+#include "suite/run/fingerprint.h"
 
 namespace glibra::cli {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+/// file-E13 for each picture that would replace a suite, a golden, or a file that a scene reads.
+Diagnostics overwrittenByPictures(const Selection& selection, std::span<const suite::ShotReference> shots,
+                                  const suite::RunOptions& options, const SuiteArguments& arguments,
+                                  const std::function<bool()>& stop) {
+    std::vector<fs::path> pictures;
+    for (const suite::ShotReference& each : shots) {
+        const suite::Suite& suite = selection.suites[each.suite];
+        pictures.push_back(suite::pictureFile(options.onlyRender, suite, suite.shots[each.shot],
+                                              selection.suites.size() > 1));
+    }
+    if (!anyExists(pictures)) return {};
+    ReadFiles read;
+    read.add(selection, suite::inputsOf(selection.suites, selection.shots,
+                                        inputWorkers(arguments, shots.size(), options.sandbox, stop)));
+    for (const suite::Suite& suite : selection.suites)
+        for (const suite::Shot& shot : suite.shots)
+            if (shot.golden)
+                read.add(suite::goldenFolder(suite) / suite::goldenName(shot), "it is a golden of the suite");
+    Diagnostics problems;
+    for (const fs::path& each : pictures) append(problems, read.overwrittenBy(each, "-o"));
+    return problems;
+}
+
+}  // namespace
 
 int renderSuites(const SuiteArguments& arguments, const std::string& output) {
     int status = kDone;
@@ -50,6 +83,12 @@ int renderSuites(const SuiteArguments& arguments, const std::string& output) {
     }
 
     const Interruption interruption;
+    const auto isStopped = [&] { return interruption.signal() != 0; };
+    if (const Diagnostics problems = overwrittenByPictures(*selection, open, options, arguments, isStopped);
+        hasError(problems)) {
+        print(problems);
+        return kSceneIsWrong;
+    }
     const bool terminal = ::isatty(STDERR_FILENO) == 1;
     SuiteProgress progress(open.size(), terminal);
     std::size_t drawn = 0;
@@ -71,7 +110,7 @@ int renderSuites(const SuiteArguments& arguments, const std::string& output) {
             ++drawn;
         progress.add(bad);
     };
-    events.stop = [&] { return interruption.signal() != 0; };
+    events.stop = isStopped;
     const suite::RunEnd end = suite::runShots(selection->suites, open, options, events);
     progress.clear();
     print(end.diagnostics);

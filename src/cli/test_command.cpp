@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <map>
 #include <memory>
 #include <thread>
+#include <utility>
 
 #include "base/utf8.h"
 #include "cli/command_line.h"
@@ -18,8 +20,10 @@
 #include "cli/suite_progress.h"
 #include "cli/test_results.h"
 #include "cli/untrusted.h"
+#include "cli/written_files.h"
 #include "glib/text.h"
 #include "image/file.h"
+#include "render/file/job.h"
 #include "suite/golden/golden_store.h"
 #include "suite/golden/hash_key.h"
 #include "suite/golden/orphans.h"
@@ -28,6 +32,8 @@
 #include "suite/report/junit_report.h"
 #include "suite/report/terminal_report.h"
 #include "suite/results/merge.h"
+#include "suite/results/results_file.h"
+#include "suite/run/fingerprint.h"
 
 namespace glibra::cli {
 namespace {
@@ -72,8 +78,52 @@ int report(const suite::RunResult& run, const TestArguments& arguments, const su
     return std::max(hasError(problems) ? kSceneIsWrong : kDone, exitStatus(run));
 }
 
+/// file-E13 for the reports if they would replace a file that was read.
+Diagnostics overwrittenByReports(const TestArguments& arguments, const ReadFiles& read) {
+    Diagnostics problems;
+    if (!arguments.junit.empty()) append(problems, read.overwrittenBy(arguments.junit, "--junit"));
+    if (!arguments.report.empty())
+        append(problems, read.overwrittenBy(fs::path(arguments.report) / "index.html", "--report"));
+    return problems;
+}
+
+/// file-E13 for each file that the run would write although it reads it.
+Diagnostics overwrittenBy(const TestArguments& arguments, const Selection& selection,
+                          const suite::ShotInputs& inputs) {
+    ReadFiles read;
+    read.add(selection, inputs);
+    Diagnostics problems;
+    std::map<fs::path, std::size_t> goldens;  // the suite of each
+    for (const suite::ShotReference& each : selection.shots) {
+        const suite::Suite& suite = selection.suites[each.suite];
+        const suite::Shot& shot = suite.shots[each.shot];
+        const fs::path golden = suite::goldenFolder(suite, arguments.goldens) / suite::goldenName(shot);
+        const auto [known, isNew] = goldens.try_emplace(render::filePlaceOf(golden), each.suite);
+        if (!arguments.update || !shot.golden || shot.expectedError) continue;
+        append(problems, read.overwrittenBy(golden, "--update"));
+        if (!isNew && known->second != each.suite)
+            problems.push_back(diagnose(
+                "file-E13",
+                fmt::format(
+                    "--update: '{}' is a golden of the suites '{}' and '{}'; give each suite a folder "
+                    "of its own, or its shots other names",
+                    golden.string(), selection.suites[known->second].name, suite.name),
+                shot.place));
+    }
+    for (const auto& [golden, suite] : goldens) read.add(golden, "it is a golden of this run");
+    append(problems, overwrittenByReports(arguments, read));
+    append(problems, read.overwrittenBy(suite::resultsFile(arguments.results), "--results"));
+    return problems;
+}
+
 int merge(const TestArguments& arguments) {
     const std::vector<fs::path> folders(arguments.merge.begin(), arguments.merge.end());
+    ReadFiles read;
+    for (const fs::path& each : folders) read.add(suite::resultsFile(each), "its results are merged");
+    if (const Diagnostics problems = overwrittenByReports(arguments, read); hasError(problems)) {
+        print(problems);
+        return kSceneIsWrong;
+    }
     const Result<suite::RunResult> merged = suite::mergeResults(folders, arguments.results);
     print(merged.diagnostics);
     const int status = hasError(merged.diagnostics) ? kSceneIsWrong : kDone;
@@ -84,6 +134,7 @@ int merge(const TestArguments& arguments) {
         roots.texts.add(each);
         roots.pictures.add(each);
     }
+    roots.areUnnamed = arguments.roots.empty();
     if (arguments.suites.timeout) roots.decoder.seconds = *arguments.suites.timeout;
     return merged ? std::max(status, report(*merged, arguments, roots)) : status;
 }
@@ -109,7 +160,7 @@ int answerOrphans(const TestArguments& arguments, const std::vector<suite::Suite
     constexpr std::size_t kMostNames = 10;
     int status = kDone;
     for (const suite::Suite& each : suites) {
-        const std::vector<fs::path> orphans = suite::orphanGoldens(each, arguments.goldens);
+        const std::vector<fs::path> orphans = suite::orphanGoldens(each, arguments.goldens, suites);
         if (orphans.empty()) continue;
         if (arguments.prune) {
             const Diagnostics problems = suite::removeOrphans(orphans);
@@ -117,11 +168,12 @@ int answerOrphans(const TestArguments& arguments, const std::vector<suite::Suite
             if (hasError(problems)) status = kSceneIsWrong;
         }
         const std::size_t count = orphans.size();
+        const std::size_t shown = arguments.prune ? count : std::min(count, kMostNames);
         std::string text = fmt::format(
             "{} of no shot of '{}' {}", glib::counted(count, "golden"), each.name,
             arguments.prune ? (count == 1 ? "was removed:" : "were removed:") : "(--prune removes them):");
-        for (std::size_t i = 0; i < std::min(count, kMostNames); ++i) text += " " + orphans[i].string();
-        if (count > kMostNames) text += fmt::format(" and {} more", count - kMostNames);
+        for (std::size_t i = 0; i < shown; ++i) text += " " + orphans[i].string();
+        if (count > shown) text += fmt::format(" and {} more", count - shown);
         print({withoutId(Severity::note, text)});
     }
     return status;
@@ -188,6 +240,17 @@ int test(const TestArguments& arguments) {
 
     const auto start = std::chrono::steady_clock::now();
     const Interruption interruption;
+    const suite::RunOptions options = runOptions(arguments, sandbox);
+    const suite::ShotInputs inputs =
+        suite::inputsOf(selection->suites, selection->shots,
+                        inputWorkers(arguments.suites, selection->shots.size(), options.sandbox,
+                                     [&] { return interruption.signal() != 0; }));
+    if (const Diagnostics problems = overwrittenBy(arguments, *selection, inputs); hasError(problems)) {
+        print(problems);
+        return kSceneIsWrong;
+    }
+    const std::map<suite::ShotReference, std::string> fingerprints =
+        suite::fingerprints(selection->suites, selection->shots, inputs, options);
     suite::RunResult run = beginningOf(arguments, *selection);
     std::optional<RunRecord> record =
         RunRecord::open(arguments.results, run, arguments.suites.resume, arguments.update,
@@ -198,8 +261,16 @@ int test(const TestArguments& arguments) {
     }
     if (sandbox) makeWritableFolders(*sandbox);  // opening the record has removed those of an earlier run
     std::vector<suite::ShotReference> open;
-    for (const suite::ShotReference& each : selection->shots)
-        if (!record->isDone(selection->suites[each.suite], each)) open.push_back(each);
+    std::map<std::pair<std::string, std::string>, std::string> fingerprintOf;  // by the names of results
+    for (const suite::ShotReference& each : selection->shots) {
+        const suite::Suite& suite = selection->suites[each.suite];
+        const std::string& fingerprint = fingerprints.at(each);
+        fingerprintOf.emplace(std::pair(suite.name, suite.shots[each.shot].name), fingerprint);
+        if (!record->isDone(suite, each, fingerprint)) open.push_back(each);
+    }
+    if (const std::size_t count = record->droppedCount(); count > 0)
+        printLine(fmt::format("{} of the earlier run {} drawn again: what the picture depends on has changed",
+                              glib::counted(count, "shot"), count == 1 ? "is" : "are"));
 
     const bool terminal = ::isatty(STDERR_FILENO) == 1;
     SuiteProgress progress(open.size(), terminal);
@@ -214,11 +285,12 @@ int test(const TestArguments& arguments) {
         if (const std::string line = lineOf(shot); printsLines && !line.empty()) progress.print(line);
         // A suite that is new has no goldens; that is no failure to count.
         progress.add(suite::isFailure(shot.verdict) && shot.verdict != suite::Verdict::missing);
-        record->add(shot);
+        suite::ShotResult kept = shot;
+        kept.fingerprint = fingerprintOf[{shot.suite, shot.shot}];
+        record->add(kept);
     };
     events.stop = [&] { return interruption.signal() != 0 || record->failed(); };
-    const suite::RunEnd end =
-        suite::runShots(selection->suites, open, runOptions(arguments, sandbox), events);
+    const suite::RunEnd end = suite::runShots(selection->suites, open, options, events);
     progress.clear();
     if (sandbox)
         for (const fs::path& each : sandbox->writable) {
@@ -299,7 +371,8 @@ void addTest(CommandLine& program, int& status) {
         "--allow-outside", to.allowOutside,
         "let --update write goldens outside of the suite's folder, and follow goldens that are links "
         "to such places");
-    command.list("--merge", to.merge, "merge the results in these folders, as the shards of one run");
+    command.list("--merge", to.merge, "merge the results in these folders, as the shards of one run")
+        .placeholder("FOLDER");
     command.repeated("--root", to.roots,
                      "with --merge: a folder of scenes, shaders or goldens that the report may show; may be "
                      "repeated");

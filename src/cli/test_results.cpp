@@ -76,8 +76,14 @@ std::optional<RunRecord> RunRecord::open(const fs::path& folder, const suite::Ru
     }
 }
 
-bool RunRecord::isDone(const suite::Suite& suite, const suite::ShotReference& shot) const {
-    return results_.contains({suite.name, suite.shots[shot.shot].name});
+bool RunRecord::isDone(const suite::Suite& suite, const suite::ShotReference& shot,
+                       const std::string& fingerprint) {
+    const auto found = results_.find({suite.name, suite.shots[shot.shot].name});
+    if (found == results_.end()) return false;
+    if (!fingerprint.empty() && found->second.fingerprint == fingerprint) return true;
+    results_.erase(found);
+    ++droppedCount_;
+    return false;
 }
 
 void RunRecord::add(const suite::ShotResult& shot) {

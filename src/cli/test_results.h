@@ -23,8 +23,12 @@ class RunRecord {
     static std::optional<RunRecord> open(const std::filesystem::path& folder, const suite::RunResult& run,
                                          bool resume, bool update, const std::function<bool()>& stop);
 
-    /// True if the earlier run has a verdict on the shot.
-    [[nodiscard]] bool isDone(const suite::Suite& suite, const suite::ShotReference& shot) const;
+    /// True if the earlier run has a verdict on the shot that still holds: what it depends on has that
+    /// fingerprint. A verdict that does not hold is dropped.
+    [[nodiscard]] bool isDone(const suite::Suite& suite, const suite::ShotReference& shot,
+                              const std::string& fingerprint);
+    /// The number of verdicts that isDone() has dropped.
+    [[nodiscard]] std::size_t droppedCount() const { return droppedCount_; }
     void add(const suite::ShotResult& shot);
     /// True once a result could not be written; the reason has been printed.
     [[nodiscard]] bool failed() const { return failed_; }
@@ -42,6 +46,7 @@ class RunRecord {
     std::filesystem::path folder_;
     suite::ResultsWriter writer_;
     std::map<Key, suite::ShotResult> results_;
+    std::size_t droppedCount_ = 0;
     bool failed_ = false;
 };
 

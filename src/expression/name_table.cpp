@@ -14,7 +14,8 @@ constexpr NameRow kSceneNames[] = {
     {"tick", Type::number(), D::tick, "number of the simulation step, from 0"},
     {"window", Type::vector(2), D::window, "width and height of the window in pixels"},
     {"aspect", Type::number(), D::window, "width / height of the window"},
-    {"mouse", Type::vector(2), D::mouse, "place of the mouse, 0 to 1 from the lower left corner"},
+    {"mouse", Type::vector(2), D::mouse,
+     "place of the mouse, 0 to 1 from the lower left corner; .5 .5 without a window"},
     {"mouse.down", Type::boolean(), D::mouse, "whether the left button is down"},
     {"model", Type::matrix(4), D::model, "the product of the transforms below the camera"},
 };

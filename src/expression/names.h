@@ -38,6 +38,11 @@ constexpr bool any(Depends set) {
     return set != Depends::nothing;
 }
 
+/// True if another time, tick or frame may give another value.
+constexpr bool changesWithTime(Depends set) {
+    return any(set & (Depends::time | Depends::tick | Depends::frame));
+}
+
 /// What a name stands for.
 struct Symbol {
     Type type;

@@ -36,7 +36,7 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"glib-E29", "Camera: Perspective needs an angle between 0 and 180, and 0 < near < far"},
     {"glib-W01", "a single '/' starts a comment here; use '//' or '#', or quote the path"},
     {"glib-W02", "text after the continuation backslash ignored"},
-    {"glib-W03", "',' at the end of '.60,' dropped"},
+    {"glib-W03", "',' at the end of '.60,' dropped; blanks separate values"},
     {"glib-W04", "'0.1.' read as 0.1, '.' ignored"},
     {"glib-W05", "'z' is not a number, 0 used"},
     {"glib-W06", "Translate: 2 numbers, missing ones are 0"},
@@ -112,6 +112,10 @@ constexpr CatalogueRow kCatalogueRows[] = {
      "may "
      "be wrong"},
     {"draw-W09", "Sphere: gl_Position is NaN or infinite in 12 of 1,520 triangles, which are lost"},
+    {"draw-W10",
+     "program 'Shade' has no output for target 'normals' (line 4), so the draw leaves it as it is; declare "
+     "'layout(location = 1) out vec4 ...' in the fragment stage"},
+    {"draw-W11", "texture 'glow' (line 4) is read here, but nothing draws or writes into it, so it is zero"},
     {"draw-N01", "no LookAt, so the eye is moved back by 4.125 along z (use --eye glman to switch this off)"},
     {"draw-N02", "the picture has only one colour"},
     {"draw-N03",
@@ -139,6 +143,16 @@ constexpr CatalogueRow kCatalogueRows[] = {
      "Step: what is drawn into the window does not last; draw into a texture, or move the pass out of Step"},
     {"memory-E10",
      "QuadXY writes memory, so the window cannot be drawn in 4 tiles; choose a smaller size or larger tiles"},
+    {"memory-E11",
+     "Once reads 'x' (line 3), which changes with time, but what Once writes stays; read it in Step"},
+    {"memory-E12", "Dispatch: buffer 'counts' has 4 bytes, but 3 counts need 12"},
+    {"memory-E13", "Vertices: element 5 of 'faces' is vertex 12, but 'corners' has 12 elements"},
+    {"memory-E14",
+     "atomic counters 'red' and 'all' of program 'Count' have the same binding, so they lie in one buffer, "
+     "but two are given, 'red' and 'all'; give each counter a binding of its own"},
+    {"memory-W01",
+     "Step reads 'shadow', which only the frame writes (line 20), so the result depends on the pictures that "
+     "were drawn before; write 'shadow' in Step"},
     // Shaders
     {"glsl-E01", "'vMC' : undeclared identifier"},
     {"glsl-E02", "'vN' is vec3 in dots.vert:4 and vec4 in dots.frag:6"},

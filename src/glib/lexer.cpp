@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "glib/limits.h"
 #include "glib/number.h"
@@ -180,10 +181,10 @@ class LineReader {
         const std::string_view written = text_.substr(begin, end - begin);
         std::string_view word = written;
         while (!word.empty() && (word.back() == ',' || word.back() == ';')) word.remove_suffix(1);
-        if (word.size() < written.size()) {
+        if (word.size() < written.size() && !std::exchange(hasDropped_, true)) {
             log_.report("glib-W03",
-                        fmt::format("{} at the end of {} dropped", inQuotes(written.substr(word.size())),
-                                    inQuotes(written)),
+                        fmt::format("{} at the end of {} dropped; blanks separate values",
+                                    inQuotes(written.substr(word.size())), inQuotes(written)),
                         position(begin));
         }
         if (line_.tokens.empty() && messages_ == MessageLines::rawText && sameWord(word, "MessageBox")) {
@@ -232,6 +233,7 @@ class LineReader {
     Line line_;
     std::size_t at_ = 0;
     bool hasBreaks_ = false;             ///< there are several lines
+    bool hasDropped_ = false;            ///< glib-W03 has been reported for this line
     LineRange row_;                      ///< the line of the last position; its end is not used
     std::size_t afterNoBreakSpace_ = 0;  ///< offset after the last one; 0: none on this line yet
 };

@@ -15,6 +15,7 @@
 #include "glib/limits.h"
 #include "glib/message_log.h"
 #include "glib/modern/blocks.h"
+#include "glib/modern/grammar.h"
 #include "glib/modern/match.h"
 #include "glib/modern/pieces.h"
 #include "glib/modern/statement_table.h"
@@ -40,7 +41,7 @@ class Parser {
     /// True if the scene has a modern statement, and a line that would mean something else if that were
     /// known.
     [[nodiscard]] bool hasToReadAgain() const {
-        return isModern_ && (reader_.wasAmbiguous() || seesFormula_);
+        return isModern_ && (reader_.wasAmbiguous() || wouldDiffer_);
     }
     [[nodiscard]] bool isModern() const { return isModern_; }
 
@@ -84,8 +85,20 @@ class Parser {
         const bool suggests = word.kind == TokenKind::word && !log_.isFull();
         const std::string_view nearest = suggests ? nearestCommand(word.text) : std::string_view();
         std::string text = "unknown command " + inQuotes(word.text);
-        if (!nearest.empty()) text += fmt::format("; did you mean '{}'?", nearest);
+        if (const std::string key = stateKeyNamed(word); !key.empty())
+            text += fmt::format("; write 'State {}'", key);
+        else if (!nearest.empty())
+            text += fmt::format("; did you mean '{}'?", nearest);
         log_.report("glib-E01", std::move(text), word.position);
+    }
+
+    /// The key of State that has the name of an unknown command: Blend, Cull, DepthWrite. Empty for other
+    /// words.
+    static std::string stateKeyNamed(const Token& word) {
+        for (const std::string& key : syntaxOf(*statementOf(CommandId::state)).keys)
+            if (word.kind == TokenKind::word && key.size() == word.text.size() && sameWord(key, word.text))
+                return key;
+        return {};
     }
 
     static Command start(const Statement& statement, CommandId id) {
@@ -115,11 +128,15 @@ class Parser {
     }
 
     /// True if the tags are read by the rules of modern statements: after the first declaration of a name,
-    /// and if a value is an expression.
-    bool isModernProgram(const Statement& statement) const {
-        return declaresNames_ ||
-               std::any_of(statement.arguments.begin(), statement.arguments.end(),
-                           [](const Token& token) { return token.kind == TokenKind::expression; });
+    /// if a value is an expression, and in a modern scene if a tag has a subscript.
+    bool isModernProgram(const Statement& statement) {
+        if (declaresNames_ ||
+            std::any_of(statement.arguments.begin(), statement.arguments.end(),
+                        [](const Token& token) { return token.kind == TokenKind::expression; }))
+            return true;
+        if (!hasSubscriptedTag(statement.arguments)) return false;
+        if (!isModern_) wouldDiffer_ = true;
+        return isModern_;
     }
 
     void keepModern(const Statement& statement, const StatementRow& row) {
@@ -247,7 +264,7 @@ class Parser {
             const bool isName = token.kind == TokenKind::word && names_.contains(std::string(head));
             const bool isFormula = (token.kind == TokenKind::word || token.kind == TokenKind::number) &&
                                    looksLikeExpression(token.text);
-            if (isFormula && !isModern_) seesFormula_ = true;
+            if (isFormula && !isModern_) wouldDiffer_ = true;
             if (!isName && !(isFormula && isModern_)) continue;
             log_.report("glib-E19",
                         fmt::format("{}: expected a number, found {}; write ({}) for its value",
@@ -288,8 +305,8 @@ class Parser {
     MessageLog& log_;
     BlockStack blocks_;
     bool isModern_ = false;
-    bool seesFormula_ = false;                      ///< where a modern scene would have an error
-    std::unordered_set<std::string> names_;         ///< of textures, buffers, samplers, cameras and variables
+    bool wouldDiffer_ = false;               ///< something so far would mean something else in a modern scene
+    std::unordered_set<std::string> names_;  ///< of textures, buffers, samplers, cameras and variables
     std::set<std::string, std::less<>> lostNames_;  ///< that statements so far would declare
     bool declaresNames_ = false;
     bool hasInclude_ = false;

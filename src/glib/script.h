@@ -37,6 +37,7 @@ struct UniformSpec {
     /// The word of a choice whose number `values` holds, or a word that may name a function of a subroutine
     /// uniform; then there are no values.
     std::string word{};
+    bool changesWithTime = false;  ///< of a variable: another time may give it another value
 };
 
 /// One statement. The form in the command's row decides which members are filled:

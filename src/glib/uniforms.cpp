@@ -249,6 +249,18 @@ void takeUniforms(Command& command) {
     command.tags = std::move(rest);
 }
 
+bool hasSubscriptedTag(std::span<const Token> tokens) {
+    for (std::size_t i = 0; i + 4 < tokens.size(); ++i) {
+        const bool isSubscript = tokens[i].kind == TokenKind::word && tokens[i + 1].text == "[" &&
+                                 tokens[i + 1].begin == tokens[i].end &&
+                                 tokens[i + 2].kind == TokenKind::number && tokens[i + 3].text == "]";
+        const Token& next = tokens[i + 4];
+        const bool isMember = next.begin == tokens[i + 3].end && next.isWord() && next.text.starts_with('.');
+        if (isSubscript && (isMember || next.beginsValue())) return true;
+    }
+    return false;
+}
+
 void readProgram(const Statement& statement, std::string_view fragmentFile, Command& command,
                  MessageLog& log) {
     ProgramReader(statement, command, log).read(fragmentFile);

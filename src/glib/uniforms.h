@@ -1,6 +1,7 @@
 #pragma once
 // The name and the tags of a Program statement (language, 5.1 and 5.2).
 
+#include <span>
 #include <string_view>
 
 #include "glib/message_log.h"
@@ -15,6 +16,10 @@ namespace glibra::glib {
 /// for those with too many.
 void readProgram(const Statement& statement, std::string_view fragmentFile, Command& command,
                  MessageLog& log);
+
+/// True if a tag has a subscript that a member or a value follows: `lights[1].color {1 0 0}`, `weights[2]
+/// .5`. Classic scenes read such a subscript as the value.
+bool hasSubscriptedTag(std::span<const Token> tokens);
 
 /// Moves the tags of a modern Program whose values are plain numbers to `uniforms`, as readProgram fills it.
 void takeUniforms(Command& command);

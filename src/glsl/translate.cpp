@@ -57,16 +57,18 @@ void parse(Unit& unit) {
 }
 
 /// Gives the fragment stage the vertex stage that covers the target, if the program wants one: where there is
-/// no other stage, or only a vertex stage that was meant for other shapes.
+/// no other stage, or only vertex and geometry stages that were meant for other shapes.
 void supplyVertexStage(ProgramUnits& program) {
     if (!program.request->suppliesFullScreenVertex || program.units.empty() ||
-        program.units.back().stage != Stage::fragment || program.units.size() > 2)
+        program.units.back().stage != Stage::fragment)
         return;
-    if (program.units.size() == 2) {
-        const Unit& first = program.units.front();
-        if (first.stage != Stage::vertex || !lacksPlace(first, program.units.back())) return;
-        program.units.erase(program.units.begin());
-    }
+    const auto end = program.units.end() - 1;
+    if (!std::all_of(program.units.begin(), end, [&](const Unit& each) {
+            const bool isReplaced = each.stage == Stage::vertex || each.stage == Stage::geometry;
+            return isReplaced && lacksPlace(each, program.units.back());
+        }))
+        return;
+    program.units.erase(program.units.begin(), end);
     program.result->suppliesVertexStage = true;
     Unit vertex;
     vertex.request = program.request;

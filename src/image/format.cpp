@@ -24,7 +24,8 @@ constexpr std::array kFormatRows{
     Row{Format::webp, "a WebP picture", "webp", ".webp "},
     Row{Format::photoshop, "a Photoshop picture", "psd", ".psd "},
     Row{Format::dds, "a DDS picture", "dds", ".dds "},
-    Row{Format::pnm, "a PNM picture", "pnm", ".ppm .pgm .pbm .pnm .pfm "},
+    Row{Format::pnm, "a PNM picture", "pnm", ".ppm .pgm .pbm .pnm "},
+    Row{Format::pfm, "a PFM picture", "pnm", ".pfm "},
     Row{Format::sgi, "an SGI picture", "sgi", ".sgi .rgb .rgba .bw "},
     Row{Format::icon, "an ICO picture", "ico", ".ico "},
     Row{Format::heif, "a HEIF picture", "heif", ".heic .heif .avif "},
@@ -89,12 +90,14 @@ bool isBmp(std::span<const std::byte> bytes) {
            std::find(kHeaderSizes.begin(), kHeaderSizes.end(), byteAt(bytes, 14)) != kHeaderSizes.end();
 }
 
-bool isPnm(std::span<const std::byte> bytes) {
-    if (bytes.size() < 3 || byteAt(bytes, 0) != 'P') return false;
+/// Format::pnm, Format::pfm or Format::unknown.
+Format pnmOrPfm(std::span<const std::byte> bytes) {
+    if (bytes.size() < 3 || byteAt(bytes, 0) != 'P') return Format::unknown;
     const unsigned kind = byteAt(bytes, 1), separator = byteAt(bytes, 2);
-    const bool known = (kind >= '1' && kind <= '6') || kind == 'F' || kind == 'f';
-    return known && (separator == '\n' || separator == '\r' || separator == ' ' || separator == '\t' ||
-                     separator == '#');
+    if (separator != '\n' && separator != '\r' && separator != ' ' && separator != '\t' && separator != '#')
+        return Format::unknown;
+    if (kind == 'F' || kind == 'f') return Format::pfm;
+    return kind >= '1' && kind <= '6' ? Format::pnm : Format::unknown;
 }
 
 /// TGA has no signature: its whole header must be valid, and either the footer of version 2 exists or the
@@ -125,7 +128,7 @@ Format formatOf(std::span<const std::byte> bytes) {
     for (const Signature& each : kSignatures)
         if (hasAt(bytes, each.offset, each.bytes)) return each.format;
     if (hasAt(bytes, 0, "RIFF") && hasAt(bytes, 8, "WEBP")) return Format::webp;
-    if (isPnm(bytes)) return Format::pnm;
+    if (const Format format = pnmOrPfm(bytes); format != Format::unknown) return format;
     if (isTarga(bytes)) return Format::targa;
     return Format::unknown;
 }
@@ -139,6 +142,11 @@ Format formatOfSuffix(const std::filesystem::path& path) {
     for (const Row& row : kFormatRows)
         if (row.suffixes.find(suffix) != std::string_view::npos) return row.format;
     return Format::unknown;
+}
+
+bool holdsFloats(const std::filesystem::path& path) {
+    const Format format = formatOfSuffix(path);
+    return format == Format::openExr || format == Format::hdr || format == Format::pfm;
 }
 
 std::string_view describe(Format format) {

@@ -22,6 +22,7 @@ enum class Format {
     photoshop,
     dds,
     pnm,
+    pfm,  ///< the floats of PNM
     sgi,
     icon,
     heif,
@@ -33,6 +34,9 @@ Format formatOf(std::span<const std::byte> bytes);
 
 /// By the suffix, in upper or lower case. Format::unknown if the suffix is not known.
 Format formatOfSuffix(const std::filesystem::path& path);
+
+/// True for the suffixes of formats that keep floats outside of 0..1: EXR, HDR and PFM.
+bool holdsFloats(const std::filesystem::path& path);
 
 /// With article, for messages: "a TIFF picture", "an EXR picture", "a raw texture".
 std::string_view describe(Format format);

@@ -237,9 +237,20 @@ std::vector<fs::path> defaultModuleFolders() {
     std::error_code failed;
     const fs::path program = fs::read_symlink("/proc/self/exe", failed);
     if (!failed && program.has_parent_path()) {
+        const fs::path prefix = program.parent_path().parent_path();
         folders.push_back(program.parent_path());
-        folders.push_back(program.parent_path().parent_path() / "lib" / "glibra");
+        folders.push_back(prefix / "lib" / "glibra");
+#ifdef GLIBRA_MODULE_LIBRARY_DIR
+        folders.push_back(prefix / GLIBRA_MODULE_LIBRARY_DIR);
+#endif
     }
+    // A program of somebody else uses the library, which may have moved. Nothing is loaded from the current
+    // folder: the name of a program may be relative.
+    Dl_info self{};
+    if (::dladdr(reinterpret_cast<const void*>(&defaultModuleFolders), &self) != 0 &&
+        self.dli_fname != nullptr)
+        if (const fs::path file(self.dli_fname); file.is_absolute())
+            folders.push_back(file.parent_path() / "glibra");
 #ifdef GLIBRA_MODULE_BUILD_DIR  // the build defines both if it builds the module
     folders.emplace_back(GLIBRA_MODULE_INSTALL_DIR);
     folders.emplace_back(GLIBRA_MODULE_BUILD_DIR);

@@ -2,8 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <bit>
+#include <cstddef>
 #include <new>
+#include <span>
+#include <string>
 #include <system_error>
+#include <vector>
 
 #include "image/convert.h"
 #include "image/file.h"
@@ -19,6 +24,23 @@ Diagnostics writePng(const Image& image, const fs::path& path, const PngOptions&
     const auto png = floats ? encodePng(withType(image, Component::u16), options) : encodePng(image, options);
     if (png.empty()) return {cannotWrite(path, "there is not enough memory")};
     return writeFileAtomically(path, png);
+}
+
+/// A PFM file: colours without alpha as little-endian floats, from the bottom row to the top one (P. Debevec,
+/// "PFM Portable FloatMap Image Format"). OpenImageIO reads it, but writes it from version 2.5 on only.
+Diagnostics writePfm(const Image& image, const fs::path& path) {
+    static_assert(std::endian::native == std::endian::little);
+    const Image colors = withComponents(withType(image, Component::f32), 3);
+    const std::string header = fmt::format("PF\n{} {}\n-1.0\n", colors.width, colors.height);
+    const auto head = std::as_bytes(std::span(header));
+    std::vector<std::byte> file(head.begin(), head.end());
+    file.reserve(head.size() + colors.data.size());
+    const std::size_t row = 3 * sizeof(float) * static_cast<std::size_t>(colors.width);
+    for (std::size_t y = static_cast<std::size_t>(colors.height); y-- > 0;) {
+        const auto first = colors.data.begin() + static_cast<std::ptrdiff_t>(y * row);
+        file.insert(file.end(), first, first + static_cast<std::ptrdiff_t>(row));
+    }
+    return writeFileAtomically(path, file);
 }
 
 Diagnostics writeOther(const Image& image, Format format, const fs::path& path, const WriteOptions& options) {
@@ -39,6 +61,7 @@ Diagnostics writeImage(const Image& image, const fs::path& path, const WriteOpti
     const Format format = formatOfSuffix(path);
     try {
         if (format == Format::png) return writePng(image, path, options.png);
+        if (format == Format::pfm) return writePfm(image, path);
         if (format == Format::unknown || format == Format::rawTexture)
             return {
                 cannotWrite(path, fmt::format("the suffix '{}' is not that of a picture format; .png is one",

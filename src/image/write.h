@@ -20,10 +20,10 @@ struct WriteOptions {
     std::string comment = {};
 };
 
-/// Writes .png with png_writer (float pictures as 16 bits, limited to 0..1) and every other suffix with the
-/// OpenImageIO module: .jpg, .bmp, .tif, .exr, .hdr, .tga and others. The file appears when it is complete.
-/// Empty on success, otherwise file-E03 (the module is not installed) or file-E10 (unknown suffix, or the
-/// file cannot be written).
+/// Writes .png with png_writer (float pictures as 16 bits, limited to 0..1), .pfm as floats without alpha,
+/// and every other suffix with the OpenImageIO module: .jpg, .bmp, .tif, .exr, .hdr, .tga and others. The
+/// file appears when it is complete. Empty on success, otherwise file-E03 (the module is not installed) or
+/// file-E10 (unknown suffix, or the file cannot be written).
 Diagnostics writeImage(const Image& image, const std::filesystem::path& path,
                        const WriteOptions& options = {});
 

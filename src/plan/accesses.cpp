@@ -8,11 +8,13 @@ namespace glibra::plan {
 namespace {
 
 ObjectUse textureUseOf(const PlannedProgram& program, const TextureUse& use) {
-    if (!use.isImage) return {use.view, true, false};
+    const scene::ObjectView object =
+        use.buffer.buffer ? scene::ObjectView(use.buffer) : scene::ObjectView(use.view);
+    if (!use.isImage) return {object, true, false};
     const auto& images = program.interface->facts.memory.images;
     const auto found = images.find(at(program.interface->uniforms, use.uniform).name);
-    if (found == images.end()) return {use.view, true, true};
-    return {use.view, !found->second.isWriteonly, !found->second.isReadonly};
+    if (found == images.end()) return {object, true, true};
+    return {object, !found->second.isWriteonly, !found->second.isReadonly};
 }
 
 ObjectUse blockUseOf(const PlannedProgram& program, const BlockUse& use) {
@@ -31,8 +33,7 @@ void addDraw(const FramePlan& plan, const PlannedDraw& planned, std::vector<Obje
     const auto read = [&](const scene::BufferView& view) {
         if (view.buffer) to.push_back({view, true, false});
     };
-    read(plan.drawOf(planned).instancesFrom);
-    read(plan.drawOf(planned).verticesFrom);
+    for (const scene::BufferView& each : plan.drawOf(planned).ownBuffers()) read(each);
     if (!planned.inputs) return;
     for (const InputSource& each : plan.inputs[planned.inputs].sources)
         if (const auto* view = std::get_if<scene::BufferView>(&each.from)) read(*view);
@@ -57,7 +58,7 @@ bool isPrevious(const scene::ObjectView& view) {
 std::vector<ObjectUse> shaderUses(const PlannedProgram& program, const std::vector<TextureUse>& textures) {
     std::vector<ObjectUse> uses;
     for (const TextureUse& each : textures)
-        if (each.view.texture) uses.push_back(textureUseOf(program, each));
+        if (each.view.texture || each.buffer.buffer) uses.push_back(textureUseOf(program, each));
     for (const BlockUse& each : program.blocks) uses.push_back(blockUseOf(program, each));
     return uses;
 }

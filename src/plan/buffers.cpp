@@ -63,6 +63,12 @@ class LayoutFinder {
             for (const BlockUse& use : each.blocks) addBlock(*each.interface, use);
         for (const scene::BufferIndex each : plan_.buffers)
             if (!layouts_.contains(each) && !failed_.contains(each)) addByType(each);
+        for (const PlannedPass& pass : plan_.passes)
+            for (const auto& step : pass.steps)
+                if (const auto* draw = std::get_if<PlannedDraw>(&step))
+                    checkTexels(draw->program, draw->textures, plan_.drawOf(*draw).place);
+        for (const PlannedDispatch& each : plan_.dispatches)
+            checkTexels(each.program, each.textures, plan_.dispatchOf(each).place);
         return std::move(diagnostics_);
     }
 
@@ -96,6 +102,27 @@ class LayoutFinder {
         const std::uint64_t made =
             pattern->isRuntimeSized() ? std::max(first.bytes, kLeastBufferBytes) : first.bytes;
         if (pattern->least > made) reportSmall(index, first.bytes, *pattern, what);
+    }
+
+    /// Reports memory-E03 for buffers that are read as textures, but that a block lays out otherwise than
+    /// their type says.
+    void checkTexels(PlannedProgramIndex program, const std::vector<TextureUse>& textures,
+                     const Place& place) {
+        for (const TextureUse& each : textures) {
+            const auto known = layouts_.find(each.buffer.buffer);
+            if (!each.buffer.buffer || known == layouts_.end()) continue;
+            const scene::Buffer& buffer = scene_.buffers[each.buffer.buffer];
+            const BufferLayout& layout = known->second;
+            const auto ofType = patternOf(buffer.type, glsl::MemoryStructures());
+            if (!ofType || !firstDifference(layout.pattern, *ofType, layout.pattern.numbers(layout.elements)))
+                continue;
+            const ActiveUniform& uniform = at(plan_.programs[program].interface->uniforms, each.uniform);
+            fail(each.buffer.buffer, "memory-E03",
+                 fmt::format("{} ({}:{}) and {} '{}' ({}:{}) lay out buffer '{}' differently; give both the "
+                             "same members and layout",
+                             layout.from, layout.place.file, layout.place.line, uniform.type.word,
+                             uniform.name, place.file, place.line, buffer.name));
+        }
     }
 
     void reportSmall(scene::BufferIndex index, std::uint64_t bytes, const MemoryPattern& pattern,
@@ -198,6 +225,56 @@ class LayoutFinder {
     Diagnostics diagnostics_;
 };
 
+/// Checks that a buffer begins with that many counts. Nothing if it does, or has no layout.
+std::optional<Diagnostic> countsProblem(const scene::Scene& scene, const scene::BufferView& from,
+                                        const BufferLayout* layout, std::uint64_t counts,
+                                        const std::string& word, const Place& place) {
+    if (layout == nullptr) return std::nullopt;
+    const std::string& name = scene.buffers[from.buffer].name;
+    const std::uint64_t bytes = counts * sizeof(std::uint32_t);
+    if (layout->bytes < bytes)
+        return diagnose("memory-E12",
+                        fmt::format("{}: buffer '{}' has {}, but {} need{} {}", word, name,
+                                    countedText(layout->bytes, "byte", "bytes"),
+                                    countedText(counts, "count", "counts"), counts == 1 ? "s" : "", bytes),
+                        place);
+    const std::uint64_t numbers = std::min(counts, layout->pattern.numbers(layout->elements));
+    for (std::uint64_t i = 0; i < numbers; ++i) {
+        const MemoryNumber number = layout->pattern.at(i);
+        const bool isWhole = number.kind == NumberKind::unsignedInteger || number.kind == NumberKind::integer;
+        if (isWhole && number.offset == i * sizeof(std::uint32_t)) continue;
+        return diagnose("memory-E12",
+                        fmt::format("{}: buffer '{}' does not begin with {} of type uint ({} decides)", word,
+                                    name, countedText(counts, "number", "numbers"), layout->from),
+                        place);
+    }
+    return std::nullopt;
+}
+
+/// memory-E12 for draws and dispatches whose counts their buffers do not hold.
+Diagnostics countsProblems(const scene::Scene& scene, const FramePlan& plan, const BufferLayouts& layouts) {
+    Diagnostics problems;
+    const auto check = [&](const scene::BufferView& from, std::uint64_t counts, const std::string& word,
+                           const Place& place) {
+        if (!from.buffer) return;
+        if (auto problem = countsProblem(scene, from, layouts.find(from.buffer), counts, word, place))
+            problems.push_back(*std::move(problem));
+    };
+    for (const PlannedDispatch& each : plan.dispatches) {
+        const scene::Dispatch& dispatch = plan.dispatchOf(each);
+        if (const auto* groups = std::get_if<scene::GroupsFrom>(&dispatch.groups))
+            check(groups->buffer, 3, "Dispatch", dispatch.place);
+    }
+    for (const PlannedPass& pass : plan.passes)
+        for (const auto& step : pass.steps)
+            if (const auto* planned = std::get_if<PlannedDraw>(&step)) {
+                const scene::Draw& draw = plan.drawOf(*planned);
+                check(draw.verticesFrom, 1, "Vertices", draw.place);
+                check(draw.instancesFrom, 1, "Instances", draw.place);
+            }
+    return problems;
+}
+
 }  // namespace
 
 Result<std::vector<BlockUse>> blockUses(const scene::Scene& scene, const scene::Program& program,
@@ -211,7 +288,10 @@ Result<std::vector<BlockUse>> blockUses(const scene::Scene& scene, const scene::
         const Place place = declared != nullptr ? declared->place : program.place;
         std::optional<scene::BufferView> view = finder.find(name);
         if (!view) view = finder.find(plainName(name));
-        if (!view && declared != nullptr) view = finder.find(declared->instance);
+        if (!view && declared != nullptr && !declared->instance.empty() && !plainName(name).empty()) {
+            view = finder.find(declared->instance + name.substr(plainName(name).size()));
+            if (!view) view = finder.find(declared->instance);
+        }
         if (!view && isStorage && declared != nullptr && !declared->members.empty())
             view = finder.find(declared->members.back().name);
         if (view) return uses.push_back({kind, index, *view, place});
@@ -230,8 +310,23 @@ Result<std::vector<BlockUse>> blockUses(const scene::Scene& scene, const scene::
     for (std::size_t i = 0; i < interface.counterBuffers.size(); ++i) {
         const base::CounterBuffer& counters = interface.counterBuffers[i];
         std::optional<scene::BufferView> view;
-        for (const std::string& each : counters.counters)
-            if (!view) view = finder.find(each);
+        std::string from;  // the counter that has it
+        for (const std::string& each : counters.counters) {
+            const std::optional<scene::BufferView> own = finder.find(each);
+            if (own && view && *own != *view)
+                errors.push_back(diagnose(
+                    "memory-E14",
+                    fmt::format("atomic counters '{}' and '{}' of program '{}' have the same binding, "
+                                "so they lie in one buffer, but two are given, '{}' and '{}'; give "
+                                "each counter a binding of its own",
+                                from, each, program.name, scene.buffers[view->buffer].name,
+                                scene.buffers[own->buffer].name),
+                    program.place));
+            if (own && !view) {
+                view = own;
+                from = each;
+            }
+        }
         const std::string name = counters.counters.empty() ? std::string() : counters.counters.front();
         const auto declared = interface.facts.memory.counters.find(name);
         const Place place =
@@ -264,7 +359,9 @@ std::string describe(const BlockUse& use, const ProgramInterface& interface) {
 
 Diagnostics BufferLayouts::add(const scene::Scene& scene, const FramePlan& plan, std::uint64_t mostBytes,
                                std::uint64_t (*fileBytes)(const std::filesystem::path& path)) {
-    return LayoutFinder(scene, plan, mostBytes, fileBytes, layouts_).add();
+    Diagnostics diagnostics = LayoutFinder(scene, plan, mostBytes, fileBytes, layouts_).add();
+    append(diagnostics, countsProblems(scene, plan, *this));
+    return diagnostics;
 }
 
 const BufferLayout* BufferLayouts::find(scene::BufferIndex buffer) const {

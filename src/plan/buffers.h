@@ -31,7 +31,8 @@ struct BlockUse {
 
 /// The buffers of a program's blocks: those that the draw's or dispatch's set binds by a tag with the block's
 /// name or its instance's, otherwise those declared with that name. A uniform block without a buffer has
-/// values of its own and no entry. Error memory-E02 for a storage block or atomic counter without a buffer.
+/// values of its own and no entry. Error memory-E02 for a storage block or atomic counter without a buffer,
+/// memory-E14 for counters of one binding with several.
 Result<std::vector<BlockUse>> blockUses(const scene::Scene& scene, const scene::Program& program,
                                         scene::UniformSetIndex set, const ProgramInterface& interface);
 
@@ -57,7 +58,8 @@ class BufferLayouts {
   public:
     /// Adds the buffers that the plan uses. Errors: memory-E03 for blocks that lay out one buffer
     /// differently, memory-E04 for a buffer that is too small for its block or larger than `mostBytes`, and
-    /// memory-E05 for a buffer whose type is not known. `fileBytes` returns the size of a file.
+    /// memory-E05 for a buffer whose type is not known, and memory-E12 for one that does not begin with the
+    /// counts that a draw or dispatch takes from it. `fileBytes` returns the size of a file.
     Diagnostics add(const scene::Scene& scene, const FramePlan& plan, std::uint64_t mostBytes,
                     std::uint64_t (*fileBytes)(const std::filesystem::path& path));
     /// Null if no plan uses the buffer, or with an error.

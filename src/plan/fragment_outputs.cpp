@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -64,23 +65,39 @@ Diagnostics outputProblems(const scene::Scene& scene, const scene::Draw& draw, c
             const auto target = static_cast<std::size_t>(location);
             const BaseType kind = texelKindOf(scene, pass, target);
             if (kind == output.type.base || !isWritten(draw, target)) continue;
-            std::string written = "the window";
-            if (!pass.isWindow) {
-                const scene::Texture& texture = scene.textures[pass.targets[target]];
-                written = texture.name.empty()
-                              ? fmt::format("the target of line {}", pass.place.line)
-                              : fmt::format("target '{}' (line {})", texture.name, texture.place.line);
-            }
             problems.push_back(diagnose(
                 "draw-E11",
                 fmt::format("fragment output '{}' is of type {}, but {} holds {}; declare the output as {}",
-                            userNameOf(interface, output.name), output.type.word, written, texelWords(kind),
+                            userNameOf(interface, output.name), output.type.word,
+                            describeTarget(scene, pass, target), texelWords(kind),
                             glslTypeOf(kind, output.type.components())),
                 draw.place));
             break;
         }
     }
     return problems;
+}
+
+std::bitset<base::kRasterTargets> targetsWithoutOutput(const scene::Scene& scene, const scene::Draw& draw,
+                                                       const scene::Pass& pass,
+                                                       const ProgramInterface& interface, bool listsOutputs) {
+    std::bitset<base::kRasterTargets> missing;
+    if (!scene.isModern || !listsOutputs || interface.isBuiltin) return missing;
+    const std::size_t count = pass.isWindow ? 1 : std::min(pass.targets.size(), base::kRasterTargets);
+    for (std::size_t target = 0; target < count; ++target) missing[target] = isWritten(draw, target);
+    for (const base::ActiveOutput& output : interface.outputs)
+        for (int i = 0; i < std::max(output.arraySize, 1); ++i)
+            if (const int location = output.location + i;
+                location >= 0 && location < static_cast<int>(base::kRasterTargets))
+                missing.reset(static_cast<std::size_t>(location));
+    return missing;
+}
+
+std::string describeTarget(const scene::Scene& scene, const scene::Pass& pass, std::size_t target) {
+    if (pass.isWindow) return "the window";
+    const scene::Texture& texture = scene.textures[pass.targets[target]];
+    return texture.name.empty() ? fmt::format("the target of line {}", pass.place.line)
+                                : fmt::format("target '{}' (line {})", texture.name, texture.place.line);
 }
 
 }  // namespace glibra::plan

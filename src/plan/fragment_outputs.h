@@ -1,6 +1,11 @@
 #pragma once
 // Do the outputs of a fragment stage fit the targets of the pass?
 
+#include <bitset>
+#include <cstddef>
+#include <string>
+
+#include "base/raster_state.h"
 #include "plan/program_interface.h"
 #include "scene/scene.h"
 
@@ -12,5 +17,15 @@ namespace glibra::plan {
 /// GL 4.3, which do not list outputs.
 Diagnostics outputProblems(const scene::Scene& scene, const scene::Draw& draw, const scene::Pass& pass,
                            const ProgramInterface& interface);
+
+/// The colour targets of the pass that the draw may write but its program has no output for: OpenGL leaves
+/// undefined what it would write there (GL 4.6, 15.2.3). None for classic scenes, and for drivers below
+/// GL 4.3, whose lists of outputs are empty (`listsOutputs`).
+std::bitset<base::kRasterTargets> targetsWithoutOutput(const scene::Scene& scene, const scene::Draw& draw,
+                                                       const scene::Pass& pass,
+                                                       const ProgramInterface& interface, bool listsOutputs);
+
+/// A colour target in messages: "the window", "target 'ids' (line 4)".
+std::string describeTarget(const scene::Scene& scene, const scene::Pass& pass, std::size_t target);
 
 }  // namespace glibra::plan

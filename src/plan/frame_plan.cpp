@@ -185,9 +185,12 @@ class FramePlanner {
         if (!submission || hasError(problems)) return;
 
         reportRemarks(draw, index, program, *submission, uses);
+        const std::bitset<base::kRasterTargets> unwritten =
+            targetsWithoutOutput(scene_, draw, pass, interface, options_.lacksCompute.empty());
+        if (unwritten.any()) reportUnwritten(draw, pass, index, unwritten);
         const PlannedInputsIndex inputs = programs_.inputsOf(draw, index);
         result.steps.emplace_back(PlannedDraw{step, index, meshOf(draw, index, inputs, submission->topology),
-                                              *submission, uses, inputs});
+                                              *submission, uses, inputs, unwritten});
     }
 
     /// The program has no usable stages, so a window shows the shape in one colour. It cannot show patches
@@ -238,9 +241,12 @@ class FramePlanner {
                             draw.word, unit, pass.place.line);
             if (!texture.name.empty())
                 text = fmt::format(
-                    "{} samples {} while drawing into it (line {}); read another part, or "
-                    "declare '{}' with history and read '{}.prev'",
-                    draw.word, nameOf(scene_, uses[i].view), pass.place.line, texture.name, texture.name);
+                    "{} samples {} while drawing into it (line {}); {}", draw.word,
+                    nameOf(scene_, uses[i].view), pass.place.line,
+                    pass.targets.empty() && !pass.isWindow
+                        ? "use a program here that does not read it: depth alone needs only a vertex stage"
+                        : fmt::format("read another part, or declare '{0}' with history and read '{0}.prev'",
+                                      texture.name));
             errors.push_back(diagnose("draw-E01", text, draw.place));
         }
         return errors;
@@ -273,7 +279,9 @@ class FramePlanner {
     void reportEmptySlots(const Place& place, PlannedProgramIndex index,
                           const std::vector<TextureUse>& uses) {
         for (std::size_t i = 0; i < uses.size(); ++i) {
-            if (uses[i].view.texture || programs_.state(index).units.at(i).binding.isLost) continue;
+            if (uses[i].view.texture || uses[i].buffer.buffer ||
+                programs_.state(index).units.at(i).binding.isLost)
+                continue;
             const ActiveUniform& sampler = at(programs_[index].interface->uniforms, uses[i].uniform);
             const int unit = programs_.state(index).units.at(i).binding.unit;
             const std::string slot = sampler.type.target ? slotText(unit, *sampler.type.target)
@@ -282,6 +290,25 @@ class FramePlanner {
                      fmt::format("{} '{}' reads unit {}, which is empty",
                                  uses[i].isImage ? "image" : "sampler", sampler.name, slot));
         }
+    }
+
+    /// Reports draw-W10 for targets that the draw leaves as they are.
+    void reportUnwritten(const scene::Draw& draw, const scene::Pass& pass, PlannedProgramIndex index,
+                         const std::bitset<base::kRasterTargets>& unwritten) {
+        const std::string& name = programs_.declared(programs_[index].variant.program)->name;
+        if (programs_[index].interface->outputs.empty()) {
+            return warnOnce(
+                draw.place, index, "draw-W10",
+                fmt::format("the fragment stage of program '{}' has no output, so the draw leaves "
+                            "the colours as they are; write 'State write none' if that is meant",
+                            name));
+        }
+        for (std::size_t target = 0; target < unwritten.size(); ++target)
+            if (unwritten[target])
+                warnOnce(draw.place, index, "draw-W10",
+                         fmt::format("program '{}' has no output for {}, so the draw leaves it as it is; "
+                                     "declare 'layout(location = {}) out vec4 ...' in the fragment stage",
+                                     name, describeTarget(scene_, pass, target), target));
     }
 
     /// True if the scene would supply the input if it were modern.
@@ -364,7 +391,12 @@ class FramePlanner {
             const bool isDrawable = program.hasStage(glsl::Stage::fragment) &&
                                     (program.hasStage(glsl::Stage::vertex) || isFullScreen);
             if (drawn.contains(i) || !(isDrawable || isCompute)) continue;
-            announce(programs_.of(ProgramVariant{i, false, 1, isFullScreen}));
+            // What a draw would set is not known.
+            const PlannedProgramIndex undrawn = programs_.of(ProgramVariant{i, false, 1, isFullScreen});
+            if (scene_.isModern)
+                std::erase_if(programs_.state(undrawn).diagnostics,
+                              [](const Diagnostic& each) { return each.id == "glib-W37"; });
+            announce(undrawn);
         }
     }
 

@@ -3,6 +3,7 @@
 // is no GL here: the plan asks for programs through a function, so that a program is compiled only if
 // something visible needs it.
 
+#include <bitset>
 #include <functional>
 #include <map>
 #include <optional>
@@ -11,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/raster_state.h"
 #include "plan/buffers.h"
 #include "plan/inputs.h"
 #include "plan/program_interface.h"
@@ -40,8 +42,10 @@ using MayWriteImages = std::function<bool(scene::ProgramIndex)>;
 struct TextureUse {
     UniformIndex uniform{};
     int element = 0;
-    int driverUnit = 0;         ///< texture image unit (or image unit) of GL that the plan chose
-    scene::TextureView view{};  ///< without a texture: an empty slot, which reads (0, 0, 0, 1)
+    int driverUnit = 0;          ///< texture image unit (or image unit) of GL that the plan chose
+    scene::TextureView view{};   ///< without a texture: an empty slot, which reads (0, 0, 0, 1)
+    scene::BufferView buffer{};  ///< what is read as a texture of `bufferFormat`, in place of `view`
+    base::TexelFormat bufferFormat = base::TexelFormat::rgba32f;
     scene::TextureTarget target = scene::TextureTarget::texture2D;  ///< that the shader reads
     base::SamplerState sampler{};
     bool compares = false;      ///< the shader compares depth: 1 where its value is less or equal
@@ -69,6 +73,7 @@ struct PlannedProgram {
     std::vector<Control> controls;
     std::vector<BlockUse> blocks{};          ///< in buffers of the scene
     std::vector<std::string> foundByName{};  ///< UniformResolution::foundByName
+    std::vector<std::string> timed{};        ///< UniformResolution::timed
 };
 
 /// What feeds the inputs of a program; one element per input of its interface.
@@ -98,6 +103,8 @@ struct PlannedDraw {
     Submission submission;
     std::vector<TextureUse> textures;
     PlannedInputsIndex inputs{};  ///< none: the program is not usable
+    /// The colour targets for which the program has no output, one bit each: they keep what they hold.
+    std::bitset<base::kRasterTargets> unwritten{};
 };
 
 struct PlannedClear {
@@ -205,8 +212,9 @@ FramePlan planFrame(const scene::Scene& scene, const scene::NodeList& nodes, con
 /// glib-W23 for `--set` names that no program of the plans has, and glib-W24 for those that are declared but
 /// not active. `plans` are those of the scene's frame and of its Once and Step blocks, made with the same
 /// overrides. For a program that none of them asked for, or that did not link, only the pairs are known, so a
-/// name among them is accepted. Also glib-W23 for names of Set that look misspelt: no program has them, one
-/// has a name that is near, and all programs of the scene are known.
+/// name among them is accepted. Also draw-W11 for textures that are read and never written, and glib-W23 for
+/// names of Set that look misspelt: no program has them, one has a name that is near, and all programs of the
+/// scene are known.
 Diagnostics reportNames(const scene::Scene& scene, std::span<const FramePlan* const> plans,
                         std::span<const Override> overrides);
 

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "glib/number.h"
 #include "glib/text.h"
 #include "plan/uniform_names.h"
 
@@ -154,6 +155,13 @@ Diagnostics unusedOverrides(std::span<const Override> overrides, const std::vect
             diagnose("glib-W23", fmt::format("no {} has a uniform {}{}", where, glib::inQuotes(name), near)));
     }
     return diagnostics;
+}
+
+Diagnostic misfit(std::string_view name, std::span<const double> values, std::size_t components) {
+    std::string text;
+    for (const double each : values) text += (text.empty() ? "" : ",") + glib::numberText(each);
+    return diagnose("glib-W15", fmt::format("--set {0}={1}: {2}; '{0}' takes {3}, so it keeps its own", name,
+                                            text, glib::counted(values.size(), "value"), components));
 }
 
 }  // namespace glibra::plan

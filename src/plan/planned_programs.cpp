@@ -70,12 +70,13 @@ void PlannedPrograms::resolve(PlannedProgram& program, State& state, scene::Unif
     }
     const std::span<const Override> overrides(options_.overrides);
     const DrawValues drawn{scene_.isModern ? &scene_ : nullptr,
-                           uniforms ? &scene_.uniformSets[uniforms] : nullptr,
+                           uniforms ? &scene_.uniformSets[uniforms] : nullptr, plan_.nodes->namedValues,
                            [&](const ActiveUniform& each) { return isInBuffer(program, each); }};
     UniformResolution resolution =
         resolveUniforms(own != nullptr ? *own : noPairs, scene_.path, interface,
                         own != nullptr ? overrides : overrides.first(0), plan_.usedOverrides, drawn);
     program.foundByName = std::move(resolution.foundByName);
+    program.timed = std::move(resolution.timed);
     if (scene_.isModern && own != nullptr) listNamedInputs(interface, program.foundByName);
     state.badBindings = std::move(resolution.badBindings);
     state.refused = std::move(resolution.refusedImages);
@@ -103,7 +104,7 @@ PlannedInputsIndex PlannedPrograms::inputsOf(const scene::Draw& draw, PlannedPro
 std::vector<ObjectUse> PlannedPrograms::shaderUsesOf(PlannedProgramIndex program,
                                                      const std::vector<TextureUse>& textures) {
     std::vector<ObjectUse> uses = shaderUses((*this)[program], textures);
-    for (const scene::TextureView& each : state(program).refused) uses.push_back({each, true, true});
+    for (const scene::ObjectView& each : state(program).refused) uses.push_back({each, true, true});
     return uses;
 }
 
@@ -113,8 +114,7 @@ std::vector<ObjectUse> PlannedPrograms::usesOf(const scene::Draw& draw, const sc
     const auto read = [&](const scene::BufferView& view) {
         if (view.buffer) uses.push_back({view});
     };
-    read(draw.instancesFrom);
-    read(draw.verticesFrom);
+    for (const scene::BufferView& each : draw.ownBuffers()) read(each);
     for (const InputSource& each : plan_.inputs[inputsOf(draw, program)].sources)
         if (const auto* view = std::get_if<scene::BufferView>(&each.from)) read(*view);
     return uses;

@@ -1,12 +1,15 @@
-// Reports names that no program of the scene has: of --set and of Set (language, 12.1).
+// Reports what only all plans of a scene show together: names of --set and Set that no program has (language,
+// 12.1), and textures that nothing writes (12.4).
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
+#include <variant>
 
 #include "plan/frame_plan.h"
 #include "plan/overrides.h"
+#include "plan/uniform_members.h"
 #include "plan/uniform_names.h"
 
 namespace glibra::plan {
@@ -70,6 +73,8 @@ Diagnostics reportOverrides(const scene::Scene& scene, std::span<const FramePlan
 /// True if the tag names a uniform, a member of a uniform block or memory of the program.
 bool has(const ProgramInterface& interface, std::string_view tag) {
     const std::string root(rootName(tag));
+    if (tag.find('.') == std::string_view::npos && namesMemory(interface.facts.memory, root)) return true;
+    if (const auto search = searchMember(interface.facts.memory, tag)) return search->isDeclared;
     const std::string member = "." + root;
     return interface.facts.uniforms.contains(root) || namesMemory(interface.facts.memory, root) ||
            std::any_of(interface.uniforms.begin(), interface.uniforms.end(), [&](const ActiveUniform& each) {
@@ -96,7 +101,8 @@ std::vector<std::string> declaredUniforms(std::span<const FramePlan* const> plan
 
 /// The hint for a name that looks misspelt. Names of a row (uLight1, uLight2) do not: a Set is for all
 /// programs, and not all of them need the whole row.
-std::string misspelling(std::string_view tag, std::span<const std::string> names) {
+std::string misspelling(std::string_view whole, std::span<const std::string> names) {
+    const std::string_view tag = rootName(whole);
     const auto withoutDigits = [](std::string_view name) {
         std::string text(name);
         std::erase_if(text, [](char c) { return c >= '0' && c <= '9'; });
@@ -106,7 +112,18 @@ std::string misspelling(std::string_view tag, std::span<const std::string> names
     if (std::any_of(names.begin(), names.end(),
                     [&](const std::string& each) { return withoutDigits(each) == base; }))
         return {};
-    return suggestionFor(tag, names);
+    const std::string nearest = nearestUniform(tag, names);
+    return nearest.empty() ? nearest
+                           : fmt::format("; did you mean '{}{}'?", nearest, whole.substr(tag.size()));
+}
+
+/// The hint for a tag that no program has: what is wrong with its members, or its misspelt root. Empty if the
+/// tag does not look like a mistake.
+std::string hintFor(std::string_view tag, std::span<const FramePlan* const> plans) {
+    for (const FramePlan* plan : plans)
+        for (const PlannedProgram& program : plan->programs)
+            if (const auto search = searchMember(program.interface->facts.memory, tag)) return search->hint;
+    return misspelling(tag, declaredUniforms(plans));
 }
 
 Diagnostics reportSets(const scene::Scene& scene, std::span<const FramePlan* const> plans) {
@@ -116,9 +133,68 @@ Diagnostics reportSets(const scene::Scene& scene, std::span<const FramePlan* con
         const std::set<scene::ProgramIndex> known = knownPrograms(plans);
         for (const scene::ProgramIndex i : scene.programs.indices())
             if (!known.contains(i)) return {};  // it may have any name
-        if (const std::string hint = misspelling(rootName(tag), declaredUniforms(plans)); !hint.empty())
+        if (const std::string hint = hintFor(tag, plans); !hint.empty())
             diagnostics.push_back(diagnose(
                 "glib-W23", fmt::format("no program of the scene has a uniform '{}'{}", tag, hint), place));
+    }
+    return diagnostics;
+}
+
+/// The textures that a pass, Clear or a shader of the scene writes, or that have content from the start.
+std::set<scene::TextureIndex> writtenTextures(const scene::Scene& scene,
+                                              std::span<const FramePlan* const> plans) {
+    std::set<scene::TextureIndex> written;
+    const auto addList = [&](const scene::NodeList& nodes) {
+        for (const scene::Pass& pass : nodes.passes) {
+            written.insert(pass.targets.begin(), pass.targets.end());
+            if (pass.depth) written.insert(pass.depth->texture);
+        }
+        for (const scene::ClearObject& each : nodes.clears)
+            if (const auto* texture = std::get_if<scene::TextureIndex>(&each.object))
+                written.insert(*texture);
+    };
+    addList(scene.frame);
+    for (const scene::OnceBlock& each : scene.once) addList(each.nodes);
+    for (const scene::StepBlock& each : scene.steps) addList(each.nodes);
+    const auto addImages = [&](const std::vector<TextureUse>& uses) {
+        for (const TextureUse& each : uses)
+            if (each.isImage) written.insert(each.view.texture);
+    };
+    for (const FramePlan* plan : plans) {
+        for (const PlannedDispatch& each : plan->dispatches) addImages(each.textures);
+        for (const PlannedPass& pass : plan->passes)
+            for (const auto& step : pass.steps)
+                if (const auto* draw = std::get_if<PlannedDraw>(&step)) addImages(draw->textures);
+    }
+    return written;
+}
+
+/// draw-W11 for textures of modern scenes that shaders sample and nothing writes.
+Diagnostics reportUnwritten(const scene::Scene& scene, std::span<const FramePlan* const> plans) {
+    Diagnostics diagnostics;
+    std::set<scene::TextureIndex> written = writtenTextures(scene, plans);
+    const auto check = [&](const std::vector<TextureUse>& uses, const Place& place) {
+        for (const TextureUse& each : uses) {
+            if (each.isImage || !each.view.texture) continue;
+            const scene::Texture& texture = scene.textures[each.view.texture];
+            if (texture.name.empty() || !std::holds_alternative<scene::EmptySource>(texture.source) ||
+                !written.insert(each.view.texture).second)
+                continue;
+            diagnostics.push_back(diagnose(
+                "draw-W11",
+                fmt::format("texture '{}' (line {}) is read here, but nothing draws or writes into it, so it "
+                            "is zero",
+                            texture.name, texture.place.line),
+                place));
+        }
+    };
+    for (const FramePlan* plan : plans) {
+        for (const PlannedDispatch& each : plan->dispatches)
+            check(each.textures, plan->dispatchOf(each).place);
+        for (const PlannedPass& pass : plan->passes)
+            for (const auto& step : pass.steps)
+                if (const auto* draw = std::get_if<PlannedDraw>(&step))
+                    check(draw->textures, plan->drawOf(*draw).place);
     }
     return diagnostics;
 }
@@ -130,6 +206,7 @@ Diagnostics reportNames(const scene::Scene& scene, std::span<const FramePlan* co
     Diagnostics diagnostics;
     if (!overrides.empty()) diagnostics = reportOverrides(scene, plans, overrides);
     if (!scene.setNames.empty()) append(diagnostics, reportSets(scene, plans));
+    if (scene.isModern && !scene.hasConditions) append(diagnostics, reportUnwritten(scene, plans));
     return diagnostics;
 }
 

@@ -34,6 +34,8 @@ std::string_view counterpartOf(CommandId command, Topology wanted) {
 
 /// Returns "; use WireSphere" if there is an obvious command that delivers the wanted kind.
 std::string recommendation(CommandId command, std::string_view wanted) {
+    if (command == CommandId::vertices)
+        return fmt::format("; use {} {}", glib::nameOf(CommandId::vertices), wanted);
     std::string_view other;
     if (wanted == wordOf(Topology::trianglesAdjacency)) other = counterpartOf(command, Topology::triangles);
     if (wanted == wordOf(Topology::linesAdjacency)) other = glib::nameOf(CommandId::linesAdjacency);
@@ -124,7 +126,7 @@ Result<Submission> submissionOf(const scene::Scene& scene, const scene::Draw& dr
 
     const std::string& wanted = interface.facts.geometryInput;
     for (const Topology each : {Topology::trianglesAdjacency, Topology::linesAdjacency})
-        if (topology == Topology::triangles && !isTessellated && !shape.strip && wanted == wordOf(each)) {
+        if (topology == Topology::triangles && !isTessellated && !shape.bare && wanted == wordOf(each)) {
             submission.topology = each;
             delivered = wanted;
         }

@@ -18,11 +18,10 @@ struct Dimension {
     std::string_view word;
     TextureTarget target;
 };
-constexpr Dimension kDimensions[] = {{"1D", TextureTarget::texture1D},
-                                     {"2D", TextureTarget::texture2D},
-                                     {"3D", TextureTarget::texture3D},
-                                     {"Cube", TextureTarget::cube},
-                                     {"2DArray", TextureTarget::texture2DArray}};
+constexpr Dimension kDimensions[] = {
+    {"1D", TextureTarget::texture1D},           {"2D", TextureTarget::texture2D},
+    {"3D", TextureTarget::texture3D},           {"Cube", TextureTarget::cube},
+    {"2DArray", TextureTarget::texture2DArray}, {"CubeArray", TextureTarget::cubeArray}};
 
 std::optional<base::TexelFormat> formatOf(const scene::Texture& texture) {
     if (const auto* empty = std::get_if<scene::EmptySource>(&texture.source)) return empty->format;
@@ -62,10 +61,12 @@ std::string fittingWord(const scene::Texture& texture, const scene::TextureView&
 
 std::string describeView(const scene::Texture& texture, const scene::TextureView& view) {
     std::string text(texture.target == TextureTarget::cube             ? "a cube map"
+                     : texture.target == TextureTarget::cubeArray      ? "an array of cube maps"
                      : texture.target == TextureTarget::texture2DArray ? "a 2D array"
                                                                        : "");
     if (text.empty()) text = fmt::format("a {} texture", scene::wordOf(texture.target));
-    if (view.layer) text = fmt::format("a layer of {}", text);
+    if (view.layer)
+        text = fmt::format("a {} of {}", texture.target == TextureTarget::cubeArray ? "face" : "layer", text);
     if (const auto format = formatOf(texture)) text += fmt::format(" of {}", name(*format));
     if (texture.samples > 1) text += fmt::format(" with {} samples", texture.samples);
     return text;
@@ -76,6 +77,41 @@ std::string placeOf(const ProgramInterface& interface, const ActiveUniform& unif
     if (declared == interface.facts.uniforms.end() || declared->second.place.file.empty()) return {};
     const Place& place = declared->second.place;
     return fmt::format(" ({}:{})", std::filesystem::path(place.file).filename().string(), place.line);
+}
+
+/// bindingProblem() of a buffer.
+std::optional<Diagnostic> bufferProblem(const scene::Scene& scene, const ProgramInterface& interface,
+                                        const ActiveUniform& uniform, const BoundTexture& bound) {
+    const scene::Buffer& buffer = scene.buffers[bound.buffer.buffer];
+    const auto say = [&](const std::string& why) {
+        return diagnose(
+            "draw-E09",
+            fmt::format("{} '{}'{} cannot read buffer '{}' (line {}){}", uniform.type.word, uniform.name,
+                        placeOf(interface, uniform), buffer.name, buffer.place.line, why),
+            bound.place);
+    };
+    const auto format = texelsOfType(buffer.type);
+    if (!format)
+        return say(buffer.type.empty()
+                       ? ", which has no type; write one of float, int, uint, vectors and matrices"
+                       : fmt::format(", which holds {}; only float, int, uint, vectors and matrices of them "
+                                     "can be read as a texture",
+                                     buffer.type));
+    const bool isImage = uniform.type.base == BaseType::image;
+    const auto declared = isImage ? imageFormatOf(interface, uniform) : std::nullopt;
+    if (declared && base::bytesPerTexel(*declared) != base::bytesPerTexel(*format))
+        return say(fmt::format("; the image has the format {}, whose texels have {} bytes, not {}",
+                               name(*declared), base::bytesPerTexel(*declared),
+                               base::bytesPerTexel(*format)));
+    const BaseType texels = texelsOf(declared ? declared : format);
+    const std::string fitting = fmt::format("{}{}Buffer",
+                                            texels == BaseType::integer           ? "i"
+                                            : texels == BaseType::unsignedInteger ? "u"
+                                                                                  : "",
+                                            isImage ? "image" : "sampler");
+    if (fitting != uniform.type.word)
+        return say(fmt::format(", which holds {}; write {}", buffer.type, fitting));
+    return std::nullopt;
 }
 
 std::optional<Diagnostic> missingPart(const scene::Scene& scene, const BoundTexture& bound) {
@@ -118,6 +154,7 @@ SamplerType samplerTypeOf(std::string_view word) {
         word.remove_suffix(end.size());
         return true;
     };
+    type.isBuffer = word == "Buffer";
     type.isShadow = takeEnd("Shadow");
     type.isMultisampled = takeEnd("MS");
     for (const Dimension& each : kDimensions)
@@ -138,13 +175,16 @@ std::string nameOf(const scene::Scene& scene, const scene::TextureView& view) {
     std::string text = texture.name;
     if (view.isPrevious) text += ".prev";
     if (view.level) text += fmt::format(".level({})", *view.level);
-    if (view.layer)
+    if (view.layer && texture.target == TextureTarget::cubeArray)
+        text += fmt::format(".layer({}).face({})", *view.layer / 6, *view.layer % 6);
+    else if (view.layer)
         text += fmt::format(".{}({})", texture.target == TextureTarget::cube ? "face" : "layer", *view.layer);
     return "'" + text + "'";
 }
 
 std::optional<Diagnostic> bindingProblem(const scene::Scene& scene, const ProgramInterface& interface,
                                          const ActiveUniform& uniform, const BoundTexture& bound) {
+    if (bound.buffer.buffer) return bufferProblem(scene, interface, uniform, bound);
     if (auto missing = missingPart(scene, bound)) return missing;
     const scene::Texture& texture = scene.textures[bound.view.texture];
     const auto say = [&](const std::string& advice) {
@@ -191,7 +231,29 @@ void useNamed(const scene::Scene& scene, const scene::TextureView& view, const V
         use.sampler.wrap.fill(base::Wrap::clampToBorder);
         use.sampler.border.fill(1);
     }
-    if (texture.target == TextureTarget::cube) use.sampler.wrap.fill(base::Wrap::clampToEdge);
+    if (texture.target == TextureTarget::cube || texture.target == TextureTarget::cubeArray)
+        use.sampler.wrap.fill(base::Wrap::clampToEdge);
+}
+
+std::optional<base::TexelFormat> texelsOfType(std::string_view type) {
+    using enum base::TexelFormat;
+    struct Row {
+        std::string_view type;
+        base::TexelFormat texels;
+    };
+    static constexpr Row kRows[] = {
+        {"float", r32f},     {"vec2", rg32f},     {"vec3", rgba32f},  {"vec4", rgba32f}, {"int", r32i},
+        {"ivec2", rg32i},    {"ivec3", rgba32i},  {"ivec4", rgba32i}, {"uint", r32ui},   {"uvec2", rg32ui},
+        {"uvec3", rgba32ui}, {"uvec4", rgba32ui}, {"mat2", rg32f},    {"mat3", rgba32f}, {"mat4", rgba32f},
+    };
+    for (const Row& each : kRows)
+        if (each.type == type) return each.texels;
+    return std::nullopt;
+}
+
+void useBuffer(const scene::Scene& scene, const scene::BufferView& view, TextureUse& use) {
+    use.buffer = view;
+    use.bufferFormat = texelsOfType(scene.buffers[view.buffer].type).value_or(use.bufferFormat);
 }
 
 bool readsPart(const scene::Scene& scene, const TextureUse& use, const scene::TextureView& target) {

@@ -11,8 +11,9 @@ namespace glibra::plan {
 
 /// What a sampler or image of a GLSL type reads.
 struct SamplerType {
-    /// Nothing for types that no texture of a scene fits: buffers, rectangles, arrays of cube maps.
+    /// Nothing for types that no texture of a scene fits: buffers, rectangles.
     std::optional<scene::TextureTarget> target{};
+    bool isBuffer = false;
     bool isMultisampled = false;
     bool isShadow = false;
     BaseType texels = BaseType::floating;  ///< or integer, unsignedInteger
@@ -27,8 +28,12 @@ std::string nameOf(const scene::Scene& scene, const scene::TextureView& view);
 std::optional<base::TexelFormat> imageFormatOf(const ProgramInterface& interface,
                                                const ActiveUniform& uniform);
 
-/// Why that sampler or image cannot read the texture: draw-E09 if the types differ, draw-E10 if the part does
-/// not exist.
+/// The texels that a buffer with elements of that GLSL type has as a texture: the columns of its elements,
+/// where three components take the room of four. Nothing for doubles, structures and unknown types.
+std::optional<base::TexelFormat> texelsOfType(std::string_view type);
+
+/// Why that sampler or image cannot read the texture or buffer: draw-E09 if the types differ, draw-E10 if the
+/// part does not exist.
 std::optional<Diagnostic> bindingProblem(const scene::Scene& scene, const ProgramInterface& interface,
                                          const ActiveUniform& uniform, const BoundTexture& bound);
 
@@ -37,6 +42,9 @@ std::optional<Diagnostic> bindingProblem(const scene::Scene& scene, const Progra
 /// wrapping.
 void useNamed(const scene::Scene& scene, const scene::TextureView& view, const ValueType& type,
               TextureUse& use);
+
+/// The same for a buffer that it reads as a texture, whose type has texels.
+void useBuffer(const scene::Scene& scene, const scene::BufferView& view, TextureUse& use);
 
 /// True if the sampler may read texels of that part of a texture, which is a target of the pass.
 bool readsPart(const scene::Scene& scene, const TextureUse& use, const scene::TextureView& target);

@@ -73,6 +73,13 @@ std::vector<TextureUse> textureUses(const scene::Scene& scene, scene::SlotTableI
         use.driverUnit = unit.driverUnit;
         use.isImage = type.base == BaseType::image;
         if (unit.binding.bound) {
+            if (unit.binding.bound->buffer.buffer) {
+                useBuffer(scene, unit.binding.bound->buffer, use);
+                if (use.isImage)
+                    use.imageFormat = imageFormatOf(interface, at(interface.uniforms, use.uniform));
+                uses.push_back(use);
+                continue;
+            }
             useNamed(scene, unit.binding.bound->view, type, use);
             if (use.isImage) use.imageFormat = imageFormatOf(interface, at(interface.uniforms, use.uniform));
             use.readsMipmaps =

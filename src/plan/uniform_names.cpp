@@ -26,10 +26,14 @@ UniformNames::UniformNames(const ProgramInterface& interface) {
         if (uniform.block < 0) continue;
         // GL reports `Block.member` for a block with an instance name, and `member` for one without.
         const std::string prefix = uniform.blockName + ".";
-        if (uniform.name.starts_with(prefix))
-            members_[uniform.name.substr(prefix.size())].push_back(index);
-        else
-            members_[prefix + uniform.name].push_back(index);
+        const bool hasPrefix = uniform.name.starts_with(prefix);
+        const std::string member = hasPrefix ? uniform.name.substr(prefix.size()) : uniform.name;
+        members_[hasPrefix ? member : prefix + member].push_back(index);
+        const std::size_t plain = std::min(uniform.blockName.find('['), uniform.blockName.size());
+        const glsl::MemoryBlock* block =
+            interface.facts.memory.block(uniform.blockName.substr(0, plain), false);
+        if (block != nullptr && !block->instance.empty() && block->instance != block->name)
+            members_[block->instance + uniform.blockName.substr(plain) + "." + member].push_back(index);
     }
 }
 
@@ -89,10 +93,15 @@ bool namesMemory(const glsl::MemoryFacts& memory, std::string_view name) {
            });
 }
 
-std::string suggestionFor(std::string_view tag, std::span<const std::string> names) {
+std::string nearestUniform(std::string_view tag, std::span<const std::string> names) {
     constexpr std::size_t kPrefix = 1;  // the u at the beginning of most uniform names
     const std::vector<std::string_view> candidates(names.begin(), names.end());
-    return base::suggestion(tag, candidates, kPrefix);
+    return base::nearestName(tag, candidates, kPrefix);
+}
+
+std::string suggestionFor(std::string_view tag, std::span<const std::string> names) {
+    const std::string nearest = nearestUniform(tag, names);
+    return nearest.empty() ? nearest : "; did you mean '" + nearest + "'?";
 }
 
 std::string_view rootName(std::string_view name) {

@@ -26,8 +26,9 @@ class UniformNames {
   public:
     explicit UniformNames(const ProgramInterface& interface);
 
-    /// The uniform of exactly that name; otherwise the members of uniform blocks named `member` or
-    /// `Block.member`; otherwise, if the tag ends in a valid subscript, the array. Normally one or none.
+    /// The uniform of exactly that name; otherwise the members of uniform blocks named `member`,
+    /// `Block.member` or `instance.member`, as `lights[2].color`; otherwise, if the tag ends in a valid
+    /// subscript, the array. Normally one or none.
     [[nodiscard]] std::vector<NamedUniform> find(std::string_view tag) const;
 
     /// True if there is a uniform of exactly that name.
@@ -57,6 +58,9 @@ bool isInternalName(std::string_view name);
 
 /// True for the name of a block, of its instance, of its last member, or of an atomic counter.
 bool namesMemory(const glsl::MemoryFacts& memory, std::string_view name);
+
+/// The nearest of these names; empty if none is near.
+std::string nearestUniform(std::string_view tag, std::span<const std::string> names);
 
 /// Returns "; did you mean 'uShrink'?" with the nearest of these names, or nothing if none is near.
 std::string suggestionFor(std::string_view tag, std::span<const std::string> names);

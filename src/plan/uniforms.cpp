@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <map>
 #include <set>
@@ -12,6 +13,7 @@
 #include "expression/name_table.h"
 #include "plan/texture_binding.h"
 #include "plan/type_table.h"
+#include "plan/uniform_members.h"
 #include "plan/uniform_names.h"
 
 namespace glibra::plan {
@@ -57,6 +59,19 @@ std::string_view describeValue(glsl::Builtin value) {
         default:
             return "value that glibra supplies";
     }
+}
+
+/// The values for a mat3 of which a modern scene gives all components of a mat4: its upper left part. Nothing
+/// if that is not so.
+std::optional<std::array<double, 9>> upperLeft(const GivenValue& given, const ActiveUniform& target,
+                                               bool oneElement) {
+    constexpr std::size_t kSide = 4;
+    const bool isMat3 = target.type.columns == 3 && target.type.rows == 3 && (!target.isArray || oneElement);
+    if (!isMat3 || given.form != glib::UniformForm::list || given.values.size() != kSide * kSide)
+        return std::nullopt;
+    std::array<double, 9> values{};
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = given.values[i / 3 * kSide + i % 3];
+    return values;
 }
 
 bool isNoiseUniform(const glsl::BuiltinUniform& row) {
@@ -179,7 +194,8 @@ class Resolver {
         }
     }
 
-    /// Binds the textures that the draw names to samplers and images. (Buffers belong to blocks.)
+    /// Binds the textures and buffers that the draw names to samplers and images. (Blocks have their own
+    /// buffers.)
     void bindObjects() {
         if (drawn_.set == nullptr || drawn_.scene == nullptr) return;
         for (const std::string& each : drawn_.set->lost)
@@ -191,6 +207,9 @@ class Resolver {
                 if (!each.isChosen && !each.resembles.empty() &&
                     !namesMemory(interface_.facts.memory, each.tag))
                     reportMisspelt(each.tag, each.resembles, place(each.tagPosition));
+                for (const NamedUniform& one : names_.find(each.tag))
+                    if (isOpaque(uniform(one.uniform)))
+                        bind(one, {{}, place(each.tagPosition), std::get<scene::BufferView>(each.object)});
                 continue;
             }
             const BoundTexture bound{*view, place(each.tagPosition)};
@@ -216,8 +235,12 @@ class Resolver {
     void bind(const NamedUniform& named, const BoundTexture& bound) {
         touched_[named.uniform] = true;
         if (auto problem = bindingProblem(*drawn_.scene, interface_, uniform(named.uniform), bound)) {
-            if (uniform(named.uniform).type.base == BaseType::image)
-                result_.refusedImages.push_back(bound.view);
+            if (uniform(named.uniform).type.base == BaseType::image) {
+                if (bound.buffer.buffer)
+                    result_.refusedImages.emplace_back(bound.buffer);
+                else
+                    result_.refusedImages.emplace_back(bound.view);
+            }
             return result_.badBindings.push_back(*std::move(problem));
         }
         std::vector<std::optional<BoundTexture>>& elements = bound_[named.uniform];
@@ -233,6 +256,12 @@ class Resolver {
             const ActiveUniform& each = uniform(i);
             if (touched_[i] || rows_[i] != nullptr || isInternalName(each.name)) continue;
             if (isOpaque(each)) {
+                if (samplerTypeOf(each.type.word).isBuffer) {
+                    for (const scene::BufferIndex buffer : drawn_.scene->buffers.indices())
+                        if (drawn_.scene->buffers[buffer].name == each.name)
+                            bind({i, 0, false}, {{}, program_.place, {buffer}});
+                    continue;
+                }
                 for (const scene::TextureIndex texture : drawn_.scene->textures.indices())
                     if (drawn_.scene->textures[texture].name == each.name)
                         bind({i, 0, false}, {{.texture = texture}, program_.place});
@@ -254,24 +283,31 @@ class Resolver {
 
     bool readVariable(UniformIndex index) {
         const ActiveUniform& target = uniform(index);
-        for (const glib::UniformSpec& spec : drawn_.scene->namedValues) {
-            if (spec.tag != target.name) continue;
-            const Place at = place(spec.tagPosition);
-            GivenValue given{spec.tag, spec.form, spec.values, at, at};
-            std::optional<double> number;
-            if (!spec.word.empty() && functionsOf(index) != nullptr) {
-                number = numberOf(spec.word, given, index);
-                if (number) given.values = {&*number, 1};
-            }
-            Reading reading = readValue(given, target);
-            append(result_.diagnostics, std::move(reading.diagnostics));
-            if (reading.ignored) return false;
-            touched_[index] = true;
-            result_.values.push_back({index, 0, Literal{std::move(reading.values)}});
-            result_.foundByName.push_back(fmt::format("uniform '{0}' is the variable '{0}'", target.name));
-            return true;
-        }
+        for (const auto& values : {drawn_.ownValues, std::span(drawn_.scene->namedValues)})
+            for (const glib::UniformSpec& spec : values)
+                if (spec.tag == target.name) return readVariable(index, spec);
         return false;
+    }
+
+    bool readVariable(UniformIndex index, const glib::UniformSpec& spec) {
+        const ActiveUniform& target = uniform(index);
+        const Place at = place(spec.tagPosition);
+        GivenValue given{spec.tag, spec.form, spec.values, at, at};
+        std::optional<double> number;
+        if (!spec.word.empty() && functionsOf(index) != nullptr) {
+            number = numberOf(spec.word, given, index);
+            if (number) given.values = {&*number, 1};
+        }
+        const auto part = upperLeft(given, target, false);
+        if (part) given.values = *part;
+        Reading reading = readValue(given, target);
+        append(result_.diagnostics, std::move(reading.diagnostics));
+        if (reading.ignored) return false;
+        touched_[index] = true;
+        result_.values.push_back({index, 0, Literal{std::move(reading.values)}});
+        result_.foundByName.push_back(fmt::format("uniform '{0}' is the variable '{0}'", target.name));
+        if (spec.changesWithTime) result_.timed.push_back(spec.tag);
+        return true;
     }
 
     bool hasInitializer(const ActiveUniform& target) const {
@@ -327,6 +363,8 @@ class Resolver {
         const ActiveUniform& target = uniform(named.uniform);
         const glsl::BuiltinUniform* row = rows_[named.uniform];
         if (row != nullptr && !isNoiseUniform(*row)) return reportSupplied(given);
+        const auto part = drawn_.scene != nullptr ? upperLeft(given, target, named.oneElement) : std::nullopt;
+        if (part) given.values = *part;
         Reading reading = readValue(given, target, named.oneElement);
         if (isOverridden) {  // the scene's value is not used, but its slider stays
             if (reading.control) addControl(named.uniform, *reading.control);
@@ -367,8 +405,10 @@ class Resolver {
     }
 
     bool isDeclared(std::string_view name) const {
-        return interface_.facts.uniforms.contains(std::string(name)) ||
-               interface_.facts.uniforms.contains(std::string(rootName(name)));
+        const std::optional<MemberSearch> search = searchMember(interface_.facts.memory, name);
+        return search ? search->isDeclared
+                      : interface_.facts.uniforms.contains(std::string(name)) ||
+                            interface_.facts.uniforms.contains(std::string(rootName(name)));
     }
 
     void reportSupplied(const GivenValue& given) {
@@ -402,6 +442,12 @@ class Resolver {
         for (const ActiveUniform& each : interface_.uniforms)
             if (member.empty() && (each.name.starts_with(members) || each.name.starts_with(elements)))
                 member = each.name;
+        const std::optional<MemberSearch> search = searchMember(interface_.facts.memory, tag);
+        if (search && !search->isDeclared)
+            return warn(
+                "glib-W23",
+                fmt::format("no shader of '{}' has a uniform '{}'{}", program_.name, tag, search->hint),
+                given.tagPlace);
         if (member.empty() && isDeclared(tag))
             return warn("glib-W24",
                         fmt::format("uniform '{}' is declared but unused, so the tag has no effect", tag),
@@ -427,6 +473,8 @@ class Resolver {
     /// Reports glib-W37 for active uniforms without a value.
     void reportUnset() {
         if (interface_.isBuiltin) return;
+        std::vector<UniformIndex> unset;
+        std::map<std::string_view, std::size_t> members;  // of each variable or block
         for (const UniformIndex i : rows_.indices()) {
             const ActiveUniform& each = uniform(i);
             if (touched_[i] || rows_[i] != nullptr || isInternalName(each.name)) continue;
@@ -448,11 +496,30 @@ class Resolver {
                      declared.place);
                 continue;
             }
-            warn("glib-W37",
-                 fmt::format("uniform '{}' of '{}' is not set; it is 0{}", each.name, program_.name,
-                             modernHint(each)),
-                 program_.place);
+            unset.push_back(i);
+            ++members[groupOf(each)];
         }
+        for (const UniformIndex i : unset) reportUnset(uniform(i), members[groupOf(uniform(i))]);
+    }
+
+    /// The variable or block whose members are reported together.
+    static std::string_view groupOf(const ActiveUniform& each) {
+        return rootName(each.block < 0 ? each.name : each.blockName);
+    }
+
+    /// `members`: how many of its variable or block are not set. Long lists are reported as one, once.
+    void reportUnset(const ActiveUniform& each, std::size_t members) {
+        constexpr std::size_t kMostNamed = 3;
+        if (members <= kMostNamed)
+            return warn("glib-W37",
+                        fmt::format("uniform '{}' of '{}' is not set; it is 0{}", each.name, program_.name,
+                                    modernHint(each)),
+                        program_.place);
+        if (!reportedGroups_.insert(groupOf(each)).second) return;
+        warn("glib-W37",
+             fmt::format("members of '{}' of '{}' are not set; they are 0. The first is '{}'", groupOf(each),
+                         program_.name, each.name),
+             program_.place);
     }
 
     /// How a modern scene gives a uniform the value of the expressions' name that it has; empty if it has
@@ -496,6 +563,7 @@ class Resolver {
     scene::List<bool, ActiveUniform> lost_;     ///< SamplerBinding::isLost
     scene::List<bool, ActiveUniform> touched_;  ///< a pair or an override gave it a value
     std::set<std::pair<UniformIndex, int>> overridden_;
+    std::set<std::string_view> reportedGroups_;
     std::vector<std::string> knownNames_;
     UniformResolution result_;
 };

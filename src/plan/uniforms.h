@@ -38,10 +38,11 @@ struct UniformBinding {
     friend bool operator==(const UniformBinding&, const UniformBinding&) = default;
 };
 
-/// A texture that a sampler or image reads by its name.
+/// A texture that a sampler or image reads by its name, or a buffer that it reads as a texture.
 struct BoundTexture {
     scene::TextureView view;
     Place place;  ///< of the tag; without a tag, of the Program
+    scene::BufferView buffer{};
 };
 
 /// A sampler or image and what it reads: a texture with a name, or a unit of the language.
@@ -66,10 +67,12 @@ struct UniformResolution {
     std::vector<Control> controls;
     Diagnostics diagnostics;
     Diagnostics badBindings;  ///< draw-E09, draw-E10: nothing can be drawn with these textures
-    std::vector<scene::TextureView> refusedImages;  ///< the textures of `badBindings` that images would write
+    std::vector<scene::ObjectView> refusedImages;  ///< the objects of `badBindings` that images would write
     /// Where the value of a uniform comes from that nothing of the program sets, in words, for --explain:
     /// "'mv_matrix' is the model-view matrix".
     std::vector<std::string> foundByName;
+    /// The variables that uniforms read by their names and that change with time.
+    std::vector<std::string> timed;
 };
 
 /// What a draw or dispatch gives to its program besides the values of the Program statement. Null pointers
@@ -77,6 +80,8 @@ struct UniformResolution {
 struct DrawValues {
     const scene::Scene* scene = nullptr;     ///< a modern scene: names of textures, variables, matrices count
     const scene::UniformSet* set = nullptr;  ///< its `values` are among those of the program already
+    /// NodeList::namedValues of the list that is planned.
+    std::span<const glib::UniformSpec> ownValues{};
     /// Says which uniforms need no value, because a buffer of the scene has it; may be empty.
     std::function<bool(const ActiveUniform&)> isInBuffer{};
 };

@@ -71,8 +71,8 @@ class SceneRenderer {
     /// True if the scene has Expect statements.
     [[nodiscard]] bool hasChecks() const;
     /// Answers the checks at their own times, and at `time` those without one: an error for each that does
-    /// not hold. What Expect error asks for is removed from `reported`, the scene's own diagnostics. Draws
-    /// the pictures that it needs.
+    /// not hold. Draws the pictures that it needs, at least that of `time`, and adds what drawing them
+    /// reports to `reported`, the scene's own diagnostics. What Expect error asks for is removed from these.
     Diagnostics answerChecks(double time, Diagnostics& reported, Stats& stats);
 
     /// Moves the pictures that follow right and up by parts of a pixel; averaging many of them gives a

@@ -107,7 +107,12 @@ Diagnostics SceneRenderer::State::preparePlan(Stats& stats, bool everything) {
         append(diagnostics, keepBudget(planOptions, stats));
     options.samples = std::max(1, options.samples);
     Diagnostics meshDiagnostics;
-    if (!planOptions.everything)
+    // Primitives out of sight count, too.
+    const bool countsPrimitives =
+        options.checks && std::any_of(scene.checks.begin(), scene.checks.end(), [](const scene::Check& each) {
+            return each.kind == scene::Check::Kind::primitives;
+        });
+    if (!planOptions.everything && !countsPrimitives)
         planOptions.outOfSight = [&](const scene::Draw& draw, const scene::Pass& pass) {
             return outOfSight(draw, pass, &meshDiagnostics);
         };

@@ -246,8 +246,10 @@ Scene Interpretation::State::run(const FrameInputs& inputs) {
         checkStack(in);
         finishPasses(in);
         finishNoise(in);
-        reportIdlePrograms(in);
-        reportUnusedCameras(in);
+        if (!hasError(script.diagnostics) && in.log.errorCount() == 0) {  // else they may be consequences
+            reportIdlePrograms(in);
+            reportUnusedCameras(in);
+        }
         shared.cameras.clear();
         cameras.clear();
         for (const auto& [name, camera] : in.modern.cameras) {

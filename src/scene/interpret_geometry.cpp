@@ -159,6 +159,8 @@ void draw(Interpreter& in, const glib::Command& command, const Drawing& drawing)
     made.instances = state.local.instances;
     made.instancesFrom = state.local.instancesFrom;
     made.verticesFrom = drawing.verticesFrom;
+    made.indices = drawing.indices;
+    made.drawsAllIndices = drawing.drawsAllIndices;
     made.attributes = state.local.attributes;
     made.tessellationLevels = state.local.tessellationLevels;
     if (in.scene.verbose) {

@@ -73,6 +73,8 @@ void doProgram(Interpreter& in, const glib::Command& command) {
         program.geometryInput = in.state.geometryInput;
         program.geometryOutput = in.state.geometryOutput;
         program.geometryVerticesOut = in.state.geometryVerticesOut;
+        program.sharesGeometryWords =
+            in.scene.isModern && std::exchange(in.state.hasGeometryWordsOfProgram, true);
     }
     const ProgramIndex made = in.scene.programs.add(std::move(program));
     if (!computes) in.state.program = made;
@@ -81,12 +83,15 @@ void doProgram(Interpreter& in, const glib::Command& command) {
 }
 
 void doGeometryInput(Interpreter& in, const glib::Command& command) {
+    in.state.hasGeometryWordsOfProgram = false;
     in.state.geometryInput = command.text;
 }
 void doGeometryOutput(Interpreter& in, const glib::Command& command) {
+    in.state.hasGeometryWordsOfProgram = false;
     in.state.geometryOutput = command.text;
 }
 void doGeometryVerticesOut(Interpreter& in, const glib::Command& command) {
+    in.state.hasGeometryWordsOfProgram = false;
     in.state.geometryVerticesOut = command.numbers.empty() ? 0 : static_cast<int>(command.numbers[0]);
 }
 

@@ -63,9 +63,15 @@ struct Draw {
     int instances = 1;
     BufferView instancesFrom{};      ///< its first word is the number of instances
     BufferView verticesFrom{};       ///< of `Vertices`: its first word is the number of vertices
+    BufferView indices{};            ///< of `Vertices`: 32-bit numbers of the vertices, in order
+    bool drawsAllIndices = false;    ///< as many vertices as that buffer has elements
     AttributeSetIndex attributes{};  ///< none: only those of the mesh
     std::optional<std::array<double, 6>> tessellationLevels{};  ///< four outer and two inner ones
     bool isSky = false;                                         ///< the eye is at the origin of modelView
+    /// The buffers that the draw reads besides those of its program and its attributes; some may be none.
+    [[nodiscard]] std::array<BufferView, 3> ownBuffers() const {
+        return {instancesFrom, verticesFrom, indices};
+    }
     friend bool operator==(const Draw&, const Draw&) = default;
 };
 
@@ -149,6 +155,7 @@ struct Check {
         count,       ///< `numbers` n: pixels of the colour `wanted`
         buffer,      ///< `numbers` empty or the index of the first element
         range,       ///< `numbers` least and largest
+        sum,         ///< `wanted` per component
         same,        ///< two objects
         different,   ///< two objects
         finite,      ///< all texels or elements
@@ -191,6 +198,9 @@ struct NodeList {
     std::vector<Dispatch> dispatches;
     std::vector<ClearObject> clears;
     std::vector<NodeIndex> order;  ///< of all nodes; the passes among themselves are in the order of `passes`
+    /// Variables that the block itself sets: uniforms of the same name that nothing else sets read these
+    /// before those of Scene::namedValues.
+    std::vector<glib::UniformSpec> namedValues{};
 
     [[nodiscard]] bool isEmpty() const { return order.empty(); }
     Pass& add(Pass pass) {

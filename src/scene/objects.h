@@ -84,7 +84,7 @@ struct PictureSource {
     std::vector<FileIndex> files;  ///< one; or six for a cube map, which may also be one panorama or cross
 };
 struct EmptySource {
-    int width = 1, height = 1, depth = 1;  ///< `depth` of a 2D array: its layers
+    int width = 1, height = 1, depth = 1;  ///< `depth` of an array: its layers, six for each cube map
     TexelFormat format = TexelFormat::rgba8;
     friend bool operator==(const EmptySource&, const EmptySource&) = default;
 };
@@ -219,6 +219,9 @@ struct Program {
     std::string geometryInput;      ///< a lower-case GLSL word, or empty
     std::string geometryOutput;
     int geometryVerticesOut = 0;
+    /// In modern scenes: an earlier program follows the three statements, too. They then give way to the
+    /// layouts of this program's shader in silence.
+    bool sharesGeometryWords = false;
     std::vector<glib::UniformSpec> uniforms;
     [[nodiscard]] bool hasStage(glsl::Stage stage) const {
         for (const StageFile& each : stages)

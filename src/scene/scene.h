@@ -50,10 +50,12 @@ struct Scene : Declarations {
     bool usesLookAt = false;
     glm::dmat4 view{1.0};  ///< viewing matrix of the last LookAt
     std::vector<Variable> variables;
-    std::set<std::string, std::less<>> usedVariables;  ///< names of FrameInputs::variables that exist
-    bool isModern = false;                             ///< it has a modern statement or an expression
-    bool hasStages = false;                            ///< a Vertex or Fragment statement has a shader
+    /// The names of FrameInputs::variables that exist, each with the number of its components.
+    std::map<std::string, std::size_t, std::less<>> usedVariables;
+    bool isModern = false;                          ///< it has a modern statement or an expression
+    bool hasStages = false;                         ///< a Vertex or Fragment statement has a shader
     std::set<std::string, std::less<>> localNames;  ///< the counters of Repeat and the parameters of groups
+    bool hasConditions = false;                     ///< a When has run, so other frames may have other nodes
     bool verbose = false;  ///< Verbose: the diagnostics contain a glib-N02 for each executed operation
     Diagnostics diagnostics;
 };

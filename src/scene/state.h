@@ -74,6 +74,7 @@ struct State {
     FileIndex computeFile{};                ///< of the next Program alone
     std::string geometryInput, geometryOutput;
     int geometryVerticesOut = 0;
+    bool hasGeometryWordsOfProgram = false;  ///< no such statement has followed the last Program
     ProgramIndex program{};
     TargetList target;
     double timerPeriod = 10;
@@ -261,6 +262,8 @@ struct Drawing {
     std::string size;
     std::optional<glm::dvec4> color;
     BufferView verticesFrom{};
+    BufferView indices{};
+    bool drawsAllIndices = false;
 };
 void draw(Interpreter&, const glib::Command&, const Drawing&);
 /// The shape's index; equal shapes share one.

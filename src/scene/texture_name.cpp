@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/suggest.h"
+#include "glib/text.h"
 #include "scene/texture_parts.h"
 
 namespace glibra::scene {
@@ -49,18 +50,29 @@ Result<TextureView> textureNamed(const Scene& scene, std::string_view text) {
     if (!view.texture)
         return bad(fmt::format("the scene has no texture of that name{}", base::suggestion(name, names)));
     const Texture& texture = scene.textures[view.texture];
+    std::optional<int> layer, face;
     while (!rest.empty()) {
         std::string_view word;
         std::optional<int> number;
         const bool isPart = takePart(rest, word, number);
         if (isPart && word == "level" && number)
             view.level = number;
-        else if (isPart && (word == "layer" || word == "face") && number)
-            view.layer = number;
+        else if (isPart && word == "layer" && number)
+            layer = number;
+        else if (isPart && word == "face" && number)
+            face = number;
         else if (isPart && word == "prev" && !number)
             view.isPrevious = true;
         else
             return bad("expected .level(n), .layer(n), .face(n) or .prev after the name");
+    }
+    view.layer = face ? face : layer;
+    if (texture.target == TextureTarget::cubeArray && view.layer) {
+        const int cubes = layersOf(texture, 0).value_or(0) / 6;
+        if (!layer || !face || *layer >= cubes || *face > 5)
+            return bad(fmt::format("'{0}' has {1}; write {0}.layer(0).face(0), with a face from 0 to 5", name,
+                                   glib::counted(static_cast<std::size_t>(cubes), "layer")));
+        view.layer = 6 * *layer + *face;
     }
     const auto levels = levelsOf(texture);
     if (view.level && levels && *view.level >= *levels)

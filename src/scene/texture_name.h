@@ -10,7 +10,7 @@
 namespace glibra::scene {
 
 /// The texture or part of that name: "shadow", "glow.level(2)", "sky.face(3)", "slices.layer(0)",
-/// "life.prev". Errors have no place and say which names the scene has.
+/// "lamps.layer(1).face(3)", "life.prev". Errors have no place and say which names the scene has.
 Result<TextureView> textureNamed(const Scene& scene, std::string_view text);
 
 }  // namespace glibra::scene

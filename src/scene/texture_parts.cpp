@@ -27,7 +27,8 @@ std::optional<std::array<int, 3>> sizeOfLevel(const Texture& texture, int level)
     std::array<int, 3> size{smaller(empty->width), smaller(empty->height), 1};
     if (texture.target == TextureTarget::texture1D) size[1] = 1;
     if (texture.target == TextureTarget::cube) size[2] = 6;
-    if (texture.target == TextureTarget::texture2DArray) size[2] = std::max(1, empty->depth);
+    if (texture.target == TextureTarget::texture2DArray || texture.target == TextureTarget::cubeArray)
+        size[2] = std::max(1, empty->depth);
     if (texture.target == TextureTarget::texture3D) size[2] = smaller(empty->depth);
     return size;
 }
@@ -67,6 +68,8 @@ std::string_view wordOf(TextureTarget target) {
             return "3D";
         case TextureTarget::cube:
             return "cube";
+        case TextureTarget::cubeArray:
+            return "cubeArray";
         case TextureTarget::texture2DArray:
             break;
     }

@@ -43,6 +43,13 @@ TEST(BenchCommand, WritesItsFilesAndComparesWithThem) {
     EXPECT_EQ(same.status, 0) << same.out;
     EXPECT_TRUE(contains(same.out, "error worse at 0")) << same.out;
 
+    const std::string before = readFile(folder / "out/deep/bench.json");
+    const Finished spared =
+        glibra(folder.path(), "bench --quick ray-sphere --against out/deep/bench.json -o out/deep");
+    EXPECT_EQ(spared.status, 3) << spared.out;
+    EXPECT_TRUE(contains(spared.err, "-o: 'out/deep/bench.json' is not written over")) << spared.err;
+    EXPECT_EQ(readFile(folder / "out/deep/bench.json"), before);
+
     // The earlier run doctored: it was ten times as accurate.
     std::string json = readFile(folder / "out/deep/bench.json");
     const std::string key = "\"error\": ";

@@ -169,6 +169,47 @@ Fill window with Show
         "scene.glib:5:32: error: buffer block 'all' needs GLSL 4.30, this driver has 4.10 [glsl-E03]\n");
 }
 
+TEST(WithoutCompute, IndicesBufferTexturesAndArraysOfCubeMapsAreNotMissing) {
+    const Folder folder;
+    folder.write("scene.glib", R"(WindowSize 32 32
+Background 0 0 0
+Buffer places vec2 [-1 -1  1 -1  -1 0  1 0  -1 1  1 1]
+Buffer strips uint [0 1 2 3 4294967295 3 4 5]
+Buffer colors vec4 [1 0 0 1  0 1 0 1]
+CubeMap sky 4 rgba8 layers 2
+Pass sky.layer(1).face(0) clear {0 0 1 1}
+EndPass
+Vertex inline
+#version 410 core
+in vec2 aPlace;
+out vec2 vPlace;
+void main() { vPlace = aPlace; gl_Position = vec4(aPlace, 0, 1); }
+EndVertex
+Fragment inline
+#version 410 core
+uniform samplerBuffer colors;
+uniform samplerCubeArray sky;
+in vec2 vPlace;
+out vec4 fColor;
+void main() { fColor = texelFetch(colors, vPlace.x < 0. ? 0 : 1) + texture(sky, vec4(1, 0, 0, 1)); }
+EndFragment
+Program P
+Use P
+Attribute aPlace places
+Vertices triangle_strip indices strips
+Expect primitives 3
+Expect pixel 3 3 [1 0 1]
+Expect pixel 28 28 [0 1 1]
+Expect pixel 3 18 [0 0 0]
+Expect pixel 3 28 [0 0 0]
+)");
+    const Finished old = glibra(folder.path(), "check --run scene.glib", kOld);
+    EXPECT_EQ(old.status, 0) << old.err;
+    ASSERT_EQ(glibra(folder.path(), "render scene.glib -o old.png", kOld).status, 0);
+    ASSERT_EQ(glibra(folder.path(), "render scene.glib -o new.png").status, 0);
+    EXPECT_EQ(readFile(folder / "old.png"), readFile(folder / "new.png"));
+}
+
 TEST(WithoutCompute, TheOtherShotsOfASuiteGoOn) {
     const Folder folder;
     folder.write("life.glib", kLife);

@@ -34,6 +34,23 @@ TEST(RenderOptions, EveryOptionIsUnderstood) {
     EXPECT_NE(finished.err.find("missing.glib"), std::string::npos) << finished.err;
 }
 
+TEST(RenderOptions, AValueThatDoesNotFitItsVariableIsReported) {
+    const Folder folder;
+    folder.write("a.glib",
+                 "WindowSize 32 16\nLet size <0. .5 1.>\nLet tint {1 0 0}\nLet twice (size*2)\n"
+                 "Translate (size + twice) 0 0\nSphere .2\n");
+    const Finished finished =
+        glibra(folder.path(), "render a.glib --set size=1,2 --set tint=1 --set twice=1,2 --set tint2=1");
+    EXPECT_EQ(finished.status, 0) << finished.err;
+    for (const char* text : {"--set size=1,2: 2 values; 'size' takes 1, so it keeps its own [glib-W15]",
+                             "--set tint=1: 1 value; 'tint' takes 3, so it keeps its own [glib-W15]",
+                             "--set twice=1,2: 2 values; 'twice' takes 1, so it keeps its own [glib-W15]",
+                             "'tint2'; did you mean 'tint'? [glib-W23]"})
+        EXPECT_NE(finished.err.find(text), std::string::npos) << text << finished.err;
+    EXPECT_FALSE(
+        contains(glibra(folder.path(), "render a.glib --set size=.25 --set tint=1,0,1").err, "warning"));
+}
+
 TEST(RenderOptions, ASuiteRefusesWhatItStatesItself) {
     const Folder folder;
     for (const OptionRow& row : suite::optionTable()) {

@@ -305,6 +305,26 @@ TEST_F(TestCommand, UpdateOfOneShotLeavesTheOnesItIsComparedWithAlone) {
     EXPECT_EQ(run("s.toml --only right").status, 1) << "without --update the other one is judged too";
 }
 
+/// The second suite has never been updated, so that nothing in the folder names its pictures.
+TEST(OrphanGoldens, OfTwoSuitesInOneFolderOnlyThoseThatWereListedAreRemoved) {
+    const Folder folder;
+    const std::string scene = "WindowSize 16 16\nBackground 0 0 .5\n";
+    for (const char* each : {"a.glib", "b.glib", "c.glib"}) folder.write(each, scene);
+    const std::string head = "goldens = \"golden\"\n[[shot]]\nscript = ";
+    folder.write("one.toml", head + "[\"a.glib\", \"c.glib\"]\n");
+    folder.write("two.toml", head + "\"b.glib\"\n");
+    ASSERT_EQ(glibra(folder.path(), "test one.toml --update --force").status, 0);
+    fs::copy_file(folder / "golden/a.png", folder / "golden/b.png");
+    folder.write("one.toml", head + "\"a.glib\"\n");
+    const Finished listed = glibra(folder.path(), "test one.toml");
+    EXPECT_NE(listed.err.find("1 golden of no shot of 'one' (--prune removes them): golden/c.png"),
+              std::string::npos)
+        << listed.err;
+    EXPECT_EQ(glibra(folder.path(), "test one.toml --prune").status, 0);
+    EXPECT_FALSE(fs::exists(folder / "golden/c.png"));
+    for (const char* each : {"golden/a.png", "golden/b.png"}) EXPECT_TRUE(fs::exists(folder / each)) << each;
+}
+
 TEST(OrphanGoldens, AreListedAndPruned) {
     const Folder folder;
     folder.write("all/a.glib", "Sphere\n");

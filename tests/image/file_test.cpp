@@ -5,8 +5,12 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <array>
 #include <chrono>
+#include <cstring>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "image/compare/compare.h"
 #include "image/write.h"
@@ -189,6 +193,24 @@ TEST_F(WriteImage, EqualPicturesAreEqualFilesWheneverTheyAreWritten) {
         ASSERT_TRUE(first && second) << suffix;
         EXPECT_EQ(*first, *second) << suffix;
     }
+}
+
+/// The bytes follow from the description of the format: no alpha, the bottom row first, little-endian.
+TEST_F(WriteImage, APfmHoldsFloatsOutsideOfTheColoursFromBottomToTop) {
+    const std::vector<float> pixels{-2.5F, 1000.F, .25F, .5F,
+                                    1.F,   2.F,    3.F,  .75F};  // top, bottom; with alpha
+    Image image{1, 2, 4, Component::f32, {}};
+    image.data.resize(pixels.size() * sizeof(float));
+    std::memcpy(image.data.data(), pixels.data(), image.data.size());
+    ASSERT_TRUE(writeImage(image, folder / "a.pfm", {{}, {}}).empty()) << "needs no module";
+    const auto file = readFile(folder / "a.pfm", kFileLabel);
+    ASSERT_TRUE(file);
+    const std::string header = "PF\n1 2\n-1.0\n";
+    ASSERT_EQ(file->size(), header.size() + 6 * sizeof(float));
+    EXPECT_EQ(std::memcmp(file->data(), header.data(), header.size()), 0);
+    std::array<float, 6> written{};
+    std::memcpy(written.data(), file->data() + header.size(), sizeof written);
+    EXPECT_EQ(written, (std::array<float, 6>{1.F, 2.F, 3.F, -2.5F, 1000.F, .25F}));
 }
 
 TEST_F(WriteImage, AFormatThatCanOnlyBeReadIsRejectedAndNothingIsLeft) {

@@ -33,6 +33,8 @@ TEST(PictureFormat, IsRecognisedByTheFirstBytes) {
         {Format::gif, bytesOf({'G', 'I', 'F', '8', '9', 'a'})},
         {Format::webp, bytesOf({'R', 'I', 'F', 'F', 1, 2, 3, 4, 'W', 'E', 'B', 'P'})},
         {Format::pnm, bytesOf({'P', '6', '\n', '1'})},
+        {Format::pfm, bytesOf({'P', 'F', '\n', '1'})},
+        {Format::pfm, bytesOf({'P', 'f', '\n', '1'})},
         {Format::unknown, bytesOf({'P', '6', 'x'})},
         {Format::unknown, bytesOf({'B', 'M', 'x', 'y'})},
         {Format::unknown, bytesOf({'R', 'I', 'F', 'F', 1, 2, 3, 4, 'W', 'A', 'V', 'E'})},
@@ -162,6 +164,8 @@ INSTANTIATE_TEST_SUITE_P(Formats, ReadByModule,
                                            ByModule{".tga", Component::u8, Component::u8, 4, 0},
                                            ByModule{".tga", Component::u8, Component::u8, 2, 0},
                                            ByModule{".ppm", Component::u8, Component::u8, 3, 0},
+                                           ByModule{".pfm", Component::f32, Component::f32, 3, 0},
+                                           ByModule{".pfm", Component::f32, Component::f32, 1, 0},
                                            ByModule{".sgi", Component::u8, Component::u8, 4, 0},
                                            ByModule{".webp", Component::u8, Component::u8, 3, .1}));
 

@@ -38,6 +38,24 @@ test -f "$place/prefix/share/glibra/shaders/builtin/flat.vert"
 # The examples are whole where they are installed.
 "$place/prefix/bin/glibra" check "$place/prefix"/share/glibra/glib/*/*.glib >>"$place/log" 2>&1 || fail "an example lacks a file"
 
+# An installation that has moved is whole: it finds its module, its programs and its library beside itself.
+mv "$place/prefix" "$place/elsewhere"
+moved="$place/elsewhere/bin/glibra"
+LD_DEBUG=files "$moved" render "$source/glib/start/teapot.glib" --size 64x48 -o moved.jpg 2>"$place/log"
+test -s moved.jpg
+grep "calling init: $place/elsewhere/.*/glibra_openimageio.so" "$place/log" >/dev/null || fail "the module of another place"
+"$moved" check "$place"/elsewhere/share/glibra/glib/*/*.glib >"$place/log" 2>&1 || fail "a moved example lacks a file"
+"$moved" view --help >"$place/log" 2>&1 || fail "the window is not found"
+if [ -f "$build/glibra-bench" ]; then
+    "$moved" bench --list >"$place/log" 2>&1 || fail "the benchmarks are not found"
+fi
+printf 'Vertex noise/solid.vert\nFragment noise/marble.frag\nProgram Marble\nSphere 1\n' >"$place/mine.glib"
+"$moved" render "$place/mine.glib" --size 64x48 -o mine.png 2>"$place/log" && fail "a file of the library is found by itself"
+grep -q -- "--library $place/elsewhere/share/glibra finds it" "$place/log" || fail "no word about the library"
+"$moved" render "$place/mine.glib" --size 64x48 -o mine.png --library "$place/elsewhere/share/glibra" 2>"$place/log" ||
+    fail "the library is not found"
+mv "$place/elsewhere" "$place/prefix"
+
 # Golden tests: red without goldens, green with them, red again for one changed shader, in both tests.
 golden_tests() { ctest --test-dir "$place/consumer" -L glibra >>"$place/log" 2>&1; }
 golden_tests && fail "golden tests pass without goldens"

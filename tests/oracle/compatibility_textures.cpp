@@ -43,6 +43,7 @@ GLenum CompatibilityTextures::targetOf(scene::TextureIndex index) const {
             return GL_TEXTURE_3D;
         case scene::TextureTarget::texture2DArray:
             return GL_TEXTURE_2D_ARRAY;
+        case scene::TextureTarget::cubeArray:  // no classic scene has one
         case scene::TextureTarget::cube:
             break;
     }

@@ -95,6 +95,7 @@ inline ProgramInterface interfaceWith(std::initializer_list<std::pair<std::strin
         result.facts.uniforms[name.substr(0, name.find_first_of(".["))] = {};
     }
     result.inputs.push_back({"aVertex", 0});
+    result.outputs.push_back({"fColor", 0, valueType("vec4"), 1});
     return result;
 }
 

@@ -143,8 +143,12 @@ TEST(SamplerTypes, AreReadFromTheirWords) {
     EXPECT_EQ(samples.texels, BaseType::unsignedInteger);
     EXPECT_EQ(samplerTypeOf("iimage3D").texels, BaseType::integer);
     EXPECT_EQ(samplerTypeOf("image2D").texels, BaseType::floating);
-    EXPECT_FALSE(samplerTypeOf("samplerBuffer").target);
-    EXPECT_FALSE(samplerTypeOf("samplerCubeArray").target);
+    EXPECT_EQ(samplerTypeOf("samplerCubeArray").target, TextureTarget::cubeArray);
+    const SamplerType buffer = samplerTypeOf("isamplerBuffer");
+    EXPECT_TRUE(buffer.isBuffer);
+    EXPECT_FALSE(buffer.target);
+    EXPECT_EQ(buffer.texels, BaseType::integer);
+    EXPECT_FALSE(samplerTypeOf("sampler1DArray").target);
 }
 
 TEST(BoundTextures, GetUnitsOfTheirOwn) {
@@ -162,10 +166,11 @@ TEST(BoundTextures, GetUnitsOfTheirOwn) {
 TEST(BoundTextures, AreFoundByTheNameOfTheUniform) {
     Scene scene;
     const auto map = named(scene.hand, "uMap");
+    scene.pass({map});
     scene.pass({});
     scene.hand.sphere();
     const FramePlan plan = scene.programs.plan(scene.hand.scene, {});
-    EXPECT_EQ(std::get<PlannedDraw>(plan.passes[0].steps[0]).textures.at(0).view.texture, map);
+    EXPECT_EQ(std::get<PlannedDraw>(plan.passes.back().steps[0]).textures.at(0).view.texture, map);
     EXPECT_EQ(test::ids(plan.diagnostics), "");
 }
 

@@ -48,27 +48,30 @@ Program Show uA a uB b
 }
 
 TEST(LastingFills, SeeTheCameraInOnce) {
-    TextScene still(eyeScene("4") + "Once\nFill a with Eye\nEndOnce\nFill window with Show\n");
+    TextScene still(eyeScene("4") + "Once\nFill a with Eye\nEndOnce\nClear b\nFill window with Show\n");
     EXPECT_EQ(byteAt(still.draw(), 0, 0), 102);
     EXPECT_NEAR(byteAt(still.draw(), 0, 0, 1), 255 / std::tan(3.14159265 / 6) / 10, .51);
     // The block runs again when the camera changes, whether by time or by a variable.
-    TextScene moving(eyeScene("4 + time + away") + "Once\nFill a with Eye\nEndOnce\nFill window with Show\n");
+    TextScene moving(eyeScene("4 + time + away") +
+                     "Once\nFill a with Eye\nEndOnce\nClear b\nFill window with Show\n");
     EXPECT_EQ(byteAt(moving.draw(0), 0, 0), 102);
     EXPECT_EQ(byteAt(moving.draw(1), 0, 0), 128);
     RenderOptions options;
     options.set = {"away=2"};
-    TextScene set(eyeScene("4 + time + away") + "Once\nFill a with Eye\nEndOnce\nFill window with Show\n", {},
-                  options);
+    TextScene set(
+        eyeScene("4 + time + away") + "Once\nFill a with Eye\nEndOnce\nClear b\nFill window with Show\n", {},
+        options);
     EXPECT_EQ(byteAt(set.draw(0), 0, 0), 153);
 }
 
 TEST(LastingFills, SeeTheCameraOfTheirStep) {
-    TextScene moving(eyeScene("4 + time") + "Step 1\nFill a with Eye\nEndStep\nFill window with Show\n");
+    TextScene moving(eyeScene("4 + time") +
+                     "Step 1\nFill a with Eye\nEndStep\nClear b\nFill window with Show\n");
     EXPECT_EQ(byteAt(moving.draw(0), 0, 0), 0);
     EXPECT_EQ(byteAt(moving.draw(1.5), 0, 0), 102) << "tick 0 is at time 0";
     EXPECT_EQ(byteAt(moving.draw(3.5), 0, 0), 153) << "tick 2";
     EXPECT_EQ(byteAt(moving.draw(2), 0, 0), 128) << "going back";
-    TextScene still(eyeScene("5") + "Step 1\nFill a with Eye\nEndStep\nFill window with Show\n");
+    TextScene still(eyeScene("5") + "Step 1\nFill a with Eye\nEndStep\nClear b\nFill window with Show\n");
     EXPECT_EQ(byteAt(still.draw(1), 0, 0), 128);
 }
 

@@ -46,6 +46,29 @@ TEST(ScriptChecks, AConditionThatFailsShowsBothSides) {
               std::string::npos);
 }
 
+TEST(ScriptChecks, SumsAreOfEachComponent) {
+    const auto found = [](const std::string& check) {
+        return problemsOf(
+            "Buffer a vec2 [1 10  2 20  3.5 30]\nBuffer b float 1000 (.1)\n"
+            "Buffer c float [1e8 1 -1e8 1]\nTexture2D t 4 4 rg32f\n"
+            "Pass t clear {.25 .5 0 0}\nEndPass\nExpect sum " +
+            check + "\n");
+    };
+    EXPECT_EQ(found("a [6.5 60]"), "");
+    EXPECT_EQ(found("a 6.5"), "");
+    EXPECT_EQ(found("b (10*10) within 1e-4"), "");
+    EXPECT_EQ(found("c 2"), "");
+    EXPECT_EQ(found("t [4 8]"), "");
+    EXPECT_NE(found("a [6 61] within .9")
+                  .find("Expect sum a [6 61] within 0.9: expected 6 61 within 0.9, found "
+                        "6.5 60 [check-E01]"),
+              std::string::npos)
+        << found("a [6 61] within .9");
+    EXPECT_NE(found("b 100").find("expected 100, found 100.00000"), std::string::npos) << found("b 100");
+    EXPECT_NE(found("a [1 2 3]").find("'a' has 2 components, not 3 [check-E02]"), std::string::npos)
+        << found("a [1 2 3]");
+}
+
 TEST(ScriptChecks, EqualContentsMayDifferWithinATolerance) {
     const auto found = [](const std::string& check) {
         return problemsOf("Buffer a float [1 2 3]\nBuffer b float [1 2.25 3]\nExpect " + check + "\n");

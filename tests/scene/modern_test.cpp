@@ -101,7 +101,7 @@ TEST(Modern, InputsReplaceTheValuesOfVariables) {
     inputs.variables["other"] = {1};
     const Scene scene = script.at(inputs);
     EXPECT_EQ(placeOf(drawsOf(scene)[0]).x, 3);
-    EXPECT_TRUE(scene.usedVariables.contains("size"));
+    EXPECT_EQ(scene.usedVariables.at("size"), 1U);
     EXPECT_FALSE(scene.usedVariables.contains("other"));
     EXPECT_EQ(scene.variables[0].written[1], 2) << "what the file says";
     EXPECT_EQ(scene.variables[0].current, std::vector<double>{3});

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/texture_name.h"
 #include "support.h"
 
 namespace glibra::scene {
@@ -246,6 +247,23 @@ TEST(Textures, AllEmptyTexturesTogetherHaveALimit) {
     EXPECT_EQ(textsOf(scene.diagnostics),
               "5:1 glib-E15 Texture2D 9 1 1 'RGBA8': all textures need 4,294,967,300 bytes; the limit is "
               "4,294,967,296");
+}
+
+TEST(TextureNames, APartOfSeveralCubeMapsHasALayerAndAFace) {
+    const Scene scene = run("CubeMap lamps 4 rgba8 layers 2\nCubeMap sky 4 rgba8\nBox\n");
+    const auto layerOf = [&](const char* name) {
+        const Result<TextureView> view = textureNamed(scene, name);
+        return view ? view->layer.value_or(-1) : -2;
+    };
+    EXPECT_EQ(layerOf("lamps"), -1);
+    EXPECT_EQ(layerOf("lamps.layer(1).face(2)"), 8);
+    EXPECT_EQ(layerOf("lamps.face(5).layer(0)"), 5);
+    EXPECT_EQ(layerOf("sky.face(3)"), 3);
+    for (const char* wrong : {"lamps.layer(1)", "lamps.face(1)", "lamps.layer(2).face(0)",
+                              "lamps.layer(400000000).face(0)", "lamps.layer(0).face(6)"})
+        EXPECT_EQ(textsOf(textureNamed(scene, wrong).diagnostics),
+                  "1:1  '" + std::string(wrong) +
+                      "': 'lamps' has 2 layers; write lamps.layer(0).face(0), with a face from 0 to 5");
 }
 
 }  // namespace

@@ -6,6 +6,9 @@
 
 #include "folder.h"
 #include "pictures.h"
+#include "suite/report/html_report.h"
+#include "suite/report/junit_report.h"
+#include "suite/report/terminal_report.h"
 #include "suite/results/results_file.h"
 
 namespace glibra::suite {
@@ -108,6 +111,19 @@ TEST_F(Merge, ReportsMissingShards) {
     ASSERT_EQ(ids(result.diagnostics), "result-E03 ");
     EXPECT_NE(result.diagnostics[0].text.find("2/4, 4/4"), std::string::npos) << result.diagnostics[0].text;
     EXPECT_EQ(result->shots.size(), 2U);
+    const std::string missing = "2 of 4 shards are missing: 2/4, 4/4";
+    EXPECT_EQ(shortfall(*result), missing);
+    EXPECT_NE(toText(*result, false, folder / "into").find("incomplete: " + missing), std::string::npos);
+    EXPECT_NE(toJunit(*result).find("<error message=\"" + missing), std::string::npos);
+    EXPECT_TRUE(writeHtmlReport(*result, folder / "into", folder / "page", {}).empty());
+    EXPECT_NE(textOf(folder / "page/index.html").find("<h1>None of 2 shots failed, " + missing + "</h1>"),
+              std::string::npos);
+    const Result<RunResult> read = readResults(folder / "into");
+    ASSERT_TRUE(read);
+    EXPECT_EQ(shortfall(*read), missing) << "results that are merged keep it";
+    const Result<RunResult> again = mergeResults(std::vector<fs::path>{folder / "into"}, folder / "again");
+    ASSERT_TRUE(again);
+    EXPECT_EQ(shortfall(*again), missing) << "also when they are merged once more";
 }
 
 TEST_F(Merge, ReportsAHugeNumberOfMissingShardsInOneLine) {

@@ -59,6 +59,39 @@ TEST_F(Orphans, AmongOtherFilesOnlyListedPicturesCount) {
     EXPECT_EQ(found(), "z.png ");
 }
 
+TEST_F(Orphans, GoldensOfAnotherSuiteInTheFolderAreNone) {
+    put("z.png");
+    put("other/y.llvmpipe.png");
+    put("x.png");
+    Suite other;
+    other.name = "other";
+    other.goldens = folder / "golden";
+    other.shots = {shotNamed("z"), shotNamed("other/y")};
+    EXPECT_EQ(orphanGoldens(suite, {}, {&other, 1}), std::vector<fs::path>{folder / "golden/x.png"});
+    Suite below = other;
+    below.goldens = folder / "golden/other";
+    below.shots = {shotNamed("y")};
+    EXPECT_EQ(orphanGoldens(suite, {}, {&below, 1}),
+              (std::vector<fs::path>{folder / "golden/x.png", folder / "golden/z.png"}));
+}
+
+/// Only the suite itself is on the command line.
+TEST_F(Orphans, SuitesBesideTheSuiteCount) {
+    put("z.png");
+    put("x.png");
+    writeText(folder / "a.glib", "Sphere 1\n");
+    suite.file = folder / "s.toml";
+    writeText(suite.file, "");
+    writeText(folder / "other.toml", "goldens = \"golden\"\n[[shot]]\nname = \"z\"\nscript = \"a.glib\"\n");
+    EXPECT_EQ(found(), "x.png ");
+    writeText(folder / "unknown.toml", "[tool]\nname = 1\n");
+    EXPECT_EQ(found(), "") << "what that file says of goldens is unknown";
+    HashList list;
+    list.accept(std::vector<AcceptedHash>{{"x", "", {}, {}, "driver"}, {"z", "", {}, {}, "driver"}});
+    writeText(folder / "golden/s.hashes", list.toText());
+    EXPECT_EQ(found(), "x.png ");
+}
+
 TEST_F(Orphans, LinksAreNotFollowed) {
     fs::create_directories(folder / "elsewhere");
     writeText(folder / "elsewhere/mine.png", "mine");

@@ -110,6 +110,7 @@ ShotResult ResultsMaker::shot() {
     made.reproduce = text();
     made.accept = text();
     made.driver = text();
+    made.fingerprint = text();
     return made;
 }
 
@@ -121,12 +122,14 @@ RunResult ResultsMaker::run() {
     made.command = text();
     made.seconds = static_cast<double>(below(1'000'000'000)) / 7;
     made.began = text();
+    made.missingShards = text();
     if (chance()) made.planned = {{text(), {text(), text()}}, {text(), {}}};
     return made;
 }
 
 void expectEqual(const ShotResult& a, const ShotResult& b) {
     EXPECT_EQ(a.suite, b.suite);
+    EXPECT_EQ(a.fingerprint, b.fingerprint);
     EXPECT_EQ(a.shot, b.shot);
     EXPECT_EQ(a.verdict, b.verdict);
     EXPECT_EQ(a.reason, b.reason);

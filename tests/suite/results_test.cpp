@@ -55,6 +55,7 @@ TEST(Results, AnyRunComesBackWholeFromItsLine) {
         EXPECT_EQ(std::bit_cast<std::uint64_t>(back->seconds), std::bit_cast<std::uint64_t>(run.seconds));
         EXPECT_EQ(back->began, run.began);
         EXPECT_EQ(back->planned, run.planned);
+        EXPECT_EQ(back->missingShards, run.missingShards);
     }
 }
 

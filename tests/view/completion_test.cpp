@@ -119,11 +119,12 @@ TEST(Completion, ProposesKeysOfTheStatementAndDeclaredNames) {
 
 TEST(Completion, SpeaksGlslInShadersOfTheScene) {
     const std::string text =
-        "Fragment\n#version 330\nuniform float uLocal;\nvoid main() { uLo| }\nEndFragment\nSphere 1\n";
+        "Fragment inline\n#version 330\nuniform float uLocal;\nvoid main() { uLo| }\nEndFragment\nSphere 1\n";
     const auto words = at(text, scene());
     ASSERT_TRUE(find(words, "uLocal"));
-    EXPECT_TRUE(find(at("Fragment\n#version 330\ndFd|\nEndFragment\n", scene()), "dFdx"));
-    EXPECT_TRUE(find(at("Fragment\nvoid main() {}\nEndFragment\nSph|", scene()), "Sphere"));
+    EXPECT_TRUE(find(at("Fragment inline\n#version 330\ndFd|\nEndFragment\n", scene()), "dFdx"));
+    EXPECT_TRUE(find(at("Fragment inline\nvoid main() {}\nEndFragment\nSph|", scene()), "Sphere"));
+    EXPECT_TRUE(find(at("Compute inline\nvoid main() {}\nEndC|", scene()), "EndCompute"));
     EXPECT_TRUE(find(at("Fragment a.frag\nSph|", scene()), "Sphere")) << "a file begins no shader";
 }
 

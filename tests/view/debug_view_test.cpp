@@ -69,6 +69,37 @@ TEST(DebugView, OverdrawLeavesOutWhatTheFragmentStageDiscards) {
     EXPECT_EQ(numbersAt(session, 35, 20)[0], 2);
 }
 
+TEST(DebugView, OverdrawCountsMeshesFromBuffers) {
+    // The left half from two triangles with common corners, the lower half from a strip, both from one mesh.
+    const SceneFolder folder(R"(WindowSize 40 40
+Vertex inline
+#version 410 core
+in vec2 place;
+void main() { gl_Position = vec4(place, 0, 1); }
+EndVertex
+Fragment inline
+#version 410 core
+out vec4 c;
+void main() { c = vec4(1); }
+EndFragment
+Program P
+Buffer left vec2 [-1 -1  0 -1  -1 1  0 1]
+Buffer lower vec2 [-1 -1  1 -1  -1 0  1 0]
+Buffer two uint [0 1 2  2 1 3]
+Buffer strip uint [2 0 3 1 4294967295 3]
+Attribute place left
+Vertices triangles 6 indices two
+Attribute place lower
+Vertices triangle_strip 6 indices strip
+)");
+    Session session(context(), {});
+    openView(session, folder, DebugView::layers);
+    EXPECT_EQ(numbersAt(session, 10, 10)[0], 2);
+    EXPECT_EQ(numbersAt(session, 10, 30)[0], 1);
+    EXPECT_EQ(numbersAt(session, 30, 10)[0], 1);
+    EXPECT_EQ(numbersAt(session, 30, 30)[3], 0);
+}
+
 TEST(DebugView, FacingShowsTheBackOfATurnedQuad) {
     const SceneFolder folder(kHead + kProgram +
                                  "PushMatrix\nTranslate -.5 0 0\nQuadXY 0 .4\nPopMatrix\nTranslate .5 0 0\n"

@@ -147,6 +147,31 @@ TEST(Session, ASetArgumentOfOneProgramLeavesTheOtherAlone) {
     EXPECT_FALSE(session.setByText("uR=red").empty());
 }
 
+/// The control of a variable belongs to no program.
+TEST(Session, ASetArgumentReachesVariablesOfTheScene) {
+    const SceneFolder folder(
+        "WindowSize 32 16\nOrtho -2 2 -1 1\nLet size <0. .5 1.>\nLet tint {1 0 0}\nVertex a.vert\n"
+        "Fragment a.frag\nProgram One uR (size)\nQuadXY 0 1\n",
+        {{"a.vert", kPlainVertex},
+         {"a.frag",
+          "#version 330\nuniform float uR; out vec4 c;\nvoid main() { c = vec4(uR, 0., 0., 1.); }\n"}});
+    Session session(context(), {});
+    ASSERT_TRUE(session.open(folder.scene()));
+    const auto valuesOf = [&](const char* name) {
+        for (const view::Knob& each : session.knobs())
+            if (each.tag == name) return each.current;
+        return std::vector<double>();
+    };
+    EXPECT_TRUE(session.setByText("size=.25").empty());
+    EXPECT_EQ(valuesOf("size"), std::vector<double>{.25});
+    EXPECT_TRUE(session.setByText("tint=0,1,.5").empty());
+    EXPECT_EQ(valuesOf("tint"), (std::vector<double>{0, 1, .5}));
+    for (const char* wrong : {"size=1,2", "tint=1", "none=3", "One:size=1", "size=big", "size=[]", "size"})
+        EXPECT_EQ(session.setByText(wrong).size(), 1U) << wrong;
+    EXPECT_EQ(valuesOf("size"), std::vector<double>{.25});
+    EXPECT_EQ(valuesOf("tint"), (std::vector<double>{0, 1, .5}));
+}
+
 TEST(Session, AFaultyStatementIsLeftOutAndTheRestDrawn) {
     const SceneFolder folder("WindowSize 32 32\nSpere 1\nOrtho -1 1 -1 1\nColor 0 1 0\nQuadXY 0 1\n");
     Session session(context(), {});

@@ -54,5 +54,26 @@ TEST(Syntax, KnowsTheCommandsOfScenes) {
     EXPECT_EQ(shown("Vertex Sphere.vert", CodeLanguage::glib), "keyword:Vertex");
 }
 
+TEST(Syntax, ReadsShadersInScenesAsShaders) {
+    view::SyntaxReader reader(CodeLanguage::glib);
+    const auto kinds = [&](std::string_view line) {
+        std::string all;
+        for (const SyntaxPiece& each : reader.next(line))
+            all += (all.empty() ? "" : " ") + std::string(line.substr(each.begin, each.end - each.begin));
+        return all;
+    };
+    EXPECT_EQ(kinds("Sphere 1 float"), "Sphere 1");
+    EXPECT_EQ(kinds("  Fragment  inline  # a shader"), "Fragment # a shader");
+    EXPECT_EQ(kinds("#version 330"), "#version 330");
+    EXPECT_EQ(kinds("uniform float uA; /* Sphere"), "uniform float /* Sphere");
+    EXPECT_EQ(kinds("Sphere */ void"), "Sphere */ void");
+    EXPECT_EQ(kinds("EndVertex"), "") << "the end of another stage is no end";
+    EXPECT_EQ(kinds("/* open"), "/* open");
+    EXPECT_EQ(kinds("EndFragment"), "EndFragment");
+    EXPECT_EQ(kinds("Sphere 2 uniform"), "Sphere 2") << "no comment stays open after the shader";
+    EXPECT_EQ(kinds("Fragment inline.frag"), "Fragment") << "a file begins no shader";
+    EXPECT_EQ(kinds("Torus .5 1 9 9"), "Torus .5 1 9 9");
+}
+
 }  // namespace
 }  // namespace glibra::view::test

@@ -1,8 +1,10 @@
 # The OpenImageIO module: every picture format except PNG and BMP. src/image loads it when a file needs it, so that a
 # process that renders to PNG never pays for OpenImageIO's start-up.
 
-# The program looks for the module in both folders, whether or not this build makes it.
+# The program looks for the module beside itself first, so that an installation may be moved, then in both folders,
+# whether or not this build makes it.
 target_compile_definitions(glibra_image PRIVATE GLIBRA_MODULE_BUILD_DIR="${PROJECT_BINARY_DIR}"
+                                                GLIBRA_MODULE_LIBRARY_DIR="${CMAKE_INSTALL_LIBDIR}/glibra"
                                                 GLIBRA_MODULE_INSTALL_DIR="${CMAKE_INSTALL_FULL_LIBDIR}/glibra")
 if(NOT GLIBRA_IMAGE_MODULE)
     return()

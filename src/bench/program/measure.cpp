@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/suggest.h"
@@ -18,6 +19,7 @@
 #include "bench/report/text_report.h"
 #include "bench/subjects/subjects.h"
 #include "cli/commands.h"
+#include "cli/written_files.h"
 #include "image/file.h"
 
 namespace glibra::bench {
@@ -70,6 +72,21 @@ Diagnostics writeText(const std::filesystem::path& file, const std::string& text
     return image::writeFileAtomically(file, std::as_bytes(std::span(text)));
 }
 
+/// file-E13 for each file that would replace the earlier run which --against names.
+Diagnostics overwritten(const MeasureArguments& arguments) {
+    cli::ReadFiles read;
+    read.add(arguments.against, "--against compares with it");
+    Diagnostics problems;
+    for (const auto& [file, option] :
+         {std::pair(&arguments.csv, "--csv"), std::pair(&arguments.json, "--json"),
+          std::pair(&arguments.html, "--html")})
+        if (!file->empty()) append(problems, read.overwrittenBy(*file, option));
+    if (!arguments.folder.empty())
+        for (const char* each : {"bench.csv", "bench.json", "bench.html"})
+            append(problems, read.overwrittenBy(std::filesystem::path(arguments.folder) / each, "-o"));
+    return problems;
+}
+
 /// Writes the files of --csv, --json and --html, and the three files of -o.
 Diagnostics writeFiles(const MeasureArguments& arguments, const Report& report,
                        const RunComparison* comparison) {
@@ -105,6 +122,10 @@ int measure(const MeasureArguments& arguments) {
     if (!chosen) {
         cli::print(chosen.diagnostics);
         return cli::kWrongUsage;
+    }
+    if (const Diagnostics problems = overwritten(arguments); !problems.empty()) {
+        cli::print(problems);
+        return cli::kSceneIsWrong;
     }
     std::optional<Report> earlier;
     if (!arguments.against.empty()) {

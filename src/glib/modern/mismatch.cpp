@@ -90,6 +90,25 @@ std::string Mismatch::bracketHint(const Pieces& pieces, std::size_t at) const {
     return isColor ? fmt::format("; write {{{}}}", numbers) : fmt::format("; write [{}]", numbers);
 }
 
+namespace {
+
+bool isNumberAt(const Pieces& pieces, std::size_t at) {
+    return at < pieces.size() && pieces[at].kind == Value::Kind::number;
+}
+
+}  // namespace
+
+std::string Mismatch::surplusHint(const Pieces& pieces, std::size_t at) const {
+    std::string hint = bracketHint(pieces, at);
+    // `uColor 1 0 0`: a number with one value of a tag before it.
+    const bool isOfTag = at > 1 && isNumberAt(pieces, at) && isNumberAt(pieces, at - 1) &&
+                         pieces[at - 2].kind == Value::Kind::word;
+    if (!hint.empty() || !isOfTag) return hint;
+    std::size_t end = at;
+    while (isNumberAt(pieces, end)) ++end;
+    return fmt::format("; write {} [{}]", pieces[at - 2].text, pieces.written(at - 1, end));
+}
+
 void Mismatch::report(const StatementRow& row, const Pieces& pieces, const DeclaredNames& names, bool matched,
                       std::size_t at, Position command, MessageLog& log) {
     const auto reportAt = [&](const char* id, std::size_t place, const std::string& message) {
@@ -125,7 +144,7 @@ void Mismatch::report(const StatementRow& row, const Pieces& pieces, const Decla
     }
     if (matched && furthest_ == at)
         return reportAt("glib-E18", furthest_,
-                        fmt::format("surplus argument {}{}", text, bracketHint(pieces, furthest_)));
+                        fmt::format("surplus argument {}{}", text, surplusHint(pieces, furthest_)));
     reportAt("glib-E19", furthest_,
              fmt::format("expected {}, found {}{}", listOfExpected(), text,
                          hint.empty() ? bracketHint(pieces, furthest_) : hint));

@@ -45,6 +45,8 @@ class Mismatch {
     /// The brackets that are missing around the pieces from `at` on, or around an operator there; empty if
     /// none are.
     [[nodiscard]] std::string bracketHint(const Pieces& pieces, std::size_t at) const;
+    /// The same for an argument that is too much.
+    [[nodiscard]] std::string surplusHint(const Pieces& pieces, std::size_t at) const;
 
     std::size_t furthest_ = 0;
     std::vector<Expectation> expected_;

@@ -65,7 +65,9 @@ class PieceReader {
                     "glib-E20",
                     token.text == "("
                         ? std::string("'(' is not closed on this line")
-                        : fmt::format("'{}' inside brackets; brackets cannot be nested", token.text),
+                        : fmt::format("'{}' inside brackets; brackets cannot be nested, so write a vector as "
+                                      "(vec3(1, 0, 0))",
+                                      token.text),
                     token.position);
             case TokenKind::close:
                 return refuse("glib-E20", fmt::format("'{}' closes nothing", token.text), token.position);
@@ -186,9 +188,9 @@ class PieceReader {
 
     std::optional<Value> checkedColor(Value color) {
         const std::size_t count = color.items.size();
-        const bool fits = count == 3 || count == 4 || (hasExpression(color) && count < 3);
+        const bool fits = count == 1 || count == 3 || count == 4 || (hasExpression(color) && count < 3);
         if (fits && allNumeric(color)) return color;
-        return refuse("glib-E20", "{ } needs 3 or 4 numbers", color.position);
+        return refuse("glib-E20", "{ } needs 3 or 4 numbers, or one for all components", color.position);
     }
 
     /// `[6 of (...)]` becomes a count and one item.

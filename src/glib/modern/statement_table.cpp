@@ -184,8 +184,9 @@ constexpr StatementRow kStatementRows[] = {
      .declaresName = true},
     {.id = CommandId::namedCubeMap,
      .name = "CubeMap",
-     .syntax = "name:name (size:number format:word | faces:file*6 | picture:file) $options",
-     .summary = "a cube map with a name, from six files, a panorama, a cross, or empty",
+     .syntax = "name:name (size:number format:word [layers count:number] | faces:file*6 | picture:file) "
+               "$options",
+     .summary = "a cube map with a name, from six files, a panorama, a cross, or empty; several as layers",
      .standing = Standing::declaration,
      .declaresName = true},
     {.id = CommandId::sampler,
@@ -243,8 +244,9 @@ constexpr StatementRow kStatementRows[] = {
      .summary = "how often each following shape is drawn"},
     {.id = CommandId::vertices,
      .name = "Vertices",
-     .syntax = "topology:$topology (from buffer:object | count:number)",
-     .summary = "draws vertices without data"},
+     .syntax = "topology:$topology (indices index:object | (from buffer:object | count:number) [indices "
+               "index:object])",
+     .summary = "draws vertices without data of their own, in order or by indices"},
     {.id = CommandId::attribute,
      .name = "Attribute",
      .syntax = "name:name (as role:word | values:number+4 | buffer:object [per instance])",
@@ -297,7 +299,8 @@ constexpr StatementRow kStatementRows[] = {
      .name = "Expect",
      .syntax = "(pixel place:number*2 color:components $tolerance | mean area:number*4 color:components "
                "$tolerance | count color:components number:number $tolerance | buffer name:object (at "
-               "index:number values:list | values:list) $within | range name:object bounds:number*2 | "
+               "index:number values:list | values:list) $within | range name:object bounds:number*2 | sum "
+               "name:object (values:list | total:number) $within | "
                "same a:object b:object $within | different a:object b:object $within | finite name:object | "
                "primitives count:number | samples count:number | error id:word | condition:expression) [at "
                "seconds:number]",

@@ -203,6 +203,14 @@ class MemoryReader {
         const Qualifiers& qualifiers = declaration.qualifiers;
         const ArraySizes sizes = sizesOf(declaration.type, declaration.declarators[variable.declarator]);
         if (variable.type == "atomic_uint") return counter(variable, qualifiers, sizes);
+        if (result_.memory.structures.contains(variable.type)) {
+            MemoryMember record;
+            record.place = unit_.place(variable.nameToken);
+            record.name = variable.name;
+            record.type = variable.type;
+            record.sizes = sizes;
+            result_.memory.records.emplace(variable.name, std::move(record));
+        }
         if (!isImageTypeWord(variable.type)) return;
         ImageUniform image;
         image.place = unit_.place(variable.nameToken);

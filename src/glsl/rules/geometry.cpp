@@ -139,7 +139,9 @@ class Completion {
   private:
     void conflict(const std::string& command, const std::string& wanted, const std::string& written,
                   std::uint32_t at) {
-        if (wanted.empty() || written.empty() || wanted == written) return;
+        if (!program_.request->reportsGeometryConflicts || wanted.empty() || written.empty() ||
+            wanted == written)
+            return;
         program_.report.report("glsl-W16",
                                command + " " + wanted + " ignored, the shader's layout says " + written,
                                unit_.place(at));

@@ -80,6 +80,8 @@ struct MemoryFacts {
     std::map<std::string, ImageUniform> images;
     std::map<std::string, AtomicCounter> counters;
     std::vector<MemoryBlock> blocks;  ///< in order of declaration; each name once per kind
+    /// Uniform variables whose type is a structure with a name, by the variable's name.
+    std::map<std::string, MemoryMember, std::less<>> records;
     /// All structures with a name. If stages declare different ones of one name, the first counts.
     MemoryStructures structures;
 

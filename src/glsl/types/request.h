@@ -68,9 +68,10 @@ struct ProgramRequest {
     /// number of all groups: glibra_FirstGroup (groups before the dispatch along each axis),
     /// glibra_FirstInvocation (the same in invocations) and glibra_GroupCount (all groups) are uniforms.
     bool inPieces = false;
-    std::string geometryInput;    ///< from GeometryInput, a lower-case GLSL word, or empty
-    std::string geometryOutput;   ///< from GeometryOutput, likewise
-    int geometryVerticesOut = 0;  ///< 0: not given
+    std::string geometryInput;             ///< from GeometryInput, a lower-case GLSL word, or empty
+    std::string geometryOutput;            ///< from GeometryOutput, likewise
+    int geometryVerticesOut = 0;           ///< 0: not given
+    bool reportsGeometryConflicts = true;  ///< glsl-W16, where the shader's layouts say something else
     /// The kinds of texture that the scene ever binds to the unit that the tag names. It decides the type of
     /// a `uniform int u` that is used as a sampler.
     std::function<std::vector<SamplerKind>(std::string_view tag)> samplerKindsOfTag;

@@ -74,6 +74,7 @@ void readSizes(Capabilities& driver) {
     driver.max1DTextureSide = driver.max2DTextureSide;
     driver.max3DTextureSide = integerOf(GL_MAX_3D_TEXTURE_SIZE);
     driver.maxArrayLayers = integerOf(GL_MAX_ARRAY_TEXTURE_LAYERS);
+    driver.maxBufferTexels = integerOf(GL_MAX_TEXTURE_BUFFER_SIZE);
     driver.maxCubeSide = integerOf(GL_MAX_CUBE_MAP_TEXTURE_SIZE);
     driver.maxRenderbufferSide = integerOf(GL_MAX_RENDERBUFFER_SIZE);
     std::array<GLint, 2> viewport{};

@@ -24,6 +24,7 @@ struct Capabilities {
     int max3DTextureSide = 0;
     int maxCubeSide = 0;
     int maxArrayLayers = 256;
+    int maxBufferTexels = 65536;  ///< of a buffer that is read as a texture
     int maxRenderbufferSide = 0;
     int maxViewportWidth = 0, maxViewportHeight = 0;
     int maxSamples = 1;  ///< of colour and depth renderbuffers

@@ -60,6 +60,7 @@ void attachTexture(GLenum framebufferTarget, GLenum point, const TexturePart& pa
             return glFramebufferTexture1D(framebufferTarget, point, GL_TEXTURE_1D, texture.id(), part.level);
         case TextureShape::texture3D:
         case TextureShape::array2D:
+        case TextureShape::cubeArray:
             return glFramebufferTextureLayer(framebufferTarget, point, texture.id(), part.level, layer);
         case TextureShape::cube:
             return glFramebufferTexture2D(framebufferTarget, point,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -214,6 +215,34 @@ std::vector<base::CounterBuffer> counterBuffersOf(GLuint program) {
     return buffers;
 }
 
+/// GL lists the members of an array of blocks once, as members of its first element (GL 4.6, 7.3.1). Gives
+/// each element members of its own, with the element's subscript in their names.
+void spreadBlockArrays(base::ActiveResources& resources) {
+    const auto plainName = [](std::string_view block) { return block.substr(0, block.find('[')); };
+    std::vector<base::ActiveUniform> spread;
+    std::vector<bool> hasMembers(resources.blocks.size());
+    for (const base::ActiveUniform& each : resources.uniforms)
+        if (each.block >= 0) hasMembers[static_cast<std::size_t>(each.block)] = true;
+    for (base::ActiveUniform& each : resources.uniforms) {
+        const std::string plain(plainName(each.blockName));
+        if (each.block < 0 || plain == each.blockName || !each.name.starts_with(plain + ".")) continue;
+        const std::string member = each.name.substr(plain.size());
+        const auto nameIn = [&](base::ActiveUniform& uniform, const std::string& block) {
+            uniform.blockName = block;
+            uniform.name = uniform.emittedName = block + member;
+        };
+        for (std::size_t i = 0; i < resources.blocks.size(); ++i) {
+            if (hasMembers[i] || plainName(resources.blocks[i].name) != plain) continue;
+            base::ActiveUniform& copy = spread.emplace_back(each);
+            copy.block = static_cast<int>(i);
+            nameIn(copy, resources.blocks[i].name);
+        }
+        nameIn(each, std::string(each.blockName));
+    }
+    resources.uniforms.insert(resources.uniforms.end(), std::make_move_iterator(spread.begin()),
+                              std::make_move_iterator(spread.end()));
+}
+
 }  // namespace
 
 base::ActiveResources reflect(const Program& program) {
@@ -222,6 +251,7 @@ base::ActiveResources reflect(const Program& program) {
     resources.blocks = blocksOf(program.id());
     for (base::ActiveUniform& each : resources.uniforms)
         if (each.block >= 0) each.blockName = resources.blocks[static_cast<std::size_t>(each.block)].name;
+    spreadBlockArrays(resources);
     resources.inputs = inputsOf(program.id());
     if (GLAD_GL_VERSION_4_3 != 0) {
         resources.storageBlocks = storageBlocksOf(program.id());

@@ -133,11 +133,10 @@ Result<Target> Target::parts(const Capabilities& capabilities, std::span<const T
     if (depth) {
         depthAttachment = *depth;
     } else if (first.isLayered()) {
-        const bool isCube = first.texture->shape() == TextureShape::cube;
-        const int layers = first.texture->layers(first.level);
-        auto own = Texture::create(capabilities, {isCube ? TextureShape::cube : TextureShape::array2D,
-                                                  implicitFormat,
-                                                  {size.width, size.height, isCube ? 1 : layers}});
+        const TextureShape drawn = first.texture->shape();
+        const TextureShape shape = isCube(drawn) ? drawn : TextureShape::array2D;
+        const int layers = shape == TextureShape::cube ? 1 : first.texture->layers(first.level);
+        auto own = Texture::create(capabilities, {shape, implicitFormat, {size.width, size.height, layers}});
         if (!own) return own.diagnostics;
         target.layeredDepth_ = kept(std::move(*own));
         depthAttachment = TexturePart{target.layeredDepth_.get()};

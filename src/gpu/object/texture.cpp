@@ -32,25 +32,21 @@ Result<Texture> Texture::make(const Capabilities& capabilities, TextureLayout la
     TextureSize& size = layout.size;
     const TextureShape shape = layout.shape;
     if (shape == TextureShape::texture1D) size.height = 1;
-    if (shape != TextureShape::texture3D && shape != TextureShape::array2D) size.depth = 1;
+    if (shape != TextureShape::texture3D && !isArray(shape)) size.depth = 1;
     if (shape != TextureShape::multisampled) layout.samples = 1;
     const std::string what = describe(shape, layout.format, size);
     const int largest = largestSide(capabilities, shape);
     if (size.width < 1 || size.height < 1 || size.depth < 1)
         return diagnose("gpu-E04", what + " has no texels");
-    if (shape == TextureShape::cube && size.width != size.height)
-        return diagnose("gpu-E04", what + " is not square");
+    if (isCube(shape) && size.width != size.height) return diagnose("gpu-E04", what + " is not square");
     if (shape == TextureShape::texture3D && hasDepth(layout.format))
         return diagnose("gpu-E04", what + ": depth formats need 1D, 2D, array or cube textures");
-    const bool isDeep =
-        shape == TextureShape::array2D ? size.depth > capabilities.maxArrayLayers : size.depth > largest;
+    const bool isDeep = isArray(shape) ? size.depth > capabilities.maxArrayLayers : size.depth > largest;
     if (size.width > largest || size.height > largest || isDeep)
-        return diagnose("gpu-E04",
-                        what + " is too large; this driver's limit is " + std::to_string(largest) +
-                            " per side" +
-                            (shape == TextureShape::array2D
-                                 ? " and " + std::to_string(capabilities.maxArrayLayers) + " layers"
-                                 : ""));
+        return diagnose(
+            "gpu-E04",
+            what + " is too large; this driver's limit is " + std::to_string(largest) + " per side" +
+                (isArray(shape) ? " and " + std::to_string(capabilities.maxArrayLayers) + " layers" : ""));
     const int most = mostLevels(shape, size);
     if (layout.levels < 1 || layout.levels > most)
         return diagnose("gpu-E04", what + " has 1 to " + std::to_string(most) + " levels, not " +
@@ -185,16 +181,14 @@ Result<Texture> Texture::view(std::optional<int> level, std::optional<int> layer
     GLuint name = 0;
     glGenTextures(1, &name);
     part.name_ = Name<deleteTexture>(name);
-    part.shape_ = layer && (shape_ == TextureShape::cube || shape_ == TextureShape::array2D)
-                      ? TextureShape::texture2D
-                      : shape_;
+    part.shape_ = layer && (isArray(shape_) || isCube(shape_)) ? TextureShape::texture2D : shape_;
     part.format_ = format_;
     part.size_ = sizeOfLevel(shape_, size_, level.value_or(0));
     if (layer) part.size_.depth = 1;
     part.levels_ = level ? 1 : levels_;
     part.samples_ = samples_;
     clearErrors();
-    const bool isLayered = shape_ == TextureShape::array2D || shape_ == TextureShape::cube;
+    const bool isLayered = isArray(shape_) || isCube(shape_);
     glTextureView(name, glTarget(part.shape_), id(), internalFormat(format_),
                   static_cast<GLuint>(level.value_or(0)), static_cast<GLuint>(part.levels_),
                   static_cast<GLuint>(layer.value_or(0)),

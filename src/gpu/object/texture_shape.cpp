@@ -15,6 +15,8 @@ GLenum glTarget(TextureShape shape) {
             return GL_TEXTURE_3D;
         case TextureShape::array2D:
             return GL_TEXTURE_2D_ARRAY;
+        case TextureShape::cubeArray:
+            return GL_TEXTURE_CUBE_MAP_ARRAY;
         case TextureShape::multisampled:
             return GL_TEXTURE_2D_MULTISAMPLE;
         case TextureShape::cube:
@@ -25,8 +27,7 @@ GLenum glTarget(TextureShape shape) {
 
 TextureSize sizeOfLevel(TextureShape shape, TextureSize size, int level) {
     const auto smaller = [&](int side) { return std::max(1, side >> std::min(level, 30)); };
-    return {smaller(size.width), smaller(size.height),
-            shape == TextureShape::array2D ? size.depth : smaller(size.depth)};
+    return {smaller(size.width), smaller(size.height), isArray(shape) ? size.depth : smaller(size.depth)};
 }
 
 int mostLevels(TextureShape shape, TextureSize size) {
@@ -41,8 +42,8 @@ std::string describe(TextureShape shape, TexelFormat format, TextureSize size) {
     if (shape != TextureShape::texture1D) text += " x " + std::to_string(size.height);
     if (shape == TextureShape::texture3D) text += " x " + std::to_string(size.depth);
     if (shape == TextureShape::array2D) text += ", " + std::to_string(size.depth) + " layers";
-    return text + (shape == TextureShape::cube ? " cube map (" : " texture (") + std::string(name(format)) +
-           ")";
+    if (shape == TextureShape::cubeArray) text += ", " + std::to_string(size.depth / 6) + " layers";
+    return text + (isCube(shape) ? " cube map (" : " texture (") + std::string(name(format)) + ")";
 }
 
 std::uint64_t texelCount(TextureShape shape, TextureSize size) {

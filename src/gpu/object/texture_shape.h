@@ -3,6 +3,7 @@
 
 #include <glad/gl.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -10,14 +11,23 @@
 
 namespace glibra::gpu {
 
-/// `array2D`: layers of 2D textures. `multisampled`: 2D without levels, drawn into and read by texelFetch.
-enum class TextureShape { texture1D, texture2D, texture3D, cube, array2D, multisampled };
+/// `array2D`: layers of 2D textures. `cubeArray`: cube maps, whose layers are their faces. `multisampled`: 2D
+/// without levels, drawn into and read by texelFetch.
+enum class TextureShape { texture1D, texture2D, texture3D, cube, array2D, cubeArray, multisampled };
+inline constexpr std::size_t kTextureShapes = 7;
+
+constexpr bool isArray(TextureShape shape) {
+    return shape == TextureShape::array2D || shape == TextureShape::cubeArray;
+}
+constexpr bool isCube(TextureShape shape) {
+    return shape == TextureShape::cube || shape == TextureShape::cubeArray;
+}
 
 /// GL_TEXTURE_1D and so on.
 GLenum glTarget(TextureShape shape);
 
 /// Size in texels; an unused dimension is 1. A cube map has width = height. The depth of an array is its
-/// number of layers.
+/// number of layers, six for each cube map.
 struct TextureSize {
     int width = 1, height = 1, depth = 1;
     friend bool operator==(const TextureSize&, const TextureSize&) = default;

@@ -17,6 +17,7 @@ void allocateLevel(TextureShape shape, TexelFormat format, TextureSize size, int
             break;
         case TextureShape::texture3D:
         case TextureShape::array2D:
+        case TextureShape::cubeArray:
             glTexImage3D(target, level, inside, size.width, size.height, size.depth, 0, layout, type,
                          nullptr);
             break;
@@ -43,6 +44,7 @@ int largestSide(const Capabilities& capabilities, TextureShape shape) {
         case TextureShape::texture3D:
             return capabilities.max3DTextureSide;
         case TextureShape::cube:
+        case TextureShape::cubeArray:
             break;
     }
     return capabilities.maxCubeSide;
@@ -71,6 +73,7 @@ void allocate(const Capabilities& capabilities, const TextureLayout& layout) {
             break;
         case TextureShape::texture3D:
         case TextureShape::array2D:
+        case TextureShape::cubeArray:
             glTexStorage3D(target, layout.levels, inside, width, height, depth);
             break;
         default:
@@ -91,6 +94,7 @@ void fillLevel(TextureShape shape, TextureSize size, int level, Transfer transfe
             break;
         case TextureShape::texture3D:
         case TextureShape::array2D:
+        case TextureShape::cubeArray:
             glTexSubImage3D(glTarget(shape), level, 0, 0, 0, size.width, size.height, size.depth, format,
                             type, data);
             break;

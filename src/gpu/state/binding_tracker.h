@@ -27,6 +27,8 @@ class BindingTracker {
     /// Work on textures, such as making one, leaves its own texture on unit 0.
     void forgetWorkUnit();
     void forgetBuffers() { buffers_.clear(); }
+    /// Forgets what is bound to image units.
+    void forgetImages() { images_.clear(); }
 
     void use(const Program& program);
     void bind(const VertexArray& array);
@@ -41,9 +43,8 @@ class BindingTracker {
 
   private:
     // Names of GL objects; 0 where nothing is known.
-    static constexpr std::size_t kShapes = 6;
     struct Unit {
-        std::array<GLuint, kShapes> textures{};  ///< by TextureShape
+        std::array<GLuint, kTextureShapes> textures{};  ///< by TextureShape
         GLuint sampler = 0;
     };
     struct IndexedBuffer {

@@ -43,6 +43,8 @@ class Answerer {
                 return onContent([this](const Content& c) { return range(c); });
             case Kind::finite:
                 return onContent([this](const Content& c) { return finite(c); });
+            case Kind::sum:
+                return onContent([this](const Content& c) { return sum(c); });
             case Kind::same:
             case Kind::different:
                 return onContent([this](const Content& c) { return relation(c); });
@@ -185,6 +187,29 @@ class Answerer {
     }
     [[nodiscard]] Answer finite(const Content& content) const {
         return each(content, "finite values", [](double value) { return std::isfinite(value); });
+    }
+
+    /// The sums are those of Neumaier (1974), so that their rounding does not grow with the number of values.
+    [[nodiscard]] Answer sum(const Content& content) const {
+        if (const std::string why = misfit(content); !why.empty()) return refused(why);
+        const auto count = static_cast<std::size_t>(content.components);
+        std::vector<double> sums(count), lost(count);
+        for (std::size_t i = 0; i < content.values.size(); ++i) {
+            const double value = content.values[i];
+            double& total = sums[i % count];
+            const double next = total + value;
+            lost[i % count] +=
+                std::abs(total) >= std::abs(value) ? total - next + value : value - next + total;
+            total = next;
+        }
+        bool holds = true;
+        for (std::size_t i = 0; i < count; ++i) {
+            if (std::isfinite(sums[i])) sums[i] += lost[i];
+            if (i >= check_.wanted.size() || sums[i] == check_.wanted[i]) continue;
+            holds = holds && std::abs(sums[i] - check_.wanted[i]) <= check_.tolerance;
+        }
+        if (holds) return std::nullopt;
+        return wrong(wantedText(), numbersText(shown(sums, check_.wanted.size())));
     }
 
     [[nodiscard]] Answer relation(const Content& content) const {

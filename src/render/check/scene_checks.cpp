@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "gpu/object/query.h"
 #include "gpu/object/readback.h"
@@ -48,22 +49,28 @@ bool SceneRenderer::hasChecks() const {
 }
 
 Diagnostics SceneRenderer::answerChecks(double time, Diagnostics& reported, Stats& stats) {
-    State& state = *state_;
-    reported = withoutExpected(state.scene.checks, std::move(reported));
-    Diagnostics wrong;
-    std::erase_if(reported, [&](Diagnostic& each) {
-        if (!each.id.starts_with("check-")) return false;
-        wrong.push_back(std::move(each));
-        return true;
-    });
+    const std::vector<scene::Check> checks = state_->scene.checks;  // those of other moments may differ
     std::set<double> times;
-    for (const scene::Check& each : state.scene.checks)
+    for (const scene::Check& each : checks)
         if (each.kind != scene::Check::Kind::error) times.insert(each.seconds.value_or(time));
-    for (const double each : times) append(wrong, answerAt(each, time, stats));
+    if (times.empty()) times.insert(time);
+    Diagnostics wrong;
+    const auto sort = [&](Diagnostics found) {
+        for (Diagnostic& each : found) {
+            if (each.id.starts_with("check-"))
+                wrong.push_back(std::move(each));
+            else if (!hasMessage(reported, each))
+                reported.push_back(std::move(each));
+        }
+    };
+    Diagnostics ofTimes;
+    for (const double each : times) append(ofTimes, answerAt(each, time, stats));
+    sort(std::move(ofTimes));
+    sort(withoutExpected(checks, std::exchange(reported, {})));
     return wrong;
 }
 
-/// Draws the picture of `moment` and answers the checks that ask for it.
+/// Draws the picture of `moment` and answers the checks that ask for it. What drawing reports comes first.
 Diagnostics SceneRenderer::answerAt(double moment, double time, Stats& stats) {
     State& state = *state_;
     const auto isCounted = [](const scene::Check& each) {
@@ -101,7 +108,7 @@ Diagnostics SceneRenderer::answerAt(double moment, double time, Stats& stats) {
             return std::vector<double>();
         });
     };
-    Diagnostics wrong;
+    Diagnostics wrong = std::move(picture.diagnostics);
     for (const scene::Check& each : state.scene.checks)
         if (each.kind != scene::Check::Kind::error && each.seconds.value_or(time) == moment)
             if (std::optional<Diagnostic> found = answer(each, questions)) wrong.push_back(std::move(*found));

@@ -80,7 +80,14 @@ Diagnostics FrameDrawer::dispatch(const plan::PlannedDispatch& planned) {
     bindBlocks(planned.program, *built);
     bindTextures(planned.textures, *built);
     if (const auto* from = std::get_if<scene::GroupsFrom>(&dispatch.groups)) {
-        if (const gpu::Buffer* counts = device_.buffers().buffer(from->buffer)) gpu::dispatchFrom(*counts);
+        if (const gpu::Buffer* counts = device_.buffers().buffer(from->buffer)) {
+            GroupCounts groups{};
+            for (std::size_t axis = 0; axis < groups.size(); ++axis)
+                groups.at(axis) = countIn(from->buffer, axis);
+            const auto checked = checkedGroups(groups, context_.capabilities(), dispatch.place);
+            if (!checked) return checked.diagnostics;
+            gpu::dispatchFrom(*counts);
+        }
     } else {
         const GroupCounts& groups = groupsOf(planned, *built);
         if (Diagnostics refused = dispatchPieces(*built, groups, dispatch); !refused.empty()) return refused;

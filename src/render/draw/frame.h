@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <glm/vec2.hpp>
 #include <limits>
@@ -152,8 +153,21 @@ class FrameDrawer {
     void bindTextures(const std::vector<plan::TextureUse>& textures, const BuiltProgram& built);
     void bindBlocks(plan::PlannedProgramIndex program, const BuiltProgram& built);
     void setTessellationLevels(const std::array<float, 6>& levels);
+    /// The vertices of a draw: by indices in the buffer that is bound for them, or in order.
+    struct Elements {
+        bool areIndexed = false;
+        std::uint64_t offset = 0;  ///< bytes before the first index
+        int count = 0;
+    };
+    /// The mesh of the draw must be on the device.
+    [[nodiscard]] Elements elementsOf(const plan::PlannedDraw& planned) const;
+    void submitDirect(const plan::PlannedDraw& planned, const Elements& elements, GLenum mode) const;
+    /// The word of that number of a buffer; 0 if the buffer has not been made. Waits for the device.
+    [[nodiscard]] std::uint32_t countIn(const scene::BufferView& from, std::size_t word) const;
+    /// memory-E06 if a buffer gives the draw more vertices or instances than a scene may state.
+    [[nodiscard]] Diagnostics checkCounts(const scene::Draw& draw) const;
     /// Draws with counts that buffers hold.
-    void submitIndirect(const plan::PlannedDraw& planned, const DeviceMesh& mesh, GLenum mode) const;
+    void submitIndirect(const scene::Draw& draw, const Elements& elements, GLenum mode) const;
     void setRaster(const plan::PlannedDraw& planned, const BuiltProgram& built, bool isWindow,
                    Diagnostics& diagnostics);
     /// Viewport and scissor are fractions of the whole picture. Programs that are made for tiles map the

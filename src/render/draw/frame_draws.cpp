@@ -4,14 +4,19 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
+#include <optional>
+#include <span>
 #include <utility>
 
+#include "glib/number.h"
 #include "gpu/object/compute.h"
 #include "plan/accesses.h"
 #include "render/draw/frame.h"
 #include "render/draw/patch_split.h"
 #include "render/draw/sight.h"
 #include "render/load/gl_names.h"
+#include "scene/count_limits.h"
 
 namespace glibra::render {
 namespace {
@@ -85,6 +90,8 @@ void FrameDrawer::setRaster(const plan::PlannedDraw& planned, const BuiltProgram
     raster.pointSizeFromShader = raster.pointSizeFromShader && built.interface.facts.writesPointSize;
     fitToTile(raster, built, isWindow);
     if (wireframe_) raster.polygon = base::PolygonMode::line;
+    for (std::size_t target = 0; target < planned.unwritten.size(); ++target)
+        if (planned.unwritten[target]) raster.write[target] = {false, false, false, false};
     raster_.apply(raster);
 
     const int distances = built.interface.facts.clipDistances;
@@ -137,37 +144,84 @@ const BuiltProgram* FrameDrawer::programOf(const plan::PlannedDraw& planned) con
     return fallback_ != nullptr && fallback_->program ? fallback_ : nullptr;
 }
 
-void FrameDrawer::submit(const plan::PlannedDraw& planned) const {
-    const DeviceMesh& mesh = *device_.deviceMesh(plan_, planned.mesh);
+FrameDrawer::Elements FrameDrawer::elementsOf(const plan::PlannedDraw& planned) const {
     const scene::Draw& draw = plan_.drawOf(planned);
-    const GLenum mode = glMode(planned.submission);
-    if (draw.instancesFrom.buffer || draw.verticesFrom.buffer) return submitIndirect(planned, mesh, mode);
-    if (draw.instances <= 0) return;
-    const auto drawPart = [&](int first, int count) {
-        // NOLINTNEXTLINE(performance-no-int-to-ptr): an offset into the buffer that is bound
-        const auto* at = reinterpret_cast<const void*>(static_cast<std::size_t>(first) * sizeof(GLuint));
-        if (draw.instances == 1 && mesh.indices)
-            glDrawElements(mode, count, GL_UNSIGNED_INT, at);
-        else if (draw.instances == 1)
-            glDrawArrays(mode, first, count);
-        else if (mesh.indices)
-            glDrawElementsInstanced(mode, count, GL_UNSIGNED_INT, at, draw.instances);
-        else
-            glDrawArraysInstanced(mode, first, count, draw.instances);
-    };
-    // gl_VertexID and the order of instances are those of one draw.
-    const bool isWhole = !mesh.indices || draw.instances != 1;
-    if (mode != GL_PATCHES || isWhole) return drawPart(0, mesh.indexCount);
-    drawPatches(context_.capabilities(), programOf(planned)->interface.facts,
-                planned.submission.patchVertices, mesh.indexCount, drawPart);
+    const DeviceMesh& mesh = *device_.deviceMesh(plan_, planned.mesh);
+    if (!draw.indices.buffer) return {bool(mesh.indices), 0, mesh.indexCount};
+    const auto own = device_.indicesOf(draw).value_or(DeviceScene::Indices{});
+    const int wanted = draw.drawsAllIndices ? own.count : std::min(own.count, mesh.indexCount);
+    return {true, own.offset, wanted};
 }
 
-void FrameDrawer::submitIndirect(const plan::PlannedDraw& planned, const DeviceMesh& mesh,
-                                 GLenum mode) const {
+std::uint32_t FrameDrawer::countIn(const scene::BufferView& from, std::size_t word) const {
+    std::uint32_t count = 0;
+    if (const gpu::Buffer* buffer = device_.buffers().buffer(from))
+        buffer->read(word * sizeof count, std::as_writable_bytes(std::span(&count, 1)));
+    return count;
+}
+
+Diagnostics FrameDrawer::checkCounts(const scene::Draw& draw) const {
+    Diagnostics diagnostics;
+    const auto check = [&](const scene::BufferView& from, int most, const char* word, const char* things) {
+        const std::uint32_t count = from.buffer ? countIn(from, 0) : 0;
+        if (count > static_cast<std::uint32_t>(most))
+            diagnostics.push_back(
+                diagnose("memory-E06",
+                         fmt::format("{} from a buffer: {} {}; the limit is {}", word,
+                                     glib::groupedText(count), things, glib::groupedText(most)),
+                         draw.place));
+    };
+    check(draw.verticesFrom, scene::kMostVertices, "Vertices", "vertices");
+    check(draw.instancesFrom, scene::kMostInstances, "Instances", "instances");
+    return diagnostics;
+}
+
+void FrameDrawer::submit(const plan::PlannedDraw& planned) const {
     const scene::Draw& draw = plan_.drawOf(planned);
+    if (draw.indices.buffer && !device_.indicesOf(draw)) return;
+    const Elements elements = elementsOf(planned);
+    const GLenum mode = glMode(planned.submission);
+    // GL need not restart patches.
+    const bool restarts = draw.indices.buffer && mode != GL_PATCHES;
+    if (restarts) {
+        glEnable(GL_PRIMITIVE_RESTART);
+        glPrimitiveRestartIndex(std::numeric_limits<GLuint>::max());
+    }
+    if (draw.instancesFrom.buffer || draw.verticesFrom.buffer)
+        submitIndirect(draw, elements, mode);
+    else if (draw.instances > 0)
+        submitDirect(planned, elements, mode);
+    if (restarts) glDisable(GL_PRIMITIVE_RESTART);
+}
+
+void FrameDrawer::submitDirect(const plan::PlannedDraw& planned, const Elements& elements,
+                               GLenum mode) const {
+    const int instances = plan_.drawOf(planned).instances;
+    const auto drawPart = [&](int first, int count) {
+        // NOLINTNEXTLINE(performance-no-int-to-ptr): an offset into the buffer that is bound
+        const auto* at =
+            reinterpret_cast<const void*>(elements.offset + static_cast<std::size_t>(first) * sizeof(GLuint));
+        if (instances == 1 && elements.areIndexed)
+            glDrawElements(mode, count, GL_UNSIGNED_INT, at);
+        else if (instances == 1)
+            glDrawArrays(mode, first, count);
+        else if (elements.areIndexed)
+            glDrawElementsInstanced(mode, count, GL_UNSIGNED_INT, at, instances);
+        else
+            glDrawArraysInstanced(mode, first, count, instances);
+    };
+    // gl_VertexID and the order of instances are those of one draw.
+    const bool isWhole = !elements.areIndexed || instances != 1;
+    if (mode != GL_PATCHES || isWhole) return drawPart(0, elements.count);
+    drawPatches(context_.capabilities(), programOf(planned)->interface.facts,
+                planned.submission.patchVertices, elements.count, drawPart);
+}
+
+void FrameDrawer::submitIndirect(const scene::Draw& draw, const Elements& elements, GLenum mode) const {
     // count, instances, first index or vertex, base vertex, base instance (OpenGL 4.6 Core, 10.4)
-    const std::array<GLuint, 5> command{static_cast<GLuint>(mesh.indexCount),
-                                        static_cast<GLuint>(std::max(0, draw.instances)), 0, 0, 0};
+    const std::array<GLuint, 5> command{static_cast<GLuint>(elements.count),
+                                        static_cast<GLuint>(std::max(0, draw.instances)),
+                                        static_cast<GLuint>(elements.offset / sizeof(GLuint)), 0, 0};
     const std::span<const std::byte> bytes = std::as_bytes(std::span(command));
     if (!command_) {
         Result<gpu::Buffer> made = gpu::Buffer::create(bytes, GL_DYNAMIC_DRAW);
@@ -182,7 +236,7 @@ void FrameDrawer::submitIndirect(const plan::PlannedDraw& planned, const DeviceM
     take(draw.verticesFrom, 0);
     take(draw.instancesFrom, sizeof(GLuint));
     command_->bind(GL_DRAW_INDIRECT_BUFFER);
-    if (mesh.indices)
+    if (elements.areIndexed)
         glDrawElementsIndirect(mode, GL_UNSIGNED_INT, nullptr);
     else
         glDrawArraysIndirect(mode, nullptr);
@@ -198,8 +252,7 @@ void FrameDrawer::finishWrites(plan::PlannedProgramIndex program,
 
 Diagnostics FrameDrawer::drawOne(const plan::PlannedDraw& planned, const gpu::Target& target, bool isWindow) {
     Diagnostics diagnostics;
-    const DeviceMesh* mesh = device_.deviceMesh(plan_, planned.mesh);
-    if (!mesh) return diagnostics;
+    if (!device_.deviceMesh(plan_, planned.mesh)) return diagnostics;
     const scene::Draw& draw = plan_.drawOf(planned);
     const BuiltProgram* drawnWith = programOf(planned);
     if (drawnWith == nullptr) return diagnostics;
@@ -210,6 +263,7 @@ Diagnostics FrameDrawer::drawOne(const plan::PlannedDraw& planned, const gpu::Ta
         return diagnostics;
     }
     context_.debugLog().setPlace(draw.place);
+    if (Diagnostics refused = checkCounts(draw); !refused.empty()) return refused;
     bindings_.use(*built.program);
     const double aspect = isWindow ? static_cast<double>(frame_->width) / frame_->height
                                    : static_cast<double>(target.width()) / target.height();
@@ -237,7 +291,7 @@ Diagnostics FrameDrawer::drawOne(const plan::PlannedDraw& planned, const gpu::Ta
     setConstantInputs(planned, built, facts.color);
     bindTextures(planned.textures, built);
     setRaster(planned, built, isWindow, diagnostics);
-    bindings_.bind(device_.vertexArray(plan_, planned.mesh, planned.inputs, built));
+    bindings_.bind(device_.vertexArray(plan_, planned, built));
     if (hook_) hook_(planned, isWindow, true);
     submit(planned);
     if (hook_) {
@@ -246,7 +300,7 @@ Diagnostics FrameDrawer::drawOne(const plan::PlannedDraw& planned, const gpu::Ta
     }
     finishWrites(planned.program, planned.textures);
     stats_.add("draws", 1);
-    stats_.add("vertices drawn", static_cast<std::uint64_t>(mesh->indexCount) *
+    stats_.add("vertices drawn", static_cast<std::uint64_t>(elementsOf(planned).count) *
                                      static_cast<std::uint64_t>(std::max(0, draw.instances)));
     return diagnostics;
 }

@@ -8,6 +8,7 @@
 
 #include "glib/number.h"
 #include "plan/accesses.h"
+#include "render/draw/simulation_checks.h"
 #include "render/draw/view_matrices.h"
 #include "scene/view.h"
 
@@ -16,34 +17,8 @@ namespace {
 
 constexpr std::int64_t kVeryMany = std::int64_t{1} << 62;
 
-/// When a step is due, times the rates of both: exact for the rates and ticks of real scenes.
-bool isEarlier(std::span<const double> rates, const StepNumber& a, const StepNumber& b) {
-    const auto dueA = (static_cast<long double>(a.tick) + 1) * static_cast<long double>(rates[b.block]);
-    const auto dueB = (static_cast<long double>(b.tick) + 1) * static_cast<long double>(rates[a.block]);
-    return dueA != dueB ? dueA < dueB : a.block < b.block;
-}
-
 bool hasObject(const std::vector<scene::ObjectView>& list, const scene::ObjectView& object) {
     return std::any_of(list.begin(), list.end(), [&](const auto& each) { return each == object; });
-}
-
-std::string nameOf(const scene::Scene& scene, const scene::ObjectView& object) {
-    if (const auto* buffer = std::get_if<scene::BufferView>(&object))
-        return scene.buffers[buffer->buffer].name;
-    const scene::Texture& texture = scene.textures[std::get<scene::TextureView>(object).texture];
-    return texture.name.empty() ? fmt::format("unit {}", texture.unit) : texture.name;
-}
-
-const Place& nodePlaceOf(const plan::FramePlan& plan, const scene::NodeIndex& node) {
-    switch (node.kind) {
-        case scene::NodeIndex::Kind::dispatch:
-            return plan.dispatchOf(plan.dispatches.at(node.index)).place;
-        case scene::NodeIndex::Kind::clear:
-            return plan.clearOf(plan.clears.at(node.index)).place;
-        case scene::NodeIndex::Kind::pass:
-            break;
-    }
-    return plan.passOf(plan.passes.at(node.index)).place;
 }
 
 void addReads(const plan::FramePlan& plan, std::vector<scene::ObjectView>& roots) {
@@ -61,6 +36,12 @@ void visitFills(const plan::FramePlan& plan, Visit&& visit) {
                 draw != nullptr && std::holds_alternative<scene::ClipSpace>(plan.drawOf(*draw).projection) &&
                 plan::readsCamera(plan.programs[draw->program]))
                 visit(*draw);
+}
+
+/// True if a uniform reads a variable by its name that changes with time.
+bool readsTimedVariable(const plan::FramePlan& plan) {
+    const auto& all = plan.programs;
+    return std::any_of(all.begin(), all.end(), [](const auto& each) { return !each.timed.empty(); });
 }
 
 bool readsCamera(const plan::FramePlan& plan) {
@@ -94,38 +75,6 @@ std::vector<scene::ObjectView> allObjects(const scene::Scene& scene) {
 }
 
 }  // namespace
-
-std::int64_t stepsAt(double time, double rate) {
-    const double steps = std::floor(std::fma(time, rate, 0x1p-20));
-    if (!(steps > 0)) return 0;
-    return steps < static_cast<double>(kVeryMany) ? static_cast<std::int64_t>(steps) : kVeryMany;
-}
-
-void inOrderOfTime(std::span<const double> rates, std::span<const std::int64_t> from,
-                   std::span<const std::int64_t> to, const std::function<bool(StepNumber)>& run) {
-    std::vector<std::int64_t> next(from.begin(), from.end());
-    while (true) {
-        std::optional<StepNumber> first;
-        for (std::size_t block = 0; block < next.size(); ++block) {
-            const StepNumber step{block, next[block]};
-            if (next[block] < to[block] && (!first || isEarlier(rates, step, *first))) first = step;
-        }
-        if (!first || !run(*first)) return;
-        ++next[first->block];
-    }
-}
-
-bool canGoOn(std::span<const double> rates, std::span<const std::int64_t> done,
-             std::span<const std::int64_t> to) {
-    for (std::size_t ran = 0; ran < done.size(); ++ran) {
-        if (to[ran] < done[ran]) return false;
-        for (std::size_t comes = 0; comes < done.size(); ++comes)
-            if (done[ran] > 0 && done[comes] < to[comes] &&
-                isEarlier(rates, {comes, done[comes]}, {ran, done[ran] - 1}))
-                return false;
-    }
-    return true;
-}
 
 /// A block with its plan. The nodes are a copy: the scene is interpreted again for other times.
 struct Simulation::Block {
@@ -172,7 +121,7 @@ Diagnostics Simulation::plan(const plan::FramePlan& frame, bool framesDiffer,
     roots_ = framesDiffer || dependsOnTick ? allObjects(scene) : std::move(roots);
     addReads(frame, roots_);
     Diagnostics diagnostics = planAll();
-    // Now it is known whose programs read the camera.
+    // Now it is known whose programs read the camera, or variables that change with time.
     for (const auto& each : steps_) {
         const bool did = each->dependsOnTick;
         noteDepends(*each, scene.steps[each->index]);
@@ -181,14 +130,17 @@ Diagnostics Simulation::plan(const plan::FramePlan& frame, bool framesDiffer,
         roots_ = allObjects(scene);
         diagnostics = planAll();
     }
+    for (const auto& each : once_) append(diagnostics, timedReadsOfOnce(scene, each->plan));
     append(diagnostics, check(frame));
+    append(diagnostics, checkReads());
     for (const plan::FramePlan* each : plans()) parts_.device.noteWrites(*each);
     return diagnostics;
 }
 
 void Simulation::noteDepends(Block& block, const scene::StepBlock& now) const {
-    block.dependsOnTick =
-        parts_.source != nullptr && (now.dependsOnTick || (now.fillsDependOnTick && readsCamera(block.plan)));
+    block.dependsOnTick = parts_.source != nullptr &&
+                          (now.dependsOnTick || (now.fillsDependOnTick && readsCamera(block.plan)) ||
+                           readsTimedVariable(block.plan));
 }
 
 /// What a needed node of a block reads is needed of the other blocks, and of its own next step.
@@ -254,6 +206,22 @@ Diagnostics Simulation::check(const plan::FramePlan& frame) const {
                          nodePlaceOf(frame, frame.order[node])));
             return diagnostics;
         }
+    return diagnostics;
+}
+
+/// The frame is planned once more, with the dispatches that only a block would need.
+Diagnostics Simulation::checkReads() const {
+    std::vector<scene::ObjectView> reads;
+    for (const plan::FramePlan* each : plans()) addReads(*each, reads);
+    std::erase_if(reads, [this](const auto& each) { return lasts(plan::objectOf(each)); });
+    if (reads.empty() || parts_.scene.frame.isEmpty()) return {};
+    const plan::FramePlan frame = parts_.planList(parts_.scene.frame, std::move(reads));
+    Diagnostics diagnostics;
+    for (const auto* list : {&once_, &steps_})
+        for (const auto& each : *list)
+            append(diagnostics,
+                   readsOfFrame(parts_.scene, {each->isOnce ? "Once" : "Step", each->plan}, frame,
+                                [this](const plan::Object& object) { return lasts(object); }));
     return diagnostics;
 }
 

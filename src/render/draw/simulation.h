@@ -61,7 +61,8 @@ class Simulation {
 
     /// Plans all blocks. `frame` is the plan of a frame: what it reads decides which nodes are needed, unless
     /// frames differ (`framesDiffer`), when all are. Errors: memory-E07 if the frame writes what lasts,
-    /// memory-E09 if a block draws into the window, and those of plans.
+    /// memory-E09 if a block draws into the window, memory-E11 if Once reads a variable that changes with
+    /// time, and those of plans. Warning memory-W01 if a block reads what only the frame writes.
     /// `roots`: what else is read of what lasts.
     Diagnostics plan(const plan::FramePlan& frame, bool framesDiffer, std::vector<scene::ObjectView> roots);
     /// Makes what the plans need. Call it after the frame's own objects are made.
@@ -123,6 +124,8 @@ class Simulation {
         const char* word{};  ///< "Once" or "Step"
     };
     Diagnostics planAll();
+    /// memory-W01.
+    [[nodiscard]] Diagnostics checkReads() const;
     /// Finds out whether each tick needs a scene of its own.
     void noteDepends(Block& block, const scene::StepBlock& now) const;
     Diagnostics restart(bool plansAgain);

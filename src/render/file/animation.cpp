@@ -9,6 +9,7 @@
 
 #include "image/file.h"
 #include "render/draw/frame.h"
+#include "render/file/scene_inputs.h"
 #include "render/scene_renderer.h"
 #include "scene/file_lookup.h"
 
@@ -41,20 +42,9 @@ class TimerSearch {
     }
 
     bool isIncludedIn(std::string_view text, const std::filesystem::path& file) {
-        constexpr std::string_view kInclude = "#include";
-        for (std::size_t at = text.find(kInclude); at != std::string_view::npos;
-             at = text.find(kInclude, at + 1)) {
-            const std::string_view rest = text.substr(at, text.find('\n', at) - at);
-            const std::size_t begin = rest.find_first_of("\"<");
-            if (begin == std::string_view::npos) continue;
-            const std::size_t end = rest.find_first_of("\">", begin + 1);
-            if (end == std::string_view::npos) continue;
-            const scene::FileReference found =
-                scene::findInclude(rest.substr(begin + 1, end - begin - 1), file.string(), scene_.path,
-                                   {options_.libraryRoots, options_.within}, listings_);
-            if (isIn(found.path)) return true;
-        }
-        return false;
+        const auto included = includedFiles(text, file, scene_, options_, listings_);
+        return std::any_of(included.begin(), included.end(),
+                           [&](const std::filesystem::path& each) { return isIn(each); });
     }
 
     const scene::Scene& scene_;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "gpu/context/call_counter.h"
+#include "image/format.h"
 #include "image/inspect.h"
 #include "image/video/video_file.h"
 #include "image/write.h"
@@ -46,12 +47,6 @@ bool isOfPixels(const Diagnostic& remark) {
     return remark.id == "draw-N02" || remark.id == "draw-W06" || remark.id == "draw-W09";
 }
 
-bool wantsFloat(const std::filesystem::path& output) {
-    std::string ending = output.extension().string();
-    for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return ending == ".exr" || ending == ".hdr" || ending == ".pfm";
-}
-
 }  // namespace
 
 Diagnostics remarksOn(const image::Image& picture, const std::filesystem::path& scene,
@@ -80,15 +75,14 @@ std::filesystem::path frameFile(const std::filesystem::path& output, int index, 
     return file;
 }
 
-namespace {
-
-/// The absolute path without links in its folders. A link at its end stays: writing replaces it.
 std::filesystem::path filePlaceOf(const std::filesystem::path& file) {
     std::error_code failure;
     const std::filesystem::path absolute = std::filesystem::absolute(file, failure).lexically_normal();
     const std::filesystem::path folder = std::filesystem::weakly_canonical(absolute.parent_path(), failure);
     return failure ? absolute : folder / absolute.filename();
 }
+
+namespace {
 
 /// Reports file-E13 for each file of the scene that the job would write over.
 Diagnostics reportOverwritten(const scene::Scene& scene, const Job& job) {
@@ -130,7 +124,7 @@ Diagnostics reportOverwritten(const scene::Scene& scene, const Job& job) {
 class JobRun {
   public:
     JobRun(gpu::Context& context, const Job& job) : context_(context), job_(job), options_(job.options) {
-        options_.floatPixels = options_.floatPixels || wantsFloat(job.output);
+        options_.floatPixels = options_.floatPixels || image::holdsFloats(job.output);
         for (const Job::Save& each : job.saves) options_.wantedTextures.push_back(each.texture);
         if (job.explain || job.stats) counter_.emplace();
     }

@@ -62,6 +62,10 @@ JobResult runJob(gpu::Context& context, const Job& job,
 Diagnostics remarksOn(const image::Image& picture, const std::filesystem::path& scene,
                       const plan::FramePlan& plan, bool isSearched = false);
 
+/// The place of a file, to tell whether two names mean one file: absolute, without links in its folders. A
+/// link at its end stays: writing replaces it.
+std::filesystem::path filePlaceOf(const std::filesystem::path& file);
+
 /// The file of frame `index`. With several frames "a/b.png" becomes "a/b_0007.png", with as many digits as
 /// the last frame needs, at least four.
 std::filesystem::path frameFile(const std::filesystem::path& output, int index, int frames);

@@ -139,7 +139,7 @@ void DeviceScene::beginMoment(const plan::FramePlan& plan) {
 void DeviceScene::noteWrites(const plan::FramePlan& plan) {
     const auto add = [this](const std::vector<plan::TextureUse>& textures) {
         for (const plan::TextureUse& each : textures)
-            if (each.isImage) written_.insert(each.view.texture);
+            if (each.isImage && each.view.texture) written_.insert(each.view.texture);
     };
     for (const plan::PlannedDispatch& each : plan.dispatches) add(each.textures);
     for (const plan::PlannedPass& pass : plan.passes) {
@@ -187,6 +187,8 @@ Diagnostics DeviceScene::prepare(const plan::FramePlan& plan, const ProgramLibra
         append(diagnostics, upload(plan, each, programs));
     append(diagnostics, makeTextures(plan));
     append(diagnostics, buffers_.prepare(plan));
+    append(diagnostics, checkIndices(plan));
+    append(diagnostics, checkBufferTextures(plan));
     append(diagnostics, checkParts(plan));
     previous_ = nullptr;
     return diagnostics;
@@ -341,8 +343,11 @@ const DeviceMesh* DeviceScene::deviceMesh(const plan::FramePlan& plan, plan::Pla
     return found == plans_.end() ? nullptr : found->second.meshes[planned].get();
 }
 
-const gpu::VertexArray& DeviceScene::vertexArray(const plan::FramePlan& plan, plan::PlannedMeshIndex planned,
-                                                 plan::PlannedInputsIndex inputs, const BuiltProgram& built) {
+const gpu::VertexArray& DeviceScene::vertexArray(const plan::FramePlan& plan,
+                                                 const plan::PlannedDraw& planned,
+                                                 const BuiltProgram& built) {
+    const plan::PlannedInputsIndex inputs = planned.inputs;
+    const std::optional<Indices> own = indicesOf(plan.drawOf(planned));
     PlanParts& parts = plans_.at(&plan);
     std::vector<GLuint> buffers;
     if (inputs)
@@ -351,9 +356,10 @@ const gpu::VertexArray& DeviceScene::vertexArray(const plan::FramePlan& plan, pl
                 const gpu::Buffer* buffer = buffers_.buffer(*view);
                 buffers.push_back(buffer ? buffer->id() : 0);
             }
-    const auto known = parts.vertexArrays.find({planned, inputs, buffers});
+    buffers.push_back(own ? own->buffer->id() : 0);
+    const auto known = parts.vertexArrays.find({planned.mesh, inputs, buffers});
     if (known != parts.vertexArrays.end()) return known->second;
-    const DeviceMesh& mesh = *parts.meshes[planned];
+    const DeviceMesh& mesh = *parts.meshes[planned.mesh];
     std::vector<gpu::AttributeSource> sources;
     const std::vector<plan::InputSource>& feeds = inputSources(plan, inputs, built);
     for (std::size_t i = 0; i < feeds.size(); ++i) {
@@ -364,9 +370,8 @@ const gpu::VertexArray& DeviceScene::vertexArray(const plan::FramePlan& plan, pl
         else if (const auto* view = std::get_if<scene::BufferView>(&feeds[i].from))
             addBufferSources(*view, feeds[i].isPerInstance, input, sources);
     }
-    return parts.vertexArrays
-        .try_emplace({planned, inputs, buffers},
-                     gpu::VertexArray(sources, mesh.indices ? &*mesh.indices : nullptr))
+    const gpu::Buffer* indices = own ? own->buffer : mesh.indices ? &*mesh.indices : nullptr;
+    return parts.vertexArrays.try_emplace({planned.mesh, inputs, buffers}, gpu::VertexArray(sources, indices))
         .first->second;
 }
 

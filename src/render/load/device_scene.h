@@ -13,6 +13,7 @@
 
 #include "gpu/context/context.h"
 #include "gpu/object/buffer.h"
+#include "gpu/object/buffer_texture.h"
 #include "gpu/object/sampler.h"
 #include "gpu/object/target.h"
 #include "gpu/object/texture.h"
@@ -143,10 +144,21 @@ class DeviceScene {
     Result<image::Image> imageOf(const scene::TextureView& view);
 
     [[nodiscard]] bool isModern() const { return scene_.isModern; }
-    /// The vertex array that connects the program's inputs to what feeds them; cached. Without `inputs` they
-    /// read what glibra supplies.
-    const gpu::VertexArray& vertexArray(const plan::FramePlan& plan, plan::PlannedMeshIndex planned,
-                                        plan::PlannedInputsIndex inputs, const BuiltProgram& built);
+    /// The vertex array that connects the program's inputs to what feeds them, with the indices of the draw
+    /// or of its mesh; cached. Without inputs of the draw they read what glibra supplies.
+    const gpu::VertexArray& vertexArray(const plan::FramePlan& plan, const plan::PlannedDraw& planned,
+                                        const BuiltProgram& built);
+    /// 32-bit indices in a buffer of the scene.
+    struct Indices {
+        const gpu::Buffer* buffer = nullptr;
+        std::uint64_t offset = 0;  ///< bytes before the first one
+        int count = 0;
+    };
+    /// The indices of `Draw::indices`; nothing if it has none, or without a buffer that can hold them.
+    [[nodiscard]] std::optional<Indices> indicesOf(const scene::Draw& draw) const;
+    /// Adds what feeds an input from a buffer of the scene, one source per column.
+    void addBufferSources(const scene::BufferView& view, bool isPerInstance, const base::ActiveInput& input,
+                          std::vector<gpu::AttributeSource>& sources) const;
     /// What feeds the inputs of the program; without `inputs` what glibra supplies.
     const std::vector<plan::InputSource>& inputSources(const plan::FramePlan& plan,
                                                        plan::PlannedInputsIndex inputs,
@@ -169,7 +181,7 @@ class DeviceScene {
     struct PlanParts {
         scene::List<std::shared_ptr<const DeviceMesh>, plan::PlannedMesh> meshes;
         scene::List<std::string, plan::PlannedMesh> keys;
-        /// By mesh, inputs, and the names of the scene's buffers that feed them.
+        /// By mesh, inputs, and the names of the scene's buffers that feed them and hold the indices.
         std::map<std::tuple<plan::PlannedMeshIndex, plan::PlannedInputsIndex, std::vector<GLuint>>,
                  gpu::VertexArray>
             vertexArrays;
@@ -185,10 +197,26 @@ class DeviceScene {
     std::shared_ptr<const gpu::Texture> earlierTexture(const std::string& key, const scene::Texture& texture);
     Diagnostics upload(const plan::FramePlan& plan, plan::PlannedMeshIndex planned,
                        const ProgramLibrary& programs);
-    void addBufferSources(const scene::BufferView& view, bool isPerInstance, const base::ActiveInput& input,
-                          std::vector<gpu::AttributeSource>& sources) const;
+    /// Reports memory-E04 for buffers with more texels than the driver reads as a texture.
+    Diagnostics checkBufferTextures(const plan::FramePlan& plan) const;
+    void bindBuffer(const plan::TextureUse& use, gpu::BindingTracker& bindings);
+    /// memory-E13 for draws whose indices are no indices, are too few, or lie outside of their attributes.
+    Diagnostics checkIndices(const plan::FramePlan& plan);
+    /// What is wrong with the indices of a draw. `isAsDeclared`: no shader writes them.
+    std::optional<std::string> indexProblem(const plan::FramePlan& plan, const plan::PlannedDraw& planned,
+                                            bool isAsDeclared);
+    struct IndexAt {
+        std::size_t element = 0;
+        double vertex = 0;
+    };
+    /// The first of `count` declared indices that is not below `limit`; those of a file are read once.
+    std::optional<IndexAt> firstIndexFrom(scene::BufferIndex buffer, std::uint64_t count, std::uint64_t limit,
+                                          bool restarts);
     /// `isFilled`: gpu::TextureLayout::isFilled, of empty textures.
     Diagnostics makeTexture(scene::TextureIndex index, bool isFilled = true);
+    /// True if the texture of a unit has been made as the scene states it now. One that another moment had in
+    /// another size or from other files is forgotten.
+    bool isMade(scene::TextureIndex index, const std::string& key);
     /// Forgets a texture with its copies, and what was made of them.
     void dropTexture(scene::TextureIndex index);
     /// Makes the textures of the plan, each in memory of its own or in that of another one.
@@ -258,6 +286,7 @@ class DeviceScene {
     std::map<std::string, PictureTexels> picturesAhead_;  ///< by reuseKey()
     std::map<std::string, NoiseTexels> noiseAhead_;
     std::uint64_t texelBytesLeft_ = image::kSceneTexelBytes;
+    std::map<scene::TextureIndex, std::uint64_t> charged_;  ///< of textures on units, from texelBytesLeft_
     std::map<scene::TextureTarget, gpu::Texture> emptyTextures_;
     struct MadeSampler {
         base::SamplerState state;
@@ -277,6 +306,9 @@ class DeviceScene {
     };
     std::deque<MadeTarget> targets_;
     DeviceBuffers buffers_;
+    std::set<std::tuple<scene::BufferIndex, std::uint64_t, std::uint64_t>> checkedIndices_;
+    /// By buffer, copy and format.
+    std::map<std::tuple<scene::BufferIndex, bool, gpu::TexelFormat>, gpu::BufferTexture> bufferTextures_;
     std::map<const BuiltProgram*, std::vector<plan::InputSource>> suppliedSources_;
 };
 

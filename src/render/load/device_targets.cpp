@@ -83,10 +83,12 @@ Result<image::Image> DeviceScene::imageOf(const scene::TextureView& view) {
     if (level >= made->levels()) return bad(fmt::format("it has {} levels", made->levels()));
     const int layers = made->layers(level);
     if (!view.layer && layers > 1)
-        return bad(fmt::format("it has {} {}; name one, as {}.{}(0)", layers,
-                               made->shape() == gpu::TextureShape::cube ? "faces" : "layers",
+        return bad(fmt::format("it has {} {}; name one, as {}{}(0)", layers,
+                               gpu::isCube(made->shape()) ? "faces" : "layers",
                                scene_.textures[view.texture].name,
-                               made->shape() == gpu::TextureShape::cube ? "face" : "layer"));
+                               made->shape() == gpu::TextureShape::cubeArray ? ".layer(0).face"
+                               : made->shape() == gpu::TextureShape::cube    ? ".face"
+                                                                             : ".layer"));
     if (view.layer.value_or(0) >= layers) return bad(fmt::format("it has {} layers", layers));
 
     const PictureLayout layout = layoutOf(made->format());
@@ -104,7 +106,7 @@ Result<image::Image> DeviceScene::imageOf(const scene::TextureView& view) {
     const auto first = texels->begin() +
                        static_cast<std::ptrdiff_t>(bytes * static_cast<std::size_t>(view.layer.value_or(0)));
     block.data.assign(first, first + static_cast<std::ptrdiff_t>(bytes));
-    if (made->shape() != gpu::TextureShape::cube) image::flipRows(block);
+    if (!gpu::isCube(made->shape())) image::flipRows(block);
     return image::Image{block.width, block.height, block.components, block.type, std::move(block.data)};
 }
 
@@ -267,6 +269,7 @@ const gpu::Texture* DeviceScene::layerCopy(const gpu::Texture& whole, const scen
 }
 
 void DeviceScene::bind(const plan::TextureUse& use, gpu::BindingTracker& bindings) {
+    if (use.buffer.buffer) return bindBuffer(use, bindings);
     const gpu::Texture* bound = use.view.texture ? readable(use) : nullptr;
     if (!bound || use.view.level || use.view.layer) bindings.forgetWorkUnit();  // it may have been made here
     if (!bound) bound = &emptyTexture(use.target);

@@ -30,6 +30,8 @@ gpu::TextureShape shapeOf(scene::TextureTarget target) {
             return gpu::TextureShape::texture3D;
         case scene::TextureTarget::texture2DArray:
             return gpu::TextureShape::array2D;
+        case scene::TextureTarget::cubeArray:
+            return gpu::TextureShape::cubeArray;
         case scene::TextureTarget::cube:
             break;
     }
@@ -45,6 +47,7 @@ int dimensionsOf(scene::TextureTarget target) {
             return 3;
         case scene::TextureTarget::texture2D:
         case scene::TextureTarget::cube:
+        case scene::TextureTarget::cubeArray:
             break;
     }
     return 2;
@@ -203,53 +206,15 @@ Diagnostics DeviceScene::makeTextures(const plan::FramePlan& plan) {
     return diagnostics;
 }
 
-void DeviceScene::dropTexture(scene::TextureIndex index) {
-    std::set<const gpu::Texture*> gone;
-    if (const auto made = textures_.find(index); made != textures_.end()) gone.insert(made->second.get());
-    if (const auto made = copies_.find(index); made != copies_.end())
-        for (const Copies::Copy& each : made->second.copies)
-            gone.insert({each.texture.get(), each.resolved.get()});
-    gone.erase(nullptr);
-    std::erase_if(views_, [&](const auto& each) { return gone.contains(std::get<0>(each.first)); });
-    std::set<int> depths;
-    std::erase_if(targets_, [&](const MadeTarget& each) {
-        const bool isGone = std::any_of(each.textures.begin(), each.textures.end(),
-                                        [&](const gpu::Texture* part) { return gone.contains(part); });
-        if (isGone) depths.insert(each.depthBuffer);
-        return isGone;
-    });
-    std::erase_if(depthBuffers_, [&](const auto& each) { return depths.contains(std::get<0>(each.first)); });
-    sharing_.erase(index);
-    copies_.erase(index);
-    textures_.erase(index);
-    changed_.erase(index);
-}
-
-Diagnostics DeviceScene::followSizes(bool& hasLost) {
-    std::vector<scene::TextureIndex> others;
-    for (const auto& [index, made] : copies_) {
-        const auto* empty = std::get_if<scene::EmptySource>(&scene_.textures[index].source);
-        if (empty == nullptr || !made.copies[0].texture) continue;
-        const gpu::TextureSize size = made.copies[0].texture->size();
-        if (size.width != empty->width || size.height != empty->height || size.depth != empty->depth)
-            others.push_back(index);
-    }
-    Diagnostics diagnostics;
-    for (const scene::TextureIndex each : others) {
-        dropTexture(each);
-        if (!lasting_.contains(each)) continue;
-        hasLost = true;
-        append(diagnostics, makeTexture(each));
-    }
-    return diagnostics;
-}
-
 Diagnostics DeviceScene::makeTexture(scene::TextureIndex index, bool isFilled) {
     const scene::Texture& texture = scene_.textures[index];
     const bool isNamed = !texture.name.empty();
-    // An animation plans each moment anew; its textures stay.
+    // Animations and steps plan each moment anew; their textures stay.
     if (isNamed && (copies_.contains(index) || (textures_.contains(index) && !written_.contains(index))))
         return {};
+    const std::string key = reuseKey(scene_, texture);
+    if (isNamed ? sameTexture_.contains(index) : isMade(index, key)) return {};
+    const std::uint64_t bytesLeft = texelBytesLeft_;
     const auto* picture = std::get_if<scene::PictureSource>(&texture.source);
     if (picture && sharesTextures_ && !(isNamed && written_.contains(index))) {
         // Files used twice are read once: statements that name the same files share one texture.
@@ -264,7 +229,6 @@ Diagnostics DeviceScene::makeTexture(scene::TextureIndex index, bool isFilled) {
             return {};
         }
     }
-    const std::string key = reuseKey(scene_, texture);
     textureKeys_[index] = key;
     const bool isOwn = key.empty() || written_.contains(index);
     if (!isOwn)
@@ -273,6 +237,7 @@ Diagnostics DeviceScene::makeTexture(scene::TextureIndex index, bool isFilled) {
                 texelsOf(earlier->size(), texture.target) * gpu::bytesPerTexel(earlier->format());
             if (auto over = charge(bytes, texture)) return {*std::move(over)};
             textures_.emplace(index, std::move(earlier));
+            charged_[index] = bytesLeft - texelBytesLeft_;
             return {};
         }
     Result<gpu::Texture> made = createTexture(texture, key, isFilled);
@@ -289,6 +254,7 @@ Diagnostics DeviceScene::makeTexture(scene::TextureIndex index, bool isFilled) {
     if (shared_ && !isOwn && made.diagnostics.empty())
         shared_->textures.add(key, kept, texels * gpu::bytesPerTexel(kept->format()));
     textures_.emplace(index, std::move(kept));
+    charged_[index] = bytesLeft - texelBytesLeft_;
     return std::move(made.diagnostics);
 }
 
@@ -421,12 +387,13 @@ const gpu::Texture* DeviceScene::texture(scene::TextureIndex texture) const {
 const gpu::Texture& DeviceScene::emptyTexture(scene::TextureTarget target) {
     const auto known = emptyTextures_.find(target);
     if (known != emptyTextures_.end()) return known->second;
-    const std::size_t faces = target == scene::TextureTarget::cube ? 6 : 1;
+    const bool areCubes = target == scene::TextureTarget::cubeArray;
+    const std::size_t faces = areCubes || target == scene::TextureTarget::cube ? 6 : 1;
     std::vector<std::uint8_t> texels(faces * 4);
     for (std::size_t i = 3; i < texels.size(); i += 4) texels[i] = 255;
     Result<gpu::Texture> made =
-        gpu::Texture::create(context_.capabilities(), shapeOf(target), gpu::TexelFormat::rgba8, {1, 1, 1},
-                             {std::as_bytes(std::span(texels)), 4});
+        gpu::Texture::create(context_.capabilities(), shapeOf(target), gpu::TexelFormat::rgba8,
+                             {1, 1, areCubes ? 6 : 1}, {std::as_bytes(std::span(texels)), 4});
     return emptyTextures_.emplace(target, made ? std::move(*made) : gpu::Texture{}).first->second;
 }
 

@@ -17,10 +17,10 @@ namespace {
 /// textures.
 std::string requestKeyOf(const glsl::ProgramRequest& asked) {
     std::string key =
-        fmt::format("{}\n{}:{}:{} {}{}{}{}{} {} {} {} {}\n", asked.name, asked.place.file, asked.place.line,
+        fmt::format("{}\n{}:{}:{} {}{}{}{}{} {} {} {} {}{}\n", asked.name, asked.place.file, asked.place.line,
                     asked.place.column, asked.shim, asked.flatColors, asked.tiled, asked.inPieces,
                     asked.suppliesFullScreenVertex, asked.colorTargets, asked.geometryInput,
-                    asked.geometryOutput, asked.geometryVerticesOut);
+                    asked.geometryOutput, asked.geometryVerticesOut, asked.reportsGeometryConflicts);
     for (const glsl::StageSource& each : asked.stages)
         key += fmt::format("{} {}\n", static_cast<int>(each.stage), each.path) + each.text + '\0';
     return key;

@@ -46,6 +46,7 @@ glsl::SamplerKind samplerKind(scene::TextureTarget target) {
             return glsl::SamplerKind::sampler1D;
         case scene::TextureTarget::texture2D:
         case scene::TextureTarget::texture2DArray:  // never on a unit
+        case scene::TextureTarget::cubeArray:       // neither
             return glsl::SamplerKind::sampler2D;
         case scene::TextureTarget::texture3D:
             return glsl::SamplerKind::sampler3D;
@@ -199,6 +200,7 @@ glsl::ProgramRequest ProgramLibrary::request(const plan::ProgramVariant& variant
     request.geometryInput = program.geometryInput;
     request.geometryOutput = program.geometryOutput;
     request.geometryVerticesOut = program.geometryVerticesOut;
+    request.reportsGeometryConflicts = !program.sharesGeometryWords;
     for (const scene::StageFile& stage : program.stages) {
         const SourceFile& source = sourceFile(stage.file);
         append(diagnostics, source.diagnostics);

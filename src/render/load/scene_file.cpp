@@ -1,11 +1,15 @@
 // Reads a scene file into a Scene, and merges its diagnostics.
 
+#include <algorithm>
+#include <array>
 #include <set>
+#include <string_view>
 #include <tuple>
 
 #include "glib/limits.h"
 #include "glib/text.h"
 #include "image/file.h"
+#include "plan/overrides.h"
 #include "render/scene_renderer.h"
 #include "scene/interpret.h"
 
@@ -37,15 +41,48 @@ Result<std::string> readScene(const std::filesystem::path& path) {
                     place);
 }
 
+/// While the script has errors, what it lacks is often what a faulty statement would have given. What nothing
+/// writes may also be the work of a program that does not compile, or of a dispatch that the driver cannot
+/// do.
+void removeConsequences(Diagnostics& diagnostics) {
+    if (!hasError(diagnostics)) return;
+    std::erase_if(diagnostics, [](const Diagnostic& each) {
+        return each.severity != Severity::error && each.id == "draw-W11";
+    });
+    const auto isOfScript = [](const Diagnostic& each) {
+        return each.id.starts_with("glib-E") || each.id.starts_with("expr-E") ||
+               each.id.starts_with("file-E");
+    };
+    if (std::none_of(diagnostics.begin(), diagnostics.end(), isOfScript)) return;
+    constexpr std::array<std::string_view, 6> kConsequences{"glib-W23", "glib-W37", "glib-W38",
+                                                            "draw-N04", "draw-W01", "draw-W02"};
+    std::erase_if(diagnostics, [&](const Diagnostic& each) {
+        return each.severity != Severity::error &&
+               std::find(kConsequences.begin(), kConsequences.end(), each.id) != kConsequences.end();
+    });
+}
+
 /// The parser and the plan may both report a mistake. The first of equal ids at one place is kept.
 void removeRepeats(Diagnostics& diagnostics) {
     std::set<std::tuple<std::string, std::string, int, int, std::string>> seen;
     std::erase_if(diagnostics, [&](const Diagnostic& each) {
-        const bool byPlace = each.id == "glib-W15";
+        const bool byPlace = each.id == "glib-W15" && !each.place.file.empty();
         return !seen.emplace(each.id, each.place.file, each.place.line, each.place.column,
                              byPlace ? "" : each.text)
                     .second;
     });
+}
+
+/// glib-W15 for each value of a variable that does not have its number of components and is therefore
+/// ignored.
+Diagnostics reportMisfits(const InterpretedScene& scene) {
+    Diagnostics problems;
+    for (const auto& [name, values] : scene.inputs.variables) {
+        const auto known = scene.scene.usedVariables.find(name);
+        if (known == scene.scene.usedVariables.end() || known->second == values.size()) continue;
+        problems.push_back(plan::misfit(name, values, known->second));
+    }
+    return problems;
 }
 
 }  // namespace
@@ -90,6 +127,7 @@ Result<InterpretedScene> interpretFile(const std::filesystem::path& path, const 
     if (isModern) result.source = std::move(source);
     append(diagnostics, std::move(result.scene.diagnostics));
     result.scene.diagnostics.clear();
+    append(diagnostics, reportMisfits(result));
     return {std::move(result), std::move(diagnostics)};
 }
 
@@ -106,6 +144,7 @@ Result<std::vector<plan::Override>> parseOverrides(const std::vector<std::string
 
 void applyStrict(Diagnostics& diagnostics, bool strict) {
     removeRepeats(diagnostics);
+    removeConsequences(diagnostics);
     // A driver without compute shaders is reported where the scene needs one, not for each of its programs
     // too.
     const auto has = [](std::string_view id) {

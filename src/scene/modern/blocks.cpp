@@ -21,6 +21,17 @@ using glib::CommandId;
 
 constexpr double kMostStepsPerSecond = 1e9;
 
+/// The frame goes on with the variables that it had before the block.
+void giveBackVariables(Interpreter& in, OpenBlock& block) {
+    Environment& names = in.shared->environment;
+    for (auto& [name, before] : block.before) {
+        const auto symbol = names.findOutermost(name);
+        if (symbol && before) names.giveBack(symbol->slot, std::move(*before));
+        if (!before)
+            names.forget(name, fmt::format("only {} sets it (line {})", block.word, block.place.line));
+    }
+}
+
 /// Runs the statements of a block into its own list of nodes. What the frame has drawn and cleared is put
 /// back at the end.
 void runBlock(Interpreter& in, const Command& command, OpenBlock& block, NodeList& nodes) {
@@ -38,6 +49,8 @@ void runBlock(Interpreter& in, const Command& command, OpenBlock& block, NodeLis
         resetRaster(in);
         runBody(in, index + 1, command.partner);
     }
+    nodes.namedValues = namedValuesOfBlock(in);
+    giveBackVariables(in, block);
     in.modern.block = nullptr;
     in.implicitPass = implicitPass;
     in.cleared = std::move(cleared);

@@ -217,7 +217,10 @@ void declareCamera(Interpreter& in, const Command& command) {
         count = std::trunc(*given);
         constexpr double kMostCameras = 256;
         if (!(count >= 1 && count <= kMostCameras))
-            return refuseCamera(in, command, "an array has 1 to 256 cameras");
+            return refuseCamera(
+                in, command,
+                "the number in brackets is how many cameras the array has, 1 to 256; one "
+                "statement declares them all, with i for the index: Camera side[6] Face (i) ...");
     }
     if (!declareName(in, command, name, DeclaredName::Kind::camera)) return;
     names.declareCamera(name, isArray ? static_cast<std::size_t>(count) : 0);

@@ -33,7 +33,7 @@ constexpr KindRow kKinds[] = {
     {"range", CheckKind::range},         {"same", CheckKind::same},
     {"finite", CheckKind::finite},       {"primitives", CheckKind::primitives},
     {"samples", CheckKind::samples},     {"error", CheckKind::error},
-    {"different", CheckKind::different},
+    {"different", CheckKind::different}, {"sum", CheckKind::sum},
 };
 
 /// The object that a value names; nothing for the window.
@@ -155,6 +155,21 @@ class CheckReader {
         return true;
     }
 
+    bool readSum(const KeyedValues& key) {
+        if (key.values.size() < 2) return false;
+        const Value& wanted = key.values[1];
+        if (wanted.kind == Value::Kind::list) {
+            auto values = listOf(in_, wanted);
+            if (!values) return false;
+            check_.wanted = std::move(*values);
+            return true;
+        }
+        const auto total = numberOf(in_, wanted);
+        if (!total) return false;
+        check_.wanted = {*total};
+        return true;
+    }
+
     /// The key `at` that states the first element of a buffer; null if there is only the one with the
     /// seconds.
     const KeyedValues* firstAt() {
@@ -189,6 +204,8 @@ class CheckReader {
                 check_.numbers = *bounds;
                 return true;
             }
+            case CheckKind::sum:
+                return readObject(in_, key.values.front(), check_.object) && readSum(key);
             case CheckKind::same:
             case CheckKind::different:
                 return key.values.size() > 1 && readObject(in_, key.values[0], check_.object) &&

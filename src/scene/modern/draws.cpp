@@ -12,6 +12,7 @@
 #include "glib/command_table.h"
 #include "glib/number.h"
 #include "glib/text.h"
+#include "scene/count_limits.h"
 #include "scene/modern/evaluate.h"
 #include "scene/modern/modern.h"
 #include "scene/primitives.h"
@@ -24,9 +25,6 @@ using glib::Command;
 using glib::CommandId;
 using glib::KeyedValues;
 using glib::Value;
-
-constexpr int kMostInstances = 100'000'000;
-constexpr int kMostVertices = 500'000'000;
 
 /// The buffer after the key `from`.
 std::optional<BufferView> fromBuffer(Interpreter& in, const KeyedValues& key) {
@@ -43,6 +41,31 @@ void doInstances(Interpreter& in, const Command& command) {
     if (!count) return;
     local.instances = *count;
     local.instancesFrom = {};
+}
+
+/// How many elements the buffer has, as far as its declaration says it. Only `int` and `uint` count.
+std::optional<std::uint64_t> declaredIndices(const Buffer& buffer) {
+    if (buffer.count) return buffer.count;
+    return buffer.file || buffer.type.empty() ? std::nullopt
+                                              : std::optional<std::uint64_t>(buffer.values.size());
+}
+
+/// The buffer after the key `indices`. `wanted`: how many of its elements are drawn, if the statement says
+/// it.
+std::optional<BufferView> indexBuffer(Interpreter& in, const Command& command, const KeyedValues& key,
+                                      std::optional<int> wanted) {
+    const Value& name = key.values.front();
+    const auto view = bufferNamed(in, name);
+    if (!view) return std::nullopt;
+    const Buffer& buffer = in.scene.buffers[view->buffer];
+    if (!buffer.type.empty() && buffer.type != "uint" && buffer.type != "int")
+        return refuse(in, "glib-E26", command, name.position,
+                      fmt::format("'{}' holds {}, but indices are uint or int", name.text, buffer.type));
+    const auto count = declaredIndices(buffer);
+    if (count && wanted && static_cast<std::uint64_t>(*wanted) > *count)
+        return refuse(in, "glib-E26", command, command.values.at(1).position,
+                      fmt::format("{} indices are more than the {} of '{}'", *wanted, *count, name.text));
+    return view;
 }
 
 void doVertices(Interpreter& in, const Command& command) {
@@ -74,23 +97,27 @@ void doVertices(Interpreter& in, const Command& command) {
             shape.strip = *topology;
     }
     const KeyedValues* from = command.key("from");
-    std::optional<BufferView> buffer;
-    int count = 0;
-    if (from != nullptr) {
-        buffer = fromBuffer(in, *from);
-        if (!buffer) return;
-    } else {
-        const auto given = integerIn(in, command.values.at(1), "Vertices:", 0, kMostVertices);
-        if (!given) return;
-        count = *given;
-    }
-    shape.numbers = {static_cast<double>(count)};
+    const KeyedValues* indices = command.key("indices");
     Drawing drawing;
+    std::optional<int> count;
+    if (from != nullptr) {
+        const auto buffer = fromBuffer(in, *from);
+        if (!buffer) return;
+        drawing.verticesFrom = *buffer;
+    } else if (command.values.size() > 1) {
+        count = integerIn(in, command.values[1], "Vertices:", 0, kMostVertices);
+        if (!count) return;
+    }
+    if (indices != nullptr) {
+        const auto buffer = indexBuffer(in, command, *indices, count);
+        if (!buffer) return;
+        drawing.indices = *buffer;
+        drawing.drawsAllIndices = from == nullptr && !count;
+    }
+    shape.numbers = {static_cast<double>(count.value_or(0))};
     drawing.word = command.word;
-    drawing.size =
-        buffer ? std::string("as many vertices as the buffer says") : fmt::format("{} {}", count, word);
+    drawing.size = count ? fmt::format("{} {}", *count, word) : "as many vertices as the buffer says";
     drawing.shape = shareShape(in, std::move(shape));
-    drawing.verticesFrom = buffer.value_or(BufferView{});
     draw(in, command, drawing);
 }
 
@@ -101,11 +128,12 @@ std::optional<std::string> roleNamed(Interpreter& in, const Value& value) {
                                                      geometry::kColor,    geometry::kFaceIndex};
     for (const std::string_view each : kRoles)
         if (glib::sameWord(each, value.text)) return std::string(each);
-    in.report(diagnose("glib-E26",
-                       fmt::format("Attribute: there is no role '{}'{}; there are position, normal, tangent, "
-                                   "texCoord, color, faceIndex",
-                                   value.text, base::suggestion(value.text, kRoles)),
-                       in.script->place(value.position)));
+    const std::string hint = base::suggestion(value.text, kRoles);
+    in.report(diagnose(
+        "glib-E26",
+        fmt::format("Attribute: there is no role '{}'{}", value.text,
+                    hint.empty() ? fmt::format("; the roles are {}", fmt::join(kRoles, ", ")) : hint),
+        in.script->place(value.position)));
     return std::nullopt;
 }
 

@@ -225,15 +225,18 @@ const double* Environment::find(std::uint32_t slot, std::size_t element) const {
     return &variable.components[element * variable.symbol.type.size()];
 }
 
-std::vector<double> Environment::save(Slot slot) const {
+Environment::Kept Environment::keep(Slot slot) const {
     const Variable& variable = variables_.at(slot);
-    return !variable.has.empty() && variable.has[0] ? variable.components : std::vector<double>();
+    return {variable.symbol.count, variable.symbol.depends, variable.components, variable.has, variable.why};
 }
 
-void Environment::restore(Slot slot, std::vector<double> values) {
+void Environment::giveBack(Slot slot, Kept kept) {
     Variable& variable = variables_.at(slot);
-    std::fill(variable.has.begin(), variable.has.end(), !values.empty());
-    if (!values.empty()) variable.components = std::move(values);
+    if (variable.symbol.count != kept.count) resize(slot, kept.count);
+    variable.symbol.depends = kept.depends;
+    variable.components = std::move(kept.components);
+    variable.has = std::move(kept.has);
+    variable.why = std::move(kept.why);
 }
 
 }  // namespace glibra::scene

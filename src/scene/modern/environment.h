@@ -72,12 +72,21 @@ class Environment final : public expression::Names, public expression::Values {
     void addDepends(Slot slot, expression::Depends depends) {
         variables_.at(slot).symbol.depends = variables_.at(slot).symbol.depends | depends;
     }
+    void setDepends(Slot slot, expression::Depends depends) { variables_.at(slot).symbol.depends = depends; }
     /// The components of all elements that have a value, in order.
     [[nodiscard]] std::vector<double> valuesOf(Slot slot) const;
 
-    /// The values of a slot, to be put back after a group that called itself through another: all elements.
-    [[nodiscard]] std::vector<double> save(Slot slot) const;
-    void restore(Slot slot, std::vector<double> values);
+    /// What a name is at one moment: all its elements, and what it can change with.
+    struct Kept {
+        std::uint32_t count = 0;
+        expression::Depends depends = expression::Depends::nothing;
+        std::vector<double> components;
+        std::vector<bool> has;
+        std::string why;
+    };
+    [[nodiscard]] Kept keep(Slot slot) const;
+    /// Gives a name back what keep() returned.
+    void giveBack(Slot slot, Kept kept);
 
   private:
     struct Variable {

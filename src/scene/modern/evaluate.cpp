@@ -54,7 +54,7 @@ expression::Depends dependsOf(Interpreter& in, const expression::Expression& exp
         depends = depends | now;
         using expression::Depends;
         if (any(now & (Depends::variable | Depends::camera | Depends::texture)))
-            noteRead(in, each.symbol.slot);
+            noteRead(in, each.path, each.symbol.slot, expression.origin());
     }
     return depends;
 }
@@ -115,7 +115,28 @@ std::optional<expression::Value> evaluate(Interpreter& in, const glib::Value& va
     return fail();
 }
 
-void noteRead(Interpreter& in, Environment::Slot slot) {
+namespace {
+
+/// What Once writes stays, so it cannot follow a variable of time. Variables that the block sets are its own.
+void checkOnce(Interpreter& in, std::string_view name, expression::Depends depends, const Place& place) {
+    const OpenBlock* block = in.modern.block;
+    if (block == nullptr || block->isStep || !any(depends & expression::Depends::variable) ||
+        !changesWithTime(depends) || block->before.contains(name))
+        return;
+    const auto declared = in.modern.names.find(name);
+    const std::string where =
+        declared != in.modern.names.end() ? fmt::format(" (line {})", declared->second.place.line) : "";
+    in.report(diagnose("memory-E11",
+                       fmt::format("Once reads '{}'{}, which changes with time, but what Once writes stays; "
+                                   "read it in Step",
+                                   name, where),
+                       place));
+}
+
+}  // namespace
+
+void noteRead(Interpreter& in, std::string_view name, Environment::Slot slot, const Place& place) {
+    checkOnce(in, name, in.shared->environment.dependsOf(slot), place);
     if (in.modern.readSlots != nullptr) in.modern.readSlots->push_back(slot);
     if (in.modern.block == nullptr || !in.modern.block->readSlots.insert(slot).second) return;
     const std::vector<double> values = in.shared->environment.valuesOf(slot);

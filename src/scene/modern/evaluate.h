@@ -33,8 +33,9 @@ struct ExpressionCache {
 std::optional<expression::Value> evaluate(Interpreter&, const glib::Value& value,
                                           const expression::Wanted& wanted = {});
 
-/// Remembers that a Once block, or whoever collects it, reads the value of a name.
-void noteRead(Interpreter&, Environment::Slot slot);
+/// Remembers that a Once block, or whoever collects it, reads the value of a name at that place. Reports
+/// memory-E11 for a variable that changes with time and that Once reads.
+void noteRead(Interpreter&, std::string_view name, Environment::Slot slot, const Place& place);
 
 /// Remembers what the scene, or the block that is open, depends on.
 void addDepends(Interpreter&, expression::Depends depends);

@@ -109,6 +109,8 @@ struct OpenBlock {
     std::set<std::uint32_t> readSlots;
     expression::Depends depends = expression::Depends::nothing;
     expression::Depends fillDepends = expression::Depends::nothing;  ///< of the camera, if there is a Fill
+    /// The variables that Let sets in the block, as they were before it; nothing: only the block sets them.
+    std::map<std::string, std::optional<Environment::Kept>, std::less<>> before;
 };
 
 /// A group of statements with a name.
@@ -121,6 +123,7 @@ struct GroupDefinition {
 /// A tag of Set or Material with the script that it stands in.
 struct ScopedTag {
     const glib::KeyedValues* tag = nullptr;
+    std::string key;  ///< the tag with the subscripts that its expressions had where the Set stands
     const glib::Script* script = nullptr;
     std::optional<ObjectView> object{};  ///< what its value names where the Set stands
 };
@@ -147,6 +150,7 @@ struct ModernState {
     /// What faulty statements would have declared. Whoever misses one of these reports nothing.
     std::set<std::string, std::less<>> lostNames;
     std::vector<std::pair<std::string, glib::Position>> variables;  ///< of all Let statements, in order
+    expression::Depends conditions = expression::Depends::nothing;  ///< of the When around the statement
     std::optional<OpenPass> pass;
     OpenBlock* block = nullptr;
     GivenVariables given;                                 ///< of the file that is included now
@@ -184,6 +188,8 @@ std::optional<ProgramIndex> programNamed(Interpreter&, const glib::Value& name, 
 UniformSetIndex uniformsOf(Interpreter&, ProgramIndex program, std::span<const glib::KeyedValues> own = {});
 /// The values of all variables, for uniform variables of the same name.
 std::vector<glib::UniformSpec> namedValues(Interpreter&);
+/// The same for those that the open Once or Step block sets.
+std::vector<glib::UniformSpec> namedValuesOfBlock(Interpreter&);
 
 // cameras.cpp
 

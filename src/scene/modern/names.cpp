@@ -89,7 +89,7 @@ class PartReader {
 
     std::nullopt_t unknown() {
         if (isLost(in_, name_.name)) return std::nullopt;
-        std::vector<std::string_view> names;
+        std::vector<std::string_view> names{"window"};
         for (const auto& [name, declared] : in_.modern.names)
             if (declared.kind == NameKind::texture || declared.kind == NameKind::buffer)
                 names.push_back(name);
@@ -118,6 +118,13 @@ class PartReader {
         const Texture& texture = in_.scene.textures[view.texture];
         for (std::size_t i = 1; i < value_.path.size(); ++i)
             if (!readPart(texture, value_.path[i], view)) return std::nullopt;
+        if (cube_ || face_) {
+            if (!cube_ || !face_)
+                return refuse("glib-E26", fmt::format("{0}: a part of several cube maps has a layer and a "
+                                                      "face: {0}.layer(0).face(0)",
+                                                      name_.name));
+            view.layer = 6 * *cube_ + *face_;
+        }
         // The number of layers depends on the level, which may stand after the layer.
         if (view.layer && !isLayerInRange(texture, view)) return std::nullopt;
         return view;
@@ -137,8 +144,12 @@ class PartReader {
         const std::vector<std::string_view> parts = partsOf(texture);
         if (std::find(parts.begin(), parts.end(), part.name) == parts.end() || part.name == "prev")
             return noPart(part, parts, texture.hasHistory), false;
-        std::optional<int>& number = part.name == "level" ? view.level : view.layer;
-        if (number) return twice(part), false;
+        const bool isCubes = texture.target == TextureTarget::cubeArray;
+        std::optional<int>& number = part.name == "level"             ? view.level
+                                     : isCubes && part.name == "face" ? face_
+                                     : isCubes                        ? cube_
+                                                                      : view.layer;
+        if (number || (isCubes && part.name != "level" && view.layer)) return twice(part), false;
         if (part.index.empty()) {
             refuse("glib-E26", fmt::format("{0}.{1} needs a number: {0}.{1}(0)", name_.name, part.name));
             return false;
@@ -146,6 +157,7 @@ class PartReader {
         constexpr int kMost = 16'384;
         const int most = part.name == "level"  ? levelsOf(texture).value_or(15) - 1
                          : part.name == "face" ? 5
+                         : isCubes             ? layersOf(texture, 0).value_or(6) / 6 - 1
                                                : kMost;
         number = integerIn(in_, part.index.front(), fmt::format("{}.{}:", name_.name, part.name), 0, most);
         return number.has_value();
@@ -168,8 +180,10 @@ class PartReader {
 
     static std::vector<std::string_view> partsOf(const Texture& texture) {
         std::vector<std::string_view> parts{"level", "prev"};
-        if (texture.target == TextureTarget::cube) parts.emplace_back("face");
-        if (texture.target == TextureTarget::texture3D || texture.target == TextureTarget::texture2DArray)
+        const bool isCubes = texture.target == TextureTarget::cubeArray;
+        if (isCubes || texture.target == TextureTarget::cube) parts.emplace_back("face");
+        if (isCubes || texture.target == TextureTarget::texture3D ||
+            texture.target == TextureTarget::texture2DArray)
             parts.emplace_back("layer");
         return parts;
     }
@@ -199,6 +213,7 @@ class PartReader {
     Interpreter& in_;
     const Value& value_;
     NamePart name_;
+    std::optional<int> cube_, face_;  ///< of several cube maps
 };
 
 /// A view of one of both kinds, or nothing with the reason reported.
@@ -278,7 +293,7 @@ std::string wordBehind(Interpreter& in, const std::string& name) {
     const double* number = names.find(symbol->slot, 0);
     if (number == nullptr || !(*number >= 0 && *number < static_cast<double>(symbol->words.size())))
         return name;
-    noteRead(in, symbol->slot);
+    noteRead(in, name, symbol->slot, in.script->place({}));
     addDepends(in, names.dependsOf(symbol->slot));
     return symbol->words[static_cast<std::size_t>(*number)];
 }

@@ -174,11 +174,12 @@ struct Clearing {
 std::optional<glm::dvec4> colorOf(Interpreter& in, const Command& command, const Value& value) {
     const auto numbers = numbersOf(in, {&value, 1});
     if (!numbers) return std::nullopt;
+    if (numbers->size() == 1) return glm::dvec4(numbers->front());
     if (numbers->size() != 3 && numbers->size() != 4) {
-        in.report(
-            diagnose("glib-E26",
-                     fmt::format("{}: a colour has 3 or 4 components, not {}", command.word, numbers->size()),
-                     in.script->place(value.position)));
+        in.report(diagnose(
+            "glib-E26",
+            fmt::format("{}: a colour has 1, 3 or 4 components, not {}", command.word, numbers->size()),
+            in.script->place(value.position)));
         return std::nullopt;
     }
     return glm::dvec4((*numbers)[0], (*numbers)[1], (*numbers)[2], numbers->size() == 4 ? (*numbers)[3] : 1);

@@ -1,6 +1,7 @@
 #pragma once
 // Private to this room: what is local to Group, Pass, Once and Step.
 
+#include <cstddef>
 #include <vector>
 
 #include "scene/state.h"
@@ -27,6 +28,12 @@ class Scope {
 
 /// Sets the state at the beginning of a pass. What classic commands set stays.
 void resetRaster(Interpreter&);
+
+/// Statements that one frame may execute; those of repetitions and groups count each time.
+inline constexpr std::size_t kMostStatements = 1'000'000;
+
+/// The statement Repeat.
+void doRepeat(Interpreter&, const glib::Command& command);
 
 /// Runs the statements between two commands of the current script. Reports glib-W31.
 void runBody(Interpreter&, std::size_t first, std::size_t last);

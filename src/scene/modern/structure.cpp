@@ -1,4 +1,4 @@
-// Groups, repetitions, conditions and included files (language, 12.2).
+// Groups, conditions and included files (language, 12.2).
 
 #include <fmt/format.h>
 
@@ -28,16 +28,8 @@ namespace {
 using glib::Command;
 using glib::CommandId;
 
-/// Statements that one frame may execute; those of repetitions and groups count each time.
-constexpr std::size_t kMostStatements = 1'000'000;
 /// Nested groups and included files.
 constexpr std::size_t kMostCalls = 64;
-
-expression::Symbol counter() {
-    expression::Symbol symbol;
-    symbol.depends = expression::Depends::counter;
-    return symbol;
-}
 
 /// True if one more level of groups or files may be entered; otherwise glib-E28 is reported.
 bool mayEnter(Interpreter& in, const Command& command) {
@@ -115,12 +107,13 @@ bool haveParameters(Interpreter& in, std::span<const glib::KeyedValues> argument
 
 /// Gives a parameter its value for the statements of the group.
 void bindValue(Interpreter& in, const glib::KeyedValues& parameter, const expression::Value& value,
-               HiddenNames& hidden) {
+               expression::Depends depends, HiddenNames& hidden) {
     expression::Symbol symbol;
     symbol.type = value.type;
-    symbol.depends = expression::Depends::variable;
     Environment& names = in.shared->environment;
-    names.set(names.declareScoped(&parameter, parameter.key, symbol), value.all());
+    const Environment::Slot slot = names.declareScoped(&parameter, parameter.key, symbol);
+    names.setDepends(slot, expression::Depends::variable | depends);
+    names.set(slot, value.all());
     const auto known = in.modern.names.find(parameter.key);
     if (known != in.modern.names.end() && (known->second.kind == DeclaredName::Kind::texture ||
                                            known->second.kind == DeclaredName::Kind::buffer))
@@ -170,8 +163,9 @@ bool bindParameters(Interpreter& in, const Command& group, const Command& call,
         in, call.tags, names, fmt::format("group '{}' has no parameter", group.values.front().text));
     in.script = own;
     if (!areKnown) return false;
-    std::vector<Argument> arguments;
+    std::vector<std::pair<Argument, expression::Depends>> arguments;
     for (const glib::KeyedValues& parameter : group.tags) {
+        const DependsOnly depends(in);
         const auto given =
             std::find_if(call.tags.begin(), call.tags.end(),
                          [&](const glib::KeyedValues& each) { return each.key == parameter.key; });
@@ -182,13 +176,14 @@ bool bindParameters(Interpreter& in, const Command& group, const Command& call,
         auto argument = argumentOf(in, isGiven ? given->values : parameter.values, wantsObject);
         in.script = own;
         if (!argument) return false;
-        arguments.push_back(*std::move(argument));
+        arguments.emplace_back(*std::move(argument), depends.depends());
     }
     for (std::size_t i = 0; i < arguments.size(); ++i) {
-        if (const auto* value = std::get_if<expression::Value>(&arguments[i]))
-            bindValue(in, group.tags[i], *value, hidden);
+        const auto& [argument, depends] = arguments[i];
+        if (const auto* value = std::get_if<expression::Value>(&argument))
+            bindValue(in, group.tags[i], *value, depends, hidden);
         else
-            bindObject(in, group.tags[i], std::get<ObjectView>(arguments[i]), hidden);
+            bindObject(in, group.tags[i], std::get<ObjectView>(argument), hidden);
     }
     return true;
 }
@@ -228,57 +223,38 @@ void doDraw(Interpreter& in, const Command& command) {
     in.script = caller;
 }
 
-/// The words over which a Repeat runs.
-const std::vector<glib::Value>* wordsOf(const Command& command) {
-    const glib::Value& what = command.values.front();
-    return what.kind == glib::Value::Kind::list && what.count.empty() ? &what.items : nullptr;
-}
-
-void doRepeat(Interpreter& in, const Command& command) {
-    const std::size_t index = indexOf(in, command);
-    const std::vector<glib::Value>* words = wordsOf(command);
-    const glib::KeyedValues* as = command.key("as");
-    const std::string name = as != nullptr ? as->values.front().text : "i";
-    double rounds = 0;
-    if (words != nullptr) {
-        rounds = static_cast<double>(words->size());
-    } else {
-        const auto count = numberOf(in, command.values.front());
-        if (!count) return;
-        rounds = std::trunc(*count);
-    }
-    if (rounds > static_cast<double>(kMostStatements)) {
-        in.reportAt(command, "glib-E28",
-                    fmt::format("Repeat: {} rounds; the limit is {}", glib::numberText(rounds),
-                                glib::groupedText(static_cast<long long>(kMostStatements))));
-        return;
-    }
-    for (double round = 0; round < rounds && !in.modern.isFull; ++round) {
-        const Scope scope(in);
-        Environment& names = in.shared->environment;
-        if (words != nullptr) {
-            expression::Symbol word = counter();
-            for (const glib::Value& each : *words) word.words.push_back(each.text);
-            names.set(names.declareScoped(&command, name, word), {&round, 1});
-            names.set(names.declareScoped(&command, name + ".index", counter()), {&round, 1});
-        } else {
-            names.set(names.declareScoped(&command, name, counter()), {&round, 1});
-        }
-        runBody(in, index + 1, command.partner);
+/// The variables that a branch sets change with its condition, whichever branch runs now.
+void addConditions(Interpreter& in, std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+        const Command& each = in.script->commands[i];
+        if (each.id != CommandId::let || each.values.empty()) continue;
+        const glib::Value& target = each.values.front();
+        const auto symbol = in.shared->environment.findOutermost(
+            target.path.empty() ? target.text : target.path.front().name);
+        if (symbol) in.shared->environment.addDepends(symbol->slot, in.modern.conditions);
     }
 }
 
 void doWhen(Interpreter& in, const Command& command) {
     const std::size_t index = indexOf(in, command);
-    const auto condition = truthOf(in, command.values.front());
-    if (!condition) return;
+    const expression::Depends outer = in.modern.conditions;
+    std::optional<bool> condition;
+    {
+        const DependsOnly depends(in);
+        condition = truthOf(in, command.values.front());
+        in.modern.conditions = outer | depends.depends();
+    }
+    in.scene.hasConditions = true;
     const Command& partner = in.script->commands[command.partner];
+    const bool hasElse = partner.id == CommandId::elseBranch;
+    addConditions(in, index + 1, hasElse ? partner.partner : command.partner);
     ++in.modern.blocks;
-    if (*condition)
+    if (condition && *condition)
         run(in, index + 1, command.partner);
-    else if (partner.id == CommandId::elseBranch)
+    else if (condition && hasElse)
         run(in, command.partner + 1, partner.partner);
     --in.modern.blocks;
+    in.modern.conditions = outer;
 }
 
 /// The script of an included file; null with the reason reported.
@@ -396,41 +372,6 @@ constexpr CommandAction kStructureActions[] = {
 
 std::span<const CommandAction> structureActions() {
     return kStructureActions;
-}
-
-Scope::Scope(Interpreter& in)
-    : in_(in),
-      modelView_(in.state.modelView),
-      model_(in.state.model),
-      program_(in.state.program),
-      set_(in.modern.set),
-      stack_(std::exchange(in.state.stack, {})),
-      local_(in.state.local),
-      raster_(in.state.raster) {
-    in.shared->environment.beginScope();
-}
-
-Scope::~Scope() {
-    in_.shared->environment.endScope();
-    in_.state.modelView = modelView_;
-    in_.state.model = model_;
-    in_.state.program = program_;
-    in_.modern.set = std::move(set_);
-    in_.state.stack = std::move(stack_);
-    in_.state.local = local_;
-    // Classic commands set these, which no scope ends.
-    raster_.lineWidth = in_.state.raster.lineWidth;
-    raster_.pointSize = in_.state.raster.pointSize;
-    raster_.pointSizeFromShader = in_.state.raster.pointSizeFromShader;
-    in_.state.raster = raster_;
-}
-
-void resetRaster(Interpreter& in) {
-    RasterState fresh;
-    fresh.lineWidth = in.state.raster.lineWidth;
-    fresh.pointSize = in.state.raster.pointSize;
-    fresh.pointSizeFromShader = in.state.raster.pointSizeFromShader;
-    in.state.raster = fresh;
 }
 
 void runBody(Interpreter& in, std::size_t first, std::size_t last) {

@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
 #include "base/suggest.h"
+#include "glib/modern/read_values.h"
 #include "scene/modern/evaluate.h"
 #include "scene/modern/materials.h"
 #include "scene/modern/modern.h"
@@ -16,15 +18,38 @@
 namespace glibra::scene {
 namespace {
 
+constexpr double kMostSubscript = 1 << 20;
+
 using glib::Command;
 using glib::CommandId;
 using glib::Value;
 
+/// The tag with the values of its subscripts, as `lights[2].color` for `lights[i + 1].color`. Nothing with
+/// the reason reported.
+std::optional<std::string> keyOf(Interpreter& in, const glib::KeyedValues& tag) {
+    const auto isComputed = [](const glib::NamePart& each) {
+        return !each.index.empty() && each.index.front().kind == Value::Kind::expression;
+    };
+    if (std::none_of(tag.path.begin(), tag.path.end(), isComputed)) return tag.key;
+    std::string key;
+    for (const glib::NamePart& each : tag.path) {
+        if (!key.empty()) key += '.';
+        key += each.name;
+        if (each.index.empty()) continue;
+        const auto index = numberIn(in, each.index.front(), tag.key + ": subscript", 0, kMostSubscript);
+        if (!index) return std::nullopt;
+        key += fmt::format("[{:.0f}]", std::trunc(*index));
+    }
+    return key;
+}
+
 /// Puts tags into the list of the scope; the last one of a name counts.
 void addTags(Interpreter& in, std::span<const glib::KeyedValues> tags) {
     for (const glib::KeyedValues& each : tags) {
-        std::erase_if(in.modern.set, [&](const ScopedTag& other) { return other.tag->key == each.key; });
-        ScopedTag scoped{&each, in.script};
+        std::optional<std::string> key = keyOf(in, each);
+        if (!key) continue;
+        std::erase_if(in.modern.set, [&](const ScopedTag& other) { return other.key == *key; });
+        ScopedTag scoped{&each, *std::move(key), in.script};
         if (namesObject(in, each.values.front())) {
             scoped.object = objectNamed(in, each.values.front());
             if (!scoped.object) continue;
@@ -35,8 +60,9 @@ void addTags(Interpreter& in, std::span<const glib::KeyedValues> tags) {
 
 void doSet(Interpreter& in, const Command& command) {
     addTags(in, command.tags);
-    for (const glib::KeyedValues& each : command.tags)
-        in.scene.setNames.try_emplace(each.key, in.script->place(each.position));
+    for (const ScopedTag& each : in.modern.set)
+        if (each.tag >= command.tags.data() && each.tag < command.tags.data() + command.tags.size())
+            in.scene.setNames.try_emplace(each.key, in.script->place(each.tag->position));
 }
 
 void doMaterial(Interpreter& in, const Command& command) {
@@ -106,7 +132,7 @@ std::optional<glib::UniformSpec> specOf(Interpreter& in, const glib::KeyedValues
             // Reading the name as an expression notes what it depends on.
             if (symbol->count == 0 && !evaluate(in, first)) return std::nullopt;
             if (symbol->count > 0) {
-                noteRead(in, symbol->slot);
+                noteRead(in, first.text, symbol->slot, in.place(first));
                 addDepends(in, in.shared->environment.dependsOf(symbol->slot));
             }
             setToVariable(in, first.text, *symbol, spec);
@@ -171,6 +197,17 @@ std::vector<double> keyOfObject(const ObjectView& object) {
             view.sampler ? static_cast<double>(view.sampler.position()) : -1};
 }
 
+/// The word in the parentheses of `uMap (shown)`, if it is a choice that names objects: it means the same
+/// with and without them.
+std::optional<Value> choiceInParentheses(Interpreter& in, const glib::KeyedValues& tag) {
+    const Value& value = tag.values.front();
+    if (value.kind != Value::Kind::expression || tag.values.size() > 1 || !glib::isIdentifier(value.text))
+        return std::nullopt;
+    Value word = value;
+    word.kind = Value::Kind::word;
+    return choosesObject(in, word) ? std::optional(std::move(word)) : std::nullopt;
+}
+
 }  // namespace
 
 std::span<const CommandAction> tagActions() {
@@ -184,15 +221,15 @@ UniformSetIndex uniformsOf(Interpreter& in, ProgramIndex program, std::span<cons
         return std::any_of(set.values.begin(), set.values.end(), isKey) ||
                std::any_of(set.objects.begin(), set.objects.end(), isKey);
     };
-    const auto add = [&](const glib::KeyedValues& tag, const glib::Script* script, bool mayBeUnknown,
+    const auto add = [&](const glib::KeyedValues& tag, const std::string& key, bool mayBeUnknown,
                          const std::optional<ObjectView>& named = {}) {
-        const glib::Script* const before = std::exchange(in.script, script);
         const auto forget = [&] {
-            std::erase(set.lost, tag.key);
-            std::erase_if(set.values, [&](const auto& each) { return each.tag == tag.key; });
-            std::erase_if(set.objects, [&](const auto& each) { return each.tag == tag.key; });
+            std::erase(set.lost, key);
+            std::erase_if(set.values, [&](const auto& each) { return each.tag == key; });
+            std::erase_if(set.objects, [&](const auto& each) { return each.tag == key; });
         };
-        const Value& value = tag.values.front();
+        const std::optional<Value> choice = choiceInParentheses(in, tag);
+        const Value& value = choice ? *choice : tag.values.front();
         const bool isChosen = !named && choosesObject(in, value);
         const auto chosen = isChosen ? objectNamed(in, value) : std::nullopt;
         if (isChosen && !chosen) {
@@ -201,25 +238,35 @@ UniformSetIndex uniformsOf(Interpreter& in, ProgramIndex program, std::span<cons
             if (auto object = named ? named : isChosen ? chosen : objectNamed(in, value)) {
                 forget();
                 set.objects.push_back(
-                    {tag.key, *object, tag.position, value.position, mayBeUnknown, tag.resembles});
+                    {key, *object, tag.position, value.position, mayBeUnknown, tag.resembles});
             }
         } else if (auto spec = specOf(in, tag, !mayBeUnknown)) {
+            spec->tag = key;
             spec->mayBeUnknown = mayBeUnknown;
             spec->resembles = tag.resembles;
             forget();
             set.values.push_back(std::move(*spec));
             if (chosen)
                 set.objects.push_back(
-                    {tag.key, *chosen, tag.position, value.position, mayBeUnknown, tag.resembles, true});
+                    {key, *chosen, tag.position, value.position, mayBeUnknown, tag.resembles, true});
         }
-        if (!isGiven(tag.key)) set.lost.push_back(tag.key);
-        in.script = before;
+        if (!isGiven(key)) set.lost.push_back(key);
     };
+    const auto addOwn = [&](const glib::KeyedValues& tag, bool mayBeUnknown) {
+        if (const auto key = keyOf(in, tag)) add(tag, *key, mayBeUnknown);
+    };
+    const glib::Script* const here = in.script;
     if (const auto tags = in.modern.programTags.find(program); tags != in.modern.programTags.end())
-        for (const glib::KeyedValues& each : tags->second.command->tags)
-            add(each, tags->second.script, false);
-    for (const ScopedTag& each : in.modern.set) add(*each.tag, each.script, true, each.object);
-    for (const glib::KeyedValues& each : own) add(each, in.script, false);
+        for (const glib::KeyedValues& each : tags->second.command->tags) {
+            in.script = tags->second.script;
+            addOwn(each, false);
+        }
+    for (const ScopedTag& each : in.modern.set) {
+        in.script = each.script;
+        add(*each.tag, each.key, true, each.object);
+    }
+    in.script = here;
+    for (const glib::KeyedValues& each : own) addOwn(each, false);
     if (set.values.empty() && set.objects.empty() && set.lost.empty()) return {};
     std::vector<std::pair<std::string, std::vector<double>>> key;
     key.reserve(set.values.size() + set.objects.size());
@@ -237,6 +284,13 @@ UniformSetIndex uniformsOf(Interpreter& in, ProgramIndex program, std::span<cons
     return index;
 }
 
+std::vector<glib::UniformSpec> namedValuesOfBlock(Interpreter& in) {
+    if (in.modern.block->before.empty()) return {};
+    std::vector<glib::UniformSpec> own = namedValues(in);
+    std::erase_if(own, [&](const auto& each) { return !in.modern.block->before.contains(each.tag); });
+    return own;
+}
+
 std::vector<glib::UniformSpec> namedValues(Interpreter& in) {
     std::vector<glib::UniformSpec> all;
     for (const auto& [name, position] : in.modern.variables) {
@@ -247,6 +301,7 @@ std::vector<glib::UniformSpec> namedValues(Interpreter& in) {
         spec.tagPosition = spec.valuePosition = position;
         spec.mayBeUnknown = true;
         setToVariable(in, name, *symbol, spec);
+        spec.changesWithTime = changesWithTime(in.shared->environment.dependsOf(symbol->slot));
         if (spec.values.empty()) continue;
         if (spec.form == glib::UniformForm::list && spec.values.size() == 1)
             spec.form = glib::UniformForm::number;

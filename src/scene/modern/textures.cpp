@@ -216,6 +216,12 @@ std::optional<EmptySource> emptySourceOfForm(Interpreter& in, const Command& com
         *targets[i] = static_cast<int>(size);
     }
     if (form.target == TextureTarget::cube) source.height = source.width;
+    if (const KeyedValues* layers = command.key("layers")) {
+        const auto count =
+            integerIn(in, layers->values.front(), command.word + ": layers", 1, kLargestSide3 / 6);
+        if (!count) return std::nullopt;
+        source.depth = 6 * *count;
+    }
     const bool isFlat = form.target == TextureTarget::texture3D || form.target == TextureTarget::texture1D;
     if (isFlat && base::hasDepth(*format)) {
         refuse(in, "glib-E26", command, all.back().position,
@@ -365,7 +371,7 @@ void doNamedTexture(Interpreter& in, const Command& command) {
         const auto source = emptySourceOfForm(in, command, form);
         if (!source) return;
         texture.source = *source;
-        texture.target = form.target;
+        texture.target = command.key("layers") != nullptr ? TextureTarget::cubeArray : form.target;
     } else {
         auto picture = pictureOf(in, command, form);
         if (!picture) return;

@@ -28,7 +28,7 @@ constexpr int kMostVariableElements = 65'536;
 const std::vector<double>* chosenValue(Interpreter& in, const std::string& name, std::size_t components) {
     const auto chosen = in.inputs.variables.find(name);
     if (chosen == in.inputs.variables.end()) return nullptr;
-    in.scene.usedVariables.insert(name);
+    in.scene.usedVariables.insert_or_assign(name, components);
     return chosen->second.size() == components ? &chosen->second : nullptr;
 }
 
@@ -36,7 +36,7 @@ const std::vector<double>* chosenValue(Interpreter& in, const std::string& name,
 std::optional<double> chosenWord(Interpreter& in, const Variable& variable) {
     const auto chosen = in.inputs.words.find(variable.name);
     if (chosen == in.inputs.words.end() || variable.words.empty()) return std::nullopt;
-    in.scene.usedVariables.insert(variable.name);
+    in.scene.usedVariables.insert_or_assign(variable.name, std::size_t{1});
     const auto found = std::find(variable.words.begin(), variable.words.end(), chosen->second);
     if (found != variable.words.end()) return static_cast<double>(found - variable.words.begin());
     const std::vector<std::string_view> words(variable.words.begin(), variable.words.end());
@@ -85,6 +85,13 @@ void declareControl(Interpreter& in, const Command& command, const std::string& 
     made.written = *numbers;
     expression::Symbol symbol;
     if (value.kind == Value::Kind::color) {
+        if (made.written.size() < 3 || made.written.size() > 4) {
+            in.report(diagnose(
+                "glib-E26",
+                fmt::format("'{}': a colour has 3 or 4 components, not {}", name, made.written.size()),
+                in.place(value)));
+            return;
+        }
         made.form = glib::UniformForm::color;
         symbol = variable(expression::Type::vector(made.written.size()));
     } else if (!value.items.empty() && value.items.front().kind == Value::Kind::word) {
@@ -215,14 +222,23 @@ void declareVariable(Interpreter& in, const Command& command) {
     declare(in, command, name, variable(result->type), result->all());
 }
 
+/// What Let sets in Once and Step is for the block alone: remembers what the variable was before it.
+void keepBefore(Interpreter& in, const std::string& name) {
+    if (in.modern.block == nullptr || in.modern.block->before.contains(name)) return;
+    const auto symbol = in.shared->environment.findOutermost(name);
+    in.modern.block->before.emplace(
+        name, symbol ? std::optional(in.shared->environment.keep(symbol->slot)) : std::nullopt);
+}
+
 /// What a variable depends on passes to the expressions that read it.
 void doLet(Interpreter& in, const Command& command) {
+    const Value& target = command.values.front();
+    const std::string& name = target.path.empty() ? target.text : target.path.front().name;
+    keepBefore(in, name);
     const DependsOnly own(in);
     declareVariable(in, command);
-    const Value& target = command.values.front();
-    const auto symbol =
-        in.shared->environment.find(target.path.empty() ? target.text : target.path.front().name);
-    if (symbol) in.shared->environment.addDepends(symbol->slot, own.depends());
+    const auto symbol = in.shared->environment.find(name);
+    if (symbol) in.shared->environment.addDepends(symbol->slot, own.depends() | in.modern.conditions);
 }
 
 void doUse(Interpreter& in, const Command& command) {
@@ -326,7 +342,9 @@ std::optional<ProgramIndex> programNamed(Interpreter& in, const Value& name, boo
                                   base::suggestion(name.text, names)));
     }
     if (computes(known->second) == isCompute) return known->second;
-    return refuse(isCompute ? fmt::format("program '{}' has no compute stage; it draws", name.text)
+    return refuse(isCompute ? fmt::format("program '{}' has no compute stage; write Compute before its "
+                                          "Program statement, because a stage is for one program alone",
+                                          name.text)
                             : fmt::format("program '{}' has a compute stage; Dispatch runs it", name.text));
 }
 

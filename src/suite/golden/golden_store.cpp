@@ -23,11 +23,7 @@ constexpr int kCompression = 9;
 
 /// Pixels are accepted for one golden and one tolerance. Another tolerance needs another comparison.
 Hash identityOf(std::span<const std::byte> bytes, const image::Tolerance& tolerance) {
-    const Hash content = hashOf(bytes);
-    const std::string all =
-        fmt::format("{} {} {} {} {} {} {} {} {} {}", toText(content), tolerance.largest, tolerance.fraction,
-                    tolerance.cluster, tolerance.line, tolerance.bias, tolerance.flip.value_or(-1),
-                    tolerance.structure.value_or(-1), tolerance.relative, tolerance.absolute);
+    const std::string all = toText(hashOf(bytes)) + " " + toText(tolerance);
     return hashOf(std::as_bytes(std::span(all)));
 }
 
@@ -69,6 +65,21 @@ fs::path folderOf(const Suite& suite) {
 
 }  // namespace
 
+std::string toText(const image::Tolerance& tolerance) {
+    return fmt::format("{} {} {} {} {} {} {} {} {}", tolerance.largest, tolerance.fraction, tolerance.cluster,
+                       tolerance.line, tolerance.bias, tolerance.flip.value_or(-1),
+                       tolerance.structure.value_or(-1), tolerance.relative, tolerance.absolute);
+}
+
+fs::path goldenFolder(const Suite& suite, const fs::path& folder) {
+    return folder.empty() ? suite.goldens : folder / suite.name;
+}
+
+fs::path goldenName(const Shot& shot, std::string_view variant) {
+    return fmt::format("{}{}{}{}", shot.name, variant.empty() ? "" : ".", variant,
+                       shot.options.floatPixels ? ".exr" : ".png");
+}
+
 Diagnostics checkGoldenFolder(const Suite& suite) {
     if (isBelow(suite.goldens, folderOf(suite))) return {};
     return {diagnose(
@@ -84,7 +95,7 @@ Result<GoldenStore> GoldenStore::open(const Suite& suite, const fs::path& folder
     store.suiteFolder_ = folderOf(suite);
     store.allowOutside_ = allowOutside;
     store.suite_ = suite.name;
-    store.folder_ = folder.empty() ? suite.goldens : folder / suite.name;
+    store.folder_ = goldenFolder(suite, folder);
     Result<HashList> list = HashList::read(store.hashFile());
     store.accepted_ = std::move(*list);
     return {std::move(store), std::move(list.diagnostics)};
@@ -95,8 +106,7 @@ fs::path GoldenStore::hashFile() const {
 }
 
 fs::path GoldenStore::file(const Shot& shot, std::string_view variant) const {
-    return folder_ / fmt::format("{}{}{}{}", shot.name, variant.empty() ? "" : ".", variant,
-                                 shot.options.floatPixels ? ".exr" : ".png");
+    return folder_ / goldenName(shot, variant);
 }
 
 Result<Golden> GoldenStore::find(const Shot& shot, std::string_view family) const {

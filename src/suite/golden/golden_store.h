@@ -24,6 +24,14 @@ struct Golden {
     Hash identity;  ///< hash of the bytes and of the shot's tolerance
 };
 
+/// All numbers of a tolerance, with blanks between them.
+std::string toText(const image::Tolerance& tolerance);
+
+/// The folder of a suite's goldens; `folder` replaces the suite's own unless it is empty.
+std::filesystem::path goldenFolder(const Suite& suite, const std::filesystem::path& folder = {});
+/// The name of a shot's golden in that folder.
+std::filesystem::path goldenName(const Shot& shot, std::string_view variant = {});
+
 class GoldenStore {
   public:
     /// Reads the list of accepted pixels. `folder` replaces the folder of the suite unless it is empty. With

@@ -6,7 +6,10 @@
 #include <set>
 #include <string>
 #include <system_error>
+#include <utility>
 
+#include "suite/file/suite_file.h"
+#include "suite/golden/golden_store.h"
 #include "suite/golden/hash_list.h"
 
 namespace glibra::suite {
@@ -25,12 +28,38 @@ bool belongsTo(const std::set<std::string>& shots, const std::string& stem) {
     return dot != std::string::npos && shots.contains(stem.substr(0, dot));
 }
 
+std::set<std::string> shotNames(const Suite& suite) {
+    std::set<std::string> names;
+    for (const Shot& each : suite.shots) names.insert(each.name);
+    return names;
+}
+
+/// Reads the other suites in the folder of the suite's file, which may have their goldens in the same folder.
+/// Returns false if one of the TOML files there cannot be read as a suite, so that its goldens are unknown.
+bool suitesBeside(const Suite& suite, std::vector<Suite>& beside) {
+    std::error_code failure;
+    if (!fs::is_regular_file(suite.file, failure)) return true;
+    bool allRead = true;
+    for (fs::directory_iterator each(suite.file.has_parent_path() ? suite.file.parent_path() : ".", failure),
+         end;
+         !failure && each != end; each.increment(failure)) {
+        const fs::path& file = each->path();
+        if (file.extension() != ".toml" || !each->is_regular_file(failure) ||
+            fs::equivalent(file, suite.file, failure))
+            continue;
+        Result<Suite> read = readSuite(file);
+        allRead = allRead && read;
+        if (read) beside.push_back(std::move(*read));
+    }
+    return allRead;
+}
+
 }  // namespace
 
-std::vector<fs::path> orphanGoldens(const Suite& suite, const fs::path& folder) {
-    const fs::path root = folder.empty() ? suite.goldens : folder / suite.name;
-    std::set<std::string> shots;
-    for (const Shot& each : suite.shots) shots.insert(each.name);
+std::vector<fs::path> orphanGoldens(const Suite& suite, const fs::path& folder,
+                                    std::span<const Suite> others) {
+    const fs::path root = goldenFolder(suite, folder);
+    const std::set<std::string> shots = shotNames(suite);
     std::vector<std::pair<fs::path, std::string>> found;  // with the name that a shot would have
     bool hasOthers = false;
     std::error_code failure;
@@ -49,6 +78,20 @@ std::vector<fs::path> orphanGoldens(const Suite& suite, const fs::path& folder) 
             if (!belongsTo(shots, name)) found.emplace_back(file, name);
         }
     }
+    if (found.empty()) return {};
+    std::vector<Suite> beside;
+    if (folder.empty() && !suitesBeside(suite, beside)) hasOthers = true;
+    for (const std::span<const Suite> some : {others, std::span<const Suite>(beside)})
+        for (const Suite& other : some) {
+            const fs::path otherRoot = goldenFolder(other, folder);
+            const std::set<std::string> names = shotNames(other);
+            std::erase_if(found, [&](const auto& each) {
+                return belongsTo(names, fs::weakly_canonical(each.first, failure)
+                                            .lexically_relative(fs::weakly_canonical(otherRoot, failure))
+                                            .replace_extension()
+                                            .generic_string());
+            });
+        }
     if (hasOthers) {
         const Result<HashList> list = HashList::read(root / (suite.name + ".hashes"));
         const std::set<std::string> known = list ? list->shots() : std::set<std::string>();

@@ -4,18 +4,21 @@
 #include <glibra/result.h>
 
 #include <filesystem>
+#include <span>
 #include <vector>
 
 #include "suite/suite.h"
 
 namespace glibra::suite {
 
-/// Returns the pictures in the golden folder of a suite that no shot of it has as its golden or as a variant
-/// of it, sorted. `folder` replaces the folder as in GoldenStore::open. Nothing is returned of a folder that
-/// another suite keeps its hashes in. In a folder with other files, such as scenes, only pictures count that
-/// the suite's list of hashes names, because the others may be textures. Links are not followed.
-std::vector<std::filesystem::path> orphanGoldens(const Suite& suite,
-                                                 const std::filesystem::path& folder = {});
+/// Returns the pictures in the golden folder of a suite that no shot of it, nor of `others`, has as its
+/// golden or as a variant of it, sorted. `folder` replaces the folders as in GoldenStore::open. Suites beside
+/// this one count as others. Nothing is returned of a folder that another suite keeps its hashes in. Only
+/// pictures count that the suite's list of hashes names if the folder has other files, such as scenes,
+/// because the pictures may be textures, or if a TOML file beside the suite cannot be read as a suite. Links
+/// are not followed.
+std::vector<std::filesystem::path> orphanGoldens(const Suite& suite, const std::filesystem::path& folder = {},
+                                                 std::span<const Suite> others = {});
 
 /// Removes them, and folders that are empty afterwards. Errors have the id file-E10.
 Diagnostics removeOrphans(const std::vector<std::filesystem::path>& orphans);

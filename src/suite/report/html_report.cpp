@@ -90,6 +90,7 @@ std::string headline(const RunResult& run) {
     if (drawn > 0) text += fmt::format(", {} drawn without a golden", drawn);
     if (const std::size_t missing = missingShots(run).size(); missing > 0)
         text += fmt::format(", {} of {} planned shots have no verdict", missing, plannedCount(run));
+    if (!run.missingShards.empty()) text += ", " + escapeXml(run.missingShards);
     return text;
 }
 

@@ -94,6 +94,18 @@ void ReportFiles::remark(ShownShot& shown, const ShotResult& shot, const std::st
             diagnose("result-W02", fmt::format("report of '{}/{}': {}", shot.suite, shot.shot, text)));
 }
 
+Diagnostics ReportFiles::problems() const {
+    Diagnostics all = problems_;
+    if (unnamedCount_ > 0)
+        all.push_back(diagnose(
+            "result-W02",
+            fmt::format("{} not in the merged folders, so the report does not show {}; --root "
+                        "FOLDER names the folder that has {}, such as --root .",
+                        unnamedCount_ == 1 ? "1 picture is" : fmt::format("{} pictures are", unnamedCount_),
+                        unnamedCount_ == 1 ? "it" : "them", unnamedCount_ == 1 ? "it" : "them")));
+    return all;
+}
+
 fs::path ReportFiles::foundAt(const fs::path& picture) const {
     const fs::path inside = resultsFolder_ / picture;
     std::error_code ignored;
@@ -105,7 +117,14 @@ ReportFiles::Copy ReportFiles::addPicture(const fs::path& picture, const ShotRes
     if (picture.empty()) return {};
     Result<std::vector<std::byte>> bytes = readNamed(picture, resultsFolder_, roots_.pictures);
     if (!bytes) {
-        remark(shown, shot, bytes.diagnostics.front().text);
+        const std::string& why = bytes.diagnostics.front().text;
+        const bool isOutside = roots_.areUnnamed && picture == shot.expected;
+        if (isOutside) {
+            shown.remarks.push_back(why);
+            ++unnamedCount_;
+        } else {
+            remark(shown, shot, why);
+        }
         return {};
     }
     Copy copy;

@@ -40,6 +40,9 @@ struct ReportRoots {
     base::Roots texts;           ///< scenes and shaders
     base::Roots pictures;        ///< goldens
     base::CallLimits decoder{};  ///< of a decoder of pictures that is not ours
+    /// The results come from elsewhere and no folder is named for what they do not have themselves: one
+    /// warning says how, instead of one per picture.
+    bool areUnnamed = false;
 };
 
 class ReportFiles {
@@ -55,7 +58,8 @@ class ReportFiles {
 
     /// The texts of the scenes and shaders of all shots that are not plain, each once.
     [[nodiscard]] const std::vector<Source>& sources() const { return sources_; }
-    [[nodiscard]] const Diagnostics& problems() const { return problems_; }
+    /// What went wrong so far.
+    [[nodiscard]] Diagnostics problems() const;
 
   private:
     /// A picture in the report. `pixels` is set if it was asked for or had to be decoded.
@@ -78,6 +82,7 @@ class ReportFiles {
     std::map<std::string, std::size_t> sourceOf_;
     std::vector<Source> sources_;
     Diagnostics problems_;
+    std::size_t unnamedCount_ = 0;  ///< pictures that lie outside of the results
 };
 
 /// A JSON object with width, height, components, type and data of a picture. The data is each row minus the

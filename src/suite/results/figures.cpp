@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "image/format.h"
+
 namespace glibra::suite {
 namespace {
 
@@ -15,10 +17,7 @@ bool wasCompared(const ShotResult& shot) {
 }
 
 bool isFloat(const ShotResult& shot) {
-    const auto holdsFloats = [](const std::filesystem::path& path) {
-        return path.extension() == ".exr" || path.extension() == ".hdr";
-    };
-    return holdsFloats(shot.got) || holdsFloats(shot.expected);
+    return image::holdsFloats(shot.got) || image::holdsFloats(shot.expected);
 }
 
 std::string of255(double value) {

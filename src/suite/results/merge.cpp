@@ -49,8 +49,9 @@ std::optional<std::pair<int, int>> shardNumbers(const std::string& text) {
     return shard;
 }
 
-/// result-E03 and result-E04: whether all shards of a run are there, and only those.
-Diagnostics checkShards(const std::vector<MergedRun>& runs) {
+/// result-E03 and result-E04: whether all shards of a run are there, and only those. `missing` names
+/// the missing ones.
+Diagnostics checkShards(const std::vector<MergedRun>& runs, std::string& missing) {
     std::map<int, std::set<int>> parts;  // by count
     bool undivided = false;
     for (const MergedRun& run : runs)
@@ -78,10 +79,11 @@ Diagnostics checkShards(const std::vector<MergedRun>& runs) {
         if (!present.contains(part) && ++absentCount <= kMostNames)
             absent += fmt::format("{}{}/{}", absent.empty() ? "" : ", ", part, count);
     if (absentCount > kMostNames) absent += ", ...";
-    if (absentCount > 0)
-        problems.push_back(diagnose(
-            "result-E03", fmt::format("{} of {} shards are missing: {}; their shots are not in this result",
-                                      static_cast<std::size_t>(count) - present.size(), count, absent)));
+    if (absentCount == 0) return problems;
+    const std::size_t missingCount = static_cast<std::size_t>(count) - present.size();
+    missing = fmt::format("{} of {} shards {} missing: {}", missingCount, count,
+                          missingCount == 1 ? "is" : "are", absent);
+    problems.push_back(diagnose("result-E03", missing + "; their shots are not in this result"));
     return problems;
 }
 
@@ -239,13 +241,17 @@ Result<RunResult> mergeResults(std::span<const fs::path> folders, const fs::path
     }
     if (runs.empty()) return remarks;
 
-    append(remarks, checkShards(runs));
+    std::string missing;
+    append(remarks, checkShards(runs, missing));
     append(remarks, checkPlans(runs));
     const bool isWhole = !hasError(remarks);
     std::map<ShotKey, ShotSource> chosen;
     append(remarks, choose(runs, chosen));
     RunResult merged = header(runs);
     merged.planned = joinedPlans(runs);
+    // Results that were merged before lack what they lacked then.
+    merged.missingShards =
+        missing.empty() ? joined(runs, &RunResult::missingShards, "; ") : std::move(missing);
     merged.complete = isWhole;
     PictureCopier copier(into);
     std::size_t dropped = 0;

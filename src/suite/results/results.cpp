@@ -58,7 +58,8 @@ std::vector<ShotKey> missingShots(const RunResult& run) {
 }
 
 std::string shortfall(const RunResult& run) {
-    return shortfall(missingShots(run), plannedCount(run));
+    const std::string shots = shortfall(missingShots(run), plannedCount(run));
+    return run.missingShards + (run.missingShards.empty() || shots.empty() ? "" : "; ") + shots;
 }
 
 std::string shortfall(const std::vector<ShotKey>& missing, std::size_t planned) {

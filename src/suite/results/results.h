@@ -56,6 +56,7 @@ struct ShotResult {
     std::string reproduce;       ///< the command line that renders this shot again
     std::string accept;          ///< the command line that makes the picture the new golden
     image::Tolerance tolerance;  ///< the tolerance that was applied
+    std::string fingerprint{};   ///< of what the verdict depends on (fingerprint.h); empty if unknown
     std::string driver{};        ///< if it differs from the driver of the run, as in merged runs
 };
 
@@ -76,6 +77,8 @@ struct RunResult {
     std::vector<ShotResult> shots;  ///< in the order of the suites
     /// What the run set out to judge; nothing for a value that no run wrote.
     std::optional<std::vector<PlannedShots>> planned{};
+    /// "2 of 4 shards are missing: 2/4, 4/4", of a merged run; empty if none is missing.
+    std::string missingShards{};
     bool complete = false;  ///< the run reached its end, with a verdict on every planned shot
 };
 
@@ -83,7 +86,8 @@ struct RunResult {
 using ShotKey = std::pair<std::string, std::string>;
 /// The planned shots without a verdict (or skipped), in their order; empty if no plan is known.
 std::vector<ShotKey> missingShots(const RunResult& run);
-/// "2 of 8 planned shots have no verdict: s/a, s/b"; empty if nothing is missing or no plan is known.
+/// "2 of 8 planned shots have no verdict: s/a, s/b", after the missing shards; empty if nothing is missing or
+/// no plan is known.
 std::string shortfall(const RunResult& run);
 /// The same sentence for shots that were found to be missing.
 std::string shortfall(const std::vector<ShotKey>& missing, std::size_t planned);

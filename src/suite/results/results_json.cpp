@@ -302,6 +302,7 @@ void members(Archive& archive, Value& value) {
         archive("diagnostics", value.diagnostics);
         archive.within("milliseconds", value.milliseconds, 1000 * kLongestTime);
         archive("driver", value.driver);
+        archive("fingerprint", value.fingerprint);
         archive("reproduce", value.reproduce);
         archive("accept", value.accept);
     } else if constexpr (std::is_same_v<Type, PlannedShots>) {
@@ -316,6 +317,7 @@ void members(Archive& archive, Value& value) {
         archive.within("seconds", value.seconds, kLongestTime);
         archive("began", value.began);
         archive("planned", value.planned);
+        archive("missingShards", value.missingShards);
     }
 }
 

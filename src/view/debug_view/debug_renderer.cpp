@@ -39,6 +39,29 @@ std::string_view sceneAttribute(std::string_view input) {
     return row ? row->attribute : std::string_view();
 }
 
+/// What feeds the input of that name from a buffer of the scene; null if it is fed otherwise.
+const plan::InputSource* bufferSource(const plan::FramePlan& plan, const plan::PlannedDraw& draw,
+                                      const render::BuiltProgram& built, const std::string& input) {
+    if (!draw.inputs) return nullptr;
+    const std::vector<plan::InputSource>& sources = plan.inputs[draw.inputs].sources;
+    for (std::size_t i = 0; i < sources.size() && i < built.interface.inputs.size(); ++i)
+        if (built.interface.inputs[i].name == input &&
+            std::holds_alternative<scene::BufferView>(sources[i].from))
+            return &sources[i];
+    return nullptr;
+}
+
+/// True if indices or attributes come from buffers of the scene. Equal meshes may then have others, and the
+/// copies of a buffer with history change their places.
+bool readsBuffers(const plan::FramePlan& plan, const plan::PlannedDraw& draw) {
+    if (plan.drawOf(draw).indices.buffer) return true;
+    if (!draw.inputs) return false;
+    const std::vector<plan::InputSource>& sources = plan.inputs[draw.inputs].sources;
+    return std::any_of(sources.begin(), sources.end(), [](const plan::InputSource& each) {
+        return std::holds_alternative<scene::BufferView>(each.from);
+    });
+}
+
 }  // namespace
 
 void DebugRenderer::connect(const plan::PlannedDraw& draw, Drawn& made) {
@@ -46,10 +69,18 @@ void DebugRenderer::connect(const plan::PlannedDraw& draw, Drawn& made) {
     if (!device) return;
     const geometry::Mesh* mesh = scene_.meshOf(draw);
     if (mesh && mesh->vertexCount() != device->vertexCount) mesh = nullptr;
+    const render::BuiltProgram* built = scene_.drawer().programOf(draw);
     std::vector<gpu::AttributeSource> sources;
+    made.buffers.clear();
     made.buffers.reserve(made.program->resources.inputs.size());  // `sources` points to them
     for (const base::ActiveInput& input : made.program->resources.inputs) {
         if (input.location < 0) continue;
+        if (const plan::InputSource* fed =
+                built != nullptr ? bufferSource(scene_.plan(), draw, *built, input.name) : nullptr) {
+            scene_.device().addBufferSources(std::get<scene::BufferView>(fed->from), fed->isPerInstance,
+                                             input, sources);
+            continue;
+        }
         gpu::AttributeSource source;
         source.location = static_cast<GLuint>(input.location);
         const bool isInteger = input.type.base == base::BaseType::integer;
@@ -71,13 +102,17 @@ void DebugRenderer::connect(const plan::PlannedDraw& draw, Drawn& made) {
         }
         if (source.buffer) sources.push_back(source);
     }
-    made.vertices.emplace(sources, &*device->indices);
+    const auto own = scene_.device().indicesOf(scene_.plan().drawOf(draw));
+    made.vertices.emplace(sources, own ? own->buffer : device->indices ? &*device->indices : nullptr);
 }
 
 const DebugRenderer::Drawn& DebugRenderer::drawn(const plan::PlannedDraw& draw, DebugView kind,
                                                  DebugStages stages) {
     const auto [entry, isNew] = drawn_.try_emplace({kind, stages, draw.program, draw.mesh});
-    if (!isNew) return entry->second;
+    if (!isNew) {
+        if (entry->second.program && readsBuffers(scene_.plan(), draw)) connect(draw, entry->second);
+        return entry->second;
+    }
     const render::BuiltProgram* built = scene_.drawer().programOf(draw);
     const bool isTriangles = draw.submission.topology == geometry::Topology::triangles ||
                              draw.submission.topology == geometry::Topology::patches;

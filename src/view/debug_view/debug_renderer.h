@@ -41,7 +41,8 @@ class DebugRenderer {
     [[nodiscard]] const TexelImage& numbers() const { return numbers_; }
 
   private:
-    /// A program, with the vertices of one mesh. Both are empty if the debug view cannot show the draw.
+    /// A program, with the vertices of the draw that was drawn with it last. Both are empty if the debug view
+    /// cannot show the draw.
     struct Drawn {
         std::optional<DebugProgram> program;
         std::vector<gpu::Buffer> buffers;

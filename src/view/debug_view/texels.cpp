@@ -32,6 +32,8 @@ const char* targetWord(scene::TextureTarget target) {
             return "3D";
         case scene::TextureTarget::texture2DArray:
             return "2D array";
+        case scene::TextureTarget::cubeArray:
+            return "cube array";
         case scene::TextureTarget::cube:
             break;
     }

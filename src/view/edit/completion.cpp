@@ -1,7 +1,6 @@
 #include "view/edit/completion.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <iterator>
 #include <set>
@@ -16,6 +15,7 @@
 #include "scene/shader_names.h"
 #include "view/edit/declared_names.h"
 #include "view/edit/glsl_reference.h"
+#include "view/edit/inline_shaders.h"
 
 namespace glibra::view {
 namespace {
@@ -37,26 +37,6 @@ std::string_view firstWord(std::string_view line) {
     line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
     const auto* const end = std::find_if_not(line.begin(), line.end(), isOfName);
     return line.substr(0, static_cast<std::size_t>(end - line.begin()));
-}
-
-/// The stage that a line `Fragment` without a file begins or, with `End` before it, ends.
-std::optional<glsl::Stage> stageOfLine(std::string_view line, std::string_view prefix) {
-    constexpr std::array<std::pair<std::string_view, glsl::Stage>, 6> kStages{
-        {{"Vertex", glsl::Stage::vertex},
-         {"TessControl", glsl::Stage::tessControl},
-         {"TessEvaluation", glsl::Stage::tessEvaluation},
-         {"Geometry", glsl::Stage::geometry},
-         {"Fragment", glsl::Stage::fragment},
-         {"Compute", glsl::Stage::compute}}};
-    const std::string_view word = firstWord(line);
-    std::string_view rest = line.substr(static_cast<std::size_t>(word.data() + word.size() - line.data()));
-    rest = rest.substr(0, rest.find('#'));
-    if (rest.find_first_not_of(" \t\r") != std::string_view::npos) return std::nullopt;
-    if (word.size() <= prefix.size() || !glib::sameWord(word.substr(0, prefix.size()), prefix))
-        return std::nullopt;
-    for (const auto& [name, stage] : kStages)
-        if (glib::sameWord(word.substr(prefix.size()), name)) return stage;
-    return std::nullopt;
 }
 
 /// True if a comment or a quoted text is open at the byte.
@@ -234,23 +214,24 @@ TextRange wordBefore(std::string_view text, std::size_t byte) {
 }
 
 LanguageAt languageAt(std::string_view text, std::size_t byte, const CodeContext& context) {
-    LanguageAt found{context.language, context.stage, {0, text.size()}};
-    if (context.language == CodeLanguage::glsl) return found;
+    const LanguageAt whole{context.language, context.stage, {0, text.size()}};
+    if (context.language == CodeLanguage::glsl) return whole;
+    InlineShaders shaders;
+    LanguageAt found = whole;
+    bool isInShader = false;
     for (std::size_t begin = 0; begin <= text.size();) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());
-        const std::string_view line = text.substr(begin, end - begin);
-        const bool isShader = found.language == CodeLanguage::glsl;
-        if (isShader && stageOfLine(line, "End") == found.stage) {
-            if (byte < begin) {
-                found.part.end = begin;
-                return found;
-            }
-            found = {CodeLanguage::glib, {}, {0, text.size()}};
-        } else if (const auto stage = isShader ? std::nullopt : stageOfLine(line, "")) {
-            if (byte <= end) return found;
-            found = {CodeLanguage::glsl, stage, {std::min(end + 1, text.size()), text.size()}};
-        } else if (!isShader && byte <= end) {
+        const std::optional<glsl::Stage> stage = shaders.next(text.substr(begin, end - begin));
+        if (stage) {
+            if (found.language == CodeLanguage::glib)
+                found = {CodeLanguage::glsl, stage, {begin, text.size()}};
+            isInShader = isInShader || byte <= end;
+        } else if (isInShader) {
+            found.part.end = begin;
             return found;
+        } else {
+            found = whole;
+            if (byte <= end) return whole;
         }
         begin = end + 1;
     }
@@ -269,6 +250,10 @@ std::vector<Completion> completionsAt(std::string_view text, std::size_t cursor,
     if (at.language == CodeLanguage::glib) {
         addGlib(words, text, typed, context.names);
         return words.take();
+    }
+    if (context.language == CodeLanguage::glib && at.stage) {
+        words.add(endWordOf(*at.stage), "statement", "ends the shader");
+        words.nextGroup();
     }
     const std::string_view part = text.substr(at.part.begin, at.part.end - at.part.begin);
     addGlsl(words, part, {typed.begin - at.part.begin, typed.end - at.part.begin}, at.stage, context.names);

@@ -42,8 +42,7 @@ TextRange nameNear(std::string_view text, std::size_t byte);
 /// The part of that word before the byte.
 TextRange wordBefore(std::string_view text, std::size_t byte);
 
-/// The language at a byte: scenes may contain shaders, from a line `Fragment` to `EndFragment`. `stage` is
-/// that shader's.
+/// The language at a byte: scenes may contain shaders (InlineShaders). `stage` is that shader's.
 struct LanguageAt {
     CodeLanguage language = CodeLanguage::glsl;
     std::optional<glsl::Stage> stage;

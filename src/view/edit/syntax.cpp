@@ -38,8 +38,9 @@ bool isType(std::string_view word) {
 
 SyntaxKind kindOf(std::string_view word, CodeLanguage language, bool isFirst) {
     if (language == CodeLanguage::glib)
-        return isFirst && (glib::findCommand(word) || glib::findStatement(word)) ? SyntaxKind::keyword
-                                                                                 : SyntaxKind::plain;
+        return isFirst && (glib::findCommand(word) || glib::findStatement(word) || stageOfEndWord(word))
+                   ? SyntaxKind::keyword
+                   : SyntaxKind::plain;
     if (std::find(kKeywords.begin(), kKeywords.end(), word) != kKeywords.end()) return SyntaxKind::keyword;
     if (isType(word)) return SyntaxKind::type;
     if (word.starts_with("gl_")) return SyntaxKind::builtin;
@@ -111,6 +112,13 @@ class Scanner {
 
 std::vector<SyntaxPiece> syntaxOf(std::string_view line, CodeLanguage language, bool& inComment) {
     return Scanner(line, language).scan(inComment);
+}
+
+std::vector<SyntaxPiece> SyntaxReader::next(std::string_view line) {
+    if (language_ == CodeLanguage::glsl) return syntaxOf(line, language_, inComment_);
+    if (shaders_.next(line)) return syntaxOf(line, CodeLanguage::glsl, inComment_);
+    inComment_ = false;
+    return syntaxOf(line, CodeLanguage::glib, inComment_);
 }
 
 }  // namespace glibra::view

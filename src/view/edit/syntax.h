@@ -4,6 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include "view/edit/inline_shaders.h"
+
 namespace glibra::view {
 
 enum class CodeLanguage { glsl, glib };
@@ -18,5 +20,18 @@ struct SyntaxPiece {
 /// The pieces of a line that are not plain, in order. `inComment` is true if a comment over several lines is
 /// open at the beginning of the line; it is updated for the next line.
 std::vector<SyntaxPiece> syntaxOf(std::string_view line, CodeLanguage language, bool& inComment);
+
+/// Reads the lines of a file in their order. Shaders in a scene have the pieces of shaders.
+class SyntaxReader {
+  public:
+    explicit SyntaxReader(CodeLanguage language) : language_(language) {}
+    /// The pieces of the next line that are not plain.
+    std::vector<SyntaxPiece> next(std::string_view line);
+
+  private:
+    CodeLanguage language_;
+    InlineShaders shaders_;
+    bool inComment_ = false;
+};
 
 }  // namespace glibra::view

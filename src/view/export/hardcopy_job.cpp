@@ -2,28 +2,19 @@
 
 #include <fmt/format.h>
 
-#include <cctype>
 #include <new>
 #include <optional>
 #include <string>
 #include <system_error>
 #include <utility>
 
+#include "image/format.h"
 #include "image/video/video_file.h"
 #include "image/write.h"
 #include "render/file/job.h"
 #include "render/scene_renderer.h"
 
 namespace glibra::view {
-namespace {
-
-bool isFloatFormat(const std::filesystem::path& file) {
-    std::string ending = file.extension().string();
-    for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return ending == ".exr" || ending == ".hdr" || ending == ".pfm";
-}
-
-}  // namespace
 
 struct HardcopyJob::State {
     Hardcopy wanted;
@@ -91,7 +82,7 @@ Result<HardcopyJob> HardcopyJob::begin(gpu::Context& context, const Session& ses
     auto state = std::make_unique<State>();
     state->wanted = wanted;
     state->options = session.renderOptions(wanted.width, wanted.height);
-    state->options.floatPixels = isFloatFormat(wanted.file);
+    state->options.floatPixels = image::holdsFloats(wanted.file);
     state->writing.comment = renderCommand(session, wanted);
     state->writing.png.text = {{"Software", "glibra"}, {"Comment", state->writing.comment}};
     try {

@@ -113,6 +113,7 @@ class LiveScene {
     /// on the device. `isPrevious`: the other copy of a texture with history.
     const gpu::Texture* completed(scene::TextureIndex index, bool isPrevious);
     [[nodiscard]] const render::DeviceBuffers& buffers() const;
+    [[nodiscard]] const render::DeviceScene& device() const;
     /// The block through which a program uses the buffer, as a storage block; null if none does. Valid until
     /// the next call for that buffer.
     [[nodiscard]] const base::StorageBlock* blockOf(scene::BufferIndex buffer) const;

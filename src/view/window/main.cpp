@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,12 +12,14 @@
 #include "base/standard_files.h"
 #include "base/utf8.h"
 #include "cli/command_line.h"
+#include "cli/written_files.h"
 #include "view/browse/thumbnail_maker.h"
 #include "view/window/window.h"
 
 namespace {
 
 constexpr int kWrongUsage = 2;
+constexpr int kSceneIsWrong = 3;
 constexpr int kNoDriver = 4;
 
 /// The folders in the environment variable GLIBRA_PATH.
@@ -32,7 +35,22 @@ std::vector<std::filesystem::path> libraryRoots() {
     return roots;
 }
 
+/// file-E13 for files that would replace a scene or the recorded input.
+glibra::Diagnostics overwritten(const glibra::view::WindowArguments& arguments) {
+    glibra::cli::ReadFiles read;
+    for (const std::filesystem::path& each : arguments.scenes) read.add(each, "the window shows it");
+    read.add(arguments.replayFile, "it is replayed");
+    glibra::Diagnostics problems = read.overwrittenBy(arguments.stateFile, "--state");
+    append(problems, read.overwrittenBy(arguments.recordFile, "--record"));
+    return problems;
+}
+
 int run(glibra::view::WindowArguments& arguments, const std::string& size) {
+    if (const glibra::Diagnostics problems = overwritten(arguments); !problems.empty()) {
+        for (const glibra::Diagnostic& each : problems)
+            std::fprintf(stderr, "%s\n", glibra::base::printableText(glibra::toString(each)).c_str());
+        return kSceneIsWrong;
+    }
     if (!size.empty()) {
         char rest = 0;
         // NOLINTNEXTLINE(cert-err34-c): the count of matched fields is checked, and the width of the numbers

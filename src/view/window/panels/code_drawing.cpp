@@ -101,10 +101,10 @@ void drawFound(const CodeLayout& layout, std::string_view text, const LineStarts
 void drawText(const CodeLayout& layout, std::string_view text, const LineStarts& starts,
               CodeLanguage language) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    bool inComment = false;
+    SyntaxReader syntax(language);
     for (int line = 1; line <= layout.lastLine; ++line) {
         const std::string_view words = lineText(text, starts, line);
-        const std::vector<SyntaxPiece> pieces = syntaxOf(words, language, inComment);
+        const std::vector<SyntaxPiece> pieces = syntax.next(words);
         if (line < layout.firstLine) continue;
         ImVec2 at(layout.origin.x, layout.top(line));
         std::size_t drawn = 0;

@@ -11,6 +11,7 @@
 
 #include "render/draw/view_matrices.h"
 #include "view/edit/source_lines.h"
+#include "view/scene/window_draws.h"
 #include "view/window/panels/ui.h"
 
 namespace glibra::view {
@@ -56,10 +57,8 @@ void label(const Ui& ui, ImDrawList& list, const ImVec2& at, const std::string& 
 void cursor(const Ui& ui, ImDrawList& list) {
     const Picked& picked = *ui.session.picked();
     const scene::Draw* draw = nullptr;
-    for (const scene::Pass& pass : ui.session.live().scene().frame.passes)
-        for (const auto& step : pass.steps)
-            if (const auto* each = std::get_if<scene::Draw>(&step))
-                if (pass.isWindow && each->id == picked.draw) draw = each;
+    for (const scene::Draw* each : windowDraws(ui.session.live().scene()))
+        if (each->id == picked.draw) draw = each;
     if (!draw) return;
     const render::ViewMatrices& view = ui.session.live().view();
     const glm::dmat4 projection = view.projection(draw->projection, ui.picture[2] / ui.picture[3]);

@@ -1,0 +1,19 @@
+#pragma once
+// What a scene names and does not have may be in the library that glibra is installed with.
+
+#include <glibra/diagnostic.h>
+
+#include <filesystem>
+
+namespace glibra::cli {
+
+/// The library of this program: the nearest folder above it that has `glib` and `shaders`, or whose
+/// `share/glibra` has them, so that an installation may be moved. Empty if there is none.
+std::filesystem::path ownLibrary();
+
+/// A note for the first of the missing files (file-E01) of a scene that the library has, with the --library
+/// that finds it. Nothing if the library has none of them, or is searched already.
+Diagnostics libraryHint(const std::filesystem::path& scene, const Diagnostics& diagnostics,
+                        const std::filesystem::path& library = ownLibrary());
+
+}  // namespace glibra::cli

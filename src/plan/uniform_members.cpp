@@ -1,0 +1,122 @@
+#include "plan/uniform_members.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstddef>
+#include <vector>
+
+#include "base/suggest.h"
+
+namespace glibra::plan {
+namespace {
+
+/// A part of a tag: `lights[2]`. A subscript that is no number is kept as nothing.
+struct TagPart {
+    std::string_view name;
+    std::vector<std::optional<long long>> subscripts;
+    std::size_t nameEnd = 0, end = 0;  ///< in the tag
+};
+
+std::optional<long long> subscriptOf(std::string_view text) {
+    long long value = 0;
+    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (problem != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
+std::vector<TagPart> partsOf(std::string_view tag) {
+    std::vector<TagPart> parts;
+    for (std::size_t at = 0; at < tag.size();) {
+        TagPart part;
+        const std::size_t end = std::min(tag.find_first_of(".[", at), tag.size());
+        part.name = tag.substr(at, end - at);
+        at = part.nameEnd = end;
+        while (at < tag.size() && tag[at] == '[') {
+            const std::size_t close = std::min(tag.find(']', at), tag.size());
+            part.subscripts.push_back(subscriptOf(tag.substr(at + 1, close - at - 1)));
+            at = std::min(close + 1, tag.size());
+        }
+        part.end = at;
+        parts.push_back(std::move(part));
+        at = std::max(std::min(tag.find('.', at), tag.size() - 1) + 1, at + 1);
+    }
+    return parts;
+}
+
+/// What a name stands for: a structure or block with members, or a value of a basic type.
+struct Declared {
+    const std::vector<glsl::MemoryMember>* members = nullptr;  ///< null: a basic type
+    std::string_view type;
+    const glsl::ArraySizes* sizes = nullptr;
+};
+
+Declared declaredBy(const glsl::MemoryFacts& memory, const glsl::MemoryMember& member) {
+    const auto structure = memory.structures.find(member.type);
+    return {structure == memory.structures.end() ? nullptr : &structure->second.members, member.type,
+            &member.sizes};
+}
+
+std::optional<Declared> rootOf(const glsl::MemoryFacts& memory, std::string_view name) {
+    if (const auto record = memory.records.find(name); record != memory.records.end())
+        return declaredBy(memory, record->second);
+    for (const glsl::MemoryBlock& each : memory.blocks)
+        if (!each.isStorage && (each.name == name || each.instance == name))
+            return Declared{&each.members, "block", &each.sizes};
+    return std::nullopt;
+}
+
+/// What is wrong with the subscripts of a part; empty if nothing is. `goesOn`: a member follows.
+std::string subscriptProblem(const TagPart& part, std::string_view path, const Declared& declared,
+                             bool goesOn) {
+    const glsl::ArraySizes& sizes = *declared.sizes;
+    if (part.subscripts.size() > sizes.size()) return fmt::format("; '{}' is no array", part.name);
+    for (std::size_t i = 0; i < part.subscripts.size(); ++i)
+        if (part.subscripts[i] && sizes[i] > 0 && *part.subscripts[i] >= sizes[i])
+            return fmt::format("; '{}' has {} {}", part.name, sizes[i],
+                               sizes[i] == 1 ? "element" : "elements");
+    if (goesOn && part.subscripts.size() < sizes.size())
+        return fmt::format("; '{}' is an array, so write '{}[0].'", part.name, path);
+    return {};
+}
+
+}  // namespace
+
+std::optional<MemberSearch> searchMember(const glsl::MemoryFacts& memory, std::string_view tag) {
+    const std::vector<TagPart> parts = partsOf(tag);
+    if (parts.empty()) return std::nullopt;
+    std::optional<Declared> here = rootOf(memory, parts.front().name);
+    if (!here) return std::nullopt;
+    for (std::size_t i = 0;; ++i) {
+        const std::string_view path = tag.substr(0, parts[i].end);
+        const bool goesOn = i + 1 < parts.size();
+        if (std::string problem = subscriptProblem(parts[i], path, *here, goesOn); !problem.empty())
+            return MemberSearch{false, std::move(problem)};
+        if (!goesOn) break;
+        if (here->members == nullptr)
+            return MemberSearch{false,
+                                fmt::format("; '{}' is of type {}, which has no members", path, here->type)};
+        const std::string_view name = parts[i + 1].name;
+        const auto member = std::find_if(here->members->begin(), here->members->end(),
+                                         [&](const glsl::MemoryMember& each) { return each.name == name; });
+        if (member == here->members->end()) {
+            std::vector<std::string_view> names;
+            for (const glsl::MemoryMember& each : *here->members) names.push_back(each.name);
+            const std::string nearest = base::nearestName(name, names);
+            return MemberSearch{
+                false, nearest.empty()
+                           ? fmt::format("; the members of '{}' are {}", path, fmt::join(names, ", "))
+                           : fmt::format("; did you mean '{}.{}{}'?", path, nearest,
+                                         tag.substr(parts[i + 1].nameEnd))};
+        }
+        here = declaredBy(memory, *member);
+    }
+    if (here->members == nullptr) return MemberSearch{true, {}};
+    if (here->members->empty()) return MemberSearch{};
+    const bool isElement = parts.back().subscripts.size() >= here->sizes->size();
+    return MemberSearch{false, fmt::format("; did you mean '{}{}.{}'?", tag, isElement ? "" : "[0]",
+                                           here->members->front().name)};
+}
+
+}  // namespace glibra::plan

@@ -1,0 +1,35 @@
+#pragma once
+// What Once and Step blocks must not read (language, 12.8), and names of things for messages.
+
+#include <glibra/result.h>
+
+#include <functional>
+#include <string>
+
+#include "plan/accesses.h"
+#include "plan/frame_plan.h"
+#include "scene/scene.h"
+
+namespace glibra::render {
+
+/// The name of a texture or buffer; "unit 5" for a texture without one.
+std::string nameOf(const scene::Scene& scene, const scene::ObjectView& object);
+
+/// Where the node of a plan stands in the scene; `node` is an element of FramePlan::order.
+const Place& nodePlaceOf(const plan::FramePlan& plan, const scene::NodeIndex& node);
+
+/// memory-E11 for each draw and dispatch of a Once block whose uniforms read, by their names, variables that
+/// change with time.
+Diagnostics timedReadsOfOnce(const scene::Scene& scene, const plan::FramePlan& once);
+
+/// A block with its word, "Once" or "Step".
+struct CheckedBlock {
+    const char* word{};
+    const plan::FramePlan& plan;
+};
+/// memory-W01 for each object that the block reads and that only the frame writes. `lasts` says what a block
+/// writes.
+Diagnostics readsOfFrame(const scene::Scene& scene, const CheckedBlock& block, const plan::FramePlan& frame,
+                         const std::function<bool(const plan::Object&)>& lasts);
+
+}  // namespace glibra::render

@@ -1,0 +1,52 @@
+// Buffers that samplers and images read as textures (language, 12.7).
+
+#include <fmt/format.h>
+
+#include <set>
+
+#include "glib/number.h"
+#include "plan/uniform_names.h"
+#include "render/load/device_scene.h"
+
+namespace glibra::render {
+
+void DeviceScene::bindBuffer(const plan::TextureUse& use, gpu::BindingTracker& bindings) {
+    const gpu::Buffer* buffer = buffers_.buffer(use.buffer);
+    if (buffer == nullptr) return;
+    const gpu::BufferTexture& texture =
+        bufferTextures_[{use.buffer.buffer, use.buffer.isPrevious, use.bufferFormat}];
+    // The buffer is attached anew each time, since those with history change their places.
+    if (!use.isImage) return texture.bind(use.driverUnit, *buffer, use.bufferFormat);
+    texture.bindImage(use.driverUnit, *buffer, use.bufferFormat, use.imageFormat.value_or(use.bufferFormat));
+    bindings.forgetImages();
+}
+
+Diagnostics DeviceScene::checkBufferTextures(const plan::FramePlan& plan) const {
+    Diagnostics problems;
+    std::set<scene::BufferIndex> reported;
+    const auto most = static_cast<std::uint64_t>(context_.capabilities().maxBufferTexels);
+    const auto check = [&](plan::PlannedProgramIndex program, const std::vector<plan::TextureUse>& uses) {
+        for (const plan::TextureUse& each : uses) {
+            const gpu::Buffer* buffer = each.buffer.buffer ? buffers_.buffer(each.buffer) : nullptr;
+            if (buffer == nullptr) continue;
+            const std::uint64_t texels = buffer->size() / base::bytesPerTexel(each.bufferFormat);
+            if (texels <= most || !reported.insert(each.buffer.buffer).second) continue;
+            const scene::Buffer& declared = scene_.buffers[each.buffer.buffer];
+            const base::ActiveUniform& uniform = at(plan.programs[program].interface->uniforms, each.uniform);
+            problems.push_back(diagnose(
+                "memory-E04",
+                fmt::format("buffer '{}' has {} texels for {} '{}'; this driver allows {}", declared.name,
+                            glib::groupedText(static_cast<long long>(texels)), uniform.type.word,
+                            uniform.name, glib::groupedText(static_cast<long long>(most))),
+                declared.place));
+        }
+    };
+    for (const plan::PlannedPass& pass : plan.passes)
+        for (const auto& step : pass.steps)
+            if (const auto* draw = std::get_if<plan::PlannedDraw>(&step))
+                check(draw->program, draw->textures);
+    for (const plan::PlannedDispatch& each : plan.dispatches) check(each.program, each.textures);
+    return problems;
+}
+
+}  // namespace glibra::render

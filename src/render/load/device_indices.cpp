@@ -1,0 +1,129 @@
+// The indices that `Vertices ... indices BUFFER` reads (language, 12.6).
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+#include "glib/number.h"
+#include "plan/accesses.h"
+#include "render/load/device_scene.h"
+
+namespace glibra::render {
+namespace {
+
+constexpr double kRestartAt = std::numeric_limits<std::uint32_t>::max();
+constexpr double kRestartOfInts = -1;
+
+std::string grouped(std::uint64_t number) {
+    return glib::groupedText(static_cast<long long>(number));
+}
+
+/// The buffers that nodes of the plan write to.
+std::set<scene::BufferIndex> writtenBuffers(const plan::FramePlan& plan) {
+    std::set<scene::BufferIndex> written;
+    for (std::size_t node = 0; node < plan.order.size(); ++node)
+        for (const plan::ObjectUse& each : plan::usesOf(plan, node))
+            if (const auto* buffer = std::get_if<scene::BufferView>(&each.object); buffer && each.writes)
+                written.insert(buffer->buffer);
+    return written;
+}
+
+}  // namespace
+
+std::optional<DeviceScene::Indices> DeviceScene::indicesOf(const scene::Draw& draw) const {
+    const plan::BufferLayout* layout = draw.indices.buffer ? buffers_.layout(draw.indices.buffer) : nullptr;
+    const gpu::Buffer* buffer = layout != nullptr ? buffers_.buffer(draw.indices) : nullptr;
+    if (buffer == nullptr) return std::nullopt;
+    const plan::MemoryPattern& pattern = layout->pattern;
+    if (pattern.element.size() != 1 || pattern.stride != sizeof(GLuint) ||
+        pattern.elementsAt % sizeof(GLuint) != 0)
+        return std::nullopt;
+    const plan::NumberKind kind = pattern.element.front().kind;
+    if (kind != plan::NumberKind::integer && kind != plan::NumberKind::unsignedInteger) return std::nullopt;
+    // Vertices are counted by ints.
+    const std::uint64_t most = std::numeric_limits<int>::max();
+    return Indices{buffer, pattern.elementsAt, static_cast<int>(std::min(layout->elements, most))};
+}
+
+Diagnostics DeviceScene::checkIndices(const plan::FramePlan& plan) {
+    Diagnostics diagnostics;
+    std::optional<std::set<scene::BufferIndex>> written;
+    for (const plan::PlannedPass& pass : plan.passes)
+        for (const auto& step : pass.steps) {
+            const auto* planned = std::get_if<plan::PlannedDraw>(&step);
+            if (planned == nullptr || !plan.drawOf(*planned).indices.buffer) continue;
+            const scene::Draw& draw = plan.drawOf(*planned);
+            const scene::BufferIndex index = draw.indices.buffer;
+            if (buffers_.layout(index) == nullptr) continue;  // reported
+            if (!written) written = writtenBuffers(plan);
+            const bool isAsDeclared = !written->contains(index) && !lasting_.contains(plan::Object(index));
+            if (auto problem = indexProblem(plan, *planned, isAsDeclared))
+                diagnostics.push_back(diagnose("memory-E13", std::move(*problem), draw.place));
+        }
+    return diagnostics;
+}
+
+std::optional<std::string> DeviceScene::indexProblem(const plan::FramePlan& plan,
+                                                     const plan::PlannedDraw& planned, bool isAsDeclared) {
+    const scene::Draw& draw = plan.drawOf(planned);
+    const plan::BufferLayout& layout = *buffers_.layout(draw.indices.buffer);
+    const std::string& name = scene_.buffers[draw.indices.buffer].name;
+    const std::optional<Indices> indices = indicesOf(draw);
+    if (!indices)
+        return fmt::format(
+            "{}: indices are uint or int, one after another; {} lays out buffer '{}' otherwise", draw.word,
+            layout.from, name);
+    const std::vector<double>& numbers = scene_.shapes[draw.shape].numbers;
+    const auto given =
+        draw.drawsAllIndices || numbers.empty() ? std::uint64_t{0} : static_cast<std::uint64_t>(numbers[0]);
+    if (given > layout.elements)
+        return fmt::format("{}: {} indices are more than the {} of buffer '{}'", draw.word, grouped(given),
+                           grouped(layout.elements), name);
+    if (layout.elements == 0)
+        return fmt::format("{}: buffer '{}' is empty, so it has no indices", draw.word, name);
+    if (!isAsDeclared || !planned.inputs) return std::nullopt;
+    std::optional<std::uint64_t> vertices;  // of the shortest buffer with attributes
+    scene::BufferIndex shortest;
+    for (const plan::InputSource& each : plan.inputs[planned.inputs].sources) {
+        const auto* view = std::get_if<scene::BufferView>(&each.from);
+        const plan::BufferLayout* of =
+            view != nullptr && !each.isPerInstance ? buffers_.layout(view->buffer) : nullptr;
+        if (of == nullptr || (vertices && *vertices <= of->elements)) continue;
+        vertices = of->elements;
+        shortest = view->buffer;
+    }
+    if (!vertices) return std::nullopt;
+    const bool restarts = planned.submission.topology != geometry::Topology::patches;
+    const std::uint64_t count = draw.drawsAllIndices || draw.verticesFrom.buffer ? layout.elements : given;
+    const auto beyond = firstIndexFrom(draw.indices.buffer, count, *vertices, restarts);
+    if (!beyond) return std::nullopt;
+    return fmt::format("{}: element {} of '{}' is vertex {}, but '{}' has {} elements", draw.word,
+                       grouped(beyond->element), name, glib::numberText(beyond->vertex),
+                       scene_.buffers[shortest].name, grouped(*vertices));
+}
+
+std::optional<DeviceScene::IndexAt> DeviceScene::firstIndexFrom(scene::BufferIndex buffer,
+                                                                std::uint64_t count, std::uint64_t limit,
+                                                                bool restarts) {
+    const scene::Buffer& declared = scene_.buffers[buffer];
+    const std::size_t head = buffers_.layout(buffer)->pattern.head.size();
+    // Values that the statement does not give are zero.
+    std::vector<double> ofFile;
+    if (declared.file) {
+        if (!checkedIndices_.emplace(buffer, count, limit).second) return std::nullopt;
+        ofFile = buffers_.read({buffer}, head, count);
+    }
+    const std::span<const double> values =
+        declared.file ? std::span<const double>(ofFile)
+                      : std::span(declared.values).subspan(std::min(head, declared.values.size()));
+    for (std::size_t i = 0; i < values.size() && i < count; ++i) {
+        const double vertex = values[i];
+        const bool isRestart = restarts && (vertex == kRestartAt || vertex == kRestartOfInts);
+        if (!isRestart && !(vertex >= 0 && vertex < static_cast<double>(limit))) return IndexAt{i, vertex};
+    }
+    return std::nullopt;
+}
+
+}  // namespace glibra::render

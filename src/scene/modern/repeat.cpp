@@ -1,0 +1,119 @@
+// Repetitions: a number of rounds, words, or values (language, 12.2).
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "glib/number.h"
+#include "glib/text.h"
+#include "scene/modern/evaluate.h"
+#include "scene/modern/modern.h"
+#include "scene/modern/scope.h"
+#include "scene/state.h"
+
+namespace glibra::scene {
+namespace {
+
+using glib::Command;
+
+expression::Symbol counter() {
+    expression::Symbol symbol;
+    symbol.depends = expression::Depends::counter;
+    return symbol;
+}
+
+/// The words over which a Repeat runs.
+const std::vector<glib::Value>* wordsOf(const Command& command) {
+    const glib::Value& what = command.values.front();
+    return what.kind == glib::Value::Kind::list && what.count.empty() ? &what.items : nullptr;
+}
+
+/// True for a list of values: numbers, expressions, and variables that are no choices. Any other list is one
+/// of words.
+bool isListOfValues(const Interpreter& in, std::span<const glib::Value> items) {
+    const auto isPlainVariable = [&](const glib::Value& each) {
+        const auto symbol = in.shared->environment.find(each.text);
+        return symbol && symbol->type.kind != expression::Kind::record && symbol->words.empty() &&
+               symbol->count == 0;
+    };
+    return std::any_of(items.begin(), items.end(),
+                       [](const glib::Value& each) { return each.kind != glib::Value::Kind::word; }) ||
+           std::all_of(items.begin(), items.end(), isPlainVariable);
+}
+
+/// The values over which a Repeat runs, all of one type. Nothing with the reason reported.
+std::optional<std::vector<expression::Value>> repeatedValues(Interpreter& in,
+                                                             std::span<const glib::Value> items) {
+    std::vector<expression::Value> values;
+    for (const glib::Value& each : items) {
+        const bool isWord = each.kind == glib::Value::Kind::word;
+        const auto value = isWord ? evaluate(in, each) : constantOf(in, {&each, 1});
+        if (!value) return std::nullopt;
+        values.push_back(*value);
+        if (value->type == values.front().type) continue;
+        in.report(diagnose("glib-E26",
+                           fmt::format("Repeat: the first value is {}, but this one is {}",
+                                       expression::name(values.front().type), expression::name(value->type)),
+                           in.script->place(each.position)));
+        return std::nullopt;
+    }
+    return values;
+}
+
+}  // namespace
+
+void doRepeat(Interpreter& in, const Command& command) {
+    const std::size_t index = indexOf(in, command);
+    const std::vector<glib::Value>* words = wordsOf(command);
+    const glib::KeyedValues* as = command.key("as");
+    const std::string name = as != nullptr ? as->values.front().text : "i";
+    double rounds = 0;
+    std::optional<std::vector<expression::Value>> values;
+    expression::Depends depends = expression::Depends::counter;
+    if (words != nullptr && isListOfValues(in, *words)) {
+        const DependsOnly collected(in);
+        values = repeatedValues(in, *words);
+        if (!values) return;
+        depends = depends | collected.depends();
+    }
+    if (words != nullptr) {
+        rounds = static_cast<double>(words->size());
+    } else {
+        const auto count = numberOf(in, command.values.front());
+        if (!count) return;
+        rounds = std::trunc(*count);
+    }
+    if (rounds > static_cast<double>(kMostStatements)) {
+        in.reportAt(command, "glib-E28",
+                    fmt::format("Repeat: {} rounds; the limit is {}", glib::numberText(rounds),
+                                glib::groupedText(static_cast<long long>(kMostStatements))));
+        return;
+    }
+    for (double round = 0; round < rounds && !in.modern.isFull; ++round) {
+        const Scope scope(in);
+        Environment& names = in.shared->environment;
+        if (values) {
+            const expression::Value& value = (*values)[static_cast<std::size_t>(round)];
+            expression::Symbol symbol;
+            symbol.type = value.type;
+            symbol.depends = depends;
+            names.set(names.declareScoped(&command, name, symbol), value.all());
+            names.set(names.declareScoped(&command, name + ".index", counter()), {&round, 1});
+        } else if (words != nullptr) {
+            expression::Symbol word = counter();
+            for (const glib::Value& each : *words) word.words.push_back(each.text);
+            names.set(names.declareScoped(&command, name, word), {&round, 1});
+            names.set(names.declareScoped(&command, name + ".index", counter()), {&round, 1});
+        } else {
+            names.set(names.declareScoped(&command, name, counter()), {&round, 1});
+        }
+        runBody(in, index + 1, command.partner);
+    }
+}
+
+}  // namespace glibra::scene

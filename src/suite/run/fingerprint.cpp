@@ -1,0 +1,120 @@
+#include "suite/run/fingerprint.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <system_error>
+#include <vector>
+
+#include "suite/golden/golden_store.h"
+#include "suite/golden/hash.h"
+#include "suite/options/option_words.h"
+
+namespace glibra::suite {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The shots that a shot is compared with.
+std::vector<ShotReference> partnersOf(std::span<const Suite> suites, const ShotReference& shot) {
+    std::vector<ShotReference> partners;
+    const std::vector<Shot>& all = suites[shot.suite].shots;
+    for (const std::string* name : {&all[shot.shot].match, &all[shot.shot].differ}) {
+        const auto found =
+            std::find_if(all.begin(), all.end(), [&](const Shot& each) { return each.name == *name; });
+        if (!name->empty() && found != all.end())
+            partners.push_back({shot.suite, static_cast<std::size_t>(found - all.begin())});
+    }
+    return partners;
+}
+
+std::string settingsOf(const Shot& shot) {
+    std::string text =
+        fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}", shot.script.string(), optionArguments(shot),
+                    shot.options.floatPixels, shot.golden, shot.match, shot.differ, toText(shot.tolerance));
+    if (shot.expectedError)
+        text += fmt::format("\n{}\n{}\n{}", shot.expectedError->id, shot.expectedError->text,
+                            shot.expectedError->line);
+    return text;
+}
+
+/// The names of all goldens of a folder, read once.
+class GoldenNames {
+  public:
+    /// Names and contents of the golden and its variants.
+    std::string contentsFor(const fs::path& golden) {
+        const std::set<std::string>& names = in(golden.parent_path());
+        const std::string stem = golden.stem().string() + ".";
+        std::string text;
+        for (auto each = names.lower_bound(stem); each != names.end() && each->starts_with(stem); ++each)
+            if (each->ends_with(golden.extension().string()))
+                text += fmt::format("\n{} {}", *each, contentOf(golden.parent_path() / *each));
+        return text;
+    }
+
+  private:
+    const std::set<std::string>& in(const fs::path& folder) {
+        const auto [known, isNew] = folders_.try_emplace(folder);
+        std::error_code failure;
+        if (isNew)
+            for (fs::directory_iterator each(folder, failure), end; !failure && each != end;
+                 each.increment(failure))
+                known->second.insert(each->path().filename().string());
+        return known->second;
+    }
+
+    std::map<fs::path, std::set<std::string>> folders_;
+};
+
+}  // namespace
+
+ShotInputs inputsOf(std::span<const Suite> suites, std::span<const ShotReference> shots,
+                    const base::WorkerOptions& workers) {
+    ShotInputs inputs;
+    for (const ShotReference& each : shots) {
+        inputs.try_emplace(each);
+        for (const ShotReference& partner : partnersOf(suites, each)) inputs.try_emplace(partner);
+    }
+    std::vector<SceneQuery> queries;
+    for (const auto& [shot, ignored] : inputs) {
+        const Shot& asked = suites[shot.suite].shots[shot.shot];
+        queries.push_back({asked.script, asked.options});
+    }
+    std::vector<SceneInputs> found = readInputs(queries, workers);
+    auto next = found.begin();
+    for (auto& [shot, each] : inputs) each = std::move(*next++);
+    return inputs;
+}
+
+std::map<ShotReference, std::string> fingerprints(std::span<const Suite> suites,
+                                                  std::span<const ShotReference> shots,
+                                                  const ShotInputs& inputs, const RunOptions& options) {
+    const std::string ofRun =
+        fmt::format("{}\n{}\n{}\n{}\n{}\n{}", contentOf("/proc/self/exe"), static_cast<int>(options.driver),
+                    options.skip, options.update, options.force, options.variant);
+    GoldenNames goldens;
+    std::map<ShotReference, std::string> all;
+    for (const ShotReference& each : shots) {
+        std::vector<ShotReference> parts = partnersOf(suites, each);
+        parts.insert(parts.begin(), each);
+        std::string text = ofRun;
+        bool isKnown = true;
+        for (const ShotReference& part : parts) {
+            const auto found = inputs.find(part);
+            isKnown = isKnown && found != inputs.end() && !found->second.content.empty();
+            text += "\n" + settingsOf(suites[part.suite].shots[part.shot]);
+            if (isKnown) text += "\n" + found->second.content;
+        }
+        const Suite& suite = suites[each.suite];
+        if (!options.update)
+            text += goldens.contentsFor(goldenFolder(suite, options.goldens) /
+                                        goldenName(suite.shots[each.shot]));
+        all.emplace(each, isKnown ? toText(hashOf(std::as_bytes(std::span(text)))) : std::string());
+    }
+    return all;
+}
+
+}  // namespace glibra::suite

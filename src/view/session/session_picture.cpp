@@ -1,0 +1,182 @@
+// The picture of a session: its size, when it is drawn, and what is found in it.
+
+#include <algorithm>
+#include <utility>
+
+#include "view/session/session.h"
+
+namespace glibra::view {
+namespace {
+
+constexpr std::size_t kMostDiagnostics = 200;
+constexpr int kLargestSide = 16384;
+
+/// A note about the same place replaces the earlier one, whose numbers were for another picture size.
+void addOnce(Diagnostics& diagnostics, Diagnostic added) {
+    for (Diagnostic& known : diagnostics) {
+        if (known.id != added.id || known.place != added.place) continue;
+        const bool isNote = known.severity == Severity::note && added.severity == Severity::note;
+        if (isNote) known.text = added.text;
+        if (known.text == added.text) return;
+    }
+    if (diagnostics.size() < kMostDiagnostics) diagnostics.push_back(std::move(added));
+}
+
+}  // namespace
+
+void Session::setMeasuresObjects(bool on) {
+    if (on == measuresObjects_) return;
+    measuresObjects_ = on;
+    objectTimer_.forget();
+    isStale_ = isStale_ || on;
+}
+
+void Session::keepTextures() {
+    if (!live_) return;
+    Diagnostics diagnostics;
+    if (live_->keepTextures(diagnostics)) {
+        debugRenderer_.reset();
+        isStale_ = true;
+    }
+    for (Diagnostic& each : diagnostics) addOnce(diagnostics_, std::move(each));
+}
+
+void Session::setAxes(bool on) {
+    isStale_ = isStale_ || on != axes_;
+    axes_ = on;
+}
+
+void Session::setWireframe(bool on) {
+    isStale_ = isStale_ || on != wireframe_;
+    wireframe_ = on;
+    if (live_) live_->drawer().setWireframe(on);
+}
+
+void Session::setDebugView(DebugView kind) {
+    isStale_ = isStale_ || kind != debugView_;
+    debugView_ = kind;
+}
+
+void Session::setNormalLength(double length) {
+    constexpr double kShortest = .005;
+    if (!(length > 0)) return;
+    length = std::clamp(length, kShortest, 1.0);
+    isStale_ = isStale_ || (length != normalLength_ && debugView_ == DebugView::normals);
+    normalLength_ = length;
+}
+
+const TexelImage& Session::debugNumbers() const {
+    static const TexelImage kNone;
+    return debugRenderer_ && debugView_ != DebugView::picture ? debugRenderer_->numbers() : kNone;
+}
+
+void Session::resize(int width, int height) {
+    width = std::clamp(width, 1, kLargestSide);
+    height = std::clamp(height, 1, kLargestSide);
+    isStale_ = isStale_ || width != width_ || height != height_;
+    width_ = width;
+    height_ = height;
+}
+
+void Session::setSamples(int samples) {
+    samples = std::clamp(samples, 1, context_.capabilities().maxSamples);
+    if (samples == samples_) return;
+    samples_ = samples;
+    target_.reset();
+    isStale_ = true;
+}
+
+void Session::setWholeShape(double aspect) {
+    wholeShape_ = aspect;
+    // How far the eye is moved back, on which this depends too, is known only after a frame.
+    isStale_ = isStale_ || shrinking() != drawnShrinking_;
+}
+
+Diagnostics Session::drawShown() {
+    drawnShrinking_ = shrinking();
+    // Frames of a moving scene allocate no memory, so the view is copied only if it differs.
+    std::optional<ViewState> smaller;
+    const ViewState& shown = drawnShrinking_ == 1 ? view_ : smaller.emplace(shownView());
+    Diagnostics diagnostics;
+    if (debugView_ == DebugView::picture) {
+        if (!measuresObjects_) return live_->draw(*target_, shown, clock_.time(), axes_);
+        live_->moveTo(width_, height_, clock_.time(), diagnostics);  // before the drawer is used
+        if (!isMoving()) objectTimer_.forget();                      // single frames have nothing in common
+        objectTimer_.begin(live_->drawer(), live_->plan());
+        append(diagnostics, live_->draw(*target_, shown, clock_.time(), axes_));
+        objectTimer_.end(live_->drawer());
+        return diagnostics;
+    }
+    objectTimer_.forget();
+    if (live_->moveTo(width_, height_, clock_.time(), diagnostics)) debugRenderer_.reset();
+    if (!debugRenderer_) debugRenderer_.emplace(context_, *live_);
+    append(diagnostics,
+           debugRenderer_->draw(*target_, shown, {debugView_, normalLength_, clock_.time(), axes_}));
+    return diagnostics;
+}
+
+/// Makes the target anew if its size or its samples differ. Returns false if there is no memory for it.
+bool Session::makeTarget(std::optional<gpu::Target>& target, int samples) {
+    if (target && target->width() == width_ && target->height() == height_ &&
+        (target->samples() > 1) == (samples > 1))
+        return true;
+    target.reset();
+    Result<gpu::Target> made =
+        gpu::Target::window(context_.capabilities(), width_, height_, gpu::TexelFormat::rgba8, samples,
+                            gpu::TexelFormat::depth24_stencil8);
+    if (!made) {
+        append(diagnostics_, std::move(made.diagnostics));
+        return false;
+    }
+    target = std::move(made.value);
+    return true;
+}
+
+bool Session::drawIfNeeded() {
+    if (!isStale_ || !live_) return false;
+    // Debug views show numbers, which must not be mixed.
+    const bool isMixed = debugView_ == DebugView::picture || debugView_ == DebugView::normals;
+    if (!makeTarget(target_, isMixed ? samples_ : 1)) {
+        isStale_ = false;
+        return false;
+    }
+    for (Diagnostic& each : drawShown()) addOnce(diagnostics_, std::move(each));
+    isStale_ = false;
+    ++framesDrawn_;
+    return true;
+}
+
+const gpu::Target* Session::plainPicture() {
+    if (!live_ || !target_ || target_->samples() == 1) return picture();
+    if (plain_ && plainFrame_ == framesDrawn_ && plain_->width() == width_ && plain_->height() == height_)
+        return &*plain_;
+    if (!makeTarget(plain_, 1)) return nullptr;
+    for (Diagnostic& each : live_->draw(*plain_, shownView(), clock_.time(), axes_))
+        addOnce(diagnostics_, std::move(each));
+    plainFrame_ = framesDrawn_;
+    return &*plain_;
+}
+
+void Session::pickAt(int x, int y) {
+    drawIfNeeded();
+    if (const gpu::Target* plain = plainPicture(); live_ && plain)
+        picked_ = pick(*live_, *plain, clock_.time(), x, y);
+    plainFrame_ = 0;
+    // Picking draws the pixel without the debug view.
+    if (debugView_ != DebugView::picture) isStale_ = true;
+}
+
+ProbedPixel Session::probe(int x, int y) {
+    drawIfNeeded();
+    if (!live_ || !target_) return {};
+    ProbedPixel pixel =
+        probePixel(context_, *live_, target_->width(), target_->height(), clock_.time(), x, y);
+    if (debugRenderer_) debugRenderer_->forgetPlan();
+    return pixel;
+}
+
+void Session::clearPick() {
+    picked_.reset();
+}
+
+}  // namespace glibra::view

@@ -1,0 +1,142 @@
+// The values of a session: what the user, animations, texts and keys set.
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include "glib/text.h"
+#include "plan/overrides.h"
+#include "view/session/session.h"
+
+namespace glibra::view {
+
+const Knob* Session::knob(std::string_view program, std::string_view tag) const {
+    for (const Knob& each : knobs_)
+        if (each.tag == tag && (program.empty() || each.title == program)) return &each;
+    return nullptr;
+}
+
+void Session::applyValue(std::size_t knob) {
+    live_->setValue(knobs_[knob]);
+    std::erase_if(diagnostics_, [](const Diagnostic& each) { return each.id == "draw-W08"; });
+    append(diagnostics_, live_->longLoops());
+    isStale_ = true;
+}
+
+void Session::setValue(std::size_t knob, std::vector<double> values) {
+    if (knob >= knobs_.size()) return;
+    Knob& changed = knobs_[knob];
+    std::vector<double> wanted = changed.current;
+    for (std::size_t i = 0; i < std::min(values.size(), wanted.size()); ++i) {
+        if (!std::isfinite(static_cast<float>(values[i]))) return;
+        wanted[i] = changed.isInteger() ? std::trunc(values[i]) : values[i];
+    }
+    if (wanted == changed.current) return;
+    changed.current = std::move(wanted);
+    applyValue(knob);
+}
+
+void Session::animate(std::size_t knob, bool on) {
+    if (knob >= knobs_.size()) return;
+    std::erase_if(animations_, [&](const Animation& each) { return each.isOf(knobs_[knob]); });
+    if (!on || knobs_[knob].widget != Widget::slider || !knobs_[knob].words.empty()) return;
+    animations_.push_back(animationOf(knobs_[knob], clock_.time()));
+    clock_.play(true);
+}
+
+bool Session::isAnimated(std::size_t knob) const {
+    return knob < knobs_.size() &&
+           std::any_of(animations_.begin(), animations_.end(),
+                       [&](const Animation& each) { return each.isOf(knobs_[knob]); });
+}
+
+bool Session::undoAnimations() {
+    const std::vector<Animation> ended = std::exchange(animations_, {});
+    for (const Animation& each : ended)
+        for (std::size_t i = 0; i < knobs_.size(); ++i)
+            if (each.isOf(knobs_[i])) setValue(i, each.before);
+    return !ended.empty();
+}
+
+const std::vector<double>& Session::restingValue(std::size_t knob) const {
+    for (const Animation& each : animations_)
+        if (each.isOf(knobs_[knob])) return each.before;
+    return knobs_[knob].current;
+}
+
+void Session::moveAnimations() {
+    for (const Animation& each : animations_)
+        for (std::size_t i = 0; i < knobs_.size(); ++i)
+            if (each.isOf(knobs_[i])) setValue(i, valuesAt(each, knobs_[i], clock_.time()));
+}
+
+void Session::resetValue(std::size_t knob) {
+    animate(knob, false);
+    if (knob < knobs_.size()) setValue(knob, std::vector<double>(knobs_[knob].initial));
+}
+
+void Session::resetValues() {
+    for (std::size_t i = 0; i < knobs_.size(); ++i) resetValue(i);
+    kept_.forget();
+}
+
+Diagnostics Session::setByText(const std::string& argument) {
+    const Result<plan::Override> parsed = plan::parseOverride(argument);
+    if (!parsed) return parsed.diagnostics;
+    if (!parsed->word.empty()) {
+        for (std::size_t i = 0; i < knobs_.size(); ++i) {
+            const std::vector<std::string>& words = knobs_[i].words;
+            const auto word = std::find(words.begin(), words.end(), parsed->word);
+            if (knobs_[i].tag != parsed->name || word == words.end()) continue;
+            setValue(i, {static_cast<double>(word - words.begin())});
+            return {};
+        }
+        return {plan::notAChoice(parsed->name, parsed->word)};
+    }
+    bool isKnown = false;
+    Diagnostics problems;
+    for (std::size_t i = 0; i < knobs_.size(); ++i) {
+        const Knob& knob = knobs_[i];
+        if (knob.tag != parsed->name) continue;
+        // The control of a variable belongs to no program.
+        const bool isMeant = knob.program ? plan::isFor(*parsed, live_->scene().programs[knob.program])
+                                          : parsed->program.empty();
+        if (!isMeant) continue;
+        isKnown = true;
+        const std::size_t components = knob.current.size();
+        if (!knob.program && parsed->values.size() != components) {
+            problems.push_back(plan::misfit(knob.tag, parsed->values, components));
+            continue;
+        }
+        // As `render --set` reads other numbers of values: one for all components, 0 for those that lack.
+        std::vector<double> values = parsed->values;
+        values.resize(components, values.size() == 1 ? values.front() : 0.0);
+        setValue(i, std::move(values));
+    }
+    if (isKnown) return problems;
+    std::vector<std::string> names;
+    for (const Knob& each : knobs_) names.push_back(each.tag);
+    return plan::unusedOverrides(std::span(&*parsed, 1), {false}, names);
+}
+
+bool Session::pressKey(std::string_view key) {
+    if (!live_) return false;
+    bool isBound = false;
+    const std::vector<scene::KeyBinding> bindings = live_->scene().keys;
+    for (const scene::KeyBinding& each : bindings) {
+        if (!glib::sameWord(each.key, key)) continue;
+        isBound = true;
+        if (each.restarts) restart();
+        for (std::size_t i = 0; i < knobs_.size() && !each.values.empty(); ++i) {
+            if (knobs_[i].program || knobs_[i].tag != each.variable) continue;
+            const auto now = std::find(each.values.begin(), each.values.end(), knobs_[i].current);
+            animate(i, false);
+            const bool isLast = now == each.values.end() || now + 1 == each.values.end();
+            setValue(i, isLast ? each.values.front() : *(now + 1));
+        }
+    }
+    return isBound;
+}
+
+}  // namespace glibra::view

@@ -1,0 +1,172 @@
+// The view of a session: transforms, projection and camera.
+
+#include <algorithm>
+#include <utility>
+
+#include "render/draw/view_matrices.h"
+#include "scene/matrices.h"
+#include "view/scene/window_draws.h"
+#include "view/session/session.h"
+
+namespace glibra::view {
+namespace {
+
+Matrix* matrixOfMode(ViewState& view, TransformMode mode, const DrawId& picked) {
+    switch (mode) {
+        case TransformMode::scene:
+            return &view.scene;
+        case TransformMode::eye:
+            return &view.eye;
+        case TransformMode::texture:
+            return &view.texture;
+        case TransformMode::object:
+            break;
+    }
+    if (picked.line == 0) return nullptr;
+    for (ViewState::Object& each : view.objects)
+        if (each.draw() == picked) return &each.matrix;
+    return &view.objects.emplace_back(ViewState::Object{picked, kIdentity}).matrix;
+}
+
+}  // namespace
+
+void Session::setView(ViewState view) {
+    if (view == view_) return;
+    view_ = std::move(view);
+    isStale_ = true;
+}
+
+void Session::resetTransforms() {
+    ViewState view;
+    view.projection = view_.projection;
+    view.background = view_.background;
+    setView(std::move(view));
+}
+
+Matrix Session::transform(TransformMode mode) const {
+    ViewState view = view_;
+    const Matrix* matrix = matrixOfMode(view, mode, picked_ ? picked_->draw : DrawId());
+    return matrix ? *matrix : kIdentity;
+}
+
+void Session::setTransform(TransformMode mode, const Matrix& matrix) {
+    ViewState view = view_;
+    Matrix* changed = matrixOfMode(view, mode, picked_ ? picked_->draw : DrawId());
+    if (!changed || !scene::isFinite(render::asMatrix(matrix))) return;
+    *changed = matrix;
+    std::erase_if(view.objects, [](const ViewState::Object& each) { return each.matrix == kIdentity; });
+    setView(std::move(view));
+}
+
+const scene::Draw* Session::pickedDraw() const {
+    if (!picked_ || !live_) return nullptr;
+    for (const scene::Draw* each : windowDraws(live_->scene()))
+        if (each->id == picked_->draw) return each;
+    return nullptr;
+}
+
+Surroundings Session::surroundings(TransformMode mode) const {
+    ViewState without = view_;
+    if (mode == TransformMode::scene) without.scene = kIdentity;
+    if (mode == TransformMode::eye) without.eye = kIdentity;
+    if (mode == TransformMode::object)
+        std::erase_if(without.objects,
+                      [&](const ViewState::Object& each) { return each.draw() == picked_->draw; });
+    const render::ViewMatrices view(without, live_->scene().view, live_->eyeDistance());
+    const scene::Draw* draw = pickedDraw();
+    if (mode != TransformMode::object || !draw) {
+        // The last one that the window's transforms and a projection act on.
+        draw = nullptr;
+        const scene::NodeList& frame = live_->scene().frame;
+        for (const scene::Pass& pass : frame.passes) {
+            if (!render::isMoved(frame, pass)) continue;
+            for (const auto& step : pass.steps)
+                if (const auto* each = std::get_if<scene::Draw>(&step))
+                    if (!std::holds_alternative<scene::ClipSpace>(each->projection)) draw = each;
+        }
+    }
+    Surroundings around;
+    if (!draw) return around;
+    const double size = shrinking();
+    around.projection = scene::scaling({size, size, 1}) *
+                        view.projection(draw->projection, static_cast<double>(width_) / height_);
+    if (mode == TransformMode::object)
+        around.after = view.modelView(*draw);
+    else
+        around.before = view.worldView();
+    return around;
+}
+
+void Session::drag(TransformMode mode, const Drag& drag) {
+    if (!live_ || (mode == TransformMode::object && !pickedDraw())) return;
+    const glm::dmat4 before = render::asMatrix(transform(mode));
+    const glm::dmat4 after = mode == TransformMode::texture ? draggedTexture(before, drag)
+                                                            : dragged(before, drag, surroundings(mode));
+    setTransform(mode, render::asNumbers(after));
+}
+
+void Session::nextProjection() {
+    bool isDeep = false, isFlat = false;
+    if (live_)
+        for (const scene::Draw* each : windowDraws(live_->scene())) {
+            isDeep = isDeep || std::holds_alternative<scene::Perspective>(each->projection);
+            isFlat = isFlat || std::holds_alternative<scene::Orthographic>(each->projection);
+        }
+    std::vector<ProjectionMode> round{ProjectionMode::scene};
+    if (isDeep) round.push_back(ProjectionMode::orthographic);
+    if (isFlat) round.push_back(ProjectionMode::perspective);
+    const auto now = std::find(round.begin(), round.end(), view_.projection);
+    ViewState view = view_;
+    view.projection = now == round.end() || now + 1 == round.end() ? ProjectionMode::scene : *(now + 1);
+    setView(std::move(view));
+}
+
+void Session::setCamera(const std::string& name) {
+    if (!live_) return;
+    const auto& cameras = live_->cameras();
+    const bool isKnown = std::any_of(cameras.begin(), cameras.end(),
+                                     [&](const scene::NamedCamera& each) { return each.name == name; });
+    camera_ = isKnown ? name : "";
+    live_->setCamera(camera_);
+    isStale_ = true;
+}
+
+void Session::nextCamera() {
+    if (!live_) return;
+    const auto& cameras = live_->cameras();
+    if (camera_.empty()) return setCamera(cameras.empty() ? "" : cameras.front().name);
+    for (std::size_t i = 0; i + 1 < cameras.size(); ++i)
+        if (cameras[i].name == camera_) return setCamera(cameras[i + 1].name);
+    setCamera("");
+}
+
+void Session::setMouse(double x, double y, bool isDown) {
+    const Mouse mouse{x, y, isDown};
+    if (mouse == mouse_) return;
+    mouse_ = mouse;
+    if (!live_) return;
+    live_->setMouse(x, y, isDown);
+    isStale_ = isStale_ || live_->readsMouse();
+}
+
+/// How much smaller a perspective must be drawn so that its whole shape fits; 1 or less.
+double Session::shrinking() const {
+    if (!live_ || !(wholeShape_ > 0) || live_->eyeDistance() != 0)
+        return 1;  // an eye that was moved back sees all
+    const scene::Draw* last = nullptr;
+    for (const scene::Draw* each : windowDraws(live_->scene()))
+        if (!std::holds_alternative<scene::ClipSpace>(each->projection)) last = each;
+    if (last == nullptr || !std::holds_alternative<scene::Perspective>(last->projection)) return 1;
+    return std::min(1.0, static_cast<double>(width_) / height_ / wholeShape_);
+}
+
+/// The view as it is drawn: what makes the scene smaller is part of the projection, as the scene's transform
+/// is.
+ViewState Session::shownView() const {
+    ViewState view = view_;
+    if (const double size = shrinking(); size != 1)
+        view.scene = render::asNumbers(scene::scaling({size, size, 1}) * render::asMatrix(view_.scene));
+    return view;
+}
+
+}  // namespace glibra::view
