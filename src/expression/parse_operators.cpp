@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/suggest.h"
 #include "expression/operators.h"
 #include "expression/parser.h"
 
@@ -212,9 +213,12 @@ Parser::Parsed Parser::component(const Operand& value) {
         }
         return build_.combined({value}, swizzle, Type::vector(name.text.size(), value.type.kind), range);
     }
+    const std::vector<std::string> fields = names_.known(textOf(value.range));  // `mouse` has `mouse.down`
     return problem(name.range, "expr-E02",
-                   fmt::format("{} {} has no component or field {}", article(expression::name(value.type)),
-                               expression::name(value.type), quoted(code_.text, name.range)));
+                   fmt::format("{} {} has no component or field {}{}", article(expression::name(value.type)),
+                               expression::name(value.type), quoted(code_.text, name.range),
+                               base::suggestion(
+                                   name.text, std::vector<std::string_view>(fields.begin(), fields.end()))));
 }
 
 Parser::Parsed Parser::subscript(std::size_t count) {

@@ -153,6 +153,7 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"memory-W01",
      "Step reads 'shadow', which only the frame writes (line 20), so the result depends on the pictures that "
      "were drawn before; write 'shadow' in Step"},
+    {"memory-W02", "buffer 'faces': value 2 is -1, which is stored as 0; a uint holds 0 to 4,294,967,295"},
     // Shaders
     {"glsl-E01", "'vMC' : undeclared identifier"},
     {"glsl-E02", "'vN' is vec3 in dots.vert:4 and vec4 in dots.frag:6"},

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <set>
 #include <utility>
 
+#include "base/number.h"
 #include "glib/number.h"
 #include "plan/frame_plan.h"
 
@@ -213,7 +215,29 @@ class LayoutFinder {
                                     layout.pattern.numbers(layout.elements)));
         if (buffer.file && fileBytes < layout.pattern.least)
             return reportSmall(index, fileBytes, layout.pattern, from);
+        checkValues(buffer, layout.pattern);
         layouts_.emplace(index, std::move(layout));
+    }
+
+    /// Reports memory-W02 for the first value that is out of the range of its integer.
+    void checkValues(const scene::Buffer& buffer, const MemoryPattern& pattern) {
+        for (std::size_t i = 0; i < buffer.values.size(); ++i) {
+            const NumberKind kind = pattern.at(i).kind;
+            const bool isSigned = kind == NumberKind::integer;
+            if (!isSigned && kind != NumberKind::unsignedInteger) continue;
+            const double value = buffer.values[i];
+            const double held = isSigned ? static_cast<double>(base::toInt(value))
+                                         : static_cast<double>(base::toUnsigned(value));
+            if (std::trunc(value) == held) continue;
+            diagnostics_.push_back(
+                diagnose("memory-W02",
+                         fmt::format("buffer '{}': value {} is {}, which is stored as {:.0f}; {}",
+                                     buffer.name, i, glib::numberText(value), held,
+                                     isSigned ? "an int holds -2,147,483,648 to 2,147,483,647"
+                                              : "a uint holds 0 to 4,294,967,295"),
+                         buffer.place));
+            return;
+        }
     }
 
     const scene::Scene& scene_;

@@ -69,6 +69,30 @@ TEST(ScriptChecks, SumsAreOfEachComponent) {
         << found("a [1 2 3]");
 }
 
+TEST(ScriptChecks, WholeNumbersAreShownInFull) {
+    const std::string found = problemsOf(
+        "Buffer a uint [4294967294 7]\nExpect buffer a at 0 [4294967295]\nExpect sum a 7 within 1e9\n");
+    EXPECT_NE(found.find("expected 4294967295, found 4294967294"), std::string::npos) << found;
+    EXPECT_NE(found.find("expected 7 within 1000000000, found 4294967301"), std::string::npos) << found;
+}
+
+TEST(ScriptChecks, ValuesBeyondTheirIntegersAreReported) {
+    const auto found = [](const std::string& buffer) {
+        return problemsOf("Buffer a " + buffer + "\nExpect finite a\n");
+    };
+    EXPECT_EQ(found("uint [0 4294967295 .5]"), "");
+    EXPECT_EQ(found("int [-2147483648 2147483647]"), "");
+    EXPECT_EQ(found("float [-1 3e10]"), "");
+    EXPECT_NE(found("uint [0 1 -1]")
+                  .find("warning: buffer 'a': value 2 is -1, which is stored as 0; a uint holds 0 to "
+                        "4,294,967,295 [memory-W02]"),
+              std::string::npos)
+        << found("uint [0 1 -1]");
+    EXPECT_NE(found("int 3 (3e9)").find("value 0 is 3e+09, which is stored as 2147483647; an int holds"),
+              std::string::npos)
+        << found("int 3 (3e9)");
+}
+
 TEST(ScriptChecks, EqualContentsMayDifferWithinATolerance) {
     const auto found = [](const std::string& check) {
         return problemsOf("Buffer a float [1 2 3]\nBuffer b float [1 2.25 3]\nExpect " + check + "\n");

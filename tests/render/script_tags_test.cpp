@@ -250,6 +250,9 @@ TEST(Messages, SuggestKeysOfStateAndTheWindow) {
                    "unknown command 'Blend'; write 'State blend'");
     expectContains(problemsOf(sceneOf("", "vec4(1.)", "Program P\nFill windw with P\n")),
                    "did you mean 'window'?");
+    expectContains(problemsOf("State pointsize 4\n"), "; PointSize is a statement of its own");
+    expectContains(problemsOf("Camera LookAt 0 0 5 0 0 0 0 1 0\n"), "; write a name before 'LookAt'");
+    expectContains(problemsOf("Let pressed (mouse.dwn)\n"), "'dwn'; did you mean 'down'?");
 }
 
 TEST(GeometryWords, OfAnEarlierProgramGiveWayInSilence) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/suggest.h"
+#include "glib/command_table.h"
 #include "glib/text.h"
 
 namespace glibra::glib {
@@ -90,6 +91,23 @@ std::string Mismatch::bracketHint(const Pieces& pieces, std::size_t at) const {
     return isColor ? fmt::format("; write {{{}}}", numbers) : fmt::format("; write [{}]", numbers);
 }
 
+std::string Mismatch::nameHint(const Pieces& pieces) const {
+    // `Camera LookAt 0 0 5 ...`: the name and what follows it are read as one.
+    const bool isKeyword =
+        furthest_ == 1 && pieces[0].kind == Value::Kind::word &&
+        std::any_of(expected_.begin(), expected_.end(), [&](const Expectation& each) {
+            return each.isWord && sameWord(each.text.substr(1, each.text.size() - 2), pieces[0].text);
+        });
+    return isKeyword ? fmt::format("; write a name before '{}'", pieces[0].text) : std::string();
+}
+
+std::string Mismatch::commandHint(const StatementRow& row, const Value& found) {
+    // `State pointsize 4`.
+    const CommandRow* command = isUnquoted(found) ? findCommand(found.text) : nullptr;
+    if (command == nullptr || sameWord(command->name(), row.name)) return {};
+    return fmt::format("; {} is a statement of its own", command->name());
+}
+
 namespace {
 
 bool isNumberAt(const Pieces& pieces, std::size_t at) {
@@ -134,9 +152,11 @@ void Mismatch::report(const StatementRow& row, const Pieces& pieces, const Decla
     const std::string text = found(pieces, furthest_);
     const bool expectsWord =
         std::any_of(expected_.begin(), expected_.end(), [](const Expectation& each) { return each.isWord; });
-    const std::string hint = valueHint(pieces[furthest_], names);
+    std::string hint = valueHint(pieces[furthest_], names);
+    if (hint.empty()) hint = nameHint(pieces);
     if (isUnquoted(pieces[furthest_]) && expectsWord) {
         const std::string nearest = hint.empty() ? suggested(pieces[furthest_].text) : std::string();
+        if (hint.empty() && nearest.empty()) hint = commandHint(row, pieces[furthest_]);
         return reportAt("glib-E16", furthest_,
                         nearest.empty()
                             ? fmt::format("unknown word {}; expected {}{}", text, listOfExpected(), hint)

@@ -41,6 +41,10 @@ class Mismatch {
     /// What to write for the value of a name that stands without parentheses; empty if that is not the
     /// mistake.
     [[nodiscard]] std::string valueHint(const Value& found, const DeclaredNames& names) const;
+    /// For a statement whose name is missing before a word that may follow it; else empty.
+    [[nodiscard]] std::string nameHint(const Pieces& pieces) const;
+    /// For a word that is another command; else empty.
+    [[nodiscard]] static std::string commandHint(const StatementRow& row, const Value& found);
 
     /// The brackets that are missing around the pieces from `at` on, or around an operator there; empty if
     /// none are.

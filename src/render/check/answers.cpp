@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "glib/text.h"
 
@@ -18,11 +20,19 @@ using Numbers = std::span<const double>;
 /// Half of the distance of stored values, and what the conversion to float may add.
 constexpr double kHalfStep = .5 + 1e-4;
 
-/// Numbers with as many digits as tell them apart.
+/// A number with as many digits as tell it from its neighbours: all of a whole number, nine of others.
+std::string shownNumber(double number) {
+    constexpr double kWhole = 0x1p53;  // below it, every whole number is a double
+    const bool isWhole = std::abs(number) < kWhole && std::trunc(number) == number;
+    return isWhole ? fmt::format("{:.0f}", number) : fmt::format("{:.9g}", number);
+}
+
 std::string numbersText(Numbers numbers) {
     constexpr std::size_t kMost = 8;
-    const Numbers shown = numbers.first(std::min(numbers.size(), kMost));
-    return fmt::format("{:.9g}{}", fmt::join(shown, " "), shown.size() < numbers.size() ? " ..." : "");
+    std::vector<std::string> shown;
+    for (const double each : numbers.first(std::min(numbers.size(), kMost)))
+        shown.push_back(shownNumber(each));
+    return fmt::format("{}{}", fmt::join(shown, " "), shown.size() < numbers.size() ? " ..." : "");
 }
 
 class Answerer {
@@ -94,7 +104,7 @@ class Answerer {
     }
     [[nodiscard]] std::string wantedText() const {
         return check_.tolerance > 0
-                   ? fmt::format("{} within {:.9g}", numbersText(check_.wanted), check_.tolerance)
+                   ? fmt::format("{} within {}", numbersText(check_.wanted), shownNumber(check_.tolerance))
                    : numbersText(check_.wanted);
     }
     /// Why the wanted components do not fit the content; empty if they do.
@@ -146,7 +156,7 @@ class Answerer {
         for (std::size_t i = 0; i < content.size(); ++i)
             found += equal(check_.wanted, content.at(i), content) ? 1U : 0U;
         if (static_cast<double>(found) == check_.numbers.at(0)) return std::nullopt;
-        return wrong(fmt::format("{:.17g} pixels", check_.numbers.at(0)), fmt::format("{}", found));
+        return wrong(shownNumber(check_.numbers.at(0)) + " pixels", fmt::format("{}", found));
     }
 
     [[nodiscard]] Answer elements(const Content& content) const {
@@ -161,8 +171,8 @@ class Answerer {
         for (std::size_t i = 0; i < found.size(); ++i) {
             if (equal(check_.wanted[i], found[i], content)) continue;
             if (found.size() <= 8) return wrong(wantedText(), numbersText(found));
-            return wrong(fmt::format("{:.9g} as value {}", check_.wanted[i], i),
-                         fmt::format("{:.9g}", found[i]));
+            return wrong(fmt::format("{} as value {}", shownNumber(check_.wanted[i]), i),
+                         shownNumber(found[i]));
         }
         return std::nullopt;
     }
@@ -177,12 +187,12 @@ class Answerer {
         const std::size_t row = index / static_cast<std::size_t>(content.width);
         const std::size_t column = index % static_cast<std::size_t>(content.width);
         return wrong(wanted, content.height * content.depth > 1
-                                 ? fmt::format("{:.9g} at {} {}", *found, column, row)
-                                 : fmt::format("{:.9g} at {}", *found, column));
+                                 ? fmt::format("{} at {} {}", shownNumber(*found), column, row)
+                                 : fmt::format("{} at {}", shownNumber(*found), column));
     }
     [[nodiscard]] Answer range(const Content& content) const {
         const double least = check_.numbers.at(0), most = check_.numbers.at(1);
-        return each(content, fmt::format("{:.9g} to {:.9g}", least, most),
+        return each(content, fmt::format("{} to {}", shownNumber(least), shownNumber(most)),
                     [&](double value) { return value >= least && value <= most; });
     }
     [[nodiscard]] Answer finite(const Content& content) const {
@@ -235,16 +245,16 @@ class Answerer {
         }
         if (wantsSame == (differing == 0)) return std::nullopt;
         const std::string within =
-            check_.tolerance > 0 ? fmt::format(" within {:.9g}", check_.tolerance) : std::string();
+            check_.tolerance > 0 ? " within " + shownNumber(check_.tolerance) : std::string();
         return wantsSame ? wrong("the same content" + within,
-                                 fmt::format("{}, by up to {:.9g}",
-                                             glib::counted(differing, "differing value"), largest))
+                                 fmt::format("{}, by up to {}", glib::counted(differing, "differing value"),
+                                             shownNumber(largest)))
                          : wrong("different content", "the same" + within);
     }
 
     [[nodiscard]] Answer number(const char* what, std::uint64_t found) const {
         if (static_cast<double>(found) == check_.numbers.at(0)) return std::nullopt;
-        return wrong(fmt::format("{:.17g} {}", check_.numbers.at(0), what), fmt::format("{}", found));
+        return wrong(fmt::format("{} {}", shownNumber(check_.numbers.at(0)), what), fmt::format("{}", found));
     }
 
     [[nodiscard]] Answer condition() const {

@@ -356,7 +356,7 @@ const gpu::VertexArray& DeviceScene::vertexArray(const plan::FramePlan& plan,
                 const gpu::Buffer* buffer = buffers_.buffer(*view);
                 buffers.push_back(buffer ? buffer->id() : 0);
             }
-    buffers.push_back(own ? own->buffer->id() : 0);
+    if (own) buffers.push_back(own->buffer->id());
     const auto known = parts.vertexArrays.find({planned.mesh, inputs, buffers});
     if (known != parts.vertexArrays.end()) return known->second;
     const DeviceMesh& mesh = *parts.meshes[planned.mesh];
