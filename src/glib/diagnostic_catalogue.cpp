@@ -116,6 +116,10 @@ constexpr CatalogueRow kCatalogueRows[] = {
      "program 'Shade' has no output for target 'normals' (line 4), so the draw leaves it as it is; declare "
      "'layout(location = 1) out vec4 ...' in the fragment stage"},
     {"draw-W11", "texture 'glow' (line 4) is read here, but nothing draws or writes into it, so it is zero"},
+    {"draw-W12",
+     "Dispatch: sampler 'uBefore' reads 'heat' while image 'uAfter' writes it; unless each invocation reads "
+     "only the texel "
+     "that it writes, declare 'heat' with history and read 'heat.prev'"},
     {"draw-N01", "no LookAt, so the eye is moved back by 4.125 along z (use --eye glman to switch this off)"},
     {"draw-N02", "the picture has only one colour"},
     {"draw-N03",

@@ -1,8 +1,13 @@
 #include "plan/accesses.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <set>
 #include <string_view>
+
+#include "plan/texture_binding.h"
+#include "plan/uniform_names.h"
 
 namespace glibra::plan {
 namespace {
@@ -85,6 +90,34 @@ bool readsCamera(const PlannedProgram& program) {
     };
     return program.interface->facts.suppliesVertexStage &&
            std::any_of(program.values.begin(), program.values.end(), isOfCamera);
+}
+
+Diagnostics readsOfWritten(const scene::Scene& scene, const PlannedProgram& program,
+                           const std::vector<TextureUse>& textures, const std::string& word,
+                           const Place& place) {
+    Diagnostics problems;
+    std::set<scene::TextureIndex> seen;
+    const auto nameOfUniform = [&](const TextureUse& use) {
+        return userNameOf(*program.interface, at(program.interface->uniforms, use.uniform).name);
+    };
+    for (const TextureUse& image : textures) {
+        if (!image.isImage || !image.view.texture || !textureUseOf(program, image).writes) continue;
+        for (const TextureUse& sampler : textures) {
+            const scene::Texture& texture = scene.textures[image.view.texture];
+            if (sampler.isImage || texture.name.empty() || !readsPart(scene, sampler, image.view) ||
+                !seen.insert(image.view.texture).second)
+                continue;
+            problems.push_back(diagnose(
+                "draw-W12",
+                fmt::format(
+                    "{}: sampler '{}' reads {} while image '{}' writes it; unless each invocation reads only "
+                    "the texel that it writes, declare '{}' with history and read '{}.prev'",
+                    word, nameOfUniform(sampler), nameOf(scene, image.view), nameOfUniform(image),
+                    texture.name, texture.name),
+                place));
+        }
+    }
+    return problems;
 }
 
 std::vector<ObjectUse> usesOf(const FramePlan& plan, std::size_t node) {

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <set>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -15,6 +16,12 @@ namespace glibra::plan {
 /// What the shaders of a program do with textures and buffers. A storage block, atomic counter or image that
 /// is not declared readonly counts as written, and one that is not writeonly as read.
 std::vector<ObjectUse> shaderUses(const PlannedProgram& program, const std::vector<TextureUse>& textures);
+
+/// Returns draw-W12 for each texture of a modern scene that a sampler reads and an image may write in the
+/// same draw or dispatch, whose invocations run in any order (GL 4.6, 7.13.1). `word` names the statement.
+Diagnostics readsOfWritten(const scene::Scene& scene, const PlannedProgram& program,
+                           const std::vector<TextureUse>& textures, const std::string& word,
+                           const Place& place);
 
 /// What plan.order[node] does, the same object several times if it is used in several ways. Targets of a pass
 /// are written, and read too unless the pass clears them.

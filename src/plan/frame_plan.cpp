@@ -141,6 +141,7 @@ class FramePlanner {
         if (hasError(problems)) return;
         const std::vector<TextureUse>& uses = programs_.texturesOf(dispatch, program);
         reportEmptySlots(dispatch.place, program, uses);
+        reportHazards("Dispatch", dispatch.place, program, uses);
         plan_.order.push_back({scene::NodeIndex::Kind::dispatch, plan_.dispatches.size()});
         plan_.dispatches.push_back({index, program, uses});
     }
@@ -262,10 +263,11 @@ class FramePlanner {
         return pass.depth && readsPart(scene_, use, *pass.depth);
     }
 
-    /// Reports draw-W02, W03 and W05, each only at the first draw that it applies to.
+    /// Reports draw-W02, W03, W05 and W12, each only at the first draw that it applies to.
     void reportRemarks(const scene::Draw& draw, PlannedProgramIndex index, const scene::Program* program,
                        const Submission& submission, const std::vector<TextureUse>& uses) {
         reportEmptySlots(draw.place, index, uses);
+        reportHazards(draw.word, draw.place, index, uses);
         reportUnknownInputs(draw, index);
         if (ignoresPointSize(draw, program, *programs_[index].interface, submission))
             reportIgnoredPointSize(draw, index, *program);
@@ -274,6 +276,12 @@ class FramePlanner {
     void warnOnce(const Place& place, PlannedProgramIndex index, const char* id, const std::string& text) {
         if (remarks_.emplace(programs_[index].variant.program, id, text).second)
             report(diagnose(id, text, place));
+    }
+
+    void reportHazards(const std::string& word, const Place& place, PlannedProgramIndex index,
+                       const std::vector<TextureUse>& uses) {
+        for (const Diagnostic& each : readsOfWritten(scene_, programs_[index], uses, word, place))
+            report(each);
     }
 
     void reportEmptySlots(const Place& place, PlannedProgramIndex index,

@@ -145,5 +145,31 @@ TEST(Stencil, NeedsAFormatThatHasOne) {
     }
 }
 
+TEST(WrittenPictures, ThatASamplerReadsAreReported) {
+    const auto found = [](const std::string& options, const std::string& qualifier, const std::string& tags) {
+        return problemsOf(
+            "Texture2D pic 8 8 rgba8 nearest " + options +
+            "\nCompute inline\n#version 430\nlayout(local_size_x = 8, local_size_y = 8) in;\n"
+            "layout(rgba8) uniform " +
+            qualifier +
+            " image2D uOut;\nuniform sampler2D uIn;\nvoid main() {\n"
+            "ivec2 at = ivec2(gl_GlobalInvocationID.xy);\nvec4 c = texelFetch(uIn, (at + 1) % 8, 0);\n" +
+            (qualifier == "readonly" ? "if (imageLoad(uOut, at) == c) at.x = 0;\n"
+                                     : "imageStore(uOut, at, c);\n") +
+            "}\nEndCompute\nProgram Blur " + tags + "\nOnce\nClear pic\nDispatch Blur over pic\nEndOnce\n" +
+            showing("sampler2D", "vST") + "Program Show uT pic\nFill window with Show\n");
+    };
+    const std::string said =
+        "warning: Dispatch: sampler 'uIn' reads 'pic' while image 'uOut' writes it; unless each invocation "
+        "reads only "
+        "the texel that it writes, declare 'pic' with history and read 'pic.prev' [draw-W12]";
+    EXPECT_NE(found("", "writeonly", "uIn pic uOut pic").find(said), std::string::npos)
+        << found("", "writeonly", "uIn pic uOut pic");
+    EXPECT_EQ(found("history", "writeonly", "uIn pic.prev uOut pic").find("draw-W12"), std::string::npos);
+    EXPECT_EQ(found("levels 2", "writeonly", "uIn pic.level(0) uOut pic.level(1)").find("draw-W12"),
+              std::string::npos);
+    EXPECT_EQ(found("", "readonly", "uIn pic uOut pic").find("draw-W12"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace glibra::test
