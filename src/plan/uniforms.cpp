@@ -10,10 +10,9 @@
 #include <string_view>
 #include <utility>
 
-#include "expression/name_table.h"
 #include "plan/texture_binding.h"
 #include "plan/type_table.h"
-#include "plan/uniform_members.h"
+#include "plan/uniform_messages.h"
 #include "plan/uniform_names.h"
 
 namespace glibra::plan {
@@ -169,7 +168,7 @@ class Resolver {
             const bool isChosen = choosesObject(spec.tag);
             if (named.empty() && !spec.mayBeUnknown &&
                 !(isChosen && namesMemory(interface_.facts.memory, spec.tag)))
-                reportUnknown(given, spec.resembles);
+                messages_.unknown(given, spec.resembles);
             for (const NamedUniform& each : named)
                 if (!isChosen || !isOpaque(uniform(each.uniform)))
                     apply(given, each, overridden_.contains({each.uniform, each.element}), spec.word);
@@ -188,7 +187,7 @@ class Resolver {
             if (!named.empty()) used[i] = true;
             if (named.empty() && isSuppliedName(each.name)) {
                 used[i] = true;
-                reportSupplied(given);
+                messages_.supplied(given);
             }
             for (const NamedUniform& one : named) apply(given, one, false, each.word);
         }
@@ -206,7 +205,7 @@ class Resolver {
             if (view == nullptr) {
                 if (!each.isChosen && !each.resembles.empty() &&
                     !namesMemory(interface_.facts.memory, each.tag))
-                    reportMisspelt(each.tag, each.resembles, place(each.tagPosition));
+                    messages_.misspelt(each.tag, each.resembles, place(each.tagPosition));
                 for (const NamedUniform& one : names_.find(each.tag))
                     if (isOpaque(uniform(one.uniform)))
                         bind(one, {{}, place(each.tagPosition), std::get<scene::BufferView>(each.object)});
@@ -218,8 +217,8 @@ class Resolver {
                 std::erase_if(named,
                               [&](const NamedUniform& one) { return !isOpaque(uniform(one.uniform)); });
             else if (named.empty() && !each.mayBeUnknown)
-                reportUnknown({each.tag, glib::UniformForm::number, {}, bound.place, bound.place},
-                              each.resembles);
+                messages_.unknown({each.tag, glib::UniformForm::number, {}, bound.place, bound.place},
+                                  each.resembles);
             for (const NamedUniform& one : named) bind(one, bound);
         }
     }
@@ -362,7 +361,7 @@ class Resolver {
         }
         const ActiveUniform& target = uniform(named.uniform);
         const glsl::BuiltinUniform* row = rows_[named.uniform];
-        if (row != nullptr && !isNoiseUniform(*row)) return reportSupplied(given);
+        if (row != nullptr && !isNoiseUniform(*row)) return messages_.supplied(given);
         const auto part = drawn_.scene != nullptr ? upperLeft(given, target, named.oneElement) : std::nullopt;
         if (part) given.values = *part;
         Reading reading = readValue(given, target, named.oneElement);
@@ -404,77 +403,10 @@ class Resolver {
         result_.controls.push_back(control);
     }
 
-    bool isDeclared(std::string_view name) const {
-        const std::optional<MemberSearch> search = searchMember(interface_.facts.memory, name);
-        return search ? search->isDeclared
-                      : interface_.facts.uniforms.contains(std::string(name)) ||
-                            interface_.facts.uniforms.contains(std::string(rootName(name)));
-    }
-
-    void reportSupplied(const GivenValue& given) {
-        if (given.tag == "Timer") {
-            constexpr double kDefaultPeriod = 10;
-            const bool isPeriod =
-                given.form == glib::UniformForm::number && !given.values.empty() && given.values.front() > 0;
-            const double period = isPeriod ? given.values.front() : kDefaultPeriod;
-            return warn("glib-W25",
-                        fmt::format("glibra supplies 'Timer'; set its period with the command "
-                                    "'Timer {}'",
-                                    numberText(period)),
-                        given.tagPlace);
-        }
-        warn("glib-W25", fmt::format("glibra supplies '{}', so the tag has no effect", given.tag),
-             given.tagPlace);
-    }
-
-    /// Only Dispatch has keys that its tags may resemble.
-    void reportMisspelt(std::string_view tag, std::string_view key, const Place& place) {
-        warn("glib-E16", fmt::format("Dispatch: unknown word '{}'; did you mean '{}'?", tag, key), place);
-    }
-
-    /// The tag names no active uniform: supplied but unused, declared but unused, a key misspelt, or unknown.
-    void reportUnknown(const GivenValue& given, std::string_view resembles = {}) {
-        const std::string_view tag = given.tag;
-        if (isSuppliedName(tag)) return reportSupplied(given);
-        const std::string members = std::string(tag) + ".";
-        const std::string elements = std::string(tag) + "[";
-        std::string member;
-        for (const ActiveUniform& each : interface_.uniforms)
-            if (member.empty() && (each.name.starts_with(members) || each.name.starts_with(elements)))
-                member = each.name;
-        const std::optional<MemberSearch> search = searchMember(interface_.facts.memory, tag);
-        if (search && !search->isDeclared)
-            return warn(
-                "glib-W23",
-                fmt::format("no shader of '{}' has a uniform '{}'{}", program_.name, tag, search->hint),
-                given.tagPlace);
-        if (member.empty() && isDeclared(tag))
-            return warn("glib-W24",
-                        fmt::format("uniform '{}' is declared but unused, so the tag has no effect", tag),
-                        given.tagPlace);
-        if (member.empty() && !resembles.empty()) return reportMisspelt(tag, resembles, given.tagPlace);
-        const std::string hint =
-            member.empty() ? suggestionFor(tag, knownNames()) : "; did you mean '" + member + "'?";
-        warn("glib-W23", fmt::format("no shader of '{}' has a uniform '{}'{}", program_.name, tag, hint),
-             given.tagPlace);
-    }
-
-    const std::vector<std::string>& knownNames() {
-        if (knownNames_.empty()) {
-            for (const ActiveUniform& each : interface_.uniforms)
-                if (!isInternalName(each.name) && suppliedBy(each) == nullptr)
-                    knownNames_.push_back(each.name);
-            for (const auto& [name, declared] : interface_.facts.uniforms)
-                if (!isInternalName(name)) knownNames_.push_back(name);
-        }
-        return knownNames_;
-    }
-
     /// Reports glib-W37 for active uniforms without a value.
     void reportUnset() {
         if (interface_.isBuiltin) return;
         std::vector<UniformIndex> unset;
-        std::map<std::string_view, std::size_t> members;  // of each variable or block
         for (const UniformIndex i : rows_.indices()) {
             const ActiveUniform& each = uniform(i);
             if (touched_[i] || rows_[i] != nullptr || isInternalName(each.name)) continue;
@@ -497,50 +429,8 @@ class Resolver {
                 continue;
             }
             unset.push_back(i);
-            ++members[groupOf(each)];
         }
-        for (const UniformIndex i : unset) reportUnset(uniform(i), members[groupOf(uniform(i))]);
-    }
-
-    /// The variable or block whose members are reported together.
-    static std::string_view groupOf(const ActiveUniform& each) {
-        return rootName(each.block < 0 ? each.name : each.blockName);
-    }
-
-    /// `members`: how many of its variable or block are not set. Long lists are reported as one, once.
-    void reportUnset(const ActiveUniform& each, std::size_t members) {
-        constexpr std::size_t kMostNamed = 3;
-        if (members <= kMostNamed)
-            return warn("glib-W37",
-                        fmt::format("uniform '{}' of '{}' is not set; it is 0{}", each.name, program_.name,
-                                    modernHint(each)),
-                        program_.place);
-        if (!reportedGroups_.insert(groupOf(each)).second) return;
-        warn("glib-W37",
-             fmt::format("members of '{}' of '{}' are not set; they are 0. The first is '{}'", groupOf(each),
-                         program_.name, each.name),
-             program_.place);
-    }
-
-    /// How a modern scene gives a uniform the value of the expressions' name that it has; empty if it has
-    /// none.
-    std::string expressionHint(const std::string& name) const {
-        const auto rows = expression::sceneNames();
-        if (!drawn_.scene->localNames.contains(name) &&
-            std::none_of(rows.begin(), rows.end(),
-                         [&](const expression::NameRow& each) { return each.path == name; }))
-            return {};
-        return fmt::format("; write '{0} ({0})' on the line of its Program, Fill or Dispatch", name);
-    }
-
-    /// What a classic scene has to do to get a matrix with a well-known name; empty if it is none.
-    std::string modernHint(const ActiveUniform& target) const {
-        if (drawn_.scene != nullptr) return expressionHint(target.name);
-        const auto isUniform = [this](std::string_view name) { return names_.hasUniform(name); };
-        if (target.isArray || target.block >= 0 ||
-            glsl::findWellKnownUniform(target.name, target.type.word, isUniform) == nullptr)
-            return {};
-        return "; scenes with a Camera or another modern statement supply it";
+        messages_.unset(unset);
     }
 
     void listSamplers() {
@@ -563,9 +453,8 @@ class Resolver {
     scene::List<bool, ActiveUniform> lost_;     ///< SamplerBinding::isLost
     scene::List<bool, ActiveUniform> touched_;  ///< a pair or an override gave it a value
     std::set<std::pair<UniformIndex, int>> overridden_;
-    std::set<std::string_view> reportedGroups_;
-    std::vector<std::string> knownNames_;
     UniformResolution result_;
+    UniformMessages messages_{program_, interface_, names_, drawn_.scene, result_.diagnostics};
 };
 
 }  // namespace

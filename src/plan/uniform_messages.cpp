@@ -1,0 +1,130 @@
+#include "plan/uniform_messages.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "expression/name_table.h"
+#include "plan/uniform_members.h"
+
+namespace glibra::plan {
+namespace {
+
+/// The variable or block whose members are reported together.
+std::string_view groupOf(const ActiveUniform& each) {
+    return rootName(each.block < 0 ? each.name : each.blockName);
+}
+
+}  // namespace
+
+void UniformMessages::warn(const char* id, std::string text, const Place& place) {
+    to_.push_back(diagnose(id, std::move(text), place));
+}
+
+bool UniformMessages::isDeclared(std::string_view name) const {
+    const std::optional<MemberSearch> search = searchMember(interface_.facts.memory, name);
+    return search ? search->isDeclared
+                  : interface_.facts.uniforms.contains(std::string(name)) ||
+                        interface_.facts.uniforms.contains(std::string(rootName(name)));
+}
+
+void UniformMessages::supplied(const GivenValue& given) {
+    if (given.tag == "Timer") {
+        constexpr double kDefaultPeriod = 10;
+        const bool isPeriod =
+            given.form == glib::UniformForm::number && !given.values.empty() && given.values.front() > 0;
+        const double period = isPeriod ? given.values.front() : kDefaultPeriod;
+        return warn("glib-W25",
+                    fmt::format("glibra supplies 'Timer'; set its period with the command "
+                                "'Timer {}'",
+                                numberText(period)),
+                    given.tagPlace);
+    }
+    warn("glib-W25", fmt::format("glibra supplies '{}', so the tag has no effect", given.tag),
+         given.tagPlace);
+}
+
+void UniformMessages::misspelt(std::string_view tag, std::string_view key, const Place& place) {
+    warn("glib-E16", fmt::format("Dispatch: unknown word '{}'; did you mean '{}'?", tag, key), place);
+}
+
+void UniformMessages::unknown(const GivenValue& given, std::string_view resembles) {
+    const std::string_view tag = given.tag;
+    if (isSuppliedName(tag)) return supplied(given);
+    const std::string members = std::string(tag) + ".";
+    const std::string elements = std::string(tag) + "[";
+    std::string member;
+    for (const ActiveUniform& each : interface_.uniforms)
+        if (member.empty() && (each.name.starts_with(members) || each.name.starts_with(elements)))
+            member = each.name;
+    const std::optional<MemberSearch> search = searchMember(interface_.facts.memory, tag);
+    if (search && !search->isDeclared)
+        return warn("glib-W23",
+                    fmt::format("no shader of '{}' has a uniform '{}'{}", program_.name, tag, search->hint),
+                    given.tagPlace);
+    if (member.empty() && isDeclared(tag))
+        return warn("glib-W24",
+                    fmt::format("uniform '{}' is declared but unused, so the tag has no effect", tag),
+                    given.tagPlace);
+    if (member.empty() && !resembles.empty()) return misspelt(tag, resembles, given.tagPlace);
+    const std::string hint =
+        member.empty() ? suggestionFor(tag, knownNames()) : "; did you mean '" + member + "'?";
+    warn("glib-W23", fmt::format("no shader of '{}' has a uniform '{}'{}", program_.name, tag, hint),
+         given.tagPlace);
+}
+
+const std::vector<std::string>& UniformMessages::knownNames() {
+    if (knownNames_.empty()) {
+        for (const ActiveUniform& each : interface_.uniforms)
+            if (!isInternalName(each.name) && suppliedBy(each) == nullptr) knownNames_.push_back(each.name);
+        for (const auto& [name, declared] : interface_.facts.uniforms)
+            if (!isInternalName(name)) knownNames_.push_back(name);
+    }
+    return knownNames_;
+}
+
+void UniformMessages::oneUnset(const ActiveUniform& each) {
+    warn(
+        "glib-W37",
+        fmt::format("uniform '{}' of '{}' is not set; it is 0{}", each.name, program_.name, modernHint(each)),
+        program_.place);
+}
+
+void UniformMessages::unset(std::span<const UniformIndex> uniforms) {
+    constexpr std::size_t kMostNamed = 3;
+    std::map<std::string_view, std::size_t> members;  // of each variable or block
+    for (const UniformIndex each : uniforms) ++members[groupOf(at(interface_.uniforms, each))];
+    for (const UniformIndex index : uniforms) {
+        const ActiveUniform& each = at(interface_.uniforms, index);
+        std::size_t& count = members[groupOf(each)];
+        if (count > 0 && count <= kMostNamed) oneUnset(each);
+        if (count <= kMostNamed) continue;
+        warn("glib-W37",
+             fmt::format("members of '{}' of '{}' are not set; they are 0. The first is '{}'", groupOf(each),
+                         program_.name, each.name),
+             program_.place);
+        count = 0;  // reported
+    }
+}
+
+std::string UniformMessages::expressionHint(const std::string& name) const {
+    const auto rows = expression::sceneNames();
+    if (!modern_->localNames.contains(name) &&
+        std::none_of(rows.begin(), rows.end(),
+                     [&](const expression::NameRow& each) { return each.path == name; }))
+        return {};
+    return fmt::format("; write '{0} ({0})' on the line of its Program, Fill or Dispatch", name);
+}
+
+std::string UniformMessages::modernHint(const ActiveUniform& target) const {
+    if (modern_ != nullptr) return expressionHint(target.name);
+    const auto isUniform = [this](std::string_view name) { return names_.hasUniform(name); };
+    if (target.isArray || target.block >= 0 ||
+        glsl::findWellKnownUniform(target.name, target.type.word, isUniform) == nullptr)
+        return {};
+    return "; scenes with a Camera or another modern statement supply it";
+}
+
+}  // namespace glibra::plan
