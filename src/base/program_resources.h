@@ -12,15 +12,24 @@ namespace glibra::base {
 enum class BaseType { floating, doublePrecision, integer, unsignedInteger, boolean, sampler, image, other };
 
 /// The kind of texture that a scene can fill. Only textures with a name are arrays.
-enum class TextureTarget { texture1D, texture2D, texture3D, cube, texture2DArray, cubeArray };
+enum class TextureTarget {
+    texture1D,
+    texture2D,
+    texture3D,
+    cube,
+    texture1DArray,
+    texture2DArray,
+    cubeArray,
+    rectangle  ///< 2D without levels, read by texel coordinates
+};
 
 /// A GLSL type: columns x rows of the base type. Vectors have one column; scalars have one row as well.
 struct ValueType {
     BaseType base = BaseType::floating;
     int columns = 1;
     int rows = 1;
-    /// The target that a sampler or image reads. Nothing for targets that scenes cannot fill (rectangles,
-    /// arrays of other textures, buffers).
+    /// The target that a sampler or image reads of a unit. Nothing for what no unit holds: arrays,
+    /// rectangles, samples, buffers.
     std::optional<TextureTarget> target{};
     std::string word{};  ///< the GLSL word, for messages: "vec3", "sampler2D"; empty for an unknown type
 

@@ -19,6 +19,10 @@ enum class Filter : std::uint8_t {
 /// What is read outside of 0..1.
 enum class Wrap : std::uint8_t { repeat, clampToEdge, mirroredRepeat, clampToBorder };
 
+constexpr bool repeats(Wrap wrap) {
+    return wrap == Wrap::repeat || wrap == Wrap::mirroredRepeat;
+}
+
 struct SamplerState {
     Filter filter = Filter::linear;  ///< for enlarging, the filter within a level
     std::array<Wrap, 3> wrap{};      ///< along s, t and p

@@ -25,7 +25,7 @@ enum class CommandId {
     // modern statements: rows of modern/statement_table.h
     let, set, material, group, endGroup, draw, repeat, endRepeat, when, elseBranch, endWhen,
     include, use, key, multMatrix, fps, camera,
-    namedTexture1D, namedTexture2D, namedTexture3D, textureArray, namedCubeMap, sampler,
+    namedTexture1D, namedTexture2D, namedTexture3D, textureArray1D, textureArray, textureRect, namedCubeMap, sampler,
     pass, endPass, fill, clearParts, viewport, scissor, state,
     instances, vertices, attribute, tessLevels,
     buffer, compute, dispatch, once, endOnce, step, endStep, expect,

@@ -219,7 +219,7 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"file-W05", "face dropped: vertex 912 does not exist"},
     {"file-W06", "'1.2.3' read as 1.2"},
     {"file-W07", "36 bytes match 2 float texels (1D) and 2 x 1 x 3 byte texels (3D); read as 1D"},
-    {"file-W08", "Texture1D uses the bottom row of a 256 x 16 picture"},
+    {"file-W08", "'ramp.png' is 256 x 16; 1D textures use the bottom row of a picture"},
     {"file-W09", "'noise3d.064.tex' not found; the built-in noise is used"},
     {"file-W10", "'noise3d.064.tex' does not hold 64 x 64 x 64 byte texels; it is ignored"},
     {"file-W11", "3 multipatch shapes skipped"},

@@ -49,10 +49,11 @@ Result<TexelBlock> fromPicture(Result<Image> read, int dimensions, const FileLab
     if (!read) return std::move(read.diagnostics);
     if (dimensions != 1) return {planeOf(*std::move(read.value)), std::move(read.diagnostics)};
     if (read->height > 1)
-        read.diagnostics.push_back(diagnose(
-            "file-W08",
-            fmt::format("Texture1D uses the bottom row of a {} x {} picture", read->width, read->height),
-            label.place));
+        read.diagnostics.push_back(
+            diagnose("file-W08",
+                     fmt::format("'{}' is {} x {}; 1D textures use the bottom row of a picture", label.name,
+                                 read->width, read->height),
+                     label.place));
     return {lineOf(*read), std::move(read.diagnostics)};
 }
 
@@ -113,13 +114,13 @@ struct Pictures {
 /// Reads all of them, so that the messages of all come together. `problemOf` says what is wrong with a
 /// picture after the first one, in the words of `command`, or nothing.
 template <class ProblemOf>
-Pictures readPictures(std::span<const fs::path> files, const char* command, const Place& place,
-                      const ReadOptions& options, ProblemOf problemOf) {
+Pictures readPictures(std::span<const fs::path> files, int dimensions, const char* command,
+                      const Place& place, const ReadOptions& options, ProblemOf problemOf) {
     Pictures all;
     std::uint64_t bytes = 0;
     ReadOptions rest = options;
     for (const fs::path& path : files) {
-        auto block = readTexture(path, 2, place, rest);
+        auto block = readTexture(path, dimensions, place, rest);
         append(all.remarks, std::move(block.diagnostics));
         if (!block) continue;
         const TexelBlock& first = all.blocks.empty() ? *block : all.blocks.front();
@@ -169,7 +170,7 @@ Result<TexelBlock> readCubeMap(std::span<const fs::path> six, const Place& place
                                const ReadOptions& options) {
     if (six.size() != 6)
         return diagnose("file-E06", fmt::format("CubeMap: expected 6 faces, found {}", six.size()), place);
-    Pictures faces = readPictures(six, "CubeMap", place, options, [](const auto& face, const auto& first) {
+    Pictures faces = readPictures(six, 2, "CubeMap", place, options, [](const auto& face, const auto& first) {
         return std::string(face.width != face.height || face.width != first.width
                                ? "all faces must be squares of equal size"
                                : "");
@@ -181,14 +182,15 @@ Result<TexelBlock> readCubeMap(std::span<const fs::path> six, const Place& place
     return {std::move(cube), std::move(faces.remarks)};
 }
 
-Result<TexelBlock> readLayers(std::span<const fs::path> files, const Place& place,
+Result<TexelBlock> readLayers(std::span<const fs::path> files, int dimensions, const Place& place,
                               const ReadOptions& options) {
-    Pictures layers = readPictures(files, "layers", place, options, [](const auto& layer, const auto& first) {
-        return layer.width == first.width && layer.height == first.height
-                   ? std::string()
-                   : fmt::format("the first one is {} x {}; all must have the same size", first.width,
-                                 first.height);
-    });
+    Pictures layers =
+        readPictures(files, dimensions, "layers", place, options, [](const auto& layer, const auto& first) {
+            return layer.width == first.width && layer.height == first.height
+                       ? std::string()
+                       : fmt::format("the first one is {} x {}; all must have the same size", first.width,
+                                     first.height);
+        });
     if (hasError(layers.remarks)) return std::move(layers.remarks);
     TexelBlock block;
     block.dimensions = 3;

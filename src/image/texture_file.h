@@ -25,10 +25,10 @@ Result<TexelBlock> readTexture(const std::filesystem::path& path, int dimensions
 Result<TexelBlock> readCubeMap(std::span<const std::filesystem::path> six, const Place& place = {},
                                const ReadOptions& options = {});
 
-/// Pictures, or raw 2D files, of equal size as the layers of an array or the slices of a 3D texture, the
-/// first one first; t = 0 first in each. If the types differ, all become the widest type. Errors: those of
-/// readTexture; file-E06 if the sizes differ.
-Result<TexelBlock> readLayers(std::span<const std::filesystem::path> files, const Place& place = {},
-                              const ReadOptions& options = {});
+/// Pictures, or raw files of `dimensions` (1 or 2), of equal size as the layers of an array or the slices of
+/// a 3D texture, the first one first; t = 0 first in each. If the types differ, all become the widest type.
+/// Errors: those of readTexture; file-E06 if the sizes differ.
+Result<TexelBlock> readLayers(std::span<const std::filesystem::path> files, int dimensions,
+                              const Place& place = {}, const ReadOptions& options = {});
 
 }  // namespace glibra::image

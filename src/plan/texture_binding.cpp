@@ -21,7 +21,8 @@ struct Dimension {
 constexpr Dimension kDimensions[] = {
     {"1D", TextureTarget::texture1D},           {"2D", TextureTarget::texture2D},
     {"3D", TextureTarget::texture3D},           {"Cube", TextureTarget::cube},
-    {"2DArray", TextureTarget::texture2DArray}, {"CubeArray", TextureTarget::cubeArray}};
+    {"1DArray", TextureTarget::texture1DArray}, {"2DArray", TextureTarget::texture2DArray},
+    {"CubeArray", TextureTarget::cubeArray},    {"2DRect", TextureTarget::rectangle}};
 
 std::optional<base::TexelFormat> formatOf(const scene::Texture& texture) {
     if (const auto* empty = std::get_if<scene::EmptySource>(&texture.source)) return empty->format;
@@ -37,9 +38,11 @@ BaseType texelsOf(const scene::Texture& texture) {
     return texelsOf(formatOf(texture));
 }
 
-/// What a shader sees of the view: a layer or face is 2D. Images also take a layer of a 3D texture.
+/// What a shader sees of the view: a layer or face is 2D, that of a 1D array 1D. Images also take a layer of
+/// a 3D texture.
 TextureTarget targetOf(const scene::Texture& texture, const scene::TextureView& view) {
-    return view.layer ? TextureTarget::texture2D : texture.target;
+    if (!view.layer || texture.target == TextureTarget::rectangle) return texture.target;
+    return scene::sideCount(texture.target) == 1 ? TextureTarget::texture1D : TextureTarget::texture2D;
 }
 
 /// "sampler2D", "uimage3D": the type that reads this view. `asFormat`: that of an image in place of the
@@ -49,22 +52,42 @@ std::string fittingWord(const scene::Texture& texture, const scene::TextureView&
     const BaseType texels = asFormat ? texelsOf(asFormat) : texelsOf(texture);
     std::string word = texels == BaseType::integer ? "i" : texels == BaseType::unsignedInteger ? "u" : "";
     word += isImage ? "image" : "sampler";
-    for (const Dimension& each : kDimensions)
-        if (each.target == targetOf(texture, view)) word += each.word;
+    const TextureTarget target = targetOf(texture, view);
     const auto format = formatOf(texture);
     const bool isDepth = format && hasDepth(*format);
     const bool mustReadSamples = texture.samples > 1 && (isDepth || texels != BaseType::floating);
-    if (mustReadSamples || (asked.isMultisampled && texture.samples > 1)) return word + "MS";
+    if (mustReadSamples || (asked.isMultisampled && texture.samples > 1))
+        return word + (target == TextureTarget::texture2DArray ? "2DMSArray" : "2DMS");
+    for (const Dimension& each : kDimensions)
+        if (each.target == target) word += each.word;
     if (asked.isShadow && isDepth) word += "Shadow";
     return word;
 }
 
+std::string_view wordsOf(TextureTarget target) {
+    switch (target) {
+        case TextureTarget::texture1D:
+            return "a 1D texture";
+        case TextureTarget::texture2D:
+            return "a 2D texture";
+        case TextureTarget::texture3D:
+            return "a 3D texture";
+        case TextureTarget::cube:
+            return "a cube map";
+        case TextureTarget::texture1DArray:
+            return "a 1D array";
+        case TextureTarget::texture2DArray:
+            return "a 2D array";
+        case TextureTarget::cubeArray:
+            return "an array of cube maps";
+        case TextureTarget::rectangle:
+            break;
+    }
+    return "a rectangle";
+}
+
 std::string describeView(const scene::Texture& texture, const scene::TextureView& view) {
-    std::string text(texture.target == TextureTarget::cube             ? "a cube map"
-                     : texture.target == TextureTarget::cubeArray      ? "an array of cube maps"
-                     : texture.target == TextureTarget::texture2DArray ? "a 2D array"
-                                                                       : "");
-    if (text.empty()) text = fmt::format("a {} texture", scene::wordOf(texture.target));
+    std::string text(wordsOf(texture.target));
     if (view.layer)
         text = fmt::format("a {} of {}", texture.target == TextureTarget::cubeArray ? "face" : "layer", text);
     if (const auto format = formatOf(texture)) text += fmt::format(" of {}", name(*format));
@@ -133,6 +156,14 @@ std::optional<Diagnostic> missingPart(const scene::Scene& scene, const BoundText
     return std::nullopt;
 }
 
+/// Rectangles have one level and do not repeat.
+void makeFitForRectangle(base::SamplerState& sampler) {
+    using enum base::Filter;
+    const bool isNearest = sampler.filter == nearestMipmapNearest || sampler.filter == nearestMipmapLinear;
+    if (sampler.readsMipmaps()) sampler.filter = isNearest ? nearest : linear;
+    std::replace_if(sampler.wrap.begin(), sampler.wrap.end(), base::repeats, base::Wrap::clampToEdge);
+}
+
 }  // namespace
 
 SamplerType samplerTypeOf(std::string_view word) {
@@ -156,10 +187,12 @@ SamplerType samplerTypeOf(std::string_view word) {
     };
     type.isBuffer = word == "Buffer";
     type.isShadow = takeEnd("Shadow");
-    type.isMultisampled = takeEnd("MS");
+    if (word == "2DMS" || word == "2DMSArray") {
+        type.isMultisampled = true;
+        type.target = word == "2DMS" ? TextureTarget::texture2D : TextureTarget::texture2DArray;
+    }
     for (const Dimension& each : kDimensions)
         if (each.word == word) type.target = each.target;
-    if (type.isMultisampled && type.target != TextureTarget::texture2D) type.target.reset();
     return type;
 }
 
@@ -233,6 +266,7 @@ void useNamed(const scene::Scene& scene, const scene::TextureView& view, const V
     }
     if (texture.target == TextureTarget::cube || texture.target == TextureTarget::cubeArray)
         use.sampler.wrap.fill(base::Wrap::clampToEdge);
+    if (texture.target == TextureTarget::rectangle) makeFitForRectangle(use.sampler);
 }
 
 std::optional<base::TexelFormat> texelsOfType(std::string_view type) {

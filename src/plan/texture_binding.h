@@ -11,7 +11,7 @@ namespace glibra::plan {
 
 /// What a sampler or image of a GLSL type reads.
 struct SamplerType {
-    /// Nothing for types that no texture of a scene fits: buffers, rectangles.
+    /// Nothing for types that no texture of a scene fits, as buffers.
     std::optional<scene::TextureTarget> target{};
     bool isBuffer = false;
     bool isMultisampled = false;

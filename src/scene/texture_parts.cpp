@@ -5,6 +5,16 @@
 
 namespace glibra::scene {
 
+bool isArray(TextureTarget target) {
+    return target == TextureTarget::texture1DArray || target == TextureTarget::texture2DArray ||
+           target == TextureTarget::cubeArray;
+}
+
+std::size_t sideCount(TextureTarget target) {
+    if (target == TextureTarget::texture1D || target == TextureTarget::texture1DArray) return 1;
+    return target == TextureTarget::texture3D ? 3 : 2;
+}
+
 std::optional<int> levelsOf(const Texture& texture) {
     const auto* empty = std::get_if<EmptySource>(&texture.source);
     if (empty == nullptr) {
@@ -15,7 +25,7 @@ std::optional<int> levelsOf(const Texture& texture) {
     const int wanted = texture.hasMipmaps && texture.levels == 1 ? 0 : texture.levels;
     if (wanted > 0) return wanted;
     const int depth = texture.target == TextureTarget::texture3D ? empty->depth : 1;
-    const int height = texture.target == TextureTarget::texture1D ? 1 : empty->height;
+    const int height = sideCount(texture.target) > 1 ? empty->height : 1;
     return static_cast<int>(
         std::bit_width(static_cast<unsigned>(std::max({1, empty->width, height, depth}))));
 }
@@ -25,10 +35,9 @@ std::optional<std::array<int, 3>> sizeOfLevel(const Texture& texture, int level)
     if (empty == nullptr) return std::nullopt;
     const auto smaller = [&](int side) { return std::max(1, side >> std::clamp(level, 0, 30)); };
     std::array<int, 3> size{smaller(empty->width), smaller(empty->height), 1};
-    if (texture.target == TextureTarget::texture1D) size[1] = 1;
+    if (sideCount(texture.target) == 1) size[1] = 1;
     if (texture.target == TextureTarget::cube) size[2] = 6;
-    if (texture.target == TextureTarget::texture2DArray || texture.target == TextureTarget::cubeArray)
-        size[2] = std::max(1, empty->depth);
+    if (isArray(texture.target)) size[2] = std::max(1, empty->depth);
     if (texture.target == TextureTarget::texture3D) size[2] = smaller(empty->depth);
     return size;
 }
@@ -70,6 +79,10 @@ std::string_view wordOf(TextureTarget target) {
             return "cube";
         case TextureTarget::cubeArray:
             return "cubeArray";
+        case TextureTarget::rectangle:
+            return "rectangle";
+        case TextureTarget::texture1DArray:
+            return "1DArray";
         case TextureTarget::texture2DArray:
             break;
     }

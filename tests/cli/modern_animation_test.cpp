@@ -210,6 +210,50 @@ Expect pixel 3 28 [0 0 0]
     EXPECT_EQ(readFile(folder / "old.png"), readFile(folder / "new.png"));
 }
 
+TEST(WithoutCompute, ArraysOfSamplesAnd1DTexturesAndRectanglesAreNotMissing) {
+    const Folder folder;
+    folder.write("scene.glib", R"(WindowSize 32 32
+Fragment inline
+#version 410 core
+uniform float uRed;
+out vec4 fColor;
+void main() { fColor = vec4(uRed, float(gl_SampleID) / 3., gl_FragCoord.x / 8., 1); }
+EndFragment
+Program Paint
+Texture1DArray ramps 8 3 rgba8 nearest history
+Texture2DArray soft 8 8 2 rgba8 samples 4 history
+TextureRect rect 8 8 rgba8 nearest history
+Repeat 3 as n
+    Fill ramps.layer(n) with Paint uRed (n/2)
+EndRepeat
+Fill soft.layer(1) with Paint uRed .5
+Fill rect with Paint uRed .75
+Fragment inline
+#version 410 core
+uniform sampler1DArray ramps;
+uniform sampler2DArray soft;
+uniform sampler2DMSArray uSamples;
+uniform sampler2DRect rect;
+in vec2 vST;
+out vec4 fColor;
+void main() {
+    fColor = vec4(texture(ramps, vec2(vST.x, 2)).b, texture(soft, vec3(vST, 1)).g,
+                  texelFetch(uSamples, ivec3(1, 1, 1), 3).g * texture(rect, vec2(2.5, 6)).r, 1);
+}
+EndFragment
+Program Show uSamples soft
+Fill window with Show
+Expect pixel 1 1 [.0625 .5 .75] within .003
+Expect pixel 30 1 [.9375 .5 .75] within .003
+Expect mean 0 0 8 1 [.5 0 .5] of ramps.layer(1) within .003
+)");
+    const Finished old = glibra(folder.path(), "check --run scene.glib", kOld);
+    EXPECT_EQ(old.status, 0) << old.err;
+    ASSERT_EQ(glibra(folder.path(), "render scene.glib -o old.png", kOld).status, 0);
+    ASSERT_EQ(glibra(folder.path(), "render scene.glib -o new.png").status, 0);
+    EXPECT_EQ(readFile(folder / "old.png"), readFile(folder / "new.png"));
+}
+
 TEST(WithoutCompute, TheOtherShotsOfASuiteGoOn) {
     const Folder folder;
     folder.write("life.glib", kLife);

@@ -36,6 +36,35 @@ std::array<int, 3> pixel(const image::Image& image, int x, int y) {
             std::to_integer<int>(row[first + 2])};
 }
 
+TEST(Save, WritesLayersOf1DArraysRectanglesAndMeansOfSamples) {
+    const Folder folder;
+    folder.write("a.glib", R"(WindowSize 4 4
+Texture1DArray rows 4 2 rgba8
+TextureRect rect 4 2 rgba8
+Texture2DArray soft 4 2 2 rgba8 samples 4
+Pass rows.layer(1) clear {1 0 .2 1}
+EndPass
+Pass rect clear {1 0 .2 1}
+EndPass
+Pass soft.layer(1) clear {1 0 .2 1}
+EndPass
+)");
+    const Finished run = glibra(folder.path(),
+                                "render a.glib -o a.png --save 'rows.layer(1)=row.png' --save rect=rect.png "
+                                "--save 'soft.layer(1)=soft.png'");
+    ASSERT_EQ(run.status, 0) << run.err;
+    for (const char* name : {"row.png", "rect.png", "soft.png"}) {
+        const auto saved = image::readImage(folder / name);
+        ASSERT_TRUE(saved) << name;
+        EXPECT_EQ(saved->width, 4) << name;
+        EXPECT_EQ(saved->height, name == std::string_view("row.png") ? 1 : 2) << name;
+        EXPECT_EQ(pixel(*saved, 3, 0), (std::array{255, 0, 51})) << name;
+    }
+    EXPECT_NE(glibra(folder.path(), "render a.glib -o a.png --save rows=rows.png")
+                  .err.find("it has 2 layers; name one, as rows.layer(0)"),
+              std::string::npos);
+}
+
 TEST(Save, WritesTexturesAndTheirParts) {
     const Folder folder;
     folder.write("a.glib", kSaveScene);

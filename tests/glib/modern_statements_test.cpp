@@ -144,6 +144,9 @@ TEST(ModernTextures, NameInPlaceOfAUnit) {
     EXPECT_EQ(only("CubeMap sky panorama.hdr").values.size(), 2U);
     EXPECT_EQ(only("CubeMap sky 256 rgba16f").values.size(), 3U);
     EXPECT_EQ(only("Texture2DArray maps 512 512 4 depth32f").id, CommandId::textureArray);
+    EXPECT_EQ(only("Texture1DArray ramps 64 4 rgba8 linear").id, CommandId::textureArray1D);
+    EXPECT_EQ(only("Texture1DArray ramps a.png b.png c.png").values.size(), 4U);
+    EXPECT_EQ(only("TextureRect grid 64 32 r32f nearest border").id, CommandId::textureRect);
     EXPECT_EQ(placedMessageOf("Texture2D t a.bmp nearest linear"),
               "1:27 glib-E18 Texture2D: 'linear' contradicts 'nearest'");
     EXPECT_EQ(placedMessageOf("Texture2D t a.bmp aniso 1 aniso 2"),

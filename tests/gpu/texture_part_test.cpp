@@ -51,16 +51,22 @@ TEST_F(TexturePartTest, LevelsHalveDownToOneTexel) {
     EXPECT_EQ(mostLevels(TextureShape::array2D, {8, 3, 32}), 4) << "layers stay";
     EXPECT_EQ(sizeOfLevel(TextureShape::texture2D, {8, 3, 1}, 2), (TextureSize{2, 1, 1}));
     EXPECT_EQ(sizeOfLevel(TextureShape::array2D, {8, 3, 5}, 1), (TextureSize{4, 1, 5}));
+    EXPECT_EQ(sizeOfLevel(TextureShape::array1D, {8, 1, 5}, 1), (TextureSize{4, 1, 5}));
+    EXPECT_EQ(mostLevels(TextureShape::array1D, {8, 1, 32}), 4);
+    EXPECT_EQ(mostLevels(TextureShape::rectangle, {8, 3, 1}), 1);
+    EXPECT_EQ(mostLevels(TextureShape::multisampledArray, {8, 3, 4}), 1);
     EXPECT_FALSE(Texture::create(driver(), {TextureShape::texture2D, TexelFormat::rgba8, {8, 8}, 5}));
     EXPECT_FALSE(Texture::create(driver(), {TextureShape::texture2D, TexelFormat::rgba8, {8, 8}, 0}));
 }
 
 TEST_F(TexturePartTest, NewTexturesAreZeroInEveryLevelAndLayer) {
-    for (const TextureShape shape : {TextureShape::texture1D, TextureShape::texture2D,
-                                     TextureShape::texture3D, TextureShape::array2D, TextureShape::cube})
+    for (const TextureShape shape :
+         {TextureShape::texture1D, TextureShape::texture2D, TextureShape::texture3D, TextureShape::array1D,
+          TextureShape::array2D, TextureShape::cube, TextureShape::rectangle})
         for (const TexelFormat format : {TexelFormat::rgba8, TexelFormat::r32f, TexelFormat::rgba8_snorm}) {
-            const Texture texture = make({shape, format, {8, 8, 4}, 3});
-            for (int level = 0; level < 3; ++level)
+            const int levels = shape == TextureShape::rectangle ? 1 : 3;
+            const Texture texture = make({shape, format, {8, 8, 4}, levels});
+            for (int level = 0; level < levels; ++level)
                 for (const float each : reds(texture, level)) ASSERT_EQ(each, 0);
         }
 }
@@ -94,6 +100,21 @@ TEST_F(TexturePartTest, AWholeCubeOrArrayIsLayered) {
         clearTo({&texture}, {1, 0, 0, 1});
         EXPECT_EQ(reds(texture), std::vector<float>(96, 1));
     }
+}
+
+TEST_F(TexturePartTest, LayersOf1DArraysHaveOneRow) {
+    const Texture texture = make({TextureShape::array1D, TexelFormat::r16f, {4, 9, 3}});
+    EXPECT_EQ(texture.size(), (TextureSize{4, 1, 3}));
+    for (int layer = 0; layer < 3; ++layer) clearTo({&texture, 0, layer}, {layer + 1., 0, 0, 0});
+    EXPECT_EQ(reds(texture), (std::vector<float>{1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3}));
+    EXPECT_TRUE(TexturePart{&texture}.isLayered());
+    clearTo({&texture}, {7, 0, 0, 0});
+    EXPECT_EQ(reds(texture), std::vector<float>(12, 7));
+    if (!driver().atLeast(4, 3)) return;
+    const auto part = texture.view(std::nullopt, 1);
+    ASSERT_TRUE(part) << test::text(part.diagnostics);
+    EXPECT_EQ(part->shape(), TextureShape::texture1D);
+    EXPECT_EQ(reds(*part), std::vector<float>(4, 7));
 }
 
 TEST_F(TexturePartTest, TheGeometryStageChoosesTheLayer) {
@@ -171,20 +192,22 @@ TEST_F(TexturePartTest, LevelsAreUploadedOneByOneAndMipmapsAreMeans) {
 }
 
 TEST_F(TexturePartTest, CopiesAreEqualThroughBothWays) {
-    for (const TextureShape shape : {TextureShape::texture1D, TextureShape::texture2D,
-                                     TextureShape::texture3D, TextureShape::array2D, TextureShape::cube}) {
-        const Texture from = make({shape, TexelFormat::r32f, {4, 4, 2}, 2});
-        for (int level = 0; level < 2; ++level)
+    for (const TextureShape shape :
+         {TextureShape::texture1D, TextureShape::texture2D, TextureShape::texture3D, TextureShape::array1D,
+          TextureShape::array2D, TextureShape::cube, TextureShape::rectangle}) {
+        const int levels = shape == TextureShape::rectangle ? 1 : 2;
+        const Texture from = make({shape, TexelFormat::r32f, {4, 4, 2}, levels});
+        for (int level = 0; level < levels; ++level)
             for (int layer = 0; layer < from.layers(level); ++layer)
                 clearTo({&from, level, layer}, {10. * level + layer + 1, 0, 0, 0});
         Capabilities old = driver();
         old.major = 4;
         old.minor = 1;
         for (const Capabilities& driver : {GpuTest::driver(), old}) {
-            Texture to = make({shape, TexelFormat::r32f, {4, 4, 2}, 2});
+            Texture to = make({shape, TexelFormat::r32f, {4, 4, 2}, levels});
             const Diagnostics problems = copyTexture(driver, from, to);
             EXPECT_TRUE(problems.empty()) << test::text(problems);
-            for (int level = 0; level < 2; ++level) EXPECT_EQ(reds(to, level), reds(from, level));
+            for (int level = 0; level < levels; ++level) EXPECT_EQ(reds(to, level), reds(from, level));
         }
     }
     const Texture from = make({TextureShape::texture2D, TexelFormat::r32f, {4, 4}});
@@ -261,6 +284,32 @@ void main() {
     ASSERT_TRUE(mean);
     texture.bind(0);
     EXPECT_EQ(shade(*mean).at(0), (Rgba{5, 0, 0, 10}));
+}
+
+TEST_F(TexturePartTest, EachLayerOfAMultisampledArrayIsResolved) {
+    Capabilities old = driver();
+    old.major = 4;
+    old.minor = 1;
+    for (const Capabilities& capabilities : {GpuTest::driver(), old}) {
+        const auto made = Texture::create(
+            capabilities, {TextureShape::multisampledArray, TexelFormat::r32f, {2, 2, 3}, 1, 4});
+        ASSERT_TRUE(made) << test::text(made.diagnostics);
+        const Texture& texture = *made;
+        EXPECT_EQ(texture.samples(), 4);
+        for (int layer = 0; layer < 3; ++layer) clearTo({&texture, 0, layer}, {layer + 1., 0, 0, 0});
+        const Texture single = make({TextureShape::array2D, TexelFormat::r32f, {2, 2, 3}});
+        resolveSamples(texture, single);
+        EXPECT_EQ(reds(single), (std::vector<float>{1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3}));
+        auto copy = Texture::create(capabilities,
+                                    {TextureShape::multisampledArray, TexelFormat::r32f, {2, 2, 3}, 1, 4});
+        ASSERT_TRUE(copy) << test::text(copy.diagnostics);
+        EXPECT_TRUE(copyTexture(capabilities, texture, *copy).empty());
+        clearTo({&texture}, {9, 0, 0, 0});
+        resolveSamples(texture, single);
+        EXPECT_EQ(reds(single), std::vector<float>(12, 9));
+        resolveSamples(*copy, single);
+        EXPECT_EQ(reds(single), (std::vector<float>{1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3}));
+    }
 }
 
 TEST_F(TexturePartTest, PartsThatDoNotFitTogetherAreRefused) {

@@ -177,6 +177,9 @@ TEST_F(TextureTest, EmptyTexturesAreTransparentBlackEverywhere) {
     const std::vector<Case> cases{{TextureShape::texture1D, {7}, {GL_TEXTURE_1D}},
                                   {TextureShape::texture2D, {7, 5}, {GL_TEXTURE_2D}},
                                   {TextureShape::texture3D, {4, 3, 5}, {GL_TEXTURE_3D}},
+                                  {TextureShape::array1D, {5, 1, 3}, {GL_TEXTURE_1D_ARRAY}},
+                                  {TextureShape::array2D, {4, 3, 5}, {GL_TEXTURE_2D_ARRAY}},
+                                  {TextureShape::rectangle, {7, 5}, {GL_TEXTURE_RECTANGLE}},
                                   {TextureShape::cube, {6, 6}, faces}};
     for (const Case& each : cases)
         for (const TexelFormat format : {TexelFormat::rgba8, TexelFormat::rgba16f, TexelFormat::rgba32f}) {

@@ -160,7 +160,7 @@ TEST_F(TextureFile, A1DTextureIsThePicturesBottomRow) {
     const auto read = readTexture(picture("a.png"), 1, kTexturePlace);
     ASSERT_TRUE(read);
     ASSERT_EQ(idsOf(read.diagnostics), "file-W08");
-    EXPECT_EQ(read.diagnostics[0].text, "Texture1D uses the bottom row of a 2 x 3 picture");
+    EXPECT_EQ(read.diagnostics[0].text, "'a.png' is 2 x 3; 1D textures use the bottom row of a picture");
     EXPECT_EQ(read->dimensions, 1);
     EXPECT_EQ(read->height, 1);
     EXPECT_EQ(reds(*read), (std::vector<int>{20, 21}));

@@ -43,7 +43,9 @@ GLenum CompatibilityTextures::targetOf(scene::TextureIndex index) const {
             return GL_TEXTURE_3D;
         case scene::TextureTarget::texture2DArray:
             return GL_TEXTURE_2D_ARRAY;
-        case scene::TextureTarget::cubeArray:  // no classic scene has one
+        case scene::TextureTarget::texture1DArray:  // no classic scene has these
+        case scene::TextureTarget::rectangle:
+        case scene::TextureTarget::cubeArray:
         case scene::TextureTarget::cube:
             break;
     }

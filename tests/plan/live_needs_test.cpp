@@ -144,11 +144,16 @@ TEST(SamplerTypes, AreReadFromTheirWords) {
     EXPECT_EQ(samplerTypeOf("iimage3D").texels, BaseType::integer);
     EXPECT_EQ(samplerTypeOf("image2D").texels, BaseType::floating);
     EXPECT_EQ(samplerTypeOf("samplerCubeArray").target, TextureTarget::cubeArray);
+    EXPECT_EQ(samplerTypeOf("sampler1DArrayShadow").target, TextureTarget::texture1DArray);
+    EXPECT_EQ(samplerTypeOf("usampler2DRect").target, TextureTarget::rectangle);
+    const SamplerType layeredSamples = samplerTypeOf("isampler2DMSArray");
+    EXPECT_EQ(layeredSamples.target, TextureTarget::texture2DArray);
+    EXPECT_TRUE(layeredSamples.isMultisampled);
     const SamplerType buffer = samplerTypeOf("isamplerBuffer");
     EXPECT_TRUE(buffer.isBuffer);
     EXPECT_FALSE(buffer.target);
     EXPECT_EQ(buffer.texels, BaseType::integer);
-    EXPECT_FALSE(samplerTypeOf("sampler1DArray").target);
+    EXPECT_FALSE(samplerTypeOf("atomic_uint").target);
 }
 
 TEST(BoundTextures, GetUnitsOfTheirOwn) {

@@ -96,6 +96,10 @@ constexpr Specimen kSpecimens[] = {
     {"Texture2D many 16 8 rgba8 samples 4", "Pass many\n    Box\nEndPass\n"},
     {"Texture3D fog 8 8 8 r8 mipmap generate border {1 0 0 1}", "Set uMap fog\nBox\n"},
     {"Texture2DArray layers 8 8 6 rgba8 aniso 4", "Pass layers.layer(2)\n    Box\nEndPass\n"},
+    {"Texture2DArray soft 8 8 3 rgba8 samples 4", "Pass soft.layer(2)\n    Box\nEndPass\n"},
+    {"Texture1DArray ramps 16 4 rgba8 linear clamp",
+     "Pass ramps.layer(3)\n    Box (ramps.size.y)\nEndPass\n"},
+    {"TextureRect rect 16 8 rgba8 nearest border {1 0 0 1}", "Pass rect\n    Box (rect.size.x)\nEndPass\n"},
     {"CubeMap room 16 rgba8", "Pass room.face(1)\n    Box\nEndPass\nSet uMap room\n"},
     {"Sampler crisp nearest clamp aniso 2", "Set uMap albedo.crisp\nBox\n"},
     {"Pass albedo second shadow from sun clear {1 0 0 1} depth .5 stencil 3", "    Box\nEndPass\n"},
@@ -349,9 +353,11 @@ TEST_F(Statements, ReportANumberOutOfRangeAtMostOnce) {
             }
         }
     }
-    for (const char* word : {"Fps", "Camera", "Texture1D", "Texture2D", "Texture3D", "Texture2DArray",
-                             "CubeMap", "Sampler", "Pass", "Viewport", "Scissor", "State", "Instances",
-                             "Vertices", "Buffer", "Dispatch", "Step", "Expect"})
+    for (const char* word : {"Fps",       "Camera",         "Texture1D",      "Texture2D",
+                             "Texture3D", "Texture1DArray", "Texture2DArray", "TextureRect",
+                             "CubeMap",   "Sampler",        "Pass",           "Viewport",
+                             "Scissor",   "State",          "Instances",      "Vertices",
+                             "Buffer",    "Dispatch",       "Step",           "Expect"})
         EXPECT_TRUE(reported.contains(word)) << word;
 }
 

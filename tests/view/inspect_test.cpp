@@ -157,6 +157,41 @@ TEST(Texels, OfNamedTexturesAreThoseOfALevelALayerOrTheResolvedSamples) {
     EXPECT_EQ(titles[5], "soft: 2D, 8 x 8, rgba8, 4 samples, line 5");
 }
 
+TEST(Texels, OfArraysOf1DTexturesRectanglesAndArraysOfSamples) {
+    const SceneFolder folder(
+        "WindowSize 16 16\nTexture1DArray rows 8 3 r32f\nTextureRect rect 8 4 r32f\n"
+        "Texture2DArray soft 8 4 2 r32f samples 4\n"
+        "Fragment x.frag\nProgram X\nFragment show.frag\nProgram Show\n"
+        "Fill rows.layer(1) with X\nFill rect with X\nFill soft.layer(1) with X\nFill window with Show\n",
+        {{"x.frag", "#version 330\nout vec4 c;\nvoid main() { c = vec4(floor(gl_FragCoord.x)); }\n"},
+         {"show.frag",
+          "#version 330\nuniform sampler1DArray rows; uniform sampler2DRect rect; uniform sampler2DArray "
+          "soft;\n"
+          "out vec4 c;\nvoid main() { c = texture(rows, vec2(.5)) + texture(rect, vec2(1)) + "
+          "texture(soft, vec3(.5)); }\n"}});
+    Session session(context(), {});
+    ASSERT_TRUE(session.open(folder.scene()));
+    ASSERT_FALSE(hasError(session.diagnostics())) << text(session.diagnostics());
+    session.drawIfNeeded();
+    const scene::Scene& scene = session.live().scene();
+    const auto content = [&](std::size_t texture, std::optional<int> layer) {
+        return render::contentOf(*session.live().completed(scene::TextureIndex(texture), false), 0, layer)
+            .value.value_or(render::Content{});
+    };
+    const render::Content row = content(2, 1);
+    EXPECT_EQ(std::pair(row.width, row.height), std::pair(8, 1));
+    EXPECT_EQ(row.at(5)[0], 5);
+    EXPECT_EQ(content(2, 0).at(5)[0], 0);
+    EXPECT_EQ(content(3, {}).at(8 + 3)[0], 3);
+    EXPECT_EQ(content(4, 1).at(6)[0], 6) << "samples are resolved";
+    std::vector<std::string> titles;
+    for (const std::size_t each : {2U, 3U, 4U})
+        titles.push_back(view::textureTitle(scene, scene::TextureIndex(each)));
+    EXPECT_EQ(titles[0], "rows: 1D array, 8 x 3, r32f, line 2");
+    EXPECT_EQ(titles[1], "rect: rectangle, 8 x 4, r32f, line 3");
+    EXPECT_EQ(titles[2], "soft: 2D array, 8 x 4 x 2, r32f, 4 samples, line 4");
+}
+
 TEST(FrameCost, CountsFramesDrawsAndVertices) {
     const SceneFolder folder(kTwoPasses, kPassFiles);
     Session session(context(), {});

@@ -76,6 +76,7 @@ void readSizes(Capabilities& driver) {
     driver.maxArrayLayers = integerOf(GL_MAX_ARRAY_TEXTURE_LAYERS);
     driver.maxBufferTexels = integerOf(GL_MAX_TEXTURE_BUFFER_SIZE);
     driver.maxCubeSide = integerOf(GL_MAX_CUBE_MAP_TEXTURE_SIZE);
+    driver.maxRectangleSide = integerOf(GL_MAX_RECTANGLE_TEXTURE_SIZE);
     driver.maxRenderbufferSide = integerOf(GL_MAX_RENDERBUFFER_SIZE);
     std::array<GLint, 2> viewport{};
     glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport.data());

@@ -23,6 +23,7 @@ struct Capabilities {
     int max2DTextureSide = 0;
     int max3DTextureSide = 0;
     int maxCubeSide = 0;
+    int maxRectangleSide = 0;
     int maxArrayLayers = 256;
     int maxBufferTexels = 65536;  ///< of a buffer that is read as a texture
     int maxRenderbufferSide = 0;

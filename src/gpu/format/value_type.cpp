@@ -13,7 +13,7 @@ using enum base::BaseType;
 using enum base::TextureTarget;
 
 using Target = std::optional<base::TextureTarget>;
-constexpr Target kNone = std::nullopt;  // scenes have no such textures
+constexpr Target kNone = std::nullopt;  // no unit of a scene holds such textures
 
 struct Row {
     GLenum type;

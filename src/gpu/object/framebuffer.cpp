@@ -59,14 +59,17 @@ void attachTexture(GLenum framebufferTarget, GLenum point, const TexturePart& pa
         case TextureShape::texture1D:
             return glFramebufferTexture1D(framebufferTarget, point, GL_TEXTURE_1D, texture.id(), part.level);
         case TextureShape::texture3D:
+        case TextureShape::array1D:
         case TextureShape::array2D:
         case TextureShape::cubeArray:
+        case TextureShape::multisampledArray:
             return glFramebufferTextureLayer(framebufferTarget, point, texture.id(), part.level, layer);
         case TextureShape::cube:
             return glFramebufferTexture2D(framebufferTarget, point,
                                           GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(layer),
                                           texture.id(), part.level);
         case TextureShape::texture2D:
+        case TextureShape::rectangle:
         case TextureShape::multisampled:
             return glFramebufferTexture2D(framebufferTarget, point, glTarget(texture.shape()), texture.id(),
                                           part.level);

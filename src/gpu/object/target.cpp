@@ -133,10 +133,13 @@ Result<Target> Target::parts(const Capabilities& capabilities, std::span<const T
     if (depth) {
         depthAttachment = *depth;
     } else if (first.isLayered()) {
+        // 3D textures hold no depth; all other shapes are drawn with depth of their own shape.
         const TextureShape drawn = first.texture->shape();
-        const TextureShape shape = isCube(drawn) ? drawn : TextureShape::array2D;
+        const TextureShape shape = drawn == TextureShape::texture3D ? TextureShape::array2D : drawn;
         const int layers = shape == TextureShape::cube ? 1 : first.texture->layers(first.level);
-        auto own = Texture::create(capabilities, {shape, implicitFormat, {size.width, size.height, layers}});
+        auto own = Texture::create(
+            capabilities,
+            {shape, implicitFormat, {size.width, size.height, layers}, 1, first.texture->samples()});
         if (!own) return own.diagnostics;
         target.layeredDepth_ = kept(std::move(*own));
         depthAttachment = TexturePart{target.layeredDepth_.get()};

@@ -31,9 +31,9 @@ void toWholeSteps(std::vector<std::byte>& texels, const base::TexelFormatRow& ro
 Result<Texture> Texture::make(const Capabilities& capabilities, TextureLayout layout) {
     TextureSize& size = layout.size;
     const TextureShape shape = layout.shape;
-    if (shape == TextureShape::texture1D) size.height = 1;
+    if (shapeOfLayer(shape) == TextureShape::texture1D) size.height = 1;
     if (shape != TextureShape::texture3D && !isArray(shape)) size.depth = 1;
-    if (shape != TextureShape::multisampled) layout.samples = 1;
+    if (!isMultisampled(shape)) layout.samples = 1;
     const std::string what = describe(shape, layout.format, size);
     const int largest = largestSide(capabilities, shape);
     if (size.width < 1 || size.height < 1 || size.depth < 1)
@@ -51,7 +51,7 @@ Result<Texture> Texture::make(const Capabilities& capabilities, TextureLayout la
     if (layout.levels < 1 || layout.levels > most)
         return diagnose("gpu-E04", what + " has 1 to " + std::to_string(most) + " levels, not " +
                                        std::to_string(layout.levels));
-    if (shape == TextureShape::multisampled) {
+    if (isMultisampled(shape)) {
         const int samples = useOf(capabilities, layout.format).samples;
         if (samples < 2)
             return diagnose("gpu-E04", what + ": this driver has no multisampled textures of that format");
@@ -71,7 +71,7 @@ Result<Texture> Texture::make(const Capabilities& capabilities, TextureLayout la
     const GLenum target = glTarget(shape);
     glBindTexture(target, name);
     allocate(capabilities, layout);
-    if (shape == TextureShape::multisampled) {
+    if (isMultisampled(shape)) {
         GLint samples = 0;
         glGetTexLevelParameteriv(target, 0, GL_TEXTURE_SAMPLES, &samples);
         texture.samples_ = std::max(1, samples);
@@ -112,7 +112,7 @@ Diagnostics Texture::upload(int level, const Texels& texels) {
     const std::uint64_t needed =
         texelCount(shape_, size) * static_cast<std::uint64_t>(texels.components) * bytesOf(texels.type);
     if (level < 0 || level >= levels_ || texels.components < 1 || texels.components > 4 ||
-        needed != texels.data.size() || shape_ == TextureShape::multisampled)
+        needed != texels.data.size() || isMultisampled(shape_))
         return {diagnose("gpu-E03", describe(shape_, format_, size) + " takes " + std::to_string(needed) +
                                         " bytes of texels, not " + std::to_string(texels.data.size()))};
     clearErrors();
@@ -135,8 +135,7 @@ void Texture::generateMipmaps() {
 
 Result<std::vector<std::byte>> Texture::read(int level, int components, TexelType type) const {
     const TextureSize size = sizeOfLevel(shape_, size_, level);
-    if (level < 0 || level >= levels_ || components < 1 || components > 4 ||
-        shape_ == TextureShape::multisampled)
+    if (level < 0 || level >= levels_ || components < 1 || components > 4 || isMultisampled(shape_))
         return diagnose("gpu-E03", describe(shape_, format_, size) + " cannot be read as level " +
                                        std::to_string(level) + " with " + std::to_string(components) +
                                        " components");
@@ -181,7 +180,7 @@ Result<Texture> Texture::view(std::optional<int> level, std::optional<int> layer
     GLuint name = 0;
     glGenTextures(1, &name);
     part.name_ = Name<deleteTexture>(name);
-    part.shape_ = layer && (isArray(shape_) || isCube(shape_)) ? TextureShape::texture2D : shape_;
+    part.shape_ = layer ? shapeOfLayer(shape_) : shape_;
     part.format_ = format_;
     part.size_ = sizeOfLevel(shape_, size_, level.value_or(0));
     if (layer) part.size_.depth = 1;
@@ -196,7 +195,7 @@ Result<Texture> Texture::view(std::optional<int> level, std::optional<int> layer
     if (const GLenum code = takeError(); code != GL_NO_ERROR) return allocationError(code, what);
     glActiveTexture(kWorkUnit);
     glBindTexture(glTarget(part.shape_), name);
-    if (part.shape_ != TextureShape::multisampled)
+    if (!isMultisampled(part.shape_))
         glTexParameteri(glTarget(part.shape_), GL_TEXTURE_MAX_LEVEL, part.levels_ - 1);
     return part;
 }
@@ -207,7 +206,7 @@ void Texture::copyLayer(const Texture& from, int level, int layer) {
 }
 
 void Texture::showLevels(int first, int count) const {
-    if (shape_ == TextureShape::multisampled) return;
+    if (isMultisampled(shape_)) return;
     glActiveTexture(kWorkUnit);
     glBindTexture(glTarget(shape_), id());
     glTexParameteri(glTarget(shape_), GL_TEXTURE_BASE_LEVEL, first);

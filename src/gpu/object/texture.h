@@ -53,8 +53,8 @@ class Texture {
     /// Reads a whole level, laid out like Texels. Formats with stencil give their depth.
     [[nodiscard]] Result<std::vector<std::byte>> read(int level, int components, TexelType type) const;
 
-    /// A texture that shows one level of this one, or all, and one layer or face, or all; a layer or face is
-    /// 2D. Both share their texels. Needs GL 4.3. Not for a layer of a 3D texture.
+    /// A texture that shows one level of this one, or all, and one layer or face, or all. A layer or face is
+    /// 2D, that of a 1D array 1D. Both share their texels. Needs GL 4.3. Not for a layer of a 3D texture.
     [[nodiscard]] Result<Texture> view(std::optional<int> level, std::optional<int> layer) const;
     /// Copies a layer of a level of `from`, which has the size and format of this 2D texture. Needs GL 4.3.
     void copyLayer(const Texture& from, int level, int layer);
@@ -94,8 +94,8 @@ class Texture {
 /// Copies all texels between textures with equal layouts. Reports gpu-E03 for unequal ones.
 Diagnostics copyTexture(const Capabilities& capabilities, const Texture& from, Texture& to);
 
-/// Averages the samples of a multisampled texture into a 2D texture of the same format and size. Not for
-/// integers and depth. The scissor test must be off.
+/// Averages the samples of a multisampled texture into a 2D texture or array of the same format and size. Not
+/// for integers and depth. The scissor test must be off.
 void resolveSamples(const Texture& from, const Texture& to);
 
 }  // namespace glibra::gpu

@@ -79,7 +79,7 @@ void Texture::clear(const Capabilities& capabilities) {
                 });
         return;
     }
-    if (shape_ == TextureShape::multisampled) return;
+    if (isMultisampled(shape_)) return;
     glActiveTexture(kWorkUnit);
     glBindTexture(glTarget(shape_), id());
     for (int level = 0; level < levels_; ++level) {
@@ -120,12 +120,14 @@ Diagnostics copyTexture(const Capabilities& capabilities, const Texture& from, T
 
 void resolveSamples(const Texture& from, const Texture& to) {
     const FramebufferBindings bindings;
-    const auto [width, height, depth] = from.size();
-    withAttached(GL_READ_FRAMEBUFFER, from, 0, 0, [&] {
-        withAttached(GL_DRAW_FRAMEBUFFER, to, 0, 0, [&, w = width, h = height] {
-            glBlitFramebuffer(0, 0, w, h, 0, 0, w, h, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    const TextureSize size = from.size();
+    for (int layer = 0; layer < from.layers(); ++layer)
+        withAttached(GL_READ_FRAMEBUFFER, from, 0, layer, [&] {
+            withAttached(GL_DRAW_FRAMEBUFFER, to, 0, layer, [&] {
+                glBlitFramebuffer(0, 0, size.width, size.height, 0, 0, size.width, size.height,
+                                  GL_COLOR_BUFFER_BIT, GL_NEAREST);
+            });
         });
-    });
 }
 
 }  // namespace glibra::gpu

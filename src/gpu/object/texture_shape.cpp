@@ -13,16 +13,28 @@ GLenum glTarget(TextureShape shape) {
             return GL_TEXTURE_2D;
         case TextureShape::texture3D:
             return GL_TEXTURE_3D;
+        case TextureShape::array1D:
+            return GL_TEXTURE_1D_ARRAY;
         case TextureShape::array2D:
             return GL_TEXTURE_2D_ARRAY;
         case TextureShape::cubeArray:
             return GL_TEXTURE_CUBE_MAP_ARRAY;
+        case TextureShape::rectangle:
+            return GL_TEXTURE_RECTANGLE;
         case TextureShape::multisampled:
             return GL_TEXTURE_2D_MULTISAMPLE;
+        case TextureShape::multisampledArray:
+            return GL_TEXTURE_2D_MULTISAMPLE_ARRAY;
         case TextureShape::cube:
             break;
     }
     return GL_TEXTURE_CUBE_MAP;
+}
+
+TextureShape shapeOfLayer(TextureShape shape) {
+    if (shape == TextureShape::texture1D || shape == TextureShape::array1D) return TextureShape::texture1D;
+    if (shape == TextureShape::rectangle) return shape;
+    return isMultisampled(shape) ? TextureShape::multisampled : TextureShape::texture2D;
 }
 
 TextureSize sizeOfLevel(TextureShape shape, TextureSize size, int level) {
@@ -31,7 +43,7 @@ TextureSize sizeOfLevel(TextureShape shape, TextureSize size, int level) {
 }
 
 int mostLevels(TextureShape shape, TextureSize size) {
-    if (shape == TextureShape::multisampled) return 1;
+    if (isMultisampled(shape) || shape == TextureShape::rectangle) return 1;
     const int depth = shape == TextureShape::texture3D ? size.depth : 1;
     return static_cast<int>(
         std::bit_width(static_cast<unsigned>(std::max({1, size.width, size.height, depth}))));
@@ -39,10 +51,10 @@ int mostLevels(TextureShape shape, TextureSize size) {
 
 std::string describe(TextureShape shape, TexelFormat format, TextureSize size) {
     std::string text = "a " + std::to_string(size.width);
-    if (shape != TextureShape::texture1D) text += " x " + std::to_string(size.height);
+    if (shapeOfLayer(shape) != TextureShape::texture1D) text += " x " + std::to_string(size.height);
     if (shape == TextureShape::texture3D) text += " x " + std::to_string(size.depth);
-    if (shape == TextureShape::array2D) text += ", " + std::to_string(size.depth) + " layers";
-    if (shape == TextureShape::cubeArray) text += ", " + std::to_string(size.depth / 6) + " layers";
+    if (isArray(shape))
+        text += ", " + std::to_string(isCube(shape) ? size.depth / 6 : size.depth) + " layers";
     return text + (isCube(shape) ? " cube map (" : " texture (") + std::string(name(format)) + ")";
 }
 

@@ -11,13 +11,29 @@
 
 namespace glibra::gpu {
 
-/// `array2D`: layers of 2D textures. `cubeArray`: cube maps, whose layers are their faces. `multisampled`: 2D
-/// without levels, drawn into and read by texelFetch.
-enum class TextureShape { texture1D, texture2D, texture3D, cube, array2D, cubeArray, multisampled };
-inline constexpr std::size_t kTextureShapes = 7;
+/// `array1D`, `array2D`: layers of 1D or 2D textures. `cubeArray`: cube maps, whose layers are their faces.
+/// `rectangle`: 2D without levels, sampled by texel coordinates. `multisampled`, `multisampledArray`: 2D and
+/// its layers without levels, drawn into and read by texelFetch.
+enum class TextureShape {
+    texture1D,
+    texture2D,
+    texture3D,
+    cube,
+    array1D,
+    array2D,
+    cubeArray,
+    rectangle,
+    multisampled,
+    multisampledArray
+};
+inline constexpr std::size_t kTextureShapes = 10;
 
+constexpr bool isMultisampled(TextureShape shape) {
+    return shape == TextureShape::multisampled || shape == TextureShape::multisampledArray;
+}
 constexpr bool isArray(TextureShape shape) {
-    return shape == TextureShape::array2D || shape == TextureShape::cubeArray;
+    return shape == TextureShape::array1D || shape == TextureShape::array2D ||
+           shape == TextureShape::cubeArray || shape == TextureShape::multisampledArray;
 }
 constexpr bool isCube(TextureShape shape) {
     return shape == TextureShape::cube || shape == TextureShape::cubeArray;
@@ -25,6 +41,8 @@ constexpr bool isCube(TextureShape shape) {
 
 /// GL_TEXTURE_1D and so on.
 GLenum glTarget(TextureShape shape);
+/// The shape of one layer or face: of all but 1D and multisampled arrays, 2D.
+TextureShape shapeOfLayer(TextureShape shape);
 
 /// Size in texels; an unused dimension is 1. A cube map has width = height. The depth of an array is its
 /// number of layers, six for each cube map.
@@ -49,7 +67,7 @@ struct TextureLayout {
     TexelFormat format = TexelFormat::rgba8;
     TextureSize size{};
     int levels = 1;   ///< 1..mostLevels
-    int samples = 1;  ///< of `multisampled`; the driver may give more
+    int samples = 1;  ///< of multisampled shapes; the driver may give more
     /// False: the texels have no known values until something writes all of them.
     bool isFilled = true;
 };

@@ -13,7 +13,11 @@ void allocateLevel(TextureShape shape, TexelFormat format, TextureSize size, int
             glTexImage1D(target, level, inside, size.width, 0, layout, type, nullptr);
             break;
         case TextureShape::texture2D:
+        case TextureShape::rectangle:
             glTexImage2D(target, level, inside, size.width, size.height, 0, layout, type, nullptr);
+            break;
+        case TextureShape::array1D:
+            glTexImage2D(target, level, inside, size.width, size.depth, 0, layout, type, nullptr);
             break;
         case TextureShape::texture3D:
         case TextureShape::array2D:
@@ -27,8 +31,24 @@ void allocateLevel(TextureShape shape, TexelFormat format, TextureSize size, int
                              layout, type, nullptr);
             break;
         case TextureShape::multisampled:
+        case TextureShape::multisampledArray:
             break;
     }
+}
+
+/// Allocates all samples. Their positions are those of renderbuffers, which such textures are drawn together
+/// with.
+void allocateSamples(const Capabilities& capabilities, const TextureLayout& layout) {
+    const GLenum target = glTarget(layout.shape);
+    const GLenum inside = internalFormat(layout.format);
+    const auto& [width, height, depth] = layout.size;
+    const bool hasStorage = capabilities.atLeast(4, 3);
+    if (isArray(layout.shape)) {
+        const auto store = hasStorage ? glTexStorage3DMultisample : glTexImage3DMultisample;
+        return store(target, layout.samples, inside, width, height, depth, GL_TRUE);
+    }
+    const auto store = hasStorage ? glTexStorage2DMultisample : glTexImage2DMultisample;
+    store(target, layout.samples, inside, width, height, GL_TRUE);
 }
 
 }  // namespace
@@ -36,11 +56,15 @@ void allocateLevel(TextureShape shape, TexelFormat format, TextureSize size, int
 int largestSide(const Capabilities& capabilities, TextureShape shape) {
     switch (shape) {
         case TextureShape::texture1D:
+        case TextureShape::array1D:
             return capabilities.max1DTextureSide;
         case TextureShape::texture2D:
         case TextureShape::array2D:
         case TextureShape::multisampled:
+        case TextureShape::multisampledArray:
             return capabilities.max2DTextureSide;
+        case TextureShape::rectangle:
+            return capabilities.maxRectangleSide;
         case TextureShape::texture3D:
             return capabilities.max3DTextureSide;
         case TextureShape::cube:
@@ -54,14 +78,7 @@ void allocate(const Capabilities& capabilities, const TextureLayout& layout) {
     const GLenum target = glTarget(layout.shape);
     const GLenum inside = internalFormat(layout.format);
     const auto& [width, height, depth] = layout.size;
-    if (layout.shape == TextureShape::multisampled) {
-        // The sample positions are those of renderbuffers, which such textures are drawn together with.
-        if (capabilities.atLeast(4, 3))
-            glTexStorage2DMultisample(target, layout.samples, inside, width, height, GL_TRUE);
-        else
-            glTexImage2DMultisample(target, layout.samples, inside, width, height, GL_TRUE);
-        return;
-    }
+    if (isMultisampled(layout.shape)) return allocateSamples(capabilities, layout);
     if (!capabilities.atLeast(4, 2)) {
         for (int level = 0; level < layout.levels; ++level)
             allocateLevel(layout.shape, layout.format, sizeOfLevel(layout.shape, layout.size, level), level);
@@ -70,6 +87,9 @@ void allocate(const Capabilities& capabilities, const TextureLayout& layout) {
     switch (layout.shape) {
         case TextureShape::texture1D:
             glTexStorage1D(target, layout.levels, inside, width);
+            break;
+        case TextureShape::array1D:
+            glTexStorage2D(target, layout.levels, inside, width, depth);
             break;
         case TextureShape::texture3D:
         case TextureShape::array2D:
@@ -90,7 +110,11 @@ void fillLevel(TextureShape shape, TextureSize size, int level, Transfer transfe
             glTexSubImage1D(GL_TEXTURE_1D, level, 0, size.width, format, type, data);
             break;
         case TextureShape::texture2D:
-            glTexSubImage2D(GL_TEXTURE_2D, level, 0, 0, size.width, size.height, format, type, data);
+        case TextureShape::rectangle:
+            glTexSubImage2D(glTarget(shape), level, 0, 0, size.width, size.height, format, type, data);
+            break;
+        case TextureShape::array1D:
+            glTexSubImage2D(glTarget(shape), level, 0, 0, size.width, size.depth, format, type, data);
             break;
         case TextureShape::texture3D:
         case TextureShape::array2D:
@@ -104,6 +128,7 @@ void fillLevel(TextureShape shape, TextureSize size, int level, Transfer transfe
                                 format, type, data + i * faceBytes);
             break;
         case TextureShape::multisampled:
+        case TextureShape::multisampledArray:
             break;
     }
 }

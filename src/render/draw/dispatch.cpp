@@ -23,8 +23,10 @@ GroupCounts objectSizeOf(const DeviceScene& device, const scene::ObjectView& obj
     const int level = view.level.value_or(0);
     const gpu::TextureSize size = gpu::sizeOfLevel(texture->shape(), texture->size(), level);
     const int layers = view.layer ? 1 : std::max(texture->layers(level), size.depth);
-    return {static_cast<std::uint64_t>(size.width), static_cast<std::uint64_t>(size.height),
-            static_cast<std::uint64_t>(layers)};
+    const auto count = [](int number) { return static_cast<std::uint64_t>(number); };
+    // Images of 1D arrays have the coordinates texel and layer.
+    if (texture->shape() == gpu::TextureShape::array1D) return {count(size.width), count(layers), 1};
+    return {count(size.width), count(size.height), count(layers)};
 }
 
 /// Sets what a piece of a dispatch knows of the whole.

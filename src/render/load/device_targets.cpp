@@ -127,9 +127,10 @@ Diagnostics DeviceScene::makeCopies(scene::TextureIndex index, std::shared_ptr<g
         }
     }
     for (Copies::Copy& each : copies.copies) {
-        if (!each.texture || layout.shape != gpu::TextureShape::multisampled || !isColor(layout.format))
-            continue;
-        gpu::TextureLayout single{gpu::TextureShape::texture2D, layout.format, layout.size};
+        if (!each.texture || !gpu::isMultisampled(layout.shape) || !isColor(layout.format)) continue;
+        gpu::TextureLayout single{
+            gpu::isArray(layout.shape) ? gpu::TextureShape::array2D : gpu::TextureShape::texture2D,
+            layout.format, layout.size};
         if (texture.hasMipmaps) single.levels = gpu::mostLevels(single.shape, single.size);
         Result<gpu::Texture> resolved = gpu::Texture::create(driver, single);
         append(problems, std::move(resolved.diagnostics));

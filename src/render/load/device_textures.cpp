@@ -28,8 +28,12 @@ gpu::TextureShape shapeOf(scene::TextureTarget target) {
             return gpu::TextureShape::texture2D;
         case scene::TextureTarget::texture3D:
             return gpu::TextureShape::texture3D;
+        case scene::TextureTarget::texture1DArray:
+            return gpu::TextureShape::array1D;
         case scene::TextureTarget::texture2DArray:
             return gpu::TextureShape::array2D;
+        case scene::TextureTarget::rectangle:
+            return gpu::TextureShape::rectangle;
         case scene::TextureTarget::cubeArray:
             return gpu::TextureShape::cubeArray;
         case scene::TextureTarget::cube:
@@ -38,14 +42,21 @@ gpu::TextureShape shapeOf(scene::TextureTarget target) {
     return gpu::TextureShape::cube;
 }
 
+gpu::TextureShape multisampled(gpu::TextureShape shape) {
+    return shape == gpu::TextureShape::array2D ? gpu::TextureShape::multisampledArray
+                                               : gpu::TextureShape::multisampled;
+}
+
 int dimensionsOf(scene::TextureTarget target) {
     switch (target) {
         case scene::TextureTarget::texture1D:
+        case scene::TextureTarget::texture1DArray:
             return 1;
         case scene::TextureTarget::texture3D:
         case scene::TextureTarget::texture2DArray:
             return 3;
         case scene::TextureTarget::texture2D:
+        case scene::TextureTarget::rectangle:
         case scene::TextureTarget::cube:
         case scene::TextureTarget::cubeArray:
             break;
@@ -135,10 +146,12 @@ DeviceScene::PictureTexels DeviceScene::pictureTexels(const scene::Texture& text
         if (texture.target == scene::TextureTarget::cube)
             return paths.size() == 1 ? image::readCubePicture(paths.front(), texture.place, options)
                                      : image::readCubeMap(paths, texture.place, options);
+        if (texture.target == scene::TextureTarget::texture1DArray)
+            return image::readLayers(paths, 1, texture.place, options);
         const bool hasLayers =
             paths.size() > 1 || (texture.target == scene::TextureTarget::texture2DArray &&
                                  scene::targetOfFile(paths.front()) == scene::TextureTarget::texture2D);
-        if (hasLayers) return image::readLayers(paths, texture.place, options);
+        if (hasLayers) return image::readLayers(paths, 2, texture.place, options);
         return image::readTexture(paths.front(), dimensionsOf(texture.target), texture.place, options);
     };
     PictureTexels texels = read();
@@ -283,7 +296,7 @@ Result<gpu::Texture> DeviceScene::createTexture(const scene::Texture& texture, c
         layout.levels = scene::levelsOf(texture).value_or(1);
         layout.samples = texture.samples;
         layout.isFilled = isFilled;
-        if (texture.samples > 1) layout.shape = gpu::TextureShape::multisampled;
+        if (texture.samples > 1) layout.shape = multisampled(shape);
         Result<gpu::Texture> made = gpu::Texture::create(capabilities, layout);
         for (Diagnostic& each : made.diagnostics) each.place = texture.place;
         return made;

@@ -45,8 +45,10 @@ glsl::SamplerKind samplerKind(scene::TextureTarget target) {
         case scene::TextureTarget::texture1D:
             return glsl::SamplerKind::sampler1D;
         case scene::TextureTarget::texture2D:
-        case scene::TextureTarget::texture2DArray:  // never on a unit
-        case scene::TextureTarget::cubeArray:       // neither
+        case scene::TextureTarget::texture1DArray:  // these are never on a unit
+        case scene::TextureTarget::texture2DArray:
+        case scene::TextureTarget::cubeArray:
+        case scene::TextureTarget::rectangle:
             return glsl::SamplerKind::sampler2D;
         case scene::TextureTarget::texture3D:
             return glsl::SamplerKind::sampler3D;

@@ -182,8 +182,7 @@ class PartReader {
         std::vector<std::string_view> parts{"level", "prev"};
         const bool isCubes = texture.target == TextureTarget::cubeArray;
         if (isCubes || texture.target == TextureTarget::cube) parts.emplace_back("face");
-        if (isCubes || texture.target == TextureTarget::texture3D ||
-            texture.target == TextureTarget::texture2DArray)
+        if (isArray(texture.target) || texture.target == TextureTarget::texture3D)
             parts.emplace_back("layer");
         return parts;
     }

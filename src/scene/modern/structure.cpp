@@ -21,6 +21,7 @@
 #include "scene/modern/modern.h"
 #include "scene/modern/scope.h"
 #include "scene/state.h"
+#include "scene/texture_parts.h"
 
 namespace glibra::scene {
 namespace {
@@ -134,10 +135,11 @@ void bindObject(Interpreter& in, const glib::KeyedValues& parameter, const Objec
     names.declareScoped(&parameter, parameter.key, record);
     if (const auto symbol = names.findOutermost(own + field)) {
         std::vector<double> size = names.valuesOf(symbol->slot);
-        const bool isVolume =
-            texture != nullptr && in.scene.textures[texture->texture].target == TextureTarget::texture3D;
-        for (std::size_t i = 0; texture != nullptr && texture->level && i < size.size(); ++i)
-            if (i < 2 || isVolume) size[i] = std::max(1., std::floor(std::ldexp(size[i], -*texture->level)));
+        // Layers do not become fewer.
+        const std::size_t sides =
+            texture != nullptr ? sideCount(in.scene.textures[texture->texture].target) : 0;
+        for (std::size_t i = 0; i < sides && texture->level && i < size.size(); ++i)
+            size[i] = std::max(1., std::floor(std::ldexp(size[i], -*texture->level)));
         const Environment::Slot slot = names.declareScoped(&parameter, parameter.key + field, *symbol);
         if (!size.empty()) names.set(slot, size);
     }

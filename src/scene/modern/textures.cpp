@@ -42,12 +42,16 @@ struct Form {
     std::size_t sizes = 2;
     std::size_t components = 2;  ///< of NAME.size
     std::size_t axes = 2;        ///< that have a wrap mode
+    /// True if the size at that position counts layers.
+    [[nodiscard]] bool countsLayers(std::size_t size) const { return isArray(target) && size == axes; }
 };
 constexpr Form kForms[] = {
     {CommandId::namedTexture1D, TextureTarget::texture1D, 1, 1, 1},
     {CommandId::namedTexture2D, TextureTarget::texture2D, 2, 2, 2},
     {CommandId::namedTexture3D, TextureTarget::texture3D, 3, 3, 3},
+    {CommandId::textureArray1D, TextureTarget::texture1DArray, 2, 2, 1},
     {CommandId::textureArray, TextureTarget::texture2DArray, 3, 3, 2},
+    {CommandId::textureRect, TextureTarget::rectangle, 2, 2, 2},
     {CommandId::namedCubeMap, TextureTarget::cube, 1, 2, 2},
 };
 
@@ -204,8 +208,7 @@ std::optional<EmptySource> emptySourceOfForm(Interpreter& in, const Command& com
     const std::array targets{&source.width, &source.height, &source.depth};
     for (std::size_t i = 0; i < form.sizes; ++i) {
         const double size = std::trunc((*numbers)[i]) + 0.0;  // never -0
-        const bool isSmall = form.target == TextureTarget::texture3D ||
-                             (form.target == TextureTarget::texture2DArray && i == 2);
+        const bool isSmall = form.target == TextureTarget::texture3D || form.countsLayers(i);
         const int most = isSmall ? kLargestSide3 : kLargestSide;
         if (!(size >= 1 && size <= most)) {
             refuse(in, size > most ? "glib-E15" : "glib-E26", command, sizes.front().position,
@@ -213,7 +216,7 @@ std::optional<EmptySource> emptySourceOfForm(Interpreter& in, const Command& com
                                glib::groupedText(most)));
             return std::nullopt;
         }
-        *targets[i] = static_cast<int>(size);
+        *(form.countsLayers(i) ? &source.depth : targets[i]) = static_cast<int>(size);
     }
     if (form.target == TextureTarget::cube) source.height = source.width;
     if (const KeyedValues* layers = command.key("layers")) {
@@ -241,6 +244,26 @@ std::uint64_t bytesOf(const Texture& texture) {
                   static_cast<std::uint64_t>(size[2]);
     }
     return texels * base::bytesPerTexel(source.format) * static_cast<std::uint64_t>(texture.samples);
+}
+
+/// Reports options that a rectangle cannot have: levels, and wrap modes that repeat.
+bool fitsRectangle(Interpreter& in, const Command& command, const Options& options, const Texture& texture) {
+    if (texture.target != TextureTarget::rectangle) return true;
+    const auto deny = [&](glib::Position position, const std::string& text) {
+        refuse(in, "glib-E26", command, position, text);
+        return false;
+    };
+    constexpr std::string_view kOneLevel = "'{}': a rectangle has no mipmaps; write Texture2D";
+    if (texture.sampler.readsMipmaps())
+        return deny(options.filterPosition, "a rectangle has no mipmaps; write 'nearest' or 'linear'");
+    for (const KeyedValues* each : {options.generate, options.levelsKey})
+        if (each != nullptr) return deny(each->position, fmt::format(kOneLevel, each->key));
+    for (const KeyedValues& each : command.keys)
+        if (const Wrap* wrap = valueOfWord(kWraps, each.key); wrap != nullptr && repeats(*wrap))
+            return deny(
+                each.position,
+                fmt::format("'{}': a rectangle does not repeat; write 'clamp' or 'border'", each.key));
+    return true;
 }
 
 /// Checks the options of an empty texture against its format, and fills them in.
@@ -271,6 +294,7 @@ bool applyToEmpty(Interpreter& in, const Command& command, const Options& option
     } else if (base::hasDepth(source.format) && !options.border) {
         texture.sampler.border.fill(1);
     }
+    if (!fitsRectangle(in, command, options, texture)) return false;
     texture.hasMipmaps = options.generate != nullptr;
     const bool hasLevels = texture.hasMipmaps || texture.sampler.readsMipmaps();
     texture.levels = options.levels.value_or(hasLevels ? 0 : 1);
@@ -284,8 +308,8 @@ bool applyToEmpty(Interpreter& in, const Command& command, const Options& option
     }
     texture.samples = options.samples.value_or(1);
     if (texture.samples == 1) return true;
-    if (texture.target != TextureTarget::texture2D)
-        return deny(*options.samplesKey, "only 2D textures have several samples");
+    if (texture.target != TextureTarget::texture2D && texture.target != TextureTarget::texture2DArray)
+        return deny(*options.samplesKey, "only 2D textures and their arrays have several samples");
     if (options.filter || options.generate || options.levels || !options.wraps.empty() || options.anisotropy)
         return deny(*options.samplesKey,
                     "a texture with several samples has no levels and is read without a filter");
@@ -300,6 +324,7 @@ bool applyToPicture(Interpreter& in, const Command& command, const Options& opti
         return false;
     };
     if (!deny(options.samplesKey) || !deny(options.levelsKey) || !deny(options.history)) return false;
+    if (!fitsRectangle(in, command, options, texture)) return false;
     texture.isFlipped = options.flip != nullptr;
     texture.isSrgb = options.srgb != nullptr;
     texture.hasMipmaps = options.generate != nullptr || texture.sampler.readsMipmaps();
@@ -310,8 +335,7 @@ std::optional<Texture> pictureOf(Interpreter& in, const Command& command, const 
     Texture texture;
     const std::span<const Value> files = std::span(command.values).subspan(1);
     const bool isCube = form.target == TextureTarget::cube;
-    const bool hasLayers = form.target == TextureTarget::texture2DArray || files.size() > 1;
-    if (isCube || hasLayers) {
+    if (isCube || isArray(form.target) || files.size() > 1) {
         if (files.size() > kLargestSide3) {
             refuse(
                 in, "glib-E15", command, files[kLargestSide3].position,
@@ -325,7 +349,9 @@ std::optional<Texture> pictureOf(Interpreter& in, const Command& command, const 
         texture.target = form.target;
         return texture;
     }
-    return pictureTexture(in, files.front().text, in.script->place(files.front().position), form.sizes);
+    texture = pictureTexture(in, files.front().text, in.script->place(files.front().position), form.sizes);
+    texture.target = form.target;
+    return texture;
 }
 
 /// Gives expressions the size of a texture of files, if the beginning of the first one shows it.
@@ -339,16 +365,14 @@ void setPictureSize(Interpreter& in, const std::string& name, const Texture& tex
         return set(side, side, side);
     }
     const std::vector<FileIndex>& files = std::get<PictureSource>(texture.source).files;
-    const auto size =
-        sizeOfFile(in.scene.files[files.front()].path, texture.target == TextureTarget::texture1D   ? 1
-                                                       : texture.target == TextureTarget::texture3D ? 3
-                                                                                                    : 2);
+    const auto size = sizeOfFile(in.scene.files[files.front()].path, sideCount(texture.target));
     if (!size)
         return names.forget(name + ".size",
                             "the size of a file of this format is known only when it is read");
     const auto [width, height, depth] = *size;
-    if (texture.target != TextureTarget::cube)
-        return set(width, height, files.size() > 1 ? static_cast<double>(files.size()) : depth);
+    const auto count = static_cast<double>(files.size());
+    if (texture.target == TextureTarget::texture1DArray) return set(width, count, 1);
+    if (texture.target != TextureTarget::cube) return set(width, height, files.size() > 1 ? count : depth);
     const double side = files.size() > 1 ? width : std::max(1., std::floor(width / 4));
     set(side, side, 6);
 }
@@ -379,7 +403,8 @@ void doNamedTexture(Interpreter& in, const Command& command) {
     }
     texture.name = name;
     texture.place = in.place(command);
-    if (form.target == TextureTarget::cube) texture.sampler.wrap.fill(Wrap::clampToEdge);
+    if (form.target == TextureTarget::cube || form.target == TextureTarget::rectangle)
+        texture.sampler.wrap.fill(Wrap::clampToEdge);
     texture.sampler = stateOf(*options, texture.sampler);
     texture.hasHistory = options->history != nullptr;
     if (!(isEmpty ? applyToEmpty : applyToPicture)(in, command, *options, texture)) return;
@@ -394,8 +419,8 @@ void doNamedTexture(Interpreter& in, const Command& command) {
         }
         if (!chargeTexels(in, command, bytes * (texture.hasHistory ? 2 : 1))) return;
         const auto& source = std::get<EmptySource>(texture.source);
-        const std::array<double, 3> size{static_cast<double>(source.width),
-                                         static_cast<double>(source.height),
+        const int second = form.countsLayers(1) ? source.depth : source.height;
+        const std::array<double, 3> size{static_cast<double>(source.width), static_cast<double>(second),
                                          static_cast<double>(source.depth)};
         in.shared->environment.set(name + ".size", size);
     } else {
@@ -414,7 +439,8 @@ void doSampler(Interpreter& in, const Command& command) {
 
 constexpr CommandAction kObjectActions[] = {
     {CommandId::namedTexture1D, doNamedTexture}, {CommandId::namedTexture2D, doNamedTexture},
-    {CommandId::namedTexture3D, doNamedTexture}, {CommandId::textureArray, doNamedTexture},
+    {CommandId::namedTexture3D, doNamedTexture}, {CommandId::textureArray1D, doNamedTexture},
+    {CommandId::textureArray, doNamedTexture},   {CommandId::textureRect, doNamedTexture},
     {CommandId::namedCubeMap, doNamedTexture},   {CommandId::sampler, doSampler},
 };
 

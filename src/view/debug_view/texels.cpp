@@ -10,6 +10,7 @@
 #include <span>
 
 #include "base/texel_format.h"
+#include "scene/texture_parts.h"
 
 namespace glibra::view {
 namespace {
@@ -30,8 +31,12 @@ const char* targetWord(scene::TextureTarget target) {
             return "2D";
         case scene::TextureTarget::texture3D:
             return "3D";
+        case scene::TextureTarget::texture1DArray:
+            return "1D array";
         case scene::TextureTarget::texture2DArray:
             return "2D array";
+        case scene::TextureTarget::rectangle:
+            return "rectangle";
         case scene::TextureTarget::cubeArray:
             return "cube array";
         case scene::TextureTarget::cube:
@@ -142,7 +147,8 @@ std::string textureTitle(const scene::Scene& scene, scene::TextureIndex texture)
     if (const auto* picture = std::get_if<scene::PictureSource>(&of.source)) {
         what = scene.files[picture->files.front()].name;
     } else if (const auto* empty = std::get_if<scene::EmptySource>(&of.source); empty && !of.name.empty()) {
-        what = fmt::format("{} x {}", empty->width, empty->height);
+        what = fmt::format("{}", empty->width);
+        if (scene::sideCount(of.target) > 1) what += fmt::format(" x {}", empty->height);
         if (empty->depth > 1) what += fmt::format(" x {}", empty->depth);
         what += fmt::format(", {}", base::name(empty->format));
         if (of.samples > 1) what += fmt::format(", {} samples", of.samples);
