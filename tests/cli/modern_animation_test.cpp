@@ -135,7 +135,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Lasting, testing::Values(kLife, kTrail),
                              return std::string(scene.index == 0 ? "Life" : "Trail");
                          });
 
-constexpr const char* kOld = "MESA_GL_VERSION_OVERRIDE=4.1 MESA_GLSL_VERSION_OVERRIDE=410";
+constexpr const char* kOld = "MESA_GL_VERSION_OVERRIDE=4.1";
 
 TEST(WithoutCompute, OneMessageNamesWhatIsMissing) {
     const Folder folder;
@@ -167,6 +167,21 @@ Fill window with Show
     EXPECT_EQ(
         glibra(folder.path(), "render scene.glib -o b.png", kOld).err,
         "scene.glib:5:32: error: buffer block 'all' needs GLSL 4.30, this driver has 4.10 [glsl-E03]\n");
+    // Images need OpenGL 4.2, even if the driver lists their extension.
+    folder.write("scene.glib", R"(WindowSize 8 8
+Texture2D heads 8 8 r32ui
+Fragment inline
+#version 430 core
+layout(r32ui) uniform uimage2D heads;
+out vec4 fColor;
+void main() { imageStore(heads, ivec2(gl_FragCoord.xy), uvec4(7)); fColor = vec4(1.); }
+EndFragment
+Program Show
+Fill window with Show
+)");
+    EXPECT_EQ(glibra(folder.path(), "render scene.glib -o c.png", kOld).err,
+              "scene.glib:5:23: error: uimage2D needs GLSL 4.20, this driver has 4.10 [glsl-E03]\n"
+              "scene.glib:7:15: error: imageStore needs GLSL 4.20, this driver has 4.10 [glsl-E03]\n");
 }
 
 TEST(WithoutCompute, IndicesBufferTexturesAndArraysOfCubeMapsAreNotMissing) {

@@ -157,7 +157,8 @@ Capabilities readCapabilities(bool throughOsmesa) {
     driver.shadingLanguage = text(GL_SHADING_LANGUAGE_VERSION);
     driver.major = integerOf(GL_MAJOR_VERSION);
     driver.minor = integerOf(GL_MINOR_VERSION);
-    driver.glslVersion = glslNumber(driver.shadingLanguage);
+    // Mesa with a lowered version of OpenGL still reports its own version of GLSL.
+    driver.glslVersion = std::min(glslNumber(driver.shadingLanguage), 100 * driver.major + 10 * driver.minor);
     driver.family = familyOf(driver, throughOsmesa);
     driver.isSoftware = driver.family.ends_with("llvmpipe") || driver.family.ends_with("softpipe");
     readExtensions(driver);

@@ -32,10 +32,13 @@ glsl::Target glslTargetOf(const gpu::Capabilities& capabilities) {
     target.maxGeometryOutputVertices = capabilities.maxGeometryOutputVertices;
     target.maxGeometryTotalOutputComponents = capabilities.maxGeometryTotalOutputComponents;
     target.hasExtension = [&capabilities](std::string_view name) {
-        // Without OpenGL 4.3 there is nothing to bind storage with, whatever shaders may say.
+        // Without OpenGL 4.3 there is nothing to bind storage with, and without 4.2 no images, whatever
+        // shaders may say.
         const bool isStorage =
             name == "GL_ARB_shader_storage_buffer_object" || name == "GL_ARB_shader_atomic_counters";
-        return capabilities.hasExtension(name) && (capabilities.compute || !isStorage);
+        const bool isImage = name == "GL_ARB_shader_image_load_store";
+        return capabilities.hasExtension(name) && (capabilities.compute || !isStorage) &&
+               (capabilities.atLeast(4, 2) || !isImage);
     };
     return target;
 }
