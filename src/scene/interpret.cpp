@@ -277,7 +277,9 @@ Scene Interpretation::State::run(const FrameInputs& inputs) {
 
 void Interpretation::State::runBefore(const FrameInputs& inputs) {
     FrameInputs before = inputs;
-    before.time = std::max(0.0, inputs.time - 1 / shared.frameRate);
+    const double passed = inputs.sinceStepBefore > 0 ? inputs.sinceStepBefore : 1 / shared.frameRate;
+    before.time = std::max(0.0, inputs.time - passed);
+    for (std::int64_t& tick : before.ticks) tick = std::max<std::int64_t>(0, tick - 1);
     shared.previousCameras.clear();
     shared.isTrial = true;
     run(before);

@@ -202,5 +202,19 @@ TEST(StepValues, CountsBeyondTheLimitsAreRefused) {
         << instances;
 }
 
+TEST(StepValues, CamerasOfTheStepBeforeAreThoseOneStepEarlier) {
+    const std::string camera = " LookAt (time) 0 5  (time) 0 0  0 1 0  Perspective 45 .1 50\n";
+    EXPECT_EQ(
+        problemsOf("WindowSize 8 8\nCamera orbit" + camera +
+                   "Buffer r float 4\nCompute inline\n#version 430\nlayout(local_size_x = 1) in;\n"
+                   "layout(std430) writeonly buffer R { float r[]; };\nuniform float uA, uB, uC;\n"
+                   "void main() { r[0] = uA; r[1] = uB; r[2] = uC; }\nEndCompute\nProgram C R r\nStep "
+                   "10\nCamera mine" +
+                   camera +
+                   "Dispatch C 1 uA (orbit.position.x) uB (orbit.prev.position.x) uC (mine.prev.position.x)\n"
+                   "EndStep\nExpect buffer r [.9 .8 .8] within .00001 at 1\n"),
+        "");
+}
+
 }  // namespace
 }  // namespace glibra::test

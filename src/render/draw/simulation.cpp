@@ -403,6 +403,7 @@ Diagnostics Simulation::runStep(const StepNumber& step, scene::FrameInputs input
     inputs.time = time;
     inputs.ticks.assign(steps_.size(), 0);
     inputs.ticks[step.block] = step.tick;
+    inputs.sinceStepBefore = 1 / block.rate;
     parts_.scene = parts_.source->at(inputs);
     Diagnostics diagnostics = std::move(parts_.scene.diagnostics);
     if (step.block >= parts_.scene.steps.size() || hasError(diagnostics)) return diagnostics;
