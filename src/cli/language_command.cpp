@@ -9,9 +9,12 @@
 #include <vector>
 
 #include "base/suggest.h"
+#include "base/texel_format.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/language_page.h"
+#include "expression/functions.h"
+#include "expression/name_table.h"
 #include "glib/command_table.h"
 #include "glib/diagnostic_catalogue.h"
 #include "glib/modern/statement_table.h"
@@ -76,6 +79,38 @@ std::vector<ShaderName> findShaderNames(std::string_view name) {
     return rows;
 }
 
+/// What expressions know by that name: a function, a name of every scene, a field of cameras.
+std::string expressionReference(std::string_view word) {
+    std::string text, summary;
+    for (const expression::FunctionRow& each : expression::functionsNamed(word)) {
+        if (!each.summary.empty()) summary = each.summary;
+        text += fmt::format("{:<38} {}\n", each.prototype, summary);
+    }
+    const auto add = [&](std::string_view owner, const expression::NameRow& row) {
+        if (row.path == word)
+            text += fmt::format("{:<38} {}\n{:<38} {}\n", fmt::format("{}{}", owner, row.path), row.summary,
+                                "", expression::name(row.type));
+    };
+    for (const expression::NameRow& each : expression::sceneNames()) add("", each);
+    for (const expression::NameRow& each : expression::cameraFields()) add("camera.", each);
+    return text;
+}
+
+/// A format of textures, the id of a message, or the statements that have the word as a key.
+std::string wordReference(std::string_view word) {
+    std::string text;
+    if (const auto format = base::texelFormatNamed(word))
+        text += fmt::format("{:<38} texture format, {} bytes per texel\n", base::name(*format),
+                            base::bytesPerTexel(*format));
+    if (const glib::CatalogueRow* row = glib::findDiagnostic(word))
+        text += fmt::format("{:<38} {}, for example:\n  {}\n", row->id, name(row->severity()), row->example);
+    for (const glib::StatementRow& each : glib::statementTable()) {
+        const std::vector<std::string> words = glib::wordsOf(each);
+        if (std::find(words.begin(), words.end(), word) != words.end()) text += reference(each);
+    }
+    return text;
+}
+
 /// "; did you mean 'aVertex'?", with the nearest command or name that shaders read.
 std::string suggestionFor(std::string_view word) {
     const std::vector<ShaderName> rows = shaderNames();
@@ -138,9 +173,11 @@ int runLanguageCommand(const LanguageArguments& arguments) {
     if (statement != nullptr) fmt::print("{}", reference(*statement));
     const std::vector<ShaderName> names = findShaderNames(arguments.word);
     for (const ShaderName& each : names) fmt::print("{}", reference(each));
-    if (command != nullptr || statement != nullptr || !names.empty()) return kDone;
-    printError(fmt::format("there is no command and no shader name '{}'{}", arguments.word,
-                           suggestionFor(arguments.word)));
+    std::string others = expressionReference(arguments.word);
+    if (command == nullptr && statement == nullptr) others += wordReference(arguments.word);
+    fmt::print("{}", others);
+    if (command != nullptr || statement != nullptr || !names.empty() || !others.empty()) return kDone;
+    printError(fmt::format("the language has no word '{}'{}", arguments.word, suggestionFor(arguments.word)));
     return kWrongUsage;
 }
 
@@ -151,10 +188,11 @@ void addLanguage(CommandLine& program, int& status) {
     CommandLine command = program.subcommand(
         "language",
         "lists the commands of the scene language, with defaults in [ ], and the names that shaders read",
-        "glibra language Sphere             # one command, or a name that shaders read\n"
+        "glibra language Sphere             # a command, a function, a format, or a name that shaders read\n"
+        "glibra language glib-E27           # a message by its id\n"
         "glibra language                    # all of them\n"
         "glibra language --diagnostics      # all messages with their ids");
-    command.option("WORD", arguments->word, "show only this command, or this name that shaders read");
+    command.option("WORD", arguments->word, "show only this command, name, function, format, key or message");
     command.flag("--diagnostics", arguments->diagnostics,
                  "list all diagnostics with their ids and an example");
     command.flag("--words", arguments->words, "list all command words, one per line, for editors");

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "expression/name_table.h"
@@ -15,6 +17,35 @@ namespace {
 /// The variable or block whose members are reported together.
 std::string_view groupOf(const ActiveUniform& each) {
     return rootName(each.block < 0 ? each.name : each.blockName);
+}
+
+/// What other programs supply to shaders, as expressions of a scene.
+struct ForeignName {
+    std::string_view name, expression;
+};
+constexpr ForeignName kForeignNames[] = {
+    {"iTime", "time"},
+    {"iTimeDelta", "dt"},
+    {"iFrame", "frame"},
+    {"iResolution", "vec3(window, 1)"},
+    {"iMouse", "vec4(mouse * window, mouse * window)"},
+    {"u_time", "time"},
+    {"u_resolution", "window"},
+    {"u_mouse", "mouse * window"},
+    {"uTime", "time"},
+    {"uResolution", "window"},
+};
+
+/// The expression for the value that the name has elsewhere or in expressions; empty if it has none.
+std::string_view expressionFor(std::string_view name, const std::set<std::string, std::less<>>& local) {
+    const auto rows = expression::sceneNames();
+    if (local.contains(name) || std::any_of(rows.begin(), rows.end(), [&](const expression::NameRow& each) {
+            return each.path == name;
+        }))
+        return name;
+    for (const ForeignName& each : kForeignNames)
+        if (each.name == name) return each.expression;
+    return {};
 }
 
 }  // namespace
@@ -110,12 +141,9 @@ void UniformMessages::unset(std::span<const UniformIndex> uniforms) {
 }
 
 std::string UniformMessages::expressionHint(const std::string& name) const {
-    const auto rows = expression::sceneNames();
-    if (!modern_->localNames.contains(name) &&
-        std::none_of(rows.begin(), rows.end(),
-                     [&](const expression::NameRow& each) { return each.path == name; }))
-        return {};
-    return fmt::format("; write '{0} ({0})' on the line of its Program, Fill or Dispatch", name);
+    const std::string_view value = expressionFor(name, modern_->localNames);
+    if (value.empty()) return {};
+    return fmt::format("; write '{} ({})' on the line of its Program, Fill or Dispatch", name, value);
 }
 
 std::string UniformMessages::modernHint(const ActiveUniform& target) const {

@@ -7,6 +7,7 @@
 #include <regex>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "glib/command_table.h"
@@ -143,6 +144,24 @@ TEST(LanguageCommand, TheSampleOfTheReadmeIsAFile) {
     const Folder folder;
     EXPECT_EQ(glibra(folder.path(), "check '" + (root / "docs/examples/dots.glib").string() + "'").status, 0);
     EXPECT_NE(readFile(root / "tools/cmake/install.cmake").find("docs/examples"), std::string::npos);
+}
+
+TEST(LanguageCommand, ExplainsEveryKindOfWord) {
+    const Folder folder;
+    for (const auto& [word, part] :
+         std::vector<std::pair<std::string, std::string>>{{"mix", "T mix(T a, T b, number t)"},
+                                                          {"fov", "camera.fov"},
+                                                          {"tick", "tick "},
+                                                          {"rgba16f", "texture format, 8 bytes per texel"},
+                                                          {"Reflect", "Camera "},
+                                                          {"history", "Texture2D "},
+                                                          {"glib-E27", "error, for example:"},
+                                                          {"memory-W02", "warning, for example:"}}) {
+        const Finished finished = glibra(folder.path(), "language " + word);
+        EXPECT_EQ(finished.status, 0) << word;
+        EXPECT_NE(finished.out.find(part), std::string::npos) << word << ": " << finished.out;
+    }
+    EXPECT_EQ(glibra(folder.path(), "language nothing").status, 2);
 }
 
 }  // namespace

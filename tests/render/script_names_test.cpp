@@ -49,6 +49,13 @@ TEST(Messages, OfATagWithAnErrorAreNotRepeated) {
     EXPECT_NE(time.find("is not set; it is 0; write 'time (time)' on the line of its Program"),
               std::string::npos)
         << time;
+    const std::string elsewhere =
+        problemsOf(sceneOf("uniform float iTime; uniform vec3 iResolution;", "vec4(iTime)*iResolution.x",
+                           "Program P\nFill window with P\n"));
+    EXPECT_NE(elsewhere.find("write 'iTime (time)' on the line of its Program"), std::string::npos)
+        << elsewhere;
+    EXPECT_NE(elsewhere.find("write 'iResolution (vec3(window, 1))' on the line"), std::string::npos)
+        << elsewhere;
 }
 
 TEST(Expressions, GoOnAfterABackslash) {
