@@ -49,9 +49,10 @@ TEST(Messages, OfATagWithAnErrorAreNotRepeated) {
     EXPECT_NE(time.find("is not set; it is 0; write 'time (time)' on the line of its Program"),
               std::string::npos)
         << time;
-    const std::string elsewhere =
-        problemsOf(sceneOf("uniform float iTime; uniform vec3 iResolution;", "vec4(iTime)*iResolution.x",
-                           "Program P\nFill window with P\n"));
+    const std::string elsewhere = problemsOf(
+        "WindowSize 8 8\nLet k 1\nFragment inline\n#version 330\nuniform float iTime; uniform vec3 "
+        "iResolution;\nout vec4 c;\n"
+        "void main() { c = vec4(iTime)*iResolution.x; }\nEndFragment\nProgram P\nFill window with P\n");
     EXPECT_NE(elsewhere.find("write 'iTime (time)' on the line of its Program"), std::string::npos)
         << elsewhere;
     EXPECT_NE(elsewhere.find("write 'iResolution (vec3(window, 1))' on the line"), std::string::npos)
