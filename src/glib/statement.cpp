@@ -88,6 +88,12 @@ std::string_view trimmed(std::string_view line) {
     return line.substr(begin, line.find_last_not_of(kBlanks) + 1 - begin);
 }
 
+/// True for `Fragmnet inline`: what follows is probably a shader.
+bool isUnknownInline(const Statement& statement) {
+    return !statement.row && statement.arguments.size() == 1 &&
+           sameWord(statement.arguments.front().text, "inline");
+}
+
 }  // namespace
 
 const Line* StatementReader::peek(const Statement* pending) {
@@ -164,11 +170,16 @@ std::optional<Statement> StatementReader::next() {
     bool pending = line->continues;
     Position backslash = line->backslash;
     Statement statement = begin();
+    if (!pending && refuseShader(statement)) return statement;
     if (statement.modern) {
         joinModernLines(statement, pending, backslash);
         return statement;
     }
     if (refuseBraceBlock(statement)) return statement;
+    if (isUnknownInline(statement)) {
+        skipShader();
+        return statement;
+    }
 
     while (true) {
         line = pending ? peek(&statement) : peekCode();
@@ -229,18 +240,39 @@ void StatementReader::readBody(Statement& statement) {
         statement.end = line->end;
         return;
     }
-    // The rest of the shader is skipped, up to the next statement about shaders or the end of the file.
     lines_ = start;
     bodiesWithoutEnd_.insert(stage);
+    skipShader();
+    log_.report("glib-E22", fmt::format("'{} inline' is not closed by a line '{}'", stage, end),
+                statement.word.position);
+    statement.faulty = true;
+}
+
+/// Refuses a stage without a file whose next line is `#version`, and skips that shader.
+bool StatementReader::refuseShader(Statement& statement) {
+    const bool isStage =
+        statement.row ? statement.row->form == ArgumentForm::file && modernFormOf(statement.row->name())
+                      : statement.modern && statement.modern->id == CommandId::compute;
+    if (!isStage || !statement.arguments.empty()) return false;
+    LineSplitter after = lines_;
+    const std::optional<LineRange> line = after.next();
+    if (!line || !trimmed(text_.substr(line->begin, line->end - line->begin)).starts_with("#version"))
+        return false;
+    log_.report("glib-E17", fmt::format("{0}: a shader follows; write '{0} inline'", statement.word.text),
+                statement.word.position);
+    statement.faulty = true;
+    skipShader();
+    return true;
+}
+
+/// Skips the lines of a shader, up to the next statement about shaders or the end of the file.
+void StatementReader::skipShader() {
     for (LineSplitter here = lines_; const std::optional<LineRange> line = lines_.next(); here = lines_) {
         const std::string_view words = trimmed(text_.substr(line->begin, line->end - line->begin));
         if (!endsShader(words)) continue;
         if (!words.starts_with("End")) lines_ = here;
-        break;
+        return;
     }
-    log_.report("glib-E22", fmt::format("'{} inline' is not closed by a line '{}'", stage, end),
-                statement.word.position);
-    statement.faulty = true;
 }
 
 /// True if the word begins a statement where a Program or a CubeMap could go on. In a classic scene the words

@@ -51,6 +51,8 @@ class StatementReader {
     const StatementRow* modernRowOf(const Statement& statement);
     void joinModernLines(Statement& statement, bool pending, Position backslash);
     void readBody(Statement& statement);
+    bool refuseShader(Statement& statement);
+    void skipShader();
     bool startsStatement(const Token& word);
     void drop() { ahead_.reset(); }
     const Line* peekCode();

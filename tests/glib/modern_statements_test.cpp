@@ -195,6 +195,19 @@ TEST(ModernShaders, AreTakenRawUpToTheEndWord) {
     EXPECT_EQ(only("Compute a.comp").text, "a.comp");
 }
 
+TEST(ModernShaders, AMistakeInTheFirstLineIsReportedOnce) {
+    const std::string shader = "\n#version 430\nout vec4 c;\nvoid main() { c = vec4(1.); }\n";
+    const auto found = [&](const std::string& begin, const std::string& end) {
+        return placedMessageOf("Let a 1\n" + begin + shader + end + "\nProgram P\n");
+    };
+    EXPECT_EQ(found("Fragmnet inline", "EndFragment"),
+              "2:1 glib-E01 unknown command 'Fragmnet'; did you mean 'Fragment'?");
+    EXPECT_EQ(found("Fragment", "EndFragment"),
+              "2:1 glib-E17 Fragment: a shader follows; write 'Fragment inline'");
+    EXPECT_EQ(found("Compute", "EndCompute"),
+              "2:1 glib-E17 Compute: a shader follows; write 'Compute inline'");
+}
+
 TEST(ModernLines, GoOnOnlyAfterABackslash) {
     EXPECT_EQ(only("Set uA 1 \\\n  Color {1 0 0} \\\n  Box 5").tags.size(), 3U);
     EXPECT_EQ(idsOf("Set uA 1\n uB 2"), Ids{"glib-E01"});
