@@ -47,6 +47,18 @@ TEST(MissingSemicolon, IsReportedAtTheEndOfTheLineBefore) {
         "a.frag:5:17: error: missing ';' after '1.' [glsl-E01]");
 }
 
+TEST(MissingSemicolon, IsNotSaidBetweenParentheses) {
+    const auto said = [](const std::string& statement, int column) {
+        return explained(kHead + "void main() {\n" + statement + "\n}\n", 5, column,
+                         "syntax error, unexpected NEW_IDENTIFIER, expecting ',' or ')'");
+    };
+    EXPECT_EQ(said("fC = mix(vec4(1.) vec4(0.), .5);", 19),
+              "a.frag:5:18: error: missing ',' or ')' after ')' [glsl-E01]");
+    EXPECT_EQ(said("for (int i = 0 i < 3; ++i) fC = vec4(1.);", 16),
+              "a.frag:5:15: error: missing ';' after '0' [glsl-E01]");
+    EXPECT_EQ(said("fC = vec4(1.) fC += fC;", 15), "a.frag:5:14: error: missing ';' after ')' [glsl-E01]");
+}
+
 TEST(MissingSemicolon, NamesOfTheTranslatorAreTheUsers) {
     EXPECT_EQ(explained("#version 120\nvoid main() {\n    vec4 c = gl_Color\n    gl_FragColor = c;\n}\n", 4,
                         5, "syntax error, unexpected NEW_IDENTIFIER, expecting ',' or ';'"),

@@ -217,6 +217,18 @@ class LogAdvice::Source {
     /// True if the token begins a statement or a declaration, or ends a block.
     [[nodiscard]] bool beginsAStatement(std::size_t at) const { return isWord(at) || text(at) == "}"; }
 
+    /// True if the token stands between parentheses that a statement or declaration does not go on in: all
+    /// but those of `for`.
+    [[nodiscard]] bool isInParentheses(std::size_t at) const {
+        int closed = 0;
+        for (std::size_t i = at; i-- > 0;) {
+            if (text(i) == ")") ++closed;
+            if (text(i) == "(" && closed-- == 0) return i == 0 || text(i - 1) != "for";
+            if (closed == 0 && (text(i) == ";" || text(i) == "{" || text(i) == "}")) return false;
+        }
+        return false;
+    }
+
     /// True if the word stands where a declaration may begin.
     [[nodiscard]] bool isAtTheStart(std::size_t at) const {
         if (at == 0) return true;
@@ -292,7 +304,9 @@ void LogAdvice::explainSyntaxError(const LogLine& line, Diagnostic& message) {
     if (source.endsAnOperand(at - 1) && source.beginsAStatement(at)) {
         if (const std::optional<Place> user = source.userPlace(before, before.column)) {
             const std::string word = userWord(program_, before.text);
-            message.text = "missing ';' after '" + word + "'";
+            const char* what =
+                source.isInParentheses(at) ? "missing ',' or ')' after '" : "missing ';' after '";
+            message.text = what + word + "'";
             message.place = {user->file, user->line, user->column + static_cast<int>(word.size())};
             return;
         }
