@@ -56,6 +56,9 @@ function(glibra_precompile target owner)
     endif()
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
         target_compile_options(${target} PRIVATE -fpch-preprocess)  # for ccache
+    else()
+        # A header that ccache has kept remembers times; an update of the system may change them and nothing else.
+        target_compile_options(${target} PRIVATE "SHELL:-Xclang -fno-pch-timestamp")
     endif()
 endfunction()
 
