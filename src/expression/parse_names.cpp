@@ -20,8 +20,12 @@ void Parser::unknownName(std::string_view name, Range range) {
     std::vector<std::string_view> candidates(known.begin(), known.end());
     candidates.insert(candidates.end(), wanted_.words.begin(), wanted_.words.end());
     for (const std::string_view each : {"true", "false", "pi"}) candidates.push_back(each);
-    problem(range, "expr-E02",
-            fmt::format("unknown name {}{}", quoted(code_.text, range), base::suggestion(name, candidates)));
+    std::string hint = base::suggestion(name, candidates);
+    if (hint.empty() && !wanted_.words.empty())
+        hint = fmt::format(
+            "; the words here are {}",
+            joined(std::vector<std::string>(wanted_.words.begin(), wanted_.words.end()), " and "));
+    problem(range, "expr-E02", fmt::format("unknown name {}{}", quoted(code_.text, range), hint));
 }
 
 bool Parser::compareWithChoice(const Operand& choice, Operand& word) {

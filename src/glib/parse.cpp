@@ -16,6 +16,7 @@
 #include "glib/message_log.h"
 #include "glib/modern/blocks.h"
 #include "glib/modern/grammar.h"
+#include "glib/modern/items.h"
 #include "glib/modern/match.h"
 #include "glib/modern/pieces.h"
 #include "glib/modern/statement_table.h"
@@ -128,13 +129,13 @@ class Parser {
     }
 
     /// True if the tags are read by the rules of modern statements: after the first declaration of a name,
-    /// if a value is an expression, and in a modern scene if a tag has a subscript.
+    /// if a value is an expression, and in a modern scene if a tag has a subscript or a value is malformed.
     bool isModernProgram(const Statement& statement) {
         if (declaresNames_ ||
             std::any_of(statement.arguments.begin(), statement.arguments.end(),
                         [](const Token& token) { return token.kind == TokenKind::expression; }))
             return true;
-        if (!hasSubscriptedTag(statement.arguments)) return false;
+        if (!hasSubscriptedTag(statement.arguments) && !hasMalformedValue(statement.arguments)) return false;
         if (!isModern_) wouldDiffer_ = true;
         return isModern_;
     }
@@ -259,6 +260,7 @@ class Parser {
     /// classic command, which would count as 0 or be cut. Classic scenes keep such expressions.
     bool refusesNames(const Statement& statement) {
         if (statement.row->form != ArgumentForm::numbers) return false;
+        if (lacksClosing(statement)) return true;
         for (const Token& token : statement.arguments) {
             const std::string_view head = token.text.substr(0, token.text.find('.'));
             const bool isName = token.kind == TokenKind::word && names_.contains(std::string(head));
@@ -273,6 +275,24 @@ class Parser {
             return true;
         }
         return false;
+    }
+
+    /// Reports glib-E20 for a parenthesis before a word that is not closed; classic scenes close it.
+    bool lacksClosing(const Statement& statement) {
+        const auto& tokens = statement.arguments;
+        const auto open =
+            std::find_if(tokens.begin(), tokens.end(), [](const Token& token) { return token.text == "("; });
+        if (open == tokens.end() || open->kind != TokenKind::open) return false;
+        const auto end = std::find_if(open, tokens.end(),
+                                      [](const Token& token) { return token.kind == TokenKind::close; });
+        const bool hasWord =
+            std::any_of(open, tokens.end(), [](const Token& token) { return token.kind == TokenKind::word; });
+        if (end != tokens.end() || !hasWord) return false;
+        if (!isModern_) wouldDiffer_ = true;
+        if (!isModern_) return false;
+        log_.report("glib-E20", fmt::format("{}: '(' is not closed on this line", statement.row->name()),
+                    open->position);
+        return true;
     }
 
     /// Reports glib-E19 for a condition that begins without a parenthesis.

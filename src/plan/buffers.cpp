@@ -215,8 +215,19 @@ class LayoutFinder {
                                     layout.pattern.numbers(layout.elements)));
         if (buffer.file && fileBytes < layout.pattern.least)
             return reportSmall(index, fileBytes, layout.pattern, from);
+        if (const std::uint64_t wanted = ofType != 0 ? ofType : numbersPerElement(layout.pattern);
+            buffer.isComputed && wanted != 0 && buffer.values.size() != count * wanted)
+            return fail(
+                index, "memory-E04",
+                fmt::format("buffer '{}': an element has {}, but the expression gives {}", buffer.name,
+                            countedText(wanted, "number", "numbers"), buffer.values.size() / count));
         checkValues(buffer, layout.pattern);
         layouts_.emplace(index, std::move(layout));
+    }
+
+    /// The numbers of an element of a block that is a runtime-sized array; 0 for other blocks.
+    static std::uint64_t numbersPerElement(const MemoryPattern& pattern) {
+        return pattern.isRuntimeSized() && pattern.head.empty() ? pattern.element.size() : 0;
     }
 
     /// Reports memory-W02 for the first value that is out of the range of its integer.

@@ -134,6 +134,7 @@ struct Buffer {
     std::string type;
     std::optional<std::uint64_t> count{};  ///< elements; nothing: as many as the values fill
     std::vector<double> values;            ///< components in order; what they do not fill is zero
+    bool isComputed = false;               ///< an expression has given `values`, one element at a time
     FileIndex file{};                      ///< raw bytes, in place of `values`
     bool hasHistory = false;
     Place place;

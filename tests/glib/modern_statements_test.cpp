@@ -30,7 +30,7 @@ std::string placedMessageOf(const std::string& text) {
 
 TEST(ModernValues, HaveKindsPlacesAndByteRanges) {
     const std::string text =
-        "Set uA 1.5 uB (2 * (x + 1)) uC {1 0 .5} uD <0 (n) 2> uE [1 (a) b] uF <true> \\\n uG name";
+        "Set uA 1.5 uB (2 * (x + 1)) uC {1 0 .5} uD <0 (n) 2> uE [1 (a) 3] uF <true> \\\n uG name";
     const Command command = only(text);
     ASSERT_EQ(command.tags.size(), 7U);
     const auto value = [&](std::size_t i) { return command.tags.at(i).values.at(0); };
@@ -45,7 +45,7 @@ TEST(ModernValues, HaveKindsPlacesAndByteRanges) {
     EXPECT_EQ(value(3).kind, Kind::range);
     EXPECT_EQ(value(3).items.at(1).text, "n");
     EXPECT_EQ(value(4).kind, Kind::list);
-    EXPECT_EQ(value(4).items.at(2).kind, Kind::word);
+    EXPECT_EQ(value(4).items.at(2).kind, Kind::number);
     EXPECT_EQ(value(5).kind, Kind::truth);
     EXPECT_EQ(value(5).number, 1);
     EXPECT_EQ(value(6).position, (Position{2, 5}));
@@ -55,7 +55,7 @@ TEST(ModernValues, HaveKindsPlacesAndByteRanges) {
         EXPECT_NE(source.front(), ' ');
         EXPECT_NE(source.back(), ' ');
     }
-    EXPECT_EQ(text.substr(value(4).begin, value(4).end - value(4).begin), "[1 (a) b]");
+    EXPECT_EQ(text.substr(value(4).begin, value(4).end - value(4).begin), "[1 (a) 3]");
 }
 
 TEST(ModernValues, ListMayBeACountAndARule) {

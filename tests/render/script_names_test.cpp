@@ -39,6 +39,23 @@ TEST(Choices, BindTheTextureOrBufferThatTheirWordNames) {
               std::string::npos);
 }
 
+TEST(Buffers, HaveTheNumbersOfTheirStructureFromAnExpression) {
+    const std::string shader =
+        "WindowSize 8 8\nFragment inline\n#version 430\nstruct Drop { vec4 place; vec4 speed; };\n"
+        "layout(std430) buffer drops { Drop all[]; };\nout vec4 c;\n"
+        "void main() { c = all[1].place; }\nEndFragment\n";
+    const auto problems = [&](const std::string& buffer) {
+        return problemsOf(buffer + shader + "Program P\nFill window with P\n");
+    };
+    for (const std::string type : {"Drop ", ""})
+        EXPECT_NE(
+            problems("Buffer drops " + type + "3 (vec4(i + 1))\n")
+                .find("buffer 'drops': an element has 8 numbers, but the expression gives 4 [memory-E04]"),
+            std::string::npos)
+            << type << problems("Buffer drops " + type + "3 (vec4(i + 1))\n");
+    EXPECT_EQ(problems("Buffer drops Drop 3 [1 2 3 4]\n"), "") << "shorter lists leave the rest zero";
+}
+
 TEST(Messages, OfATagWithAnErrorAreNotRepeated) {
     EXPECT_EQ(problemsOf("WindowSize 8 8\nTexture2D life 8 8 rgba8\n" + showing("sampler2D", "vST") +
                          "Program Next uT life.prev\nFill window with Next\nExpect error glib-E27\n"),

@@ -33,6 +33,20 @@ TEST(Mistakes, GroupsThatDrawEachOther) {
               "2:1 glib-E28 group 'a' draws itself\n3:1 glib-E28 group 'a' draws itself");
 }
 
+TEST(Mistakes, VariablesThatAreStatedTwice) {
+    EXPECT_EQ(
+        errorsOf("Let n 5\nLet n 6\n"),
+        "2:5 glib-E27 'n' is declared on line 1 already, as a variable; only 'Let n (expression)' may be "
+        "stated again");
+    EXPECT_EQ(errorsOf("Let n (5)\nLet n (6)\n"), "");
+    EXPECT_EQ(errorsOf("Let n 5\nSampler n nearest\n").find("stated again"), std::string::npos);
+}
+
+TEST(Mistakes, UnknownWordsInConditionsNameTheOnesThatFit) {
+    EXPECT_EQ(errorsOf("Let h <true>\nState cull (h ? front_and_back : off)\nBox\n"),
+              "2:17 expr-E02 unknown name 'front_and_back'; the words here are off, back, front and both");
+}
+
 TEST(Mistakes, CamerasThatSeeNothing) {
     const auto warnings = [](const std::string& rest, const std::string& name = "main") {
         return textsOf(

@@ -94,6 +94,31 @@ TEST(Modern, VariablesOfEveryForm) {
     EXPECT_EQ(scene.variables[3].form, glib::UniformForm::color);
 }
 
+TEST(Modern, CurrentValuesAndNumbersOfChoicesOutsideTheirRangesAreReported) {
+    EXPECT_EQ(textsOf(run("Let a <1 90 25>\nBox (a)\n").diagnostics),
+              "1:7 glib-W21 a: current value 90 is outside 1 ... 25; it is kept");
+    Interpretation script = scriptOf("Let u <red green blue>\nTranslate (u) 0 0\nBox\n");
+    FrameInputs inputs;
+    inputs.variables["u"] = {2};
+    EXPECT_EQ(textsOf(script.at(inputs).diagnostics), "");
+    inputs.variables["u"] = {7};
+    EXPECT_EQ(textsOf(script.at(inputs).diagnostics),
+              "1:7 glib-E26 'u' is set to 7, but it is one of red, green, blue, which are 0 to 2");
+}
+
+TEST(Modern, AListOfARuleIsAnArray) {
+    const Scene scene =
+        run("Let w [6 of (vec3(i, 1, 2))]\nLet q [4 of (2)]\nLet n [3 of 5]\nLet k 2\n"
+            "Let r [(k) of (i == 0 ? 7 : r[0] + i)]\n"
+            "Expect (w.count == 6 && q.count == 4 && n.count == 3 && r.count == 2)\n"
+            "Translate (w[5].x) (q[3] + n[2]) (r[1])\nBox\n");
+    EXPECT_EQ(textsOf(scene.diagnostics), "");
+    ASSERT_EQ(drawsOf(scene).size(), 1U);
+    EXPECT_EQ(placeOf(drawsOf(scene)[0]), glm::dvec3(5, 7, 8));
+    EXPECT_EQ(textsOf(run("Let q[4] [4 of (2)]\n").diagnostics),
+              "1:10 glib-E26 'q' has two counts; write 'Let q[4] (2)'");
+}
+
 TEST(Modern, InputsReplaceTheValuesOfVariables) {
     Interpretation script = scriptOf("Let size <1 2 3>\nTranslate (size) 0 0\nBox\n");
     FrameInputs inputs;

@@ -11,6 +11,7 @@
 #include "base/suggest.h"
 #include "glib/modern/build_command.h"
 #include "glib/modern/grammar.h"
+#include "glib/modern/items.h"
 #include "glib/modern/mismatch.h"
 #include "glib/modern/pieces.h"
 #include "glib/text.h"
@@ -28,10 +29,12 @@ class Matcher {
     void read(Command& command) {
         std::size_t at = 0;
         const bool matched = match(syntax_.root, at);
-        if (matched && at == pieces_.size())
+        if (matched && at == pieces_.size()) {
+            checkItems(row_, events_, pieces_, names_, log_);
             build(row_, events_, std::move(pieces_), command, log_);
-        else
+        } else {
             mismatch_.report(row_, pieces_, names_, matched, at, command.position, log_);
+        }
     }
 
   private:

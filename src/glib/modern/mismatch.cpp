@@ -116,6 +116,18 @@ bool isNumberAt(const Pieces& pieces, std::size_t at) {
 
 }  // namespace
 
+namespace {
+
+/// `Texture2D a width 30 rgba8`: the variable was read as the name of a file.
+bool isVariableAsFile(const StatementRow& row, const Pieces& pieces, std::size_t at,
+                      const DeclaredNames& names) {
+    return at > 1 && isNumberAt(pieces, at) && isUnquoted(pieces[at - 1]) &&
+           isDotted(pieces[at - 1].text, false) && names.has(beforePoint(pieces[at - 1].text)) &&
+           row.syntax.find("file:") != std::string_view::npos;
+}
+
+}  // namespace
+
 std::string Mismatch::surplusHint(const Pieces& pieces, std::size_t at) const {
     std::string hint = bracketHint(pieces, at);
     // `uColor 1 0 0`: a number with one value of a tag before it.
@@ -162,6 +174,10 @@ void Mismatch::report(const StatementRow& row, const Pieces& pieces, const Decla
                             ? fmt::format("unknown word {}; expected {}{}", text, listOfExpected(), hint)
                             : fmt::format("unknown word {}; did you mean '{}'?", text, nearest));
     }
+    if (matched && furthest_ == at && isVariableAsFile(row, pieces, at, names))
+        return reportAt("glib-E19", at - 1,
+                        fmt::format("expected a number, found {0}; write ({1}) for its value",
+                                    found(pieces, at - 1), pieces[at - 1].text));
     if (matched && furthest_ == at)
         return reportAt("glib-E18", furthest_,
                         fmt::format("surplus argument {}{}", text, surplusHint(pieces, furthest_)));

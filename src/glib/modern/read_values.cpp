@@ -148,12 +148,16 @@ class PieceReader {
     static bool isNumeric(const Value& value) {
         return value.kind == Value::Kind::number || value.kind == Value::Kind::expression;
     }
-    static bool allNumeric(const Value& group) {
-        return std::all_of(group.items.begin(), group.items.end(), isNumeric);
+    static bool isWord(const Value& value) { return value.kind == Value::Kind::word; }
+    /// True for numbers, expressions, and words, which are reported with the statement.
+    static bool allNumericOrWords(const Value& group) {
+        return std::all_of(group.items.begin(), group.items.end(),
+                           [](const Value& each) { return isNumeric(each) || isWord(each); });
     }
-    static bool hasExpression(const Value& group) {
-        return std::any_of(group.items.begin(), group.items.end(),
-                           [](const Value& each) { return each.kind == Value::Kind::expression; });
+    static bool hasComputed(const Value& group) {
+        return std::any_of(group.items.begin(), group.items.end(), [](const Value& each) {
+            return each.kind == Value::Kind::expression || isWord(each);
+        });
     }
 
     std::optional<Value> checked(Value group) {
@@ -179,17 +183,16 @@ class PieceReader {
             range.items.clear();
             return range;
         }
-        const bool isChoice = std::all_of(range.items.begin(), range.items.end(),
-                                          [](const Value& each) { return each.kind == Value::Kind::word; });
-        if (isChoice || (allNumeric(range) && range.items.size() == 3)) return range;
+        const bool isChoice = std::all_of(range.items.begin(), range.items.end(), isWord);
+        if (isChoice || (allNumericOrWords(range) && range.items.size() == 3)) return range;
         return refuse("glib-E20", "< > needs three numbers (min cur max), or words, or true or false",
                       range.position);
     }
 
     std::optional<Value> checkedColor(Value color) {
         const std::size_t count = color.items.size();
-        const bool fits = count == 1 || count == 3 || count == 4 || (hasExpression(color) && count < 3);
-        if (fits && allNumeric(color)) return color;
+        const bool fits = count == 1 || count == 3 || count == 4 || (hasComputed(color) && count < 3);
+        if (fits && allNumericOrWords(color)) return color;
         return refuse("glib-E20", "{ } needs 3 or 4 numbers, or one for all components", color.position);
     }
 

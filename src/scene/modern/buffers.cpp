@@ -143,6 +143,7 @@ bool readContent(Interpreter& in, const Command& command, const Parts& parts, Bu
         return false;
     }
     buffer.values = std::move(*values);
+    buffer.isComputed = true;
     return true;
 }
 

@@ -243,8 +243,15 @@ bool declareName(Interpreter& in, const glib::Command& command, const std::strin
     const bool isSetAgain =
         kind == known->second.kind && (kind == NameKind::camera || kind == NameKind::computed);
     if (isSetAgain) return true;
-    return refuse(fmt::format("'{}' is declared on {} already, as {}", name, lineOf(in, known->second.place),
-                              wordOfKind(known->second.kind)));
+    // Only what was computed from the first Let on can be computed anew.
+    const bool isVariable = kind == NameKind::variable || kind == NameKind::computed;
+    const bool wasVariable =
+        known->second.kind == NameKind::variable || known->second.kind == NameKind::computed;
+    return refuse(fmt::format("'{}' is declared on {} already, as {}{}", name,
+                              lineOf(in, known->second.place), wordOfKind(known->second.kind),
+                              isVariable && wasVariable
+                                  ? fmt::format("; only 'Let {} (expression)' may be stated again", name)
+                                  : std::string()));
 }
 
 void setObject(Interpreter& in, const std::string& name,

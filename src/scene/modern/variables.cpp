@@ -75,6 +75,29 @@ void addVariable(Interpreter& in, Variable variable) {
         in.scene.variables.push_back(std::move(variable));
 }
 
+/// True if a number that the run gives a choice counts one of its words; reports one that does not.
+bool countsWord(Interpreter& in, const Variable& variable, double number) {
+    const double last = static_cast<double>(variable.words.size()) - 1;
+    if (variable.words.empty() || (number >= 0 && number <= last)) return true;
+    in.report(diagnose(
+        "glib-E26",
+        fmt::format("'{}' is set to {}, but it is one of {}, which are 0 to {}", variable.name,
+                    glib::numberText(number), fmt::join(variable.words, ", "), glib::numberText(last)),
+        variable.place));
+    return false;
+}
+
+/// Reports glib-W21 for a range whose current value is outside.
+void checkCurrent(Interpreter& in, const Variable& variable) {
+    const std::vector<double>& range = variable.written;
+    if (range[1] >= range[0] && range[1] <= range[2]) return;
+    in.report(diagnose(
+        "glib-W21",
+        fmt::format("{}: current value {} is outside {} ... {}; it is kept", variable.name,
+                    glib::numberText(range[1]), glib::numberText(range[0]), glib::numberText(range[2])),
+        variable.place));
+}
+
 /// A variable with a control: <min cur max>, <word word ...>, <true> or {r g b}.
 void declareControl(Interpreter& in, const Command& command, const std::string& name, const Value& value) {
     Variable made;
@@ -111,11 +134,12 @@ void declareControl(Interpreter& in, const Command& command, const std::string& 
                                in.place(value)));
             return;
         }
+        checkCurrent(in, made);
     }
     const bool isRange = made.form == glib::UniformForm::range;
     made.current = isRange ? std::vector<double>{made.written[1]} : made.written;
-    if (const std::vector<double>* chosen = chosenValue(in, name, made.current.size()))
-        made.current = *chosen;
+    const std::vector<double>* chosen = chosenValue(in, name, made.current.size());
+    if (chosen != nullptr && countsWord(in, made, chosen->front())) made.current = *chosen;
     if (const auto word = chosenWord(in, made)) made.current = {*word};
     declare(in, command, name, symbol, made.current);
     addVariable(in, std::move(made));
@@ -143,6 +167,7 @@ void declareArray(Interpreter& in, const Command& command, const std::string& na
     // The expression may read earlier elements, so their type must be known before the expression can be
     // read.
     std::optional<expression::Type> type = in.shared->arrayTypes[&value];
+    if (value.kind == Value::Kind::number) type = expression::Type::number();
     if (!type) {
         using expression::Type;
         for (const Type candidate : {Type::number(), Type::vector(3), Type::vector(4), Type::matrix(4),
@@ -164,11 +189,17 @@ void declareArray(Interpreter& in, const Command& command, const std::string& na
     for (std::size_t i = 0; slot && i < elements; ++i) {
         const auto number = static_cast<double>(i);
         names.set(counter, {&number, 1});
-        const auto element = evaluate(in, value);
+        const auto element = constantOf(in, {&value, 1});
         if (!element) break;
         names.set(*slot, element->all(), i);
     }
     names.endScope();
+}
+
+/// What stands in the parentheses of [n of (...)].
+std::string bodyOf(const Value& list) {
+    const Value& item = list.items.front();
+    return item.kind == Value::Kind::number ? glib::numberText(item.number) : item.text;
 }
 
 void declareVariable(Interpreter& in, const Command& command) {
@@ -179,7 +210,8 @@ void declareVariable(Interpreter& in, const Command& command) {
     const bool isArray = !target.path.empty() && !target.path.front().index.empty();
     const auto given = in.modern.given.find(name);
     const bool isGiven = given != in.modern.given.end();
-    const bool isComputed = value.kind == Value::Kind::expression || isGiven;
+    const bool isRule = value.kind == Value::Kind::list && !value.count.empty();
+    const bool isComputed = value.kind == Value::Kind::expression || isRule || isGiven;
     if (!declareName(in, command, name,
                      isComputed ? DeclaredName::Kind::computed : DeclaredName::Kind::variable))
         return;
@@ -187,6 +219,14 @@ void declareVariable(Interpreter& in, const Command& command) {
     if (std::none_of(in.modern.variables.begin(), in.modern.variables.end(), isSame))
         in.modern.variables.emplace_back(name, command.position);
     if (isGiven) return declare(in, command, name, variable(given->second.type), given->second.all());
+    if (isArray && isRule) {
+        in.report(diagnose(
+            "glib-E26",
+            fmt::format("'{}' has two counts; write 'Let {} ({})'", name, target.text, bodyOf(value)),
+            in.place(value)));
+        return;
+    }
+    if (isRule) return declareArray(in, command, name, value.count.front(), value.items.front());
     if (isArray && isComputed)
         return declareArray(in, command, name, target.path.front().index.front(), value);
     switch (value.kind) {
