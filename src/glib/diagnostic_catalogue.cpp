@@ -120,6 +120,9 @@ constexpr CatalogueRow kCatalogueRows[] = {
      "Dispatch: sampler 'uBefore' reads 'heat' while image 'uAfter' writes it; unless each invocation reads "
      "only the texel "
      "that it writes, declare 'heat' with history and read 'heat.prev'"},
+    {"draw-W13",
+     "only level 0 of 'glow' (line 4) is written, but it is read with mipmaps; write 'generate' or 'levels "
+     "1'"},
     {"draw-N01", "no LookAt, so the eye is moved back by 4.125 along z (use --eye glman to switch this off)"},
     {"draw-N02", "the picture has only one colour"},
     {"draw-N03",

@@ -93,7 +93,7 @@ class LayoutFinder {
                         fmt::format("{} has too many members for a buffer of a scene", what));
         const auto known = layouts_.find(index);
         if (known == layouts_.end()) return addLayout(index, std::move(*pattern), what, use.place);
-        const BufferLayout& first = known->second;
+        BufferLayout& first = known->second;
         const std::string& name = scene_.buffers[index].name;
         if (firstDifference(first.pattern, *pattern, first.pattern.numbers(first.elements)))
             return fail(index, "memory-E03",
@@ -101,9 +101,17 @@ class LayoutFinder {
                                     "the same members and layout",
                                     first.from, first.place.file, first.place.line, what, use.place.file,
                                     use.place.line, name));
-        const std::uint64_t made =
-            pattern->isRuntimeSized() ? std::max(first.bytes, kLeastBufferBytes) : first.bytes;
-        if (pattern->least > made) reportSmall(index, first.bytes, *pattern, what);
+        if (pattern->least > paddedBytes(first, *pattern))
+            return reportSmall(index, first.bytes, *pattern, what);
+        if (!pattern->isRuntimeSized()) first.bytes = std::max(first.bytes, pattern->least);
+    }
+
+    /// The bytes that a buffer of that layout may have for another pattern. Drivers round the size of a block
+    /// up, so one with as many numbers as the buffer may be larger by padding.
+    static std::uint64_t paddedBytes(const BufferLayout& layout, const MemoryPattern& pattern) {
+        if (pattern.isRuntimeSized()) return std::max(layout.bytes, kLeastBufferBytes);
+        if (pattern.numbers(0) > layout.pattern.numbers(layout.elements)) return layout.bytes;
+        return (layout.bytes + kLeastBufferBytes - 1) / kLeastBufferBytes * kLeastBufferBytes;
     }
 
     /// Reports memory-E03 for buffers that are read as textures, but that a block lays out otherwise than

@@ -40,7 +40,7 @@ Result<std::vector<BlockUse>> blockUses(const scene::Scene& scene, const scene::
 std::string describe(const BlockUse& use, const ProgramInterface& interface);
 
 /// Every buffer gets at least these bytes on the device: GL has none without bytes, and drivers round the
-/// size of a block that ends in a runtime-sized array up to them.
+/// size of a block up to a multiple of them.
 inline constexpr std::uint64_t kLeastBufferBytes = 16;
 
 /// How a buffer lies in memory.
@@ -53,7 +53,7 @@ struct BufferLayout {
 };
 
 /// The layouts of all buffers of a scene. They are the same for all plans of the scene: the first block that
-/// uses a buffer decides.
+/// uses a buffer decides. Blocks of later plans may only add padding at its end.
 class BufferLayouts {
   public:
     /// Adds the buffers that the plan uses. Errors: memory-E03 for blocks that lay out one buffer

@@ -10,6 +10,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/suggest.h"
 #include "plan/accesses.h"
 #include "plan/fragment_outputs.h"
 #include "plan/needs.h"
@@ -324,6 +325,30 @@ class FramePlanner {
         return !scene_.isModern && glsl::findWellKnownInput(input.name, input.type.word) != nullptr;
     }
 
+    /// The hint for an input that nothing feeds: an attribute of the draw with a name that is near and that
+    /// no input has, otherwise a well-known name.
+    [[nodiscard]] std::string hintForInput(const scene::Draw& draw, const ProgramInterface& interface,
+                                           const ActiveInput& input) const {
+        if (suppliesIfModern(input)) return "; scenes with a Camera or another modern statement supply it";
+        if (!scene_.isModern) return {};
+        const std::string name = userNameOf(interface, input.name);
+        const auto isFed = [&](std::string_view attribute) {
+            return std::any_of(
+                interface.inputs.begin(), interface.inputs.end(),
+                [&](const ActiveInput& each) { return userNameOf(interface, each.name) == attribute; });
+        };
+        std::vector<std::string_view> names;
+        if (draw.attributes)
+            for (const scene::AttributeBinding& each : scene_.attributeSets[draw.attributes].bindings)
+                if (!isFed(each.name)) names.emplace_back(each.name);
+        if (const std::string own = base::nearestName(name, names, 1); !own.empty())
+            return fmt::format("; did you mean the attribute '{}'?", own);
+        names.clear();
+        for (const glsl::WellKnownInput& each : glsl::wellKnownInputs())
+            if (glsl::findWellKnownInput(each.name, input.type.word) != nullptr) names.push_back(each.name);
+        return base::suggestion(name, names, 1);
+    }
+
     void reportUnknownInputs(const scene::Draw& draw, PlannedProgramIndex index) {
         const ProgramInterface& interface = *programs_[index].interface;
         const scene::Shape& shape = scene_.shapes[draw.shape];
@@ -334,9 +359,7 @@ class FramePlanner {
             if (!sources[i].isKnown && !isOfList && !isInternalName(name))
                 warnOnce(draw.place, index, "draw-W03",
                          fmt::format("vertex input '{}' is not supplied; it reads 0 0 0 1{}", name,
-                                     suppliesIfModern(interface.inputs[i])
-                                         ? "; scenes with a Camera or another modern statement supply it"
-                                         : ""));
+                                     hintForInput(draw, interface, interface.inputs[i])));
         }
     }
 

@@ -7,6 +7,7 @@
 #include <set>
 #include <variant>
 
+#include "plan/early_reads.h"
 #include "plan/frame_plan.h"
 #include "plan/overrides.h"
 #include "plan/uniform_members.h"
@@ -140,32 +141,45 @@ Diagnostics reportSets(const scene::Scene& scene, std::span<const FramePlan* con
     return diagnostics;
 }
 
-/// The textures that a pass, Clear or a shader of the scene writes, or that have content from the start.
-std::set<scene::TextureIndex> writtenTextures(const scene::Scene& scene,
-                                              std::span<const FramePlan* const> plans) {
-    std::set<scene::TextureIndex> written;
-    const auto addList = [&](const scene::NodeList& nodes) {
-        for (const scene::Pass& pass : nodes.passes) {
-            written.insert(pass.targets.begin(), pass.targets.end());
-            if (pass.depth) written.insert(pass.depth->texture);
-        }
-        for (const scene::ClearObject& each : nodes.clears)
-            if (const auto* texture = std::get_if<scene::TextureIndex>(&each.object))
-                written.insert(*texture);
-    };
-    addList(scene.frame);
-    for (const scene::OnceBlock& each : scene.once) addList(each.nodes);
-    for (const scene::StepBlock& each : scene.steps) addList(each.nodes);
+/// The textures that passes and Clear of the list write.
+void addWritten(const scene::NodeList& nodes, std::set<scene::TextureIndex>& written) {
+    for (const scene::Pass& pass : nodes.passes) {
+        written.insert(pass.targets.begin(), pass.targets.end());
+        if (pass.depth) written.insert(pass.depth->texture);
+    }
+    for (const scene::ClearObject& each : nodes.clears)
+        if (const auto* texture = std::get_if<scene::TextureIndex>(&each.object)) written.insert(*texture);
+}
+
+/// Those that the shaders of the plan write as images.
+void addWritten(const FramePlan& plan, std::set<scene::TextureIndex>& written) {
     const auto addImages = [&](const std::vector<TextureUse>& uses) {
         for (const TextureUse& each : uses)
             if (each.isImage) written.insert(each.view.texture);
     };
-    for (const FramePlan* plan : plans) {
-        for (const PlannedDispatch& each : plan->dispatches) addImages(each.textures);
-        for (const PlannedPass& pass : plan->passes)
-            for (const auto& step : pass.steps)
-                if (const auto* draw = std::get_if<PlannedDraw>(&step)) addImages(draw->textures);
-    }
+    for (const PlannedDispatch& each : plan.dispatches) addImages(each.textures);
+    for (const PlannedPass& pass : plan.passes)
+        for (const auto& step : pass.steps)
+            if (const auto* draw = std::get_if<PlannedDraw>(&step)) addImages(draw->textures);
+}
+
+/// The textures that Once and Step write.
+std::set<scene::TextureIndex> lastingTextures(const scene::Scene& scene,
+                                              std::span<const FramePlan* const> plans) {
+    std::set<scene::TextureIndex> written;
+    for (const scene::OnceBlock& each : scene.once) addWritten(each.nodes, written);
+    for (const scene::StepBlock& each : scene.steps) addWritten(each.nodes, written);
+    for (const FramePlan* plan : plans)
+        if (plan->nodes != &scene.frame) addWritten(*plan, written);
+    return written;
+}
+
+/// The textures that a pass, Clear or a shader of the scene writes.
+std::set<scene::TextureIndex> writtenTextures(const scene::Scene& scene,
+                                              std::span<const FramePlan* const> plans) {
+    std::set<scene::TextureIndex> written = lastingTextures(scene, plans);
+    addWritten(scene.frame, written);
+    for (const FramePlan* plan : plans) addWritten(*plan, written);
     return written;
 }
 
@@ -199,6 +213,65 @@ Diagnostics reportUnwritten(const scene::Scene& scene, std::span<const FramePlan
     return diagnostics;
 }
 
+/// Removes the textures that have levels above 0 which the list or plan writes.
+void eraseLevelled(const scene::NodeList& nodes, std::set<scene::TextureIndex>& flat) {
+    for (const scene::Pass& pass : nodes.passes) {
+        for (std::size_t i = 0; i < pass.parts.size() && i < pass.targets.size(); ++i)
+            if (pass.parts[i].level.value_or(0) > 0) flat.erase(pass.targets[i]);
+        if (pass.depth && pass.depth->level.value_or(0) > 0) flat.erase(pass.depth->texture);
+    }
+    for (const scene::ClearObject& each : nodes.clears)
+        if (const auto* texture = std::get_if<scene::TextureIndex>(&each.object)) flat.erase(*texture);
+}
+
+/// Calls `call(uses, place)` for the textures of all draws and dispatches.
+template <class Call>
+void forEachUse(std::span<const FramePlan* const> plans, const Call& call) {
+    for (const FramePlan* plan : plans) {
+        for (const PlannedDispatch& each : plan->dispatches)
+            call(each.textures, plan->dispatchOf(each).place);
+        for (const PlannedPass& pass : plan->passes)
+            for (const auto& step : pass.steps)
+                if (const auto* draw = std::get_if<PlannedDraw>(&step))
+                    call(draw->textures, plan->drawOf(*draw).place);
+    }
+}
+
+/// draw-W13 for textures of modern scenes that are read with mipmaps which nothing writes.
+Diagnostics reportEmptyLevels(const scene::Scene& scene, std::span<const FramePlan* const> plans) {
+    std::set<scene::TextureIndex> flat;
+    for (const scene::TextureIndex each : writtenTextures(scene, plans)) {
+        if (!each) continue;
+        const scene::Texture& texture = scene.textures[each];
+        if (!texture.name.empty() && std::holds_alternative<scene::EmptySource>(texture.source) &&
+            texture.levels != 1 && texture.samples == 1 && !texture.hasMipmaps)
+            flat.insert(each);
+    }
+    eraseLevelled(scene.frame, flat);
+    for (const scene::OnceBlock& each : scene.once) eraseLevelled(each.nodes, flat);
+    for (const scene::StepBlock& each : scene.steps) eraseLevelled(each.nodes, flat);
+    forEachUse(plans, [&](const std::vector<TextureUse>& uses, const Place&) {
+        for (const TextureUse& each : uses)
+            if (each.isImage && each.view.level.value_or(0) > 0) flat.erase(each.view.texture);
+    });
+    Diagnostics diagnostics;
+    forEachUse(plans, [&](const std::vector<TextureUse>& uses, const Place& place) {
+        for (const TextureUse& each : uses) {
+            if (each.isImage || each.view.level || !each.sampler.readsMipmaps() ||
+                flat.erase(each.view.texture) == 0)
+                continue;
+            const scene::Texture& texture = scene.textures[each.view.texture];
+            diagnostics.push_back(diagnose(
+                "draw-W13",
+                fmt::format("only level 0 of '{}' (line {}) is written, but it is read with mipmaps; "
+                            "write 'generate' or 'levels 1'",
+                            texture.name, texture.place.line),
+                place));
+        }
+    });
+    return diagnostics;
+}
+
 }  // namespace
 
 Diagnostics reportNames(const scene::Scene& scene, std::span<const FramePlan* const> plans,
@@ -206,7 +279,12 @@ Diagnostics reportNames(const scene::Scene& scene, std::span<const FramePlan* co
     Diagnostics diagnostics;
     if (!overrides.empty()) diagnostics = reportOverrides(scene, plans, overrides);
     if (!scene.setNames.empty()) append(diagnostics, reportSets(scene, plans));
-    if (scene.isModern && !scene.hasConditions) append(diagnostics, reportUnwritten(scene, plans));
+    if (!scene.isModern || scene.hasConditions) return diagnostics;
+    append(diagnostics, reportUnwritten(scene, plans));
+    append(diagnostics, reportEmptyLevels(scene, plans));
+    for (const FramePlan* plan : plans)
+        if (plan->nodes == &scene.frame)
+            append(diagnostics, reportEarlyReads(scene, *plan, lastingTextures(scene, plans)));
     return diagnostics;
 }
 

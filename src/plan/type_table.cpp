@@ -69,13 +69,14 @@ struct Range {
 /// Reads one value for one uniform. Every member function adds to `reading_`.
 class ValueReader {
   public:
-    ValueReader(const GivenValue& given, const ActiveUniform& uniform, bool oneElement)
+    ValueReader(const GivenValue& given, const ActiveUniform& uniform, bool oneElement, int declaredElements)
         : given_(given),
           type_(uniform.type),
           array_(uniform.isArray && !oneElement),
-          elements_(static_cast<std::size_t>(std::max(uniform.arraySize, 1))) {
+          elements_(static_cast<std::size_t>(std::max(uniform.arraySize, 1))),
+          declared_(std::max(elements_, static_cast<std::size_t>(std::max(declaredElements, 0)))) {
         typeName_ = type_.word;
-        if (array_) typeName_ += fmt::format("[{}]", elements_);
+        if (array_) typeName_ += fmt::format("[{}]", declared_);
     }
 
     Reading read() && {
@@ -158,10 +159,11 @@ class ValueReader {
     /// Sets the first `wanted` of the given values; missing ones are 0.
     void setList(std::size_t wanted, bool countMatters) {
         const std::size_t given = given_.values.size();
+        const std::size_t declared = array_ ? std::max(wanted, declared_ * components()) : wanted;
         if (countMatters && given < wanted)
-            warnCount(fmt::format("{} takes {}, so the rest is 0", typeName_, wanted));
-        if (countMatters && given > wanted)
-            warnCount(fmt::format("{} takes {}, so the surplus is ignored", typeName_, wanted));
+            warnCount(fmt::format("{} takes {}, so the rest is 0", typeName_, declared));
+        if (countMatters && given > declared)
+            warnCount(fmt::format("{} takes {}, so the surplus is ignored", typeName_, declared));
         reading_.values.assign(wanted, 0);
         for (std::size_t i = 0; i < std::min(given, wanted); ++i)
             reading_.values[i] = convert(given_.values[i]);
@@ -361,7 +363,7 @@ class ValueReader {
     const GivenValue& given_;
     const ValueType& type_;
     bool array_;
-    std::size_t elements_;
+    std::size_t elements_, declared_;  ///< that the driver keeps, and that the shader declares
     std::string typeName_;
     bool reportedForm_ = false;
     bool reportedCut_ = false;
@@ -370,8 +372,9 @@ class ValueReader {
 
 }  // namespace
 
-Reading readValue(const GivenValue& given, const ActiveUniform& uniform, bool oneElement) {
-    return ValueReader(given, uniform, oneElement).read();
+Reading readValue(const GivenValue& given, const ActiveUniform& uniform, bool oneElement,
+                  int declaredElements) {
+    return ValueReader(given, uniform, oneElement, declaredElements).read();
 }
 
 std::string numberText(double value) {

@@ -32,8 +32,10 @@ struct Reading {
 };
 
 /// Reads a value for a uniform. `oneElement`: the tag names one element of an array, which is then read like
-/// a uniform that is not an array.
-Reading readValue(const GivenValue& given, const ActiveUniform& uniform, bool oneElement = false);
+/// a uniform that is not an array. `declaredElements`: of an array in the shader's text, since drivers leave
+/// out the elements after the last one that is used; 0: not known.
+Reading readValue(const GivenValue& given, const ActiveUniform& uniform, bool oneElement = false,
+                  int declaredElements = 0);
 
 /// A number as messages show it: in its shortest form, without a zero before the point (".1", "-.25", "10").
 std::string numberText(double value);

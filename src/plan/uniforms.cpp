@@ -299,7 +299,7 @@ class Resolver {
         }
         const auto part = upperLeft(given, target, false);
         if (part) given.values = *part;
-        Reading reading = readValue(given, target);
+        Reading reading = readValue(given, target, false, declaredElements(target));
         append(result_.diagnostics, std::move(reading.diagnostics));
         if (reading.ignored) return false;
         touched_[index] = true;
@@ -307,6 +307,11 @@ class Resolver {
         result_.foundByName.push_back(fmt::format("uniform '{0}' is the variable '{0}'", target.name));
         if (spec.changesWithTime) result_.timed.push_back(spec.tag);
         return true;
+    }
+
+    int declaredElements(const ActiveUniform& target) const {
+        const auto declared = interface_.facts.uniforms.find(target.name);
+        return declared == interface_.facts.uniforms.end() ? 0 : declared->second.arraySize;
     }
 
     bool hasInitializer(const ActiveUniform& target) const {
@@ -364,7 +369,7 @@ class Resolver {
         if (row != nullptr && !isNoiseUniform(*row)) return messages_.supplied(given);
         const auto part = drawn_.scene != nullptr ? upperLeft(given, target, named.oneElement) : std::nullopt;
         if (part) given.values = *part;
-        Reading reading = readValue(given, target, named.oneElement);
+        Reading reading = readValue(given, target, named.oneElement, declaredElements(target));
         if (isOverridden) {  // the scene's value is not used, but its slider stays
             if (reading.control) addControl(named.uniform, *reading.control);
             return;

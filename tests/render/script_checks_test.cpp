@@ -168,6 +168,27 @@ Expect buffer b [1]
               "");
 }
 
+TEST(ScriptChecks, SmallBlocksOfStepAndOnceMayBePadded) {
+    const auto found = [](const std::string& type, const std::string& members, const std::string& begin,
+                          const std::string& end) {
+        return problemsOf("Buffer n " + type + "\nCompute inline\n#version 430\n" +
+                          "layout(local_size_x = 1) in;\nlayout(std430) buffer N { " + members +
+                          " };\nvoid main() { n += 1u; }\nEndCompute\nProgram C N n\n" + begin +
+                          "\nDispatch C 1\n" + end + "\nExpect sum n [1]\n");
+    };
+    for (const std::string block : {"Once", "Step 3", ""}) {
+        const std::string end = block.empty() ? "" : "End" + block.substr(0, 4);
+        EXPECT_EQ(found("uint 1", "uint n;", block, end).find("memory"), std::string::npos)
+            << found("uint 1", "uint n;", block, end);
+        EXPECT_EQ(found("uint 5", "uint n, a[4];", block, end).find("memory"), std::string::npos)
+            << found("uint 5", "uint n, a[4];", block, end);
+        EXPECT_NE(found("uint 5", "uint n, a[5];", block, end).find("memory-E04"), std::string::npos);
+    }
+    EXPECT_EQ(found("uint 1", "uint n;", "Once", "EndOnce"), "");
+    EXPECT_EQ(found("uint 5", "uint n, a[4];", "Once", "EndOnce"), "");
+    EXPECT_EQ(found("uint 5 history", "uint n, a[4];", "Once", "EndOnce"), "");
+}
+
 TEST(ScriptChecks, KeepWhatIsReportedWithoutDrawing) {
     const SceneFolder folder("Sphere\nExpect error glib-W23\n");
     const Diagnostics known = {diagnose("glib-W23", "a"), diagnose("glib-W24", "b")};

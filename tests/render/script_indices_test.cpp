@@ -256,6 +256,50 @@ TEST(ScriptIndices, WrongOnesAreRefused) {
               bytesOf(kIndexedFan));
 }
 
+TEST(ScriptIndices, BuffersHaveAnElementForEachVertexAndInstance) {
+    const auto expect = [](const std::string& text, const std::string& message) {
+        const std::string refused = refusalOf(kTintedMesh + kIndexedFan + text);
+        EXPECT_NE(refused.find(message), std::string::npos) << text << refused;
+    };
+    expect("Vertices triangles 9\n",
+           "24:1: error: Vertices: 9 vertices are more than the 7 elements of 'hub' [memory-E13]");
+    const std::string shifts = "Buffer shifts vec2 2\nAttribute aShift shifts per instance\n";
+    expect(shifts + "Instances 3\nVertices triangles 6\n",
+           "27:1: error: Vertices: 3 instances are more than the 2 elements of 'shifts' [memory-E13]");
+    expect(shifts + "Instances 3\nVertices triangles indices faces\n",
+           "Vertices: 3 instances are more than the 2 elements of 'shifts' [memory-E13]");
+    expect(shifts + "Instances 3\nCube\n", "Cube: 3 instances are more than");
+    const auto drawn = [](const std::string& text) { return problemsOf(kTintedMesh + kIndexedFan + text); };
+    EXPECT_EQ(drawn(shifts + "Instances 2\nVertices triangles 7\n"), "");
+    EXPECT_EQ(drawn(shifts + "Instances 2\nVertices triangles indices faces\n"), "");
+    EXPECT_EQ(drawn(shifts + "Buffer n uint [3]\nInstances from n\nVertices triangles 6\n"), "");
+    EXPECT_EQ(drawn("Buffer n uint [9]\nVertices triangles from n\n"), "");
+}
+
+TEST(ScriptAttributes, AMisspeltOneIsSuggested) {
+    const auto found = [](const std::string& input, const std::string& statements) {
+        return problemsOf("WindowSize 8 8\nVertex inline\n#version 410 core\nin vec2 aPlace;\nin vec3 " +
+                          input + ";\nvoid main() { gl_Position = vec4(aPlace + " + input +
+                          ".xy, 0, 1); }\nEndVertex\nFragment inline\n#version 410 core\nout vec4 c;\n"
+                          "void main() { c = vec4(1); }\nEndFragment\nProgram P\nUse P\n"
+                          "Buffer places vec2 3\nAttribute aPlace places\n" +
+                          statements + "Vertices triangles 3\n");
+    };
+    EXPECT_NE(
+        found("aOffset", "Attribute aOfset 0 0 0\n")
+            .find("vertex input 'aOffset' is not supplied; it reads 0 0 0 1; did you mean the attribute "
+                  "'aOfset'? [draw-W03]"),
+        std::string::npos)
+        << found("aOffset", "Attribute aOfset 0 0 0\n");
+    EXPECT_EQ(found("aOffset", "Attribute aOffset 0 0 0\n"), "");
+    EXPECT_NE(found("aVertexNormla", "").find("0 0 0 1; did you mean 'aVertexNormal'? [draw-W03]"),
+              std::string::npos)
+        << found("aVertexNormla", "");
+    EXPECT_NE(found("aFar", "").find("it reads 0 0 0 1 [draw-W03]"), std::string::npos) << found("aFar", "");
+    EXPECT_NE(found("aPlaces", "").find("it reads 0 0 0 1 [draw-W03]"), std::string::npos)
+        << "aPlace feeds another input";
+}
+
 TEST(ScriptIndices, ABlockThatSpreadsThemIsRefused) {
     const std::string scene = kTintedMesh + kIndexedFan + R"(Buffer spread uint [0 1 2 3]
 Fragment inline

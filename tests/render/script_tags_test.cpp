@@ -221,6 +221,64 @@ TEST(Textures, ThatNothingWritesAreReported) {
         << "another frame may write it";
 }
 
+TEST(Tags, OfArraysMayHaveAllDeclaredElements) {
+    const auto found = [](const std::string& values) {
+        return problemsOf(
+            "WindowSize 8 8\nFragment inline\n#version 330\nuniform float w[4];\n"
+            "out vec4 c;\nvoid main() { c = vec4(w[1]); }\nEndFragment\nProgram P w " +
+            values + "\nFill window with P\n");
+    };
+    EXPECT_EQ(found("[0 .5 .25 1]"), "");
+    EXPECT_EQ(found("[0 .5]"), "");
+    expectContains(found("[0 .5 .25 1 2]"), "5 values in [ ]; float[4] takes 4, so the surplus is ignored");
+}
+
+TEST(Textures, WithoutTheirLevelsAreReported) {
+    const std::string show = showing("sampler2D", "vST") + "Program Show uT g\n";
+    const auto found = [&](const std::string& options, const std::string& text = {}) {
+        return problemsOf("WindowSize 8 8\nTexture2D g 64 64 rgba8 " + options + "\n" + show +
+                          "Pass g clear {1 0 0}\nEndPass\n" + text + "Fill window with Show\n");
+    };
+    expectContains(found("mipmap"),
+                   "warning: only level 0 of 'g' (line 2) is written, but it is read with mipmaps; write "
+                   "'generate' or 'levels 1' [draw-W13]");
+    EXPECT_EQ(found("mipmap generate"), "");
+    EXPECT_EQ(found("mipmap levels 1"), "");
+    EXPECT_EQ(found(""), "");
+    EXPECT_EQ(found("mipmap levels 2", "Pass g.level(1) clear {1 0 0}\nEndPass\n"), "");
+}
+
+TEST(Textures, ThatTheFrameReadsBeforeItWritesThemAreReported) {
+    const std::string begin = "Texture2D pic 8 8 rgba8\nTexture2D other 8 8 rgba8\n" +
+                              showing("sampler2D", "vST") + "Program Copy uT pic\nProgram Back uT other\n";
+    const auto found = [&](const std::string& text) { return problemsOf(begin + text); };
+    const std::string write = "Pass pic clear {1 0 0}\nEndPass\n";
+    const std::string show = "Fill window with Copy\n";
+    EXPECT_EQ(found(write + show), "");
+    expectContains(found(show + write),
+                   "12:1: warning: texture 'pic' is read here, but written only below (line 13), so it is "
+                   "zero; write it before this line [draw-W11]");
+    EXPECT_EQ(found("Once\n" + write + "EndOnce\n" + show + write), "");
+    EXPECT_EQ(found("Step 5\n" + write + "EndStep\n" + show + write), "");
+    EXPECT_EQ(found("Repeat 2\n" + show + write + "EndRepeat\n"), "") << "later rounds read it";
+    EXPECT_EQ(found("Fill other with Copy\nFill pic with Back\n" + show), "") << "they take turns";
+    expectContains(found("Fill other with Copy\n" + write + "Fill window with Back\n"),
+                   "texture 'pic' is read here, but written only below (line 13)");
+}
+
+TEST(Textures, WhosePreviousCopyIsZeroAreReported) {
+    const std::string begin =
+        "WindowSize 8 8\nTexture2D acc 8 8 rgba16f history\nFragment inline\n#version 330\nin vec2 vST;\n"
+        "out vec4 c;\nuniform sampler2D uLast;\nvoid main() { c = texture(uLast, vST) + .25; }\n"
+        "EndFragment\nProgram Acc\n";
+    const std::string add = "Fill acc with Acc uLast acc.prev\n";
+    expectContains(problemsOf(begin + add + "Expect pixel 4 4 [.25] of acc\n"),
+                   "11:1: warning: 'acc.prev' is read here, but only the frame writes 'acc', so it is zero; "
+                   "write 'acc' in Step [draw-W11]");
+    EXPECT_EQ(problemsOf(begin + add + add + "Expect pixel 4 4 [.5] of acc\n"), "");
+    EXPECT_EQ(problemsOf(begin + "Step 1\n" + add + "EndStep\nFill window with Acc uLast acc.prev\n"), "");
+}
+
 TEST(Textures, AreNotReportedWhereTheProgramThatWritesThemDoesNotCompile) {
     const std::string found = problemsOf(
         "Texture2D pic 8 8 rgba8\nCompute inline\n#version 430\nlayout(local_size_x = 8, local_size_y = 8) "

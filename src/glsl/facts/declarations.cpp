@@ -2,12 +2,24 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "glsl/facts/facts.h"
 #include "glsl/parse/usage.h"
 #include "glsl/read/words.h"
 
 namespace glibra::glsl {
 namespace {
+
+/// DeclaredUniform::arraySize.
+int declaredElements(const Unit& unit, const Declaration& declaration, const Declarator& declarator) {
+    if (declaration.type.dimensions.size() + declarator.dimensions.size() != 1) return 0;
+    const auto& dimension =
+        declarator.dimensions.empty() ? declaration.type.dimensions.front() : declarator.dimensions.front();
+    long long elements = 0;
+    if (!integerValue(unit, dimension, elements) || elements < 1) return 0;
+    return static_cast<int>(std::min(elements, 1LL << 20));
+}
 
 void variableFacts(const Unit& unit, const Variable& variable, TranslatedProgram& result) {
     if (variable.removed || variable.storage == Storage::none || variable.storage == Storage::constant)
@@ -23,6 +35,8 @@ void variableFacts(const Unit& unit, const Variable& variable, TranslatedProgram
     DeclaredUniform& uniform =
         result.uniforms.emplace(variable.name, DeclaredUniform{place, initialised}).first->second;
     uniform.hasInitializer = uniform.hasInitializer || initialised;
+    uniform.arraySize = std::max(
+        uniform.arraySize, declaredElements(unit, declaration, declaration.declarators[variable.declarator]));
     const LayoutItem* binding =
         isOpaqueTypeWord(variable.type) ? declaration.qualifiers.item("binding") : nullptr;
     long long textureUnit = 0;

@@ -72,6 +72,8 @@ struct TranslatedStage {
 struct DeclaredUniform {
     Place place;
     bool hasInitializer = false;
+    /// Declared elements of an array of one dimension; 0: it is none, or the text does not show the number.
+    int arraySize = 0;
     /// Of a subroutine uniform, which is emitted as an int: the functions that it counts.
     std::vector<std::string> subroutines{};
 };

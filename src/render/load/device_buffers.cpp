@@ -31,7 +31,10 @@ Diagnostics DeviceBuffers::prepare(const plan::FramePlan& plan) {
 
 Diagnostics DeviceBuffers::make(scene::BufferIndex index) {
     const scene::Buffer& buffer = scene_.buffers[index];
+    const std::uint64_t bytes = std::max<std::uint64_t>(layouts_.find(index)->bytes, plan::kLeastBufferBytes);
     const auto known = made_.find(index);
+    if (known != made_.end() && known->second.current.size() < bytes)
+        if (Diagnostics failure = grow(known->second, bytes); hasError(failure)) return failure;
     if (known != made_.end() && (lasting_.contains(index) || known->second.values == buffer.values))
         return {};
     if (known != made_.end()) {
@@ -40,7 +43,6 @@ Diagnostics DeviceBuffers::make(scene::BufferIndex index) {
         return reset(index);
     }
     const StageTimer timer(stats_, "upload");
-    const std::uint64_t bytes = std::max<std::uint64_t>(layouts_.find(index)->bytes, plan::kLeastBufferBytes);
     const std::uint64_t all = buffer.hasHistory ? 2 * bytes : bytes;
     if (all > bytesLeft_)
         return {diagnose("memory-E04",
@@ -64,6 +66,20 @@ Diagnostics DeviceBuffers::make(scene::BufferIndex index) {
     stats_.add("buffers", 1);
     stats_.add("bytes of buffers", all);
     return content.diagnostics;
+}
+
+Diagnostics DeviceBuffers::grow(Made& made, std::uint64_t bytes) {
+    const auto lengthen = [&](gpu::Buffer& buffer) -> Diagnostics {
+        Result<gpu::Buffer> longer = filled(bytes, {});
+        if (!longer) return std::move(longer.diagnostics);
+        longer->copyFrom(buffer, 0, 0, buffer.size());
+        outgrown_.push_back(std::exchange(buffer, std::move(*longer)));
+        return {};
+    };
+    made.declared.reset();
+    Diagnostics diagnostics = lengthen(made.current);
+    if (made.previous) append(diagnostics, lengthen(*made.previous));
+    return diagnostics;
 }
 
 Result<gpu::Buffer> DeviceBuffers::filled(std::size_t bytes, std::span<const std::byte> content) {
@@ -162,7 +178,9 @@ void DeviceBuffers::takeOver(DeviceBuffers& previous, scene::BufferIndex buffer)
     const auto found = previous.made_.find(buffer);
     const auto own = made_.find(buffer);
     if (found == previous.made_.end() || own == made_.end()) return;
+    const std::uint64_t bytes = own->second.current.size();
     own->second = std::move(found->second);
+    if (own->second.current.size() < bytes) grow(own->second, bytes);
     previous.made_.erase(found);
 }
 

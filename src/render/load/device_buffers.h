@@ -54,6 +54,8 @@ class DeviceBuffers {
         std::vector<double> values;           ///< that it was declared with
     };
     Diagnostics make(scene::BufferIndex index);
+    /// Gives a buffer that has become longer by padding that many bytes, with its content.
+    Diagnostics grow(Made& made, std::uint64_t bytes);
     /// The declared bytes; empty if all are zero.
     Result<std::vector<std::byte>> declaredBytes(scene::BufferIndex index);
     Result<gpu::Buffer> filled(std::size_t bytes, std::span<const std::byte> content);
@@ -63,6 +65,7 @@ class DeviceBuffers {
     Stats& stats_;
     plan::BufferLayouts layouts_;
     std::map<scene::BufferIndex, Made> made_;
+    std::vector<gpu::Buffer> outgrown_;  ///< kept, since caches find buffers by their GL names
     std::set<scene::BufferIndex> lasting_;
     std::uint64_t bytesLeft_ = kMostBytes;
     /// What the buffers of a scene may have together.

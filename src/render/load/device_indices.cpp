@@ -1,4 +1,5 @@
-// The indices that `Vertices ... indices BUFFER` reads (language, 12.6).
+// The indices that `Vertices ... indices BUFFER` reads, and the elements that draws take from buffers
+// (language, 12.6).
 
 #include <fmt/format.h>
 
@@ -45,6 +46,42 @@ std::optional<DeviceScene::Indices> DeviceScene::indicesOf(const scene::Draw& dr
     // Vertices are counted by ints.
     const std::uint64_t most = std::numeric_limits<int>::max();
     return Indices{buffer, pattern.elementsAt, static_cast<int>(std::min(layout->elements, most))};
+}
+
+std::optional<std::string> DeviceScene::elementsProblem(const plan::FramePlan& plan,
+                                                        const plan::PlannedDraw& planned) const {
+    const scene::Draw& draw = plan.drawOf(planned);
+    const scene::Shape& shape = scene_.shapes[draw.shape];
+    if (!planned.inputs) return std::nullopt;
+    std::uint64_t vertices = 0, instances = 0;  // 0: not known here
+    if (!draw.instancesFrom.buffer) instances = static_cast<std::uint64_t>(draw.instances);
+    if (shape.bare && !draw.verticesFrom.buffer && !draw.indices.buffer && !shape.numbers.empty())
+        vertices = static_cast<std::uint64_t>(shape.numbers[0]);
+    for (const plan::InputSource& each : plan.inputs[planned.inputs].sources) {
+        const auto* view = std::get_if<scene::BufferView>(&each.from);
+        const plan::BufferLayout* of = view != nullptr ? buffers_.layout(view->buffer) : nullptr;
+        const std::uint64_t needed = each.isPerInstance ? instances : vertices;
+        if (of == nullptr || of->pattern.element.empty() || needed <= of->elements) continue;
+        return fmt::format("{}: {} {} are more than the {} elements of '{}'", draw.word, grouped(needed),
+                           each.isPerInstance ? "instances" : "vertices", grouped(of->elements),
+                           scene_.buffers[view->buffer].name);
+    }
+    return std::nullopt;
+}
+
+Diagnostics DeviceScene::checkElements(const plan::FramePlan& plan) const {
+    Diagnostics diagnostics;
+    std::set<std::pair<int, std::string>> reported;  // of a statement in a Repeat
+    for (const plan::PlannedPass& pass : plan.passes)
+        for (const auto& step : pass.steps) {
+            const auto* planned = std::get_if<plan::PlannedDraw>(&step);
+            if (planned == nullptr) continue;
+            std::optional<std::string> problem = elementsProblem(plan, *planned);
+            const Place& place = plan.drawOf(*planned).place;
+            if (problem && reported.emplace(place.line, *problem).second)
+                diagnostics.push_back(diagnose("memory-E13", std::move(*problem), place));
+        }
+    return diagnostics;
 }
 
 Diagnostics DeviceScene::checkIndices(const plan::FramePlan& plan) {

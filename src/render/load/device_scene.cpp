@@ -187,6 +187,7 @@ Diagnostics DeviceScene::prepare(const plan::FramePlan& plan, const ProgramLibra
         append(diagnostics, upload(plan, each, programs));
     append(diagnostics, makeTextures(plan));
     append(diagnostics, buffers_.prepare(plan));
+    append(diagnostics, checkElements(plan));
     append(diagnostics, checkIndices(plan));
     append(diagnostics, checkBufferTextures(plan));
     append(diagnostics, checkParts(plan));

@@ -200,6 +200,11 @@ class DeviceScene {
     /// Reports memory-E04 for buffers with more texels than the driver reads as a texture.
     Diagnostics checkBufferTextures(const plan::FramePlan& plan) const;
     void bindBuffer(const plan::TextureUse& use, gpu::BindingTracker& bindings);
+    /// memory-E13 for draws with more vertices or instances than a buffer that feeds an input has elements,
+    /// where the script gives the counts.
+    [[nodiscard]] Diagnostics checkElements(const plan::FramePlan& plan) const;
+    [[nodiscard]] std::optional<std::string> elementsProblem(const plan::FramePlan& plan,
+                                                             const plan::PlannedDraw& planned) const;
     /// memory-E13 for draws whose indices are no indices, are too few, or lie outside of their attributes.
     Diagnostics checkIndices(const plan::FramePlan& plan);
     /// What is wrong with the indices of a draw. `isAsDeclared`: no shader writes them.

@@ -47,7 +47,7 @@ Result<std::string> readScene(const std::filesystem::path& path) {
 void removeConsequences(Diagnostics& diagnostics) {
     if (!hasError(diagnostics)) return;
     std::erase_if(diagnostics, [](const Diagnostic& each) {
-        return each.severity != Severity::error && each.id == "draw-W11";
+        return each.severity != Severity::error && (each.id == "draw-W11" || each.id == "draw-W13");
     });
     const auto isOfScript = [](const Diagnostic& each) {
         return each.id.starts_with("glib-E") || each.id.starts_with("expr-E") ||
