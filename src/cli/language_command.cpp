@@ -188,9 +188,8 @@ void addLanguage(CommandLine& program, int& status) {
     CommandLine command = program.subcommand(
         "language",
         "lists the commands of the scene language, with defaults in [ ], and the names that shaders read",
-        "glibra language Sphere             # a command, a function, a format, or a name that shaders read\n"
-        "glibra language glib-E27           # a message by its id\n"
-        "glibra language                    # all of them\n"
+        "glibra language Sphere             # a command, function, format, key, message or name of shaders\n"
+        "glibra language                    # all commands, and all names that shaders read\n"
         "glibra language --diagnostics      # all messages with their ids");
     command.option("WORD", arguments->word, "show only this command, name, function, format, key or message");
     command.flag("--diagnostics", arguments->diagnostics,
