@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 
 #include "glib/number.h"
@@ -17,13 +16,6 @@ bool isWordItem(const Value& item) {
 }
 bool hasComma(const Value& item) {
     return isWordItem(item) && item.text.find(',') != std::string::npos;
-}
-
-/// True for names that expressions know in every scene.
-bool isNameOfExpressions(std::string_view word) {
-    constexpr std::array<std::string_view, 9> kNames{"i",     "time",   "tick",  "frame", "pi",
-                                                     "model", "window", "mouse", "aspect"};
-    return std::find(kNames.begin(), kNames.end(), word) != kNames.end();
 }
 
 class ItemChecker {
@@ -84,7 +76,7 @@ class ItemChecker {
         whole.end = end;
         const std::string_view text = pieces_.source(whole);
         const std::string_view head = beforePoint(word.text);
-        const bool isName = isDotted(word.text, false) && (names_.has(head) || isNameOfExpressions(head));
+        const bool isName = isDotted(word.text, false) && names_.has(head);
         if (isMalformedNumber(word) || (!isName && end == word.end && !looksLikeExpression(text))) return {};
         return fmt::format("; write ({}) for its value", text);
     }

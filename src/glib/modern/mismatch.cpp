@@ -114,10 +114,6 @@ bool isNumberAt(const Pieces& pieces, std::size_t at) {
     return at < pieces.size() && pieces[at].kind == Value::Kind::number;
 }
 
-}  // namespace
-
-namespace {
-
 /// `Texture2D a width 30 rgba8`: the variable was read as the name of a file.
 bool isVariableAsFile(const StatementRow& row, const Pieces& pieces, std::size_t at,
                       const DeclaredNames& names) {
