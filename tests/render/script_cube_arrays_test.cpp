@@ -49,43 +49,11 @@ TEST(ScriptCubeArrays, EachFaceOfEachLayerIsDrawnAlone) {
 }
 
 TEST(ScriptCubeArrays, TheGeometryStageChoosesTheFace) {
-    EXPECT_EQ(problemsOf(R"(WindowSize 8 8
-CubeMap sky 4 rgba8 layers 2
-Vertex inline
-#version 410 core
-void main() { gl_Position = vec4(0); }
-EndVertex
-Geometry inline
-#version 410 core
-layout(points) in;
-layout(triangle_strip, max_vertices = 36) out;
-flat out float vLayer;
-void main() {
-    for (int layer = 0; layer < 12; ++layer) {
-        for (int i = 0; i < 3; ++i) {
-            gl_Layer = layer;
-            vLayer = float(layer);
-            gl_Position = vec4(i == 1 ? 3 : -1, i == 2 ? 3 : -1, 0, 1);
-            EmitVertex();
-        }
-        EndPrimitive();
-    }
-}
-EndGeometry
-Fragment inline
-#version 410 core
-flat in float vLayer;
-out vec4 c;
-void main() { c = vec4(vLayer / 11., 0, 0, 1); }
-EndFragment
-Program All
-Pass sky
-Use All
-Vertices points 1
-EndPass
-Expect mean 0 0 4 4 [.4545] of sky.layer(0).face(5) within .003
-Expect mean 0 0 4 4 [1] of sky.layer(1).face(5)
-)"),
+    EXPECT_EQ(problemsOf("WindowSize 8 8\nCubeMap sky 4 rgba8 layers 2\n" +
+                         coveringLayers(12, "vec4(vLayer / 11., 0, 0, 1)") +
+                         "Pass sky\nUse Layers\nVertices points 1\nEndPass\n"
+                         "Expect mean 0 0 4 4 [.4545] of sky.layer(0).face(5) within .003\n"
+                         "Expect mean 0 0 4 4 [1] of sky.layer(1).face(5)\n"),
               "");
 }
 

@@ -41,4 +41,39 @@ inline std::string showing(const std::string& type, const std::string& at) {
            " uT;\nvoid main() { c = texture(uT, " + at + "); }\nEndFragment\n";
 }
 
+/// The program `Layers`, which covers that many layers at once for one point. `value` is a colour and may
+/// read `vLayer`.
+inline std::string coveringLayers(int layers, const std::string& value) {
+    const std::string count = std::to_string(layers);
+    return R"(Vertex inline
+#version 410 core
+void main() { gl_Position = vec4(0); }
+EndVertex
+Geometry inline
+#version 410 core
+layout(points) in;
+layout(triangle_strip, max_vertices = )" +
+           std::to_string(3 * layers) + R"() out;
+flat out float vLayer;
+void main() {
+    for (int layer = 0; layer < )" +
+           count + R"(; ++layer) {
+        for (int i = 0; i < 3; ++i) {
+            gl_Layer = layer;
+            vLayer = float(layer);
+            gl_Position = vec4(i == 1 ? 3 : -1, i == 2 ? 3 : -1, 0, 1);
+            EmitVertex();
+        }
+        EndPrimitive();
+    }
+}
+EndGeometry
+Fragment inline
+#version 410 core
+flat in float vLayer;
+out vec4 c;
+void main() { c = )" +
+           value + "; }\nEndFragment\nProgram Layers\n";
+}
+
 }  // namespace glibra::test

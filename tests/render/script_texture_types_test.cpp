@@ -27,40 +27,6 @@ void expectRefusal(const std::string& scene, const std::string& message) {
     EXPECT_NE(refused.find(message), std::string::npos) << scene << "\n" << refused;
 }
 
-/// Stages that cover all of `layers` layers at once; the fragment stage reads `vLayer`.
-std::string coveringLayers(int layers, const std::string& value) {
-    const std::string count = std::to_string(layers);
-    return R"(Vertex inline
-#version 410 core
-void main() { gl_Position = vec4(0); }
-EndVertex
-Geometry inline
-#version 410 core
-layout(points) in;
-layout(triangle_strip, max_vertices = )" +
-           std::to_string(3 * layers) + R"() out;
-flat out float vLayer;
-void main() {
-    for (int layer = 0; layer < )" +
-           count + R"(; ++layer) {
-        for (int i = 0; i < 3; ++i) {
-            gl_Layer = layer;
-            vLayer = float(layer);
-            gl_Position = vec4(i == 1 ? 3 : -1, i == 2 ? 3 : -1, 0, 1);
-            EmitVertex();
-        }
-        EndPrimitive();
-    }
-}
-EndGeometry
-Fragment inline
-#version 410 core
-flat in float vLayer;
-out vec4 c;
-void main() { c = )" +
-           value + "; }\nEndFragment\nProgram Layers\n";
-}
-
 // ---- Arrays of 1D textures.
 
 TEST(Script1DArrays, EachLayerIsDrawnAndReadAlone) {
