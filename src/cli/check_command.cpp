@@ -25,6 +25,7 @@
 #include "image/file.h"
 #include "render/check/answers.h"
 #include "render/scene_renderer.h"
+#include "suite/report/verdict_commands.h"
 #include "suite/run/run.h"
 
 namespace glibra::cli {
@@ -205,12 +206,9 @@ void addCheck(CommandLine& program, int& status) {
         .required();
     command.driver(arguments->driver).rare();
     command.jobs(arguments->jobs);
-    for (const char* each : {"size", "time", "steps", "set", "eye", "samples", "library", "timeout"})
+    for (const std::string_view each : suite::kCheckOptions)
         addPictureOption(command, each, arguments->picture);
-    addPictureOption(command, "memory", arguments->picture);
     addUntrustedOption(command, arguments->untrusted);
-    addPictureOption(command, "strict", arguments->picture);
-    addPictureOption(command, "no-shim", arguments->picture);
     command
         .option("--translated", arguments->translated,
                 "folder for the shaders after translation, as the driver compiles them")

@@ -72,6 +72,8 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"glib-W36", "the noise texture on unit 3 is replaced"},
     {"glib-W37", "uniform 'uTime' of 'Ripples' is not set; it is 0"},
     {"glib-W38", "camera 'main' is not used; the camera 'eye' sees the window"},
+    {"glib-W39",
+     "Viewport has no effect: Pass (line 7) begins with the default state; move it into the pass"},
     {"glib-N01", "MessageBox: Move the scene back"},
     {"glib-N02", "Sphere: 3719 vertices, 7080 triangles, program 'Dots'"},
     // Expressions
@@ -123,6 +125,10 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"draw-W13",
      "only level 0 of 'glow' (line 4) is written, but it is read with mipmaps; write 'generate' or 'levels "
      "1'"},
+    {"draw-W14",
+     "'cube' has 6 faces, but only face 0 is drawn into: name one, such as 'cube.face(0)', or write gl_Layer "
+     "in a geometry stage"},
+    {"draw-W15", "Attribute: program 'Lit' has no vertex input 'ofset'; did you mean 'offset'?"},
     {"draw-N01", "no LookAt, so the eye is moved back by 4.125 along z (use --eye glman to switch this off)"},
     {"draw-N02", "the picture has only one colour"},
     {"draw-N03",
@@ -161,6 +167,9 @@ constexpr CatalogueRow kCatalogueRows[] = {
      "Step reads 'shadow', which only the frame writes (line 20), so the result depends on the pictures that "
      "were drawn before; write 'shadow' in Step"},
     {"memory-W02", "buffer 'faces': value 2 is -1, which is stored as 0; a uint holds 0 to 4,294,967,295"},
+    {"memory-W03",
+     "buffer 'ids' is declared with the type uint, but the elements of storage block 'Ids' (count.comp:4) "
+     "differ from it and decide; leave out the type, or make them the same"},
     // Shaders
     {"glsl-E01", "'vMC' : undeclared identifier"},
     {"glsl-E02", "'vN' is vec3 in dots.vert:4 and vec4 in dots.frag:6"},

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/number.h"
+#include "base/suggest.h"
 #include "glib/number.h"
 #include "plan/frame_plan.h"
 
@@ -23,6 +24,13 @@ std::string_view plainName(std::string_view block) {
 const glsl::MemoryBlock* declarationOf(const ProgramInterface& interface, std::string_view name,
                                        bool isStorage) {
     return interface.facts.memory.block(plainName(name), isStorage);
+}
+
+/// "; did you mean 'particles'?" if a buffer of the scene has a name that is near.
+std::string suggestedBuffer(const scene::Scene& scene, std::string_view name) {
+    std::vector<std::string_view> names;
+    for (const scene::Buffer& each : scene.buffers) names.push_back(each.name);
+    return base::suggestion(name, names);
 }
 
 /// The buffer that a tag binds, or the one of that name; nothing if there is neither.
@@ -230,6 +238,7 @@ class LayoutFinder {
                 fmt::format("buffer '{}': an element has {}, but the expression gives {}", buffer.name,
                             countedText(wanted, "number", "numbers"), buffer.values.size() / count));
         checkValues(buffer, layout.pattern);
+        checkType(buffer, layout);
         layouts_.emplace(index, std::move(layout));
     }
 
@@ -257,6 +266,33 @@ class LayoutFinder {
                          buffer.place));
             return;
         }
+    }
+
+    /// Reports memory-W03 for a block that is an array of other elements than the buffer is declared with. An
+    /// array of the numbers of these elements is none: `Buffer places float 300` for `vec3 places[]`.
+    void checkType(const scene::Buffer& buffer, const BufferLayout& layout) {
+        const std::optional<MemoryPattern> declared = declaredPattern(buffer);
+        const std::vector<MemoryNumber>& found = layout.pattern.element;
+        if (!declared || found.empty() || !layout.pattern.head.empty()) return;
+        const std::vector<MemoryNumber>& wanted = declared->element;
+        constexpr std::size_t kMostNumbers = 256;
+        const auto isWhole = [](NumberKind kind) {
+            return kind == NumberKind::integer || kind == NumberKind::unsignedInteger;
+        };
+        bool fits =
+            !wanted.empty() && (wanted.size() % found.size() == 0 || found.size() % wanted.size() == 0);
+        for (std::size_t i = 0; fits && i < std::min(kMostNumbers, std::max(wanted.size(), found.size()));
+             ++i) {
+            const NumberKind a = wanted[i % wanted.size()].kind, b = found[i % found.size()].kind;
+            fits = a == b || (isWhole(a) && isWhole(b));
+        }
+        if (!fits)
+            diagnostics_.push_back(diagnose(
+                "memory-W03",
+                fmt::format("buffer '{}' is declared with the type {}, but the elements of {} ({}:{}) differ "
+                            "from it and decide; leave out the type, or make them the same",
+                            buffer.name, buffer.type, layout.from, layout.place.file, layout.place.line),
+                buffer.place));
     }
 
     const scene::Scene& scene_;
@@ -342,8 +378,9 @@ Result<std::vector<BlockUse>> blockUses(const scene::Scene& scene, const scene::
             errors.push_back(diagnose(
                 "memory-E02",
                 fmt::format("storage block '{}' of program '{}' has no buffer; write 'Buffer {} n' before "
-                            "the program, or give the tag '{}' a buffer",
-                            name, program.name, plainName(name), plainName(name)),
+                            "the program, or give the tag '{}' a buffer{}",
+                            name, program.name, plainName(name), plainName(name),
+                            suggestedBuffer(scene, plainName(name))),
                 program.place));
     };
     for (std::size_t i = 0; i < interface.blocks.size(); ++i)
@@ -379,8 +416,8 @@ Result<std::vector<BlockUse>> blockUses(const scene::Scene& scene, const scene::
         else
             errors.push_back(diagnose("memory-E02",
                                       fmt::format("atomic counter '{}' of program '{}' has no buffer; write "
-                                                  "'Buffer {} uint 1' before the program",
-                                                  name, program.name, name),
+                                                  "'Buffer {} uint 1' before the program{}",
+                                                  name, program.name, name, suggestedBuffer(scene, name)),
                                       program.place));
     }
     if (!errors.empty()) return errors;

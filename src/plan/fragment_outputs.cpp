@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "plan/inputs.h"
+#include "scene/texture_parts.h"
 
 namespace glibra::plan {
 namespace {
@@ -80,9 +81,9 @@ Diagnostics outputProblems(const scene::Scene& scene, const scene::Draw& draw, c
 
 std::bitset<base::kRasterTargets> targetsWithoutOutput(const scene::Scene& scene, const scene::Draw& draw,
                                                        const scene::Pass& pass,
-                                                       const ProgramInterface& interface, bool listsOutputs) {
+                                                       const ProgramInterface& interface) {
     std::bitset<base::kRasterTargets> missing;
-    if (!scene.isModern || !listsOutputs || interface.isBuiltin) return missing;
+    if (!scene.isModern || interface.isBuiltin) return missing;
     const std::size_t count = pass.isWindow ? 1 : std::min(pass.targets.size(), base::kRasterTargets);
     for (std::size_t target = 0; target < count; ++target) missing[target] = isWritten(draw, target);
     for (const base::ActiveOutput& output : interface.outputs)
@@ -91,6 +92,24 @@ std::bitset<base::kRasterTargets> targetsWithoutOutput(const scene::Scene& scene
                 location >= 0 && location < static_cast<int>(base::kRasterTargets))
                 missing.reset(static_cast<std::size_t>(location));
     return missing;
+}
+
+std::optional<LayeredTarget> layeredTarget(const scene::Scene& scene, const scene::Pass& pass) {
+    if (pass.isWindow) return std::nullopt;
+    scene::TextureIndex texture{};
+    scene::TargetPart part;
+    if (!pass.targets.empty()) {
+        texture = pass.targets.front();
+        if (!pass.parts.empty()) part = pass.parts.front();
+    } else if (pass.depth) {
+        texture = pass.depth->texture;
+        part = {pass.depth->level, pass.depth->layer};
+    }
+    if (!texture || part.layer) return std::nullopt;
+    const scene::Texture& target = scene.textures[texture];
+    const int count = layersOf(target, part.level.value_or(0)).value_or(1);
+    if (count < 2) return std::nullopt;
+    return LayeredTarget{target.name, count, target.target == scene::TextureTarget::cube};
 }
 
 std::string describeTarget(const scene::Scene& scene, const scene::Pass& pass, std::size_t target) {

@@ -188,8 +188,9 @@ class FramePlanner {
 
         reportRemarks(draw, index, program, *submission, uses);
         const std::bitset<base::kRasterTargets> unwritten =
-            targetsWithoutOutput(scene_, draw, pass, interface, options_.lacksCompute.empty());
+            targetsWithoutOutput(scene_, draw, pass, interface);
         if (unwritten.any()) reportUnwritten(draw, pass, index, unwritten);
+        reportLayers(draw, pass, index);
         const PlannedInputsIndex inputs = programs_.inputsOf(draw, index);
         result.steps.emplace_back(PlannedDraw{step, index, meshOf(draw, index, inputs, submission->topology),
                                               *submission, uses, inputs, unwritten});
@@ -264,12 +265,13 @@ class FramePlanner {
         return pass.depth && readsPart(scene_, use, *pass.depth);
     }
 
-    /// Reports draw-W02, W03, W05 and W12, each only at the first draw that it applies to.
+    /// Reports draw-W02, W03, W05, W12 and W15, each only at the first draw that it applies to.
     void reportRemarks(const scene::Draw& draw, PlannedProgramIndex index, const scene::Program* program,
                        const Submission& submission, const std::vector<TextureUse>& uses) {
         reportEmptySlots(draw.place, index, uses);
         reportHazards(draw.word, draw.place, index, uses);
         reportUnknownInputs(draw, index);
+        reportUnreadAttributes(draw, index);
         if (ignoresPointSize(draw, program, *programs_[index].interface, submission))
             reportIgnoredPointSize(draw, index, *program);
     }
@@ -320,6 +322,19 @@ class FramePlanner {
                                      name, describeTarget(scene_, pass, target), target));
     }
 
+    /// Reports draw-W14 for a draw that reaches the first of several layers only.
+    void reportLayers(const scene::Draw& draw, const scene::Pass& pass, PlannedProgramIndex index) {
+        if (programs_[index].interface->facts.writesLayer) return;
+        const std::optional<LayeredTarget> target = layeredTarget(scene_, pass);
+        if (!target) return;
+        warnOnce(
+            draw.place, index, "draw-W14",
+            fmt::format("'{}' has {} {}, but only {} 0 is drawn into: name one, such as '{}.{}(0)', or "
+                        "write gl_Layer in a geometry stage",
+                        target->name, target->count, target->isCube ? "faces" : "layers",
+                        target->isCube ? "face" : "layer", target->name, target->isCube ? "face" : "layer"));
+    }
+
     /// True if the scene would supply the input if it were modern.
     [[nodiscard]] bool suppliesIfModern(const ActiveInput& input) const {
         return !scene_.isModern && glsl::findWellKnownInput(input.name, input.type.word) != nullptr;
@@ -360,6 +375,30 @@ class FramePlanner {
                 warnOnce(draw.place, index, "draw-W03",
                          fmt::format("vertex input '{}' is not supplied; it reads 0 0 0 1{}", name,
                                      hintForInput(draw, interface, interface.inputs[i])));
+        }
+    }
+
+    /// Reports draw-W15 for attributes of the draw that no input has and whose names are near that of an
+    /// input without one.
+    void reportUnreadAttributes(const scene::Draw& draw, PlannedProgramIndex index) {
+        if (!draw.attributes) return;
+        const ProgramInterface& interface = *programs_[index].interface;
+        const auto& bindings = scene_.attributeSets[draw.attributes].bindings;
+        const std::vector<InputSource>& sources = plan_.inputs[programs_.inputsOf(draw, index)].sources;
+        std::vector<std::string> inputs;
+        for (const ActiveInput& each : interface.inputs) inputs.push_back(userNameOf(interface, each.name));
+        std::vector<std::string_view> free;  // what is not supplied at all is draw-W03
+        for (std::size_t i = 0; i < inputs.size(); ++i)
+            if (sources[i].isKnown && std::none_of(bindings.begin(), bindings.end(),
+                                                   [&](const auto& each) { return each.name == inputs[i]; }))
+                free.emplace_back(inputs[i]);
+        for (const scene::AttributeBinding& each : bindings) {
+            if (std::find(inputs.begin(), inputs.end(), each.name) != inputs.end()) continue;
+            if (const std::string near = base::nearestName(each.name, free); !near.empty())
+                warnOnce(
+                    each.place, index, "draw-W15",
+                    fmt::format("Attribute: program '{}' has no vertex input '{}'; did you mean '{}'?",
+                                programs_.declared(programs_[index].variant.program)->name, each.name, near));
         }
     }
 

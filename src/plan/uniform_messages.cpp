@@ -146,8 +146,22 @@ std::string UniformMessages::expressionHint(const std::string& name) const {
     return fmt::format("; write '{} ({})' on the line of its Program, Fill or Dispatch", name, value);
 }
 
+std::string UniformMessages::scopeHint(const std::string& name) const {
+    const auto isOfName = [&](const std::string& key) { return key == name || key.starts_with(name + "["); };
+    for (const auto& [key, place] : modern_->setNames)
+        if (isOfName(key))
+            return fmt::format(
+                "; the Set of '{}' in line {} ends with its scope (a round of Repeat, a Pass or a "
+                "Group)",
+                key, place.line);
+    return {};
+}
+
 std::string UniformMessages::modernHint(const ActiveUniform& target) const {
-    if (modern_ != nullptr) return expressionHint(target.name);
+    if (modern_ != nullptr) {
+        std::string hint = expressionHint(target.name);
+        return hint.empty() ? scopeHint(target.name) : hint;
+    }
     const auto isUniform = [this](std::string_view name) { return names_.hasUniform(name); };
     if (target.isArray || target.block >= 0 ||
         glsl::findWellKnownUniform(target.name, target.type.word, isUniform) == nullptr)

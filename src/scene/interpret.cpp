@@ -15,6 +15,7 @@
 #include "glib/message_log.h"
 #include "glib/number.h"
 #include "scene/modern/evaluate.h"
+#include "scene/modern/scope.h"
 #include "scene/state.h"
 
 namespace glibra::scene {
@@ -249,6 +250,7 @@ Scene Interpretation::State::run(const FrameInputs& inputs) {
         if (!hasError(script.diagnostics) && in.log.errorCount() == 0) {  // else they may be consequences
             reportIdlePrograms(in);
             reportUnusedCameras(in);
+            reportUnusedRaster(in);
         }
         shared.cameras.clear();
         cameras.clear();

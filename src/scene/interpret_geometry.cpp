@@ -137,6 +137,7 @@ void draw(Interpreter& in, const glib::Command& command, const Drawing& drawing)
         currentPass(in, command);
         return;
     }
+    for (const glib::Command* each : state.local.rasterStatements) in.modern.rasterUsed.insert(each);
     Draw made;
     made.place = in.place(command);
     made.id = nextDrawId(in, made.place);

@@ -47,6 +47,8 @@ struct LocalState {
     BufferView instancesFrom{};
     AttributeSetIndex attributes{};
     std::optional<std::array<double, 6>> tessellationLevels{};
+    /// The statements State, Viewport and Scissor that decide the raster state; null: none does.
+    std::array<const glib::Command*, 3> rasterStatements{};
 };
 
 /// What has been cleared since the beginning of the frame, or of the Once or Step block.

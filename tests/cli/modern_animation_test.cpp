@@ -176,6 +176,20 @@ Fill window with Show
     EXPECT_EQ(
         glibra(folder.path(), "render scene.glib -o b.png", kOld).err,
         "scene.glib:5:32: error: buffer block 'all' needs GLSL 4.30, this driver has 4.10 [glsl-E03]\n");
+    // The kinds of outputs and targets are compared without the driver's list of outputs.
+    folder.write("scene.glib", R"(WindowSize 8 8
+Texture2D ids 8 8 r32ui
+Fragment inline
+#version 410 core
+out vec4 fId;
+void main() { fId = vec4(1); }
+EndFragment
+Program Write
+Fill ids with Write
+)");
+    EXPECT_EQ(glibra(folder.path(), "check scene.glib", kOld).err,
+              "scene.glib:9:1: error: fragment output 'fId' is of type vec4, but target 'ids' (line 2) holds "
+              "unsigned integers; declare the output as uvec4 [draw-E11]\n");
     // Images need OpenGL 4.2, even if the driver lists their extension.
     folder.write("scene.glib", R"(WindowSize 8 8
 Texture2D heads 8 8 r32ui

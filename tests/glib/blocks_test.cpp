@@ -82,6 +82,8 @@ TEST(Blocks, KeepDeclarationsOut) {
 TEST(Blocks, HaveTheirPlaces) {
     EXPECT_EQ(messageLinesOf("Pass window\nPass window\nEndPass\nEndPass"),
               "2:1 glib-E23 Pass cannot stand inside Pass (line 1); move it out\n");
+    EXPECT_EQ(messageLinesOf("Pass window\nSphere 1\nPass window\nEndPass"),
+              "1:1 glib-E22 Pass is not closed; write EndPass before Pass (line 3)\n");
     EXPECT_EQ(idsOf("Pass window\nFill a with P\nEndPass"), Ids{"glib-E23"});
     EXPECT_EQ(idsOf("Repeat 2\nOnce\nEndOnce\nEndRepeat"), Ids{"glib-E23"});
     EXPECT_EQ(idsOf("Repeat 2 as i\nPass shadow.layer(i) from slice[i]\nEndPass\nEndRepeat"), Ids{});

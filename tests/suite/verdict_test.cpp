@@ -267,6 +267,18 @@ TEST_F(Pairs, APairThatHasToDifferMayNotBeTheSame) {
     EXPECT_EQ(against(gradient(), gradient(), false).verdict, Verdict::failed);
 }
 
+TEST_F(Failures, ACheckThatFailsIsRepeatedByCheck) {
+    Attempt attempt = attemptAt(shot, gradient());
+    attempt.own.failedChecks.push_back(diagnose("check-E01", "Expect (k == 1): expected true, found k is 2"));
+    shot.options.width = shot.options.height = 32;
+    const ShotResult result = judge().first(attempt)->result;
+    EXPECT_EQ(result.verdict, Verdict::failed);
+    EXPECT_EQ(result.reproduce, "glibra check --run " + shot.script.string() + " --size 32x32");
+    EXPECT_EQ(result.accept, "") << "a golden does not make the check hold";
+    shot.options.axes = true;  // which `glibra check` does not have
+    EXPECT_TRUE(judge().first(attempt)->result.reproduce.starts_with("glibra render "));
+}
+
 TEST_F(Pairs, APartnerThatFailsFailsThePair) {
     shot.golden = false;
     shot.match = "b";

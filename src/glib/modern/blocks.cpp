@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "glib/limits.h"
 #include "glib/number.h"
@@ -39,13 +40,12 @@ void BlockStack::checkPlace(const StatementRow& row, const Command& command) {
     if (found == blocks_.end()) return;
     const bool isNumber = command.id == CommandId::let && command.values.size() > 1 &&
                           command.values[1].kind == Value::Kind::number;
-    log_.report("glib-E23",
-                fmt::format("{} cannot stand inside {} (line {}); move it out{}", row.name, found->row->name,
-                            found->position.line,
-                            isNumber ? fmt::format(", or write ({}), which may stand here",
-                                                   numberText(command.values[1].number))
-                                     : std::string()),
-                command.position);
+    found->misplaced.push_back({row.name, command.position,
+                                fmt::format("{} cannot stand inside {} (line {}); move it out{}", row.name,
+                                            found->row->name, found->position.line,
+                                            isNumber ? fmt::format(", or write ({}), which may stand here",
+                                                                   numberText(command.values[1].number))
+                                                     : std::string())});
 }
 
 void BlockStack::follow(const StatementRow& row, Position position, bool isFaulty,
@@ -108,8 +108,9 @@ void BlockStack::divide(const StatementRow& row, Position position, bool isFault
 }
 
 void BlockStack::close(bool isFaulty, std::vector<Command>& commands) {
-    const Block block = blocks_.back();
+    const Block block = std::move(blocks_.back());
     blocks_.pop_back();
+    for (const Misplaced& each : block.misplaced) log_.report("glib-E23", each.text, each.position);
     if (block.isFaulty || isFaulty) {
         commands.resize(std::min(commands.size(), block.index));
         return;
@@ -122,8 +123,11 @@ void BlockStack::close(bool isFaulty, std::vector<Command>& commands) {
 }
 
 void BlockStack::reportOpen(const Block& block, const std::string& before) {
-    log_.report("glib-E22",
-                fmt::format("{} is not closed{}; write {}", block.row->name, before, closerOf(block.row->id)),
+    std::string advice = fmt::format("write {}", closerOf(block.row->id));
+    if (!block.misplaced.empty())
+        advice += fmt::format(" before {} (line {})", block.misplaced.front().word,
+                              block.misplaced.front().position.line);
+    log_.report("glib-E22", fmt::format("{} is not closed{}; {}", block.row->name, before, advice),
                 block.position);
 }
 

@@ -16,7 +16,8 @@ class BlockStack {
   public:
     explicit BlockStack(MessageLog& log) : log_(log) {}
 
-    /// Reports glib-E23 if the statement may not stand here.
+    /// Reports glib-E23 if the statement may not stand here; once the block around it is closed, because if
+    /// its end is missing, that is the mistake.
     void checkPlace(const StatementRow& row, const Command& command);
 
     /// Opens, divides or ends a block by a statement at `position`. A faulty statement is not among the
@@ -29,6 +30,12 @@ class BlockStack {
     void finish(std::vector<Command>& commands);
 
   private:
+    /// A statement that may not stand in a block.
+    struct Misplaced {
+        std::string_view word;
+        Position position;
+        std::string text;
+    };
     struct Block {
         const StatementRow* row = nullptr;
         Position position;
@@ -36,6 +43,7 @@ class BlockStack {
         std::size_t divider = Command::kNoPartner;
         bool isFaulty = false;  ///< its commands are removed at its end
         bool isDivided = false;
+        std::vector<Misplaced> misplaced{};
     };
 
     void open(const StatementRow& row, Position position, bool isFaulty, std::vector<Command>& commands);

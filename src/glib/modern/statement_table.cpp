@@ -246,7 +246,7 @@ constexpr StatementRow kStatementRows[] = {
          "on:$switch | depthrange range:number*2 | depthclamp on:$switch | blend.# $blending | "
          "blendcolor color:number*4 | stencil.front,back test:$compare reference:number [mask:number] | "
          "stencilop.front,back fail:$operation depthfail:$operation pass:$operation | "
-         "stencilwrite.front,back mask:number | mark value:number | where value:number | write "
+         "stencilwrite.front,back mask:number | mark value:number | where value:number | write.# "
          "components:$mask | provoking vertex:first,last | samples on:$switch | alphatocoverage "
          "on:$switch}+)",
      .summary = "how fragments are tested, blended and written, until the scope ends"},
@@ -314,7 +314,8 @@ constexpr StatementRow kStatementRows[] = {
                "index:number values:list | values:list) $within | range name:object bounds:number*2 | sum "
                "name:object (values:list | total:number) $within | "
                "same a:object b:object $within | different a:object b:object $within | finite name:object | "
-               "primitives count:number | samples count:number | error id:word | condition:expression) [at "
+               "primitives count:number $within | samples count:number $within | error id:word | "
+               "condition:expression) [at "
                "seconds:number]",
      .summary = "a check of the picture, a buffer, a count or a condition"},
 };

@@ -1,8 +1,13 @@
 #include "glsl/emit/log.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
 
 #include "glsl/emit/emit.h"
 #include "glsl/emit/log_advice.h"
@@ -87,6 +92,34 @@ bool isCandidate(std::string_view text) {
     return std::count(head.begin(), head.end(), ' ') == 1;
 }
 
+/// Leaves out what only follows from an error before it.
+class Consequences {
+  public:
+    /// True for a name that an earlier error says to be undeclared, and for expressions on the line of such a
+    /// name, whose type is therefore not known. Remembers errors about undeclared names.
+    bool contain(const LogLine& line) {
+        if (line.text.find("undeclared") != std::string_view::npos) {
+            lines_.emplace(line.source, line.line);
+            return !names_.emplace(quotedWord(line.text)).second;
+        }
+        constexpr std::array<std::string_view, 7> kPhrases{"from a non-numeric data type",
+                                                           "operands to arithmetic operators must be numeric",
+                                                           "used uninitialized",
+                                                           "(error,",
+                                                           "(error)",
+                                                           ", error,",
+                                                           ", error)"};
+        return lines_.contains({line.source, line.line}) &&
+               std::any_of(kPhrases.begin(), kPhrases.end(), [&](std::string_view each) {
+                   return line.text.find(each) != std::string_view::npos;
+               });
+    }
+
+  private:
+    std::set<std::string> names_;
+    std::set<std::pair<std::string, int>> lines_;
+};
+
 Diagnostic programNote(const TranslatedProgram& program, std::string id) {
     return {Severity::note, std::move(id), "in Program '" + program.name + "'", program.place};
 }
@@ -100,6 +133,7 @@ Diagnostics explainCompileLog(const TranslatedProgram& program, const Translated
     bool failed = false;
     bool candidates = false;
     LogAdvice advice(program, stage);
+    Consequences consequences;
     for (const std::string_view each : linesOf(log)) {
         const std::optional<LogLine> line = parseLogLine(each, stage.lineMap.files);
         if (line && candidates && isCandidate(line->text)) continue;
@@ -109,6 +143,7 @@ Diagnostics explainCompileLog(const TranslatedProgram& program, const Translated
             continue;
         }
         if (line->line >= kOwnLines) continue;
+        if (consequences.contain(*line)) continue;
         const std::string& file = fileOf(stage, line->source);
         const Place place{file, std::max(1, lineOf(stage, file, line->line)), userColumn(stage, *line, file)};
         std::string text = inUserNames(program, line->text);

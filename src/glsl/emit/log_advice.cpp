@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/suggest.h"
+#include "glsl/facts/stage_variables.h"
 #include "glsl/parse/types.h"
 #include "glsl/read/token.h"
 #include "glsl/read/words.h"
@@ -254,10 +255,24 @@ const LogAdvice::Source& LogAdvice::source() {
     return *source_;
 }
 
+std::string LogAdvice::inputFor(std::string_view word) const {
+    std::string declaration;
+    for (const TranslatedStage& stage : program_.stages) {
+        if (stage.stage == stage_.stage) return declaration;
+        for (const StageVariable& each : stageVariables(stage, program_.userNames))
+            if (each.isOutput && each.name == word && each.elements == 0)
+                declaration = "in " + each.type + " " + each.name + ";";
+    }
+    return declaration;
+}
+
 std::string LogAdvice::suggestionFor(std::string_view word, bool isType) {
     const auto* const foreign = std::find_if(kForeignWords.begin(), kForeignWords.end(),
                                              [&](const ForeignWord& each) { return each.word == word; });
     if (foreign != kForeignWords.end()) return "; did you mean '" + std::string(foreign->core) + "'?";
+    if (!isType)
+        if (const std::string declaration = inputFor(word); !declaration.empty())
+            return "; declare '" + declaration + "' in this stage";
     constexpr std::size_t kMostNames = 10'000;
     const Source& source = this->source();
     std::set<std::string> names;

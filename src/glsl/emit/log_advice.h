@@ -32,6 +32,9 @@ class LogAdvice {
     /// What the user may have meant by an unknown word, as "; did you mean 'fract'?"; empty if nothing is
     /// near.
     std::string suggestionFor(std::string_view word, bool isType);
+    /// The declaration of an input for what an earlier stage delivers by that name, as "in vec2 vST;"; empty
+    /// if none does.
+    [[nodiscard]] std::string inputFor(std::string_view word) const;
 
     const TranslatedProgram& program_;
     const TranslatedStage& stage_;

@@ -17,7 +17,7 @@ int declaredElements(const Unit& unit, const Declaration& declaration, const Dec
     const auto& dimension =
         declarator.dimensions.empty() ? declaration.type.dimensions.front() : declarator.dimensions.front();
     long long elements = 0;
-    if (!integerValue(unit, dimension, elements) || elements < 1) return 0;
+    if (!globalIntegerValue(unit, dimension, elements) || elements < 1) return 0;
     return static_cast<int>(std::min(elements, 1LL << 20));
 }
 

@@ -2,6 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <deque>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "glsl/read/words.h"
 
@@ -48,6 +53,14 @@ std::map<std::string_view, unsigned> outputArguments(const Unit& unit) {
     return result;
 }
 
+/// True for whole numbers and operators.
+bool isLiteral(std::span<const ViewToken> tokens) {
+    return std::all_of(tokens.begin(), tokens.end(), [](const ViewToken& token) {
+        return token.kind == TokenKind::punctuator ||
+               (token.kind == TokenKind::number && token.text.find('.') == std::string_view::npos);
+    });
+}
+
 }  // namespace
 
 bool isAssignment(std::string_view text) {
@@ -73,11 +86,46 @@ std::uint32_t afterSuffixes(const Unit& unit, std::uint32_t at) {
 bool integerValue(const Unit& unit, Range range, long long& value) {
     if (range.empty() || range.end > unit.view.size()) return false;
     const std::span<const ViewToken> tokens(unit.view.data() + range.first, range.end - range.first);
-    const bool plain = std::all_of(tokens.begin(), tokens.end(), [](const ViewToken& token) {
-        return token.kind == TokenKind::punctuator ||
-               (token.kind == TokenKind::number && token.text.find('.') == std::string_view::npos);
-    });
-    return plain && evaluateCondition(tokens, value);
+    return isLiteral(tokens) && evaluateCondition(tokens, value);
+}
+
+namespace {
+
+constexpr int kMostNestedConstants = 16;
+
+bool globalIntegerValue(const Unit& unit, Range range, int depth, long long& value);
+
+/// The value of a constant of the outermost scope as text; empty if it is not known or negative.
+std::string constantText(const Unit& unit, std::string_view name, int depth) {
+    const auto isConstant = [&](const Variable& each) {
+        return each.storage == Storage::constant && each.name == name && !each.isArray();
+    };
+    const auto found = std::find_if(unit.variables.begin(), unit.variables.end(), isConstant);
+    if (found == unit.variables.end()) return {};
+    const Declaration& declaration = unit.syntax.declarations[found->declaration];
+    long long value = 0;
+    const bool isKnown =
+        globalIntegerValue(unit, declaration.declarators[found->declarator].initializer, depth + 1, value);
+    return isKnown && value >= 0 ? std::to_string(value) : std::string{};
+}
+
+bool globalIntegerValue(const Unit& unit, Range range, int depth, long long& value) {
+    if (range.empty() || range.end > unit.view.size() || depth > kMostNestedConstants) return false;
+    std::vector<ViewToken> tokens(unit.view.begin() + range.first, unit.view.begin() + range.end);
+    std::deque<std::string> constants;  // what the tokens point to
+    for (ViewToken& each : tokens) {
+        if (each.kind != TokenKind::word) continue;
+        each.text = constants.emplace_back(constantText(unit, each.text, depth));
+        if (each.text.empty()) return false;
+        each.kind = TokenKind::number;
+    }
+    return isLiteral(tokens) && evaluateCondition(tokens, value);
+}
+
+}  // namespace
+
+bool globalIntegerValue(const Unit& unit, Range range, long long& value) {
+    return globalIntegerValue(unit, range, 0, value);
 }
 
 int constantIndex(const Unit& unit, std::uint32_t openBracket) {

@@ -24,4 +24,7 @@ int constantIndex(const Unit& unit, std::uint32_t openBracket);
 /// expression.
 bool integerValue(const Unit& unit, Range range, long long& value);
 
+/// The same for a range outside of all functions, which may also name constants: `const int kLights = 4;`.
+bool globalIntegerValue(const Unit& unit, Range range, long long& value);
+
 }  // namespace glibra::glsl

@@ -91,7 +91,7 @@ class FragmentOutputs {
         const auto multiply = [&](const std::vector<Range>& dimensions) {
             for (const Range& each : dimensions) {
                 long long size = 1;
-                if (integerValue(unit_, each, size))
+                if (globalIntegerValue(unit_, each, size))
                     count =
                         std::clamp(count * static_cast<int>(std::clamp(size, 1LL, 64LL)), 1, kMostOutputs);
             }

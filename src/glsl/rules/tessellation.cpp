@@ -100,6 +100,7 @@ void checkTessellation(ProgramUnits& program) {
     Unit* last = program.lastBeforeRaster();
     if (!last) return;
     program.result->writesPointSize = last->isWritten("gl_PointSize");
+    program.result->writesLayer = last->isWritten("gl_Layer");
     program.result->clipDistances = clipDistances(*last);
 }
 

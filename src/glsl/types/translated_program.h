@@ -102,6 +102,7 @@ struct TranslatedProgram {
     bool suppliesVertexStage = false;           ///< it is that of ProgramRequest::suppliesFullScreenVertex
     bool mayReadTangents = false;               ///< the vertex stage names the tangent input
     bool writesPointSize = false;               ///< in the last stage before rasterisation
+    bool writesLayer = false;                   ///< in the last stage before rasterisation
     int clipDistances = 0;                      ///< number of gl_ClipDistance elements that this stage writes
     int patchVertices = 0;                      ///< layout(vertices = n) of the control stage; 0: none
     /// Uniforms (by the user's names) whose values reach gl_TessLevelOuter and gl_TessLevelInner by

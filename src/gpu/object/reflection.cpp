@@ -264,4 +264,8 @@ base::ActiveResources reflect(const Program& program) {
     return resources;
 }
 
+int outputLocation(const Program& program, const std::string& name) {
+    return glGetFragDataLocation(program.id(), name.c_str());
+}
+
 }  // namespace glibra::gpu

@@ -253,8 +253,11 @@ class Answerer {
     }
 
     [[nodiscard]] Answer number(const char* what, std::uint64_t found) const {
-        if (static_cast<double>(found) == check_.numbers.at(0)) return std::nullopt;
-        return wrong(fmt::format("{} {}", shownNumber(check_.numbers.at(0)), what), fmt::format("{}", found));
+        const double wanted = check_.numbers.at(0);
+        if (std::abs(static_cast<double>(found) - wanted) <= check_.tolerance) return std::nullopt;
+        const std::string within =
+            check_.tolerance > 0 ? " within " + shownNumber(check_.tolerance) : std::string{};
+        return wrong(fmt::format("{} {}{}", shownNumber(wanted), what, within), fmt::format("{}", found));
     }
 
     [[nodiscard]] Answer condition() const {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "glsl/emit/log.h"
+#include "glsl/facts/stage_variables.h"
 #include "gpu/object/reflection.h"
 #include "gpu/object/uniform.h"
 #include "image/file.h"
@@ -91,6 +92,26 @@ std::vector<InitialValue> initialValues(const BuiltProgram& built) {
                 {plan::UniformIndex(i), element, gpu::getUniform(*built.program, uniform, element)});
     }
     return values;
+}
+
+/// The active outputs of the fragment stage by its text, for drivers that do not list them.
+std::vector<base::ActiveOutput> declaredOutputs(const glsl::TranslatedProgram& translated,
+                                                const gpu::Program& program) {
+    std::vector<base::ActiveOutput> outputs;
+    for (const glsl::TranslatedStage& stage : translated.stages) {
+        if (stage.stage != glsl::Stage::fragment) continue;
+        for (const glsl::StageVariable& each : glsl::stageVariables(stage, translated.userNames)) {
+            const int location = each.isOutput ? gpu::outputLocation(program, each.expression) : -1;
+            if (location < 0) continue;
+            const bool isInteger = each.type.starts_with('i'), isUnsigned = each.type.starts_with('u');
+            base::ValueType type{.word = each.type};
+            type.rows = each.components();
+            if (isInteger) type.base = base::BaseType::integer;
+            if (isUnsigned) type.base = base::BaseType::unsignedInteger;
+            outputs.push_back({each.expression, location, type, std::max(1, each.elements)});
+        }
+    }
+    return outputs;
 }
 
 /// Completes the interface of a program that was linked, or failed.
@@ -261,6 +282,8 @@ bool ProgramLibrary::compile(const plan::ProgramVariant& variant, const glsl::Tr
     stats_.add("programs", 1);
     if (!outcome.program) return false;
     static_cast<base::ActiveResources&>(built.interface) = gpu::reflect(*outcome.program);
+    if (!context_.capabilities().atLeast(4, 3))
+        built.interface.outputs = declaredOutputs(translated, *outcome.program);
     built.program = std::move(outcome.program);
     return true;
 }

@@ -54,7 +54,7 @@ void removeConsequences(Diagnostics& diagnostics) {
                each.id.starts_with("file-E");
     };
     if (std::none_of(diagnostics.begin(), diagnostics.end(), isOfScript)) return;
-    constexpr std::array<std::string_view, 6> kConsequences{"glib-W23", "glib-W37", "glib-W38",
+    constexpr std::array<std::string_view, 7> kConsequences{"glib-W23", "glib-W37", "glib-W38", "glib-W39",
                                                             "draw-N04", "draw-W01", "draw-W02"};
     std::erase_if(diagnostics, [&](const Diagnostic& each) {
         return each.severity != Severity::error &&

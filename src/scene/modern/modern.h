@@ -134,6 +134,13 @@ struct ProgramTags {
     const glib::Script* script = nullptr;
 };
 
+/// A Pass or Fill after a statement whose raster state it does not take over.
+struct LostRaster {
+    Place place;       ///< of the statement
+    Place pass;        ///< of the Pass or Fill
+    std::string word;  ///< of the Pass or Fill
+};
+
 /// What modern statements change during one frame.
 struct ModernState {
     std::map<CameraName, SceneCamera> cameras;
@@ -150,6 +157,8 @@ struct ModernState {
     /// What faulty statements would have declared. Whoever misses one of these reports nothing.
     std::set<std::string, std::less<>> lostNames;
     std::vector<std::pair<std::string, glib::Position>> variables;  ///< of all Let statements, in order
+    std::map<const glib::Command*, LostRaster> rasterLost;
+    std::set<const glib::Command*> rasterUsed;  ///< statements that decide how something is drawn
     expression::Depends conditions = expression::Depends::nothing;  ///< of the When around the statement
     std::optional<OpenPass> pass;
     OpenBlock* block = nullptr;

@@ -332,6 +332,7 @@ void doPass(Interpreter& in, const Command& command) {
     in.implicitPass.reset();
 
     const Scope scope(in);
+    noteFreshRaster(in, command);
     resetRaster(in);
     in.modern.pass = std::move(open);
     const SceneCamera seen = currentCamera(in);
@@ -358,6 +359,7 @@ void doFill(Interpreter& in, const Command& command) {
     }
     const auto program = programNamed(in, with->values.front(), false);
     if (!program) return;
+    noteFreshRaster(in, command);
     Pass pass = makePass(in, command, *targets, {}, false);
     Draw made;
     made.place = pass.place;
@@ -427,10 +429,12 @@ std::optional<base::FractionRectangle> areaOf(Interpreter& in, const Command& co
 }
 
 void doViewport(Interpreter& in, const Command& command) {
+    noteRasterStatement(in, command);
     if (const auto area = areaOf(in, command, false)) in.state.raster.viewport = *area;
 }
 
 void doScissor(Interpreter& in, const Command& command) {
+    noteRasterStatement(in, command);
     if (const auto area = areaOf(in, command, true)) in.state.raster.scissor = *area;
 }
 

@@ -1,5 +1,9 @@
 #include "scene/modern/scope.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
 #include <utility>
 
 namespace glibra::scene {
@@ -37,6 +41,31 @@ void resetRaster(Interpreter& in) {
     fresh.pointSize = in.state.raster.pointSize;
     fresh.pointSizeFromShader = in.state.raster.pointSizeFromShader;
     in.state.raster = fresh;
+    in.state.local.rasterStatements = {};
+}
+
+void noteRasterStatement(Interpreter& in, const glib::Command& command) {
+    constexpr std::array kKinds{glib::CommandId::state, glib::CommandId::viewport, glib::CommandId::scissor};
+    const auto kind = std::find(kKinds.begin(), kKinds.end(), command.id) - kKinds.begin();
+    in.state.local.rasterStatements.at(static_cast<std::size_t>(kind)) = &command;
+}
+
+void noteFreshRaster(Interpreter& in, const glib::Command& command) {
+    for (const glib::Command* each : in.state.local.rasterStatements)
+        if (each != nullptr)
+            in.modern.rasterLost.try_emplace(each,
+                                             LostRaster{in.place(*each), in.place(command), command.word});
+}
+
+void reportUnusedRaster(Interpreter& in) {
+    for (const auto& [statement, lost] : in.modern.rasterLost) {
+        if (in.modern.rasterUsed.contains(statement)) continue;
+        in.report(diagnose(
+            "glib-W39",
+            fmt::format("{} has no effect: {} (line {}) begins with the default state{}", statement->word,
+                        lost.word, lost.pass.line, lost.word == "Pass" ? "; move it into the pass" : ""),
+            lost.place));
+    }
 }
 
 }  // namespace glibra::scene

@@ -29,6 +29,13 @@ class Scope {
 /// Sets the state at the beginning of a pass. What classic commands set stays.
 void resetRaster(Interpreter&);
 
+/// Remembers that the statement State, Viewport or Scissor decides the raster state of the draws after it.
+void noteRasterStatement(Interpreter&, const glib::Command& command);
+/// Remembers that the Pass or Fill does not take over what these statements before it have set.
+void noteFreshRaster(Interpreter&, const glib::Command& command);
+/// Reports glib-W39 for each of these statements that stands before a Pass or Fill and decides no draw.
+void reportUnusedRaster(Interpreter&);
+
 /// Statements that one frame may execute; those of repetitions and groups count each time.
 inline constexpr std::size_t kMostStatements = 1'000'000;
 

@@ -12,6 +12,7 @@
 #include "glib/number.h"
 #include "scene/modern/evaluate.h"
 #include "scene/modern/modern.h"
+#include "scene/modern/scope.h"
 #include "scene/state.h"
 
 namespace glibra::scene {
@@ -149,7 +150,7 @@ class StateReader {
             if (color) std::copy(color->begin(), color->end(), state.blendConstant.begin());
             return color.has_value();
         }
-        if (name == "write") return readWrite(first, state);
+        if (name == "write") return readWrite(key, state);
         return readStencil(key, state);
     }
 
@@ -222,29 +223,34 @@ class StateReader {
             blend.alpha = blend.color;
             if (alpha != nullptr && !readFunction(alpha->values, blend.alpha)) return false;
         }
-        if (key.suffix.empty()) {
-            state.blendAll(blend);
-            return true;
-        }
-        const auto target = static_cast<std::size_t>(std::strtoul(key.suffix.c_str(), nullptr, 10));
-        if (target >= base::kRasterTargets) {
-            in_.report(diagnose("glib-E26",
-                                fmt::format("State: blend.{}: colour targets are 0 to {}", key.suffix,
-                                            base::kRasterTargets - 1),
-                                in_.script->place(key.position)));
-            return false;
-        }
-        state.blend[target] = blend;
-        return true;
+        return setTargets(key, state.blend, blend);
     }
 
-    bool readWrite(const Value& value, base::RasterState& state) {
+    bool readWrite(const KeyedValues& key, base::RasterState& state) {
         const std::vector<std::string_view> words = wordsOfFragment("mask");
-        const auto index = wordOf(in_, value, words);
+        const auto index = wordOf(in_, key.values.front(), words);
         if (!index) return false;
         const std::string_view mask = words[*index] == "none" ? "" : words[*index];
         const auto has = [&](char component) { return mask.find(component) != std::string_view::npos; };
-        state.write.fill({has('r'), has('g'), has('b'), has('a')});
+        return setTargets(key, state.write, base::ColorMask{has('r'), has('g'), has('b'), has('a')});
+    }
+
+    /// Sets the value of the colour target that follows the key after a point; without one, that of all.
+    template <class Targets>
+    bool setTargets(const KeyedValues& key, Targets& targets, const typename Targets::value_type& value) {
+        if (key.suffix.empty()) {
+            targets.fill(value);
+            return true;
+        }
+        const auto target = static_cast<std::size_t>(std::strtoul(key.suffix.c_str(), nullptr, 10));
+        if (target >= targets.size()) {
+            in_.report(diagnose("glib-E26",
+                                fmt::format("State: {}.{}: colour targets are 0 to {}", key.key, key.suffix,
+                                            targets.size() - 1),
+                                in_.script->place(key.position)));
+            return false;
+        }
+        targets[target] = value;
         return true;
     }
 
@@ -321,6 +327,7 @@ class StateReader {
 };
 
 void doState(Interpreter& in, const Command& command) {
+    noteRasterStatement(in, command);
     StateReader(in, command).read();
 }
 

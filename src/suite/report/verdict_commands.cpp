@@ -16,6 +16,15 @@ std::string reproduceCommand(const Shot& shot) {
     return command + " -o " + shellWord(file + (shot.options.floatPixels ? ".exr" : ".png"));
 }
 
+std::string checkCommand(const Shot& shot) {
+    const auto isUnknown = [&](const OptionRow& row) {
+        return std::find(kCheckOptions.begin(), kCheckOptions.end(), row.name) == kCheckOptions.end() &&
+               !optionWords(row, shot).empty();
+    };
+    if (std::any_of(optionTable().begin(), optionTable().end(), isUnknown)) return {};
+    return "glibra check --run " + shellWord(shot.script.string()) + optionArguments(shot);
+}
+
 std::string acceptCommand(const Suite& suite, const Shot& shot) {
     return fmt::format("glibra test {} --only {} --update", shellWord(suite.file.string()),
                        shellWord(shot.name));

@@ -204,6 +204,9 @@ std::optional<Judged> ShotJudge::first(const Attempt& attempt) const {
     if (!attempt.own.failedChecks.empty()) {
         Judged judged{begin(attempt), std::nullopt};
         append(judged.result.diagnostics, attempt.own.failedChecks);
+        judged.result.accept.clear();  // a golden does not make the checks hold
+        if (std::string command = checkCommand(shot); !command.empty())
+            judged.result.reproduce = std::move(command);
         judged.result.reason = firstError(attempt.own.failedChecks);
         judged.result.got = write(shot, "got", *attempt.own.picture, judged.result);
         return judged;
