@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 /// Some programs save several files, or one file in several steps. After each event the watch waits this long
 /// for another one before it reports.
-constexpr int kQuietMilliseconds = 3;
+constexpr int kQuietMilliseconds = 1;
 constexpr int kMostQuietWaits = 20;
 /// A removed file that an editor writes anew is there again after this time.
 constexpr std::chrono::milliseconds kAway{200};
