@@ -2,6 +2,7 @@
 
 #include "geometry/obj/obj_mesh.h"
 
+#include <algorithm>
 #include <set>
 #include <string>
 

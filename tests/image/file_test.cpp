@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstring>
@@ -82,7 +83,7 @@ TEST_F(WholeFile, FollowsTheUsersFileMode) {
     const mode_t before = ::umask(027);
     EXPECT_TRUE(writeFileAtomically(folder / "out.png", testing::bytesOf({1})).empty());
     ::umask(before);
-    struct stat status {};
+    struct stat status{};
     ASSERT_EQ(::stat((folder / "out.png").c_str(), &status), 0);
     EXPECT_EQ(status.st_mode & 0777U, 0640U);
 }

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "geometry/shapes/primitive.h"
 #include "glib/command_table.h"
 #include "glib/modern/statement_table.h"

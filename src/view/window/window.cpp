@@ -26,6 +26,7 @@
 #include "view/window/platform/gui.h"
 #include "view/window/platform/input_queue.h"
 #include "view/window/platform/input_script.h"
+#include "view/window/platform/keys.h"
 #include "view/window/platform/theme.h"
 #include "view/window/tabs.h"
 #include "view/window/window_json.h"
@@ -39,6 +40,7 @@ using RealClock = std::chrono::steady_clock;
 constexpr int kFramesAfterEvent = 3;
 constexpr double kMilliseconds = 1000;  ///< per second
 constexpr double kLongestStep = .25;    ///< seconds by which one frame may advance the scene's time
+constexpr double kReplayedSeconds = 1. / 60;
 
 double secondsSince(RealClock::time_point start) {
     return std::chrono::duration<double>(RealClock::now() - start).count();
@@ -79,8 +81,8 @@ class Window {
     void quit();
     bool hasWork();
     void waitForWork();
-    bool nextInput();
-    void record();
+    bool nextInput(FrameInput& input);
+    void record(FrameInput frame);
     int samplesOfFrame();
     bool isPassedOver();
     void drawFrame();
@@ -306,25 +308,30 @@ void Window::waitForWork() {
     pacer_.setRate(display_.refreshRate());
 }
 
-bool Window::nextInput() {
+bool Window::nextInput(FrameInput& input) {
     if (replayed_ >= replay_.size()) return false;
     const FrameInput& frame = replay_[replayed_++];
-    replaceInput(frame);
+    input = frame;
+    ImGui::GetIO().DeltaTime = static_cast<float>(kReplayedSeconds);
     ui().way = frame.way;
     if (frame.windowSize) display_.setSize(frame.windowSize->first, frame.windowSize->second);
     if (frame.open) ui().requests.open = *frame.open;
     dropped_ = frame.dropped;
-    const ImGuiIO& io = ImGui::GetIO();
+    const auto isDown = [&](int left, int right) {
+        return std::any_of(frame.keys.begin(), frame.keys.end(),
+                           [&](int key) { return key == left || key == right; });
+    };
+    const bool control = isDown(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
+    const bool shift = isDown(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
     for (const int key : frame.keys)
         if (std::find(replayedKeys_.begin(), replayedKeys_.end(), key) == replayedKeys_.end())
-            ui().pressed.push_back({key, io.KeyCtrl, io.KeyShift});
+            ui().pressed.push_back({key, control, shift});
     replayedKeys_ = frame.keys;
     framesWanted_ = kFramesAfterEvent;
     return true;
 }
 
-void Window::record() {
-    FrameInput frame = currentInput();
+void Window::record(FrameInput frame) {
     if (ui().way.size() > 1) frame.way = ui().way;
     if (const auto size = display_.size(); size != recordedSize_) frame.windowSize = recordedSize_ = size;
     frame.dropped = std::exchange(recordedDrops_, {});
@@ -352,18 +359,19 @@ void Window::drawFrame() {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     input_.add(display_.takeInput());
-    InputQueue::Frame input = input_.next();
-    giveToImGui(input_, input);
-    ui().pressed = std::move(input.pressed);
-    ui().way = std::move(input.way);
-    const bool isReplayed = nextInput();
-    if (recorder_) record();
+    InputQueue::Frame queued = input_.next();
+    FrameInput input = inputOf(input_, queued);
+    ui().pressed = std::move(queued.pressed);
+    ui().way = std::move(queued.way);
+    const bool isReplayed = nextInput(input);
+    giveToImGui(input);
+    if (recorder_) record(std::move(input));
     for (std::size_t i = 0; i < tabs_.count(); ++i) continueHardcopy(tabs_.at(i).ui);
     Ui& ui = tabs_.shown().ui;
-    ui.session.advance(isReplayed ? 1.0 / 60 : passed);
+    ui.session.advance(isReplayed ? kReplayedSeconds : passed);
     tabs_.updateTitles();
     // Outside of text fields, Tab chooses sliders (value_slider.h).
-    ImGui::GetIO().KeyMap[ImGuiKey_Tab] = ImGui::GetIO().WantTextInput ? GLFW_KEY_TAB : -1;
+    keepTabFromFocus();
     ImGui::NewFrame();
     showAll(ui);
     if (!ImGui::IsAnyItemActive() && ui.dragButton < 0 && ui.session.hasScene())
