@@ -25,6 +25,7 @@
 #include "gpu/context/context.h"
 #include "image/file.h"
 #include "render/check/answers.h"
+#include "render/check/misspellings.h"
 #include "render/scene_renderer.h"
 #include "suite/report/verdict_commands.h"
 #include "suite/run/run.h"
@@ -92,8 +93,12 @@ class SceneChecker {
   private:
     /// What drawing the scene reports in addition, and its checks that do not hold.
     Diagnostics runOf(const std::string& scene, const RenderOptions& options, Diagnostics checked) {
-        if (hasError(checked)) return render::withoutExpected(render::checksOf(scene, options), checked);
-        return render::runChecks(*context_, scene, options, std::move(checked));
+        Diagnostics found = hasError(checked)
+                                ? render::withoutExpected(render::checksOf(scene, options), checked)
+                                : render::runChecks(*context_, scene, options, std::move(checked));
+        Diagnostics misspelt = render::takeMisspellings(found);
+        append(misspelt, std::move(found));
+        return misspelt;
     }
 
     const CheckArguments& arguments_;

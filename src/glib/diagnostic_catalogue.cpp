@@ -129,6 +129,12 @@ constexpr CatalogueRow kCatalogueRows[] = {
      "'cube' has 6 faces, but only face 0 is drawn into: name one, such as 'cube.face(0)', or write gl_Layer "
      "in a geometry stage"},
     {"draw-W15", "Attribute: program 'Lit' has no vertex input 'ofset'; did you mean 'offset'?"},
+    {"draw-W17",
+     "Vertex (line 4) and Fragment (line 8) belong to no Program, so nothing is drawn with them; write "
+     "'Program NAME' after them"},
+    {"draw-W18",
+     "Vertices: a patch has 3 vertices, but the control stage reads gl_in[3] (quad.tesc:7); write "
+     "'NumPatchVertices 4'"},
     {"draw-N01", "no LookAt, so the eye is moved back by 4.125 along z (use --eye glman to switch this off)"},
     {"draw-N02", "the picture has only one colour"},
     {"draw-N03",
@@ -170,6 +176,15 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"memory-W03",
      "buffer 'ids' is declared with the type uint, but the elements of storage block 'Ids' (count.comp:4) "
      "differ from it and decide; leave out the type, or make them the same"},
+    {"memory-W04",
+     "buffer 'data' is declared with the type float, but number 2 of storage block 'Data' (sum.comp:4) is a "
+     "uint and decides; leave out the type, or make them the same"},
+    {"memory-W05",
+     "Dispatch: data[gl_GlobalInvocationID.x] (line 9) goes up to element 63, but buffer 'data' has 10 "
+     "elements; write 'over data', compare with data.length(), or declare 64 elements"},
+    {"memory-W06",
+     "Dispatch: there is one group along y, so only 8 of the 512 texels of 'heat' along y are reached; write "
+     "'over heat' or the number of groups along y"},
     // Shaders
     {"glsl-E01", "'vMC' : undeclared identifier"},
     {"glsl-E02", "'vN' is vec3 in dots.vert:4 and vec4 in dots.frag:6"},
@@ -207,6 +222,10 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"glsl-W21", "uniform 'uKa' declared again on line 12, ignored"},
     {"glsl-W22", "input 'vST' is written to; a local copy is used"},
     {"glsl-W23", "pow(vec2, float): the scalar is widened to vec2"},
+    {"glsl-W30",
+     "max_vertices is 3, but the stage emits 4 vertices, of which the last one is lost; write max_vertices = "
+     "4"},
+    {"glsl-W31", "'sum' is read before it has a value; give it one where it is declared"},
     // Files
     {"file-E01", "cannot find 'cow.obj'; nearest: 'cows.obj'"},
     {"file-E02", "'dots.frag' is empty"},

@@ -166,9 +166,10 @@ class Resolver {
                                    place(spec.valuePosition)};
             const std::vector<NamedUniform> named = names_.find(spec.tag);
             const bool isChosen = choosesObject(spec.tag);
-            if (named.empty() && !spec.mayBeUnknown &&
-                !(isChosen && namesMemory(interface_.facts.memory, spec.tag)))
-                messages_.unknown(given, spec.resembles);
+            // A word for a block is reported with the block's buffer.
+            const bool isOfBlock =
+                (isChosen || !spec.word.empty()) && namesMemory(interface_.facts.memory, spec.tag);
+            if (named.empty() && !spec.mayBeUnknown && !isOfBlock) messages_.unknown(given, spec.resembles);
             for (const NamedUniform& each : named)
                 if (!isChosen || !isOpaque(uniform(each.uniform)))
                     apply(given, each, overridden_.contains({each.uniform, each.element}), spec.word);
@@ -331,15 +332,7 @@ class Resolver {
     std::optional<double> numberOf(std::string_view word, const GivenValue& given, UniformIndex index) {
         const std::vector<std::string>* functions = functionsOf(index);
         if (functions == nullptr) {
-            std::vector<std::string> names;
-            for (const scene::Variable& each : drawn_.scene->variables) names.push_back(each.name);
-            for (const scene::TextureIndex each : drawn_.scene->textures.indices())
-                names.push_back(drawn_.scene->textures[each].name);
-            for (const scene::BufferIndex each : drawn_.scene->buffers.indices())
-                names.push_back(drawn_.scene->buffers[each].name);
-            warn("glib-E27",
-                 fmt::format("'{}' is no variable, texture or buffer{}", word, suggestionFor(word, names)),
-                 given.valuePlace);
+            result_.diagnostics.push_back(unknownWord(*drawn_.scene, word, given.valuePlace));
             return std::nullopt;
         }
         const auto found = std::find(functions->begin(), functions->end(), word);

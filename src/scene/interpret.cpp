@@ -66,6 +66,81 @@ void reportIdlePrograms(Interpreter& in) {
                                     each->text));
 }
 
+/// The statement of a stage that no Program has taken yet.
+struct PendingStage {
+    const glib::Command* command;
+    std::string file;  ///< empty: a shader in the script
+};
+
+std::string listOfStages(const std::vector<PendingStage>& stages) {
+    std::string text;
+    for (std::size_t i = 0; i < stages.size(); ++i)
+        text += fmt::format("{}{} (line {})",
+                            i == 0                   ? ""
+                            : i + 1 == stages.size() ? " and "
+                                                     : ", ",
+                            stages[i].command->word, stages[i].command->position.line);
+    return text;
+}
+
+/// Reports draw-W17 for shaders that no Program takes before others take their place or the script ends. An
+/// included file may have the Program.
+void reportStagesWithoutProgram(Interpreter& in) {
+    std::map<CommandId, PendingStage> pending;
+    std::vector<PendingStage> lost;
+    const auto report = [&](const glib::Command* before) {
+        if (lost.empty()) return;
+        std::sort(lost.begin(), lost.end(), [](const PendingStage& a, const PendingStage& b) {
+            return a.command->position.line < b.command->position.line;
+        });
+        in.reportAt(
+            *lost.front().command, "draw-W17",
+            fmt::format(
+                "{} belong{} to no Program, so nothing is drawn with {}; write 'Program NAME' "
+                "after {}{}",
+                listOfStages(lost), lost.size() == 1 ? "s" : "", lost.size() == 1 ? "it" : "them",
+                lost.size() == 1 ? "it" : "them",
+                before != nullptr ? fmt::format(", before line {}", before->position.line) : std::string()));
+        lost.clear();
+    };
+    const glib::Command* replacing = nullptr;  // the first of `lost`
+    for (const glib::Command& each : in.script->commands) {
+        switch (each.id) {
+            case CommandId::vertex:
+            case CommandId::tessControl:
+            case CommandId::tessEvaluation:
+            case CommandId::geometry:
+            case CommandId::fragment:
+            case CommandId::compute: {
+                const auto known = pending.find(each.id);
+                const bool isAgain =
+                    known != pending.end() && !each.text.empty() && known->second.file == each.text;
+                if (known != pending.end() && !isAgain) {
+                    if (lost.empty()) replacing = &each;
+                    lost.push_back(known->second);
+                }
+                pending.erase(each.id);
+                if (!each.text.empty() || !each.body.empty())
+                    pending.emplace(each.id, PendingStage{&each, each.text});
+                break;
+            }
+            case CommandId::program:
+                report(replacing);
+                if (pending.erase(CommandId::compute) == 0) pending.clear();  // it takes that stage alone
+                break;
+            case CommandId::include:
+                lost.clear();
+                pending.clear();
+                break;
+            default:
+                break;
+        }
+    }
+    report(replacing);
+    for (const auto& [id, stage] : pending) lost.push_back(stage);
+    report(nullptr);
+}
+
 /// All actions by CommandId. The element of a command without an action has no handler.
 std::vector<CommandAction> allActions() {
     std::vector<CommandAction> all(static_cast<std::size_t>(CommandId::firstPrimitive));
@@ -251,6 +326,7 @@ Scene Interpretation::State::run(const FrameInputs& inputs) {
             reportIdlePrograms(in);
             reportUnusedCameras(in);
             reportUnusedRaster(in);
+            reportStagesWithoutProgram(in);
         }
         shared.cameras.clear();
         cameras.clear();
@@ -269,6 +345,7 @@ Scene Interpretation::State::run(const FrameInputs& inputs) {
         if (const CameraName eye{"eye", 0}; findCamera(in, eye) == nullptr)
             shared.cameras[eye] = valuesOf(classicCamera(in), windowAspect(in));
         in.scene.namedValues = namedValues(in);
+        if (in.scene.isModern) in.scene.mayBeWritten = undecidedWrites(in);
     } catch (const std::exception& problem) {
         in.report(diagnose("glib-E15", fmt::format("the scene cannot be run: {}", problem.what()),
                            script.place({})));

@@ -266,11 +266,12 @@ bool ProgramLibrary::compile(const plan::ProgramVariant& variant, const glsl::Tr
     gpu::BuildOutcome outcome = gpu::buildProgram(
         context_.capabilities(), {.stages = stages, .vertexInputs = {}, .fragmentOutputs = {}});
     for (std::size_t i = 0; i < outcome.stages.size(); ++i) {
+        if (outcome.stages[i].compiled) continue;
         Diagnostics found = glsl::explainCompileLog(translated, translated.stages[i], outcome.stages[i].log);
-        if (!outcome.stages[i].compiled && !hasError(found))
+        if (!hasError(found))
             found.push_back(diagnose("glsl-E01",
                                      "the driver does not compile the shader: " + outcome.stages[i].log,
-                                     {translated.stages[i].path, 1, 1}));
+                                     {translated.stages[i].path, translated.stages[i].firstLine, 1}));
         append(diagnostics, std::move(found));
     }
     if (!outcome.program && !hasError(diagnostics)) {

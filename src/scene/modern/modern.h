@@ -21,6 +21,7 @@
 #include "scene/camera.h"
 #include "scene/modern/environment.h"
 #include "scene/modern/evaluate.h"
+#include "scene/modern/undecided.h"
 #include "scene/scene.h"
 
 namespace glibra::scene {
@@ -164,6 +165,7 @@ struct ModernState {
     OpenBlock* block = nullptr;
     GivenVariables given;                                 ///< of the file that is included now
     std::vector<Environment::Slot>* readSlots = nullptr;  ///< collects the variables that expressions read
+    std::vector<UntakenRange> untaken{};                  ///< each once per time that it does not run
 };
 
 // structure.cpp

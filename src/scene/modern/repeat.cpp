@@ -94,6 +94,7 @@ void doRepeat(Interpreter& in, const Command& command) {
                                 glib::groupedText(static_cast<long long>(kMostStatements))));
         return;
     }
+    if (rounds < 1) in.modern.untaken.push_back({in.script, index + 1, command.partner});
     for (double round = 0; round < rounds && !in.modern.isFull; ++round) {
         const Scope scope(in);
         Environment& names = in.shared->environment;

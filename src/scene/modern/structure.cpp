@@ -246,10 +246,14 @@ void doWhen(Interpreter& in, const Command& command) {
         condition = truthOf(in, command.values.front());
         in.modern.conditions = outer | depends.depends();
     }
-    in.scene.hasConditions = true;
     const Command& partner = in.script->commands[command.partner];
     const bool hasElse = partner.id == CommandId::elseBranch;
     addConditions(in, index + 1, hasElse ? partner.partner : command.partner);
+    if (in.modern.conditions != expression::Depends::nothing || !condition)
+        in.modern.untaken.push_back(
+            condition && !*condition
+                ? UntakenRange{in.script, index + 1, command.partner}
+                : UntakenRange{in.script, command.partner + 1, hasElse ? partner.partner : command.partner});
     ++in.modern.blocks;
     if (condition && *condition)
         run(in, index + 1, command.partner);

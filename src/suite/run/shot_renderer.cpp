@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "render/check/answers.h"
+#include "render/check/misspellings.h"
 #include "render/file/job.h"
 #include "suite/file/unknown_uniforms.h"
 
@@ -102,6 +103,7 @@ Rendering ShotRenderer::tryRender(const Shot& shot, std::span<const Shot* const>
         if (rendering.hasChecks = loaded_->renderer.hasChecks(); rendering.hasChecks)
             rendering.failedChecks =
                 loaded_->renderer.answerChecks(shot.options.time, rendering.diagnostics, *loaded_->stats);
+        append(rendering.failedChecks, render::takeMisspellings(rendering.diagnostics));
     }
     return rendering;
 }
