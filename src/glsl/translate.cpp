@@ -4,6 +4,7 @@
 
 #include "glsl/emit/emit.h"
 #include "glsl/facts/facts.h"
+#include "glsl/parse/lexical.h"
 #include "glsl/parse/usage.h"
 #include "glsl/read/source.h"
 #include "glsl/rules/rules.h"
@@ -54,6 +55,11 @@ void read(const ProgramRequest& request, ProgramUnits& program) {
 }
 
 void parse(Unit& unit) {
+    if (unit.request->shim) {
+        replaceExtensionWords(unit);
+        dropIdleOperands(unit);
+        markNames(unit);
+    }
     unit.syntax = parseSyntax(unit.view);
     unit.bodies = walkBodies(unit.view, unit.syntax);
     unit.variables = collectVariables(unit);
@@ -113,6 +119,7 @@ void applyRules(ProgramUnits& program) {
     collectDeclarations(program);
     collectMemory(program);
     connectStages(program);
+    checkUniformTypes(program);
     for (std::size_t i = 0; i < walks.size(); ++i)
         repairDeclarations(program.units[i], walks[i], program.result->geometryInput, report);
     for (std::size_t i = 0; i < walks.size(); ++i) {

@@ -22,6 +22,7 @@ struct ViewToken {
     TokenKind kind = TokenKind::word;
     bool body = false;        ///< spelled in a macro's body
     bool objectSite = false;  ///< `site` is the name of a macro without parameters
+    bool isName = false;      ///< a keyword of the target that this source uses as a name (markNames)
 };
 
 struct Macro {

@@ -73,8 +73,8 @@ bool Preprocessor::isDefined(std::string_view name) const {
     if (name == "GL_core_profile") return true;
     if (name == "GL_compatibility_profile") return !stage_.dialect.core;
     if (!name.starts_with("GL_")) return false;
-    if (extensionInCoreSince(name)) return true;
     const Target& target = stage_.request->target;
+    if (isInCore(name, target.version)) return true;
     return target.hasExtension && target.hasExtension(name);
 }
 

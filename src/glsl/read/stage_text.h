@@ -40,6 +40,8 @@ struct StageText {
     std::vector<ViewToken> view;                ///< the active tokens after macro expansion
     std::set<std::string, std::less<>> macros;  ///< every name that the source defines anywhere
     std::vector<std::string> extensions;        ///< #extension lines to be passed on
+    /// The extensions that the source enables and that are available (extensions.h).
+    std::set<std::string, std::less<>> enabled;
     Edits edits;
 
     [[nodiscard]] Place placeOfToken(std::uint32_t token) const {

@@ -10,7 +10,7 @@ namespace {
 bool renameDriverMacro(Unit& unit, std::uint32_t at, std::string_view text) {
     if (!text.starts_with("GL_")) return false;
     const bool compatibility = text == "GL_compatibility_profile";
-    if (!compatibility && !extensionInCoreSince(text)) return false;
+    if (!compatibility && !isInCore(text, unit.request->target.version)) return false;
     const std::string name = "glibra_" + std::string(text.substr(3));
     unit.edits.replace(at, name);
     if (!compatibility || !unit.dialect.core) unit.declare("#define " + name + " 1");
@@ -27,6 +27,7 @@ void applyRenames(Unit& unit, const TokenWalk& walk) {
         const Token& token = unit.tokens[i];
         if (token.kind != TokenKind::word || token.synthetic) continue;
         if (const Edit* edit = unit.edits.find(i); edit && edit->replaced) continue;
+        if (unit.layoutWords.contains(i)) continue;
         if (const auto found = unit.wordRenames.find(token.text); found != unit.wordRenames.end()) {
             unit.edits.replace(i, found->second);
             continue;

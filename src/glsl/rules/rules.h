@@ -52,6 +52,8 @@ void checkTessellation(ProgramUnits& program);
 void countPatchesInWhole(ProgramUnits& program);
 /// Matches the user's own variables between stages (language, 7.9).
 void connectStages(ProgramUnits& program);
+/// Reports uniforms and uniform and storage blocks of one name that two stages declare differently.
+void checkUniformTypes(ProgramUnits& program);
 /// Repairs mistakes in declarations: glsl-W09, W10, W20, W21, W22 (language, 7.10).
 void repairDeclarations(Unit& unit, const TokenWalk& walk, const std::string& geometryInput, Report& report);
 
