@@ -203,7 +203,9 @@ class Pool {
     }
 
     void beginStep(Worker& worker) const {
-        const double seconds = options_.timeoutOf ? options_.timeoutOf(*worker.piece) : options_.timeout;
+        const double seconds = options_.timeLeft    ? options_.timeLeft(*worker.piece)
+                               : options_.timeoutOf ? options_.timeoutOf(*worker.piece)
+                                                    : options_.timeout;
         worker.deadline = seconds > 0 ? Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                                            std::chrono::duration<double>(seconds))
                                       : Clock::time_point::max();
@@ -267,8 +269,8 @@ class Pool {
         std::string text = worker.received.substr(sizeof header, header.bytes);
         worker.received.erase(0, sizeof header + header.bytes);
         if (isStep) {
-            beginStep(worker);
             progress_(*worker.piece, text);
+            beginStep(worker);
         } else {
             const std::size_t piece = *worker.piece;
             worker.piece.reset();

@@ -30,6 +30,9 @@ struct WorkerOptions {
     /// The time limit and the memory of one piece, if the pieces have different limits.
     std::function<double(std::size_t index)> timeoutOf{};
     std::function<std::uint64_t(std::size_t index)> memoryOf{};
+    /// If given, it is asked for the seconds that a piece has left, when the piece begins and after each of
+    /// its steps, instead of the time limits above; 0: no limit.
+    std::function<double(std::size_t index)> timeLeft{};
     /// Called five times a second. After it returns true, no further piece begins and the running ones are
     /// ended.
     std::function<bool()> stop{};

@@ -160,7 +160,10 @@ int runClassCommand(const ClassArguments& arguments, const std::string& command)
                                                       classroom::stateOf(each), classroom::reasonOf(each))));
     printLine(classroom::summary(end.classroom));
     printLine("page: " + (plan.site / "index.html").string());
-    return kDone;
+    const std::vector<classroom::Submission>& all = plan.submissions.all;
+    const bool isWhole = std::none_of(all.begin(), all.end(),
+                                      [](const classroom::Submission& each) { return each.isUnlisted; });
+    return isWhole ? kDone : kSceneIsWrong;
 }
 
 }  // namespace

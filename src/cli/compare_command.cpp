@@ -166,23 +166,44 @@ class Comparer {
     std::string list_;
 };
 
-/// The pictures in a folder and below it, by their paths from there.
-std::set<std::string> picturesBelow(const fs::path& folder) {
+/// The pictures in a folder and below it, by their paths from there. What cannot be listed or is a link to
+/// nothing is a problem: it would be missing from both folders and count as the same.
+std::set<std::string> picturesBelow(const fs::path& folder, Diagnostics& problems) {
     std::set<std::string> names;
+    const auto report = [&](const fs::path& path, const std::string& why) {
+        problems.push_back(diagnose(
+            "suite-E22",
+            fmt::format("cannot look at all of '{}': {}; pictures would be left out", path.string(), why),
+            {folder.string(), 1, 1}));
+    };
     std::error_code failure;
-    for (fs::recursive_directory_iterator each(folder, failure), end; !failure && each != end;
-         each.increment(failure))
-        if (each->is_regular_file(failure) && !each->path().filename().string().starts_with('.') &&
-            image::formatOfSuffix(each->path()) != image::Format::unknown)
+    fs::recursive_directory_iterator each(folder, failure);
+    for (const fs::recursive_directory_iterator end; !failure && each != end; each.increment(failure)) {
+        if (each->path().filename().string().starts_with('.') ||
+            image::formatOfSuffix(each->path()) == image::Format::unknown)
+            continue;
+        std::error_code unknown;
+        const fs::file_type type = each->status(unknown).type();
+        if (type == fs::file_type::regular)
             names.insert(each->path().lexically_relative(folder).generic_string());
+        else if (type == fs::file_type::none || type == fs::file_type::not_found)
+            report(each->path(),
+                   type == fs::file_type::none ? unknown.message() : "the target of the link is missing");
+    }
+    if (failure) report(folder, failure.message());
     return names;
 }
 
 constexpr const char* kIsCompared = "it is compared";
 
 int compareFolders(const CompareArguments& arguments, Comparer& comparer) {
-    const std::set<std::string> expected = picturesBelow(arguments.first),
-                                got = picturesBelow(arguments.second);
+    Diagnostics unlisted;
+    const std::set<std::string> expected = picturesBelow(arguments.first, unlisted),
+                                got = picturesBelow(arguments.second, unlisted);
+    if (hasError(unlisted)) {
+        print(unlisted);
+        return kSceneIsWrong;
+    }
     std::set<std::string> all = expected;
     all.insert(got.begin(), got.end());
     if (all.empty()) {

@@ -35,7 +35,8 @@ Diagnostics overwrittenByPictures(const Selection& selection, std::span<const su
     if (!anyExists(pictures)) return {};
     ReadFiles read;
     read.add(selection, suite::inputsOf(selection.suites, selection.shots,
-                                        inputWorkers(arguments, shots.size(), options.sandbox, stop)));
+                                        inputWorkers(arguments, shots.size(), options.sandbox, stop),
+                                        arguments.timeout));
     for (const suite::Suite& suite : selection.suites)
         for (const suite::Shot& shot : suite.shots)
             if (shot.golden)

@@ -135,6 +135,10 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"draw-W18",
      "Vertices: a patch has 3 vertices, but the control stage reads gl_in[3] (quad.tesc:7); write "
      "'NumPatchVertices 4'"},
+    {"draw-W25",
+     "Dispatch: 281,462,092,005,375 groups in all; this driver counts at most 2,147,483,647, and does not "
+     "run "
+     "the others; dispatch fewer groups, or divide them with tiles"},
     {"draw-N01", "no LookAt, so the eye is moved back by 4.125 along z (use --eye glman to switch this off)"},
     {"draw-N02", "the picture has only one colour"},
     {"draw-N03",
@@ -290,6 +294,13 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"suite-E20",
      "goldens: '../pictures' is outside of the suite's folder 'tests'; --allow-outside lets --update write "
      "there"},
+    {"suite-E21",
+     "the picture of 'oval' is compared with nothing: golden = false, no match, no differ, and no Expect in "
+     "the scene"},
+    {"suite-E22", "cannot list the folder 'scenes/drafts': Permission denied; its scenes would be left out"},
+    {"suite-E23",
+     "the goldens of 'Oval' and 'oval' would be one file on disks that ignore upper and lower case; rename "
+     "one"},
     {"suite-W01", "this is not a line of accepted pixels; it is ignored"},
     // Results of suites
     {"result-E01", "this is not a line of results: 'verdict': there is no verdict 'good'"},
@@ -297,6 +308,9 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"result-E03", "2 of 4 shards are missing: 2/4, 4/4; their shots are not in this result"},
     {"result-E04", "these runs do not belong together: shards of 2, 3; give the folders of one run"},
     {"result-E05", "no folder of results is given"},
+    {"result-E06",
+     "'parts/1' and 'parts/2' are not parts of one run: their shots or settings differ; run both with the "
+     "same suites and options"},
     {"result-W01", "'start/teapot' is passed in 'a' and failed in 'b'; it counts as failed"},
     {"result-W02", "report of 'start/teapot': cannot find 'got/teapot.png'"},
     {"result-N01", "the last line is torn, so its shot is not counted"},

@@ -62,7 +62,7 @@ int runProgram(int argc, char** argv) {
 int main(int argc, char** argv) {
     if (!glibra::base::openStandardFiles()) return glibra::cli::kNoDriver;
     try {
-        return glibra::bench::runProgram(argc, argv);
+        return glibra::cli::endProgram(glibra::bench::runProgram(argc, argv));
     } catch (const std::exception& failure) {
         glibra::cli::printError(failure.what());
         return glibra::cli::kSceneIsWrong;

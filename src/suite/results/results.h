@@ -57,6 +57,7 @@ struct ShotResult {
     std::string accept;          ///< the command line that makes the picture the new golden
     image::Tolerance tolerance;  ///< the tolerance that was applied
     std::string fingerprint{};   ///< of what the verdict depends on (fingerprint.h); empty if unknown
+    std::string driverKey{};     ///< hash of the driverKey() of the driver that drew it; empty if unknown
     std::string driver{};        ///< if it differs from the driver of the run, as in merged runs
 };
 
@@ -71,6 +72,7 @@ struct RunResult {
     std::string driver;             ///< GL_RENDERER and GL_VERSION
     std::string machine;            ///< processor model and system
     std::string shard;              ///< "2/8", or empty
+    std::string plan{};             ///< planDigest(), the same for all shards of a run; empty if unknown
     std::string command;            ///< the command line
     double seconds = 0;             ///< wall time
     std::string began{};            ///< UTC as "2026-01-31T12:00:00Z"; empty if unknown

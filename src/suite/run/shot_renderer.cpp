@@ -27,14 +27,15 @@ void ShotRenderer::prepare(std::span<const Shot* const> coming, const Source& cu
         if (source == *before) continue;
         if (wanted == preparations_.size() || !(preparations_[wanted].source == source)) {
             dropPreparationsFrom(wanted);
-            beginPreparation(std::move(source));
+            beginPreparation(*each, std::move(source));
         }
         before = &preparations_[wanted++].source;
     }
 }
 
-void ShotRenderer::beginPreparation(Source source) {
+void ShotRenderer::beginPreparation(const Shot& shot, Source source) {
     Preparation& begun = preparations_.emplace_back();
+    begun.shot = &shot;
     begun.source = std::move(source);
     begun.stats = std::make_unique<render::Stats>();
     begun.job = background_.add([this, &begun] {
@@ -50,7 +51,11 @@ void ShotRenderer::beginPreparation(Source source) {
 
 void ShotRenderer::dropPreparationsFrom(std::size_t first) {
     if (first >= preparations_.size()) return;
-    background_.wait();
+    for (const Preparation& each : preparations_) {
+        if (awaits_) awaits_(each.shot);
+        background_.wait(each.job);
+    }
+    if (awaits_) awaits_(nullptr);
     while (preparations_.size() > first) preparations_.pop_back();
 }
 
