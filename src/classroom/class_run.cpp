@@ -135,6 +135,7 @@ class ClassRun {
         options.timeout = options_.timeout;
         options.memory = options_.memory;
         options.onlyRender = plan_.site / kPictures;
+        options.refusesMisspelt = true;
         options.sandbox = options_.drawing;
         suite::RunEvents events;
         events.begins = [&](const ShotReference& each) {

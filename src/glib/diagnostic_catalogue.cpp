@@ -34,6 +34,7 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"glib-E27", "no group 'tre' is declared before this line; did you mean 'tree'?"},
     {"glib-E28", "group 'tree' draws itself"},
     {"glib-E29", "Camera: Perspective needs an angle between 0 and 180, and 0 < near < far"},
+    {"glib-E32", "'uTint' is a vec3, but its value has 16 numbers, as a mat4"},
     {"glib-W01", "a single '/' starts a comment here; use '//' or '#', or quote the path"},
     {"glib-W02", "text after the continuation backslash ignored"},
     {"glib-W03", "',' at the end of '.60,' dropped; blanks separate values"},

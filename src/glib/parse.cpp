@@ -121,6 +121,7 @@ class Parser {
         const StatementRow* form = statementOf(statement.row->id);
         if (statement.row->form == ArgumentForm::program && isModernProgram(statement))
             return keepModern(statement, *form);
+        if (statement.row->form == ArgumentForm::program && keepSubscripts(statement, *form)) return;
         if (statement.row->form == ArgumentForm::program) noteName(statement);
         Command command = start(statement, statement.row->id);
         const std::size_t errors = log_.errorCount();
@@ -144,6 +145,27 @@ class Parser {
         if (!hasSubscriptedTag(statement.arguments) && !hasMalformedValue(statement.arguments)) return false;
         if (!isModern_) wouldDiffer_ = true;
         return isModern_;
+    }
+
+    /// Keeps the program of a classic scene whose tags have subscripts, if the rules of modern statements can
+    /// read it. False if there is no such tag, or the statement has something else that they refuse.
+    bool keepSubscripts(const Statement& statement, const StatementRow& form) {
+        if (isModern_ || statement.faulty || !hasSubscriptedTag(statement.arguments)) return false;
+        MessageLog unused{""};
+        Command command = start(statement, form.id);
+        command.isModern = true;
+        readStatement(form, text_, statement.arguments,
+                      {[](std::string_view) { return false; }, [](std::string_view) { return false; }},
+                      command, unused);
+        if (unused.errorCount() > 0 || command.values.empty()) return false;
+        takeUniforms(command);
+        if (!command.tags.empty() || ++programs_ > kMostPrograms) return false;
+        setText(command);
+        command.values.clear();
+        command.isModern = false;
+        noteName(statement);
+        if (!losesStage(form.id)) commands_.push_back(std::move(command));
+        return true;
     }
 
     void keepModern(const Statement& statement, const StatementRow& row) {

@@ -73,6 +73,12 @@ std::optional<std::array<double, 9>> upperLeft(const GivenValue& given, const Ac
     return values;
 }
 
+/// True for a whole matrix as the value of a scalar or vector.
+bool isMatrixInstead(const GivenValue& given, const ActiveUniform& target, const NamedUniform& named) {
+    return given.form == glib::UniformForm::list && (given.values.size() == 9 || given.values.size() == 16) &&
+           !isOpaque(target) && target.type.columns == 1 && (!target.isArray || named.oneElement);
+}
+
 bool isNoiseUniform(const glsl::BuiltinUniform& row) {
     return row.value == glsl::Builtin::noise2 || row.value == glsl::Builtin::noise3;
 }
@@ -362,6 +368,15 @@ class Resolver {
         if (row != nullptr && !isNoiseUniform(*row)) return messages_.supplied(given);
         const auto part = drawn_.scene != nullptr ? upperLeft(given, target, named.oneElement) : std::nullopt;
         if (part) given.values = *part;
+        if (drawn_.scene != nullptr && isMatrixInstead(given, target, named)) {
+            touched_[named.uniform] = true;
+            result_.badBindings.push_back(
+                diagnose("glib-E32",
+                         fmt::format("'{}' is a {}, but its value has {} numbers, as a mat{}", given.tag,
+                                     target.type.word, given.values.size(), given.values.size() == 9 ? 3 : 4),
+                         given.valuePlace));
+            return;
+        }
         Reading reading = readValue(given, target, named.oneElement, declaredElements(target));
         if (isOverridden) {  // the scene's value is not used, but its slider stays
             if (reading.control) addControl(named.uniform, *reading.control);

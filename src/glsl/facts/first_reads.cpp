@@ -45,6 +45,13 @@ bool mayBeOutput(const Unit& unit, std::uint32_t at) {
     return false;
 }
 
+/// True for `x += 1` and `++x`, which read what they change.
+bool isChanged(const Unit& unit, std::uint32_t at) {
+    const auto isStep = [](std::string_view text) { return text == "++" || text == "--"; };
+    const std::string_view next = unit.text(afterSuffixes(unit, at));
+    return isStep(next) || (isAssignment(next) && next != "=") || (at > 0 && isStep(unit.text(at - 1)));
+}
+
 }  // namespace
 
 void reportUnassigned(const Unit& unit, Report& report) {
@@ -65,9 +72,9 @@ void reportUnassigned(const Unit& unit, Report& report) {
         const auto known = unassigned.find(name);
         if (known == unassigned.end() || !known->second) continue;
         known->second = false;
-        const bool isWholeAssigned = isWrittenAt(unit, at) || mayBeOutput(unit, at);
+        const bool isGiven = (isWrittenAt(unit, at) && !isChanged(unit, at)) || mayBeOutput(unit, at);
         const bool isLength = unit.text(at + 1) == "." && unit.text(at + 2) == "length";
-        if (!isWholeAssigned && !isLength)
+        if (!isGiven && !isLength)
             report.report(
                 "glsl-W31",
                 "'" + std::string(name) + "' is read before it has a value; give it one where it is declared",

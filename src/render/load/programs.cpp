@@ -12,6 +12,7 @@
 #include "gpu/object/uniform.h"
 #include "image/file.h"
 #include "plan/accesses.h"
+#include "render/load/bounded_filter.h"
 #include "render/load/gl_names.h"
 #include "render/load/hidden_text.h"
 #include "scene/file_lookup.h"
@@ -298,6 +299,15 @@ void ProgramLibrary::build(const plan::ProgramVariant& variant, BuiltProgram& bu
         append(diagnostics, std::move(translated.diagnostics));
     }
     if (!hasError(diagnostics)) {
+        if (context_.capabilities().isSoftware && filtersAnisotropically(scene_))
+            for (glsl::TranslatedStage& each : translated.stages)
+                if (boundFilter(each) && variant.program)
+                    stats_.skip(
+                        "texels",
+                        fmt::format("aniso on a software driver: where a pixel covers more than {} texels "
+                                    "of the coarsest level, it reads 16 x 16 of them",
+                                    kMostTexels),
+                        scene_.programs[variant.program].place);
         built.key = keyOf(variant, translated);
         if (BuiltProgram* earlier = earlierByKey(built.key)) {
             built.program = std::exchange(earlier->program, std::nullopt);

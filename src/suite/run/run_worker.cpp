@@ -108,6 +108,11 @@ Judged ShotWorker::keep(const ShotReference& reference, const Attempt& attempt) 
     ShotResult& result = judged.result;
     result.accept.clear();
     result.diagnostics = attempt.own.diagnostics;
+    for (const Diagnostic& each : attempt.own.failedChecks) {
+        if (each.id.starts_with("check-")) continue;
+        result.diagnostics.push_back(each);
+        if (!plan_.options.refusesMisspelt) result.diagnostics.back().severity = severityOf(each.id);
+    }
     if (attempt.own.picture) {
         result.width = attempt.own.picture->width;
         result.height = attempt.own.picture->height;
