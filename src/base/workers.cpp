@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <cstdint>
@@ -31,6 +32,13 @@ constexpr std::uint32_t kLargestMessage = 1U << 28U;
 
 /// A process has one state of this kind, as it has one process id.
 bool thisProcessIsWorker = false;
+
+/// Of the step that this worker is at.
+struct StepLimit {
+    std::atomic<double> seconds{0};  ///< 0: no limit
+    std::atomic<Clock::time_point> start{};
+};
+StepLimit thisStep;
 
 enum class MessageKind : std::uint32_t { step, answer };
 struct Header {
@@ -62,6 +70,10 @@ bool receiveAll(int file, void* data, std::size_t size) {
     return true;
 }
 
+double secondsOf(const WorkerOptions& options, std::size_t piece) {
+    return options.timeoutOf ? options.timeoutOf(piece) : options.timeout;
+}
+
 std::uint64_t memoryOf(const WorkerOptions& options, std::size_t piece) {
     return options.memoryOf ? options.memoryOf(piece) : options.memory;
 }
@@ -91,8 +103,12 @@ void send(int file, MessageKind kind, const std::string& text) {
     while (receiveAll(requests, &index, sizeof index)) {
         if (index >= count) ::_exit(1);  // something else has written into the pipe
         limit.set(memoryOf(options, index));
-        const std::string answer =
-            work(index, [answers](const std::string& text) { send(answers, MessageKind::step, text); });
+        thisStep.seconds = secondsOf(options, index);
+        thisStep.start = Clock::now();
+        const std::string answer = work(index, [answers](const std::string& text) {
+            send(answers, MessageKind::step, text);
+            thisStep.start = Clock::now();
+        });
         send(answers, MessageKind::answer, answer);
     }
     std::fflush(nullptr);
@@ -203,9 +219,8 @@ class Pool {
     }
 
     void beginStep(Worker& worker) const {
-        const double seconds = options_.timeLeft    ? options_.timeLeft(*worker.piece)
-                               : options_.timeoutOf ? options_.timeoutOf(*worker.piece)
-                                                    : options_.timeout;
+        const double seconds =
+            options_.timeLeft ? options_.timeLeft(*worker.piece) : secondsOf(options_, *worker.piece);
         worker.deadline = seconds > 0 ? Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                                            std::chrono::duration<double>(seconds))
                                       : Clock::time_point::max();
@@ -321,6 +336,12 @@ class Pool {
 
 bool isWorker() {
     return thisProcessIsWorker;
+}
+
+std::optional<StepTime> stepTime() {
+    if (!thisProcessIsWorker || thisStep.seconds <= 0) return std::nullopt;
+    const double passed = std::chrono::duration<double>(Clock::now() - thisStep.start.load()).count();
+    return StepTime{thisStep.seconds, std::max(0., thisStep.seconds - passed)};
 }
 
 void runInWorkers(std::size_t count, const WorkerOptions& options, const Work& work,

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "base/sandbox.h"
@@ -48,6 +49,14 @@ using Work = std::function<std::string(std::size_t index, const Step& step)>;
 
 /// True in a process that runInWorkers started, which ends without harm to others.
 bool isWorker();
+
+/// The limit of time of the step that this worker is at.
+struct StepTime {
+    double limit = 0;  ///< seconds that the step may take
+    double left = 0;   ///< seconds until this process is ended
+};
+/// Nothing if this is no worker, or if the step has no limit.
+std::optional<StepTime> stepTime();
 
 /// Does pieces 0 to count - 1, each exactly once, in forked workers; a worker that ends is replaced. `done`
 /// and `progress` run in the calling process, in the order of events. Call it before any thread or GL context

@@ -242,7 +242,7 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"file-E08", "'main.obj' is a compiler's object file, not a model"},
     {"file-E09", "'city.obj' has 2.1 GiB, the limit is 1 GiB"},
     {"file-E10", "cannot write 'out/a.png': no space left on device"},
-    {"file-E11", "'wood.dds': not decoded within 60 seconds"},
+    {"file-E11", "'wood.dds': not decoded within 20 seconds"},
     {"file-E12",
      "'../ana/a.frag' lies outside of the scene's folder and the library, and this scene may read only files "
      "inside"},
@@ -262,6 +262,10 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"file-W12", "'Cow.obj' matches 'COW.obj' and 'cow.obj'; 'COW.obj' is used"},
     {"file-W13",
      "the scene names too many missing files; further names are looked up only as they are written"},
+    {"file-W14", "'a.jpg' has no alpha, so the transparency of the picture is lost; .png and .tif keep it"},
+    {"file-W15",
+     "'a.jpg' is to be turned by its EXIF data (orientation 6), which are ignored; save the picture upright"},
+    {"file-W16", "'a.bmp': 3 pixels have colours that the palette lacks; they are black"},
     {"file-N01", "noise is read from 'noise3d.064.tex' beside the scene"},
     // The graphics driver
     {"gpu-E01", "no usable OpenGL driver (4.1 core or later is needed); tried: egl, osmesa"},

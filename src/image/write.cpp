@@ -10,6 +10,7 @@
 #include <system_error>
 #include <vector>
 
+#include "image/alpha.h"
 #include "image/convert.h"
 #include "image/file.h"
 #include "image/format.h"
@@ -54,19 +55,34 @@ Diagnostics writeOther(const Image& image, Format format, const fs::path& path, 
     return temporary.commit();
 }
 
+/// file-W14 if the picture has alpha that its format does not keep.
+Diagnostics remarksOn(const Image& image, Format format, const fs::path& path) {
+    if (keepsAlpha(format) || !isTransparent(image)) return {};
+    return {diagnose("file-W14",
+                     fmt::format("'{}' has no alpha, so the transparency of the picture is lost; .png "
+                                 "and .tif keep it",
+                                 path.string()))};
+}
+
+Diagnostics writeAs(const Image& image, Format format, const fs::path& path, const WriteOptions& options) {
+    if (format == Format::png) return writePng(image, path, options.png);
+    if (format == Format::pfm) return writePfm(image, path);
+    return writeOther(image, format, path, options);
+}
+
 }  // namespace
 
 Diagnostics writeImage(const Image& image, const fs::path& path, const WriteOptions& options) {
     if (!isConsistent(image)) return {cannotWrite(path, "the picture has no pixels")};
     const Format format = formatOfSuffix(path);
     try {
-        if (format == Format::png) return writePng(image, path, options.png);
-        if (format == Format::pfm) return writePfm(image, path);
         if (format == Format::unknown || format == Format::rawTexture)
             return {
                 cannotWrite(path, fmt::format("the suffix '{}' is not that of a picture format; .png is one",
                                               path.extension().string()))};
-        return writeOther(image, format, path, options);
+        Diagnostics problems = writeAs(image, format, path, options);
+        if (!hasError(problems)) append(problems, remarksOn(image, format, path));
+        return problems;
     } catch (const std::bad_alloc&) {
         return {cannotWrite(path, "there is not enough memory")};
     }
