@@ -84,7 +84,6 @@ int main(int argc, char** argv) {
     try {
         return glibra::cli::endProgram(run(argc, argv));
     } catch (const std::exception& failure) {
-        glibra::cli::printError(failure.what());
-        return glibra::cli::kSceneIsWrong;
+        return glibra::cli::failProgram(failure.what());
     }
 }

@@ -128,6 +128,12 @@ int endProgram(int status) {
     return std::max(status, kSceneIsWrong);
 }
 
+int failProgram(std::string_view why) {
+    const int status = endProgram(kDone);
+    if (status == kDone) printError(why);
+    return kSceneIsWrong;
+}
+
 std::vector<std::filesystem::path> foldersIn(const char* variable) {
     std::vector<std::filesystem::path> folders;
     const char* value = std::getenv(variable);

@@ -120,8 +120,9 @@ bool mayBeForged(const fs::path& results, std::span<const suite::Suite> suites) 
     std::error_code failure;
     const fs::path place = fs::weakly_canonical(fs::absolute(results, failure), failure);
     return std::any_of(suites.begin(), suites.end(), [&](const suite::Suite& each) {
-        const fs::path folder = fs::is_directory(each.file, failure) ? each.file : each.file.parent_path();
-        const fs::path root = fs::weakly_canonical(fs::absolute(folder, failure), failure);
+        const fs::path file = fs::absolute(each.file, failure);
+        const fs::path folder = fs::is_directory(file, failure) ? file : file.parent_path();
+        const fs::path root = fs::weakly_canonical(folder, failure);
         const fs::path inside = place.lexically_relative(root);
         return inside.empty() || *inside.begin() != "..";
     });

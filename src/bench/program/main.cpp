@@ -64,7 +64,6 @@ int main(int argc, char** argv) {
     try {
         return glibra::cli::endProgram(glibra::bench::runProgram(argc, argv));
     } catch (const std::exception& failure) {
-        glibra::cli::printError(failure.what());
-        return glibra::cli::kSceneIsWrong;
+        return glibra::cli::failProgram(failure.what());
     }
 }

@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 
 fs::path suiteFolderOf(const Suite& suite) {
     std::error_code failed;
-    return fs::is_directory(suite.file, failed) ? suite.file : suite.file.parent_path();
+    if (fs::is_directory(suite.file, failed)) return suite.file;
+    return suite.file.has_parent_path() ? suite.file.parent_path() : fs::path(".");
 }
 
 std::string portablePathOf(const fs::path& folder, const fs::path& file) {

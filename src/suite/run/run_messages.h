@@ -14,7 +14,7 @@ namespace glibra::suite {
 /// The driver of the worker; sent once.
 struct DriverIs {
     std::string words;
-    std::string key;  ///< driverKey()
+    std::string key{};  ///< driverKey()
 };
 /// The worker begins a shot. Its time limit begins now.
 struct Begins {
