@@ -84,8 +84,9 @@ void send(int file, MessageKind kind, const std::string& text) {
 }
 
 /// The worker's main loop: reads pieces and writes answers until the parent closes the pipe.
+/// In a sandbox, `memory` is a limit that nothing in the worker can raise.
 [[noreturn]] void servePieces(int requests, int answers, std::size_t count, const WorkerOptions& options,
-                              const Work& work) {
+                              const Work& work, std::uint64_t memory) {
 #ifdef __linux__
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     // When memory runs out, the kernel should end a worker, not the parent that holds all results.
@@ -98,6 +99,7 @@ void send(int file, MessageKind kind, const std::string& text) {
     ::signal(SIGTERM, SIG_DFL);
     thisProcessIsWorker = true;
     const MemoryLimit limit;
+    if (options.sandbox) limit.setForever(memory);
     if (options.sandbox && !enterSandbox(*options.sandbox, std::array{requests, answers}).empty()) ::_exit(1);
     std::uint64_t index = 0;
     while (receiveAll(requests, &index, sizeof index)) {
@@ -117,15 +119,16 @@ void send(int file, MessageKind kind, const std::string& text) {
 
 struct Worker {
     pid_t process = -1;
-    int requests = -1;     ///< we write
-    int answers = -1;      ///< we read
-    std::string received;  ///< of its answers, not yet a whole message
+    int requests = -1;         ///< we write
+    int answers = -1;          ///< we read
+    std::uint64_t memory = 0;  ///< that it may take
+    std::string received;      ///< of its answers, not yet a whole message
     std::optional<std::size_t> piece;
     Clock::time_point deadline = Clock::time_point::max();
 };
 
 std::optional<Worker> start(std::size_t count, const WorkerOptions& options, const Work& work,
-                            const std::vector<Worker>& others) {
+                            const std::vector<Worker>& others, std::uint64_t memory) {
     std::array<int, 2> requests{};
     std::array<int, 2> answers{};
     if (::pipe(requests.data()) != 0) return std::nullopt;
@@ -144,7 +147,7 @@ std::optional<Worker> start(std::size_t count, const WorkerOptions& options, con
         }
         ::close(requests[1]);
         ::close(answers[0]);
-        servePieces(requests[0], answers[1], count, options, work);
+        servePieces(requests[0], answers[1], count, options, work, memory);
     }
     ::close(requests[0]);
     ::close(answers[1]);
@@ -157,6 +160,7 @@ std::optional<Worker> start(std::size_t count, const WorkerOptions& options, con
     worker.process = process;
     worker.requests = requests[1];
     worker.answers = answers[0];
+    worker.memory = memory;
     return worker;
 }
 
@@ -227,8 +231,13 @@ class Pool {
     }
 
     void give(Worker& worker) {
+        const std::uint64_t memory = memoryOf(options_, next_);
+        if (options_.sandbox && worker.process >= 0 && worker.memory != memory) {
+            ::kill(worker.process, SIGKILL);  // its limit cannot be raised, and it may not end by itself
+            finish(worker);
+        }
         if (worker.process < 0) {
-            std::optional<Worker> started = start(count_, options_, work_, workers_);
+            std::optional<Worker> started = start(count_, options_, work_, workers_, memory);
             if (!started) {
                 if (busy() > 0) return;  // try again when another worker is done
                 done_(next_++, {.end = Outcome::End::crashed});

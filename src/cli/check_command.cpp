@@ -57,7 +57,8 @@ Diagnostics writeShaders(const std::vector<render::TranslatedShader>& shaders,
         const std::filesystem::path file = folder / std::filesystem::path(each.name).filename();
         Diagnostics refused = read.overwrittenBy(file, "--translated");
         if (refused.empty())
-            refused = image::writeFileAtomically(file, std::as_bytes(std::span(each.source)));
+            refused = image::writeFileAtomically(file, std::as_bytes(std::span(each.source)),
+                                                 image::NamedBy::program);
         append(problems, std::move(refused));
     }
     return problems;

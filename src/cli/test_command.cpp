@@ -51,6 +51,7 @@ struct TestArguments {
     bool allowOutside = false;
     suite::Shot picture;  ///< what the options of a picture state
     std::string results = "glibra-results";
+    bool resultsAreNamed = false;  ///< by the user
     std::string report;
     std::string junit;
     std::string goldens;
@@ -233,13 +234,13 @@ int test(const TestArguments& arguments) {
 
     std::optional<base::Sandbox> sandbox;
     if (arguments.suites.untrusted) {
-        std::vector<fs::path> folders;
+        std::vector<base::Reach> folders;
         for (const suite::Suite& each : selection->suites)
-            folders.push_back(fs::path(arguments.results) / each.name);
+            folders.emplace_back(fs::path(arguments.results), fs::path(each.name));
         sandbox = sandboxOf(*selection, arguments.suites.driver, arguments.goldens, folders);
         if (!sandbox) return kSceneIsWrong;
         sandbox->listable.emplace_back(
-            arguments.results);  // pictures are written from there on, folder by folder
+            fs::path(arguments.results));  // pictures are written from there on, folder by folder
     }
 
     const auto start = std::chrono::steady_clock::now();
@@ -312,9 +313,9 @@ int test(const TestArguments& arguments) {
     const suite::RunEnd end = suite::runShots(selection->suites, open, options, events);
     progress.clear();
     if (sandbox)
-        for (const fs::path& each : sandbox->writable) {
+        for (const base::Reach& each : sandbox->writable) {
             std::error_code notEmpty;
-            fs::remove(each, notEmpty);
+            fs::remove(each.whole(), notEmpty);
         }
     print(end.diagnostics);
     if (end.noDriver) return kNoDriver;
@@ -353,6 +354,10 @@ int runCommand(const TestArguments& arguments) {
         printError(why);
         return kWrongUsage;
     };
+    if (std::error_code failure; !arguments.resultsAreNamed && fs::is_symlink(arguments.results, failure)) {
+        print({linkedFolder(arguments.results, "--results")});
+        return kSceneIsWrong;
+    }
     if (!arguments.merge.empty()) {
         if (!arguments.suites.suites.empty()) return refuse("--merge takes folders of results, not suites");
         return merge(arguments);
@@ -414,13 +419,15 @@ void addTest(CommandLine& program, int& status) {
     for (const char* each : {"--force", "--variant", "--shard", "--resume", "--results", "--junit",
                              "--goldens", "--allow-outside", "--merge", "--root", "--driver", "--untrusted"})
         command.find(each).rare();
-    command.onRun([arguments, timeout = command.find("--timeout"), &status] {
-        if (timeout.isGiven()) arguments->suites.timeout = arguments->picture.timeout;
-        arguments->suites.memory = arguments->picture.memory;
-        arguments->command = commandLine();
-        arguments->suites.withNamed = !arguments->update;
-        status = runCommand(*arguments);
-    });
+    command.onRun(
+        [arguments, timeout = command.find("--timeout"), results = command.find("--results"), &status] {
+            arguments->resultsAreNamed = results.isGiven();
+            if (timeout.isGiven()) arguments->suites.timeout = arguments->picture.timeout;
+            arguments->suites.memory = arguments->picture.memory;
+            arguments->command = commandLine();
+            arguments->suites.withNamed = !arguments->update;
+            status = runCommand(*arguments);
+        });
 }
 
 }  // namespace glibra::cli

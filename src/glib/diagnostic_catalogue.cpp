@@ -174,6 +174,7 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"memory-E14",
      "atomic counters 'red' and 'all' of program 'Count' have the same binding, so they lie in one buffer, "
      "but two are given, 'red' and 'all'; give each counter a binding of its own"},
+    {"memory-E17", "Vertices from a buffer: 5,000,000 indices are more than the 6 elements of 'square'"},
     {"memory-W01",
      "Step reads 'shadow', which only the frame writes (line 20), so the result depends on the pictures that "
      "were drawn before; write 'shadow' in Step"},
@@ -266,6 +267,11 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"file-W15",
      "'a.jpg' is to be turned by its EXIF data (orientation 6), which are ignored; save the picture upright"},
     {"file-W16", "'a.bmp': 3 pixels have colours that the palette lacks; they are black"},
+    {"file-W23", "1 concave face of many corners drawn as a fan from the first corner"},
+    {"file-W24",
+     "--untrusted: 'scenes/shaders' is reached through a link, which is not followed; name the folder that "
+     "it "
+     "leads to, as with --library"},
     {"file-N01", "noise is read from 'noise3d.064.tex' beside the scene"},
     // The graphics driver
     {"gpu-E01", "no usable OpenGL driver (4.1 core or later is needed); tried: egl, osmesa"},

@@ -20,16 +20,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Diagnostics writePng(const Image& image, const fs::path& path, const PngOptions& options) {
+Diagnostics writePng(const Image& image, const fs::path& path, const PngOptions& options, NamedBy named) {
     const bool floats = image.type == Component::f32;
     const auto png = floats ? encodePng(withType(image, Component::u16), options) : encodePng(image, options);
     if (png.empty()) return {cannotWrite(path, "there is not enough memory")};
-    return writeFileAtomically(path, png);
+    return writeFileAtomically(path, png, named);
 }
 
 /// A PFM file: colours without alpha as little-endian floats, from the bottom row to the top one (P. Debevec,
 /// "PFM Portable FloatMap Image Format"). OpenImageIO reads it, but writes it from version 2.5 on only.
-Diagnostics writePfm(const Image& image, const fs::path& path) {
+Diagnostics writePfm(const Image& image, const fs::path& path, NamedBy named) {
     static_assert(std::endian::native == std::endian::little);
     const Image colors = withComponents(withType(image, Component::f32), 3);
     const std::string header = fmt::format("PF\n{} {}\n-1.0\n", colors.width, colors.height);
@@ -41,13 +41,15 @@ Diagnostics writePfm(const Image& image, const fs::path& path) {
         const auto first = colors.data.begin() + static_cast<std::ptrdiff_t>(y * row);
         file.insert(file.end(), first, first + static_cast<std::ptrdiff_t>(row));
     }
-    return writeFileAtomically(path, file);
+    return writeFileAtomically(path, file, named);
 }
 
 Diagnostics writeOther(const Image& image, Format format, const fs::path& path, const WriteOptions& options) {
     std::error_code failed;
-    if (fs::is_directory(path, failed)) return {cannotWrite(path, "it is a folder")};
-    TemporaryFile temporary(path);
+    if (fs::is_directory(path, failed) &&
+        !(options.named == NamedBy::program && fs::is_symlink(path, failed)))
+        return {cannotWrite(path, "it is a folder")};
+    TemporaryFile temporary(path, options.named);
     if (temporary.path().empty()) return {temporary.failure()};
     Diagnostics problems = writeByModule(image, format, temporary.path(), {path.string(), {}},
                                          options.comment, options.moduleFolders);
@@ -65,8 +67,8 @@ Diagnostics remarksOn(const Image& image, Format format, const fs::path& path) {
 }
 
 Diagnostics writeAs(const Image& image, Format format, const fs::path& path, const WriteOptions& options) {
-    if (format == Format::png) return writePng(image, path, options.png);
-    if (format == Format::pfm) return writePfm(image, path);
+    if (format == Format::png) return writePng(image, path, options.png, options.named);
+    if (format == Format::pfm) return writePfm(image, path, options.named);
     return writeOther(image, format, path, options);
 }
 

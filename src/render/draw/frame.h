@@ -95,7 +95,8 @@ class FrameDrawer {
     [[nodiscard]] bool drawsPlainly() const;
 
     /// For hooks: issues the GL calls of that draw alone, with whatever program and vertex array are bound.
-    void submit(const plan::PlannedDraw& planned) const;
+    /// `withPoints`: also the points of a mesh of lines.
+    void submit(const plan::PlannedDraw& planned, bool withPoints = false) const;
     /// The program that the draw uses, which may be the fallback; null if nothing is drawn.
     [[nodiscard]] const BuiltProgram* programOf(const plan::PlannedDraw& planned) const;
 
@@ -158,13 +159,17 @@ class FrameDrawer {
         bool areIndexed = false;
         std::uint64_t offset = 0;  ///< bytes before the first index
         int count = 0;
+        int points = 0;  ///< the last ones, which are points, whatever the draw's primitives are
     };
     /// The mesh of the draw must be on the device.
     [[nodiscard]] Elements elementsOf(const plan::PlannedDraw& planned) const;
+    /// Draws elements of one kind.
+    void submitPart(const plan::PlannedDraw& planned, const Elements& elements, GLenum mode) const;
     void submitDirect(const plan::PlannedDraw& planned, const Elements& elements, GLenum mode) const;
     /// The word of that number of a buffer; 0 if the buffer has not been made. Waits for the device.
     [[nodiscard]] std::uint32_t countIn(const scene::BufferView& from, std::size_t word) const;
-    /// memory-E06 if a buffer gives the draw more vertices or instances than a scene may state.
+    /// memory-E06 if a buffer gives the draw more vertices or instances than a scene may state, memory-E17 if
+    /// more indices than there are.
     [[nodiscard]] Diagnostics checkCounts(const scene::Draw& draw) const;
     /// Draws with counts that buffers hold.
     void submitIndirect(const scene::Draw& draw, const Elements& elements, GLenum mode) const;

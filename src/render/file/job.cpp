@@ -182,7 +182,10 @@ class JobRun {
             append(problems, std::move(content.diagnostics));
             if (!content) return problems;
             const StageTimer timer(stats_, "write");
-            append(problems, image::writeImage(*content, frameFile(each.file, index, job_.frames)));
+            // The names of frames are this program's.
+            const image::NamedBy named = job_.frames > 1 ? image::NamedBy::program : image::NamedBy::user;
+            append(problems, image::writeImage(*content, frameFile(each.file, index, job_.frames),
+                                               image::writtenAs(named)));
         }
         return problems;
     }
@@ -211,8 +214,9 @@ class JobRun {
         const std::optional<image::Image> picture = draw(scene, 0);
         if (!picture) return;
         const StageTimer timer(stats_, "write");
-        append(result_.diagnostics, job_.output == "-" ? writeToStandardOutput(image::encodePng(*picture))
-                                                       : image::writeImage(*picture, job_.output));
+        append(result_.diagnostics,
+               job_.output == "-" ? writeToStandardOutput(image::encodePng(*picture))
+                                  : image::writeImage(*picture, job_.output, image::writtenAs(job_.named)));
     }
 
     /// For each frame, the first frame that shows the same picture.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "gpu/context/context.h"
+#include "image/file.h"
 #include "image/image.h"
 #include "plan/frame_plan.h"
 #include "render/load/shared_parts.h"
@@ -18,7 +19,8 @@ namespace glibra::render {
 
 struct Job {
     std::filesystem::path scene;
-    std::filesystem::path output;  ///< file; "-" is standard output, as PNG
+    std::filesystem::path output;                 ///< file; "-" is standard output, as PNG
+    image::NamedBy named = image::NamedBy::user;  ///< what becomes of links that have the names of pictures
     RenderOptions options;
     int frames = 1;
     double framesPerSecond = 30;

@@ -44,6 +44,7 @@ struct DeviceMesh {
     std::vector<Attribute> attributes;
     std::optional<gpu::Buffer> indices;  ///< nothing: vertices without data
     int indexCount = 0;                  ///< without `indices` the vertices of the shape, or 0
+    int pointCount = 0;                  ///< of the last indices, which are points (geometry::Mesh)
     std::size_t vertexCount = 0;
 };
 
@@ -156,6 +157,10 @@ class DeviceScene {
     };
     /// The indices of `Draw::indices`; nothing if it has none, or without a buffer that can hold them.
     [[nodiscard]] std::optional<Indices> indicesOf(const scene::Draw& draw) const;
+    /// The name of the buffer that Draw::indices is.
+    [[nodiscard]] const std::string& nameOfIndices(const scene::Draw& draw) const {
+        return scene_.buffers[draw.indices.buffer].name;
+    }
     /// Adds what feeds an input from a buffer of the scene, one source per column.
     void addBufferSources(const scene::BufferView& view, bool isPerInstance, const base::ActiveInput& input,
                           std::vector<gpu::AttributeSource>& sources) const;

@@ -174,6 +174,7 @@ Result<Golden> GoldenStore::replace(const Shot& shot, std::string_view variant,
         path.parent_path() / fmt::format(".glibra-{}-golden{}", ::getpid(), path.extension().string());
     image::WriteOptions options;
     options.png.level = kCompression;
+    options.named = image::NamedBy::program;
     Diagnostics problems = image::writeImage(picture, whole, options);
     if (hasError(problems)) return refuseAs(std::move(problems), whole, path);
     if (const int problem = base::renameDurably(whole, path); problem != 0) {

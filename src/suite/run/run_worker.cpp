@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <deque>
 #include <mutex>
 #include <new>
 #include <system_error>
 
+#include "base/contained.h"
 #include "image/write.h"
 #include "suite/golden/hash_key.h"
 #include "suite/run/background.h"
@@ -117,9 +119,13 @@ Judged ShotWorker::keep(const ShotReference& reference, const Attempt& attempt) 
         result.width = attempt.own.picture->width;
         result.height = attempt.own.picture->height;
         result.got = pictureFile(plan_.options.onlyRender, suite, shot, plan_.suites.size() > 1);
-        std::error_code ignored;  // reported with the file that cannot be written
-        fs::create_directories(result.got.parent_path(), ignored);
-        append(result.diagnostics, image::writeImage(*attempt.own.picture, result.got));
+        // No link below the folder that the user named is followed. A failure is reported with the file.
+        if (base::makeFoldersBeneath(plan_.options.onlyRender, result.got.parent_path().lexically_relative(
+                                                                   plan_.options.onlyRender)) == ELOOP)
+            result.diagnostics.push_back(image::cannotWrite(result.got, "its folder is a link"));
+        else
+            append(result.diagnostics, image::writeImage(*attempt.own.picture, result.got,
+                                                         image::writtenAs(image::NamedBy::program)));
     }
     const bool expected = shot.expectedError && contains(result.diagnostics, *shot.expectedError);
     if (hasError(result.diagnostics) && !expected) {

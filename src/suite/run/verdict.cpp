@@ -258,7 +258,7 @@ fs::path ShotJudge::write(const Shot& shot, std::string_view what, const image::
     const int problem = base::prepareBeneath(options_.results, name);
     Diagnostics problems =
         problem == 0
-            ? image::writeImage(picture, file)
+            ? image::writeImage(picture, file, image::writtenAs(image::NamedBy::program))
             : Diagnostics{diagnose("file-E10", fmt::format("cannot write '{}': {}", file.string(),
                                                            std::generic_category().message(problem)))};
     const bool bad = hasError(problems);
