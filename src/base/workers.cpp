@@ -17,7 +17,10 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <deque>
+#include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/memory_limit.h"
@@ -40,7 +43,7 @@ struct StepLimit {
 };
 StepLimit thisStep;
 
-enum class MessageKind : std::uint32_t { step, answer };
+enum class MessageKind : std::uint32_t { step, answer, deviceLost };
 struct Header {
     MessageKind kind{};
     std::uint32_t bytes = 0;
@@ -107,11 +110,16 @@ void send(int file, MessageKind kind, const std::string& text) {
         limit.set(memoryOf(options, index));
         thisStep.seconds = secondsOf(options, index);
         thisStep.start = Clock::now();
-        const std::string answer = work(index, [answers](const std::string& text) {
-            send(answers, MessageKind::step, text);
-            thisStep.start = Clock::now();
-        });
-        send(answers, MessageKind::answer, answer);
+        try {
+            const std::string answer = work(index, [answers](const std::string& text) {
+                send(answers, MessageKind::step, text);
+                thisStep.start = Clock::now();
+            });
+            send(answers, MessageKind::answer, answer);
+        } catch (const DeviceLost& lost) {
+            send(answers, MessageKind::deviceLost, toText(lost));
+            break;
+        }
     }
     std::fflush(nullptr);
     ::_exit(0);
@@ -124,6 +132,7 @@ struct Worker {
     std::uint64_t memory = 0;  ///< that it may take
     std::string received;      ///< of its answers, not yet a whole message
     std::optional<std::size_t> piece;
+    bool isAlone = false;  ///< no other worker has had a piece since this one began its own
     Clock::time_point deadline = Clock::time_point::max();
 };
 
@@ -198,21 +207,22 @@ class Pool {
         struct sigaction before {};
         ignore.sa_handler = SIG_IGN;
         ::sigaction(SIGPIPE, &ignore, &before);
-        while (next_ < count_ || busy() > 0) {
+        while (next_ < count_ || !again_.empty() || busy() > 0) {
             if (options_.stop && options_.stop()) {
                 for (Worker& worker : workers_)
                     if (worker.piece) end(worker, {.end = Outcome::End::stopped});
                 break;
             }
-            for (Worker& worker : workers_)
-                if (!worker.piece && next_ < count_) give(worker);
+            for (Worker& worker : workers_) {
+                if (worker.piece) continue;
+                if (next_ < count_)
+                    give(worker, next_);
+                else if (!again_.empty() && busy() == 0)
+                    give(worker, again_.front());
+            }
             if (busy() > 0) waitForNews();
         }
-        for (Worker& worker : workers_) {
-            // One that has been taken over may not end by itself.
-            if (options_.sandbox && worker.process > 0) ::kill(worker.process, SIGKILL);
-            finish(worker);
-        }
+        for (Worker& worker : workers_) dismiss(worker);
         ::sigaction(SIGPIPE, &before, nullptr);
     }
 
@@ -220,6 +230,13 @@ class Pool {
     [[nodiscard]] std::size_t busy() const {
         return static_cast<std::size_t>(std::count_if(
             workers_.begin(), workers_.end(), [](const Worker& each) { return each.piece.has_value(); }));
+    }
+
+    /// Ends a worker that has no piece.
+    void dismiss(Worker& worker) const {
+        // One that has been taken over may not end by itself.
+        if (options_.sandbox && worker.process > 0) ::kill(worker.process, SIGKILL);
+        finish(worker);
     }
 
     void beginStep(Worker& worker) const {
@@ -230,24 +247,30 @@ class Pool {
                                       : Clock::time_point::max();
     }
 
-    void give(Worker& worker) {
-        const std::uint64_t memory = memoryOf(options_, next_);
-        if (options_.sandbox && worker.process >= 0 && worker.memory != memory) {
-            ::kill(worker.process, SIGKILL);  // its limit cannot be raised, and it may not end by itself
-            finish(worker);
-        }
+    /// Gives the first piece that waits: `piece` is that of next_ or of again_.
+    void give(Worker& worker, std::size_t piece) {
+        const bool isRepeated = piece != next_;
+        const std::uint64_t memory = memoryOf(options_, piece);
+        // What a worker has opened on the device may be lost like that of the one before. The limit of memory
+        // of a confined worker cannot be raised.
+        if (isRepeated || (options_.sandbox && worker.process >= 0 && worker.memory != memory))
+            dismiss(worker);
         if (worker.process < 0) {
             std::optional<Worker> started = start(count_, options_, work_, workers_, memory);
-            if (!started) {
-                if (busy() > 0) return;  // try again when another worker is done
-                done_(next_++, {.end = Outcome::End::crashed});
-                return;
-            }
-            worker = *started;
+            if (!started && busy() > 0) return;  // try again when another worker is done
+            if (started) worker = *started;
         }
+        if (isRepeated)
+            again_.pop_front();
+        else
+            ++next_;
+        if (worker.process < 0) return done_(piece, {.end = Outcome::End::crashed});
         worker.received.clear();
-        worker.piece = next_++;
-        const std::uint64_t index = *worker.piece;
+        worker.isAlone = busy() == 0;
+        for (Worker& other : workers_)
+            if (other.piece) other.isAlone = false;
+        worker.piece = piece;
+        const std::uint64_t index = piece;
         sendAll(worker.requests, &index, sizeof index);
         beginStep(worker);
     }
@@ -255,12 +278,22 @@ class Pool {
     void end(Worker& worker, Outcome outcome) {
         const std::size_t piece = *worker.piece;
         outcome.process = worker.process;
+        outcome.wasAlone = worker.isAlone;
         if (outcome.end != Outcome::End::crashed) ::kill(worker.process, SIGKILL);
         const Ended ended = finish(worker);
         if (outcome.end == Outcome::End::crashed) {
             outcome.signal = ended.signal;
             const std::uint64_t memory = memoryOf(options_, piece);
             outcome.nearMemoryLimit = memory > 0 && ended.peakMemory > memory / 2;
+        }
+        if (outcome.end == Outcome::End::deviceLost && options_.sharesDevice)
+            for (Worker& other : workers_)
+                if (other.piece) beginStep(other);
+        if (options_.repeats && mayBeInnocent(outcome, options_.sharesDevice, times_[piece])) {
+            ++times_[piece];
+            again_.push_back(piece);
+            if (options_.repeated) options_.repeated(piece, outcome);
+            return;
         }
         done_(piece, outcome);
     }
@@ -278,15 +311,21 @@ class Pool {
         }
     }
 
+    /// For a worker that has been taken over by what it reads.
+    void endAsCrashed(Worker& worker) {
+        ::kill(worker.process, SIGKILL);
+        end(worker, {.end = Outcome::End::crashed});
+    }
+
     /// Takes the first message of what was received. False if it is not whole.
     bool takeMessage(Worker& worker) {
         Header header;
         if (worker.received.size() < sizeof header) return false;
         std::memcpy(&header, worker.received.data(), sizeof header);
         const bool isStep = header.kind == MessageKind::step;
-        if ((!isStep && header.kind != MessageKind::answer) || header.bytes > kLargestMessage) {
-            ::kill(worker.process, SIGKILL);  // it has been taken over by what it reads
-            end(worker, {.end = Outcome::End::crashed});
+        const bool isLost = header.kind == MessageKind::deviceLost;
+        if ((!isStep && !isLost && header.kind != MessageKind::answer) || header.bytes > kLargestMessage) {
+            endAsCrashed(worker);
             return false;
         }
         if (worker.received.size() - sizeof header < header.bytes) return false;
@@ -295,6 +334,13 @@ class Pool {
         if (isStep) {
             progress_(*worker.piece, text);
             beginStep(worker);
+        } else if (isLost) {
+            std::optional<DeviceLost> lost = parseDeviceLost(text);
+            if (!lost)
+                endAsCrashed(worker);
+            else
+                end(worker, {.end = Outcome::End::deviceLost, .lost = std::move(*lost)});
+            return false;
         } else {
             const std::size_t piece = *worker.piece;
             worker.piece.reset();
@@ -339,9 +385,19 @@ class Pool {
     const std::function<void(std::size_t, const std::string&)>& progress_;
     std::vector<Worker> workers_;
     std::size_t next_ = 0;
+    std::deque<std::size_t> again_;     ///< pieces to be done again, each alone
+    std::map<std::size_t, int> times_;  ///< how often that was so
 };
 
 }  // namespace
+
+bool mayBeInnocent(const Outcome& outcome, bool sharesDevice, int times) {
+    constexpr int kMostTimes = 3;  // other programs may go on and on
+    if (outcome.end == Outcome::End::timedOut) return sharesDevice && !outcome.wasAlone && times == 0;
+    if (outcome.end != Outcome::End::deviceLost || outcome.lost.cause == ResetCause::own) return false;
+    if (outcome.lost.cause == ResetCause::unknown && outcome.wasAlone) return false;
+    return times < kMostTimes;
+}
 
 bool isWorker() {
     return thisProcessIsWorker;

@@ -23,6 +23,7 @@
 #include "cli/untrusted.h"
 #include "cli/written_files.h"
 #include "gpu/context/context.h"
+#include "gpu/context/hardware.h"
 #include "image/file.h"
 #include "render/check/answers.h"
 #include "render/check/misspellings.h"
@@ -186,6 +187,7 @@ int runCheckCommand(CheckArguments& arguments) {
          .timeout = arguments.picture.timeout,
          .memory = arguments.picture.memory.value_or(base::memoryShare(jobs, arguments.scenes.size())),
          .stop = [&] { return interruption.signal() != 0 || report.status() == kNoDriver; },
+         .sharesDevice = gpu::mayUseHardware(arguments.driver),
          .sandbox = sandbox ? &*sandbox : nullptr},
         std::ref(checker),
         [&](std::size_t index, const base::Outcome& outcome) {

@@ -149,9 +149,14 @@ std::optional<int> partsOf(const RenderArguments& arguments, const base::Sandbox
 class JobRunner {
   public:
     /// Each scene is drawn in `parts` pieces.
+    /// `written` are the frames that earlier workers have written, per piece.
     JobRunner(const RenderArguments& arguments, std::vector<fs::path> outputs, std::size_t parts,
-              const StagingFolder* staging)
-        : arguments_(arguments), outputs_(std::move(outputs)), parts_(parts), staging_(staging) {}
+              const StagingFolder* staging, const std::vector<int>& written)
+        : arguments_(arguments),
+          outputs_(std::move(outputs)),
+          parts_(parts),
+          staging_(staging),
+          written_(written) {}
 
     std::string operator()(std::size_t piece, const base::Step& step) {
         const std::size_t index = piece / parts_;
@@ -177,6 +182,7 @@ class JobRunner {
         job.named = namedBy(arguments_);
         job.options = optionsFor(job.scene.string(), arguments_.standardInput, arguments_.picture.options);
         job.frames = arguments_.frames;
+        job.written = written_[piece];
         job.framesPerSecond = arguments_.framesPerSecond;
         job.part = static_cast<int>(piece % parts_);
         job.parts = static_cast<int>(parts_);
@@ -199,6 +205,7 @@ class JobRunner {
     std::vector<fs::path> outputs_;
     std::size_t parts_;
     const StagingFolder* staging_;
+    const std::vector<int>& written_;
     bool quotesLines_ = ::isatty(STDERR_FILENO) == 1;  // a confined worker has no terminal
     std::optional<gpu::Context> context_;
     render::SharedParts shared_;  // after the context, because it must be destroyed first
@@ -249,13 +256,15 @@ class SceneBatch {
         }
         for (const fs::path& each : writtenFiles()) makeFolders(each.parent_path());
         if (!confine()) return kSceneIsWrong;
-        JobRunner runner(arguments_, outputs_, parts_, staging_ ? &*staging_ : nullptr);
+        JobRunner runner(arguments_, outputs_, parts_, staging_ ? &*staging_ : nullptr, framesWritten_);
         base::runInWorkers(
             framesWritten_.size(),
             {.workers = jobsOf(arguments_),
              .timeout = arguments_.picture.timeout,
              .memory = memoryOf(arguments_, framesWritten_.size()),
              .stop = [this] { return interruption_.signal() != 0; },
+             .sharesDevice = gpu::mayUseHardware(arguments_.driver),
+             .repeated = [this](std::size_t piece, const base::Outcome& outcome) { clean(piece, outcome); },
              .sandbox = sandbox_ ? &*sandbox_ : nullptr},
             std::ref(runner),
             [this](std::size_t piece, const base::Outcome& outcome) { pieceEnds(piece, outcome); },
@@ -378,12 +387,15 @@ class SceneBatch {
         progress_.show(doneCount_, arguments_.scenes[piece / parts_]);
     }
 
+    /// A worker that ends by itself cannot remove what it has half written.
+    void clean(std::size_t piece, const base::Outcome& outcome) const {
+        image::removeTemporaryFiles(outputs_[piece / parts_].parent_path(), outcome.process);
+    }
+
     void pieceEnds(std::size_t piece, const base::Outcome& outcome) {
         const std::size_t index = piece / parts_;
         const std::string& scene = arguments_.scenes[index];
-        // A worker that ends by itself cannot remove what it has half written.
-        if (outcome.end != base::Outcome::End::finished)
-            image::removeTemporaryFiles(outputs_[index].parent_path(), outcome.process);
+        if (outcome.end != base::Outcome::End::finished) clean(piece, outcome);
         Diagnostics undelivered;
         std::vector<std::pair<fs::path, image::NamedBy>> delivered;
         if (staging_ && arguments_.output != "-" && !isFilm(arguments_))

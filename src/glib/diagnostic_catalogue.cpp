@@ -279,6 +279,13 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"gpu-E03", "reading 8 x 8 pixels takes 256 bytes, not 192"},
     {"gpu-E04", "12 colour targets; this driver's limit is 8"},
     {"gpu-E05", "textures that are drawn into together must be 2D and of one size"},
+    {"gpu-E06",
+     "the graphics driver reset the device while line 7 was drawn: a shader ran for too long or reached "
+     "memory "
+     "that is not its own; bound its loops, or cut the work ('Dispatch ... tiles', --tile, smaller draws)"},
+    {"gpu-E07",
+     "another program made the graphics driver reset the device, again and again; the scene is not to blame, "
+     "but there is no picture of it"},
     // Suites
     {"suite-E01",
      "not TOML: value: expected digit, saw '.'; a number needs a digit before its point, as 0.5"},
@@ -337,6 +344,10 @@ constexpr CatalogueRow kCatalogueRows[] = {
      "no display found (X11: The DISPLAY environment variable is missing); `glibra render SCENE` writes a "
      "picture without one"},
     {"view-E03", "this scene is an example of glibra; save a copy to keep your values"},
+    {"view-E04",
+     "stopped, because the graphics driver reset the device while line 7 was drawn; change a value or the "
+     "text, "
+     "or reload the scene, to draw it again"},
     {"view-W01",
      "Sphere is left out of the debug view 'texture coordinates': its stages pass no vST to the fragment "
      "stage"},

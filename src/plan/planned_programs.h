@@ -40,7 +40,9 @@ class PlannedPrograms {
         return of(variantOf(scene_, draw, pass), draw.uniforms);
     }
     PlannedProgramIndex of(const scene::Dispatch& dispatch) {
-        return of(ProgramVariant{.program = dispatch.program, .inPieces = dispatch.tiles > 1},
+        const bool isCut =
+            options_.cutsDispatches && !std::holds_alternative<scene::GroupsFrom>(dispatch.groups);
+        return of(ProgramVariant{.program = dispatch.program, .inPieces = isCut || dispatch.tiles > 1},
                   dispatch.uniforms);
     }
     /// Returns the index of the variant with these values in the plan. The first call asks for its interface.

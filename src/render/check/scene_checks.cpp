@@ -80,12 +80,17 @@ Diagnostics SceneRenderer::answerAt(double moment, double time, Stats& stats) {
     if (std::any_of(state.scene.checks.begin(), state.scene.checks.end(), isCounted))
         if (Result<image::Image> before = draw(moment, stats); !before) return std::move(before.diagnostics);
     state.forgetDrawn();  // all nodes count
+    // Parts of draws would count again.
+    const double share = state.drawer->timeShare();
+    if (std::any_of(state.scene.checks.begin(), state.scene.checks.end(), isCounted))
+        state.drawer->setTimeShare(0);
     const gpu::Query primitives(GL_PRIMITIVES_GENERATED), samples(GL_SAMPLES_PASSED);
     primitives.begin();
     samples.begin();
     Result<image::Image> picture = draw(moment, stats);
     samples.end();
     primitives.end();
+    if (state.drawer) state.drawer->setTimeShare(share);
     if (!picture) return std::move(picture.diagnostics);
     CheckQuestions questions;
     questions.primitives = [&] { return primitives.result(); };

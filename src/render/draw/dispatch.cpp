@@ -126,19 +126,27 @@ Diagnostics FrameDrawer::dispatchPieces(const BuiltProgram& built, const GroupCo
     const std::uint64_t pieces =
         std::clamp<std::uint64_t>(groups.at(axis), 1, static_cast<std::uint64_t>(dispatch.tiles));
     const std::array<int, 3> localSize = gpu::localSizeOf(*built.program);
-    GroupCounts first{};
     Diagnostics remarks;
-    for (std::uint64_t piece = 0; piece < pieces; ++piece) {
-        GroupCounts part = groups;
-        // The counts are below 2^32 and the pieces at most 65,536, so the products fit.
-        first.at(axis) = groups.at(axis) * piece / pieces;
-        part.at(axis) = groups.at(axis) * (piece + 1) / pieces - first.at(axis);
+    const auto run = [&](std::uint64_t begin, std::uint64_t end) -> Diagnostics {
+        GroupCounts first{}, part = groups;
+        first.at(axis) = begin;
+        part.at(axis) = end - begin;
         const Result<std::array<unsigned, 3>> checked =
             checkedGroups(part, context_.capabilities(), dispatch.place);
         if (!checked) return checked.diagnostics;
         if (remarks.empty()) remarks = checked.diagnostics;  // once for all pieces
         setPiece(built, first, groups, localSize);
         gpu::dispatch(*checked);
+        return {};
+    };
+    if (dispatch.tiles == 1) {
+        Diagnostics refused = dispatchInShares(built, groups, axis, run);
+        return refused.empty() ? remarks : refused;
+    }
+    for (std::uint64_t piece = 0; piece < pieces; ++piece) {
+        // The counts are below 2^32 and the pieces at most 65,536, so the products fit.
+        Diagnostics refused = run(groups.at(axis) * piece / pieces, groups.at(axis) * (piece + 1) / pieces);
+        if (!refused.empty()) return refused;
         if (pieces > 1) glFlush();
     }
     if (pieces > 1) stats_.add("pieces of dispatches", pieces);

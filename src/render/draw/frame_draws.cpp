@@ -319,7 +319,7 @@ Diagnostics FrameDrawer::drawOne(const plan::PlannedDraw& planned, const gpu::Ta
     setRaster(planned, built, isWindow, diagnostics);
     bindings_.bind(device_.vertexArray(plan_, planned, built));
     if (hook_) hook_(planned, isWindow, true);
-    submit(planned, true);
+    submitInShares(planned, built);
     if (hook_) {
         hook_(planned, isWindow, false);
         forgetState();

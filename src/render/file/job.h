@@ -24,6 +24,7 @@ struct Job {
     RenderOptions options;
     int frames = 1;
     double framesPerSecond = 30;
+    int written = 0;  ///< frames that an earlier job has already written to standard output
     /// An animation may be divided among `parts` jobs; this one is number `part`. The jobs must run on the
     /// same machine, each in its own process. Each draws its share of the frames if the driver draws on the
     /// processor and no frame depends on earlier ones; otherwise part 0 draws all.

@@ -66,6 +66,8 @@ class DeviceScene {
           sharesTextures_(sharesTextures),
           buffers_(context, scene, stats) {}
 
+    /// How long a draw with that program took at most, divided by its pixels; 0: it has not been measured.
+    double& secondsPerPixel(const BuiltProgram* program) { return secondsPerPixel_[program]; }
     /// Sets the device scene before the scene was read again; it must exist until prepare(), which takes over
     /// unchanged meshes and textures.
     void inherit(DeviceScene& previous) { previous_ = &previous; }
@@ -257,6 +259,7 @@ class DeviceScene {
     const scene::Scene& scene_;
     Stats& stats_;
     SharedParts* shared_;
+    std::map<const BuiltProgram*, double> secondsPerPixel_;
     bool sharesTextures_;
     DeviceScene* previous_ = nullptr;
     std::map<std::string, std::shared_ptr<const geometry::Mesh>> keptMeshes_;  ///< of the last moment, by key

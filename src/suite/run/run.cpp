@@ -11,6 +11,7 @@
 
 #include "base/memory_limit.h"
 #include "base/workers.h"
+#include "gpu/context/hardware.h"
 #include "image/file.h"
 #include "suite/golden/hash.h"
 #include "suite/run/run_messages.h"
@@ -31,7 +32,10 @@ using End = base::Outcome::End;
 class Run {
   public:
     Run(std::span<const Suite> suites, const RunOptions& options, const RunEvents& events)
-        : options_(options), events_(events), plan_{suites, {}, options, {}, 1} {
+        : options_(options),
+          events_(events),
+          plan_{suites, {}, options, {}, 1},
+          sharesDevice_(gpu::mayUseHardware(options.driver)) {
         jobs_ = options.jobs > 0 ? options.jobs : defaultJobs();
         plan_.jobs = jobs_;
         accepted_.resize(suites.size());
@@ -47,7 +51,11 @@ class Run {
         std::vector<ShotReference> open(shots.begin(), shots.end());
         count_ = shots.size();
         while (!open.empty() && !stopped()) {
-            round(open);
+            // Shots that may be innocent of the end of their worker come last, each alone.
+            std::vector<ShotReference> next = open;
+            std::erase_if(next, [this](const ShotReference& each) { return repeated_.contains(each); });
+            if (next.empty()) next.push_back(open.front());
+            round(next);
             std::erase_if(open, [this](const ShotReference& each) { return done_.contains(each); });
         }
         end_.stopped = !end_.noDriver && !open.empty();
@@ -95,6 +103,8 @@ class Run {
                         .value_or(timeoutOf(plan_.pieces[piece].front()));
                 },
             .stop = [this] { return stopped(); },
+            .sharesDevice = sharesDevice_,
+            .repeats = false,  // a piece is done again from where it stopped
             .sandbox = options_.sandbox};
         base::runInWorkers(
             plan_.pieces.size(), options, std::ref(worker),
@@ -154,9 +164,18 @@ class Run {
         }
         removeLeftovers(shots, outcome.process);
         if (outcome.end == End::stopped) return;
+        const std::optional<ShotReference> drawn = begun_[piece];
+        if (drawn && !done_.contains(*drawn)) {
+            const auto known = repeated_.find(*drawn);
+            const int times = known == repeated_.end() ? 0 : known->second;
+            if (base::mayBeInnocent(outcome, sharesDevice_, times)) {
+                ++repeated_[*drawn];
+                return;
+            }
+        }
         // The shot that was being drawn is to blame. Shots that waited for their verdict or their turn are
         // given out again. If no shot was begun, all are given out again, a limited number of times.
-        std::optional<ShotReference> blamed = begun_[piece];
+        std::optional<ShotReference> blamed = drawn;
         if (outcome.end == End::timedOut && clocks_[piece].latest()) blamed = clocks_[piece].latest();
         if (blamed && done_.contains(*blamed)) blamed.reset();
         if (!blamed) {
@@ -209,11 +228,13 @@ class Run {
                                                outcome.signal, signalName(outcome.signal))
                                  : "the process that drew it ended by itself";
         if (outcome.nearMemoryLimit) reason += ", perhaps because it reached its limit of memory (--memory)";
+        const std::string script = shotOf(blamed).script.string();
+        Diagnostic problem = diagnose(late ? "draw-E07" : "draw-E06", reason, {script, 1, 1});
+        if (outcome.end == End::deviceLost) problem = base::diagnosticOf(outcome.lost, script);
         ShotResult result = ShotJudge::broken(plan_.suites[blamed.suite], shotOf(blamed),
-                                              late ? Verdict::timedOut : Verdict::crashed, reason);
+                                              late ? Verdict::timedOut : Verdict::crashed, problem.text);
         result.accept.clear();
-        result.diagnostics.push_back(
-            diagnose(late ? "draw-E07" : "draw-E06", reason, {result.script.string(), 1, 1}));
+        result.diagnostics.push_back(std::move(problem));
         return result;
     }
 
@@ -261,6 +282,8 @@ class Run {
     std::size_t count_ = 0;  ///< of the shots
     std::set<ShotReference> done_;
     Suspicions suspicions_;
+    const bool sharesDevice_;
+    std::map<ShotReference, int> repeated_;     ///< how often each was drawn again, alone
     std::map<ShotReference, int> unexplained_;  ///< number of workers that ended before they began a shot
     std::vector<std::optional<ShotReference>> begun_;  ///< last shot begun, per piece
     const std::function<double(const ShotReference&)> limitOf_ = [this](const ShotReference& shot) {

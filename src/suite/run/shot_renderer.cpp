@@ -4,6 +4,7 @@
 #include <new>
 #include <utility>
 
+#include "base/device_lost.h"
 #include "render/check/answers.h"
 #include "render/check/misspellings.h"
 #include "render/file/job.h"
@@ -145,6 +146,8 @@ Rendering ShotRenderer::render(const Shot& shot, std::span<const Shot* const> co
         rendering = tryRender(shot, coming);
         if (!shot.expectedError) reportUnknownUniforms(shot, rendering.diagnostics);
         if (hasError(rendering.diagnostics)) rendering.picture.reset();
+    } catch (const base::DeviceLost&) {
+        throw;  // the worker must not be used any more
     } catch (const std::bad_alloc&) {
         fail("draw-E05", "out of memory");
     } catch (const std::exception& failure) {

@@ -13,7 +13,9 @@
 #include <optional>
 #include <thread>
 
+#include "base/device_lost.h"
 #include "gpu/context/context.h"
+#include "gpu/context/reset.h"
 #include "image/file.h"
 #include "view/browse/example_scenes.h"
 #include "view/edit/save_values.h"
@@ -90,9 +92,11 @@ class Window {
     void writeState();
     void saveSettings();
     void followScale();
+    Diagnostics recover(const base::DeviceLost& lost);
 
     const WindowArguments& arguments_;
     Display& display_;
+    gpu::Context& context_;
     Shared shared_;
     Tabs tabs_;
     std::optional<Gui> gui_;
@@ -114,6 +118,7 @@ class Window {
     const bool isSoftware_;    ///< the processor draws
     bool quits_ = false;       ///< the user has agreed to what is lost
     std::string writtenState_;
+    std::size_t drawn_ = 0;  ///< the tab that draws now
     float scale_ = 1;
     Diagnostics setProblems_;
 };
@@ -121,6 +126,7 @@ class Window {
 Window::Window(const WindowArguments& arguments, Display& display, gpu::Context& context)
     : arguments_(arguments),
       display_(display),
+      context_(context),
       tabs_(context, arguments.options, shared_),
       watch_([] { Display::wake(); }),
       pacer_(display.refreshRate(), Display::hasSwapControl()),
@@ -366,7 +372,8 @@ void Window::drawFrame() {
     const bool isReplayed = nextInput(input);
     giveToImGui(input);
     if (recorder_) record(std::move(input));
-    for (std::size_t i = 0; i < tabs_.count(); ++i) continueHardcopy(tabs_.at(i).ui);
+    for (drawn_ = 0; drawn_ < tabs_.count(); ++drawn_) continueHardcopy(tabs_.at(drawn_).ui);
+    drawn_ = tabs_.shownIndex();
     Ui& ui = tabs_.shown().ui;
     ui.session.advance(isReplayed ? kReplayedSeconds : passed);
     tabs_.updateTitles();
@@ -420,6 +427,7 @@ void Window::present() {
     ImGui::Render();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     display_.present();
+    gpu::expectDevice();
     ++loop_.framesPresented;
     if (const auto saved = std::exchange(changeSaved_, std::nullopt)) {
         glFinish();
@@ -483,15 +491,42 @@ void Window::setSize() {
     display_.setSize(size.first, size.second);
 }
 
+/// After the driver has reset the device: makes a new context, and in it all that was in the lost one. The
+/// scene that has caused the reset is not drawn again.
+Diagnostics Window::recover(const base::DeviceLost& lost) {
+    shared_.settings.layout = ImGui::SaveIniSettingsToMemory();
+    shared_.settings.layoutScale = scale_;
+    tabs_.releaseDevice();
+    gui_.reset();
+    if (Diagnostics problems = display_.renew(); !problems.empty()) return problems;
+    if (Diagnostics problems = context_.adoptAgain(&Display::address); !problems.empty()) return problems;
+    gui_.emplace(display_, scale_, shared_.settings);
+    input_ = {};
+    tabs_.restoreDevice();
+    Session& drawn = tabs_.at(std::min(drawn_, tabs_.count() - 1)).session;
+    const bool isGuilty = lost.cause != base::ResetCause::other && drawn.hasScene();
+    if (isGuilty) drawn.stop(lost);
+    const std::string who = isGuilty ? "'" + drawn.path().filename().string() + "', which is stopped now,"
+                                     : std::string("another program");
+    ui().notice = {who + " made the graphics driver reset the device; everything else goes on", true};
+    tabs_.watch(watch_);
+    framesWanted_ = kFramesAfterEvent;
+    return {};
+}
+
 Diagnostics Window::run() {
     openInitialScenes();
     setSize();
     while (display_.isOpen()) {
-        waitForWork();
-        handleRequests();
-        reloadIfNeeded();
-        followScale();
-        if (hasWork()) drawFrame();
+        try {
+            waitForWork();
+            handleRequests();
+            reloadIfNeeded();
+            followScale();
+            if (hasWork()) drawFrame();
+        } catch (const base::DeviceLost& lost) {
+            if (Diagnostics problems = recover(lost); !problems.empty()) return problems;
+        }
         writeState();
         if (!replay_.empty() && replayed_ >= replay_.size()) break;
     }
