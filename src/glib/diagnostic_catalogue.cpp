@@ -205,6 +205,9 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"glsl-E11", "the macros expand to more than 2,000,000 tokens"},
     {"glsl-E12", "compute shaders need OpenGL 4.3; this driver has 4.1"},
     {"glsl-E13", "a program has a compute stage or stages that draw, not both"},
+    {"glsl-E14", "'SIZE' is already defined with another text in line 3; write '#undef SIZE' first"},
+    {"glsl-E15", "macro 'MIDDLE' takes 2 arguments, found 3"},
+    {"glsl-E16", "this comment has no end; write '*/' after it"},
     {"glsl-W01", "no #version, treated as 330 compatibility"},
     {"glsl-W02", "'#version 4.00' read as 400"},
     {"glsl-W03", "'#version 300 es' treated as 330"},
@@ -232,6 +235,9 @@ constexpr CatalogueRow kCatalogueRows[] = {
      "max_vertices is 3, but the stage emits 4 vertices, of which the last one is lost; write max_vertices = "
      "4"},
     {"glsl-W31", "'sum' is read before it has a value; give it one where it is declared"},
+    {"glsl-W24", "'SHADOWS' is not defined, so it counts as 0 here"},
+    {"glsl-W25", "'##' came with GLSL 1.30, accepted"},
+    {"glsl-W26", "the backslash at the end of this comment makes the next line part of it"},
     // Files
     {"file-E01", "cannot find 'cow.obj'; nearest: 'cows.obj'"},
     {"file-E02", "'dots.frag' is empty"},

@@ -66,6 +66,10 @@ int lineOf(const TranslatedStage& stage, const std::string& file, int line) {
     return last > 0 ? std::min(line, last) : line;
 }
 
+Place placeOf(const TranslatedStage& stage, const LineOrigin& line, int column) {
+    return {stage.lineMap.files[static_cast<std::size_t>(line.file)], std::max(1, line.line), column};
+}
+
 std::vector<std::string_view> linesOf(std::string_view log) {
     std::vector<std::string_view> lines;
     while (!log.empty()) {
@@ -147,12 +151,19 @@ Diagnostics explainCompileLog(const TranslatedProgram& program, const Translated
         if (line->line >= kOwnLines) continue;
         if (consequences.contain(*line)) continue;
         const std::string& file = fileOf(stage, line->source);
-        const Place place{file, std::max(1, lineOf(stage, file, line->line)), userColumn(stage, *line, file)};
+        const std::optional<EmittedPlace> emitted = emittedPlace(stage, *line, file);
+        const UserPlace user = emitted ? userPlace(stage, *emitted) : UserPlace{};
+        const Place place =
+            emitted ? placeOf(stage, user.line, user.column)
+                    : Place{file, std::max(1, lineOf(stage, file, line->line)), std::max(1, line->column)};
         std::string text = inUserNames(program, line->text);
         if (candidates) text.resize(text.size() - kCandidates.size());
         if (line->isWarning) continue;
         result.push_back(diagnose("glsl-E01", text, place));
         advice.addTo(*line, result.back());
+        if (user.macro)
+            result.push_back({Severity::note, "glsl-E01", "in the text of macro '" + user.macro->name + "'",
+                              placeOf(stage, user.macro->line, user.macro->column)});
         failed = true;
     }
     if (!rest.empty() && !isUnderstood) {

@@ -21,16 +21,25 @@ struct LineOrigin {
     int file = -1;  ///< index into LineMap::files; -1: written by the translator
     int line = 0;   ///< the user's line, as #line directives count it
 };
-/// From column `emitted` of an emitted line on, the user's columns count from `user`.
+/// From column `emitted` of an emitted line on, the user's columns count from `user`, in the user's `line`.
 struct ColumnShift {
     int emitted = 1;
     int user = 1;
+    LineOrigin line{};  ///< that of the emitted line, except inside macro calls of several lines
+    int macro = -1;     ///< index into LineMap::macros: from there comes the text that the call expands to
+};
+/// A word in the text of a macro.
+struct MacroPlace {
+    std::string name;  ///< the name of the macro
+    LineOrigin line;
+    int column = 1;
 };
 /// The origins of the lines of an emitted text. lines[i] and columns[i] belong to line i + 1 of that text.
 struct LineMap {
     std::vector<std::string> files;
     std::vector<LineOrigin> lines;
     std::vector<std::vector<ColumnShift>> columns;  ///< an empty entry: the columns are the user's
+    std::vector<MacroPlace> macros;
 };
 
 /// What the code of a stage does, as far as its tokens show it. Code that the preprocessor removes does not
