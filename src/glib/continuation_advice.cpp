@@ -31,7 +31,7 @@ std::string_view wordOfNextLine(std::string_view text, std::size_t end) {
     return startOf(text, {next->number, begin + next->begin, begin + next->end}).word;
 }
 
-bool beginsNumber(std::string_view word) {
+bool startsNumber(std::string_view word) {
     const std::size_t at = word.find_first_not_of("+-.");
     return at != std::string_view::npos && at < 3 && isDigit(word[at]);
 }
@@ -39,7 +39,7 @@ bool beginsNumber(std::string_view word) {
 /// True if a message that ends before something says that a line with this first word has it.
 bool isMissing(std::string_view message, std::string_view word) {
     const auto says = [&](std::string_view part) { return message.find(part) != std::string_view::npos; };
-    if (beginsNumber(word) || word.starts_with('('))
+    if (startsNumber(word) || word.starts_with('('))
         return says("number") || says("a value") || says("an expression");
     if (word.starts_with('{')) return says("a colour") || says("components") || says("a value");
     if (word.starts_with('[')) return says("a list") || says("components") || says("a value");

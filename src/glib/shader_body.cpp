@@ -15,7 +15,7 @@ namespace {
 constexpr std::string_view kBlanks = " \t\v\f";
 constexpr std::string_view kEndPrefix = "End";
 
-bool isStage(const StatementRow* row) {
+bool isStageRow(const StatementRow* row) {
     return row != nullptr && row->syntax.find("inline") != std::string_view::npos;
 }
 
@@ -41,7 +41,7 @@ std::vector<std::string_view> wordsOfLine(std::string_view line) {
 bool isEndWord(std::string_view word) {
     if (word.size() <= kEndPrefix.size() || !sameWord(word.substr(0, kEndPrefix.size()), kEndPrefix))
         return false;
-    if (isStage(anyRowOf(word.substr(kEndPrefix.size())))) return true;
+    if (isStageRow(anyRowOf(word.substr(kEndPrefix.size())))) return true;
     const StatementRow* row = findStatement(word);
     return row != nullptr && row->role == BlockRole::closes;
 }
@@ -59,7 +59,7 @@ bool statesAnother(const std::vector<std::string_view>& words) {
     if (words.size() < 2) return false;
     const StatementRow* row = anyRowOf(words[0]);
     if (row == nullptr) return false;
-    if (isStage(row)) {
+    if (isStageRow(row)) {
         if (words.size() > 2) return false;
         if (sameWord(words[1], "inline")) return true;
         return row->name == words[0] && words[1].find('.') != std::string_view::npos &&
@@ -104,7 +104,7 @@ bool endsShader(std::string_view line) {
     if (isEnd) word.remove_prefix(kEndPrefix.size());
     const StatementRow* row = anyRowOf(word);
     if (row == nullptr || row->name != word) return false;
-    return isStage(row) || (row->id == CommandId::program && !isEnd);
+    return isStageRow(row) || (row->id == CommandId::program && !isEnd);
 }
 
 ShaderBody readShaderBody(std::string_view text, LineSplitter& lines, std::string_view stage) {

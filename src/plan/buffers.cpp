@@ -15,7 +15,7 @@
 namespace glibra::plan {
 namespace {
 
-std::string_view wordOf(NumberKind kind) {
+std::string_view wordOfKind(NumberKind kind) {
     switch (kind) {
         case NumberKind::floating:
             return "float";
@@ -270,7 +270,7 @@ class LayoutFinder {
                         "buffer '{}' is declared with the type {}, but number {} of {} ({}:{}) is {} {} "
                         "and decides; leave out the type, or make them the same",
                         buffer.name, buffer.type, i, layout.from, layout.place.file, layout.place.line,
-                        kind == NumberKind::integer ? "an" : "a", wordOf(kind)),
+                        kind == NumberKind::integer ? "an" : "a", wordOfKind(kind)),
                     buffer.place));
                 return;
             }

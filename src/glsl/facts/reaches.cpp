@@ -65,7 +65,7 @@ void readsOfPatch(const Unit& unit, TranslatedProgram& result) {
 
 // ---- Geometry
 
-void mostVertices(const Unit& unit, TranslatedProgram& result) {
+void readMostVertices(const Unit& unit, TranslatedProgram& result) {
     for (const Declaration& each : unit.syntax.declarations) {
         if (each.kind != DeclarationKind::layoutOnly || each.qualifiers.storage != Storage::output) continue;
         const LayoutItem* item = each.qualifiers.item("max_vertices");
@@ -186,7 +186,7 @@ void collectReaches(ProgramUnits& program) {
         readsOfPatch(*control, result);
     else if (evaluation != nullptr)
         readsOfPatch(*evaluation, result);
-    if (const Unit* geometry = program.find(Stage::geometry)) mostVertices(*geometry, result);
+    if (const Unit* geometry = program.find(Stage::geometry)) readMostVertices(*geometry, result);
     if (const Unit* compute = program.find(Stage::compute)) axesOf(*compute, result);
 }
 
