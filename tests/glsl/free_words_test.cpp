@@ -18,10 +18,8 @@ struct Version {
 };
 constexpr Version kVersions[] = {
     {"100", 120, 100, false},   {"110", 110, 110, false},  {"120", 120, 120, false},
-    {"130", 130, 130, false},   {"140", 140, 140, true},   {"150", 150, 150, true},
-    {"330", 330, 330, true},    {"400", 400, 400, true},   {"410", 410, 410, true},
-    {"420", 420, 420, true},    {"430", 430, 430, true},   {"440", 440, 440, true},
-    {"450", 450, 450, true},    {"460", 460, 460, true},   {"300 es", 330, 300, true},
+    {"130", 130, 130, false},   {"150", 150, 150, true},   {"330", 330, 330, true},
+    {"410", 410, 410, true},    {"450", 450, 450, true},   {"300 es", 330, 300, true},
     {"310 es", 430, 310, true}, {"320 es", 450, 320, true}};
 
 std::vector<std::string> freeWords(const Version& version) {
