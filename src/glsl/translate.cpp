@@ -111,6 +111,7 @@ void applyRules(ProgramUnits& program) {
     placeInTile(program);
     runInPieces(program);
     connectBuiltinVaryings(program, walks);
+    makePositionsInvariant(program);
     placeFragmentOutputs(program);
     for (std::size_t i = 0; i < walks.size(); ++i) modernizeGeometry(program.units[i], walks[i], report);
     checkTessellation(program);

@@ -115,11 +115,17 @@ bool isIdle(const Unit& unit, Range range) {
     return true;
 }
 
-/// True if all tokens stand in the user's own text, or all in the body of one macro.
-bool isOnePiece(const Unit& unit, Range range) {
-    const ViewToken& first = unit.view[range.first];
-    for (std::uint32_t i = range.first; i < range.end; ++i)
-        if (unit.view[i].body != first.body || (first.body && unit.view[i].site != first.site)) return false;
+/// Removes the tokens from the text; false if that would change other places as well.
+bool drop(Unit& unit, Range range) {
+    std::vector<std::uint32_t> tokens;
+    const ViewToken& outside = unit.view[range.first - 1];
+    const bool isInMacro = outside.body;  // then all that the macro expands to changes alike
+    for (std::uint32_t i = range.first; i < range.end; ++i) {
+        if (isInMacro && (!unit.view[i].body || unit.view[i].site != outside.site)) return false;
+        if (isInMacro) tokens.push_back(unit.view[i].raw);
+    }
+    if (!isInMacro && !editableTokens(unit, range, tokens)) return false;
+    for (const std::uint32_t each : tokens) unit.edits.remove(each);
     return true;
 }
 
@@ -154,16 +160,13 @@ void dropIdleOperands(Unit& unit) {
                                 unit.view[group.open - 1].kind == TokenKind::word;
             if (isList || group.comma == kNone || group.comma == group.open + 1) continue;
             const Range idle{group.open + 1, group.comma + 1};
-            if (!isIdle(unit, idle) || !isOnePiece(unit, {group.open, i + 1})) continue;
+            if (!isIdle(unit, idle) || !drop(unit, idle)) continue;
             for (std::uint32_t k = idle.first; k < idle.end; ++k) isDropped[k] = true;
         }
     }
     std::vector<ViewToken> kept;
     for (std::uint32_t i = 0; i < unit.view.size(); ++i) {
-        if (isDropped[i])
-            unit.edits.remove(unit.view[i].raw);
-        else
-            kept.push_back(unit.view[i]);
+        if (!isDropped[i]) kept.push_back(unit.view[i]);
     }
     unit.view = std::move(kept);
 }

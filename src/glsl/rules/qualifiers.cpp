@@ -113,6 +113,19 @@ void modernizeQualifiers(ProgramUnits& program) {
     }
 }
 
+void makePositionsInvariant(ProgramUnits& program) {
+    Unit* const vertex = program.find(Stage::vertex);
+    if (vertex == nullptr || !vertex->isWritten("gl_Position") || getenv("GLIBRA_NO_INVARIANT")) return;
+    const bool isDeclared = std::any_of(
+        vertex->syntax.declarations.begin(), vertex->syntax.declarations.end(), [&](const Declaration& each) {
+            if (each.kind == DeclarationKind::block) return vertex->text(each.name) == "gl_PerVertex";
+            return std::any_of(each.declarators.begin(), each.declarators.end(), [&](const Declarator& name) {
+                return vertex->text(name.name) == "gl_Position";
+            });
+        });
+    if (!isDeclared) vertex->declare("invariant gl_Position;");
+}
+
 void renameTakenWords(ProgramUnits& program) {
     std::set<std::string> words;
     for (const Unit& unit : program.units) words.merge(takenWords(unit));

@@ -104,7 +104,7 @@ class Refuser {
         if (unit_.bodies.roles[at] == WordRole::local || unit_.bodies.roles[at] == WordRole::localDeclaration)
             return;
         for (const Refusal& each : kRefusals)
-            if (each.word == text) error(at, std::string(each.text));
+            if (each.word == text && !unit_.view[at].isName) error(at, std::string(each.text));
         if (unit_.isDeclared(text)) return;
         if (unit_.stage != Stage::compute &&
             std::find(kComputeOnly.begin(), kComputeOnly.end(), text) != kComputeOnly.end())
