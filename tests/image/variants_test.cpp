@@ -119,7 +119,9 @@ bool isKnownElsewhere(const std::string& name) {
         name.starts_with("tga-1-16") || name.starts_with("tga-2-15") || name.starts_with("tga-3-16");
     const bool isOpaqueScreen =
         name.starts_with("gif") && name.find('o') != std::string::npos && name.find('t') == std::string::npos;
-    return !isWideTarga && !isOpaqueScreen && name.find("1010102") == std::string::npos;
+    const bool isOddDds = name.starts_with("dds") && name.find("gba8") == std::string::npos &&
+                          name.find("gra8") == std::string::npos && name.find("gr8") == std::string::npos;
+    return !isWideTarga && !isOpaqueScreen && !isOddDds;
 }
 
 /// Colours of transparent pixels, which the decoders of GIF give differently, count as black.
