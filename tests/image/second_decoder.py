@@ -66,7 +66,10 @@ def make(folder):
         "four.tif": ["-colors", "16"], "inks.tif": ["-colorspace", "CMYK"], "twelve.tif": ["-depth", "12"],
         "greys.tif": ["-colorspace", "gray", "-depth", "4"], "lab.tif": ["-colorspace", "lab"],
         "white.tif": ["-define", "quantum:polarity=min-is-white", "-colorspace", "gray"],
-        "order.tif": ["-define", "tiff:fill-order=lsb", "-monochrome"], "jpeg.tif": ["-compress", "JPEG"],
+        "order.tif": ["-define", "tiff:fill-order=lsb"], "order1.tif": ["-define", "tiff:fill-order=lsb", "-monochrome"],
+        "order2.tif": ["-define", "tiff:fill-order=lsb", "-compress", "LZW"],
+        "order3.tif": ["-define", "tiff:fill-order=lsb", "-compress", "None"],
+        "order4.tif": ["-define", "tiff:fill-order=lsb", "-monochrome", "-compress", "Group4"], "jpeg.tif": ["-compress", "JPEG"],
         "rle8.bmp": ["-colors", "20", "-compress", "RLE"], "old.bmp": ["-define", "bmp:format=bmp2"],
     }.items():
         form = {"big.tif": "TIFF:", "old.bmp": "BMP2:"}.get(name, "")

@@ -66,9 +66,9 @@ TEST_P(Variants, AreErrorsAtEveryLengthThatIsTooShort) {
         for (std::size_t length = 0; length < each.file.size(); length += 1 + length / 40) {
             const auto read =
                 decodeImage(std::span(each.file).first(length), each.name, {}, testing::withoutModule());
-            // The end mark of GIF, and of the identification of TGA, may be missing; nothing else.
+            // The end mark of GIF and what follows the last number of plain PNM may be missing; nothing else.
             if (read) {
-                EXPECT_GE(length + 4, each.file.size()) << each.name;
+                EXPECT_GE(length + 20, each.file.size()) << each.name;
             } else {
                 EXPECT_EQ(read.diagnostics.size(), 1U) << each.name << " " << length;
             }
@@ -119,7 +119,9 @@ bool isKnownElsewhere(const std::string& name) {
         name.starts_with("tga-1-16") || name.starts_with("tga-2-15") || name.starts_with("tga-3-16");
     const bool isOpaqueScreen =
         name.starts_with("gif") && name.find('o') != std::string::npos && name.find('t') == std::string::npos;
-    return !isWideTarga && !isOpaqueScreen && name.find("1010102") == std::string::npos;
+    const bool isOddDds = name.starts_with("dds") && name.find("gba8") == std::string::npos &&
+                          name.find("gra8") == std::string::npos && name.find("gr8") == std::string::npos;
+    return !isWideTarga && !isOpaqueScreen && !isOddDds;
 }
 
 /// Colours of transparent pixels, which the decoders of GIF give differently, count as black.
@@ -136,7 +138,7 @@ TEST_F(SecondDecoder, SeesTheSamePixelsOrThereIsAMessage) {
          {testing::targaVariants, testing::pnmVariants, testing::gifVariants, testing::ddsVariants}) {
         int number = 0;
         for (const Variant& each : make())
-            if (number++ % 5 == 0 && isKnownElsewhere(each.name)) put(each.name, each.file);
+            if (number++ % 8 == 0 && isKnownElsewhere(each.name)) put(each.name, each.file);
     }
     const int status = decodeAll();
     if (status == 77) GTEST_SKIP() << "needs python3-pil and imagemagick";

@@ -59,6 +59,12 @@ void take(const TiffBytes& bytes, const TiffEntry& entry, TiffHeader& header) {
             header.bits = *value;
             header.hasBits = true;
             break;
+        case 259:
+            header.compression = *value;
+            break;
+        case 266:
+            header.fillOrder = *value;
+            break;
         case 262:
             header.photometric = *value;
             break;
@@ -106,6 +112,10 @@ std::string misreadBy(const TiffHeader& header) {
     enum : std::uint64_t { whiteIsZero = 0, blackIsZero = 1, palette = 3, inks = 5, yCbCr = 6 };
     if (header.photometric == 4 || header.photometric > yCbCr)
         return fmt::format("its colours, kind {}, cannot be read; save it as RGB", header.photometric);
+    // OpenImageIO unpacks Deflate by itself, and forgets the order of the bits.
+    constexpr std::uint64_t kDeflate = 8, kOldDeflate = 32946;
+    if (header.fillOrder == 2 && (header.compression == kDeflate || header.compression == kOldDeflate))
+        return "its bits stand in reverse order, which cannot be read with Deflate; save it with LZW";
     const bool odd = header.bits > 8 && header.bits < 16;
     const bool isWrong = (header.photometric == whiteIsZero && header.samples > 1) ||
                          (header.photometric == blackIsZero && header.samples == 2 && odd) ||

@@ -19,8 +19,10 @@ struct TiffHeader {
     std::uint64_t samples = 1;  ///< per pixel
     std::uint64_t tileWidth = 0, tileHeight = 0;
     std::uint64_t photometric = 1;  ///< what samples mean: 0 and 1 grey, 2 RGB, 3 a palette, 5 inks, 6 YCbCr
-    unsigned orientation = 1;       ///< 1 to 8, as in TIFF 6.0: 1 is upright
-    bool associatedAlpha = false;   ///< colours are multiplied by alpha
+    std::uint64_t compression = 1;
+    std::uint64_t fillOrder = 1;   ///< 2: the first bit of a byte is the lowest one
+    unsigned orientation = 1;      ///< 1 to 8, as in TIFF 6.0: 1 is upright
+    bool associatedAlpha = false;  ///< colours are multiplied by alpha
 };
 
 /// Errors: file-E04 damaged, or a combination that OpenImageIO reads wrong; file-E09 exceeds the limits.
