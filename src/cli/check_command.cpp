@@ -23,7 +23,6 @@
 #include "cli/written_files.h"
 #include "gpu/context/context.h"
 #include "image/file.h"
-#include "render/check/answers.h"
 #include "render/scene_renderer.h"
 #include "suite/report/verdict_commands.h"
 #include "suite/run/run.h"
@@ -91,7 +90,7 @@ class SceneChecker {
   private:
     /// What drawing the scene reports in addition, and its checks that do not hold.
     Diagnostics runOf(const std::string& scene, const RenderOptions& options, Diagnostics checked) {
-        if (hasError(checked)) return render::withoutExpected(render::checksOf(scene, options), checked);
+        if (hasError(checked)) return render::answerWithoutPicture(scene, options, std::move(checked));
         return render::runChecks(*context_, scene, options, std::move(checked));
     }
 
