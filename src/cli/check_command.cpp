@@ -96,7 +96,7 @@ class SceneChecker {
     /// What drawing the scene reports in addition, and its checks that do not hold.
     Diagnostics runOf(const std::string& scene, const RenderOptions& options, Diagnostics checked) {
         Diagnostics found = hasError(checked)
-                                ? render::withoutExpected(render::checksOf(scene, options), checked)
+                                ? render::answerWithoutPicture(scene, options, std::move(checked))
                                 : render::runChecks(*context_, scene, options, std::move(checked));
         Diagnostics misspelt = render::takeMisspellings(found);
         append(misspelt, std::move(found));

@@ -75,6 +75,9 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"glib-W38", "camera 'main' is not used; the camera 'eye' sees the window"},
     {"glib-W39",
      "Viewport has no effect: Pass (line 7) begins with the default state; move it into the pass"},
+    {"glib-W40",
+     "'k' is a counter or parameter here; from this Let on to the end of the scope, 'k' is the variable of "
+     "the scene; choose another name"},
     {"glib-N01", "MessageBox: Move the scene back"},
     {"glib-N02", "Sphere: 3719 vertices, 7080 triangles, program 'Dots'"},
     // Expressions
@@ -341,6 +344,9 @@ constexpr CatalogueRow kCatalogueRows[] = {
     // Checks of scenes
     {"check-E01", "Expect pixel 10 20 [1 0 0]: expected 1 0 0, found 0.501960784 0 0"},
     {"check-E02", "Expect pixel 800 20 [1 0 0]: 'window' has 600 x 600 pixels"},
+    {"check-W01", "Expect pixel 10 20 [1 0 0] is not answered: group 'row' is not drawn"},
+    {"check-N01",
+     "Expect pixel 10 20 [1 0 0] is not answered: the condition of the When on line 12 is false"},
     // Run time against error
     {"bench-E01", "unknown subject 'primitve'; did you mean 'primitives'?"},
     {"bench-E02", "this is not a run of glibra bench; --against takes its bench.json"},

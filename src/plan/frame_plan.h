@@ -30,6 +30,7 @@ struct ProgramVariant {
     int colorTargets = 1;
     bool isFullScreen = false;  ///< a vertex stage that covers the whole target may be supplied
     bool inPieces = false;      ///< a compute program that runs in several dispatches
+    bool isFill = false;        ///< Program::isLeftOutByFill: these stages are left out
     friend bool operator==(const ProgramVariant&, const ProgramVariant&) = default;
 };
 

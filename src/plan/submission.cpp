@@ -125,7 +125,8 @@ Result<Submission> submissionOf(const scene::Scene& scene, const scene::Draw& dr
                                 const scene::Program* program, const ProgramInterface& interface) {
     const scene::Shape& shape = scene.shapes[draw.shape];
     const Topology topology = topologyOf(shape);
-    const bool isTessellated = program != nullptr && program->hasStage(glsl::Stage::tessEvaluation);
+    const bool isTessellated =
+        program != nullptr && program->hasStage(glsl::Stage::tessEvaluation, draw.isFill);
     const std::string& word = draw.word;
 
     Submission submission{topology, 0, shape.strip};
@@ -177,8 +178,10 @@ bool ignoresPointSize(const scene::Draw& draw, const scene::Program* program,
     if (program == nullptr || draw.raster.pointSizeFromShader || !interface.facts.writesPointSize)
         return false;
     const std::string_view points = wordOf(Topology::points);
-    if (program->hasStage(glsl::Stage::geometry)) return interface.facts.geometryOutput == points;
-    if (program->hasStage(glsl::Stage::tessEvaluation)) return interface.facts.tessellationOutput == points;
+    if (program->hasStage(glsl::Stage::geometry, draw.isFill))
+        return interface.facts.geometryOutput == points;
+    if (program->hasStage(glsl::Stage::tessEvaluation, draw.isFill))
+        return interface.facts.tessellationOutput == points;
     return submission.topology == Topology::points;
 }
 

@@ -263,7 +263,7 @@ void noteNames(Scene& scene, const glib::Script& script) {
 /// The values of the names that every scene has.
 void setInputs(Interpreter& in) {
     Environment& names = in.shared->environment;
-    names.forgetValues();
+    names.beginFrame();
     in.shared->frameRate = kFramesPerSecond;
     setTime(in);
     for (const auto& [name, camera] : in.shared->previousCameras)
@@ -317,6 +317,7 @@ Scene Interpretation::State::run(const FrameInputs& inputs) {
     try {
         setInputs(in);
         addNoiseTextures(in);
+        expectNames(in);
         scene::run(in, 0, script.commands.size());
         checkList(in);
         checkStack(in);
@@ -335,10 +336,8 @@ Scene Interpretation::State::run(const FrameInputs& inputs) {
             const bool isSeen = aspects != shared.aspects.end() && !aspects->second.empty();
             const double aspect = isSeen ? *aspects->second.begin() : windowAspect(in);
             shared.cameras[name] = valuesOf(camera, aspect);
-            const auto symbol = shared.environment.find(name.first);
-            const bool isArray = symbol && symbol->count > 0;
             cameras.push_back(
-                {isArray ? fmt::format("{}[{}]", name.first, name.second) : name.first, camera.view,
+                {textOf(in, name), camera.view,
                  camera.clip || camera.aspect ? projectionOf(camera, aspect) : camera.projection,
                  camera.isMirrored});
         }
@@ -346,6 +345,7 @@ Scene Interpretation::State::run(const FrameInputs& inputs) {
             shared.cameras[eye] = valuesOf(classicCamera(in), windowAspect(in));
         in.scene.namedValues = namedValues(in);
         if (in.scene.isModern) in.scene.mayBeWritten = undecidedWrites(in);
+        in.scene.idleChecks = idleChecks(in);
     } catch (const std::exception& problem) {
         in.report(diagnose("glib-E15", fmt::format("the scene cannot be run: {}", problem.what()),
                            script.place({})));
@@ -399,14 +399,10 @@ Scene Interpretation::at(const FrameInputs& inputs) {
     if (!shared.readsPrevious || knewPrevious) return scene;
     // Problems of values count once the cameras of the frame before are known.
     std::erase_if(scene.diagnostics, [](const Diagnostic& each) { return each.id == "expr-E06"; });
-    for (auto& [value, entry] : shared.expressions.entries) entry.isProblemReported = false;
+    for (auto& [value, readings] : shared.expressions)
+        readings.forEach([](ReadExpression& each) { each.isProblemReported = false; });
     runAgain();
     return scene;
-}
-
-Result<ConditionAnswer> Interpretation::answer(
-    const Check& check, const std::function<std::vector<double>(const std::string& buffer)>& read) {
-    return answerCondition(check, state_->shared.environment, read);
 }
 
 const glib::Script& Interpretation::script() const {

@@ -42,6 +42,7 @@ struct Scene : Declarations {
     std::vector<OnceBlock> once;   ///< before the frame; what they write lasts
     std::vector<StepBlock> steps;  ///< between Once and the frame; what they write lasts
     std::vector<Check> checks;
+    std::vector<IdleCheck> idleChecks;
     std::vector<KeyBinding> keys;
     /// The values of variables at the end of the script: uniforms of the same name that nothing else sets
     /// read them.

@@ -229,6 +229,7 @@ glsl::ProgramRequest ProgramLibrary::request(const plan::ProgramVariant& variant
     request.geometryVerticesOut = program.geometryVerticesOut;
     request.reportsGeometryConflicts = !program.sharesGeometryWords;
     for (const scene::StageFile& stage : program.stages) {
+        if (variant.isFill && scene::Program::isLeftOutByFill(stage)) continue;
         const SourceFile& source = sourceFile(stage.file);
         append(diagnostics, source.diagnostics);
         if (!source.path.empty()) noteIfHidden(variant.program, source.path);
@@ -296,6 +297,11 @@ void ProgramLibrary::build(const plan::ProgramVariant& variant, BuiltProgram& bu
     glsl::TranslatedProgram translated;
     if (translation.program) {
         translated = *translation.program;
+        for (Diagnostic& each : translated.diagnostics)
+            if (variant.isFill && each.id == "glsl-W11")
+                each.text +=
+                    "; Fill leaves out the stages before an earlier Program, so write them again "
+                    "before this one";
         append(diagnostics, std::move(translated.diagnostics));
     }
     if (!hasError(diagnostics)) {

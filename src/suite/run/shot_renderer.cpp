@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "base/device_lost.h"
-#include "render/check/answers.h"
 #include "render/check/misspellings.h"
 #include "render/file/job.h"
 #include "suite/file/unknown_uniforms.h"
@@ -93,8 +92,9 @@ Rendering ShotRenderer::tryRender(const Shot& shot, std::span<const Shot* const>
     if (loaded_ && loaded_->source == source && !loaded_->renderer.remembersFrames())
         prepare(coming, source);
     else if (Diagnostics problems = load(source, coming); !loaded_) {
-        rendering.diagnostics =
-            render::withoutExpected(render::checksOf(source.script, source.options), std::move(problems));
+        RenderOptions options = source.options;
+        options.time = shot.options.time;
+        rendering.diagnostics = render::answerWithoutPicture(source.script, options, std::move(problems));
         rendering.failsAsExpected = !hasError(rendering.diagnostics);
         return rendering;
     }
@@ -106,7 +106,8 @@ Rendering ShotRenderer::tryRender(const Shot& shot, std::span<const Shot* const>
         append(rendering.diagnostics,
                render::remarksOn(*rendering.picture, shot.script, loaded_->renderer.plan()));
         render::applyStrict(rendering.diagnostics, shot.options.strict);
-        if (rendering.hasChecks = loaded_->renderer.hasChecks(); rendering.hasChecks)
+        rendering.hasChecks = loaded_->renderer.hasChecks();
+        if (rendering.hasChecks || loaded_->renderer.hasIdleChecks())
             rendering.failedChecks =
                 loaded_->renderer.answerChecks(shot.options.time, rendering.diagnostics, *loaded_->stats);
         append(rendering.failedChecks, render::takeMisspellings(rendering.diagnostics));
