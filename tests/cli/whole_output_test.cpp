@@ -54,7 +54,8 @@ const std::vector<std::string> kPrinting{
     "language glib-E27",
     "language mix",
     "language --diagnostics",
-    "language --json",
+    "language --words",
+    "language --markdown",
 };
 
 TEST_F(WholeOutput, IsAnErrorIfTheDiskIsFullOrTheDescriptorClosed) {

@@ -342,6 +342,7 @@ TEST_F(Merge, PartsOfDifferentPlansOrSettingsDoNotBelongTogether) {
             ASSERT_TRUE(result);
             EXPECT_EQ(ids(result.diagnostics), "result-E06 ") << plan;
             EXPECT_FALSE(result->complete);
+            EXPECT_NE(toJunit(*result).find("errors=\"1\""), std::string::npos) << toJunit(*result);
             EXPECT_EQ(result->plan, "") << "a later merge must not take it for the whole";
         }
     }

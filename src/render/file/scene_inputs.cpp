@@ -32,10 +32,18 @@ bool mayChooseFiles(const scene::Interpretation& source) {
     return false;
 }
 
+/// True if another time may read other files.
+bool isTimed(const InterpretedScene& interpreted) {
+    const auto& steps = interpreted.scene.steps;
+    return interpreted.source &&
+           (interpreted.changesWithTime() ||
+            std::any_of(steps.begin(), steps.end(), [](const auto& each) { return each.dependsOnTick; }));
+}
+
 /// Interprets the scene for the picture at `time`, so that its list of files has those of that time. False if
 /// steps were left out.
 bool visitMoments(InterpretedScene& interpreted, double time) {
-    if (!interpreted.changesWithTime() || !mayChooseFiles(*interpreted.source)) return true;
+    if (!isTimed(interpreted) || !mayChooseFiles(*interpreted.source)) return true;
     std::set<double> times{time};
     for (const scene::Check& each : interpreted.scene.checks)
         if (each.seconds) times.insert(*each.seconds);
@@ -91,7 +99,7 @@ ReadByScene filesReadBy(const fs::path& path, const RenderOptions& options) {
     Result<InterpretedScene> interpreted = interpretFile(path, options, stats);
     if (!interpreted) return {{files.begin(), files.end()}};
     ReadByScene read;
-    read.changesWithTime = interpreted->changesWithTime();
+    read.changesWithTime = isTimed(*interpreted);
     read.isWhole = visitMoments(*interpreted, options.time);
     const scene::Scene& scene = interpreted->scene;
     if (interpreted->source)

@@ -219,6 +219,13 @@ class PictureCopier {
     std::set<fs::path> written_;
 };
 
+/// Page and JUnit file of a merge that is not whole say so, too.
+std::string firstErrorOf(const Diagnostics& remarks) {
+    const auto first = std::find_if(remarks.begin(), remarks.end(),
+                                    [](const Diagnostic& each) { return each.severity == Severity::error; });
+    return first == remarks.end() ? "" : first->text;
+}
+
 /// The values of a member in all runs, each once.
 std::string joined(std::span<const MergedRun> runs, std::string RunResult::*member,
                    std::string_view between) {
@@ -293,6 +300,7 @@ Result<RunResult> mergeResults(std::span<const fs::path> folders, const fs::path
         }
         merged.shots.push_back(std::move(shot));
     }
+    if (!isWhole && shortfall(merged).empty()) merged.missingShards = firstErrorOf(remarks);
     if (Diagnostics problems = writeResults(merged, into); !problems.empty()) return problems;
     return {std::move(merged), std::move(remarks)};
 }

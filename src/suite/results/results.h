@@ -79,7 +79,7 @@ struct RunResult {
     std::vector<ShotResult> shots;  ///< in the order of the suites
     /// What the run set out to judge; nothing for a value that no run wrote.
     std::optional<std::vector<PlannedShots>> planned{};
-    /// "2 of 4 shards are missing: 2/4, 4/4", of a merged run; empty if none is missing.
+    /// "2 of 4 shards are missing: 2/4, 4/4", or what else makes a merged run no whole; empty if it is one.
     std::string missingShards{};
     bool complete = false;  ///< the run reached its end, with a verdict on every planned shot
 };
