@@ -299,12 +299,14 @@ class ClassRun {
                     withoutId(Severity::warning,
                               "the scene, its shaders and pictures could not be reviewed within the limits",
                               {entry.submission.scene.string(), 1, 1}));
-            if (!entry.submission.scene.empty()) entry.notCompared.emplace_back("everything");
+            entry.notCompared.emplace_back("everything, because the review did not end");
             return;
         }
         entry.programs = std::move(found->programs);
         entry.files = std::move(found->files);
         entry.notCompared = std::move(found->notCompared);
+        if (entry.submission.scene.empty())
+            entry.notCompared.emplace_back("everything, because there is no scene");
         for (std::size_t i = 0; i < std::min(found->scores.size(), entry.pictures.size()); ++i)
             entry.pictures[i].score = found->scores[i];
     }

@@ -133,7 +133,10 @@ class Sources {
 void reviewScene(const ReviewTask& task, Review& result) {
     render::Stats stats;
     const Result<render::InterpretedScene> read = render::interpretFile(task.scene, task.options, stats);
-    if (!read) return;
+    if (!read) {
+        result.notCompared.emplace_back("everything, because the scene cannot be read");
+        return;
+    }
     const scene::Scene& scene = read->scene;
     Sources sources(scene, task.options);
     for (const scene::Program& program : scene.programs) {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <iterator>
 #include <random>
 #include <string>
@@ -68,7 +69,7 @@ std::string randomModel(unsigned seed, int lines) {
                 break;
             case 9:
                 text += "v " + number() + " " + number() + " " + number() +
-                        (below(2) == 0 ? " 1" : " 1 wide # 1");
+                        std::array{" 1", " 1 wide # 1", " 1 0 1e-60 1", " .5 -1 +2", " 1 2 3x"}[below(5)];
                 break;
             case 10:
                 text += below(2) == 0 ? "s off" : "s " + std::to_string(below(40)) + " # group";

@@ -130,8 +130,12 @@ class PieceReader {
         Triple color{0, 0, 0};
         const char* rest = at;
         for (float& value : color) {
-            rest = readNumber(skipBlanks(rest), value);
-            if (rest == nullptr) return endOfLine(at);
+            const char* const token = skipBlanks(rest);
+            rest = readNumber(token, value);
+            // Numbers that are too small, or written in an odd way, are left to the other reader.
+            const bool mayBeNumber =
+                (*token >= '0' && *token <= '9') || *token == '.' || *token == '-' || *token == '+';
+            if (rest == nullptr) return mayBeNumber ? nullptr : endOfLine(at);
         }
         piece_.colors.resize(piece_.positions.size() - 1, {1, 1, 1});
         piece_.colors.push_back(color);
