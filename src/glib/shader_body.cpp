@@ -26,8 +26,8 @@ const StatementRow* anyRowOf(std::string_view word) {
 
 std::vector<std::string_view> wordsOfLine(std::string_view line) {
     std::vector<std::string_view> words;
-    constexpr std::size_t kMost = 4;
-    while (words.size() < kMost) {
+    constexpr std::size_t kMostWords = 4;
+    while (words.size() < kMostWords) {
         line = trimmed(line);
         if (line.empty()) break;
         const std::size_t end = std::min(line.find_first_of(kBlanks), line.size());

@@ -92,7 +92,8 @@ class WriteSearch {
             const auto known = in_.modern.groups.find(each);
             if (known == in_.modern.groups.end() || !groups_.insert(each).second) continue;
             const GroupDefinition& group = known->second;
-            addRange(*group.script, group.command + 1, group.script->commands[group.command].partner);
+            const glib::Script& script = *group.file.script;
+            addRange(script, group.command + 1, script.commands[group.command].partner);
         }
     }
 
