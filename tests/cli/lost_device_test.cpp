@@ -60,7 +60,7 @@ class LostDeviceCommand : public testing::TestWithParam<const char*> {
 };
 
 INSTANTIATE_TEST_SUITE_P(Driver, LostDeviceCommand, testing::Values("known", "unknown", "error"),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& each) { return std::string(each.param); });
 
 TEST_P(LostDeviceCommand, RenderWritesNoPictureOfALostDevice) {
     const Finished end = run("render hangs.glib");
@@ -157,7 +157,7 @@ TEST_P(LostDeviceCommand, TestNeitherPassesNorAcceptsAPictureOfALostDevice) {
         for (const char* each : {"a", "b", "c"})
             EXPECT_TRUE(exists(std::string("golden/") + each + ".png")) << each;
         for (const auto& each : fs::directory_iterator(folder / "golden"))
-            if (each.path().extension() == ".hashes") EXPECT_FALSE(contains(readFile(each.path()), "hangs"));
+            EXPECT_FALSE(each.path().extension() == ".hashes" && contains(readFile(each.path()), "hangs"));
         const Finished again = run("test s.toml --jobs " + jobs);
         EXPECT_EQ(again.status, 3) << again.out << again.err;
         EXPECT_TRUE(contains(again.out, "1 crashed, 3 passed")) << again.out << again.err;
