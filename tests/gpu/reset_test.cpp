@@ -187,6 +187,7 @@ TEST(ResetGuard, CoversEveryFunctionOfTheProgramThatReadsFromTheDevice) {
                                          "glGetProgramResourceIndex",
                                          "glGetRenderbufferParameteriv",
                                          "glGetTexLevelParameteriv",
+                                         "glReadBuffer",
                                          "glGetGraphicsResetStatus",
                                          "glGetGraphicsResetStatusARB"};
     const std::regex call(R"(\b(gl(Get|Read|Map|Unmap|Finish|ClientWait|Check)\w*)\s*\()");

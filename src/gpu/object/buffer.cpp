@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <new>
 #include <vector>
 
 #include "gpu/context/errors.h"
@@ -69,9 +70,11 @@ void Buffer::copyFrom(const Buffer& other, std::size_t from, std::size_t to, std
 
 void Buffer::read(std::size_t offset, std::span<std::byte> content) const {
     if (offset >= size_) return;
+    clearErrors();
     glBindBuffer(GL_COPY_READ_BUFFER, id());
     glGetBufferSubData(GL_COPY_READ_BUFFER, static_cast<GLintptr>(offset),
                        static_cast<GLsizeiptr>(std::min(content.size(), size_ - offset)), content.data());
+    if (takeError() == GL_OUT_OF_MEMORY) throw std::bad_alloc();
 }
 
 }  // namespace glibra::gpu

@@ -33,6 +33,7 @@ class Buffer {
     /// Copies bytes of the other buffer. Bytes that would lie outside of either are left out.
     void copyFrom(const Buffer& other, std::size_t from, std::size_t to, std::size_t bytes);
     /// Reads bytes from `offset` on. Waits for the device. Bytes that would lie outside are left as they are.
+    /// Throws std::bad_alloc if the driver lacks the memory.
     void read(std::size_t offset, std::span<std::byte> content) const;
     /// Binds the whole buffer to an indexed binding point: GL_UNIFORM_BUFFER,
     /// GL_SHADER_STORAGE_BUFFER, GL_ATOMIC_COUNTER_BUFFER.

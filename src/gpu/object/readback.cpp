@@ -85,7 +85,9 @@ Diagnostics readPixels(const Capabilities& capabilities, const Framebuffer& fram
     if (index < 0 || index >= framebuffer.colorCount())
         return {diagnose("gpu-E03", "the framebuffer has no colour " + std::to_string(index))};
 
-    clearErrors();
+    // Without debug output nobody else has seen what a draw before has reported.
+    if (const GLenum before = takeError(); before != GL_NO_ERROR && !capabilities.debugOutput)
+        return {allocationError(before, "what was drawn")};
     framebuffer.bindForReading();
     glReadBuffer(static_cast<GLenum>(GL_COLOR_ATTACHMENT0 + index));
     glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);

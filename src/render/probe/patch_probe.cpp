@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -64,10 +65,7 @@ budget::Patch capture(int firstIndex, int indices, GLenum primitives, const gpu:
     const auto count = static_cast<std::size_t>(written.result());
     budget::Patch patch{primitives == GL_LINES ? 2U : 3U, {}};
     std::vector<float> floats(count * patch.corners * kPatchFloats);
-    buffer.bind(GL_TRANSFORM_FEEDBACK_BUFFER);
-    if (!floats.empty())
-        glGetBufferSubData(GL_TRANSFORM_FEEDBACK_BUFFER, 0,
-                           static_cast<GLsizeiptr>(floats.size() * sizeof(float)), floats.data());
+    if (!floats.empty()) buffer.read(0, std::as_writable_bytes(std::span(floats)));
     for (std::size_t i = 0; i < floats.size(); i += kPatchFloats)
         patch.vertices.push_back({{floats[i], floats[i + 1], floats[i + 2], floats[i + 3]},
                                   {floats[i + 4], floats[i + 5], floats[i + 6]}});

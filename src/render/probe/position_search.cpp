@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "gpu/object/buffer.h"
 #include "gpu/object/program.h"
@@ -68,16 +70,13 @@ GLuint counted(GLenum what, const Work& work) {
 std::uint64_t countLost(const gpu::Buffer& buffer, GLuint primitives, GLuint corners) {
     const std::size_t floats = std::size_t{primitives} * corners * kPositionFloats;
     if (floats == 0) return 0;
-    buffer.bind(GL_TRANSFORM_FEEDBACK_BUFFER);
-    const auto* values = static_cast<const float*>(glMapBufferRange(
-        GL_TRANSFORM_FEEDBACK_BUFFER, 0, static_cast<GLsizeiptr>(floats * sizeof(float)), GL_MAP_READ_BIT));
-    if (!values) return 0;
+    std::vector<float> values(floats);
+    buffer.read(0, std::as_writable_bytes(std::span(values)));
     std::uint64_t lost = 0;
     for (std::size_t at = 0; at < floats; at += corners * kPositionFloats)
-        if (!std::all_of(values + at, values + at + corners * kPositionFloats,
+        if (!std::all_of(values.data() + at, values.data() + at + corners * kPositionFloats,
                          [](float each) { return std::isfinite(each); }))
             ++lost;
-    glUnmapBuffer(GL_TRANSFORM_FEEDBACK_BUFFER);
     return lost;
 }
 
