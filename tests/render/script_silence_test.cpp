@@ -350,5 +350,42 @@ Expect buffer total [)" + std::to_string(side * side) +
     EXPECT_TRUE(of300.empty() || of300.find("draw-W08") != std::string::npos) << of300;
 }
 
+/// A plane to the horizon, with texture coordinates that reach far.
+std::string plane(const std::string& options, const std::string& check) {
+    return "WindowSize 40 20\nCamera eye LookAt 0 1 0  0 1 -10  0 1 0  Perspective 60 .1 10000\nTexture2D "
+           "checks 256 256 rgba8 " +
+           options + R"( repeat
+Fragment inline
+#version 330
+in vec2 vST;
+out vec4 fColor;
+void main() { fColor = vec4(vec3(mod(floor(vST.x * 16.) + floor(vST.y * 16.), 2.)), 1.); }
+EndFragment
+Program Checks
+Fill checks with Checks
+Vertex inline
+#version 330
+out vec2 vUV;
+void main() { vUV = aVertex.xz; gl_Position = uModelViewProjectionMatrix * aVertex; }
+EndVertex
+Fragment inline
+#version 330
+in vec2 vUV;
+uniform sampler2D uMap;
+out vec4 fColor;
+void main() { fColor = texture(uMap, vUV); }
+EndFragment
+Program Plane  uMap checks
+QuadXZ 0 5000
+)" + check;
+}
+
+TEST(Anisotropy, OfAPlaneToTheHorizonEnds) {
+    // Each of them took minutes on llvmpipe. The mean of the checks is a half.
+    for (const char* each :
+         {"linear aniso 8", "mipmap aniso 8 levels 3 generate", "mipmap aniso 16 generate"})
+        EXPECT_EQ(problemsOf(plane(each, "Expect mean 0 0 40 9 [.5 .5 .5] within .1\n")), "") << each;
+}
+
 }  // namespace
 }  // namespace glibra::test

@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -31,17 +32,20 @@ constexpr std::array<PassedSampler, 6> kShadowSamplers{{{"1D", "vec3", true},
                                                         {"2DArray", "vec4", false},
                                                         {"2DRect", "vec3", false}}};
 
-/// The gradients make an ellipse of half axes `w` around the pixel, in texels of the coarsest level. The four
-/// pixels of a quad decide together, because their coordinates make the gradients.
+/// The gradients make an ellipse of half axes `w` around the pixel, in texels of the coarsest level. The
+/// driver takes gradients from the coordinates in every texture function, so the four pixels of a quad decide
+/// together, and those that cover too much give it constant coordinates. `{3}` wraps the coordinates.
 constexpr std::string_view kBounded =
     "vec4 glibra_bounded(sampler2D s, vec2 p{0}) {{ "
     "vec2 dx = dFdx(p), dy = dFdy(p); "
-    "vec2 w = sqrt(dx * dx + dy * dy) * vec2(textureSize(s, textureQueryLevels(s) - 1)); "
+    "int last = textureQueryLevels(s) - 1; "
+    "vec2 size = vec2(textureSize(s, last)), w = sqrt(dx * dx + dy * dy) * size; "
     "float wide = step({2}., (2. * w.x + 1.) * (2. * w.y + 1.)); "
     "wide = max(wide, fwidth(wide)); wide = max(wide, fwidth(wide)); "
-    "float k = wide * min(1., 8. / max(max(w.x, w.y), 1.)); "
-    "vec4 few = textureGrad(s, wide > 0. ? p : vec2(0.), dx * k, dy * k); "
-    "vec4 all = texture(s, wide > 0. ? vec2(0.) : p{1}); "
+    "vec4 all = texture(s, wide > 0. ? vec2(0.) : p{1}), few = vec4(0.); "
+    "for (int i = 0; i < 16; ++i) {{ "
+    "vec2 at = p + (float(i % 4) - 1.5) * .25 * dx + (float(i / 4) - 1.5) * .25 * dy; "
+    "few += texelFetch(s, min(ivec2({3} * size), ivec2(size) - 1), last) * .0625; }} "
     "return wide > 0. ? few : all; }} ";
 
 std::string passedOn(std::string_view value, const std::string& sampler, const PassedSampler& row) {
@@ -53,9 +57,10 @@ std::string passedOn(std::string_view value, const std::string& sampler, const P
     return text;
 }
 
-std::string functions() {
-    std::string text = fmt::format(fmt::runtime(kBounded), "", "", kMostTexels);
-    text += fmt::format(fmt::runtime(kBounded), ", float b", ", b", kMostTexels);
+std::string functions(bool repeats) {
+    const char* wrapped = repeats ? "fract(at)" : "clamp(at, vec2(0.), vec2(1.))";
+    std::string text = fmt::format(fmt::runtime(kBounded), "", "", kMostTexels, wrapped);
+    text += fmt::format(fmt::runtime(kBounded), ", float b", ", b", kMostTexels, wrapped);
     for (const std::string_view prefix : {"", "i", "u"}) {
         const std::string value = fmt::format("{}vec4", prefix);
         for (const PassedSampler& each : kColorSamplers)
@@ -97,21 +102,25 @@ Spot afterExtensions(std::string_view source) {
 
 }  // namespace
 
-bool filtersAnisotropically(const scene::Scene& scene) {
-    const auto isAnisotropic = [](const base::SamplerState& state) { return state.anisotropy > 1; };
-    return std::any_of(scene.textures.begin(), scene.textures.end(),
-                       [&](const scene::Texture& each) { return isAnisotropic(each.sampler); }) ||
-           std::any_of(scene.samplers.begin(), scene.samplers.end(),
-                       [&](const scene::Sampler& each) { return isAnisotropic(each.state); });
+std::optional<FilterBound> filterBoundOf(const scene::Scene& scene) {
+    std::optional<FilterBound> bound;
+    const auto look = [&](const base::SamplerState& state) {
+        if (state.anisotropy <= 1) return;
+        if (!bound) bound = FilterBound{};
+        bound->repeats = bound->repeats || base::repeats(state.wrap[0]) || base::repeats(state.wrap[1]);
+    };
+    for (const scene::Texture& each : scene.textures) look(each.sampler);
+    for (const scene::Sampler& each : scene.samplers) look(each.state);
+    return bound;
 }
 
-bool boundFilter(glsl::TranslatedStage& stage) {
+bool boundFilter(glsl::TranslatedStage& stage, const FilterBound& bound) {
     constexpr int kWithLevels = 430;  // textureQueryLevels()
     if (stage.stage != glsl::Stage::fragment || versionOf(stage.source) < kWithLevels ||
         stage.source.find("texture") == std::string::npos)
         return false;
     const Spot spot = afterExtensions(stage.source);
-    stage.source.insert(spot.byte, functions() + "\n#define texture glibra_bounded\n");
+    stage.source.insert(spot.byte, functions(bound.repeats) + "\n#define texture glibra_bounded\n");
     const auto at = static_cast<std::ptrdiff_t>(std::min(spot.line, stage.lineMap.lines.size()));
     stage.lineMap.lines.insert(stage.lineMap.lines.begin() + at, 2, glsl::LineOrigin{});
     stage.lineMap.columns.insert(stage.lineMap.columns.begin() +

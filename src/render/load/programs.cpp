@@ -305,13 +305,13 @@ void ProgramLibrary::build(const plan::ProgramVariant& variant, BuiltProgram& bu
         append(diagnostics, std::move(translated.diagnostics));
     }
     if (!hasError(diagnostics)) {
-        if (context_.capabilities().isSoftware && filtersAnisotropically(scene_))
+        if (const auto bound = context_.capabilities().isSoftware ? filterBoundOf(scene_) : std::nullopt)
             for (glsl::TranslatedStage& each : translated.stages)
-                if (boundFilter(each) && variant.program)
+                if (boundFilter(each, *bound) && variant.program)
                     stats_.skip(
                         "texels",
-                        fmt::format("aniso on a software driver: where a pixel covers more than {} texels "
-                                    "of the coarsest level, it reads 16 x 16 of them",
+                        fmt::format("aniso on a software driver: a pixel that covers more than {} texels "
+                                    "of the coarsest level reads 16 of them",
                                     kMostTexels),
                         scene_.programs[variant.program].place);
         built.key = keyOf(variant, translated);
