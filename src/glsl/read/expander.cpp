@@ -15,8 +15,9 @@ bool mayBeMacro(const Token& token) {
 
 bool needBlank(const Token& left, const Token& right) {
     if (left.text.empty() || right.text.empty()) return false;
-    return growTogether(left.text.back(), right.text.front()) ||
-           (left.kind == TokenKind::number && right.text.front() == '.');
+    const char next = right.text.front();
+    return growTogether(left.text.back(), next) ||
+           (left.kind == TokenKind::number && (isWordPart(next) || next == '.'));
 }
 
 std::string counted(std::size_t number, const char* what) {

@@ -44,9 +44,9 @@ struct StageText {
     /// The text after preprocessing, with its line structure. Directives are gone, except #pragma, #error and
     /// the #line of the translator.
     std::vector<Token> tokens;
-    std::vector<Token> written;     ///< the text as it is written, for --no-shim
+    std::vector<Token> written;         ///< the text as it is written, for --no-shim
     std::vector<BodyPlace> macroTexts;  ///< the texts of all macros
-    std::vector<ViewToken> view;    ///< the tokens that the grammar sees
+    std::vector<ViewToken> view;        ///< the tokens that the grammar sees
     std::set<std::string, std::less<>> macros;
     std::vector<std::string> extensions;  ///< #extension lines to be passed on
     Edits edits;
