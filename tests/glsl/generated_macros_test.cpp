@@ -159,11 +159,22 @@ TEST(GeneratedMacros, ExpandAsInC) {
 }
 
 TEST(GeneratedMacros, ExpandAsInGlslang) {
-    for (std::uint32_t seed = 1001; seed <= (GLIBRA_SANITIZED ? 1010U : 1060U); ++seed) {
-        const std::string text = Generator(seed, false).run();
+    int compared = 0;
+    int different = 0;
+    for (std::uint32_t seed = 1001; seed <= (GLIBRA_SANITIZED ? 1010U : 1030U); ++seed) {
+        const std::string text = Generator(seed, false, false).run();
         const Preprocessed own = preprocessed(text);
-        if (own.ids.empty()) EXPECT_EQ(glslangTokens(text), own.tokens) << "seed " << seed << "\n" << text;
+        const Tokens other = glslangTokens(text);
+        // glslang refuses the empty argument of a macro with one parameter.
+        if (!own.ids.empty() || other[0].starts_with("error: ")) continue;
+        ++compared;
+        // It expands a macro inside itself if its name comes out of an argument: then C decides.
+        if (other == own.tokens) continue;
+        ++different;
+        EXPECT_EQ(expectedOf(text), own.tokens) << "seed " << seed << "\n" << text;
     }
+    EXPECT_GT(compared, GLIBRA_SANITIZED ? 3 : 10);
+    EXPECT_LT(different, 3);
 }
 
 TEST(GeneratedMacros, ConditionsCountAsInC) {
@@ -177,7 +188,8 @@ TEST(GeneratedMacros, ConditionsCountAsInC) {
         const Preprocessed own = preprocessed(text);
         EXPECT_EQ("", own.ids);
         EXPECT_EQ(expectedOf(text), own.tokens) << text;
-        if (seed % 2 != 0) EXPECT_EQ(glslangTokens(text), own.tokens) << text;
+        if (seed % 2 == 0) continue;
+        EXPECT_EQ(glslangTokens(text), own.tokens) << text;
     }
 }
 

@@ -21,6 +21,10 @@ constexpr std::size_t kDeepestInclude = 32;
 constexpr std::size_t kMostFiles = 256;
 constexpr long long kMostLines = 50'000'000;
 
+constexpr std::array<std::string_view, 14> kDirectives{"define", "undef",  "if",    "ifdef",   "ifndef",
+                                                       "else",   "elif",   "endif", "version", "extension",
+                                                       "line",   "pragma", "error", "include"};
+
 /// The last part of a path, in lower case.
 std::string lowerName(std::string_view path) {
     const std::size_t slash = path.find_last_of("/\\");
@@ -207,13 +211,6 @@ class SourceReader {
         token.synthetic = isOwn;
         add(token);
     }
-    void addOwnLineEnd(const Token& place) {
-        Token end = place;
-        end.text = "\n";
-        end.kind = TokenKind::newline;
-        end.synthetic = true;
-        add(end);
-    }
 
     void directive(const SourceLine& line) {
         const std::string_view name = line.word(1);
@@ -231,10 +228,7 @@ class SourceReader {
             } else if (name == "pragma" || name == "error") {
                 return passOn(line);
             } else {
-                constexpr std::array<std::string_view, 14> kNames{
-                    "define", "undef",   "if",        "ifdef", "ifndef", "else",  "elif",
-                    "endif",  "version", "extension", "line",  "pragma", "error", "include"};
-                const std::string nearest = base::nearestName(name, kNames);
+                const std::string nearest = base::nearestName(name, kDirectives);
                 complain("glsl-E14",
                          "there is no directive '#" + std::string(name) + "'" +
                              (nearest.empty() ? "" : "; did you mean '#" + nearest + "'?"),
@@ -270,10 +264,7 @@ class SourceReader {
             return addBlankLine(line);
         }
         if (!shim()) return addBlankLine(line);
-        std::string text;
-        for (const Token* each = line.significant[0]; each <= line.significant.back(); ++each)
-            text += isSignificant(each->kind) ? each->text : std::string_view(" ");
-        addDirective(std::move(text), line.token(0), false);
+        addDirective(line.joined(), line.token(0), false);
         addLineEnds(line.tokens);
     }
 
@@ -364,7 +355,7 @@ class SourceReader {
             addDirective("#error " + std::move(text), hash, true);
             end();
         };
-        const std::string name = includeName(line);
+        const std::string name = line.includedName();
         if (name.empty()) return refuse("#include needs a file name");
         if (lowerName(name) == "gstap.h") return end();
         const IncludeReader& reader = stage_.request->include;
@@ -406,7 +397,11 @@ class SourceReader {
         frame.fileNumber = static_cast<long long>(index);
         const Token& last = line.tokens.back();
         addDirective(lineDirective(stage_, index, 1, emittedVersion()), last, true);
-        addOwnLineEnd(last);
+        Token end = last;
+        end.text = "\n";
+        end.kind = TokenKind::newline;
+        end.synthetic = true;
+        add(end);
         const auto after = [&](std::string_view text2, TokenKind kind) {
             Token& token = frame.after.emplace_back(last);
             token.text = text2;
@@ -421,21 +416,6 @@ class SourceReader {
         if (last.kind == TokenKind::newline) frame.after.push_back(last);
         including_.push_back(std::move(found.path));
         frames_.push_back(std::move(frame));
-    }
-
-    /// The text between the quotes or angle brackets of an #include.
-    static std::string includeName(const SourceLine& line) {
-        if (line.significant.size() < 3) return {};
-        const char* const begin = line.significant[2]->text.data();
-        // The tokens of a line are adjacent in the text. What looks like a comment may belong to the name.
-        const char* end = begin;
-        for (const Token* each = line.significant[2]; each <= &line.tokens.back(); ++each)
-            if (each->kind != TokenKind::splice && each->kind != TokenKind::newline)
-                end = each->text.data() + each->text.size();
-        const std::string_view rest(begin, static_cast<std::size_t>(end - begin));
-        if (rest.empty() || (rest.front() != '<' && rest.front() != '"')) return {};
-        const std::size_t close = rest.find(rest.front() == '<' ? '>' : '"', 1);
-        return close == std::string_view::npos ? std::string{} : std::string(rest.substr(1, close - 1));
     }
 
     StageText& stage_;
