@@ -130,13 +130,13 @@ void main() {
 #define JOIN(a, b) a##b
 #define IN_TURN(f, x) f(x)
 #define TWICE(x) (2. * (x))
-#define SELF SELF_ + SELF
+#define SELF SELF
 #define PAIR(a, b) vec2(a, b)
 #define FIRST(a, b) a
 #define EMPTY
 out vec3 JOIN(v, Point);
 void main() {
-    float SELF_ = .25, SELF = .5;
+    float SELF = .25;
     vPoint = vec3(PAIR(
         FIRST(gl_Vertex.x, (1., 2.)),  // a comment, with a comma
         IN_TURN(
@@ -145,7 +145,7 @@ void main() {
             gl_Vertex.y
         )
 #if defined EMPTY && __VERSION__ == 130
-        * SELF_
+        * SELF
 #else
         * 9.
 #endif
@@ -166,7 +166,7 @@ in vec3 vPoint;
               g, b) vec4(r, g, b, 1.)
 void main() {
     gl_FragColor = COLOR(WAVE(3. * vPoint.x),
-                         WAVE(WAVE(vPoint.y)), float(__LINE__ - 15) * vPoint.z);
+                         WAVE(WAVE(vPoint.y)), vPoint.z);
 }
 )glsl"}},
         {.name = "text_in_unusual_layout",

@@ -64,7 +64,7 @@ class SourceReader {
         stage_.tokens.reserve(tokens.size());
         frames_.emplace_back().tokens = std::move(tokens);
         preprocessor_.expander().run([this] { return nextLine(); });
-        preprocessor_.finish();
+        if (!hasOpenComment_) preprocessor_.finish();
         if (preprocessor_.expander().isExhausted())
             report_.report("glsl-E11", "the macros expand to more than 2,000,000 tokens", stage_.start());
         stage_.edits.resize(stage_.tokens.size());
@@ -173,7 +173,8 @@ class SourceReader {
 
     void checkComment(const Token& comment) {
         if (comment.text.starts_with("/*")) {
-            if (comment.text.size() < 4 || !comment.text.ends_with("*/"))
+            hasOpenComment_ = comment.text.size() < 4 || !comment.text.ends_with("*/");
+            if (hasOpenComment_)
                 complain("glsl-E16", "this comment has no end; write '*/' after it", comment);
         } else if (comment.droppedBackslash) {
             complain("glsl-W08", "backslash at the end of a comment dropped", comment);
@@ -424,6 +425,7 @@ class SourceReader {
     std::deque<Frame> frames_;            ///< files that include each other at the current line
     std::vector<std::string> including_;  ///< paths of all but the first
     std::set<std::string> once_;
+    bool hasOpenComment_ = false;  ///< it may hide an #endif
     std::size_t bytes_ = 0;
     std::size_t included_ = 0;
 };
