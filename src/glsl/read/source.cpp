@@ -131,7 +131,6 @@ class SourceReader {
         if (!atTop) report_.report("glsl-W02", "#version moved to the top", place);
     }
 
-    /// Reads a line of the source; false at its end.
     bool nextLine() {
         if (frames_.empty()) return false;
         Frame& frame = frames_.back();
@@ -184,7 +183,6 @@ class SourceReader {
         }
     }
 
-    /// Adds a token of the text.
     void add(const Token& token) {
         preprocessor_.expander().add(token);
         if (!shim()) stage_.written.push_back(token);
@@ -336,10 +334,10 @@ class SourceReader {
         // Places count from 1, so "#line 0" counts as "#line 1".
         const long long next = std::max(1LL, lineAfterDirective(stage_.dialect, number));
         frame.fileNumber = file;
-        const bool ended = last.kind == TokenKind::newline;
-        addLineEnds(line.tokens.first(line.tokens.size() - (ended ? 1 : 0)));
+        const std::size_t ended = last.kind == TokenKind::newline ? 1 : 0;
+        addLineEnds(line.tokens.first(line.tokens.size() - ended));
         addDirective(lineDirective(stage_, frame.file, next, emittedVersion()), last, true);
-        if (ended) add(last);
+        if (ended != 0) add(last);
         frame.shift += static_cast<std::int32_t>(next) - (last.line + 1);
     }
 
@@ -359,8 +357,9 @@ class SourceReader {
         const std::string name = line.includedName();
         if (name.empty()) return refuse("#include needs a file name");
         if (lowerName(name) == "gstap.h") return end();
-        const IncludeReader& reader = stage_.request->include;
-        std::optional<IncludedFile> found = reader ? reader(name, stage_.files[hash.file]) : std::nullopt;
+        std::optional<IncludedFile> found;
+        if (const IncludeReader& reader = stage_.request->include)
+            found = reader(name, stage_.files[hash.file]);
         if (!found) return refuse("cannot find the included file '" + name + "'");
         if (once_.contains(found->path)) return end();
         if (std::find(including_.begin(), including_.end(), found->path) != including_.end() ||
