@@ -4,6 +4,7 @@
 
 #include "glsl/emit/emit.h"
 #include "glsl/facts/facts.h"
+#include "glsl/parse/lexical.h"
 #include "glsl/parse/usage.h"
 #include "glsl/read/source.h"
 #include "glsl/rules/rules.h"
@@ -45,11 +46,20 @@ void read(const ProgramRequest& request, ProgramUnits& program) {
         }
         Unit& unit = program.units.emplace_back();
         unit.request = &request;
+        const std::size_t begin = std::min(each->text.find_first_not_of("\r\n"), each->text.size());
+        unit.firstLine =
+            1 + static_cast<int>(std::count(each->text.begin(),
+                                            each->text.begin() + static_cast<std::ptrdiff_t>(begin), '\n'));
         readSource(*each, unit, program.report);
     }
 }
 
 void parse(Unit& unit) {
+    if (unit.request->shim) {
+        replaceExtensionWords(unit);
+        dropIdleOperands(unit);
+        markNames(unit);
+    }
     unit.syntax = parseSyntax(unit.view);
     unit.bodies = walkBodies(unit.view, unit.syntax);
     unit.variables = collectVariables(unit);
@@ -101,6 +111,7 @@ void applyRules(ProgramUnits& program) {
     placeInTile(program);
     runInPieces(program);
     connectBuiltinVaryings(program, walks);
+    makePositionsInvariant(program);
     placeFragmentOutputs(program);
     for (std::size_t i = 0; i < walks.size(); ++i) modernizeGeometry(program.units[i], walks[i], report);
     checkTessellation(program);
@@ -109,6 +120,7 @@ void applyRules(ProgramUnits& program) {
     collectDeclarations(program);
     collectMemory(program);
     connectStages(program);
+    checkUniformTypes(program);
     for (std::size_t i = 0; i < walks.size(); ++i)
         repairDeclarations(program.units[i], walks[i], program.result->geometryInput, report);
     for (std::size_t i = 0; i < walks.size(); ++i) {
@@ -146,10 +158,17 @@ void deliver(ProgramUnits& program) {
     if (!program.find(Stage::fragment)) result.fragmentOutputs = 0;
     result.mayReadTangents = mayReadTangents(program);
     result.levelUniforms = findLevelUniforms(program);
+    collectReaches(program);
+    for (const Unit& unit : program.units) reportUnassigned(unit, program.report);
     for (Unit& unit : program.units) {
         TranslatedStage& stage =
             result.stages.emplace_back(program.request->shim ? emit(unit) : emitAsIs(unit));
-        stage.loops = loopsOf(unit);
+        stage.firstLine = unit.firstLine;
+        LoopFacts loops = loopsOf(unit);
+        stage.loops = std::move(loops.loops);
+        stage.emits = loops.emits;
+        if (program.request->acceptsStorage || unit.stage == Stage::compute)
+            stage.subscripts = subscriptsOf(unit);
         stage.facts = factsOf(unit);
         stage.mismatches = mismatchesOf(unit);
     }

@@ -1,8 +1,8 @@
 #include "glsl/parse/bodies.h"
 
 #include "glsl/parse/expression.h"
+#include "glsl/parse/lexical.h"
 #include "glsl/parse/scope.h"
-#include "glsl/read/words.h"
 
 namespace glibra::glsl {
 namespace {
@@ -114,10 +114,21 @@ class BodyWalker {
             names_.popStatement();
             return at + 1;
         }
-        if (word(at) && isStatementWord(first) && !names_.isKnown(first)) return keyword(at, end);
+        if (isPrecision(at)) return precision(at, end);
+        if (isStatement(view_[at]) && !names_.isKnown(first)) return keyword(at, end);
         if (isDeclaration(at)) return declaration(at, end, true);
         const std::uint32_t stop = statementEnd(at, end);
         expressions_.typeOf({at, stop});
+        return stop;
+    }
+
+    /// True for the statement `precision highp float;`, which may stand in every block.
+    [[nodiscard]] bool isPrecision(std::uint32_t at) const {
+        return text(at) == "precision" && !view_[at].isName && word(at + 1) && word(at + 2);
+    }
+    std::uint32_t precision(std::uint32_t at, std::uint32_t end) {
+        const std::uint32_t stop = statementEnd(at, end);
+        for (std::uint32_t i = at; i < stop; ++i) bodies_.roles[i] = WordRole::other;
         return stop;
     }
 
@@ -174,12 +185,12 @@ class BodyWalker {
 
     /// True for `type name`, `const type name` and `struct ...`: an expression cannot begin with two words.
     [[nodiscard]] bool isDeclaration(std::uint32_t at) const {
-        if (!word(at) || isStatementWord(text(at))) return false;
+        if (!word(at) || isStatement(view_[at])) return false;
         if (text(at) == "struct") return true;
-        if (text(at) == "layout" && text(at + 1) == "(") return true;
+        if (text(at) == "layout" && text(at + 1) == "(" && !view_[at].isName) return true;
         std::uint32_t next = at + 1;
         while (text(next) == "[" && matches_[next] < view_.size()) next = matches_[next] + 1;
-        return word(next) && (next == at + 1 || isTypeWord(text(at)) || names_.isStructure(text(at)));
+        return word(next) && (next == at + 1 || isType(view_[at]) || names_.isStructure(text(at)));
     }
 
     std::uint32_t declaration(std::uint32_t at, std::uint32_t end, bool isStatement) {

@@ -4,8 +4,8 @@
 #include <tuple>
 #include <utility>
 
+#include "glsl/parse/lexical.h"
 #include "glsl/parse/usage.h"
-#include "glsl/read/words.h"
 
 namespace glibra::glsl {
 namespace {
@@ -39,7 +39,7 @@ void Expressions::markUses(Range range) {
             role = WordRole::member;
         else if (names_.isLocal(view_[i].text))
             role = WordRole::local;
-        else if (isTypeWord(view_[i].text) && !names_.isKnown(view_[i].text))
+        else if (isType(view_[i]) && !names_.isKnown(view_[i].text))
             role = WordRole::other;
         bodies_.roles[i] = role;
     }
@@ -213,8 +213,7 @@ Type Expressions::primary() {
         return primary();
     }
     if (peek() == "(") return call(name);
-    if (peek() == "[" && !names_.isKnown(token.text) &&
-        (isTypeWord(token.text) || names_.isStructure(token.text))) {
+    if (peek() == "[" && !names_.isKnown(token.text) && (isType(token) || names_.isStructure(token.text))) {
         // vec3[2](a, b)
         std::uint16_t depth = 0;
         while (peek() == "[") {
@@ -267,7 +266,7 @@ Type Expressions::call(std::uint32_t name) {
         type = names_.typeOfStructure(function);
     else
         type = callType(function, result.types);
-    if (!isTypeWord(function)) bodies_.calls.push_back(std::move(result));
+    if (!isType(view_[name])) bodies_.calls.push_back(std::move(result));
     return type;
 }
 

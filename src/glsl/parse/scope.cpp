@@ -103,8 +103,8 @@ Type Names::typeOfStructure(std::string_view name) const {
 }
 
 Type Names::typeOf(const TypeUse& use) const {
-    Type type = typeOfWord(use.name);
-    if (!type.known()) type = typeOfStructure(use.name);
+    Type type = typeOfStructure(use.name);  // first: old versions leave words such as uvec2 to the user
+    if (!type.known()) type = typeOfWord(use.name);
     if (type.known()) type.arrayDepth = static_cast<std::uint16_t>(use.dimensions.size());
     return type;
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "glsl/read/words.h"
+#include "glsl/parse/lexical.h"
 
 namespace glibra::glsl {
 namespace {
@@ -70,7 +70,7 @@ class Parser {
             declaration.kind = DeclarationKind::stray;
             return declaration;
         }
-        if (peek() == "precision") {
+        if (peek() == "precision" && !view_[at_].isName) {
             declaration.kind = DeclarationKind::precision;
             skipStatement();
             return declaration;
@@ -92,7 +92,7 @@ class Parser {
 
     /// True if the word here is a name although it may be a qualifier: `float flat`, `sample = 1.`
     [[nodiscard]] bool qualifierHere() const {
-        if (!word() || !isQualifierWord(peek())) return false;
+        if (!word() || !isQualifier(view_[at_])) return false;
         const std::string_view next = peek(1);
         if (peek() == "layout" || peek() == "subroutine") return true;
         return word(1) || next == ";" || next == "{";

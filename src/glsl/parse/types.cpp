@@ -204,7 +204,10 @@ Type callType(std::string_view function, std::span<const Type> arguments) {
     if (function.size() == 6 && function.starts_with("noise") && digit(function[5]))
         return vectorType(floating, digit(function[5]));
     if (listed(" any all ", function)) return scalarType(boolean);
-    if (function.starts_with("shadow1D") || function.starts_with("shadow2D")) return vectorType(floating, 4);
+    if (function.starts_with("shadow1D") || function.starts_with("shadow2D") ||
+        function.starts_with("shadowCube"))
+        return function.ends_with("EXT") || function.ends_with("NV") ? scalarType(floating)
+                                                                     : vectorType(floating, 4);
     if (function.starts_with("texture") || function.starts_with("texelFetch"))
         return textureType(function, arguments);
     if (arguments.empty() ||

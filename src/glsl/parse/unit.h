@@ -34,6 +34,7 @@ struct Unit : StageText {
     /// New spellings of words: `renames` everywhere except after a '.', `wordRenames` also there.
     std::map<std::string, std::string, std::less<>> renames, wordRenames;
     std::set<std::uint32_t> keptSpelling;  ///< tokens that `renames` leaves alone
+    std::set<std::uint32_t> layoutWords;   ///< tokens of layout(...) that both leave alone
 
     std::vector<std::string> prologue;  ///< lines of GLSL before the user's text
     int varyingComponents = 0;          ///< number of components of the output block glibra_Varyings

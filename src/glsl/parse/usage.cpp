@@ -129,6 +129,11 @@ bool globalIntegerValue(const Unit& unit, Range range, long long& value) {
     return globalIntegerValue(unit, range, 0, value);
 }
 
+std::string sizeText(const Unit& unit, Range range) {
+    long long value = 0;
+    return globalIntegerValue(unit, range, value) ? std::to_string(value) : textOf(unit, range);
+}
+
 int constantIndex(const Unit& unit, std::uint32_t openBracket) {
     if (unit.text(openBracket) != "[") return -1;
     long long value = 0;

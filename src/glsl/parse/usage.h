@@ -27,4 +27,7 @@ bool integerValue(const Unit& unit, Range range, long long& value);
 /// The same for a range outside of all functions, which may also name constants: `const int kLights = 4;`.
 bool globalIntegerValue(const Unit& unit, Range range, long long& value);
 
+/// The text of an array size outside of all functions: a number, if its value is known.
+std::string sizeText(const Unit& unit, Range range);
+
 }  // namespace glibra::glsl

@@ -14,7 +14,7 @@ bool isDefined(std::string_view name, const Dialect& dialect, const Target& targ
     const bool hasProfiles = !dialect.es && dialect.version >= kFirstWithProfiles;
     if (name == "GL_core_profile") return hasProfiles;
     if (name == "GL_compatibility_profile") return hasProfiles && !dialect.core;
-    return extensionInCoreSince(name) || (target.hasExtension && target.hasExtension(name));
+    return isInCore(name, target.version) || (target.hasExtension && target.hasExtension(name));
 }
 
 }  // namespace

@@ -296,10 +296,19 @@ class SourceReader {
         };
         if (name == "all") {
             if (behaviour == "warn" || behaviour == "disable") pass();
-        } else if (const auto core = extensionInCoreSince(name)) {
-            if (*core > target.version && has) pass();
+        } else if (isInCore(name, target.version)) {
+            stage_.enabled.insert(name);
         } else if (has) {
             pass();
+            stage_.enabled.insert(name);
+        } else if (const Extension* const row = findExtension(name)) {
+            const std::string needs = "extension " + name + " needs GLSL " +
+                                      std::to_string(row->since).insert(1, ".") + ", this driver has " +
+                                      std::to_string(target.version).insert(1, ".");
+            if (behaviour == "require")
+                report_.report("glsl-E03", needs, place);
+            else
+                report_.report("glsl-W06", needs + "; ignored", place);
         } else if (behaviour == "require") {
             report_.report("glsl-E03",
                            "extension " + name +

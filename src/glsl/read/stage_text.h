@@ -37,6 +37,7 @@ struct StageText {
     const ProgramRequest* request = nullptr;
     Stage stage = Stage::vertex;
     std::string path;
+    int firstLine = 1;                ///< without blank lines before it, as before a shader in a script
     std::vector<std::string> files;   ///< [0] is the stage's own
     std::deque<std::string> storage;  ///< the strings that the tokens point into
 
@@ -49,6 +50,8 @@ struct StageText {
     std::vector<ViewToken> view;        ///< the tokens that the grammar sees
     std::set<std::string, std::less<>> macros;
     std::vector<std::string> extensions;  ///< #extension lines to be passed on
+    /// The extensions that the source enables and that are available (extensions.h).
+    std::set<std::string, std::less<>> enabled;
     Edits edits;
 
     [[nodiscard]] Place placeOfToken(std::uint32_t token) const {
@@ -57,7 +60,7 @@ struct StageText {
         return {files[at.file], at.line, at.column};
     }
     [[nodiscard]] Place place(std::uint32_t viewIndex) const { return placeOfToken(view[viewIndex].raw); }
-    [[nodiscard]] Place start() const { return {path, 1, 1}; }
+    [[nodiscard]] Place start() const { return {path, firstLine, 1}; }
     /// The text of a view token; empty past the end.
     [[nodiscard]] std::string_view text(std::uint32_t viewIndex) const {
         return viewIndex < view.size() ? view[viewIndex].text : std::string_view{};

@@ -42,6 +42,7 @@ struct ViewToken {
     TokenKind kind = TokenKind::word;
     bool body = false;
     bool objectSite = false;
+    bool isName = false;  ///< a keyword of the target that this source uses as a name (markNames)
 };
 
 /// True for tokens that the grammar sees; false for blanks, comments and line ends.

@@ -8,8 +8,10 @@
 namespace glibra::glsl {
 namespace {
 
+/// `es` is the version of GLSL ES in which the words became keywords; 0: none.
 struct KeywordRow {
     int since;
+    int es;
     std::string_view words;
 };
 
@@ -20,74 +22,95 @@ constexpr std::string_view kQualifiers =
 constexpr std::string_view kStatements =
     " if else for while do switch case default return break continue discard ";
 
-constexpr std::array<KeywordRow, 17> kTypes = {{
-    {110, "void float int bool vec2 vec3 vec4 ivec2 ivec3 ivec4 bvec2 bvec3 bvec4 mat2 mat3 mat4"},
-    {110, "sampler1D sampler2D sampler3D samplerCube sampler1DShadow sampler2DShadow"},
-    {120, "mat2x2 mat2x3 mat2x4 mat3x2 mat3x3 mat3x4 mat4x2 mat4x3 mat4x4"},
-    {130, "uint uvec2 uvec3 uvec4 sampler1DArray sampler2DArray sampler1DArrayShadow sampler2DArrayShadow"},
-    {130, "samplerCubeShadow isampler1D isampler2D isampler3D isamplerCube isampler1DArray isampler2DArray"},
-    {130, "usampler1D usampler2D usampler3D usamplerCube usampler1DArray usampler2DArray"},
-    {140, "sampler2DRect sampler2DRectShadow isampler2DRect usampler2DRect samplerBuffer isamplerBuffer"},
-    {140, "usamplerBuffer"},
-    {150, "sampler2DMS isampler2DMS usampler2DMS sampler2DMSArray isampler2DMSArray usampler2DMSArray"},
-    {400, "double dvec2 dvec3 dvec4 dmat2 dmat3 dmat4 dmat2x2 dmat2x3 dmat2x4 dmat3x2 dmat3x3 dmat3x4"},
-    {400,
-     "dmat4x2 dmat4x3 dmat4x4 samplerCubeArray isamplerCubeArray usamplerCubeArray samplerCubeArrayShadow"},
-    {420,
-     "image1D image2D image3D imageCube image2DRect imageBuffer image1DArray image2DArray imageCubeArray"},
-    {420,
-     "image2DMS image2DMSArray iimage1D iimage2D iimage3D iimageCube iimage2DRect iimageBuffer "
-     "iimage1DArray"},
-    {420, "iimage2DArray iimageCubeArray iimage2DMS iimage2DMSArray uimage1D uimage2D uimage3D uimageCube"},
-    {420, "uimage2DRect uimageBuffer uimage1DArray uimage2DArray uimageCubeArray uimage2DMS uimage2DMSArray"},
-    {420, "atomic_uint"},
-    {kReserved, "sampler3DRect"},
-}};
+constexpr auto kTypes = std::to_array<KeywordRow>({
+    {110, 100,
+     "void float int bool vec2 vec3 vec4 ivec2 ivec3 ivec4 bvec2 bvec3 bvec4 mat2 mat3 mat4"
+     " sampler2D samplerCube"},
+    {110, 300, "sampler3D sampler2DShadow"},
+    {110, 0, "sampler1D sampler1DShadow"},
+    {120, 300, "mat2x2 mat2x3 mat2x4 mat3x2 mat3x3 mat3x4 mat4x2 mat4x3 mat4x4"},
+    {130, 300,
+     "uint uvec2 uvec3 uvec4 sampler2DArray sampler2DArrayShadow samplerCubeShadow isampler2D"
+     " isampler3D isamplerCube isampler2DArray usampler2D usampler3D usamplerCube"
+     " usampler2DArray"},
+    {130, 0,
+     "sampler1DArray sampler1DArrayShadow isampler1D isampler1DArray usampler1D"
+     " usampler1DArray"},
+    {140, 0, "sampler2DRect sampler2DRectShadow isampler2DRect usampler2DRect"},
+    {140, 320, "samplerBuffer isamplerBuffer usamplerBuffer"},
+    {150, 310, "sampler2DMS isampler2DMS usampler2DMS"},
+    {150, 320, "sampler2DMSArray isampler2DMSArray usampler2DMSArray"},
+    {400, 0,
+     "double dvec2 dvec3 dvec4 dmat2 dmat3 dmat4 dmat2x2 dmat2x3 dmat2x4 dmat3x2 dmat3x3"
+     " dmat3x4 dmat4x2 dmat4x3 dmat4x4"},
+    {400, 320, "samplerCubeArray isamplerCubeArray usamplerCubeArray samplerCubeArrayShadow"},
+    {420, 310,
+     "image2D image3D imageCube image2DArray iimage2D iimage3D iimageCube iimage2DArray"
+     " uimage2D uimage3D uimageCube uimage2DArray atomic_uint"},
+    {420, 320, "imageBuffer imageCubeArray iimageBuffer iimageCubeArray uimageBuffer uimageCubeArray"},
+    {420, 0,
+     "image1D image2DRect image1DArray image2DMS image2DMSArray iimage1D iimage2DRect"
+     " iimage1DArray iimage2DMS iimage2DMSArray uimage1D uimage2DRect uimage1DArray uimage2DMS"
+     " uimage2DMSArray"},
+    {kReserved, 0, "sampler3DRect"},
+});
 
-constexpr std::array<KeywordRow, 11> kOthers = {{
-    {110,
-     "attribute const uniform varying break continue do for while if else in out inout true false discard"},
-    {110, "return struct"},
-    {120, "centroid invariant"},
-    {130, "flat smooth noperspective switch case default lowp mediump highp precision"},
-    {140, "layout"},
-    {400, "patch sample subroutine precise"},
-    {420, "coherent volatile restrict readonly writeonly"},
-    {430, "buffer shared"},
-    {kReserved,
-     "common partition active asm class union enum typedef template this resource goto inline noinline"},
-    {kReserved, "public static extern external interface long short half fixed unsigned superp input output"},
-    {kReserved, "hvec2 hvec3 hvec4 fvec2 fvec3 fvec4 filter sizeof cast namespace using packed"},
-}};
+constexpr auto kOthers = std::to_array<KeywordRow>({
+    {110, 100,
+     "attribute const uniform varying break continue do for while if else in out inout true"
+     " false discard return struct"},
+    {120, 100, "invariant"},
+    {120, 300, "centroid"},
+    {130, 300, "flat smooth switch case default"},
+    {130, 0, "noperspective"},
+    {130, 100, "lowp mediump highp precision"},
+    {140, 300, "layout"},
+    {400, 320, "patch sample precise"},
+    {400, 0, "subroutine"},
+    {420, 310, "coherent volatile restrict readonly writeonly"},
+    {430, 310, "buffer shared"},
+    {kReserved, 0,
+     "common partition active asm class union enum typedef template this resource goto inline"
+     " noinline public static extern external interface long short half fixed unsigned superp"
+     " input output hvec2 hvec3 hvec4 fvec2 fvec3 fvec4 filter sizeof cast namespace using"},
+    // Versions before 4.20 reserve these, and some drivers take them for keywords in every version.
+    {kReserved, 0, "packed row_major image1DShadow image2DShadow image1DArrayShadow image2DArrayShadow"},
+});
+
+struct Since {
+    int desktop = 0;
+    int es = 0;
+};
+using Table = std::unordered_map<std::string_view, Since>;
 
 template <class Rows>
-void addRows(std::unordered_map<std::string_view, int>& table, const Rows& rows) {
+Table tableOf(const Rows& rows) {
+    Table table;
     for (const KeywordRow& row : rows) {
         std::string_view rest = row.words;
         while (!rest.empty()) {
             const std::size_t end = std::min(rest.find(' '), rest.size());
-            table.emplace(rest.substr(0, end), row.since);
+            table.emplace(rest.substr(0, end), Since{row.since, row.es});
             rest.remove_prefix(std::min(end + 1, rest.size()));
         }
     }
+    return table;
 }
 
-const std::unordered_map<std::string_view, int>& typeTable() {
-    static const auto kTable = [] {
-        std::unordered_map<std::string_view, int> table;
-        addRows(table, kTypes);
-        return table;
-    }();
+const Table& typeTable() {
+    static const Table kTable = tableOf(kTypes);
     return kTable;
 }
 
-const std::unordered_map<std::string_view, int>& otherTable() {
-    static const auto kTable = [] {
-        std::unordered_map<std::string_view, int> table;
-        addRows(table, kOthers);
-        return table;
-    }();
+const Table& otherTable() {
+    static const Table kTable = tableOf(kOthers);
     return kTable;
+}
+
+Since sinceOf(std::string_view word) {
+    if (const auto found = typeTable().find(word); found != typeTable().end()) return found->second;
+    const auto found = otherTable().find(word);
+    return found == otherTable().end() ? Since{} : found->second;
 }
 
 }  // namespace
@@ -98,9 +121,16 @@ bool listed(std::string_view list, std::string_view word) {
 }
 
 int keywordSince(std::string_view word) {
-    if (const auto found = typeTable().find(word); found != typeTable().end()) return found->second;
-    const auto found = otherTable().find(word);
-    return found == otherTable().end() ? 0 : found->second;
+    return sinceOf(word).desktop;
+}
+
+bool isFreeWord(std::string_view word, const Dialect& dialect) {
+    const Since since = sinceOf(word);
+    if (since.desktop == 0) return false;
+    // Versions of ES are treated as versions from 1.20 on, and `written` tells them apart.
+    const bool isEs = dialect.written == 100 ||
+                      (dialect.written >= 300 && dialect.written <= 320 && dialect.version >= 330);
+    return isEs ? since.es == 0 || since.es > dialect.written : since.desktop > dialect.version;
 }
 
 std::vector<std::string_view> keywords() {

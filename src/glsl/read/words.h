@@ -4,12 +4,18 @@
 #include <string_view>
 #include <vector>
 
+#include "glsl/read/version.h"
+
 namespace glibra::glsl {
 
 /// The version in which the word became a keyword (110 ... 450); kReserved for words that 4.50 only reserves;
 /// 0 for all other words.
 int keywordSince(std::string_view word);
 inline constexpr int kReserved = 1000;
+
+/// True if the word is a keyword or reserved word of 4.50 and none of the version that the source declares
+/// (language, 7.4). Words that this version only reserves count as free, too.
+bool isFreeWord(std::string_view word, const Dialect& dialect);
 
 /// All keywords and reserved words, in byte order.
 std::vector<std::string_view> keywords();

@@ -30,21 +30,24 @@ class Zero {
 
     [[nodiscard]] std::optional<std::string> of(const std::string& type, std::span<const std::string> sizes,
                                                 int depth = 0) const {
-        if (depth > 6) return std::nullopt;
+        if (depth > 6 || type.empty()) return std::nullopt;
         if (sizes.empty()) return scalar(type, depth);
         const auto element = of(type, sizes.subspan(1), depth + 1);
         const int count = std::atoi(sizes.front().c_str());
-        if (!element || count < 1 || count > 64) return std::nullopt;
+        if (!element || count < 1 || count > kMostElements) return std::nullopt;
         std::string text = type;
         for (const std::string& each : sizes) text += "[" + each + "]";
         text += "(";
-        for (int i = 0; i < count; ++i) text += (i ? ", " : "") + *element;
+        for (int i = 0; i < count && text.size() < kLongest; ++i) text += (i ? ", " : "") + *element;
+        if (text.size() >= kLongest) return std::nullopt;
         return text + ")";
     }
 
   private:
+    static constexpr int kMostElements = 1024;
+    static constexpr std::size_t kLongest = 1U << 16;
+
     [[nodiscard]] std::optional<std::string> scalar(const std::string& type, int depth) const {
-        if (std::string zero = zeroOf(type); !zero.empty()) return zero;
         for (const Declaration& each : unit_.syntax.declarations) {
             if (!each.type.isStruct || each.type.name != type) continue;
             std::string text = type + "(";
@@ -56,12 +59,13 @@ class Zero {
                 }
             return text + ")";
         }
-        return std::nullopt;
+        std::string zero = zeroOf(type);
+        return zero.empty() ? std::nullopt : std::optional(std::move(zero));
     }
     [[nodiscard]] std::vector<std::string> sizesOf(const Declaration& member, const Declarator& name) const {
         std::vector<std::string> sizes;
-        for (const Range& each : name.dimensions) sizes.push_back(textOf(unit_, each));
-        for (const Range& each : member.type.dimensions) sizes.push_back(textOf(unit_, each));
+        for (const Range& each : name.dimensions) sizes.push_back(sizeText(unit_, each));
+        for (const Range& each : member.type.dimensions) sizes.push_back(sizeText(unit_, each));
         return sizes;
     }
 
@@ -79,6 +83,7 @@ class Interface {
                 variable(each);
         for (const Declaration& each : reader_.syntax.declarations)
             if (each.kind == DeclarationKind::block && each.qualifiers.storage == Storage::input) block(each);
+        interpolations();
     }
 
   private:
@@ -177,12 +182,17 @@ class Interface {
                 "'" + input.name + "' is written by no earlier stage, it reads 0" + suggestion(input.name),
                 reader_.place(input.nameToken));
         if (input.type.empty()) return;
-        if (isPerVertex(reader_.stage, Storage::input, input.patch) && input.isArray()) {
+        unwritten_.insert(input.name);
+        if (input.isArray()) {
+            const bool perVertex = isPerVertex(reader_.stage, Storage::input, input.patch);
             std::string& first = input.nameSizes.empty() ? input.typeSizes.front() : input.nameSizes.front();
-            first = std::to_string(vertices());
-            (input.nameSizes.empty() ? input.changed : input.sizesChanged) = true;
+            if (perVertex || first.empty()) {
+                first = std::to_string(perVertex ? vertices() : implicitSize(input.name));
+                (input.nameSizes.empty() ? input.changed : input.sizesChanged) = true;
+            }
         }
-        const std::vector<std::string> all = input.sizes();
+        std::vector<std::string> all = input.sizes();
+        numberSizes(input, all);
         input.storage = Storage::none;
         input.interpolation.clear();
         input.layout.clear();
@@ -190,6 +200,50 @@ class Interface {
         input.changed = true;
         const Zero zero(reader_);
         if (const auto value = zero.of(input.type, all)) input.initializer = " = " + *value;
+    }
+
+    /// Replaces the texts of sizes by their values, where these are known.
+    void numberSizes(const Variable& input, std::vector<std::string>& all) const {
+        const Declaration& declaration = reader_.syntax.declarations[input.declaration];
+        std::vector<Range> ranges = declaration.declarators[input.declarator].dimensions;
+        ranges.insert(ranges.end(), declaration.type.dimensions.begin(), declaration.type.dimensions.end());
+        for (std::size_t i = 0; i < all.size() && i < ranges.size(); ++i)
+            if (all[i] == textOf(reader_, ranges[i])) all[i] = sizeText(reader_, ranges[i]);
+    }
+
+    /// The size that GLSL gives an array without one: the largest constant index + 1.
+    [[nodiscard]] int implicitSize(std::string_view name) const {
+        int size = 1;
+        for (std::uint32_t i = 0; i + 1 < reader_.view.size(); ++i)
+            if (reader_.text(i) == name) size = std::max(size, constantIndex(reader_, i + 1) + 1);
+        return size;
+    }
+
+    /// interpolateAtCentroid and its kin take inputs only. A variable that stands for an input has the same
+    /// value everywhere.
+    void interpolations() {
+        if (unwritten_.empty()) return;
+        std::map<std::uint32_t, bool> calls;  // of each spelled word, whether all its calls are such
+        for (const std::string_view function :
+             {"interpolateAtCentroid", "interpolateAtSample", "interpolateAtOffset"}) {
+            const auto uses = reader_.uses.find(function);
+            if (uses == reader_.uses.end() || reader_.isUserName(function)) continue;
+            for (const std::uint32_t use : uses->second) {
+                std::uint32_t argument = use + 1;
+                while (reader_.text(argument) == "(") ++argument;
+                const bool stands = unwritten_.contains(reader_.text(argument));
+                const auto [found, isNew] = calls.emplace(reader_.view[use].raw, stands);
+                if (!isNew) found->second = found->second && stands;
+            }
+        }
+        for (const auto& [token, stands] : calls) {
+            if (!stands) continue;
+            for (const char* const type : {"float", "vec2", "vec3", "vec4"})
+                for (const char* const place : {"", ", int place", ", vec2 place"})
+                    reader_.declare(std::string(type) + " glibra_interpolated(" + type + " value" + place +
+                                    ") { return value; }");
+            reader_.edits.replace(token, "glibra_interpolated");
+        }
     }
 
     void block(const Declaration& input) {
@@ -203,6 +257,10 @@ class Interface {
         program_.report.report("glsl-W11",
                                "'" + std::string(name) + "' is written by no earlier stage, it reads 0",
                                reader_.place(input.name));
+        for (const Declarator& each : input.declarators) unwritten_.emplace(reader_.text(each.name));
+        if (input.declarators.empty())
+            for (const Declaration& member : input.members)
+                for (const Declarator& each : member.declarators) unwritten_.emplace(reader_.text(each.name));
         std::vector<std::uint32_t> head;
         if (!editableTokens(reader_, {input.tokens.first, input.body.first}, head)) return;
         for (const std::uint32_t each : head) reader_.edits.remove(each);
@@ -241,6 +299,10 @@ class Interface {
             for (std::uint32_t i = member.qualifiers.tokens.first; i < member.qualifiers.tokens.end; ++i)
                 reader_.edits.remove(reader_.view[i].site);
             for (const Declarator& name : member.declarators)
+                if (!name.dimensions.empty() && name.dimensions.front().empty())
+                    reader_.edits.after(reader_.view[name.name + 1].site,
+                                        std::to_string(implicitSize(reader_.text(name.name))));
+            for (const Declarator& name : member.declarators)
                 if (const auto value = memberValue(member, name); value && initialise)
                     reader_.edits.after(reader_.view[name.dimensionTokens.end - 1].site, " = " + *value);
         }
@@ -248,8 +310,10 @@ class Interface {
     [[nodiscard]] std::optional<std::string> memberValue(const Declaration& member,
                                                          const Declarator& name) const {
         std::vector<std::string> sizes;
-        for (const Range& each : name.dimensions) sizes.push_back(textOf(reader_, each));
-        for (const Range& each : member.type.dimensions) sizes.push_back(textOf(reader_, each));
+        for (const Range& each : name.dimensions)
+            sizes.push_back(each.empty() ? std::to_string(implicitSize(reader_.text(name.name)))
+                                         : sizeText(reader_, each));
+        for (const Range& each : member.type.dimensions) sizes.push_back(sizeText(reader_, each));
         return Zero(reader_).of(std::string(member.type.name), sizes);
     }
     [[nodiscard]] std::string memberValues(const Declaration& input) const {
@@ -263,6 +327,7 @@ class Interface {
     ProgramUnits& program_;
     Unit& writer_;
     Unit& reader_;
+    std::set<std::string, std::less<>> unwritten_;  ///< inputs, and instances or members of blocks
 };
 
 }  // namespace

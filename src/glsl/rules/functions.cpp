@@ -31,8 +31,7 @@ bool takeVariant(std::string_view& text, std::string& core) {
         }
         if (take(text, part)) core += part;
     }
-    const bool vendor = take(text, "ARB") || take(text, "EXT");
-    return vendor;
+    return take(text, "ARB") || take(text, "EXT") || take(text, "NV");
 }
 
 class FunctionRule {
@@ -50,15 +49,11 @@ class FunctionRule {
     void word(std::uint32_t at) {
         const std::string_view text = unit_.tokens[at].text;
         const char first = text.front();
-        if (first != 't' && first != 's' && first != 'f' && first != 'n' && first != 'u') return;
+        if (first != 't' && first != 's' && first != 'f' && first != 'n') return;
         if (walk_.text(walk_.previous(at)) == "." || unit_.isUserName(text)) return;
         const std::uint32_t open = walk_.next(at);
         const bool called = walk_.text(open) == "(";
         if (first == 't' || first == 's') texture(at, text, called ? open : kNone);
-        if (text == "unsigned" && walk_.text(open) == "int") {
-            unit_.edits.remove(at);
-            unit_.edits.replace(open, "uint");
-        }
         if (!called) return;
         if (text == "truncate") unit_.edits.replace(at, "trunc");
         if (text == "texelSize") unit_.edits.replace(at, "textureSize");
@@ -139,10 +134,12 @@ TextureFunction textureFunction(std::string_view name) {
     if (!take(rest, "texture") && !take(rest, "shadow")) return {};
     const std::string_view dimension = takeDimension(rest);
     result.core = "texture";
+    const bool isScalar = name.ends_with("EXT") || name.ends_with("NV");  // EXT_shadow_samplers
     const bool vendor = takeVariant(rest, result.core);
     if (!rest.empty() || (dimension.empty() && (!vendor || result.shadow))) return {};
-    if (!dimension.empty())
-        result.sampler = "sampler" + std::string(dimension) + (result.shadow ? "Shadow" : "");
+    const bool isShadow = result.shadow;
+    if (isScalar) result.shadow = false;
+    if (!dimension.empty()) result.sampler = "sampler" + std::string(dimension) + (isShadow ? "Shadow" : "");
     return result;
 }
 

@@ -16,7 +16,9 @@ bool isVertexCount(const std::string& size) {
 /// The storage of a `varying` in a stage that has both inputs and outputs.
 Storage storageOfVarying(Stage stage, const Variable& variable) {
     if (stage == Stage::vertex) return Storage::output;
-    if (stage == Stage::fragment) return Storage::input;
+    // `varying out` of a fragment stage is one of its outputs (EXT_gpu_shader4, 4.3.6).
+    if (stage == Stage::fragment)
+        return variable.storage == Storage::output ? Storage::output : Storage::input;
     if (variable.storage == Storage::input || variable.storage == Storage::output) return variable.storage;
     const std::vector<std::string> sizes = variable.sizes();
     return !sizes.empty() && isVertexCount(sizes.front()) ? Storage::input : Storage::output;
@@ -77,9 +79,7 @@ std::uint32_t declarationOf(const Unit& unit, std::string_view word, bool member
 }
 
 bool isTaken(const Unit& unit, std::string_view word) {
-    const int since = keywordSince(word);
-    // A sampler whose name is such a word can only be a mistake of this parser.
-    return since > unit.dialect.version && unit.macros.find(word) == unit.macros.end();
+    return isFreeWord(word, unit.dialect) && unit.macros.find(word) == unit.macros.end();
 }
 
 std::set<std::string> takenWords(const Unit& unit) {
@@ -111,6 +111,19 @@ void modernizeQualifiers(ProgramUnits& program) {
         unit.wordRenames.try_emplace("attribute", "in");
         unit.wordRenames.try_emplace("varying", unit.stage == Stage::fragment ? "in" : "out");
     }
+}
+
+void makePositionsInvariant(ProgramUnits& program) {
+    Unit* const vertex = program.find(Stage::vertex);
+    if (vertex == nullptr || !vertex->isWritten("gl_Position") || getenv("GLIBRA_NO_INVARIANT")) return;
+    const bool isDeclared = std::any_of(
+        vertex->syntax.declarations.begin(), vertex->syntax.declarations.end(), [&](const Declaration& each) {
+            if (each.kind == DeclarationKind::block) return vertex->text(each.name) == "gl_PerVertex";
+            return std::any_of(each.declarators.begin(), each.declarators.end(), [&](const Declarator& name) {
+                return vertex->text(name.name) == "gl_Position";
+            });
+        });
+    if (!isDeclared) vertex->declare("invariant gl_Position;");
 }
 
 void renameTakenWords(ProgramUnits& program) {

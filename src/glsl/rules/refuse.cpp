@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "glsl/read/extensions.h"
 #include "glsl/read/words.h"
 #include "glsl/rules/rules.h"
 
@@ -31,6 +32,7 @@ struct Feature {
     std::string_view word;
     int version;
     std::string_view extension;
+    std::string_view inExtension = {};  ///< how the extension spells it, if that differs
 };
 constexpr std::array kFeatures = std::to_array<Feature>({
     {"imageLoad", 420, "GL_ARB_shader_image_load_store"},
@@ -51,9 +53,21 @@ constexpr std::array kFeatures = std::to_array<Feature>({
     {"fwidthCoarse", 450, "GL_ARB_derivative_control"},
     {"gl_CullDistance", 450, "GL_ARB_cull_distance"},
     {"gl_HelperInvocation", 450, ""},
-    {"gl_BaseVertex", 460, "GL_ARB_shader_draw_parameters"},
-    {"gl_BaseInstance", 460, "GL_ARB_shader_draw_parameters"},
-    {"gl_DrawID", 460, "GL_ARB_shader_draw_parameters"},
+    {"gl_BaseVertex", 460, "GL_ARB_shader_draw_parameters", "gl_BaseVertexARB"},
+    {"gl_BaseInstance", 460, "GL_ARB_shader_draw_parameters", "gl_BaseInstanceARB"},
+    {"gl_DrawID", 460, "GL_ARB_shader_draw_parameters", "gl_DrawIDARB"},
+    {"anyInvocation", 460, "GL_ARB_shader_group_vote", "anyInvocationARB"},
+    {"allInvocations", 460, "GL_ARB_shader_group_vote", "allInvocationsARB"},
+    {"allInvocationsEqual", 460, "GL_ARB_shader_group_vote", "allInvocationsEqualARB"},
+    {"atomicCounterAdd", 460, "GL_ARB_shader_atomic_counter_ops", "atomicCounterAddARB"},
+    {"atomicCounterSubtract", 460, "GL_ARB_shader_atomic_counter_ops", "atomicCounterSubtractARB"},
+    {"atomicCounterMin", 460, "GL_ARB_shader_atomic_counter_ops", "atomicCounterMinARB"},
+    {"atomicCounterMax", 460, "GL_ARB_shader_atomic_counter_ops", "atomicCounterMaxARB"},
+    {"atomicCounterAnd", 460, "GL_ARB_shader_atomic_counter_ops", "atomicCounterAndARB"},
+    {"atomicCounterOr", 460, "GL_ARB_shader_atomic_counter_ops", "atomicCounterOrARB"},
+    {"atomicCounterXor", 460, "GL_ARB_shader_atomic_counter_ops", "atomicCounterXorARB"},
+    {"atomicCounterExchange", 460, "GL_ARB_shader_atomic_counter_ops", "atomicCounterExchangeARB"},
+    {"atomicCounterCompSwap", 460, "GL_ARB_shader_atomic_counter_ops", "atomicCounterCompSwapARB"},
 });
 
 class Refuser {
@@ -90,30 +104,49 @@ class Refuser {
         if (unit_.bodies.roles[at] == WordRole::local || unit_.bodies.roles[at] == WordRole::localDeclaration)
             return;
         for (const Refusal& each : kRefusals)
-            if (each.word == text) error(at, std::string(each.text));
+            if (each.word == text && !unit_.view[at].isName) error(at, std::string(each.text));
         if (unit_.isDeclared(text)) return;
         if (unit_.stage != Stage::compute &&
             std::find(kComputeOnly.begin(), kComputeOnly.end(), text) != kComputeOnly.end())
             computeOnly(at, std::string(text));
         for (const Feature& each : kFeatures)
-            if (each.word == text) feature(at, text, each.version, each.extension);
+            if (each.word == text && feature(at, text, each.version, each.extension) &&
+                !each.inExtension.empty())
+                unit_.renames[std::string(text)] = each.inExtension;
+        if (const Extension* const only = extensionThatAlone(text, unit_.enabled)) alone(at, *only);
         const bool layer = text == "gl_Layer" || text == "gl_ViewportIndex";
         if (layer && unit_.stage == Stage::fragment) feature(at, text, 430, "GL_ARB_fragment_layer_viewport");
         if (isImageTypeWord(text) && unit_.dialect.version >= 130)
             feature(at, text, 420, "GL_ARB_shader_image_load_store");
     }
 
-    void feature(std::uint32_t at, std::string_view text, int version, std::string_view extension) {
-        if (target().version >= version) return;
-        if (!extension.empty() && target().hasExtension && target().hasExtension(extension)) {
-            const std::string line = "#extension " + std::string(extension) + " : enable";
-            if (std::find(unit_.extensions.begin(), unit_.extensions.end(), line) == unit_.extensions.end())
-                unit_.extensions.push_back(line);
-            return;
-        }
+    /// Enables the extension if the driver has it.
+    bool enable(std::string_view extension) {
+        if (extension.empty() || !target().hasExtension || !target().hasExtension(extension)) return false;
+        const std::string line = "#extension " + std::string(extension) + " : enable";
+        if (std::find(unit_.extensions.begin(), unit_.extensions.end(), line) == unit_.extensions.end())
+            unit_.extensions.push_back(line);
+        return true;
+    }
+
+    /// A word that no core version has, but an extension that the source enables.
+    void alone(std::uint32_t at, const Extension& extension) {
+        const std::string text(unit_.text(at));
+        if (enable(extension.name)) return;
+        const bool is64 = text.find("64") != std::string::npos || text.find("2x32") != std::string::npos;
+        if (is64 && enable("GL_ARB_gpu_shader_int64")) return;
+        error(at, text + " of " + std::string(extension.name) +
+                      " is in no version of GLSL, and this driver does not have that extension");
+    }
+
+    /// Reports a name that is newer than the target; true if an extension of the driver has it.
+    bool feature(std::uint32_t at, std::string_view text, int version, std::string_view extension) {
+        if (target().version >= version) return false;
+        if (enable(extension)) return true;
         const std::string number = std::to_string(version);
         error(at, std::string(text) + " needs GLSL " + number[0] + "." + number.substr(1) +
                       ", this driver has " + std::to_string(target().version).insert(1, "."));
+        return false;
     }
 
     void layoutItem(const LayoutItem& item) {
@@ -144,8 +177,10 @@ class Refuser {
     void storage(std::uint32_t name, std::string_view what, std::string_view kind, int version,
                  std::string_view extension) {
         const std::string text = std::string(what) + " '" + std::string(unit_.text(name)) + "'";
-        if (unit_.request->acceptsStorage || unit_.stage == Stage::compute)
-            return feature(name, text, version, extension);
+        if (unit_.request->acceptsStorage || unit_.stage == Stage::compute) {
+            feature(name, text, version, extension);
+            return;
+        }
         report_.report("glsl-E09", text + ": scenes have no " + std::string(kind), unit_.place(name));
     }
 

@@ -12,6 +12,7 @@ void applyRenames(Unit& unit, const TokenWalk& walk) {
         const Token& token = unit.tokens[i];
         if (token.kind != TokenKind::word || token.synthetic) continue;
         if (const Edit* edit = unit.edits.find(i); edit && edit->replaced) continue;
+        if (unit.layoutWords.contains(i)) continue;
         if (const auto found = unit.wordRenames.find(token.text); found != unit.wordRenames.end()) {
             unit.edits.replace(i, found->second);
             continue;

@@ -21,6 +21,9 @@ void refuse(ProgramUnits& program);
 void resolveSubroutines(ProgramUnits& program);
 /// Turns int and float uniforms that are used as textures into samplers (language, 7.9).
 void retypeSamplers(ProgramUnits& program);
+/// Declares gl_Position invariant in vertex stages, so that stages that compute it alike draw the same depth
+/// on every driver, whatever else they compute (language, 7.5).
+void makePositionsInvariant(ProgramUnits& program);
 /// Replaces functions of older versions and supplies the noise functions (language, 7.5).
 void modernizeFunctions(Unit& unit, const TokenWalk& walk);
 /// Declares the matrices, inputs, Timer and noise textures that the stages use (language, 6).
@@ -52,6 +55,8 @@ void checkTessellation(ProgramUnits& program);
 void countPatchesInWhole(ProgramUnits& program);
 /// Matches the user's own variables between stages (language, 7.9).
 void connectStages(ProgramUnits& program);
+/// Reports uniforms and uniform and storage blocks of one name that two stages declare differently.
+void checkUniformTypes(ProgramUnits& program);
 /// Repairs mistakes in declarations: glsl-W09, W10, W20, W21, W22 (language, 7.10).
 void repairDeclarations(Unit& unit, const TokenWalk& walk, const std::string& geometryInput, Report& report);
 

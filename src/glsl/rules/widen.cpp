@@ -1,4 +1,6 @@
-// Widens a scalar where a built-in function wants a vector: glsl-W23 (language, 7.10).
+// Writes the conversions of arguments of built-in functions: a scalar that is widened where the function
+// wants a vector, glsl-W23 (language, 7.10), and implicit conversions, because drivers disagree about which
+// overload fits an int among floats (GLSL 4.50, 4.1.10 and 6.1).
 
 #include <fmt/format.h>
 
@@ -6,7 +8,9 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <span>
 
+#include "glsl/read/words.h"
 #include "glsl/rules/rules.h"
 
 namespace glibra::glsl {
@@ -56,6 +60,33 @@ std::optional<Widening> wideningOf(const Function& function, const Call& call) {
     return result;
 }
 
+/// Functions that take floating-point numbers only, with the arguments that are converted, as bits; bit i
+/// stands for argument i.
+constexpr std::string_view kFloatOnly =
+    " radians degrees sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh pow exp log exp2 log2 sqrt "
+    "inversesqrt floor trunc truncate round roundEven ceil fract mod mix step smoothstep length distance dot "
+    "cross normalize faceforward reflect refract dFdx dFdy fwidth fma ";
+/// Functions that exist for floats, ints and unsigned ints; all arguments have one of these types.
+constexpr std::string_view kForAll = " min max clamp ";
+
+/// The type that the integers among the arguments are implicitly converted to; unknown: to none.
+BaseType conversionOf(std::string_view function, std::span<const Type> types) {
+    bool hasFloat = false, hasDouble = false, hasInt = false, hasUnsigned = false;
+    for (const Type& each : types) {
+        if (!each.scalar() && !each.vector()) return BaseType::unknown;
+        hasFloat = hasFloat || each.base == BaseType::floating;
+        hasDouble = hasDouble || each.base == BaseType::doublePrecision;
+        hasInt = hasInt || each.base == BaseType::integer;
+        hasUnsigned = hasUnsigned || each.base == BaseType::unsignedInteger;
+        if (each.base == BaseType::boolean) return BaseType::unknown;  // mix(a, b, bool)
+    }
+    const bool isFloatOnly = listed(kFloatOnly, function);
+    if (!isFloatOnly && !listed(kForAll, function)) return BaseType::unknown;
+    if (hasDouble) return BaseType::doublePrecision;
+    if (hasFloat || isFloatOnly) return BaseType::floating;
+    return hasInt && hasUnsigned ? BaseType::unsignedInteger : BaseType::unknown;
+}
+
 class Widener {
   public:
     Widener(Unit& unit, Report& report) : unit_(unit), report_(report) {}
@@ -66,10 +97,14 @@ class Widener {
             const auto* const function =
                 std::find_if(kFunctions.begin(), kFunctions.end(),
                              [&](const Function& each) { return each.name == name; });
-            if (function == kFunctions.end() || unit_.isDeclared(name)) continue;
-            const auto widening = wideningOf(*function, call);
+            const bool isWidened = function != kFunctions.end();
+            if (unit_.isDeclared(name) || !(isWidened || listed(kFloatOnly, name) || listed(kForAll, name)))
+                continue;
+            const auto widening = isWidened ? wideningOf(*function, call) : std::optional(Widening{});
             if (widening)
-                decide(*function, call, *widening);
+                decide(call, *widening, conversionOf(name, call.types));
+            else if (const BaseType base = conversionOf(name, call.types); base != BaseType::unknown)
+                decide(call, Widening{}, base);
             else
                 cannotTell(call);
         }
@@ -114,20 +149,27 @@ class Widener {
                 wishes_[*span].conflicting = true;
     }
 
-    void decide(const Function& function, const Call& call, const Widening& widening) {
+    void decide(const Call& call, const Widening& widening, BaseType base) {
         const std::string type = "vec" + std::to_string(widening.size);
         std::string shape;
         for (const Type& each : call.types) shape += (shape.empty() ? "" : ", ") + wordOf(each);
         for (std::size_t i = 0; i < call.arguments.size(); ++i) {
             const auto span = spanOf(call.arguments[i]);
             if (!span) continue;
-            const std::string wanted = widening.scalars >> i & 1U ? type : std::string{};
+            const bool isWidened = (widening.scalars >> i & 1U) != 0;
+            std::string wanted = isWidened ? type : std::string{};
+            const Type& own = call.types[i];
+            if (!isWidened && base != BaseType::unknown && own.integral() && own.base != base) {
+                Type converted = own;
+                converted.base = base;
+                wanted = wordOf(converted);
+            }
             const auto [found, isNew] =
                 wishes_.emplace(*span, Wish{wanted, false, {}, call.name, wishes_.size()});
             if (!isNew && found->second.type != wanted) found->second.conflicting = true;
-            if (isNew)
+            if (isNew && isWidened)
                 found->second.text =
-                    fmt::format("{}({}): the scalar is widened to {}", function.name, shape, type);
+                    fmt::format("{}({}): the scalar is widened to {}", unit_.text(call.name), shape, type);
         }
     }
 
@@ -141,6 +183,7 @@ class Widener {
         for (const auto& [span, wish] : ordered) {
             unit_.edits.before(span.first, wish->type + "(");
             unit_.edits.after(span.second, ")");
+            if (wish->text.empty()) continue;  // what GLSL does itself
             const Place place = unit_.place(wish->place);
             report_.reportOnce(unit_.path + std::to_string(wish->place), "glsl-W23", wish->text, place);
         }
