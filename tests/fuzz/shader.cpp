@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <deque>
 #include <optional>
 #include <string>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "check.h"
 #include "glsl/emit/log.h"
 #include "glsl/facts/block_layout.h"
+#include "glsl/read/token.h"
 #include "glsl/read/words.h"
 #include "glsl/translate.h"
 #include "glsl/types/builtins.h"
@@ -77,6 +79,38 @@ Input inputOf(std::string_view text) {
     if (input.stages.size() > 1 && input.stages.back().stage == Stage::compute && input.choice % 8 != 7)
         input.stages.pop_back();
     return input;
+}
+
+/// The driver gets no macros and no branches: of all directives only these.
+void checkDirectives(const TranslatedStage& stage) {
+    constexpr std::array<std::string_view, 5> kPassed{"version", "extension", "line", "pragma", "error"};
+    std::deque<std::string> storage;
+    bool atStart = true;
+    const std::vector<Token> tokens = lex(stage.source, storage);
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+        if (atStart && tokens[i].text == "#") {
+            std::size_t name = i + 1;
+            while (name < tokens.size() && tokens[name].kind == TokenKind::blank) ++name;
+            check(name < tokens.size() && std::ranges::find(kPassed, tokens[name].text) != kPassed.end(),
+                  "a directive is left for the driver");
+        }
+        if (tokens[i].kind == TokenKind::newline) atStart = true;
+        if (isSignificant(tokens[i].kind)) atStart = false;
+    }
+}
+
+void checkPlaces(const LineMap& map) {
+    const auto names = [&](const LineOrigin& origin) {
+        return origin.file < static_cast<int>(map.files.size());
+    };
+    for (const LineOrigin& origin : map.lines) check(names(origin), "an origin names a file");
+    for (const std::vector<ColumnShift>& line : map.columns)
+        for (const ColumnShift& each : line)
+            check(names(each.line) && each.line.file >= 0 && each.line.line > 0 && each.user > 0 &&
+                      each.macro < static_cast<int>(map.macros.size()),
+                  "a column comes from the source");
+    for (const MacroPlace& each : map.macros)
+        check(names(each.line) && each.line.file >= 0 && !each.name.empty(), "a macro stands in a file");
 }
 
 }  // namespace
@@ -151,6 +185,13 @@ const glibra::fuzz::Grammar& glibra::fuzz::grammar() {
             {"#extension GL_EXT_geometry_shader4 : enable",
              "#define F(a,b) a##b",
              "#define G(x) F(x,x) G(x)",
+             "#define H F",
+             "#define J() -G(-x) H",
+             "H(a b,",
+             "G((1, 2)) J()(",
+             "#elif defined F || __VERSION__ / 0 > 1 << 2",
+             "#define F(a,b) a-b",
+             "__LINE__ __FILE__ GL_ES GL_core_profile",
              "#undef F",
              "#if defined(F) && 1 < 2",
              "#ifdef F",
@@ -216,8 +257,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         const auto lines = static_cast<std::size_t>(std::ranges::count(stage.source, '\n'));
         check(stage.lineMap.lines.size() >= lines, "every emitted line has an origin");
         check(stage.lineMap.columns.size() <= stage.lineMap.lines.size(), "columns belong to lines");
-        for (const LineOrigin& origin : stage.lineMap.lines)
-            check(origin.file < static_cast<int>(stage.lineMap.files.size()), "an origin names a file");
+        checkPlaces(stage.lineMap);
+        if (request.shim) checkDirectives(stage);
         glibra::fuzz::checkMessages(explainCompileLog(program, stage, text));
     }
     for (const MemoryBlock& block : program.memory.blocks) {

@@ -87,6 +87,12 @@ TEST(MacroPlaces, ArgumentsKeepTheirPlace) {
         }
 }
 
+TEST(MacroPlaces, ArgumentsInTheLineOfTheCallHaveNoNote) {
+    EXPECT_EQ("6:17", messagesAbout(kMiddle + "float f = WRONG(misspelt);\n", "misspelt"));
+    EXPECT_EQ("8:10", messagesAbout(kMiddle + "float f = WRONG(\n1.\n) + WRONG(misspelt);\n", "misspelt"));
+    EXPECT_EQ("6:21", messagesAbout(kMiddle + "float f = MIDDLE(1.,misspelt);\n", "misspelt"));
+}
+
 TEST(MacroPlaces, ArgumentsKeepTheirLineWithoutColumns) {
     EXPECT_EQ("8:1", messagesAbout(kMiddle + "void main() { float k = MIDDLE(\n1.,\n  misspelt); }\n",
                                    "misspelt", false));
@@ -103,6 +109,19 @@ TEST(MacroPlaces, TheTextOfAMacroIsReportedAtTheCallWithANote) {
     // Called in an argument.
     EXPECT_EQ("7:2; 5:25 in the text of macro 'WRONG'",
               messagesAbout(kMiddle + "float f=MIDDLE(1.,\n WRONG(2.));", "inMacro"));
+}
+
+TEST(MacroPlaces, AMistakeInACallHasNoConsequences) {
+    const TranslatedProgram translated = translate(program(
+        {{Stage::fragment, kMiddle + "float f = MIDDLE(\n vST.x,\n misspelt\n);\nvoid main() {}\n"}}));
+    const std::string log =
+        "0:8(2): error: `misspelt' undeclared\n"
+        "0:6(17): error: operands to arithmetic operators must be numeric\n"
+        "0:10(1): error: operands to arithmetic operators must be numeric\n";
+    const Diagnostics found = explainCompileLog(translated, translated.stages.at(0), log);
+    ASSERT_EQ(3U, found.size());  // the note about the program is the last one
+    EXPECT_EQ((Place{"a.frag", 8, 2}), found[0].place);
+    EXPECT_EQ(10, found[1].place.line);
 }
 
 TEST(MacroPlaces, DirectivesInACallKeepTheLines) {

@@ -124,6 +124,51 @@ void main() {
     RETURN(.5 + .5 * vPoint)
 }
 )glsl"}},
+        {.name = "macro_calls_over_lines_and_inside_each_other",
+         .stages = {.vertex = R"glsl(
+#version 130
+#define JOIN(a, b) a##b
+#define IN_TURN(f, x) f(x)
+#define TWICE(x) (2. * (x))
+#define SELF SELF
+#define PAIR(a, b) vec2(a, b)
+#define FIRST(a, b) a
+#define EMPTY
+out vec3 JOIN(v, Point);
+void main() {
+    float SELF = .25;
+    vPoint = vec3(PAIR(
+        FIRST(gl_Vertex.x, (1., 2.)),  // a comment, with a comma
+        IN_TURN(
+            TWICE
+            ,
+            gl_Vertex.y
+        )
+#if defined EMPTY && __VERSION__ == 130
+        * SELF
+#else
+        * 9.
+#endif
+    ), FIRST(EMPTY .3, EMPTY));
+    gl_Position = ftransform();
+}
+)glsl",
+                    .fragment = R"glsl(
+#version 130
+#ifdef GL_core_profile
+#error not at 1.30
+#endif
+#ifndef GL_compatibility_profile
+in vec3 vPoint;
+#endif
+#define WAVE(x) .5 + .5 * sin(x)
+#define COLOR(r, \
+              g, b) vec4(r, g, b, 1.)
+void main() {
+    gl_FragColor = COLOR(WAVE(3. * vPoint.x),
+                         WAVE(WAVE(vPoint.y)), vPoint.z);
+}
+)glsl"}},
         {.name = "text_in_unusual_layout",
          .stages = {.vertex = "/* a comment before it */\n"
                               "# version 110  // and one behind\r\n"

@@ -99,11 +99,14 @@ bool isCandidate(std::string_view text) {
 /// Leaves out what only follows from an error before it.
 class Consequences {
   public:
+    explicit Consequences(const TranslatedStage& stage) : source_(stage.source) {}
+
     /// True for a name that an earlier error says to be undeclared, and for expressions on the line of such a
-    /// name, whose type is therefore not known. Remembers errors about undeclared names.
-    bool contain(const LogLine& line) {
+    /// name or in its statement, whose type is therefore not known. Remembers errors about undeclared names.
+    bool contain(const LogLine& line, const std::optional<EmittedPlace>& place) {
         if (line.text.find("undeclared") != std::string_view::npos) {
             lines_.emplace(line.source, line.line);
+            if (place && places_.size() < kMostPlaces) places_.push_back(offsetOf(*place));
             return !names_.emplace(quotedWord(line.text)).second;
         }
         constexpr std::array<std::string_view, 7> kPhrases{"from a non-numeric data type",
@@ -113,13 +116,31 @@ class Consequences {
                                                            "(error)",
                                                            ", error,",
                                                            ", error)"};
-        return lines_.contains({line.source, line.line}) &&
-               std::any_of(kPhrases.begin(), kPhrases.end(), [&](std::string_view each) {
-                   return line.text.find(each) != std::string_view::npos;
-               });
+        return std::any_of(
+                   kPhrases.begin(), kPhrases.end(),
+                   [&](std::string_view each) { return line.text.find(each) != std::string_view::npos; }) &&
+               (lines_.contains({line.source, line.line}) || (place && isInStatement(offsetOf(*place))));
     }
 
   private:
+    static constexpr std::size_t kMostPlaces = 32;
+    static constexpr std::size_t kLongestStatement = 10'000;
+
+    [[nodiscard]] std::size_t offsetOf(const EmittedPlace& place) const {
+        std::size_t start = 0;
+        for (std::size_t line = 0; line < place.line; ++line) start = source_.find('\n', start) + 1;
+        return std::min(start + static_cast<std::size_t>(std::max(place.column, 1)) - 1, source_.size());
+    }
+    [[nodiscard]] bool isInStatement(std::size_t place) const {
+        return std::any_of(places_.begin(), places_.end(), [&](std::size_t each) {
+            const auto [first, last] = std::minmax(place, each);
+            return last - first < kLongestStatement &&
+                   source_.substr(first, last - first).find_first_of(";{}") == std::string_view::npos;
+        });
+    }
+
+    std::string_view source_;
+    std::vector<std::size_t> places_;  ///< of undeclared names, in the source
     std::set<std::string> names_;
     std::set<std::pair<std::string, int>> lines_;
 };
@@ -138,7 +159,7 @@ Diagnostics explainCompileLog(const TranslatedProgram& program, const Translated
     bool isUnderstood = false;
     bool candidates = false;
     LogAdvice advice(program, stage);
-    Consequences consequences;
+    Consequences consequences(stage);
     for (const std::string_view each : linesOf(log)) {
         const std::optional<LogLine> line = parseLogLine(each, stage.lineMap.files);
         if (line && candidates && isCandidate(line->text)) continue;
@@ -149,9 +170,9 @@ Diagnostics explainCompileLog(const TranslatedProgram& program, const Translated
         }
         isUnderstood = true;
         if (line->line >= kOwnLines) continue;
-        if (consequences.contain(*line)) continue;
         const std::string& file = fileOf(stage, line->source);
         const std::optional<EmittedPlace> emitted = emittedPlace(stage, *line, file);
+        if (consequences.contain(*line, emitted)) continue;
         const UserPlace user = emitted ? userPlace(stage, *emitted) : UserPlace{};
         const Place place =
             emitted ? placeOf(stage, user.line, user.column)

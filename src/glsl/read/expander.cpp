@@ -15,8 +15,9 @@ bool mayBeMacro(const Token& token) {
 
 bool needBlank(const Token& left, const Token& right) {
     if (left.text.empty() || right.text.empty()) return false;
-    return growTogether(left.text.back(), right.text.front()) ||
-           (left.kind == TokenKind::number && right.text.front() == '.');
+    const char next = right.text.front();
+    return growTogether(left.text.back(), next) ||
+           (left.kind == TokenKind::number && (isWordPart(next) || next == '.'));
 }
 
 std::string counted(std::size_t number, const char* what) {
@@ -130,11 +131,13 @@ void Expander::name(Piece piece, Reach reach, Pieces& out) {
         }
         if (arguments.size() == 1 && arguments[0].empty() && macro->parameters.empty()) arguments.clear();
         if (arguments.size() != macro->parameters.size()) {
-            complain_("glsl-E15",
-                      "macro '" + std::string(piece.token.text) + "' takes " +
-                          counted(macro->parameters.size(), "argument") + ", found " +
-                          std::to_string(arguments.size()),
-                      piece.token);
+            // In the text of a macro it is one mistake, however often that is used.
+            if (piece.token.body == kNone || reported_.insert(piece.token.body).second)
+                complain_("glsl-E15",
+                          "macro '" + std::string(piece.token.text) + "' takes " +
+                              counted(macro->parameters.size(), "argument") + ", found " +
+                              std::to_string(arguments.size()),
+                          piece.token);
             return;
         }
     }

@@ -3,6 +3,7 @@
 // with the text that follows, and a macro is not expanded inside itself. Tokens never grow together.
 
 #include <functional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -80,7 +81,8 @@ class Expander {
     std::size_t at_ = 0;
     std::uint32_t firstOrder_ = 0;  ///< order of input_[0]
     const std::function<bool()>* more_ = nullptr;
-    std::vector<Piece> lineEnds_;  ///< line ends and directives inside the current call
+    std::vector<Piece> lineEnds_;       ///< line ends and directives inside the current call
+    std::set<std::uint32_t> reported_;  ///< wrong calls in the texts of macros
     bool afterCall_ = false;
     std::size_t steps_ = 0;
     int depth_ = 0;

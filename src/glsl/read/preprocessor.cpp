@@ -159,6 +159,8 @@ void Preprocessor::define(const SourceLine& line) {
     defineBody(line, macro, at);
     if (!macro.body.empty() && (macro.body.front().text == "##" || macro.body.back().isPasted))
         return complain("'##' cannot begin or end the text of a macro", *name);
+    if (name->text.starts_with("glibra_"))
+        return complain_("glsl-E05", "names beginning with 'glibra_' are reserved", *name);
     if (name->text == "defined") return complain("'defined' cannot be the name of a macro", *name);
     const Macro* const known = expander_.find(name->text);
     if (isReservedMacro(name->text)) {

@@ -2,28 +2,13 @@
 // The directives of one stage that decide what is compiled: #if and its kin, #define and #undef, in the order
 // of its lines.
 
-#include <span>
 #include <string_view>
 #include <vector>
 
 #include "glsl/read/expander.h"
+#include "glsl/read/source_line.h"
 
 namespace glibra::glsl {
-
-/// A line of a file, whose tokens have their places.
-struct SourceLine {
-    std::span<const Token> tokens;
-    std::vector<const Token*> significant;
-
-    /// The significant token number `i`: 0 is the '#' of a directive, 1 its name; empty past the end.
-    [[nodiscard]] std::string_view word(std::size_t i) const {
-        return i < significant.size() ? significant[i]->text : std::string_view{};
-    }
-    /// That token, or the last one.
-    [[nodiscard]] const Token& token(std::size_t i) const {
-        return *significant[i < significant.size() ? i : significant.size() - 1];
-    }
-};
 
 class Preprocessor {
   public:

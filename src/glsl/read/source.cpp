@@ -21,6 +21,10 @@ constexpr std::size_t kDeepestInclude = 32;
 constexpr std::size_t kMostFiles = 256;
 constexpr long long kMostLines = 50'000'000;
 
+constexpr std::array<std::string_view, 14> kDirectives{"define", "undef",  "if",    "ifdef",   "ifndef",
+                                                       "else",   "elif",   "endif", "version", "extension",
+                                                       "line",   "pragma", "error", "include"};
+
 /// The last part of a path, in lower case.
 std::string lowerName(std::string_view path) {
     const std::size_t slash = path.find_last_of("/\\");
@@ -60,7 +64,7 @@ class SourceReader {
         stage_.tokens.reserve(tokens.size());
         frames_.emplace_back().tokens = std::move(tokens);
         preprocessor_.expander().run([this] { return nextLine(); });
-        preprocessor_.finish();
+        if (!hasOpenComment_) preprocessor_.finish();
         if (preprocessor_.expander().isExhausted())
             report_.report("glsl-E11", "the macros expand to more than 2,000,000 tokens", stage_.start());
         stage_.edits.resize(stage_.tokens.size());
@@ -127,7 +131,6 @@ class SourceReader {
         if (!atTop) report_.report("glsl-W02", "#version moved to the top", place);
     }
 
-    /// Reads a line of the source; false at its end.
     bool nextLine() {
         if (frames_.empty()) return false;
         Frame& frame = frames_.back();
@@ -169,7 +172,8 @@ class SourceReader {
 
     void checkComment(const Token& comment) {
         if (comment.text.starts_with("/*")) {
-            if (comment.text.size() < 4 || !comment.text.ends_with("*/"))
+            hasOpenComment_ = comment.text.size() < 4 || !comment.text.ends_with("*/");
+            if (hasOpenComment_)
                 complain("glsl-E16", "this comment has no end; write '*/' after it", comment);
         } else if (comment.droppedBackslash) {
             complain("glsl-W08", "backslash at the end of a comment dropped", comment);
@@ -179,7 +183,6 @@ class SourceReader {
         }
     }
 
-    /// Adds a token of the text.
     void add(const Token& token) {
         preprocessor_.expander().add(token);
         if (!shim()) stage_.written.push_back(token);
@@ -207,13 +210,6 @@ class SourceReader {
         token.synthetic = isOwn;
         add(token);
     }
-    void addOwnLineEnd(const Token& place) {
-        Token end = place;
-        end.text = "\n";
-        end.kind = TokenKind::newline;
-        end.synthetic = true;
-        add(end);
-    }
 
     void directive(const SourceLine& line) {
         const std::string_view name = line.word(1);
@@ -231,10 +227,7 @@ class SourceReader {
             } else if (name == "pragma" || name == "error") {
                 return passOn(line);
             } else {
-                constexpr std::array<std::string_view, 14> kNames{
-                    "define", "undef",   "if",        "ifdef", "ifndef", "else",  "elif",
-                    "endif",  "version", "extension", "line",  "pragma", "error", "include"};
-                const std::string nearest = base::nearestName(name, kNames);
+                const std::string nearest = base::nearestName(name, kDirectives);
                 complain("glsl-E14",
                          "there is no directive '#" + std::string(name) + "'" +
                              (nearest.empty() ? "" : "; did you mean '#" + nearest + "'?"),
@@ -270,10 +263,7 @@ class SourceReader {
             return addBlankLine(line);
         }
         if (!shim()) return addBlankLine(line);
-        std::string text;
-        for (const Token* each = line.significant[0]; each <= line.significant.back(); ++each)
-            text += isSignificant(each->kind) ? each->text : std::string_view(" ");
-        addDirective(std::move(text), line.token(0), false);
+        addDirective(line.joined(), line.token(0), false);
         addLineEnds(line.tokens);
     }
 
@@ -353,10 +343,10 @@ class SourceReader {
         // Places count from 1, so "#line 0" counts as "#line 1".
         const long long next = std::max(1LL, lineAfterDirective(stage_.dialect, number));
         frame.fileNumber = file;
-        const bool ended = last.kind == TokenKind::newline;
-        addLineEnds(line.tokens.first(line.tokens.size() - (ended ? 1 : 0)));
+        const std::size_t ended = last.kind == TokenKind::newline ? 1 : 0;
+        addLineEnds(line.tokens.first(line.tokens.size() - ended));
         addDirective(lineDirective(stage_, frame.file, next, emittedVersion()), last, true);
-        if (ended) add(last);
+        if (ended != 0) add(last);
         frame.shift += static_cast<std::int32_t>(next) - (last.line + 1);
     }
 
@@ -373,11 +363,12 @@ class SourceReader {
             addDirective("#error " + std::move(text), hash, true);
             end();
         };
-        const std::string name = includeName(line);
+        const std::string name = line.includedName();
         if (name.empty()) return refuse("#include needs a file name");
         if (lowerName(name) == "gstap.h") return end();
-        const IncludeReader& reader = stage_.request->include;
-        std::optional<IncludedFile> found = reader ? reader(name, stage_.files[hash.file]) : std::nullopt;
+        std::optional<IncludedFile> found;
+        if (const IncludeReader& reader = stage_.request->include)
+            found = reader(name, stage_.files[hash.file]);
         if (!found) return refuse("cannot find the included file '" + name + "'");
         if (once_.contains(found->path)) return end();
         if (std::find(including_.begin(), including_.end(), found->path) != including_.end() ||
@@ -415,7 +406,11 @@ class SourceReader {
         frame.fileNumber = static_cast<long long>(index);
         const Token& last = line.tokens.back();
         addDirective(lineDirective(stage_, index, 1, emittedVersion()), last, true);
-        addOwnLineEnd(last);
+        Token end = last;
+        end.text = "\n";
+        end.kind = TokenKind::newline;
+        end.synthetic = true;
+        add(end);
         const auto after = [&](std::string_view text2, TokenKind kind) {
             Token& token = frame.after.emplace_back(last);
             token.text = text2;
@@ -432,27 +427,13 @@ class SourceReader {
         frames_.push_back(std::move(frame));
     }
 
-    /// The text between the quotes or angle brackets of an #include.
-    static std::string includeName(const SourceLine& line) {
-        if (line.significant.size() < 3) return {};
-        const char* const begin = line.significant[2]->text.data();
-        // The tokens of a line are adjacent in the text. What looks like a comment may belong to the name.
-        const char* end = begin;
-        for (const Token* each = line.significant[2]; each <= &line.tokens.back(); ++each)
-            if (each->kind != TokenKind::splice && each->kind != TokenKind::newline)
-                end = each->text.data() + each->text.size();
-        const std::string_view rest(begin, static_cast<std::size_t>(end - begin));
-        if (rest.empty() || (rest.front() != '<' && rest.front() != '"')) return {};
-        const std::size_t close = rest.find(rest.front() == '<' ? '>' : '"', 1);
-        return close == std::string_view::npos ? std::string{} : std::string(rest.substr(1, close - 1));
-    }
-
     StageText& stage_;
     Report& report_;
     Preprocessor preprocessor_;
     std::deque<Frame> frames_;            ///< files that include each other at the current line
     std::vector<std::string> including_;  ///< paths of all but the first
     std::set<std::string> once_;
+    bool hasOpenComment_ = false;  ///< it may hide an #endif
     std::size_t bytes_ = 0;
     std::size_t included_ = 0;
 };

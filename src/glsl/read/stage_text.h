@@ -48,8 +48,8 @@ struct StageText {
     std::vector<Token> written;         ///< the text as it is written, for --no-shim
     std::vector<BodyPlace> macroTexts;  ///< the texts of all macros
     std::vector<ViewToken> view;        ///< the tokens that the grammar sees
-    std::set<std::string, std::less<>> macros;  ///< every name that the source defines anywhere
-    std::vector<std::string> extensions;        ///< #extension lines to be passed on
+    std::set<std::string, std::less<>> macros;
+    std::vector<std::string> extensions;  ///< #extension lines to be passed on
     /// The extensions that the source enables and that are available (extensions.h).
     std::set<std::string, std::less<>> enabled;
     Edits edits;

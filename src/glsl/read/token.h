@@ -21,7 +21,8 @@ struct Token {
     std::string_view text;
     std::int32_t line = 1;    ///< from 1; after readSource, as #line directives count it
     std::int32_t column = 1;  ///< in bytes, from 1
-    /// Of a token from the text of a macro: the index into StageText::macroTexts. Its place is that of the call.
+    /// Of a token from the text of a macro: the index into StageText::macroTexts. Its place is that of the
+    /// call.
     std::uint32_t body = kNone;
     std::uint16_t file = 0;  ///< index into the files of the stage
     TokenKind kind = TokenKind::other;
