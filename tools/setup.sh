@@ -1,18 +1,20 @@
-# Sourced by tools/glibra and tools/test: installs what Debian 12 lacks, configures and builds.
+# Sourced by tools/glibra and tools/test: installs what a bare Debian 12 or 13 lacks, configures and builds.
 # Defines functions, package lists and what ccache needs. Each function runs in a subshell, so that its variables stay
 # its own; one that fails ends the calling script, which has done `set -eu` and stands in the repository root.
 # shellcheck shell=sh disable=SC2034
 
-# What every build needs, then what each part needs besides (parts: window, images, bench; see CMakeLists.txt).
+# What every build needs, then what each part needs besides (parts: window, images, bench; see CMakeLists.txt). A name that
+# ends with a question mark is installed where the system has it: Mesa 25.1 and later have no OSMesa.
 core_packages="g++ cmake ninja-build ccache pkg-config python3-glad libglm-dev libfmt-dev libcli11-dev
  nlohmann-json3-dev libtomlplusplus-dev libdeflate-dev libspng-dev libxxhash-dev libegl1 libegl-mesa0 libgl1-mesa-dri
- libosmesa6"
+ libosmesa6?"
 window_packages="libglfw3-dev libimgui-dev libstb-dev fonts-dejavu-core"
-images_packages="libopenimageio-dev"
+images_packages="libopenimageio-dev libopenexr-dev libwebp-dev"
 bench_packages="libboost-dev"
 # What the tests need besides all of these.
-test_packages="clang-19 libclang-rt-19-dev clang-format clang-tidy libgtest-dev libtinyobjloader-dev libpng-dev libegl-dev
- glslang-tools python3 chromium chromium-driver imagemagick procps xvfb x11-utils xdotool openbox libx11-dev shellcheck"
+test_packages="clang-19 libclang-rt-19-dev clang-format-19 clang-tidy libgtest-dev libtinyobjloader-dev libpng-dev libegl-dev
+ glslang-tools mesa-vulkan-drivers python3 python3-pil chromium chromium-driver imagemagick procps xvfb x11-utils xdotool openbox
+ libx11-dev shellcheck"
 
 # ccache takes precompiled headers only with these.
 export CCACHE_SLOPPINESS=pch_defines,time_macros
@@ -26,22 +28,27 @@ install_packages() (
         return
     fi
     missing=
+    wanted=
     for package in "$@"; do
-        [ "$(dpkg-query -W -f='${Status}' "$package" 2>/dev/null)" = "install ok installed" ] ||
-            missing="$missing $package"
+        [ "$(dpkg-query -W -f='${Status}' "${package%\?}" 2>/dev/null)" = "install ok installed" ] && continue
+        case $package in
+            *\?) wanted="$wanted ${package%\?}" ;;
+            *) missing="$missing $package" ;;
+        esac
     done
-    [ -n "$missing" ] || return 0
+    known() { for each in $wanted; do ! apt-cache show "$each" >/dev/null 2>&1 || printf ' %s' "$each"; done; }
+    [ -n "$missing$(known)" ] || return 0
     as_root=
     if [ "$(id -u)" != 0 ]; then
         command -v sudo >/dev/null || { say "cannot install packages without root or sudo; missing:$missing"; exit 4; }
         as_root=sudo
     fi
-    say "installing$missing"
+    say "installing$missing$(known)"
     log=$(mktemp)
     trap 'rm -f "$log"' EXIT
-    # shellcheck disable=SC2086
+    # shellcheck disable=SC2046,SC2086
     if ! { $as_root apt-get update && $as_root env DEBIAN_FRONTEND=noninteractive \
-           apt-get install -y --no-install-recommends $missing; } >"$log" 2>&1 </dev/null; then
+           apt-get install -y --no-install-recommends $missing $(known); } >"$log" 2>&1 </dev/null; then
         cat "$log" >&2
         say "cannot install the packages (above: what apt-get printed)"
         exit 4

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <iterator>
 #include <new>
 #include <system_error>
 #include <utility>
@@ -126,10 +127,54 @@ int readAll(const Descriptor& file, std::uint64_t largest, std::vector<std::byte
     return 0;
 }
 
+int makeFoldersBeneath(const fs::path& root, const fs::path& path) {
+    std::vector<std::string> parts = downwards(path);
+    if (parts.empty() && !path.empty() && path != ".") return EINVAL;
+    parts.emplace_back();  // the name of a file in the last folder
+    return enter(root, parts, true) ? 0 : errno;
+}
+
+int nameFile([[maybe_unused]] int folder, [[maybe_unused]] int file, [[maybe_unused]] const fs::path& name) {
+#ifdef O_TMPFILE
+    const std::string open = "/proc/self/fd/" + std::to_string(file);
+    int problem = EEXIST;
+    constexpr int kAttempts = 1000;
+    for (int attempt = 0; problem == EEXIST && attempt < kAttempts; ++attempt) {
+        // A link cannot replace a file, but renaming can, and it is what others watch for. The name exists
+        // only between these two calls.
+        const std::string between =
+            ".glibra-" + std::to_string(::getpid()) + "-" + std::to_string(attempt) + ".tmp";
+        problem =
+            ::linkat(AT_FDCWD, open.c_str(), folder, between.c_str(), AT_SYMLINK_FOLLOW) == 0 ? 0 : errno;
+        if (problem != 0) continue;
+        if (::renameat(folder, between.c_str(), folder, name.c_str()) == 0) return 0;
+        problem = errno;
+        ::unlinkat(folder, between.c_str(), 0);
+        return problem;
+    }
+    // No /proc, a file system without links, a sandbox
+    constexpr int kImpossible[] = {ENOENT, EPERM, ENOSYS, EXDEV, ENOTSUP, EINVAL, EACCES};
+    if (std::find(std::begin(kImpossible), std::end(kImpossible), problem) != std::end(kImpossible))
+        return ENOTSUP;
+    return problem;
+#else
+    return ENOTSUP;
+#endif
+}
+
 int writeBeneath(const fs::path& root, const fs::path& path, std::span<const std::byte> bytes) {
     const std::vector<std::string> parts = downwards(path);
     const Descriptor folder = enter(root, parts, true);
     if (!folder) return errno;
+#ifdef O_TMPFILE
+    if (const Descriptor file(::openat(folder.number(), ".", O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666)); file) {
+        int problem = writeAll(file.number(), bytes);
+        if (problem == 0) problem = sync(file.number());
+        if (problem == 0) problem = nameFile(folder.number(), file.number(), parts.back());
+        if (problem == 0) return sync(folder.number());
+        if (problem != ENOTSUP) return problem;
+    }
+#endif
     constexpr int kAttempts = 1000;
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
         const std::string name =

@@ -36,6 +36,10 @@ Descriptor openBeneath(const std::filesystem::path& root, const std::filesystem:
 /// Reads an open file from its beginning. EFBIG: it is longer than `largest` bytes.
 int readAll(const Descriptor& file, std::uint64_t largest, std::vector<std::byte>& bytes);
 
+/// Puts a file that was written without a name (O_TMPFILE) in the place of `name` in a folder, so that a
+/// process that is killed leaves nothing behind. ENOTSUP: the system or a sandbox does not allow that.
+int nameFile(int folder, int file, const std::filesystem::path& name);
+
 /// Writes a file below `root` and makes its folders, also `root`. The file appears under its name when it is
 /// whole and on the disk, so that a loss of power leaves the old file or the new one. A link of that name is
 /// replaced, and its target stays as it is.
@@ -45,6 +49,10 @@ int writeBeneath(const std::filesystem::path& root, const std::filesystem::path&
 /// Makes `root` and the folders of `path` below it, and removes a link, a pipe or a device that has its name,
 /// so that code which knows only paths can write there.
 int prepareBeneath(const std::filesystem::path& root, const std::filesystem::path& path);
+
+/// Makes `root` and the folders of `path` below it, if they do not exist. ELOOP: one of them, below `root`,
+/// is a link.
+int makeFoldersBeneath(const std::filesystem::path& root, const std::filesystem::path& path);
 
 /// Removes a file below `root`; a link is removed, not its target.
 int removeBeneath(const std::filesystem::path& root, const std::filesystem::path& path);

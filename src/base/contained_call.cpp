@@ -15,6 +15,11 @@
 #include <cerrno>
 #include <chrono>
 #include <cmath>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <utility>
 
 namespace glibra::base {
 namespace {
@@ -32,7 +37,12 @@ namespace {
         const rlimit processor{seconds, seconds};
         ::setrlimit(RLIMIT_CPU, &processor);
     }
+    rlimit before{};
+    const bool known = ::getrlimit(RLIMIT_DATA, &before) == 0;
     MemoryLimit().set(limits.memory);
+    rlimit after{};
+    if (known && ::getrlimit(RLIMIT_DATA, &after) == 0 && before.rlim_cur < after.rlim_cur)
+        ::setrlimit(RLIMIT_DATA, &before);  // a worker's own limit is the lower one
     work();
     ::_exit(0);
 }
@@ -73,7 +83,7 @@ bool waitFor(pid_t process, double seconds, int& status) {
 
 CallEnd runContained(const CallLimits& limits, const std::function<void()>& work) {
     const pid_t process = ::fork();
-    if (process < 0) return {CallEnd::Kind::died, 0};
+    if (process < 0) return {CallEnd::Kind::notStarted, 0};
     if (process == 0) serveCall(limits, work);
     int status = 0;
     if (!waitFor(process, limits.seconds, status)) {
@@ -85,6 +95,28 @@ CallEnd runContained(const CallLimits& limits, const std::function<void()>& work
     if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) return {CallEnd::Kind::timedOut, 0};
     if (WIFSIGNALED(status)) return {CallEnd::Kind::died, WTERMSIG(status)};
     return {WEXITSTATUS(status) == 0 ? CallEnd::Kind::finished : CallEnd::Kind::died, 0};
+}
+
+bool runInThread(const CallLimits& limits, std::function<void()> work) {
+    struct State {
+        std::mutex mutex;
+        std::condition_variable changed;
+        bool ended = false;
+    };
+    const auto state = std::make_shared<State>();
+    std::thread([state, work = std::move(work)] {
+        work();
+        const std::lock_guard lock(state->mutex);
+        state->ended = true;
+        state->changed.notify_all();
+    }).detach();
+    std::unique_lock lock(state->mutex);
+    const auto ended = [&] { return state->ended; };
+    if (limits.seconds <= 0) {
+        state->changed.wait(lock, ended);
+        return true;
+    }
+    return state->changed.wait_for(lock, std::chrono::duration<double>(limits.seconds), ended);
 }
 
 SharedMemory::SharedMemory(std::size_t size) {

@@ -11,21 +11,26 @@
 
 namespace glibra::base {
 
-/// What a contained call may take.
+/// What a contained call may take. A lower limit of memory of the calling process holds on.
 struct CallLimits {
-    double seconds = 60;                 ///< of time, and of processor time; 0: no limit
+    double seconds = 20;                 ///< of time, and of processor time; 0: no limit
     std::uint64_t memory = kLeastShare;  ///< bytes beyond what the calling process has; 0: no limit
 };
 
 struct CallEnd {
-    enum class Kind { finished, timedOut, died };
+    enum class Kind { finished, timedOut, died, notStarted };
     Kind kind = Kind::finished;
-    int signal = 0;  ///< that ended the process, if it died; 0: it exited, or it could not be started
+    int signal = 0;  ///< that ended the process, if it died; 0: it exited
 };
 
 /// Calls `work` in a forked process and waits for its end. Results come back through SharedMemory; nothing
 /// else that `work` changes is seen by the caller. `work` must not throw. May be called from any thread.
 CallEnd runContained(const CallLimits& limits, const std::function<void()>& work);
+
+/// Calls `work` in a thread of this process, for one that may not fork (a sandbox), and waits for its end.
+/// Only the limit of time holds. False if the time is over: then `work` goes on until this process ends, so
+/// it must own all that it uses.
+bool runInThread(const CallLimits& limits, std::function<void()> work);
 
 /// Memory that a process shares with those that it forks. It is zero at first, and takes up space only where
 /// it is written.

@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include "base/contained.h"
+
 namespace glibra::base {
 
 namespace fs = std::filesystem;
@@ -43,16 +45,37 @@ long version() {
     return ::syscall(SYS_landlock_create_ruleset, nullptr, 0, kAskVersion);
 }
 
+/// Opens a path below its root one part after the other, so that nobody can put a link in between.
+Descriptor openReach(const Reach& reach) {
+    if (reach.root.empty())
+        return Descriptor(::open(reach.path.empty() ? "." : reach.path.c_str(), O_PATH | O_CLOEXEC));
+    Descriptor file(::open(reach.root.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+    for (const fs::path& part : reach.path) {
+        if (!file) break;
+        if (part.empty() || part == ".") continue;
+        if (part == ".." || part.is_absolute()) {
+            errno = ENOENT;
+            return {};
+        }
+        // With O_PATH, a link is opened itself.
+        file = Descriptor(::openat(file.number(), part.c_str(), O_PATH | O_NOFOLLOW | O_CLOEXEC));
+        struct stat status {};
+        if (file && (::fstat(file.number(), &status) != 0 || S_ISLNK(status.st_mode))) {
+            errno = ENOENT;
+            return {};
+        }
+    }
+    return file;
+}
+
 /// Returns 0 or an error number. A path that does not exist is no error.
-int allow(int rules, const fs::path& path, std::uint64_t rights) {
-    const int file = ::open(path.c_str(), O_PATH | O_CLOEXEC);
-    if (file < 0) return errno == ENOENT || errno == ENOTDIR || errno == EACCES ? 0 : errno;
+int allow(int rules, const Reach& reach, std::uint64_t rights) {
+    const Descriptor file = openReach(reach);
+    if (!file) return errno == ENOENT || errno == ENOTDIR || errno == EACCES ? 0 : errno;
     struct stat status {};
-    int failed = ::fstat(file, &status) == 0 ? 0 : errno;
-    PathRule rule{S_ISDIR(status.st_mode) ? rights : rights & kOfFiles, file};
-    if (failed == 0 && ::syscall(SYS_landlock_add_rule, rules, kPathRuleType, &rule, 0) != 0) failed = errno;
-    ::close(file);
-    return failed;
+    if (::fstat(file.number(), &status) != 0) return errno;
+    PathRule rule{S_ISDIR(status.st_mode) ? rights : rights & kOfFiles, file.number()};
+    return ::syscall(SYS_landlock_add_rule, rules, kPathRuleType, &rule, 0) == 0 ? 0 : errno;
 }
 
 }  // namespace
@@ -87,9 +110,9 @@ std::string confineFiles(const Sandbox& sandbox) {
     const std::uint64_t writing = reading | kWriteFile | kTruncate | kMakeFile | kMakeFolder | kRemoveFile;
     const std::uint64_t device = reading | kWriteFile | kControlDevice;
     int problem = 0;
-    const auto allowAll = [&](const std::vector<fs::path>& paths, std::uint64_t rights) {
-        for (const fs::path& each : paths)
-            if (problem == 0) problem = allow(rules, each.empty() ? "." : each, rights & handled.files);
+    const auto allowAll = [&](const std::vector<Reach>& paths, std::uint64_t rights) {
+        for (const Reach& each : paths)
+            if (problem == 0) problem = allow(rules, each, rights & handled.files);
     };
     allowAll(sandbox.readable, reading);
     allowAll(sandbox.writable, writing);

@@ -52,4 +52,11 @@ void MemoryLimit::set(std::uint64_t bytes) const {
     ::setrlimit(RLIMIT_DATA, &limit);
 }
 
+void MemoryLimit::setForever(std::uint64_t bytes) const {
+    rlimit limit{};
+    if (bytes == 0 || bytes >= RLIM_INFINITY - base_ || ::getrlimit(RLIMIT_DATA, &limit) != 0) return;
+    limit.rlim_max = limit.rlim_cur = std::min<rlim_t>(limit.rlim_max, base_ + bytes);
+    ::setrlimit(RLIMIT_DATA, &limit);
+}
+
 }  // namespace glibra::base

@@ -21,6 +21,9 @@ class MemoryLimit {
     MemoryLimit();
     /// Replaces the limit; 0: no limit. It outlives the object.
     void set(std::uint64_t bytes) const;
+    /// Sets a limit that this process can never raise again, unless it has the rights of the superuser; 0: no
+    /// limit.
+    void setForever(std::uint64_t bytes) const;
 
   private:
     std::uint64_t base_;

@@ -1,6 +1,7 @@
 #include "base/sandbox.h"
 
 #ifdef __linux__
+#include <linux/capability.h>
 #include <sys/prctl.h>
 #endif
 #include <fcntl.h>
@@ -8,8 +9,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <climits>
+#include <cstdint>
 #include <cstring>
 #include <string>
 
@@ -81,6 +84,29 @@ void addSystem(Sandbox& sandbox) {
     for (const char* each : {"/dev/null", "/dev/zero"}) sandbox.devices.emplace_back(each);
 }
 
+#ifdef __linux__
+/// Gives up the rights of the superuser but those to files of others, which a check of modes would refuse:
+/// with the right to raise limits (CAP_SYS_RESOURCE), no limit of memory would hold. Returns false if that
+/// fails.
+bool giveUpRights() {
+    __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
+    std::array<__user_cap_data_struct, _LINUX_CAPABILITY_U32S_3> rights{};
+    if (::syscall(SYS_capget, &header, rights.data()) != 0) return false;
+    constexpr std::uint32_t kKept = (1U << CAP_DAC_OVERRIDE) | (1U << CAP_DAC_READ_SEARCH);
+    bool isChanged = false;
+    for (std::size_t i = 0; i < rights.size(); ++i) {
+        const std::uint32_t kept = i == 0 ? kKept : 0;
+        const __user_cap_data_struct before = rights[i];
+        rights[i].effective &= kept;
+        rights[i].permitted &= kept;
+        rights[i].inheritable = 0;
+        isChanged = isChanged || before.effective != rights[i].effective ||
+                    before.permitted != rights[i].permitted || before.inheritable != 0;
+    }
+    return !isChanged || ::syscall(SYS_capset, &header, rights.data()) == 0;
+}
+#endif
+
 }  // namespace
 
 std::string missingForSandbox() {
@@ -100,6 +126,7 @@ std::string enterSandbox(const Sandbox& sandbox, std::span<const int> kept) {
         if (!(each == 1 && sandbox.standardOutput) && ::dup2(null, each) < 0) return failed("/dev/null");
     ::close(null);
     if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return failed("no_new_privs");
+    if (!giveUpRights()) return failed("capset");
     Sandbox whole = sandbox;
     addSystem(whole);
     if (std::string problem = confineFiles(whole); !problem.empty()) return problem;

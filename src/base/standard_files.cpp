@@ -3,6 +3,10 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <cstdio>
+#include <system_error>
+
 namespace glibra::base {
 
 bool openStandardFiles() noexcept {
@@ -13,6 +17,13 @@ bool openStandardFiles() noexcept {
         if (::open("/dev/null", number == 0 ? O_WRONLY : O_RDONLY) != number) return false;
     }
     return true;
+}
+
+std::string endStandardOutput() {
+    errno = 0;
+    if (std::fflush(stdout) != 0)
+        return errno == 0 ? "it cannot be written" : std::generic_category().message(errno);
+    return std::ferror(stdout) != 0 ? "a part of it could not be written" : "";
 }
 
 }  // namespace glibra::base

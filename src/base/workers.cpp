@@ -11,12 +11,16 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <deque>
+#include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/memory_limit.h"
@@ -32,7 +36,14 @@ constexpr std::uint32_t kLargestMessage = 1U << 28U;
 /// A process has one state of this kind, as it has one process id.
 bool thisProcessIsWorker = false;
 
-enum class MessageKind : std::uint32_t { step, answer };
+/// Of the step that this worker is at.
+struct StepLimit {
+    std::atomic<double> seconds{0};  ///< 0: no limit
+    std::atomic<Clock::time_point> start{};
+};
+StepLimit thisStep;
+
+enum class MessageKind : std::uint32_t { step, answer, deviceLost };
 struct Header {
     MessageKind kind{};
     std::uint32_t bytes = 0;
@@ -62,6 +73,10 @@ bool receiveAll(int file, void* data, std::size_t size) {
     return true;
 }
 
+double secondsOf(const WorkerOptions& options, std::size_t piece) {
+    return options.timeoutOf ? options.timeoutOf(piece) : options.timeout;
+}
+
 std::uint64_t memoryOf(const WorkerOptions& options, std::size_t piece) {
     return options.memoryOf ? options.memoryOf(piece) : options.memory;
 }
@@ -72,8 +87,9 @@ void send(int file, MessageKind kind, const std::string& text) {
 }
 
 /// The worker's main loop: reads pieces and writes answers until the parent closes the pipe.
+/// In a sandbox, `memory` is a limit that nothing in the worker can raise.
 [[noreturn]] void servePieces(int requests, int answers, std::size_t count, const WorkerOptions& options,
-                              const Work& work) {
+                              const Work& work, std::uint64_t memory) {
 #ifdef __linux__
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     // When memory runs out, the kernel should end a worker, not the parent that holds all results.
@@ -86,14 +102,24 @@ void send(int file, MessageKind kind, const std::string& text) {
     ::signal(SIGTERM, SIG_DFL);
     thisProcessIsWorker = true;
     const MemoryLimit limit;
+    if (options.sandbox) limit.setForever(memory);
     if (options.sandbox && !enterSandbox(*options.sandbox, std::array{requests, answers}).empty()) ::_exit(1);
     std::uint64_t index = 0;
     while (receiveAll(requests, &index, sizeof index)) {
         if (index >= count) ::_exit(1);  // something else has written into the pipe
         limit.set(memoryOf(options, index));
-        const std::string answer =
-            work(index, [answers](const std::string& text) { send(answers, MessageKind::step, text); });
-        send(answers, MessageKind::answer, answer);
+        thisStep.seconds = secondsOf(options, index);
+        thisStep.start = Clock::now();
+        try {
+            const std::string answer = work(index, [answers](const std::string& text) {
+                send(answers, MessageKind::step, text);
+                thisStep.start = Clock::now();
+            });
+            send(answers, MessageKind::answer, answer);
+        } catch (const DeviceLost& lost) {
+            send(answers, MessageKind::deviceLost, toText(lost));
+            break;
+        }
     }
     std::fflush(nullptr);
     ::_exit(0);
@@ -101,15 +127,17 @@ void send(int file, MessageKind kind, const std::string& text) {
 
 struct Worker {
     pid_t process = -1;
-    int requests = -1;     ///< we write
-    int answers = -1;      ///< we read
-    std::string received;  ///< of its answers, not yet a whole message
+    int requests = -1;         ///< we write
+    int answers = -1;          ///< we read
+    std::uint64_t memory = 0;  ///< that it may take
+    std::string received;      ///< of its answers, not yet a whole message
     std::optional<std::size_t> piece;
+    bool isAlone = false;  ///< no other worker has had a piece since this one began its own
     Clock::time_point deadline = Clock::time_point::max();
 };
 
 std::optional<Worker> start(std::size_t count, const WorkerOptions& options, const Work& work,
-                            const std::vector<Worker>& others) {
+                            const std::vector<Worker>& others, std::uint64_t memory) {
     std::array<int, 2> requests{};
     std::array<int, 2> answers{};
     if (::pipe(requests.data()) != 0) return std::nullopt;
@@ -128,7 +156,7 @@ std::optional<Worker> start(std::size_t count, const WorkerOptions& options, con
         }
         ::close(requests[1]);
         ::close(answers[0]);
-        servePieces(requests[0], answers[1], count, options, work);
+        servePieces(requests[0], answers[1], count, options, work, memory);
     }
     ::close(requests[0]);
     ::close(answers[1]);
@@ -141,6 +169,7 @@ std::optional<Worker> start(std::size_t count, const WorkerOptions& options, con
     worker.process = process;
     worker.requests = requests[1];
     worker.answers = answers[0];
+    worker.memory = memory;
     return worker;
 }
 
@@ -178,21 +207,22 @@ class Pool {
         struct sigaction before {};
         ignore.sa_handler = SIG_IGN;
         ::sigaction(SIGPIPE, &ignore, &before);
-        while (next_ < count_ || busy() > 0) {
+        while (next_ < count_ || !again_.empty() || busy() > 0) {
             if (options_.stop && options_.stop()) {
                 for (Worker& worker : workers_)
                     if (worker.piece) end(worker, {.end = Outcome::End::stopped});
                 break;
             }
-            for (Worker& worker : workers_)
-                if (!worker.piece && next_ < count_) give(worker);
+            for (Worker& worker : workers_) {
+                if (worker.piece) continue;
+                if (next_ < count_)
+                    give(worker, next_);
+                else if (!again_.empty() && busy() == 0)
+                    give(worker, again_.front());
+            }
             if (busy() > 0) waitForNews();
         }
-        for (Worker& worker : workers_) {
-            // One that has been taken over may not end by itself.
-            if (options_.sandbox && worker.process > 0) ::kill(worker.process, SIGKILL);
-            finish(worker);
-        }
+        for (Worker& worker : workers_) dismiss(worker);
         ::sigaction(SIGPIPE, &before, nullptr);
     }
 
@@ -202,26 +232,45 @@ class Pool {
             workers_.begin(), workers_.end(), [](const Worker& each) { return each.piece.has_value(); }));
     }
 
+    /// Ends a worker that has no piece.
+    void dismiss(Worker& worker) const {
+        // One that has been taken over may not end by itself.
+        if (options_.sandbox && worker.process > 0) ::kill(worker.process, SIGKILL);
+        finish(worker);
+    }
+
     void beginStep(Worker& worker) const {
-        const double seconds = options_.timeoutOf ? options_.timeoutOf(*worker.piece) : options_.timeout;
+        const double seconds =
+            options_.timeLeft ? options_.timeLeft(*worker.piece) : secondsOf(options_, *worker.piece);
         worker.deadline = seconds > 0 ? Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                                            std::chrono::duration<double>(seconds))
                                       : Clock::time_point::max();
     }
 
-    void give(Worker& worker) {
+    /// Gives the first piece that waits: `piece` is that of next_ or of again_.
+    void give(Worker& worker, std::size_t piece) {
+        const bool isRepeated = piece != next_;
+        const std::uint64_t memory = memoryOf(options_, piece);
+        // What a worker has opened on the device may be lost like that of the one before. The limit of memory
+        // of a confined worker cannot be raised.
+        if (isRepeated || (options_.sandbox && worker.process >= 0 && worker.memory != memory))
+            dismiss(worker);
         if (worker.process < 0) {
-            std::optional<Worker> started = start(count_, options_, work_, workers_);
-            if (!started) {
-                if (busy() > 0) return;  // try again when another worker is done
-                done_(next_++, {.end = Outcome::End::crashed});
-                return;
-            }
-            worker = *started;
+            std::optional<Worker> started = start(count_, options_, work_, workers_, memory);
+            if (!started && busy() > 0) return;  // try again when another worker is done
+            if (started) worker = *started;
         }
+        if (isRepeated)
+            again_.pop_front();
+        else
+            ++next_;
+        if (worker.process < 0) return done_(piece, {.end = Outcome::End::crashed});
         worker.received.clear();
-        worker.piece = next_++;
-        const std::uint64_t index = *worker.piece;
+        worker.isAlone = busy() == 0;
+        for (Worker& other : workers_)
+            if (other.piece) other.isAlone = false;
+        worker.piece = piece;
+        const std::uint64_t index = piece;
         sendAll(worker.requests, &index, sizeof index);
         beginStep(worker);
     }
@@ -229,12 +278,22 @@ class Pool {
     void end(Worker& worker, Outcome outcome) {
         const std::size_t piece = *worker.piece;
         outcome.process = worker.process;
+        outcome.wasAlone = worker.isAlone;
         if (outcome.end != Outcome::End::crashed) ::kill(worker.process, SIGKILL);
         const Ended ended = finish(worker);
         if (outcome.end == Outcome::End::crashed) {
             outcome.signal = ended.signal;
             const std::uint64_t memory = memoryOf(options_, piece);
             outcome.nearMemoryLimit = memory > 0 && ended.peakMemory > memory / 2;
+        }
+        if (outcome.end == Outcome::End::deviceLost && options_.sharesDevice)
+            for (Worker& other : workers_)
+                if (other.piece) beginStep(other);
+        if (options_.repeats && mayBeInnocent(outcome, options_.sharesDevice, times_[piece])) {
+            ++times_[piece];
+            again_.push_back(piece);
+            if (options_.repeated) options_.repeated(piece, outcome);
+            return;
         }
         done_(piece, outcome);
     }
@@ -252,23 +311,36 @@ class Pool {
         }
     }
 
+    /// For a worker that has been taken over by what it reads.
+    void endAsCrashed(Worker& worker) {
+        ::kill(worker.process, SIGKILL);
+        end(worker, {.end = Outcome::End::crashed});
+    }
+
     /// Takes the first message of what was received. False if it is not whole.
     bool takeMessage(Worker& worker) {
         Header header;
         if (worker.received.size() < sizeof header) return false;
         std::memcpy(&header, worker.received.data(), sizeof header);
         const bool isStep = header.kind == MessageKind::step;
-        if ((!isStep && header.kind != MessageKind::answer) || header.bytes > kLargestMessage) {
-            ::kill(worker.process, SIGKILL);  // it has been taken over by what it reads
-            end(worker, {.end = Outcome::End::crashed});
+        const bool isLost = header.kind == MessageKind::deviceLost;
+        if ((!isStep && !isLost && header.kind != MessageKind::answer) || header.bytes > kLargestMessage) {
+            endAsCrashed(worker);
             return false;
         }
         if (worker.received.size() - sizeof header < header.bytes) return false;
         std::string text = worker.received.substr(sizeof header, header.bytes);
         worker.received.erase(0, sizeof header + header.bytes);
         if (isStep) {
-            beginStep(worker);
             progress_(*worker.piece, text);
+            beginStep(worker);
+        } else if (isLost) {
+            std::optional<DeviceLost> lost = parseDeviceLost(text);
+            if (!lost)
+                endAsCrashed(worker);
+            else
+                end(worker, {.end = Outcome::End::deviceLost, .lost = std::move(*lost)});
+            return false;
         } else {
             const std::size_t piece = *worker.piece;
             worker.piece.reset();
@@ -313,12 +385,28 @@ class Pool {
     const std::function<void(std::size_t, const std::string&)>& progress_;
     std::vector<Worker> workers_;
     std::size_t next_ = 0;
+    std::deque<std::size_t> again_;     ///< pieces to be done again, each alone
+    std::map<std::size_t, int> times_;  ///< how often that was so
 };
 
 }  // namespace
 
+bool mayBeInnocent(const Outcome& outcome, bool sharesDevice, int times) {
+    constexpr int kMostTimes = 3;  // other programs may go on and on
+    if (outcome.end == Outcome::End::timedOut) return sharesDevice && !outcome.wasAlone && times == 0;
+    if (outcome.end != Outcome::End::deviceLost || outcome.lost.cause == ResetCause::own) return false;
+    if (outcome.lost.cause == ResetCause::unknown && outcome.wasAlone) return false;
+    return times < kMostTimes;
+}
+
 bool isWorker() {
     return thisProcessIsWorker;
+}
+
+std::optional<StepTime> stepTime() {
+    if (!thisProcessIsWorker || thisStep.seconds <= 0) return std::nullopt;
+    const double passed = std::chrono::duration<double>(Clock::now() - thisStep.start.load()).count();
+    return StepTime{thisStep.seconds, std::max(0., thisStep.seconds - passed)};
 }
 
 void runInWorkers(std::size_t count, const WorkerOptions& options, const Work& work,

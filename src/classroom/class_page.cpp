@@ -167,6 +167,10 @@ std::string cardHtml(const Classroom& room, std::size_t index) {
     if (const std::optional<Nearest> nearest = nearestOf(room, index))
         html += fmt::format("<p class=\"near\">{} of its shader code is like that of {}</p>",
                             percent(nearest->share), link(room, nearest->entry));
+    if (!entry.notCompared.empty())
+        html += fmt::format(
+            "<p class=\"near\">Not compared with other submissions: {}</p>",
+            escapeXml(base::printableText(fmt::format("{}", fmt::join(entry.notCompared, "; ")))));
     return html + factsHtml(room, entry) + "</article>\n";
 }
 

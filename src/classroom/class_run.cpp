@@ -121,9 +121,28 @@ class ClassRun {
                 suite::Shot shot = plan_.moments[moment].shot;
                 shot.name = pictureName(entry, moment);
                 shot.script = entryOf(entry).submission.scene;
-                if (entry > 0) shot.options.within = entryOf(entry).submission.folder;
+                if (entry > 0) confine(entryOf(entry).submission, shot.options);
                 suite_.shots.push_back(std::move(shot));
             }
+    }
+
+    /// A submission reads its own folder, the library, and what was given to all: the hand-out, and `shaders`
+    /// and `textures` beside the submissions. What lies above is the teacher's, as is the reference.
+    void confine(const Submission& submission, RenderOptions& options) const {
+        options.within = submission.folder;
+        if (submission.scene.empty()) return;
+        for (const fs::path& each : plan_.given)
+            if (std::error_code failure; fs::is_directory(each, failure))
+                options.libraryRoots.push_back(each);
+        const fs::path own = submission.folder.lexically_normal();
+        for (fs::path each = submission.scene.lexically_normal().parent_path();; each = each.parent_path()) {
+            std::error_code failure;
+            // A library of its own comes before the one beside the submissions.
+            if (fs::is_directory(each / "shaders", failure) || fs::is_directory(each / "textures", failure))
+                return;
+            if (each == own || each == each.parent_path()) break;
+        }
+        options.libraryRoots.push_back(plan_.folder);
     }
 
     void draw(const std::vector<std::size_t>& shots) {
@@ -135,6 +154,7 @@ class ClassRun {
         options.timeout = options_.timeout;
         options.memory = options_.memory;
         options.onlyRender = plan_.site / kPictures;
+        options.refusesMisspelt = true;
         options.sandbox = options_.drawing;
         suite::RunEvents events;
         events.begins = [&](const ShotReference& each) {
@@ -279,10 +299,14 @@ class ClassRun {
                     withoutId(Severity::warning,
                               "the scene, its shaders and pictures could not be reviewed within the limits",
                               {entry.submission.scene.string(), 1, 1}));
+            entry.notCompared.emplace_back("everything, because the review did not end");
             return;
         }
         entry.programs = std::move(found->programs);
         entry.files = std::move(found->files);
+        entry.notCompared = std::move(found->notCompared);
+        if (entry.submission.scene.empty())
+            entry.notCompared.emplace_back("everything, because there is no scene");
         for (std::size_t i = 0; i < std::min(found->scores.size(), entry.pictures.size()); ++i)
             entry.pictures[i].score = found->scores[i];
     }
@@ -292,18 +316,50 @@ class ClassRun {
         GivenCode code;
         for (const SourceFile& each : room.reference.files) addGivenCode(code, each.tokens);
         for (const SourceFile& each : given) addGivenCode(code, each.tokens);
-        // Scenes that lie in one folder may share a shader; none of them has copied it.
-        std::map<std::string, std::size_t> users;
-        for (const Entry& each : room.entries) {
-            std::set<std::string> paths;
-            for (const SourceFile& file : each.files) paths.insert(file.path);
-            for (const std::string& path : paths) ++users[path];
+        const auto placeOf = [](const std::string& path) {
+            std::error_code failure;
+            const fs::path place = fs::weakly_canonical(path, failure);
+            return failure ? path : place.string();
+        };
+        std::set<std::string> ofReference;
+        for (const SourceFile& each : room.reference.files) ofReference.insert(placeOf(each.path));
+        std::map<std::string, std::vector<std::size_t>> users;
+        std::vector<std::vector<std::string>> places;
+        for (std::size_t i = 0; i < room.entries.size(); ++i) {
+            places.emplace_back();
+            for (SourceFile& file : room.entries[i].files) {
+                file.place = placeOf(file.path);
+                places.back().push_back(file.place);
+                std::vector<std::size_t>& of = users[places.back().back()];
+                if (of.empty() || of.back() != i) of.push_back(i);
+            }
+            room.fingerprints.push_back(fingerprintsOf(room.entries[i].files, code));
         }
-        for (Entry& each : room.entries) {
-            std::erase_if(each.files, [&](const SourceFile& file) { return users[file.path] > 1; });
-            room.fingerprints.push_back(fingerprintsOf(each.files, code));
+        // Scenes that lie in one folder may share a shader. Between those that read it, it is no copy.
+        for (const auto& [place, of] : users)
+            for (const std::size_t each : of) nameShared(each, place, of, ofReference.contains(place));
+        room.pairs = similarPairs(room.fingerprints, places);
+    }
+
+    /// Names a file of an entry that others use, too.
+    void nameShared(std::size_t index, const std::string& place, const std::vector<std::size_t>& users,
+                    bool isOfReference) {
+        constexpr std::size_t kMostNames = 3;
+        Entry& entry = end_.classroom.entries[index];
+        const std::string name = fs::path(place).filename().string();
+        if (isOfReference) entry.notCompared.push_back(fmt::format("'{}' is a file of the reference", name));
+        if (users.size() < 2) return;
+        std::string others;
+        std::size_t named = 0;
+        for (const std::size_t each : users) {
+            if (each == index) continue;
+            if (named++ == kMostNames) break;
+            others += (others.empty() ? "" : ", ") + end_.classroom.entries[each].submission.name;
         }
-        room.pairs = similarPairs(room.fingerprints);
+        if (users.size() - 1 > kMostNames)
+            others += fmt::format(" and {} more", users.size() - 1 - kMostNames);
+        entry.notCompared.push_back(fmt::format("'{}' with {}, which {} the same file", name, others,
+                                                users.size() == 2 ? "uses" : "use"));
     }
 
     const ClassPlan& plan_;

@@ -53,7 +53,9 @@ struct Entry {
     Diagnostics diagnostics;        ///< each once
     std::vector<UsedProgram> programs;
     std::vector<SourceFile> files;  ///< shaders of its own folder
-    std::string reproduce;          ///< the command that draws its first picture
+    /// What was left out of the search for similar code, and why: one phrase each.
+    std::vector<std::string> notCompared;
+    std::string reproduce;  ///< the command that draws its first picture
 };
 
 struct Classroom {

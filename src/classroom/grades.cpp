@@ -71,9 +71,9 @@ std::string csvField(std::string_view text) {
 std::string gradesCsv(const Classroom& classroom) {
     const bool several = classroom.moments.size() > 1;
     Line head;
-    for (const char* each :
-         {"submission", "state", "reason", "scene", "pictures", "drawn", "flip", "worst flip", "structure",
-          "worst structure", "errors", "warnings", "stages", "uniforms", "most similar", "similarity"})
+    for (const char* each : {"submission", "state", "reason", "scene", "pictures", "drawn", "flip",
+                             "worst flip", "structure", "worst structure", "errors", "warnings", "stages",
+                             "uniforms", "most similar", "similarity", "not compared"})
         head.text(each);
     if (several)
         for (const Moment& each : classroom.moments) {
@@ -118,6 +118,7 @@ std::string gradesCsv(const Classroom& classroom) {
         const std::optional<Nearest> nearest = nearestOf(classroom, i);
         line.text(nearest ? classroom.entries[nearest->entry].submission.name : "");
         line.score(nearest ? std::optional(nearest->share) : std::nullopt);
+        line.text(fmt::format("{}", fmt::join(entry.notCompared, "; ")));
         if (several)
             for (std::size_t moment = 0; moment < classroom.moments.size(); ++moment) {
                 const std::optional<Score> score =

@@ -1,5 +1,7 @@
 #include "classroom/review.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -65,7 +67,10 @@ class Sources {
             const std::string key = given ? path + ":" + std::to_string(file.place.line) : path;
             if (!seen.insert(key).second) continue;
             const std::optional<std::string> text = given ? given : textOf(opened(path));
-            if (!text) continue;
+            if (!text) {
+                leaveOut(path, "cannot be read as text");
+                continue;
+            }
             for (DeclaredUniform& each : declaredUniforms(*text)) uniforms.push_back(std::move(each));
             for (const std::string& each : includedNames(*text)) {
                 const scene::FileReference found =
@@ -74,10 +79,14 @@ class Sources {
             }
             compare(key, path, *text);
         }
+        if (!open.empty()) leaveOut({}, fmt::format("files after the first {} of a stage", kMostFiles));
         return uniforms;
     }
 
-    std::vector<SourceFile> take() { return std::move(files_); }
+    void takeInto(Review& review) {
+        review.files = std::move(files_);
+        review.notCompared = std::move(notCompared_);
+    }
 
   private:
     [[nodiscard]] base::Descriptor opened(const fs::path& path) const {
@@ -90,10 +99,25 @@ class Sources {
 
     /// Keeps the tokens of a text that belongs to the submission.
     void compare(const std::string& key, const std::string& path, const std::string& text) {
-        if (files_.size() >= kMostFiles || !compared_.insert(key).second) return;
-        if (!options_.within.empty() && !own_.contains(path)) return;
-        files_.push_back({path, comparableTokens(text, kMostTokens - count_)});
+        if (!compared_.insert(key).second) return;
+        if (!options_.within.empty() && !own_.contains(path)) return leaveOut(path, "is of the library");
+        if (files_.size() >= kMostFiles)
+            return leaveOut({}, fmt::format("files after the first {}", kMostFiles));
+        const std::size_t left = kMostTokens - count_;
+        files_.push_back({path, comparableTokens(text, left + 1)});
+        if (std::vector<SourceToken>& tokens = files_.back().tokens; tokens.size() > left) {
+            tokens.resize(left);
+            leaveOut(path, fmt::format("after its first {} tokens", left));
+        }
         count_ += files_.back().tokens.size();
+    }
+
+    /// Remembers what is not compared, each once.
+    void leaveOut(const fs::path& path, const std::string& why) {
+        std::string text = path.empty() ? why : fmt::format("'{}' {}", path.filename().string(), why);
+        if (notCompared_.size() < kMostFiles &&
+            std::find(notCompared_.begin(), notCompared_.end(), text) == notCompared_.end())
+            notCompared_.push_back(std::move(text));
     }
 
     const scene::Scene& scene_;
@@ -102,13 +126,17 @@ class Sources {
     base::Roots readable_, own_;
     std::set<std::string> compared_;
     std::vector<SourceFile> files_;
+    std::vector<std::string> notCompared_;
     std::size_t count_ = 0;  ///< of tokens
 };
 
 void reviewScene(const ReviewTask& task, Review& result) {
     render::Stats stats;
     const Result<render::InterpretedScene> read = render::interpretFile(task.scene, task.options, stats);
-    if (!read) return;
+    if (!read) {
+        result.notCompared.emplace_back("everything, because the scene cannot be read");
+        return;
+    }
     const scene::Scene& scene = read->scene;
     Sources sources(scene, task.options);
     for (const scene::Program& program : scene.programs) {
@@ -122,7 +150,7 @@ void reviewScene(const ReviewTask& task, Review& result) {
         used.uniforms.erase(std::unique(used.uniforms.begin(), used.uniforms.end()), used.uniforms.end());
         result.programs.push_back(std::move(used));
     }
-    result.files = sources.take();
+    sources.takeInto(result);
 }
 
 void addGivenFile(const fs::path& path, std::size_t& tokens, Review& result) {
@@ -177,7 +205,10 @@ Review review(const ReviewTask& task) {
 }
 
 std::string toText(const Review& review) {
-    Json json = {{"programs", Json::array()}, {"files", Json::array()}, {"scores", Json::array()}};
+    Json json = {{"programs", Json::array()},
+                 {"files", Json::array()},
+                 {"scores", Json::array()},
+                 {"notCompared", review.notCompared}};
     for (const UsedProgram& each : review.programs) {
         Json uniforms = Json::array();
         for (const DeclaredUniform& one : each.uniforms) uniforms.push_back({one.name, one.type});
@@ -216,6 +247,7 @@ std::optional<Review> parseReview(std::string_view text) try {
             file.tokens.push_back({codes.at(i).get<std::uint32_t>(), lines.at(i).get<std::int32_t>()});
         result.files.push_back(std::move(file));
     }
+    result.notCompared = json.at("notCompared").get<std::vector<std::string>>();
     for (const Json& each : json.at("scores")) {
         std::optional<Score>& score = result.scores.emplace_back();
         if (each.is_null()) continue;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "classroom/classroom.h"
+#include "glib/limits.h"
 
 namespace glibra::classroom {
 
@@ -27,11 +28,12 @@ struct ReviewTask {
 struct Review {
     std::vector<UsedProgram> programs;
     std::vector<SourceFile> files;             ///< with a `within` only those of that folder
+    std::vector<std::string> notCompared;      ///< the other shaders, and what is too large: one phrase each
     std::vector<std::optional<Score>> scores;  ///< one per pair of pictures; nothing if one cannot be read
 };
 
-/// A shader source of more than this many bytes is not compared.
-inline constexpr std::uint64_t kLargestSource = std::uint64_t{1} << 20;
+/// A shader source of more than this many bytes is not compared. No scene can use one.
+inline constexpr std::uint64_t kLargestSource = glib::kLargestFile;
 
 /// Reads no file outside of `options.within` and the library.
 Review review(const ReviewTask& task);

@@ -1,6 +1,8 @@
 #include "classroom/similarity.h"
 
 #include <algorithm>
+#include <limits>
+#include <string>
 #include <tuple>
 #include <unordered_map>
 #include <utility>
@@ -16,13 +18,49 @@ std::uint64_t mixed(std::uint64_t value) {
     return value ^ (value >> 33U);
 }
 
-std::vector<std::uint64_t> distinctHashes(const std::vector<Fingerprint>& fingerprints) {
-    std::vector<std::uint64_t> hashes;
-    hashes.reserve(fingerprints.size());
-    for (const Fingerprint& each : fingerprints) hashes.push_back(each.hash);
-    std::sort(hashes.begin(), hashes.end());
-    hashes.erase(std::unique(hashes.begin(), hashes.end()), hashes.end());
-    return hashes;
+constexpr std::uint64_t kSeveral = std::numeric_limits<std::uint64_t>::max();
+
+/// A hash that a submission has, and the file in which it has it.
+struct Owned {
+    std::uint64_t hash = 0;
+    std::uint32_t submission = 0;
+    std::uint64_t file = kSeveral;  ///< kSeveral: it is in several files
+};
+
+/// Numbers for files; two submissions have the same number for a file that both use.
+class FileNumbers {
+  public:
+    explicit FileNumbers(std::span<const std::vector<std::string>> files) : files_(files) {}
+
+    std::uint64_t of(std::size_t submission, std::uint32_t file) {
+        if (submission >= files_.size() || file >= files_[submission].size())
+            return std::uint64_t{1} << 63U | submission << 32U | file;
+        return numbers_.try_emplace(files_[submission][file], numbers_.size()).first->second;
+    }
+
+  private:
+    std::span<const std::vector<std::string>> files_;
+    std::unordered_map<std::string, std::uint64_t> numbers_;
+};
+
+/// The distinct hashes of a submission.
+std::vector<Owned> ownedHashes(const std::vector<Fingerprint>& fingerprints, std::size_t submission,
+                               FileNumbers& numbers) {
+    std::vector<Owned> all;
+    all.reserve(fingerprints.size());
+    for (const Fingerprint& each : fingerprints)
+        all.push_back(
+            {each.hash, static_cast<std::uint32_t>(submission), numbers.of(submission, each.place.file)});
+    std::sort(all.begin(), all.end(),
+              [](const Owned& one, const Owned& other) { return one.hash < other.hash; });
+    std::vector<Owned> distinct;
+    for (const Owned& each : all) {
+        if (distinct.empty() || distinct.back().hash != each.hash)
+            distinct.push_back(each);
+        else if (distinct.back().file != each.file)
+            distinct.back().file = kSeveral;
+    }
+    return distinct;
 }
 
 /// The tokens that passages already have.
@@ -83,24 +121,30 @@ std::vector<Fingerprint> fingerprintsOf(std::span<const SourceFile> files, const
     return kept;
 }
 
-std::vector<SimilarPair> similarPairs(std::span<const std::vector<Fingerprint>> submissions) {
-    std::vector<std::pair<std::uint64_t, std::uint32_t>> all;  // hash, submission
+std::vector<SimilarPair> similarPairs(std::span<const std::vector<Fingerprint>> submissions,
+                                      std::span<const std::vector<std::string>> files) {
+    std::vector<Owned> all;
     std::vector<std::size_t> counts;
+    FileNumbers numbers(files);
     for (std::size_t i = 0; i < submissions.size(); ++i) {
-        const std::vector<std::uint64_t> hashes = distinctHashes(submissions[i]);
-        counts.push_back(hashes.size());
-        for (const std::uint64_t each : hashes) all.emplace_back(each, static_cast<std::uint32_t>(i));
+        const std::vector<Owned> own = ownedHashes(submissions[i], i, numbers);
+        counts.push_back(own.size());
+        all.insert(all.end(), own.begin(), own.end());
     }
-    std::sort(all.begin(), all.end());
+    std::sort(all.begin(), all.end(), [](const Owned& one, const Owned& other) {
+        return std::tuple(one.hash, one.submission) < std::tuple(other.hash, other.submission);
+    });
     // The number of shared fingerprints of each pair (a, b), a < b, at row b of a triangle.
     const std::size_t count = submissions.size();
     std::vector<std::uint32_t> shared(count * (count > 0 ? count - 1 : 0) / 2, 0);
     const auto at = [](std::size_t a, std::size_t b) { return b * (b - 1) / 2 + a; };
     for (std::size_t begin = 0; begin < all.size();) {
         std::size_t end = begin;
-        while (end < all.size() && all[end].first == all[begin].first) ++end;
+        while (end < all.size() && all[end].hash == all[begin].hash) ++end;
         for (std::size_t i = begin; i < end; ++i)
-            for (std::size_t k = begin; k < i; ++k) ++shared[at(all[k].second, all[i].second)];
+            for (std::size_t k = begin; k < i; ++k)
+                if (all[k].file != all[i].file || all[k].file == kSeveral)
+                    ++shared[at(all[k].submission, all[i].submission)];
         begin = end;
     }
     std::vector<SimilarPair> pairs;
@@ -158,7 +202,8 @@ std::vector<SharedPassage> sharedPassages(std::span<const SourceFile> filesA, st
         if (known == places.end() || coveredA.at(each.place)) continue;
         SharedPassage longest;
         for (const TokenPlace& other : known->second) {
-            if (!isSame(each.place, other)) continue;
+            const std::string& place = filesA[each.place.file].place;
+            if ((!place.empty() && place == filesB[other.file].place) || !isSame(each.place, other)) continue;
             const SharedPassage passage = extended(each.place, other);
             if (passage.tokens > longest.tokens) longest = passage;
         }

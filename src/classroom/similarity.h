@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <unordered_set>
 #include <vector>
 
@@ -52,9 +53,12 @@ struct SimilarPair {
 inline constexpr std::size_t kLeastShared = 5;
 inline constexpr double kLeastFigure = 0.25;
 
-/// All pairs that reach both limits, the most similar first. Takes time in proportion to the number of pairs
-/// that share a fingerprint, counted for each fingerprint.
-std::vector<SimilarPair> similarPairs(std::span<const std::vector<Fingerprint>> submissions);
+/// All pairs that reach both limits, the most similar first. `files` names the files of each submission, as
+/// TokenPlace::file counts them: a fingerprint that two submissions have only in one and the same file is not
+/// shared by them. Without it no file belongs to two submissions. Takes time in proportion to the number of
+/// pairs that share a fingerprint, counted for each fingerprint.
+std::vector<SimilarPair> similarPairs(std::span<const std::vector<Fingerprint>> submissions,
+                                      std::span<const std::vector<std::string>> files = {});
 
 /// A passage that two submissions share.
 struct SharedPassage {
@@ -64,7 +68,7 @@ struct SharedPassage {
 
 /// The passages that two submissions share, the longest first, at most `most`. They begin at equal
 /// fingerprints and are extended as far as the tokens are equal; none overlaps another. Given code is shown
-/// only where it is inside of a passage.
+/// only where it is inside of a passage. Files in one place are one file, which is not compared with itself.
 std::vector<SharedPassage> sharedPassages(std::span<const SourceFile> filesA, std::span<const Fingerprint> a,
                                           std::span<const SourceFile> filesB, std::span<const Fingerprint> b,
                                           std::size_t most);

@@ -34,17 +34,16 @@ fs::file_type typeOf(const fs::directory_entry& entry) {
     return entry.symlink_status(failure).type();
 }
 
-/// The scenes below a folder, relative to it, in the order of their paths. False in `whole` if there are more
-/// entries than are looked at.
-std::vector<fs::path> scenesBelow(const fs::path& folder, bool& whole) {
+/// The scenes below a folder, relative to it, in the order of their paths. `problem` says why they may not be
+/// all: there are more entries than are looked at, or a folder cannot be listed.
+std::vector<fs::path> scenesBelow(const fs::path& folder, std::string& problem, bool& isUnlisted) {
     std::vector<fs::path> scenes;
     std::error_code failure;
     std::size_t seen = 0;
-    whole = true;
-    fs::recursive_directory_iterator each(folder, fs::directory_options::skip_permission_denied, failure);
+    fs::recursive_directory_iterator each(folder, failure);
     for (; !failure && each != fs::recursive_directory_iterator(); each.increment(failure)) {
         if (++seen > kMostEntries) {
-            whole = false;
+            problem = fmt::format("the folder has more than {} files and folders", kMostEntries);
             break;
         }
         const fs::file_type type = typeOf(*each);
@@ -56,18 +55,19 @@ std::vector<fs::path> scenesBelow(const fs::path& folder, bool& whole) {
         if ((type == fs::file_type::regular || type == fs::file_type::symlink) && isScene(each->path()))
             scenes.push_back(each->path().lexically_relative(folder));
     }
+    isUnlisted = bool(failure);
+    if (isUnlisted)
+        problem = fmt::format("the folder, or one in it, cannot be listed: {}", failure.message());
     std::sort(scenes.begin(), scenes.end());
     return scenes;
 }
 
 Submission fromFolder(const fs::path& folder, const SubmissionOptions& options) {
     Submission made{folder.filename().string(), folder, {}, {}};
-    bool whole = true;
-    const std::vector<fs::path> scenes = scenesBelow(folder, whole);
+    const std::vector<fs::path> scenes = scenesBelow(folder, made.problem, made.isUnlisted);
     const ChosenScene chosen = chooseScene(scenes, made.name, options);
-    if (!whole)
-        made.problem = fmt::format("the folder has more than {} files and folders", kMostEntries);
-    else if (!chosen.problem.empty())
+    if (!made.problem.empty()) return made;
+    if (!chosen.problem.empty())
         made.problem = chosen.problem;
     else if (std::error_code failure; fs::is_symlink(folder / scenes[chosen.index], failure))
         made.problem =
@@ -168,6 +168,9 @@ Result<Submissions> findSubmissions(const fs::path& folder, const SubmissionOpti
                 found.leftOut.push_back(name);
         }
     }
+    if (failure)
+        return problem(fmt::format("cannot read all of the folder of submissions '{}': {}", folder.string(),
+                                   failure.message()));
     if (found.all.empty())
         return problem(fmt::format("'{}' has no submissions: expected a folder or a .glib file per student",
                                    folder.string()));

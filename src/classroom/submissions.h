@@ -16,6 +16,7 @@ struct Submission {
     std::filesystem::path folder;  ///< the scene may read what is in it and below, and nothing beside it
     std::filesystem::path scene;   ///< empty if there is none to draw
     std::string problem;           ///< why there is none; one sentence
+    bool isUnlisted = false;       ///< a folder could not be listed, which may have the scene
 };
 
 struct SubmissionOptions {

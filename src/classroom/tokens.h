@@ -19,10 +19,12 @@ struct SourceToken {
 struct SourceFile {
     std::string path;  ///< as messages name it
     std::vector<SourceToken> tokens;
+    std::string place{};  ///< of the file, without links; empty if it is not known
 };
 
-/// A file is read up to this number of tokens, and so are all files of a submission together.
-inline constexpr std::size_t kMostTokens = 60'000;
+/// A file is read up to this number of tokens, and so are all files of a submission together. It is far more
+/// than anybody writes, so that padding hides nothing behind it without being named.
+inline constexpr std::size_t kMostTokens = 1'000'000;
 
 /// The tokens of a GLSL text, at most `most`. Comments, blanks, preprocessor lines except #define, and global
 /// declarations of uniforms, inputs and outputs are left out, because the task gives them. All numbers have

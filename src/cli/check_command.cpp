@@ -1,5 +1,6 @@
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <functional>
@@ -22,8 +23,10 @@
 #include "cli/untrusted.h"
 #include "cli/written_files.h"
 #include "gpu/context/context.h"
+#include "gpu/context/hardware.h"
 #include "image/file.h"
 #include "render/check/answers.h"
+#include "render/check/misspellings.h"
 #include "render/scene_renderer.h"
 #include "suite/report/verdict_commands.h"
 #include "suite/run/run.h"
@@ -55,7 +58,8 @@ Diagnostics writeShaders(const std::vector<render::TranslatedShader>& shaders,
         const std::filesystem::path file = folder / std::filesystem::path(each.name).filename();
         Diagnostics refused = read.overwrittenBy(file, "--translated");
         if (refused.empty())
-            refused = image::writeFileAtomically(file, std::as_bytes(std::span(each.source)));
+            refused = image::writeFileAtomically(file, std::as_bytes(std::span(each.source)),
+                                                 image::NamedBy::program);
         append(problems, std::move(refused));
     }
     return problems;
@@ -91,8 +95,12 @@ class SceneChecker {
   private:
     /// What drawing the scene reports in addition, and its checks that do not hold.
     Diagnostics runOf(const std::string& scene, const RenderOptions& options, Diagnostics checked) {
-        if (hasError(checked)) return render::withoutExpected(render::checksOf(scene, options), checked);
-        return render::runChecks(*context_, scene, options, std::move(checked));
+        Diagnostics found = hasError(checked)
+                                ? render::answerWithoutPicture(scene, options, std::move(checked))
+                                : render::runChecks(*context_, scene, options, std::move(checked));
+        Diagnostics misspelt = render::takeMisspellings(found);
+        append(misspelt, std::move(found));
+        return misspelt;
     }
 
     const CheckArguments& arguments_;
@@ -179,6 +187,7 @@ int runCheckCommand(CheckArguments& arguments) {
          .timeout = arguments.picture.timeout,
          .memory = arguments.picture.memory.value_or(base::memoryShare(jobs, arguments.scenes.size())),
          .stop = [&] { return interruption.signal() != 0 || report.status() == kNoDriver; },
+         .sharesDevice = gpu::mayUseHardware(arguments.driver),
          .sandbox = sandbox ? &*sandbox : nullptr},
         std::ref(checker),
         [&](std::size_t index, const base::Outcome& outcome) {

@@ -23,6 +23,7 @@
 #include "cli/run_facts.h"
 #include "cli/suite_progress.h"
 #include "cli/untrusted.h"
+#include "cli/written_files.h"
 #include "glib/text.h"
 #include "suite/golden/hash_key.h"
 #include "suite/options/option_table.h"
@@ -46,6 +47,7 @@ struct ClassArguments {
     Driver driver = Driver::automatic;
     int jobs = 0;
     bool untrusted = false;
+    bool siteIsNamed = false;  ///< by the user
 };
 
 /// The moments, and the reference's scene. Without a value, the reason has been printed.
@@ -79,7 +81,7 @@ base::Sandbox drawingSandbox(const classroom::ClassPlan& plan, Driver driver) {
     base::Sandbox sandbox = sandboxOf(scenes, plan.moments.front().shot.options, driver);
     sandbox.readable.push_back(plan.folder);
     sandbox.readable.insert(sandbox.readable.end(), plan.given.begin(), plan.given.end());
-    sandbox.writable.push_back(plan.site / "pictures");
+    sandbox.writable.emplace_back(plan.site, fs::path("pictures"));
     return sandbox;
 }
 
@@ -101,6 +103,10 @@ int runClassCommand(const ClassArguments& arguments, const std::string& command)
             arguments.site));
         return kWrongUsage;
     }
+    if (std::error_code failure; !arguments.siteIsNamed && fs::is_symlink(plan.site, failure)) {
+        print({linkedFolder(plan.site, "-o")});
+        return kSceneIsWrong;
+    }
     std::optional<std::vector<classroom::Moment>> moments = momentsOf(arguments, plan.reference);
     if (!moments) return kWrongUsage;
     plan.moments = std::move(*moments);
@@ -119,7 +125,7 @@ int runClassCommand(const ClassArguments& arguments, const std::string& command)
         drawing = drawingSandbox(plan, arguments.driver);
         reading = drawing;
         reading->writable.clear();
-        reading->readable.push_back(plan.site / "pictures");
+        reading->readable.emplace_back(plan.site, fs::path("pictures"));
         makeWritableFolders(*drawing);
     }
     classroom::ClassOptions options;
@@ -160,7 +166,10 @@ int runClassCommand(const ClassArguments& arguments, const std::string& command)
                                                       classroom::stateOf(each), classroom::reasonOf(each))));
     printLine(classroom::summary(end.classroom));
     printLine("page: " + (plan.site / "index.html").string());
-    return kDone;
+    const std::vector<classroom::Submission>& all = plan.submissions.all;
+    const bool isWhole = std::none_of(all.begin(), all.end(),
+                                      [](const classroom::Submission& each) { return each.isUnlisted; });
+    return isWhole ? kDone : kSceneIsWrong;
 }
 
 }  // namespace
@@ -210,7 +219,10 @@ void addClass(CommandLine& program, int& status) {
     command.driver(to.driver);
     command.jobs(to.jobs);
     addUntrustedOption(command, to.untrusted);
-    command.onRun([arguments, &status] { status = runClassCommand(*arguments, commandLine()); });
+    command.onRun([arguments, site = command.find("--output"), &status] {
+        arguments->siteIsNamed = site.isGiven();
+        status = runClassCommand(*arguments, commandLine());
+    });
 }
 
 }  // namespace glibra::cli

@@ -8,6 +8,7 @@
 #include <set>
 #include <system_error>
 
+#include "base/contained_call.h"
 #include "base/memory_limit.h"
 #include "base/utf8.h"
 #include "cli/command_line.h"
@@ -17,6 +18,7 @@
 #include "cli/written_files.h"
 #include "image/compare/heat_map.h"
 #include "image/compare/judge.h"
+#include "image/exr/exr_header.h"
 #include "image/file.h"
 #include "image/format.h"
 #include "image/png/png_chunks.h"
@@ -49,6 +51,17 @@ Result<image::Image> decode(const std::vector<std::byte>& file, const std::strin
     options.decoder.seconds = limits.timeout;
     options.decoder.memory = limits.memory.value_or(options.decoder.memory);
     return image::decodeImage(file, path, {path, 1, 1}, options);
+}
+
+/// How two EXR files differ that show equal pictures; empty if they do not.
+std::string layoutDifference(const std::vector<std::byte>& first, const std::vector<std::byte>& second) {
+    if (image::formatOf(first) != image::Format::openExr || image::formatOf(second) != image::Format::openExr)
+        return {};
+    const auto expected = image::readExrHeader(first, {}), got = image::readExrHeader(second, {});
+    if (!expected || !got) return {};
+    const std::string one = image::describeExr(*expected), other = image::describeExr(*got);
+    return one == other ? std::string()
+                        : fmt::format("the pixels are equal, but not the files: {}; {}", one, other);
 }
 
 /// A pair of pictures: their files, and what messages call them if there are several.
@@ -121,8 +134,13 @@ class Comparer {
         print(expected.diagnostics);
         print(got.diagnostics);
         if (!expected || !got) return kSceneIsWrong;
-        const image::Judgement judged =
+        image::Judgement judged =
             image::judge(*expected, *got, arguments_.tolerance, arguments_.everything);
+        if (judged.same && arguments_.exact)
+            if (const std::string difference = layoutDifference(*first, *second); !difference.empty()) {
+                judged.same = false;
+                judged.reason = difference;
+            }
         show(pair, judged, *expected, *got);
         const int written =
             pair.heatMap.empty() ? kDone : writeHeatMap(pair.heatMap, arguments_.tolerance, *expected, *got);
@@ -166,23 +184,44 @@ class Comparer {
     std::string list_;
 };
 
-/// The pictures in a folder and below it, by their paths from there.
-std::set<std::string> picturesBelow(const fs::path& folder) {
+/// The pictures in a folder and below it, by their paths from there. What cannot be listed or is a link to
+/// nothing is a problem: it would be missing from both folders and count as the same.
+std::set<std::string> picturesBelow(const fs::path& folder, Diagnostics& problems) {
     std::set<std::string> names;
+    const auto report = [&](const fs::path& path, const std::string& why) {
+        problems.push_back(diagnose(
+            "suite-E22",
+            fmt::format("cannot look at all of '{}': {}; pictures would be left out", path.string(), why),
+            {folder.string(), 1, 1}));
+    };
     std::error_code failure;
-    for (fs::recursive_directory_iterator each(folder, failure), end; !failure && each != end;
-         each.increment(failure))
-        if (each->is_regular_file(failure) && !each->path().filename().string().starts_with('.') &&
-            image::formatOfSuffix(each->path()) != image::Format::unknown)
+    fs::recursive_directory_iterator each(folder, failure);
+    for (const fs::recursive_directory_iterator end; !failure && each != end; each.increment(failure)) {
+        if (each->path().filename().string().starts_with('.') ||
+            image::formatOfSuffix(each->path()) == image::Format::unknown)
+            continue;
+        std::error_code unknown;
+        const fs::file_type type = each->status(unknown).type();
+        if (type == fs::file_type::regular)
             names.insert(each->path().lexically_relative(folder).generic_string());
+        else if (type == fs::file_type::none || type == fs::file_type::not_found)
+            report(each->path(),
+                   type == fs::file_type::none ? unknown.message() : "the target of the link is missing");
+    }
+    if (failure) report(folder, failure.message());
     return names;
 }
 
 constexpr const char* kIsCompared = "it is compared";
 
 int compareFolders(const CompareArguments& arguments, Comparer& comparer) {
-    const std::set<std::string> expected = picturesBelow(arguments.first),
-                                got = picturesBelow(arguments.second);
+    Diagnostics unlisted;
+    const std::set<std::string> expected = picturesBelow(arguments.first, unlisted),
+                                got = picturesBelow(arguments.second, unlisted);
+    if (hasError(unlisted)) {
+        print(unlisted);
+        return kSceneIsWrong;
+    }
     std::set<std::string> all = expected;
     all.insert(got.begin(), got.end());
     if (all.empty()) {
@@ -294,6 +333,7 @@ void addCompare(CommandLine& program, int& status) {
     command.flag("--all", arguments->everything,
                  "compute FLIP and the structural difference even if they are not needed");
     command.flag("--json", arguments->json, "print the figures as JSON");
+    arguments->limits.timeout = base::CallLimits{}.seconds;
     addPictureOption(command, "timeout", arguments->limits);
     addPictureOption(command, "memory", arguments->limits);
     for (const char* each :

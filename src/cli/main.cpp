@@ -82,9 +82,8 @@ int main(int argc, char** argv) {
     // A write beyond the limit of the shell (ulimit -f) fails with a message instead.
     std::signal(SIGXFSZ, SIG_IGN);
     try {
-        return run(argc, argv);
+        return glibra::cli::endProgram(run(argc, argv));
     } catch (const std::exception& failure) {
-        glibra::cli::printError(failure.what());
-        return glibra::cli::kSceneIsWrong;
+        return glibra::cli::failProgram(failure.what());
     }
 }

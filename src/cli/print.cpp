@@ -10,6 +10,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "base/standard_files.h"
 #include "base/utf8.h"
 #include "cli/commands.h"
 #include "cli/scene_arguments.h"
@@ -118,6 +119,19 @@ void printLine(std::string_view text) {
 
 void printError(std::string_view why) {
     printLine("glibra: error: " + std::string(why));
+}
+
+int endProgram(int status) {
+    const std::string problem = base::endStandardOutput();
+    if (problem.empty()) return status;
+    printError("cannot write to standard output: " + problem);
+    return std::max(status, kSceneIsWrong);
+}
+
+int failProgram(std::string_view why) {
+    const int status = endProgram(kDone);
+    if (status == kDone) printError(why);
+    return kSceneIsWrong;
 }
 
 std::vector<std::filesystem::path> foldersIn(const char* variable) {

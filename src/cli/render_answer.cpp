@@ -121,6 +121,8 @@ Answer unpack(std::string_view packed) {
 Answer answerOf(const base::Outcome& outcome, const std::string& scene, const suite::Shot& picture,
                 const Deed& deed) {
     if (outcome.end == base::Outcome::End::finished) return unpack(outcome.answer);
+    if (outcome.end == base::Outcome::End::deviceLost)
+        return {.status = kSceneIsWrong, .remarks = {{base::diagnosticOf(outcome.lost, scene)}, {}}};
     if (outcome.end == base::Outcome::End::timedOut)
         return wrong(scene, "draw-E07",
                      fmt::format("not {} within {:g} seconds (--timeout)", deed.participle, picture.timeout));
@@ -137,6 +139,8 @@ Answer guarded(const std::string& scene, const std::function<Answer()>& work) {
         Answer answer = work();
         append(answer.remarks.general, libraryHint(scene, answer.remarks.general));
         return answer;
+    } catch (const base::DeviceLost&) {
+        throw;  // the worker must not be used any more
     } catch (const std::bad_alloc&) {
         return wrong(scene, "draw-E05", "out of memory (--memory)");
     } catch (const std::exception& failure) {

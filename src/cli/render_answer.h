@@ -38,7 +38,8 @@ struct Deed {
 Answer answerOf(const base::Outcome& outcome, const std::string& scene, const suite::Shot& picture,
                 const Deed& deed);
 
-/// Calls `work`. If it throws, the answer is the error that stands for the exception.
+/// Calls `work`. If it throws, the answer is the error that stands for the exception; DeviceLost is passed
+/// on.
 Answer guarded(const std::string& scene, const std::function<Answer()>& work);
 
 }  // namespace glibra::cli

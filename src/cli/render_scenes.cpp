@@ -36,6 +36,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
+bool writesIntoFolder(const RenderArguments& arguments) {
+    return arguments.outputIsFolder || fs::is_directory(arguments.output) || arguments.output.back() == '/';
+}
+
+/// Who chose the names of the pictures: the user with -o FILE, and this command otherwise, also for frames.
+image::NamedBy namedBy(const RenderArguments& arguments) {
+    return arguments.output.empty() || arguments.frames > 1 || writesIntoFolder(arguments)
+               ? image::NamedBy::program
+               : image::NamedBy::user;
+}
+
 /// The file that each scene is written to. Without -o it is the scene's name in the current folder. Where two
 /// scenes have the same name, they keep the folders in which they differ.
 std::vector<fs::path> outputFiles(const RenderArguments& arguments) {
@@ -62,8 +73,7 @@ std::vector<fs::path> outputFiles(const RenderArguments& arguments) {
                            .replace_extension(".png");
     }
     if (arguments.output.empty()) return names;
-    const bool isFolder =
-        arguments.outputIsFolder || fs::is_directory(arguments.output) || arguments.output.back() == '/';
+    const bool isFolder = writesIntoFolder(arguments);
     for (fs::path& name : names)
         name = isFolder ? fs::path(arguments.output) / name : fs::path(arguments.output);
     return names;
@@ -139,9 +149,14 @@ std::optional<int> partsOf(const RenderArguments& arguments, const base::Sandbox
 class JobRunner {
   public:
     /// Each scene is drawn in `parts` pieces.
+    /// `written` are the frames that earlier workers have written, per piece.
     JobRunner(const RenderArguments& arguments, std::vector<fs::path> outputs, std::size_t parts,
-              const StagingFolder* staging)
-        : arguments_(arguments), outputs_(std::move(outputs)), parts_(parts), staging_(staging) {}
+              const StagingFolder* staging, const std::vector<int>& written)
+        : arguments_(arguments),
+          outputs_(std::move(outputs)),
+          parts_(parts),
+          staging_(staging),
+          written_(written) {}
 
     std::string operator()(std::size_t piece, const base::Step& step) {
         const std::size_t index = piece / parts_;
@@ -164,8 +179,10 @@ class JobRunner {
             save.file = fileOf(save.file);
             job.saves.push_back(std::move(save));
         }
+        job.named = namedBy(arguments_);
         job.options = optionsFor(job.scene.string(), arguments_.standardInput, arguments_.picture.options);
         job.frames = arguments_.frames;
+        job.written = written_[piece];
         job.framesPerSecond = arguments_.framesPerSecond;
         job.part = static_cast<int>(piece % parts_);
         job.parts = static_cast<int>(parts_);
@@ -188,6 +205,7 @@ class JobRunner {
     std::vector<fs::path> outputs_;
     std::size_t parts_;
     const StagingFolder* staging_;
+    const std::vector<int>& written_;
     bool quotesLines_ = ::isatty(STDERR_FILENO) == 1;  // a confined worker has no terminal
     std::optional<gpu::Context> context_;
     render::SharedParts shared_;  // after the context, because it must be destroyed first
@@ -232,15 +250,21 @@ class SceneBatch {
             print(problems);
             return kSceneIsWrong;
         }
+        if (const Diagnostics problems = linkedFolders(); hasError(problems)) {
+            print(problems);
+            return kSceneIsWrong;
+        }
         for (const fs::path& each : writtenFiles()) makeFolders(each.parent_path());
-        confine();
-        JobRunner runner(arguments_, outputs_, parts_, staging_ ? &*staging_ : nullptr);
+        if (!confine()) return kSceneIsWrong;
+        JobRunner runner(arguments_, outputs_, parts_, staging_ ? &*staging_ : nullptr, framesWritten_);
         base::runInWorkers(
             framesWritten_.size(),
             {.workers = jobsOf(arguments_),
              .timeout = arguments_.picture.timeout,
              .memory = memoryOf(arguments_, framesWritten_.size()),
              .stop = [this] { return interruption_.signal() != 0; },
+             .sharesDevice = gpu::mayUseHardware(arguments_.driver),
+             .repeated = [this](std::size_t piece, const base::Outcome& outcome) { clean(piece, outcome); },
              .sandbox = sandbox_ ? &*sandbox_ : nullptr},
             std::ref(runner),
             [this](std::size_t piece, const base::Outcome& outcome) { pieceEnds(piece, outcome); },
@@ -298,13 +322,39 @@ class SceneBatch {
     }
 
     /// With --untrusted, and for the frames of a film, the workers write to a folder of their own.
-    void confine() {
-        if (!sandbox_ && !isFilm(arguments_)) return;
+    bool confine() {
+        if (!sandbox_ && !isFilm(arguments_)) return true;
         if (sandbox_ && arguments_.output == "-") sandbox_->standardOutput = true;
         const std::vector<fs::path> files = writtenFiles();
-        if (files.empty()) return;
-        staging_.emplace(files.front().parent_path());
-        if (sandbox_) sandbox_->writable.push_back(staging_->path());
+        if (files.empty()) return true;
+        const fs::path folder = files.front().parent_path();
+        staging_.emplace(folder);
+        if (staging_->path().empty()) {
+            print({image::cannotWrite(folder.empty() ? "." : folder, "no folder can be made in it")});
+            return false;
+        }
+        if (sandbox_) sandbox_->writable.emplace_back(staging_->path());
+        return true;
+    }
+
+    /// file-E10 for folders of pictures that this command names and that are links: scenes of one name lie
+    /// below the output folder as the scenes lie below theirs.
+    [[nodiscard]] Diagnostics linkedFolders() const {
+        Diagnostics problems;
+        const fs::path root = arguments_.output.empty() ? fs::path(".") : fs::path(arguments_.output);
+        std::set<fs::path> seen;
+        for (const fs::path& each : outputs_) {
+            const fs::path below = each.parent_path().lexically_relative(root);
+            fs::path way = root;
+            for (const fs::path& part : below.empty() || *below.begin() == ".." ? fs::path() : below) {
+                way /= part;
+                std::error_code failure;
+                if (seen.insert(way).second && fs::is_symlink(fs::symlink_status(way, failure)))
+                    problems.push_back(image::cannotWrite(
+                        each, fmt::format("the folder '{}' is a link; name it with -o", way.string())));
+            }
+        }
+        return problems;
     }
 
     /// Makes the film of the frames that the workers have drawn.
@@ -337,21 +387,28 @@ class SceneBatch {
         progress_.show(doneCount_, arguments_.scenes[piece / parts_]);
     }
 
+    /// A worker that ends by itself cannot remove what it has half written.
+    void clean(std::size_t piece, const base::Outcome& outcome) const {
+        image::removeTemporaryFiles(outputs_[piece / parts_].parent_path(), outcome.process);
+    }
+
     void pieceEnds(std::size_t piece, const base::Outcome& outcome) {
         const std::size_t index = piece / parts_;
         const std::string& scene = arguments_.scenes[index];
-        // A worker that ends by itself cannot remove what it has half written.
-        if (outcome.end != base::Outcome::End::finished)
-            image::removeTemporaryFiles(outputs_[index].parent_path(), outcome.process);
+        if (outcome.end != base::Outcome::End::finished) clean(piece, outcome);
         Diagnostics undelivered;
-        std::vector<fs::path> delivered;
-        if (staging_ && arguments_.output != "-" && !isFilm(arguments_)) delivered.push_back(outputs_[index]);
+        std::vector<std::pair<fs::path, image::NamedBy>> delivered;
+        if (staging_ && arguments_.output != "-" && !isFilm(arguments_))
+            delivered.emplace_back(outputs_[index], namedBy(arguments_));
         if (staging_)
-            for (const std::string& each : arguments_.saves) delivered.push_back(readSave(each).value().file);
-        for (const fs::path& file : delivered)
+            for (const std::string& each : arguments_.saves)
+                delivered.emplace_back(readSave(each).value().file, arguments_.frames > 1
+                                                                        ? image::NamedBy::program
+                                                                        : image::NamedBy::user);
+        for (const auto& [file, named] : delivered)
             for (int frame = 0; frame < arguments_.frames; ++frame)
                 append(undelivered,
-                       staging_->deliver(piece, render::frameFile(file, frame, arguments_.frames)));
+                       staging_->deliver(piece, render::frameFile(file, frame, arguments_.frames), named));
         if (outcome.end == base::Outcome::End::stopped) return;
         Answer answer = answerOf(outcome, scene, arguments_.picture, kDrawing);
         if (hasError(undelivered)) answer.status = std::max(answer.status, kSceneIsWrong);

@@ -56,7 +56,9 @@ Diagnostics resolveScenes(const std::vector<std::string>& words, SceneArguments&
         } else if (fs::is_directory(each, failure)) {
             to.hasFolder = true;
             const Result<std::vector<fs::path>> found = suite::scenesBelow(each);
-            if (!found || found->empty())
+            if (!found.diagnostics.empty())
+                append(problems, found.diagnostics);
+            else if (!found || found->empty())
                 problems.push_back(diagnose("glib-E14",
                                             found ? "there is no scene (.glib) in this folder"
                                                   : "the folder has too many files to search for scenes",

@@ -10,6 +10,7 @@
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "suite/file/selection.h"
+#include "suite/file/shot_name.h"
 #include "suite/file/suite_file.h"
 
 namespace glibra::cli {
@@ -51,7 +52,7 @@ std::optional<Selection> readSelection(const SuiteArguments& arguments, int& sta
         Result<suite::Suite> read = suite::readSuite(each);
         append(problems, std::move(read.diagnostics));
         if (!read) continue;
-        const auto [known, isNew] = files.emplace(read->name, each);
+        const auto [known, isNew] = files.emplace(suite::nameOnAnyDisk(read->name), each);
         if (!isNew)
             problems.push_back(
                 diagnose("suite-E18",
@@ -73,6 +74,9 @@ std::optional<Selection> readSelection(const SuiteArguments& arguments, int& sta
         for (const std::size_t shot :
              suite::select(selection.suites[i], arguments.only, shard, arguments.withNamed))
             selection.shots.push_back({i, shot});
+        for (const std::size_t shot :
+             suite::select(selection.suites[i], arguments.only, {}, arguments.withNamed))
+            selection.undivided.push_back({i, shot});
     }
     return selection;
 }

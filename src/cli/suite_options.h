@@ -40,7 +40,8 @@ void addSelectionOptions(CommandLine& command, SuiteArguments& to);
 
 struct Selection {
     std::vector<suite::Suite> suites;
-    std::vector<suite::ShotReference> shots;  ///< in the order of the suites
+    std::vector<suite::ShotReference> shots;      ///< in the order of the suites
+    std::vector<suite::ShotReference> undivided;  ///< the shots of all shards
 };
 
 /// How to find out what the scenes of so many shots read (suite/run/read_inputs.h).

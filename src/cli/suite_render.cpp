@@ -35,7 +35,8 @@ Diagnostics overwrittenByPictures(const Selection& selection, std::span<const su
     if (!anyExists(pictures)) return {};
     ReadFiles read;
     read.add(selection, suite::inputsOf(selection.suites, selection.shots,
-                                        inputWorkers(arguments, shots.size(), options.sandbox, stop)));
+                                        inputWorkers(arguments, shots.size(), options.sandbox, stop),
+                                        arguments.timeout));
     for (const suite::Suite& suite : selection.suites)
         for (const suite::Shot& shot : suite.shots)
             if (shot.golden)
@@ -61,11 +62,21 @@ int renderSuites(const SuiteArguments& arguments, const std::string& output) {
     options.onlyRender = output;
     if (output.empty()) options.onlyRender = several ? "." : selection->suites.front().name;
 
+    // Without -o, the names of all folders are this program's.
+    for (const suite::Suite& each : selection->suites) {
+        const fs::path folder = several ? options.onlyRender / each.name : options.onlyRender;
+        std::error_code failure;
+        if ((several || output.empty()) && fs::is_symlink(folder, failure)) {
+            print({linkedFolder(folder, "-o")});
+            return kSceneIsWrong;
+        }
+    }
     std::optional<base::Sandbox> sandbox;
     if (arguments.untrusted) {
-        std::vector<fs::path> folders;
+        std::vector<base::Reach> folders;
         for (const suite::Suite& each : selection->suites)
-            folders.push_back(several ? options.onlyRender / each.name : options.onlyRender);
+            folders.push_back(several ? base::Reach(options.onlyRender, each.name)
+                                      : base::Reach(options.onlyRender));
         sandbox = sandboxOf(*selection, arguments.driver, {}, folders);
         if (!sandbox) return kSceneIsWrong;
         options.sandbox = &*sandbox;

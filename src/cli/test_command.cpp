@@ -16,6 +16,7 @@
 #include "cli/interruption.h"
 #include "cli/picture_options.h"
 #include "cli/run_facts.h"
+#include "cli/stale_results.h"
 #include "cli/suite_options.h"
 #include "cli/suite_progress.h"
 #include "cli/test_results.h"
@@ -34,6 +35,7 @@
 #include "suite/results/merge.h"
 #include "suite/results/results_file.h"
 #include "suite/run/fingerprint.h"
+#include "suite/run/plan_digest.h"
 
 namespace glibra::cli {
 namespace {
@@ -49,6 +51,7 @@ struct TestArguments {
     bool allowOutside = false;
     suite::Shot picture;  ///< what the options of a picture state
     std::string results = "glibra-results";
+    bool resultsAreNamed = false;  ///< by the user
     std::string report;
     std::string junit;
     std::string goldens;
@@ -189,10 +192,12 @@ std::vector<suite::PlannedShots> planOf(const Selection& selection) {
 }
 
 /// What is known of a run before it begins.
-suite::RunResult beginningOf(const TestArguments& arguments, const Selection& selection) {
+suite::RunResult beginningOf(const TestArguments& arguments, const Selection& selection,
+                             const suite::RunOptions& options) {
     suite::RunResult run;
     run.machine = suite::describeMachine();
     run.shard = arguments.suites.shard;
+    run.plan = suite::planDigest(selection.suites, selection.undivided, options);
     run.command = arguments.command;
     run.began = utcNow();
     run.planned = planOf(selection);
@@ -229,44 +234,59 @@ int test(const TestArguments& arguments) {
 
     std::optional<base::Sandbox> sandbox;
     if (arguments.suites.untrusted) {
-        std::vector<fs::path> folders;
+        std::vector<base::Reach> folders;
         for (const suite::Suite& each : selection->suites)
-            folders.push_back(fs::path(arguments.results) / each.name);
+            folders.emplace_back(fs::path(arguments.results), fs::path(each.name));
         sandbox = sandboxOf(*selection, arguments.suites.driver, arguments.goldens, folders);
         if (!sandbox) return kSceneIsWrong;
         sandbox->listable.emplace_back(
-            arguments.results);  // pictures are written from there on, folder by folder
+            fs::path(arguments.results));  // pictures are written from there on, folder by folder
     }
 
     const auto start = std::chrono::steady_clock::now();
     const Interruption interruption;
+    const auto isStopped = [&] { return interruption.signal() != 0; };
     const suite::RunOptions options = runOptions(arguments, sandbox);
     const suite::ShotInputs inputs =
         suite::inputsOf(selection->suites, selection->shots,
-                        inputWorkers(arguments.suites, selection->shots.size(), options.sandbox,
-                                     [&] { return interruption.signal() != 0; }));
+                        inputWorkers(arguments.suites, selection->shots.size(), options.sandbox, isStopped),
+                        arguments.suites.timeout);
     if (const Diagnostics problems = overwrittenBy(arguments, *selection, inputs); hasError(problems)) {
         print(problems);
         return kSceneIsWrong;
     }
     const std::map<suite::ShotReference, std::string> fingerprints =
         suite::fingerprints(selection->suites, selection->shots, inputs, options);
-    suite::RunResult run = beginningOf(arguments, *selection);
+    bool resumes = arguments.suites.resume;
+    if (resumes && sandbox && mayBeForged(arguments.results, selection->suites)) {
+        print({withoutId(
+            Severity::note,
+            fmt::format("all shots are drawn: with --untrusted no verdicts are taken from '{}', which "
+                        "may have come with the suite; name another folder with --results",
+                        arguments.results))});
+        resumes = false;
+    }
+    suite::RunResult run = beginningOf(arguments, *selection, options);
     std::optional<RunRecord> record =
-        RunRecord::open(arguments.results, run, arguments.suites.resume, arguments.update,
-                        [&] { return interruption.signal() != 0; });
+        RunRecord::open(arguments.results, run, resumes, arguments.update, isStopped);
     if (!record) {
         interruption.obey();
         return kSceneIsWrong;
     }
     if (sandbox) makeWritableFolders(*sandbox);  // opening the record has removed those of an earlier run
+    std::string driver;
+    if (record->hasEarlier())
+        driver = suite::keyOfDriver(arguments.suites.driver,
+                                    inputWorkers(arguments.suites, 1, options.sandbox, isStopped));
     std::vector<suite::ShotReference> open;
     std::map<std::pair<std::string, std::string>, std::string> fingerprintOf;  // by the names of results
     for (const suite::ShotReference& each : selection->shots) {
         const suite::Suite& suite = selection->suites[each.suite];
         const std::string& fingerprint = fingerprints.at(each);
         fingerprintOf.emplace(std::pair(suite.name, suite.shots[each.shot].name), fingerprint);
-        if (!record->isDone(suite, each, fingerprint)) open.push_back(each);
+        if (!record->isDone(suite, each, {fingerprint, driver}) ||
+            (arguments.update && lacksGolden(suite, each.shot, arguments.goldens)))
+            open.push_back(each);
     }
     if (const std::size_t count = record->droppedCount(); count > 0)
         printLine(fmt::format("{} of the earlier run {} drawn again: what the picture depends on has changed",
@@ -289,13 +309,13 @@ int test(const TestArguments& arguments) {
         kept.fingerprint = fingerprintOf[{shot.suite, shot.shot}];
         record->add(kept);
     };
-    events.stop = [&] { return interruption.signal() != 0 || record->failed(); };
+    events.stop = [&] { return isStopped() || record->failed(); };
     const suite::RunEnd end = suite::runShots(selection->suites, open, options, events);
     progress.clear();
     if (sandbox)
-        for (const fs::path& each : sandbox->writable) {
+        for (const base::Reach& each : sandbox->writable) {
             std::error_code notEmpty;
-            fs::remove(each, notEmpty);
+            fs::remove(each.whole(), notEmpty);
         }
     print(end.diagnostics);
     if (end.noDriver) return kNoDriver;
@@ -319,11 +339,25 @@ int test(const TestArguments& arguments) {
     return status;
 }
 
+/// A merge may read its own results folder.
+bool isMerged(const TestArguments& arguments) {
+    return std::any_of(arguments.merge.begin(), arguments.merge.end(), [&](const std::string& each) {
+        std::error_code failure;
+        return fs::equivalent(each, arguments.results, failure) ||
+               fs::equivalent(suite::resultsFile(each), suite::resultsFile(arguments.results), failure);
+    });
+}
+
 int runCommand(const TestArguments& arguments) {
+    markUnfinished({isMerged(arguments) ? "" : arguments.results, arguments.report, arguments.junit});
     const auto refuse = [](const char* why) {
         printError(why);
         return kWrongUsage;
     };
+    if (std::error_code failure; !arguments.resultsAreNamed && fs::is_symlink(arguments.results, failure)) {
+        print({linkedFolder(arguments.results, "--results")});
+        return kSceneIsWrong;
+    }
     if (!arguments.merge.empty()) {
         if (!arguments.suites.suites.empty()) return refuse("--merge takes folders of results, not suites");
         return merge(arguments);
@@ -385,13 +419,15 @@ void addTest(CommandLine& program, int& status) {
     for (const char* each : {"--force", "--variant", "--shard", "--resume", "--results", "--junit",
                              "--goldens", "--allow-outside", "--merge", "--root", "--driver", "--untrusted"})
         command.find(each).rare();
-    command.onRun([arguments, timeout = command.find("--timeout"), &status] {
-        if (timeout.isGiven()) arguments->suites.timeout = arguments->picture.timeout;
-        arguments->suites.memory = arguments->picture.memory;
-        arguments->command = commandLine();
-        arguments->suites.withNamed = !arguments->update;
-        status = runCommand(*arguments);
-    });
+    command.onRun(
+        [arguments, timeout = command.find("--timeout"), results = command.find("--results"), &status] {
+            arguments->resultsAreNamed = results.isGiven();
+            if (timeout.isGiven()) arguments->suites.timeout = arguments->picture.timeout;
+            arguments->suites.memory = arguments->picture.memory;
+            arguments->command = commandLine();
+            arguments->suites.withNamed = !arguments->update;
+            status = runCommand(*arguments);
+        });
 }
 
 }  // namespace glibra::cli

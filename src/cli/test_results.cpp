@@ -10,6 +10,7 @@
 #include "base/contained.h"
 #include "cli/commands.h"
 #include "scene/file_lookup.h"
+#include "suite/golden/golden_store.h"
 #include "suite/run/verdict.h"
 
 namespace glibra::cli {
@@ -76,11 +77,12 @@ std::optional<RunRecord> RunRecord::open(const fs::path& folder, const suite::Ru
     }
 }
 
-bool RunRecord::isDone(const suite::Suite& suite, const suite::ShotReference& shot,
-                       const std::string& fingerprint) {
+bool RunRecord::isDone(const suite::Suite& suite, const suite::ShotReference& shot, const Basis& basis) {
     const auto found = results_.find({suite.name, suite.shots[shot.shot].name});
     if (found == results_.end()) return false;
-    if (!fingerprint.empty() && found->second.fingerprint == fingerprint) return true;
+    if (!basis.fingerprint.empty() && found->second.fingerprint == basis.fingerprint &&
+        !basis.driverKey.empty() && found->second.driverKey == basis.driverKey)
+        return true;
     results_.erase(found);
     ++droppedCount_;
     return false;
@@ -112,6 +114,24 @@ void RunRecord::finish(suite::RunResult& run, std::span<const suite::Suite> suit
     const Diagnostics problems = suite::writeResults(run, folder_);
     print(problems);
     failed_ = hasError(problems);
+}
+
+bool mayBeForged(const fs::path& results, std::span<const suite::Suite> suites) {
+    std::error_code failure;
+    const fs::path place = fs::weakly_canonical(fs::absolute(results, failure), failure);
+    return std::any_of(suites.begin(), suites.end(), [&](const suite::Suite& each) {
+        const fs::path file = fs::absolute(each.file, failure);
+        const fs::path folder = fs::is_directory(file, failure) ? file : file.parent_path();
+        const fs::path root = fs::weakly_canonical(folder, failure);
+        const fs::path inside = place.lexically_relative(root);
+        return inside.empty() || *inside.begin() != "..";
+    });
+}
+
+bool lacksGolden(const suite::Suite& suite, std::size_t shot, const fs::path& goldens) {
+    const suite::Shot& asked = suite.shots[shot];
+    return asked.golden && !asked.expectedError &&
+           !suite::hasGolden(suite::goldenFolder(suite, goldens), asked);
 }
 
 suite::ReportRoots shownRoots(std::span<const suite::Suite> suites,

@@ -23,10 +23,17 @@ class RunRecord {
     static std::optional<RunRecord> open(const std::filesystem::path& folder, const suite::RunResult& run,
                                          bool resume, bool update, const std::function<bool()>& stop);
 
-    /// True if the earlier run has a verdict on the shot that still holds: what it depends on has that
-    /// fingerprint. A verdict that does not hold is dropped.
+    /// The earlier run has verdicts that may still hold.
+    [[nodiscard]] bool hasEarlier() const { return !results_.empty(); }
+    /// What a verdict depends on; empty texts are unknown.
+    struct Basis {
+        const std::string& fingerprint;
+        const std::string& driverKey;  ///< suite::keyOfDriver()
+    };
+    /// True if the earlier run has a verdict on the shot that still holds, because it depends on just that. A
+    /// verdict that does not hold is dropped.
     [[nodiscard]] bool isDone(const suite::Suite& suite, const suite::ShotReference& shot,
-                              const std::string& fingerprint);
+                              const Basis& basis);
     /// The number of verdicts that isDone() has dropped.
     [[nodiscard]] std::size_t droppedCount() const { return droppedCount_; }
     void add(const suite::ShotResult& shot);
@@ -49,6 +56,13 @@ class RunRecord {
     std::size_t droppedCount_ = 0;
     bool failed_ = false;
 };
+
+/// True if whoever made one of the suites may have made the results in the folder, too: it lies below that
+/// suite's.
+bool mayBeForged(const std::filesystem::path& results, std::span<const suite::Suite> suites);
+
+/// True if the golden that an earlier --update made of the shot is gone. `goldens` is as for shownRoots.
+bool lacksGolden(const suite::Suite& suite, std::size_t shot, const std::filesystem::path& goldens);
 
 /// The folders whose files a report of these shots may show: the goldens, the suites, their scenes, and what
 /// the scenes may read from the library. `goldens` is the folder that replaces those of the suites, or empty.

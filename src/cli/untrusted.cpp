@@ -6,9 +6,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <set>
 #include <system_error>
 
+#include "base/contained.h"
 #include "cli/commands.h"
 #include "gpu/context/hardware.h"
 #include "image/module_loader.h"
@@ -23,10 +25,12 @@ fs::path folderOf(const fs::path& file) {
     return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
-/// The path without links; itself if that is impossible.
+/// The path without links; itself if that is impossible. A path that does not exist starts at the current
+/// folder, too.
 fs::path real(const fs::path& path) {
     std::error_code failure;
-    fs::path found = fs::weakly_canonical(path.empty() ? "." : path, failure);
+    const fs::path whole = fs::absolute(path.empty() ? "." : path, failure);
+    fs::path found = fs::weakly_canonical(failure ? path : whole, failure);
     return failure ? path : found;
 }
 
@@ -36,26 +40,83 @@ bool isBelow(const fs::path& path, const fs::path& folder) {
     return std::mismatch(outside.begin(), outside.end(), inside.begin(), inside.end()).first == outside.end();
 }
 
-void addScene(std::set<fs::path>& readable, const fs::path& scene, const RenderOptions& options) {
-    readable.insert(folderOf(scene));
-    const scene::SearchFolders folders = scene::searchFolders(scene, {.libraryRoots = options.libraryRoots});
-    readable.insert(folders.library.begin(), folders.library.end());
+/// The way from a folder that the user named down to a path, as it is written. Nothing if the path does not
+/// lead down from there.
+std::optional<base::Reach> reachBelow(const fs::path& folder, const fs::path& path) {
+    std::error_code failure;
+    const auto plain = [&](const fs::path& each) {
+        fs::path whole = fs::absolute(each.empty() ? "." : each, failure).lexically_normal();
+        return whole.has_filename() ? whole : whole.parent_path();
+    };
+    const fs::path inside = plain(path);
+    for (const fs::path& root : {plain(folder), real(folder)}) {
+        const fs::path below = inside.lexically_relative(root);
+        if (!failure && !below.empty() && *below.begin() != "..") return base::Reach(root, below);
+    }
+    return std::nullopt;
 }
 
-base::Sandbox sandboxWith(const std::set<fs::path>& readable, Driver driver) {
+/// True if the way from the root is a link, or leads through one.
+bool isThroughLink(const base::Reach& reach) {
+    fs::path way = reach.root;
+    for (const fs::path& part : reach.path) {
+        way /= part;
+        std::error_code failure;
+        if (fs::is_symlink(fs::symlink_status(way, failure))) return true;
+    }
+    return false;
+}
+
+/// What the workers may read. Folders that are links are named once.
+class Readable {
+  public:
+    void add(base::Reach reach) {
+        if (!reach.root.empty() && isThroughLink(reach)) {
+            if (linked_.insert(reach.whole()).second)
+                problems_.push_back(diagnose(
+                    "file-W24", fmt::format("--untrusted: '{}' is reached through a link, which is "
+                                            "not followed; name the folder that it leads to, as with "
+                                            "--library",
+                                            reach.whole().string())));
+            return;
+        }
+        found_.insert(std::move(reach));
+    }
+
+    /// The folders of the library that the look-up of a scene's files searches.
+    void addLibrary(const fs::path& scene, const RenderOptions& options) {
+        const scene::SearchFolders folders =
+            scene::searchFolders(scene, {.libraryRoots = options.libraryRoots});
+        for (std::size_t i = 0; i < folders.library.size(); ++i)
+            if (std::optional<base::Reach> reach = reachBelow(folders.roots[i], folders.library[i]))
+                add(std::move(*reach));
+    }
+
+    [[nodiscard]] const std::set<base::Reach>& all() const { return found_; }
+    [[nodiscard]] const Diagnostics& problems() const { return problems_; }
+
+  private:
+    std::set<base::Reach> found_;
+    std::set<fs::path> linked_;
+    Diagnostics problems_;
+};
+
+base::Sandbox sandboxWith(const Readable& readable, Driver driver) {
+    print(readable.problems());
     base::Sandbox sandbox;
-    sandbox.readable.assign(readable.begin(), readable.end());
+    sandbox.readable.assign(readable.all().begin(), readable.all().end());
     for (const fs::path& each : image::defaultModuleFolders())
-        sandbox.readable.push_back(each / "glibra_openimageio.so");
+        sandbox.readable.emplace_back(each / "glibra_openimageio.so");
     // Where users keep drivers of their own.
     for (const char* name : {"LD_LIBRARY_PATH", "LIBGL_DRIVERS_PATH", "__EGL_VENDOR_LIBRARY_DIRS"})
-        for (fs::path& each : foldersIn(name)) sandbox.readable.push_back(std::move(each));
+        for (fs::path& each : foldersIn(name)) sandbox.readable.emplace_back(std::move(each));
     if (!gpu::mayUseHardware(driver)) return sandbox;
     for (const char* each :
          {"/dev/dri", "/dev/nvidiactl", "/dev/nvidia-modeset", "/dev/nvidia-uvm", "/dev/dxg"})
         sandbox.devices.emplace_back(each);
     constexpr int kMostDevices = 16;
-    for (int i = 0; i < kMostDevices; ++i) sandbox.devices.emplace_back(fmt::format("/dev/nvidia{}", i));
+    for (int i = 0; i < kMostDevices; ++i)
+        sandbox.devices.emplace_back(fs::path(fmt::format("/dev/nvidia{}", i)));
     return sandbox;
 }
 
@@ -80,52 +141,74 @@ bool prepareUntrusted() {
 }
 
 base::Sandbox sandboxOf(const std::vector<std::string>& scenes, const RenderOptions& options, Driver driver) {
-    std::set<fs::path> readable;
-    for (const std::string& each : scenes) addScene(readable, each, options);
+    Readable readable;
+    for (const std::string& each : scenes) {
+        readable.add(folderOf(each));
+        readable.addLibrary(each, options);
+    }
     return sandboxWith(readable, driver);
 }
 
 std::optional<base::Sandbox> sandboxOf(const Selection& selection, Driver driver, const fs::path& goldens,
-                                       const std::vector<fs::path>& folders) {
+                                       const std::vector<base::Reach>& folders) {
     Diagnostics problems;
-    std::set<fs::path> readable;
-    std::set<fs::path> checked;
+    Readable readable;
+    std::set<fs::path> known;
     const std::vector<fs::path> roots = libraryRoots();
-    const auto check = [&](const suite::Suite& suite, const char* what, const fs::path& path,
+    // The way to something that a suite names. It must lead down from the suite's folder or the current one.
+    const auto wayTo = [&](const suite::Suite& suite, const char* what, const fs::path& path,
                            const Place& place) {
         std::error_code failure;
         const fs::path own = fs::is_directory(suite.file, failure) ? suite.file : folderOf(suite.file);
-        if (!checked.insert(path).second || isBelow(path, own) || isBelow(path, ".")) return;
-        problems.push_back(
-            withoutId(Severity::error,
-                      fmt::format("--untrusted: the {} '{}' must be below the suite's folder or the "
-                                  "current one",
-                                  what, path.string()),
-                      place));
+        std::optional<base::Reach> way = reachBelow(own, path);
+        if (!way) way = reachBelow(".", path);
+        const bool isLink = way && isThroughLink(*way);
+        if (way && !isLink) return way;
+        if (known.insert(path).second)
+            problems.push_back(
+                withoutId(Severity::error,
+                          isLink ? fmt::format("--untrusted: the {} '{}' is reached through a link, which "
+                                               "is not followed",
+                                               what, path.string())
+                                 : fmt::format("--untrusted: the {} '{}' must be below the suite's folder or "
+                                               "the current one",
+                                               what, path.string()),
+                          place));
+        return std::optional<base::Reach>();
     };
     std::set<fs::path> scenes;
     for (const suite::ShotReference& each : selection.shots) {
         const suite::Suite& suite = selection.suites[each.suite];
         const suite::Shot& shot = suite.shots[each.shot];
-        check(suite, "scene", shot.script, shot.place);
         for (const fs::path& root : shot.options.libraryRoots)
             if (std::find(roots.begin(), roots.end(), root) == roots.end())
-                check(suite, "library", root, shot.place);
+                wayTo(suite, "library", root, shot.place);
         // Shots of one folder have the same neighbours, but a library of their own perhaps.
-        if (scenes.insert(folderOf(shot.script)).second || !shot.options.libraryRoots.empty())
-            addScene(readable, shot.script, shot.options);
+        const bool isNew = scenes.insert(folderOf(shot.script)).second;
+        if (!isNew && shot.options.libraryRoots.empty()) continue;
+        if (std::optional<base::Reach> way = wayTo(suite, "scene", folderOf(shot.script), shot.place))
+            readable.add(std::move(*way));
+        readable.addLibrary(shot.script, shot.options);
     }
     for (const suite::Suite& each : selection.suites) {
-        if (goldens.empty()) check(each, "folder of goldens", each.goldens, {each.file.string(), 1, 1});
-        readable.insert(goldens.empty() ? each.goldens : goldens / each.name);
+        if (!goldens.empty())
+            readable.add({goldens, each.name});
+        else if (std::optional<base::Reach> way =
+                     wayTo(each, "folder of goldens", each.goldens, {each.file.string(), 1, 1}))
+            readable.add(std::move(*way));
     }
-    for (const fs::path& folder : folders)
-        for (const fs::path& each : readable)
-            if (isBelow(each, folder))
+    for (const base::Reach& folder : folders) {
+        if (isThroughLink(folder))
+            problems.push_back(withoutId(
+                Severity::error,
+                fmt::format("--untrusted: '{}', which is written to, is a link", folder.whole().string())));
+        for (const base::Reach& each : readable.all())
+            if (isBelow(each.whole(), folder.whole()))
                 problems.push_back(withoutId(
                     Severity::error,
                     fmt::format("--untrusted: the folder '{}', which is written to, must not contain '{}'",
-                                folder.string(), each.string())));
+                                folder.whole().string(), each.whole().string())));
+    }
     print(problems);
     if (!problems.empty()) return std::nullopt;
     base::Sandbox sandbox = sandboxWith(readable, driver);
@@ -134,21 +217,28 @@ std::optional<base::Sandbox> sandboxOf(const Selection& selection, Driver driver
 }
 
 void makeWritableFolders(const base::Sandbox& sandbox) {
-    for (const fs::path& folder : sandbox.writable) {
-        std::error_code ignored;  // reported with the file that cannot be written
-        fs::create_directories(folder, ignored);
-    }
+    for (const base::Reach& each : sandbox.writable)  // a failure is reported with what cannot be written
+        base::makeFoldersBeneath(each.root.empty() ? each.path : each.root,
+                                 each.root.empty() ? fs::path(".") : each.path);
 }
 
-StagingFolder::StagingFolder(const fs::path& parent)
-    : path_((parent.empty() ? fs::path(".") : parent) / fmt::format(".glibra-{}-untrusted", ::getpid())) {
-    std::error_code ignored;  // reported with the file that cannot be written
-    fs::create_directories(path_, ignored);
+StagingFolder::StagingFolder(const fs::path& parent) {
+    // A stranger may have made a folder, or a link, of any name. Only a new folder is ours.
+    constexpr int kAttempts = 1000;
+    for (int attempt = 0; attempt < kAttempts && path_.empty(); ++attempt) {
+        fs::path name = (parent.empty() ? fs::path(".") : parent) /
+                        fmt::format(".glibra-{}-untrusted{}", ::getpid(),
+                                    attempt == 0 ? "" : fmt::format("-{}", attempt));
+        if (::mkdir(name.c_str(), 0700) == 0)
+            path_ = std::move(name);
+        else if (errno != EEXIST)
+            return;
+    }
 }
 
 StagingFolder::~StagingFolder() {
     std::error_code ignored;
-    fs::remove_all(path_, ignored);
+    if (!path_.empty()) fs::remove_all(path_, ignored);
 }
 
 fs::path StagingFolder::fileOf(std::size_t piece, const fs::path& target) const {
@@ -165,7 +255,7 @@ std::optional<fs::path> StagingFolder::find(std::size_t piece, const fs::path& t
     return file;
 }
 
-Diagnostics StagingFolder::deliver(std::size_t piece, const fs::path& target) const {
+Diagnostics StagingFolder::deliver(std::size_t piece, const fs::path& target, image::NamedBy named) const {
     const fs::path file = path_ / std::to_string(piece) / target.filename();
     const auto refuse = [&](const std::string& why) {
         return Diagnostics{diagnose("file-E10", fmt::format("cannot write '{}': {}", target.string(), why))};
@@ -173,9 +263,11 @@ Diagnostics StagingFolder::deliver(std::size_t piece, const fs::path& target) co
     struct stat status {};
     if (::lstat(file.c_str(), &status) != 0) return {};
     if (!S_ISREG(status.st_mode)) return refuse("the process that drew it made something else of it");
-    // A link keeps its target, as with files that are written directly.
-    const fs::path place = real(target);
-    if (::stat(place.c_str(), &status) == 0 && !S_ISREG(status.st_mode))
+    // A link that the user named keeps its target, as with files that are written directly.
+    const bool isNamed = named == image::NamedBy::user;
+    const fs::path place = isNamed ? real(target) : target;
+    const bool exists = ::lstat(place.c_str(), &status) == 0;
+    if (exists && !S_ISREG(status.st_mode) && (isNamed || !S_ISLNK(status.st_mode)))
         return refuse("with --untrusted only ordinary files are written");
     std::error_code failure;
     fs::rename(file, place, failure);

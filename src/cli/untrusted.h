@@ -13,6 +13,7 @@
 #include "base/sandbox.h"
 #include "cli/command_line.h"
 #include "cli/suite_options.h"
+#include "image/file.h"
 
 namespace glibra::cli {
 
@@ -24,16 +25,17 @@ void addUntrustedOption(CommandLine& command, bool& to);
 bool prepareUntrusted();
 
 /// What workers need that draw these scenes: the scenes' folders, the library folders that the file look-up
-/// searches, the image module, and the graphics devices unless the driver draws by software.
+/// searches, the image module, and the graphics devices unless the driver draws by software. A folder of the
+/// library that is reached through a link, below a root, is left out, and file-W24 is printed.
 base::Sandbox sandboxOf(const std::vector<std::string>& scenes, const RenderOptions& options, Driver driver);
 
-/// The same for suites; their workers write only into `folders`. A suite
-/// may have been written by a stranger too, so its scenes, goldens and libraries must be below its own folder
-/// or the current one; `goldens` is a folder that the command line names. Without a value, the reason has
-/// been printed, and the exit status is kSceneIsWrong.
+/// The same for suites; their workers write only into `folders`. A suite may have been written by a stranger
+/// too, so its scenes, goldens and libraries must lie, without links, below its own folder or the current
+/// one; `goldens` is a folder that the command line names. Without a value, the reason has been printed, and
+/// the exit status is kSceneIsWrong.
 std::optional<base::Sandbox> sandboxOf(const Selection& selection, Driver driver,
                                        const std::filesystem::path& goldens,
-                                       const std::vector<std::filesystem::path>& folders);
+                                       const std::vector<base::Reach>& folders);
 
 /// Makes the folders that workers write to, because a sandbox leaves out what does not exist when the workers
 /// start.
@@ -43,12 +45,13 @@ void makeWritableFolders(const base::Sandbox& sandbox);
 /// out of it when they are complete. The frames of a film are there, too. It is removed with the object.
 class StagingFolder {
   public:
-    /// Makes the folder inside of this one.
+    /// Makes the folder inside of this one, under a name that nothing has.
     explicit StagingFolder(const std::filesystem::path& parent);
     StagingFolder(const StagingFolder&) = delete;
     StagingFolder& operator=(const StagingFolder&) = delete;
     ~StagingFolder();
 
+    /// Empty if it could not be made.
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
     /// Where the worker of a piece writes the file that will be `target`.
     [[nodiscard]] std::filesystem::path fileOf(std::size_t piece, const std::filesystem::path& target) const;
@@ -57,7 +60,8 @@ class StagingFolder {
                                                             const std::filesystem::path& target) const;
     /// Moves the file to its place, if there is one. Only ordinary files are moved, and only such are
     /// replaced. Empty on success, otherwise one file-E10.
-    [[nodiscard]] Diagnostics deliver(std::size_t piece, const std::filesystem::path& target) const;
+    [[nodiscard]] Diagnostics deliver(std::size_t piece, const std::filesystem::path& target,
+                                      image::NamedBy named) const;
 
   private:
     std::filesystem::path path_;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/scene_arguments.h"
+#include "image/file.h"
 #include "render/file/job.h"
 #include "suite/run/read_inputs.h"
 
@@ -57,6 +58,11 @@ ReadFiles filesReadBy(std::span<const std::string> scenes, const std::optional<s
             read.add(each, each == scenes[i] ? std::string("it is a scene of this command")
                                              : fmt::format("the scene '{}' reads it", scenes[i]));
     return read;
+}
+
+Diagnostic linkedFolder(const fs::path& folder, std::string_view option) {
+    return image::cannotWrite(folder,
+                              fmt::format("it is a link, which is followed only if {} names it", option));
 }
 
 bool anyExists(std::span<const fs::path> files) {

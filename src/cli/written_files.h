@@ -38,6 +38,9 @@ class ReadFiles {
 ReadFiles filesReadBy(std::span<const std::string> scenes, const std::optional<std::string>& standardInput,
                       const RenderOptions& options, const base::WorkerOptions& workers);
 
+/// file-E10 for a folder whose name is this program's choice, and which is a link; `option` names it.
+Diagnostic linkedFolder(const std::filesystem::path& folder, std::string_view option);
+
 /// True if one of the files exists, so that writing them all could replace something.
 bool anyExists(std::span<const std::filesystem::path> files);
 

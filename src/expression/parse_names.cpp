@@ -11,7 +11,14 @@ namespace glibra::expression {
 
 bool Parser::settle(const Operand& operand) {
     if (operand.unknownWord.empty()) return true;
-    unknownName(operand.unknownWord, operand.range);
+    const auto symbol = names_.find(operand.unknownWord);
+    if (symbol)
+        noValue(std::string(operand.unknownWord), *symbol, operand.range);
+    else if (!functionsNamed(operand.unknownWord).empty())
+        problem(operand.range, "expr-E01",
+                fmt::format("'{}' is a function; its arguments follow in parentheses", operand.unknownWord));
+    else
+        unknownName(operand.unknownWord, operand.range);
     return false;
 }
 
@@ -86,7 +93,20 @@ Parser::Parsed Parser::named(const Token& first) {
             break;
         }
     }
+    const bool isValue = symbol->type.kind != Kind::record && (symbol->count == 0 || index);
+    if (!isValue && path == first.text && !index) return unnamed(first);  // perhaps the word of a choice
     return loaded(path, *symbol, index, since(first.range.begin));
+}
+
+std::nullopt_t Parser::noValue(const std::string& path, const Symbol& symbol, Range range) {
+    if (symbol.count > 0 && symbol.type.kind != Kind::record)
+        return problem(range, "expr-E03",
+                       fmt::format("'{}' is an array; use an element, {}[0] to {}[{}], or {}.count", path,
+                                   path, path, symbol.count - 1, path));
+    const std::vector<std::string> fields = names_.known(path);
+    return problem(range, "expr-E03",
+                   fmt::format("'{}' is {} {}, not a value{}{}", path, article(symbol.what), symbol.what,
+                               fields.empty() ? "" : "; use one of its fields ", joined(fields, " and ")));
 }
 
 std::nullopt_t Parser::noSuchField(const std::string& path, const Symbol& symbol, const Token& field) {
@@ -100,17 +120,7 @@ std::nullopt_t Parser::noSuchField(const std::string& path, const Symbol& symbol
 }
 
 Parser::Parsed Parser::loaded(const std::string& path, Symbol symbol, const Parsed& index, Range range) {
-    if (symbol.count > 0 && !index)
-        return problem(range, "expr-E03",
-                       fmt::format("'{}' is an array; use an element, {}[0] to {}[{}], or {}.count", path,
-                                   path, path, symbol.count - 1, path));
-    if (symbol.type.kind == Kind::record) {
-        const std::vector<std::string> fields = names_.known(path);
-        return problem(
-            range, "expr-E03",
-            fmt::format("'{}' is {} {}, not a value{}{}", path, article(symbol.what), symbol.what,
-                        fields.empty() ? "" : "; use one of its fields ", joined(fields, " and ")));
-    }
+    if ((symbol.count > 0 && !index) || symbol.type.kind == Kind::record) return noValue(path, symbol, range);
     if (index && symbol.count == 0)
         return problem(range, "expr-E03", fmt::format("'{}' is not an array", path));
     const bool isChoice = !symbol.words.empty() && symbol.type.isNumber();
@@ -131,13 +141,7 @@ Parser::Parsed Parser::unnamed(const Token& first) {
     const bool isWanted = word != wanted_.words.end() && wants(Type::word());
     Operand operand = build_.pushed(isWanted ? static_cast<double>(word - wanted_.words.begin()) : 0,
                                     Type::word(), first.range);
-    if (!isWanted) {
-        if (!functionsNamed(first.text).empty())
-            return problem(
-                first.range, "expr-E01",
-                fmt::format("'{}' is a function; its arguments follow in parentheses", first.text));
-        operand.unknownWord = first.text;
-    }
+    if (!isWanted) operand.unknownWord = first.text;
     return operand;
 }
 

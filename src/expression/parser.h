@@ -97,6 +97,8 @@ class Parser {
     bool compareWithChoice(const Operand& choice, Operand& word);
     Parsed named(const Token& first);
     std::nullopt_t noSuchField(const std::string& path, const Symbol& symbol, const Token& field);
+    /// Reports a name that is no value: an array, or an object with fields.
+    std::nullopt_t noValue(const std::string& path, const Symbol& symbol, Range range);
     Parsed loaded(const std::string& path, Symbol symbol, const Parsed& index, Range range);
     /// A name that the caller does not know: a constant, or a word.
     Parsed unnamed(const Token& first);

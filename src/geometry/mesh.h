@@ -34,6 +34,8 @@ struct Mesh {
     int patchVertices = 0;  ///< vertices per patch, for Topology::patches only
     std::vector<Attribute> attributes;
     std::vector<std::uint32_t> indices;
+    /// The last of the indices are points, whatever the topology is; this many.
+    std::size_t pointCount = 0;
 
     /// The number of vertices stored.
     [[nodiscard]] std::size_t vertexCount() const {

@@ -34,6 +34,7 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"glib-E27", "no group 'tre' is declared before this line; did you mean 'tree'?"},
     {"glib-E28", "group 'tree' draws itself"},
     {"glib-E29", "Camera: Perspective needs an angle between 0 and 180, and 0 < near < far"},
+    {"glib-E32", "'uTint' is a vec3, but its value has 16 numbers, as a mat4"},
     {"glib-W01", "a single '/' starts a comment here; use '//' or '#', or quote the path"},
     {"glib-W02", "text after the continuation backslash ignored"},
     {"glib-W03", "',' at the end of '.60,' dropped; blanks separate values"},
@@ -74,6 +75,9 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"glib-W38", "camera 'main' is not used; the camera 'eye' sees the window"},
     {"glib-W39",
      "Viewport has no effect: Pass (line 7) begins with the default state; move it into the pass"},
+    {"glib-W40",
+     "'k' is a counter or parameter here; from this Let on to the end of the scope, 'k' is the variable of "
+     "the scene; choose another name"},
     {"glib-N01", "MessageBox: Move the scene back"},
     {"glib-N02", "Sphere: 3719 vertices, 7080 triangles, program 'Dots'"},
     // Expressions
@@ -129,6 +133,16 @@ constexpr CatalogueRow kCatalogueRows[] = {
      "'cube' has 6 faces, but only face 0 is drawn into: name one, such as 'cube.face(0)', or write gl_Layer "
      "in a geometry stage"},
     {"draw-W15", "Attribute: program 'Lit' has no vertex input 'ofset'; did you mean 'offset'?"},
+    {"draw-W17",
+     "Vertex (line 4) and Fragment (line 8) belong to no Program, so nothing is drawn with them; write "
+     "'Program NAME' after them"},
+    {"draw-W18",
+     "Vertices: a patch has 3 vertices, but the control stage reads gl_in[3] (quad.tesc:7); write "
+     "'NumPatchVertices 4'"},
+    {"draw-W25",
+     "Dispatch: 281,462,092,005,375 groups in all; this driver counts at most 2,147,483,647, and does not "
+     "run "
+     "the others; dispatch fewer groups, or divide them with tiles"},
     {"draw-N01", "no LookAt, so the eye is moved back by 4.125 along z (use --eye glman to switch this off)"},
     {"draw-N02", "the picture has only one colour"},
     {"draw-N03",
@@ -163,6 +177,7 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"memory-E14",
      "atomic counters 'red' and 'all' of program 'Count' have the same binding, so they lie in one buffer, "
      "but two are given, 'red' and 'all'; give each counter a binding of its own"},
+    {"memory-E17", "Vertices from a buffer: 5,000,000 indices are more than the 6 elements of 'square'"},
     {"memory-W01",
      "Step reads 'shadow', which only the frame writes (line 20), so the result depends on the pictures that "
      "were drawn before; write 'shadow' in Step"},
@@ -170,6 +185,15 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"memory-W03",
      "buffer 'ids' is declared with the type uint, but the elements of storage block 'Ids' (count.comp:4) "
      "differ from it and decide; leave out the type, or make them the same"},
+    {"memory-W04",
+     "buffer 'data' is declared with the type float, but number 2 of storage block 'Data' (sum.comp:4) is a "
+     "uint and decides; leave out the type, or make them the same"},
+    {"memory-W05",
+     "Dispatch: data[gl_GlobalInvocationID.x] (line 9) goes up to element 63, but buffer 'data' has 10 "
+     "elements; write 'over data', compare with data.length(), or declare 64 elements"},
+    {"memory-W06",
+     "Dispatch: there is one group along y, so only 8 of the 512 texels of 'heat' along y are reached; write "
+     "'over heat' or the number of groups along y"},
     // Shaders
     {"glsl-E01", "'vMC' : undeclared identifier"},
     {"glsl-E02", "'vN' is vec3 in dots.vert:4 and vec4 in dots.frag:6"},
@@ -184,6 +208,9 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"glsl-E11", "the macros expand to more than 2,000,000 tokens"},
     {"glsl-E12", "compute shaders need OpenGL 4.3; this driver has 4.1"},
     {"glsl-E13", "a program has a compute stage or stages that draw, not both"},
+    {"glsl-E14", "'SIZE' is already defined with another text in line 3; write '#undef SIZE' first"},
+    {"glsl-E15", "macro 'MIDDLE' takes 2 arguments, found 3"},
+    {"glsl-E16", "this comment has no end; write '*/' after it"},
     {"glsl-W01", "no #version, treated as 330 compatibility"},
     {"glsl-W02", "'#version 4.00' read as 400"},
     {"glsl-W03", "'#version 300 es' treated as 330"},
@@ -207,6 +234,13 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"glsl-W21", "uniform 'uKa' declared again on line 12, ignored"},
     {"glsl-W22", "input 'vST' is written to; a local copy is used"},
     {"glsl-W23", "pow(vec2, float): the scalar is widened to vec2"},
+    {"glsl-W30",
+     "max_vertices is 3, but the stage emits 4 vertices, of which the last one is lost; write max_vertices = "
+     "4"},
+    {"glsl-W31", "'sum' is read before it has a value; give it one where it is declared"},
+    {"glsl-W24", "'SHADOWS' is not defined, so it counts as 0 here"},
+    {"glsl-W25", "'##' came with GLSL 1.30, accepted"},
+    {"glsl-W26", "the backslash at the end of this comment makes the next line part of it"},
     // Files
     {"file-E01", "cannot find 'cow.obj'; nearest: 'cows.obj'"},
     {"file-E02", "'dots.frag' is empty"},
@@ -218,7 +252,7 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"file-E08", "'main.obj' is a compiler's object file, not a model"},
     {"file-E09", "'city.obj' has 2.1 GiB, the limit is 1 GiB"},
     {"file-E10", "cannot write 'out/a.png': no space left on device"},
-    {"file-E11", "'wood.dds': not decoded within 60 seconds"},
+    {"file-E11", "'wood.dds': not decoded within 20 seconds"},
     {"file-E12",
      "'../ana/a.frag' lies outside of the scene's folder and the library, and this scene may read only files "
      "inside"},
@@ -238,6 +272,15 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"file-W12", "'Cow.obj' matches 'COW.obj' and 'cow.obj'; 'COW.obj' is used"},
     {"file-W13",
      "the scene names too many missing files; further names are looked up only as they are written"},
+    {"file-W14", "'a.jpg' has no alpha, so the transparency of the picture is lost; .png and .tif keep it"},
+    {"file-W15",
+     "'a.jpg' is to be turned by its EXIF data (orientation 6), which are ignored; save the picture upright"},
+    {"file-W16", "'a.bmp': 3 pixels have colours that the palette lacks; they are black"},
+    {"file-W23", "1 concave face of many corners drawn as a fan from the first corner"},
+    {"file-W24",
+     "--untrusted: 'scenes/shaders' is reached through a link, which is not followed; name the folder that "
+     "it "
+     "leads to, as with --library"},
     {"file-N01", "noise is read from 'noise3d.064.tex' beside the scene"},
     // The graphics driver
     {"gpu-E01", "no usable OpenGL driver (4.1 core or later is needed); tried: egl, osmesa"},
@@ -245,6 +288,13 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"gpu-E03", "reading 8 x 8 pixels takes 256 bytes, not 192"},
     {"gpu-E04", "12 colour targets; this driver's limit is 8"},
     {"gpu-E05", "textures that are drawn into together must be 2D and of one size"},
+    {"gpu-E06",
+     "the graphics driver reset the device while line 7 was drawn: a shader ran for too long or reached "
+     "memory "
+     "that is not its own; bound its loops, or cut the work ('Dispatch ... tiles', --tile, smaller draws)"},
+    {"gpu-E07",
+     "another program made the graphics driver reset the device, again and again; the scene is not to blame, "
+     "but there is no picture of it"},
     // Suites
     {"suite-E01",
      "not TOML: value: expected digit, saw '.'; a number needs a digit before its point, as 0.5"},
@@ -271,6 +321,13 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"suite-E20",
      "goldens: '../pictures' is outside of the suite's folder 'tests'; --allow-outside lets --update write "
      "there"},
+    {"suite-E21",
+     "the picture of 'oval' is compared with nothing: golden = false, no match, no differ, and no Expect in "
+     "the scene"},
+    {"suite-E22", "cannot list the folder 'scenes/drafts': Permission denied; its scenes would be left out"},
+    {"suite-E23",
+     "the goldens of 'Oval' and 'oval' would be one file on disks that ignore upper and lower case; rename "
+     "one"},
     {"suite-W01", "this is not a line of accepted pixels; it is ignored"},
     // Results of suites
     {"result-E01", "this is not a line of results: 'verdict': there is no verdict 'good'"},
@@ -278,12 +335,18 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"result-E03", "2 of 4 shards are missing: 2/4, 4/4; their shots are not in this result"},
     {"result-E04", "these runs do not belong together: shards of 2, 3; give the folders of one run"},
     {"result-E05", "no folder of results is given"},
+    {"result-E06",
+     "'parts/1' and 'parts/2' are not parts of one run: their shots or settings differ; run both with the "
+     "same suites and options"},
     {"result-W01", "'start/teapot' is passed in 'a' and failed in 'b'; it counts as failed"},
     {"result-W02", "report of 'start/teapot': cannot find 'got/teapot.png'"},
     {"result-N01", "the last line is torn, so its shot is not counted"},
     // Checks of scenes
     {"check-E01", "Expect pixel 10 20 [1 0 0]: expected 1 0 0, found 0.501960784 0 0"},
     {"check-E02", "Expect pixel 800 20 [1 0 0]: 'window' has 600 x 600 pixels"},
+    {"check-W01", "Expect pixel 10 20 [1 0 0] is not answered: group 'row' is not drawn"},
+    {"check-N01",
+     "Expect pixel 10 20 [1 0 0] is not answered: the condition of the When on line 12 is false"},
     // Run time against error
     {"bench-E01", "unknown subject 'primitve'; did you mean 'primitives'?"},
     {"bench-E02", "this is not a run of glibra bench; --against takes its bench.json"},
@@ -293,6 +356,10 @@ constexpr CatalogueRow kCatalogueRows[] = {
      "no display found (X11: The DISPLAY environment variable is missing); `glibra render SCENE` writes a "
      "picture without one"},
     {"view-E03", "this scene is an example of glibra; save a copy to keep your values"},
+    {"view-E04",
+     "stopped, because the graphics driver reset the device while line 7 was drawn; change a value or the "
+     "text, "
+     "or reload the scene, to draw it again"},
     {"view-W01",
      "Sphere is left out of the debug view 'texture coordinates': its stages pass no vST to the fragment "
      "stage"},

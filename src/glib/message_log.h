@@ -27,6 +27,9 @@ class MessageLog {
     /// True if a further error would only be counted, so its text is not needed.
     [[nodiscard]] bool isFull() const { return counted_ >= kMostMessages && firstCutError_; }
 
+    /// The last message that was kept; null if there is none.
+    [[nodiscard]] Diagnostic* last() { return kept_.empty() ? nullptr : &kept_.back(); }
+
     /// Errors reported so far, kept or not.
     [[nodiscard]] std::size_t errorCount() const { return errors_; }
 

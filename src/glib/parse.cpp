@@ -12,6 +12,7 @@
 
 #include "glib/arguments.h"
 #include "glib/command_table.h"
+#include "glib/continuation_advice.h"
 #include "glib/limits.h"
 #include "glib/message_log.h"
 #include "glib/modern/blocks.h"
@@ -56,13 +57,15 @@ class Parser {
                             statement->word.position);
                 break;
             }
+            if (continuation_.isSkipped(*statement)) continue;
             if (statement->modern) {
                 keepModern(*statement, *statement->modern);
             } else if (!statement->row) {
-                reportUnknown(statement->word);
+                reportUnknown(*statement);
             } else if (!statement->refused) {
                 keep(*statement);
             }
+            continuation_.follow(*statement);
         }
         blocks_.finish(commands_);
         for (const Command& each : commands_)
@@ -74,7 +77,9 @@ class Parser {
     std::set<std::string, std::less<>> takeLostNames() { return std::move(lostNames_); }
 
   private:
-    void reportUnknown(const Token& word) {
+    void reportUnknown(const Statement& statement) {
+        const Token& word = statement.word;
+        if (continuation_.report(statement, log_)) return;
         constexpr std::string_view kEnd = "End";
         if (word.kind == TokenKind::word && sameWord(word.text.substr(0, kEnd.size()), kEnd)) {
             const StatementRow* stage = modernFormOf(word.text.substr(kEnd.size()));
@@ -116,11 +121,13 @@ class Parser {
         const StatementRow* form = statementOf(statement.row->id);
         if (statement.row->form == ArgumentForm::program && isModernProgram(statement))
             return keepModern(statement, *form);
+        if (statement.row->form == ArgumentForm::program && keepSubscripts(statement, *form)) return;
         if (statement.row->form == ArgumentForm::program) noteName(statement);
         Command command = start(statement, statement.row->id);
         const std::size_t errors = log_.errorCount();
         if (form && !statement.faulty) blocks_.checkPlace(*form, command);
         if (!refusesNames(statement)) read(statement, command);
+        if (log_.errorCount() > errors) continuation_.advise(text_, statement, log_);
         const bool faulty = statement.faulty || log_.errorCount() > errors || losesStage(command.id);
         if (command.id == CommandId::fragment) fragmentFile_ = command.text;
         isModern_ = isModern_ || command.isEvaluatedLater;
@@ -140,6 +147,27 @@ class Parser {
         return isModern_;
     }
 
+    /// Keeps the program of a classic scene whose tags have subscripts, if the rules of modern statements can
+    /// read it. False if there is no such tag, or the statement has something else that they refuse.
+    bool keepSubscripts(const Statement& statement, const StatementRow& form) {
+        if (isModern_ || statement.faulty || !hasSubscriptedTag(statement.arguments)) return false;
+        MessageLog unused{""};
+        Command command = start(statement, form.id);
+        command.isModern = true;
+        readStatement(form, text_, statement.arguments,
+                      {[](std::string_view) { return false; }, [](std::string_view) { return false; }},
+                      command, unused);
+        if (unused.errorCount() > 0 || command.values.empty()) return false;
+        takeUniforms(command);
+        if (!command.tags.empty() || ++programs_ > kMostPrograms) return false;
+        setText(command);
+        command.values.clear();
+        command.isModern = false;
+        noteName(statement);
+        if (!losesStage(form.id)) commands_.push_back(std::move(command));
+        return true;
+    }
+
     void keepModern(const Statement& statement, const StatementRow& row) {
         isModern_ = true;
         if (declares(row.id)) noteName(statement);
@@ -154,6 +182,7 @@ class Parser {
                            [this](std::string_view name) { return mayBeDeclared(name); }},
                           command, log_);
         const bool isRead = !statement.faulty && log_.errorCount() == errors;
+        if (!isRead) continuation_.advise(text_, statement, log_);
         if (isRead) blocks_.checkPlace(row, command);
         finishModern(row, command);
         const bool faulty = statement.faulty || log_.errorCount() > errors || losesStage(row.id);
@@ -265,12 +294,14 @@ class Parser {
             const std::string_view head = token.text.substr(0, token.text.find('.'));
             const bool isName = token.kind == TokenKind::word && names_.contains(std::string(head));
             const bool isFormula = (token.kind == TokenKind::word || token.kind == TokenKind::number) &&
-                                   looksLikeExpression(token.text);
+                                   (looksLikeExpression(token.text) ||
+                                    looksLikeExpression(expressionAt(text_, statement.arguments, token)));
             if (isFormula && !isModern_) wouldDiffer_ = true;
             if (!isName && !(isFormula && isModern_)) continue;
+            const std::string_view whole = expressionAt(text_, statement.arguments, token);
             log_.report("glib-E19",
                         fmt::format("{}: expected a number, found {}; write ({}) for its value",
-                                    statement.row->name(), inQuotes(token.text), token.text),
+                                    statement.row->name(), inQuotes(whole), whole),
                         token.position);
             return true;
         }
@@ -324,6 +355,7 @@ class Parser {
     StatementReader reader_;
     MessageLog& log_;
     BlockStack blocks_;
+    ContinuationAdvice continuation_;
     bool isModern_ = false;
     bool wouldDiffer_ = false;               ///< something so far would mean something else in a modern scene
     std::unordered_set<std::string> names_;  ///< of textures, buffers, samplers, cameras and variables

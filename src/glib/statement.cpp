@@ -8,6 +8,7 @@
 #include "glib/bracket_group.h"
 #include "glib/limits.h"
 #include "glib/modern/read_values.h"
+#include "glib/shader_body.h"
 #include "glib/text.h"
 
 namespace glibra::glib {
@@ -66,26 +67,6 @@ Parentheses parenthesesOf(std::string_view text, const LineRange& range, const S
         return Parentheses::expressions;
     if (pending && (!row || isCommand(*pending, CommandId::program))) row = pending->row;
     return !row || takesExpressions(*row) ? Parentheses::byContent : Parentheses::brackets;
-}
-
-/// True for a line that is no line of a shader, because it states another shader or a program.
-bool endsShader(std::string_view line) {
-    constexpr std::string_view kEnd = "End";
-    std::string_view word = line.substr(0, line.find_first_of(" \t"));
-    const bool isEnd = word.starts_with(kEnd) && word.size() == line.size();
-    if (isEnd) word.remove_prefix(kEnd.size());
-    const StatementRow* row = modernFormOf(word);
-    if (row == nullptr) row = findStatement(word);
-    if (row == nullptr || row->name != word) return false;
-    return row->syntax.find("inline") != std::string_view::npos || (row->id == CommandId::program && !isEnd);
-}
-
-/// What the line says, without blanks at either end.
-std::string_view trimmed(std::string_view line) {
-    constexpr std::string_view kBlanks = " \t\v\f";
-    const std::size_t begin = line.find_first_not_of(kBlanks);
-    if (begin == std::string_view::npos) return {};
-    return line.substr(begin, line.find_last_not_of(kBlanks) + 1 - begin);
 }
 
 /// True for `Fragmnet inline`: what follows is probably a shader.
@@ -226,26 +207,30 @@ void StatementReader::joinModernLines(Statement& statement, bool pending, Positi
 /// Takes the lines up to one that holds only the end word.
 void StatementReader::readBody(Statement& statement) {
     const std::string stage(statement.modern->name);
-    const std::string end = "End" + stage;
     const LineSplitter start = lines_;
-    std::optional<LineRange> first;
-    while (!bodiesWithoutEnd_.contains(stage)) {
-        const std::optional<LineRange> line = lines_.next();
-        if (!line) break;
-        if (!first) first = line;
-        const std::string_view words = trimmed(text_.substr(line->begin, line->end - line->begin));
-        if (!sameWord(words, end)) continue;
-        statement.body = text_.substr(first->begin, line->begin - first->begin);
-        statement.bodyPosition = {first->number, 1};
-        statement.end = line->end;
+    const ShaderBody body = bodiesWithoutEnd_.contains(stage) ? ShaderBody{.before = lines_}
+                                                              : readShaderBody(text_, lines_, stage);
+    if (body.end == ShaderBody::End::missing) {
+        lines_ = start;
+        bodiesWithoutEnd_.insert(stage);
+        skipShader();
+        log_.report("glib-E22", fmt::format("'{0} inline' is not closed by a line 'End{0}'", stage),
+                    statement.word.position);
+        statement.faulty = true;
         return;
     }
-    lines_ = start;
-    bodiesWithoutEnd_.insert(stage);
-    skipShader();
-    log_.report("glib-E22", fmt::format("'{} inline' is not closed by a line '{}'", stage, end),
+    statement.body = text_.substr(body.first, body.last - body.first);
+    statement.bodyPosition = {body.firstLine, 1};
+    statement.end = body.line.end;
+    if (body.end == ShaderBody::End::itsWord) return;
+    // The shader is whole, so what follows is read as if its end were there.
+    const bool isWord = body.end == ShaderBody::End::otherWord;
+    if (!isWord) lines_ = body.before;
+    log_.report("glib-E22",
+                fmt::format("'{} inline' is {} {} (line {}); write End{}", stage,
+                            isWord ? "closed by" : "not closed before", inQuotes(body.words),
+                            body.line.number, stage),
                 statement.word.position);
-    statement.faulty = true;
 }
 
 /// Refuses a stage without a file whose next line is `#version`, and skips that shader.

@@ -46,6 +46,10 @@ void read(const ProgramRequest& request, ProgramUnits& program) {
         }
         Unit& unit = program.units.emplace_back();
         unit.request = &request;
+        const std::size_t begin = std::min(each->text.find_first_not_of("\r\n"), each->text.size());
+        unit.firstLine =
+            1 + static_cast<int>(std::count(each->text.begin(),
+                                            each->text.begin() + static_cast<std::ptrdiff_t>(begin), '\n'));
         readSource(*each, unit, program.report);
     }
 }
@@ -154,10 +158,17 @@ void deliver(ProgramUnits& program) {
     if (!program.find(Stage::fragment)) result.fragmentOutputs = 0;
     result.mayReadTangents = mayReadTangents(program);
     result.levelUniforms = findLevelUniforms(program);
+    collectReaches(program);
+    for (const Unit& unit : program.units) reportUnassigned(unit, program.report);
     for (Unit& unit : program.units) {
         TranslatedStage& stage =
             result.stages.emplace_back(program.request->shim ? emit(unit) : emitAsIs(unit));
-        stage.loops = loopsOf(unit);
+        stage.firstLine = unit.firstLine;
+        LoopFacts loops = loopsOf(unit);
+        stage.loops = std::move(loops.loops);
+        stage.emits = loops.emits;
+        if (program.request->acceptsStorage || unit.stage == Stage::compute)
+            stage.subscripts = subscriptsOf(unit);
         stage.facts = factsOf(unit);
         stage.mismatches = mismatchesOf(unit);
     }

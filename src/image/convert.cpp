@@ -83,6 +83,12 @@ Image emptyOf(const Image& like, int components, Component type) {
 
 }  // namespace
 
+Image blankImage(std::uint64_t width, std::uint64_t height, Component type) {
+    Image image{static_cast<int>(width), static_cast<int>(height), 4, type, {}};
+    image.data.resize(image.rowBytes() * static_cast<std::size_t>(height));
+    return image;
+}
+
 Image withComponents(const Image& image, int components) {
     if (components == image.components) return image;
     Image result = emptyOf(image, components, image.type);

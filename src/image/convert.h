@@ -1,9 +1,14 @@
 #pragma once
 // Converts an image to other components, another type, or reversed rows. u8 and u16 stand for 0..1.
 
+#include <cstdint>
+
 #include "image/image.h"
 
 namespace glibra::image {
+
+/// An RGBA picture whose components are all 0.
+Image blankImage(std::uint64_t width, std::uint64_t height, Component type);
 
 /// The same picture with 1 to 4 components: grey is copied to red, green and blue; missing alpha is 1;
 /// superfluous components are dropped (the grey of a colour picture is its red).

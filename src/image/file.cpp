@@ -12,6 +12,8 @@
 #include <new>
 #include <system_error>
 
+#include "base/contained.h"
+
 namespace glibra::image {
 namespace {
 
@@ -118,7 +120,8 @@ Diagnostic cannotWrite(const fs::path& path, const std::string& why) {
     return diagnose("file-E10", fmt::format("cannot write '{}': {}", path.string(), why));
 }
 
-TemporaryFile::TemporaryFile(const fs::path& target) : target_(resolved(target)) {
+TemporaryFile::TemporaryFile(const fs::path& target, NamedBy named)
+    : target_(named == NamedBy::user ? resolved(target) : target) {
     // mkstemp ignores the user's file mode, so names are tried one by one; the process number keeps
     // concurrent runs apart.
     constexpr int kAttempts = 1000;
@@ -169,16 +172,38 @@ void removeTemporaryFiles(const fs::path& folder, int process) {
         }
 }
 
-Diagnostics writeFileAtomically(const fs::path& path, std::span<const std::byte> bytes) {
+/// Writes a file that has no name until it is complete. Returns 0, an error number, or ENOTSUP where the
+/// system has no such files.
+static int writeUnnamed([[maybe_unused]] const fs::path& target,
+                        [[maybe_unused]] std::span<const std::byte> bytes) {
+#ifdef O_TMPFILE
+    const fs::path parent = target.has_parent_path() ? target.parent_path() : fs::path(".");
+    const Descriptor folder(::open(parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (folder.number() < 0) return ENOTSUP;  // the named file reports it
+    const Descriptor file(::openat(folder.number(), ".", O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666));
+    if (file.number() < 0) return ENOTSUP;
+    if (const int failed = writeAll(file.number(), bytes); failed != 0) return failed;
+    return base::nameFile(folder.number(), file.number(), target.filename());
+#else
+    return ENOTSUP;
+#endif
+}
+
+Diagnostics writeFileAtomically(const fs::path& path, std::span<const std::byte> bytes, NamedBy named) {
     struct stat status {};
-    if (::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode)) {
-        if (S_ISDIR(status.st_mode)) return {cannotWrite(path, "it is a folder")};
+    const bool exists =
+        named == NamedBy::user ? ::stat(path.c_str(), &status) == 0 : ::lstat(path.c_str(), &status) == 0;
+    if (exists && S_ISDIR(status.st_mode)) return {cannotWrite(path, "it is a folder")};
+    if (exists && named == NamedBy::user && !S_ISREG(status.st_mode)) {
         const Descriptor device(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
         const int failed = device.number() < 0 ? errno : writeAll(device.number(), bytes);
         if (failed != 0) return {cannotWrite(path, reason(failed))};
         return {};
     }
-    TemporaryFile temporary(path);
+    const int written = writeUnnamed(named == NamedBy::user ? resolved(path) : path, bytes);
+    if (written == 0) return {};
+    if (written != ENOTSUP) return {cannotWrite(path, reason(written))};
+    TemporaryFile temporary(path, named);
     if (temporary.descriptor() < 0) return {temporary.failure()};
     if (const int failed = writeAll(temporary.descriptor(), bytes); failed != 0)
         return {cannotWrite(path, reason(failed))};

@@ -23,11 +23,16 @@ Result<std::vector<std::byte>> readFile(const std::filesystem::path& path, const
 /// file-E10 for the file at `path`.
 Diagnostic cannotWrite(const std::filesystem::path& path, const std::string& why);
 
-/// Writes a temporary file in the same folder and renames it when it is complete, so that nobody sees an
-/// incomplete file and an existing file survives a failure. A link keeps its target; a device or pipe
-/// (/dev/stdout) is written directly. Empty on success; otherwise one file-E10, and no temporary file
-/// remains.
-Diagnostics writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
+/// Who chose the name of a file that is written.
+enum class NamedBy {
+    user,    ///< a link there keeps its target, and a device or pipe (/dev/stdout) is written directly
+    program  ///< whatever has that name, and is no folder, is replaced; the target of a link stays as it is
+};
+
+/// The file appears under its name when it is complete, so that nobody sees an incomplete file and an
+/// existing file survives a failure. Empty on success; otherwise one file-E10, and no temporary file remains.
+Diagnostics writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> bytes,
+                                NamedBy named = NamedBy::user);
 
 /// Removes the temporary files of a process that ended while it was writing into a folder.
 void removeTemporaryFiles(const std::filesystem::path& folder, int process);
@@ -36,7 +41,7 @@ void removeTemporaryFiles(const std::filesystem::path& folder, int process);
 /// `commit` succeeds.
 class TemporaryFile {
   public:
-    explicit TemporaryFile(const std::filesystem::path& target);
+    explicit TemporaryFile(const std::filesystem::path& target, NamedBy named = NamedBy::user);
     TemporaryFile(const TemporaryFile&) = delete;
     TemporaryFile& operator=(const TemporaryFile&) = delete;
     ~TemporaryFile();

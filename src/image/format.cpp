@@ -12,24 +12,24 @@ using Row = FormatRow;
 
 // One row per format. Add a new one here and, if it has a signature, below.
 constexpr std::array kFormatRows{
-    Row{Format::unknown, "neither a picture nor a raw texture", "", ""},
-    Row{Format::bmp, "a BMP picture", "bmp", ".bmp .dib "},
-    Row{Format::png, "a PNG picture", "png", ".png "},
-    Row{Format::jpeg, "a JPEG picture", "jpeg", ".jpg .jpeg .jpe .jfif "},
-    Row{Format::tiff, "a TIFF picture", "tiff", ".tif .tiff "},
-    Row{Format::openExr, "an EXR picture", "openexr", ".exr "},
-    Row{Format::hdr, "an HDR picture", "hdr", ".hdr .rgbe "},
-    Row{Format::targa, "a TGA picture", "targa", ".tga .tpic "},
-    Row{Format::gif, "a GIF picture", "gif", ".gif "},
-    Row{Format::webp, "a WebP picture", "webp", ".webp "},
-    Row{Format::photoshop, "a Photoshop picture", "psd", ".psd "},
-    Row{Format::dds, "a DDS picture", "dds", ".dds "},
-    Row{Format::pnm, "a PNM picture", "pnm", ".ppm .pgm .pbm .pnm "},
-    Row{Format::pfm, "a PFM picture", "pnm", ".pfm "},
-    Row{Format::sgi, "an SGI picture", "sgi", ".sgi .rgb .rgba .bw "},
-    Row{Format::icon, "an ICO picture", "ico", ".ico "},
-    Row{Format::heif, "a HEIF picture", "heif", ".heic .heif .avif "},
-    Row{Format::rawTexture, "a raw texture", "", ".tex "},
+    Row{Format::unknown, "neither a picture nor a raw texture", "", "", false},
+    Row{Format::bmp, "a BMP picture", "bmp", ".bmp .dib ", false},
+    Row{Format::png, "a PNG picture", "png", ".png ", true},
+    Row{Format::jpeg, "a JPEG picture", "jpeg", ".jpg .jpeg .jpe .jfif ", false},
+    Row{Format::tiff, "a TIFF picture", "tiff", ".tif .tiff ", true},
+    Row{Format::openExr, "an EXR picture", "openexr", ".exr ", true},
+    Row{Format::hdr, "an HDR picture", "hdr", ".hdr .rgbe ", false},
+    Row{Format::targa, "a TGA picture", "targa", ".tga .tpic ", true},
+    Row{Format::gif, "a GIF picture", "gif", ".gif ", false},
+    Row{Format::webp, "a WebP picture", "webp", ".webp ", true},
+    Row{Format::photoshop, "a Photoshop picture", "psd", ".psd ", false},
+    Row{Format::dds, "a DDS picture", "dds", ".dds ", false},
+    Row{Format::pnm, "a PNM picture", "pnm", ".ppm .pgm .pbm .pnm ", false},
+    Row{Format::pfm, "a PFM picture", "pnm", ".pfm ", false},
+    Row{Format::sgi, "an SGI picture", "sgi", ".sgi .rgb .rgba .bw ", true},
+    Row{Format::icon, "an ICO picture", "ico", ".ico ", true},
+    Row{Format::heif, "a HEIF picture", "heif", ".heic .heif .avif ", true},
+    Row{Format::rawTexture, "a raw texture", "", ".tex ", false},
 };
 
 const Row& rowOf(Format format) {
@@ -147,6 +147,10 @@ Format formatOfSuffix(const std::filesystem::path& path) {
 bool holdsFloats(const std::filesystem::path& path) {
     const Format format = formatOfSuffix(path);
     return format == Format::openExr || format == Format::hdr || format == Format::pfm;
+}
+
+bool keepsAlpha(Format format) {
+    return rowOf(format).keepsAlpha;
 }
 
 std::string_view describe(Format format) {

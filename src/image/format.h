@@ -38,6 +38,9 @@ Format formatOfSuffix(const std::filesystem::path& path);
 /// True for the suffixes of formats that keep floats outside of 0..1: EXR, HDR and PFM.
 bool holdsFloats(const std::filesystem::path& path);
 
+/// True if a picture that is written in this format keeps its alpha.
+bool keepsAlpha(Format format);
+
 /// With article, for messages: "a TIFF picture", "an EXR picture", "a raw texture".
 std::string_view describe(Format format);
 
@@ -50,6 +53,7 @@ struct FormatRow {
     std::string_view description;  ///< as `describe` gives it
     std::string_view openImageIo;  ///< as `openImageIoName` gives it
     std::string_view suffixes;     ///< each with its dot and a blank after it
+    bool keepsAlpha;               ///< a picture that is written keeps its alpha
 };
 std::span<const FormatRow> formats();
 

@@ -1,5 +1,11 @@
 #include "image/jpeg_segments.h"
 
+#include <algorithm>
+#include <string_view>
+
+#include "image/bytes.h"
+#include "image/tiff/tiff_header.h"
+
 namespace glibra::image {
 namespace {
 
@@ -11,6 +17,33 @@ bool isMetadata(unsigned marker) {
 }
 
 }  // namespace
+
+JpegFacts jpegFacts(ByteSpan jpeg) {
+    constexpr std::size_t kLeastFrame = 8;  // after the length: precision, height, width, components
+    constexpr std::string_view kExif("Exif\0\0", 6);
+    JpegFacts facts;
+    for (std::size_t at = 2; at + 4 <= jpeg.size() && octetAt(jpeg, at) == 0xff;) {
+        const unsigned marker = octetAt(jpeg, at + 1);
+        if (marker == 0xff) {  // a fill byte
+            ++at;
+            continue;
+        }
+        const std::size_t length = big16(jpeg, at + 2);
+        if (marker == kStartOfScan || marker < 0xc0 || length < 2 || at + 2 + length > jpeg.size()) break;
+        const ByteSpan content = jpeg.subspan(at + 4, length - 2);
+        const bool isFrame = marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
+        if (isFrame && length >= kLeastFrame) {
+            facts.height = big16(content, 1);
+            facts.width = big16(content, 3);
+            facts.components = octetAt(content, 5);
+        }
+        if (marker == kApp0 + 1 && content.size() > kExif.size() &&
+            std::equal(kExif.begin(), kExif.end(), reinterpret_cast<const char*>(content.data())))
+            facts.orientation = tiffOrientation(content.subspan(kExif.size()));
+        at += 2 + length;
+    }
+    return facts;
+}
 
 std::vector<std::byte> withoutMetadata(std::span<const std::byte> jpeg) {
     const auto byteAt = [&](std::size_t at) { return std::to_integer<unsigned>(jpeg[at]); };

@@ -2,6 +2,7 @@
 // The segments of a JPEG file (ISO/IEC 10918-1, annex B).
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -12,6 +13,13 @@ namespace glibra::image {
 /// picture or converts its colours, and no parser sees damaged metadata. From the first invalid segment,
 /// everything is kept.
 std::vector<std::byte> withoutMetadata(std::span<const std::byte> jpeg);
+
+/// What the header of a JPEG file says.
+struct JpegFacts {
+    std::uint32_t width = 0, height = 0, components = 0;  ///< 0 if the file has no frame
+    unsigned orientation = 1;                             ///< of the EXIF data, 1 to 8; 1: upright
+};
+JpegFacts jpegFacts(std::span<const std::byte> jpeg);
 
 /// True if the file has its end-of-image marker. Decoders fill a truncated file with grey and report nothing.
 bool hasEndOfImage(std::span<const std::byte> jpeg);

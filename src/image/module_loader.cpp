@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <memory>
 #include <new>
 #include <system_error>
 
@@ -138,34 +139,70 @@ Result<Image> pictureOf(const Reading& reading, const ReadingJob& job, std::vect
     return damaged(job.label, fmt::format("damaged or short file ({})", textOf(reading.message)));
 }
 
-Result<Image> readHere(const ReadingJob& job) {
-    Reading reading;
-    std::vector<std::byte> pixels;
-    readPixels(job, reading, [&](std::size_t bytes) -> void* {
-        pixels.resize(bytes);
-        return pixels.data();
+/// A limit of the decoder, and what the user calls it.
+struct DecoderTime {
+    base::CallLimits limits;
+    std::string text;
+};
+
+/// In a worker, a picture is given up before the worker is ended, which could not name the file.
+DecoderTime inTime(base::CallLimits limits) {
+    constexpr double kShare = .9;
+    const auto step = base::stepTime();
+    if (!step || (limits.seconds > 0 && limits.seconds <= kShare * step->left))
+        return {limits, fmt::format("{:g} seconds", limits.seconds)};
+    limits.seconds = std::max(.01, kShare * step->left);
+    return {limits, fmt::format("{:g} seconds (--timeout)", step->limit)};
+}
+
+Diagnostic tooSlow(const FileLabel& label, const DecoderTime& time) {
+    return diagnose("file-E11", fmt::format("'{}': not decoded within {}", label.name, time.text),
+                    label.place);
+}
+
+/// Reads in a thread of this process: a worker that is confined may start no other one, but has limits
+/// itself.
+Result<Image> readInThread(const ReadingJob& job, const DecoderTime& time) {
+    struct Everything {
+        std::vector<std::byte> file;
+        fs::path path;
+        FileLabel label;
+        Limits limits;
+        Reading reading;
+        std::vector<std::byte> pixels;
+    };
+    const auto all = std::make_shared<Everything>();
+    all->file.assign(job.file.begin(), job.file.end());
+    all->path = job.path;
+    all->label = job.label;
+    all->limits = job.limits;
+    const bool ended = base::runInThread(time.limits, [all, read = job.read, format = job.format] {
+        readPixels({read, format, all->file, all->path, all->label, all->limits}, all->reading,
+                   [&](std::size_t bytes) -> void* {
+                       all->pixels.resize(bytes);
+                       return all->pixels.data();
+                   });
     });
-    return pictureOf(reading, job, std::move(pixels));
+    if (!ended) return tooSlow(job.label, time);
+    return pictureOf(all->reading, job, std::move(all->pixels));
 }
 
 /// Reads in a process of its own. The pixels come back through memory that both processes share.
-Result<Image> readContained(const ReadingJob& job, const base::CallLimits& limits) {
+Result<Image> readContained(const ReadingJob& job, const DecoderTime& time) {
     constexpr std::size_t kPixelsAt = 4096;
     static_assert(sizeof(Reading) <= kPixelsAt);
     const base::SharedMemory shared(kPixelsAt + static_cast<std::size_t>(job.limits.texelBytes));
     if (shared.bytes().empty()) return damaged(job.label, "there is not enough memory to read it");
     auto& reading = *new (shared.bytes().data()) Reading;
     const std::span<std::byte> place = shared.bytes().subspan(kPixelsAt);
-    const base::CallEnd end = base::runContained(limits, [&] {
+    const base::CallEnd end = base::runContained(time.limits, [&] {
         readPixels(job, reading,
                    [&](std::size_t bytes) { return bytes <= place.size() ? place.data() : nullptr; });
     });
     using Kind = base::CallEnd::Kind;
-    if (end.kind == Kind::timedOut)
-        return diagnose("file-E11",
-                        fmt::format("'{}': not decoded within {:g} seconds", job.label.name, limits.seconds),
-                        job.label.place);
-    if (end.kind == Kind::died) {
+    if (end.kind == Kind::notStarted && base::isWorker()) return readInThread(job, time);
+    if (end.kind == Kind::timedOut) return tooSlow(job.label, time);
+    if (end.kind != Kind::finished) {
         const std::string how =
             end.signal > 0 ? fmt::format("ended with signal {}", end.signal) : "could not finish";
         return diagnose("file-E11", fmt::format("'{}': its decoder {}", job.label.name, how),
@@ -192,9 +229,9 @@ struct Writing {
     }
 };
 
-/// Writes in a process of its own, unless this is a worker. After a call in this process, a thread of
-/// OpenImageIO's pool would end at some later time; a process that is forked while this thread holds the
-/// pool's lock would wait for the lock for ever (OpenImageIO before 2.5, its change 3879).
+/// Writes in a process of its own, unless this is a worker that may start none. After a call in this process,
+/// a thread of OpenImageIO's pool would end at some later time; a process that is forked while this thread
+/// holds the pool's lock would wait for the lock for ever (OpenImageIO before 2.5, its change 3879).
 Writing writePixels(GlibraWritePicture write, GlibraWriteRequest request) {
     const auto call = [&](Writing& writing) {
         request.message = writing.message.data();
@@ -202,32 +239,13 @@ Writing writePixels(GlibraWritePicture write, GlibraWriteRequest request) {
         writing.result = write(&request);
     };
     Writing here;
-    if (base::isWorker()) {
-        call(here);
-        return here;
-    }
     const base::SharedMemory shared(sizeof(Writing));
     if (shared.bytes().empty()) return here;
     auto& there = *new (shared.bytes().data()) Writing;
-    base::runContained({.seconds = 0, .memory = 0}, [&] { call(there); });
-    return there;
-}
-
-/// The size that the header of a Photoshop file states. OpenImageIO reserves memory for all channels before
-/// it reports a size.
-std::optional<Diagnostic> checkPhotoshop(const ReadingJob& job) {
-    constexpr std::size_t kHeader = 26;
-    if (job.format != Format::photoshop || job.file.size() < kHeader) return std::nullopt;
-    const auto big = [&](std::size_t at, std::size_t bytes) {
-        std::uint64_t value = 0;
-        for (std::size_t i = at; i < at + bytes; ++i)
-            value = value << 8U | std::to_integer<std::uint64_t>(job.file[i]);
-        return value;
-    };
-    const std::uint64_t channels = big(12, 2), height = big(14, 4), width = big(18, 4), bits = big(22, 2);
-    if (auto tooLarge = checkSize(width, height, (channels * bits + 7) / 8, job.limits, job.label))
-        return tooLarge;
-    return checkInflation(width, height, job.file.size(), job.label);
+    const base::CallEnd end = base::runContained({.seconds = 0, .memory = 0}, [&] { call(there); });
+    if (end.kind != base::CallEnd::Kind::notStarted || !base::isWorker()) return there;
+    call(here);
+    return here;
 }
 
 }  // namespace
@@ -264,8 +282,7 @@ Result<Image> readByModule(Format format, std::span<const std::byte> file, const
     const auto module = loadModule(moduleFolders);
     if (!module) return notInstalled(format, label);
     const ReadingJob job{module->read, format, file, path, label, limits};
-    if (auto refused = checkPhotoshop(job)) return *std::move(refused);
-    return base::isWorker() ? readHere(job) : readContained(job, decoder);
+    return readContained(job, inTime(decoder));
 }
 
 Diagnostics writeByModule(const Image& image, Format format, const fs::path& path, const FileLabel& label,
@@ -283,6 +300,7 @@ Diagnostics writeByModule(const Image& image, Format format, const fs::path& pat
     request.width = source.width;
     request.height = source.height;
     request.components = source.components;
+    request.keepsAlpha = keepsAlpha(format) ? 1 : 0;
     request.type = source.type == Component::u8    ? kGlibraU8
                    : source.type == Component::u16 ? kGlibraU16
                                                    : kGlibraF32;

@@ -1,5 +1,5 @@
 #pragma once
-// The OpenImageIO module, which is loaded for the first picture that needs it and stays loaded until the
+// The image module, which is loaded for the first picture that needs it and stays loaded until the
 // process ends.
 
 #include <glibra/result.h>
@@ -22,9 +22,10 @@ std::vector<std::filesystem::path> defaultModuleFolders();
 
 /// Reads a picture with the module: RGBA, u8, u16 or f32. `path` may be empty if the bytes come from inside
 /// another file. The decoders are foreign code, so they run in a process of their own within the limits of
-/// `decoder`; in a worker (base::isWorker) they run directly, since it has limits itself. Errors: file-E03
-/// the module is not installed, naming the format; file-E04 damaged; file-E09 exceeds the limits; file-E11
-/// the decoder crashed or took too long.
+/// `decoder`; in a worker (base::isWorker) also within the time that its step has left. A worker that may
+/// start no process runs them in a thread, since it has limits itself. Errors: file-E03 the module is not
+/// installed, naming the format; file-E04 damaged; file-E09 exceeds the limits; file-E11 the decoder crashed
+/// or took too long.
 Result<Image> readByModule(Format format, std::span<const std::byte> file, const std::filesystem::path& path,
                            const FileLabel& label, const Limits& limits,
                            std::span<const std::filesystem::path> moduleFolders,

@@ -2,51 +2,57 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <new>
+#include <optional>
 
 #include "image/bmp/bmp_reader.h"
 #include "image/file.h"
+#include "image/foreign.h"
 #include "image/format.h"
-#include "image/jpeg_segments.h"
+#include "image/gif/gif_reader.h"
+#include "image/hdr/hdr_reader.h"
 #include "image/png/png_reader.h"
+#include "image/pnm/pnm_reader.h"
+#include "image/sgi/sgi_reader.h"
+#include "image/tga/targa_reader.h"
 
 namespace glibra::image {
 namespace {
 
 namespace fs = std::filesystem;
 
-Result<Image> decodeJpeg(std::span<const std::byte> file, const FileLabel& label,
-                         const ReadOptions& options) {
-    auto read = readByModule(Format::jpeg, withoutMetadata(file), {}, label, options.limits,
-                             options.moduleFolders, options.decoder);
-    if (read && !hasEndOfImage(file)) return damaged(label, "the file ends before its pixels do");
-    return read;
-}
+using Reader = Result<Image> (*)(std::span<const std::byte>, const FileLabel&, const Limits&);
+
+struct ReaderRow {
+    Format format;
+    Reader read;
+};
+
+/// The formats that are read here, without a library that opens them.
+constexpr std::array kReaderRows{
+    ReaderRow{Format::png, decodePng},     ReaderRow{Format::bmp, decodeBmp},
+    ReaderRow{Format::targa, decodeTarga}, ReaderRow{Format::hdr, decodeHdr},
+    ReaderRow{Format::gif, decodeGif},     ReaderRow{Format::pnm, decodePnm},
+    ReaderRow{Format::pfm, decodePfm},     ReaderRow{Format::sgi, decodeSgi},
+};
 
 Result<Image> decode(std::span<const std::byte> file, Format format, const fs::path& path,
                      const FileLabel& label, const ReadOptions& options) {
-    switch (format) {
-        case Format::png:
-            return decodePng(file, label, options.limits);
-        case Format::bmp:
-            if (const auto inner = embeddedPicture(file)) {
-                const Format wrapped = formatOf(*inner);
-                if (wrapped == Format::png || wrapped == Format::jpeg)
-                    return decode(*inner, wrapped, {}, label, options);
-                return damaged(label,
-                               "the BMP header announces a JPEG or PNG picture, but the file contains none");
-            }
-            return decodeBmp(file, label, options.limits);
-        case Format::unknown:
-        case Format::rawTexture:
-            return diagnose("file-E03", fmt::format("'{}' is {}", label.name, describe(Format::unknown)),
-                            label.place);
-        case Format::jpeg:
-            return decodeJpeg(file, label, options);
-        default:
-            return readByModule(format, file, path, label, options.limits, options.moduleFolders,
-                                options.decoder);
+    if (format == Format::unknown || format == Format::rawTexture)
+        return diagnose("file-E03", fmt::format("'{}' is {}", label.name, describe(Format::unknown)),
+                        label.place);
+    if (const auto inner = format == Format::bmp ? embeddedPicture(file) : std::nullopt) {
+        const Format wrapped = formatOf(*inner);
+        if (wrapped == Format::png || wrapped == Format::jpeg)
+            return decode(*inner, wrapped, {}, label, options);
+        return damaged(label, "the BMP header announces a JPEG or PNG picture, but the file contains none");
     }
+    const auto* const row = std::find_if(kReaderRows.begin(), kReaderRows.end(),
+                                         [&](const ReaderRow& each) { return each.format == format; });
+    if (row != kReaderRows.end()) return row->read(file, label, options.limits);
+    return decodeForeign(format, file, path, label, options);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <system_error>
 #include <vector>
 
+#include "image/alpha.h"
 #include "image/convert.h"
 #include "image/file.h"
 #include "image/format.h"
@@ -19,16 +20,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Diagnostics writePng(const Image& image, const fs::path& path, const PngOptions& options) {
+Diagnostics writePng(const Image& image, const fs::path& path, const PngOptions& options, NamedBy named) {
     const bool floats = image.type == Component::f32;
     const auto png = floats ? encodePng(withType(image, Component::u16), options) : encodePng(image, options);
     if (png.empty()) return {cannotWrite(path, "there is not enough memory")};
-    return writeFileAtomically(path, png);
+    return writeFileAtomically(path, png, named);
 }
 
 /// A PFM file: colours without alpha as little-endian floats, from the bottom row to the top one (P. Debevec,
 /// "PFM Portable FloatMap Image Format"). OpenImageIO reads it, but writes it from version 2.5 on only.
-Diagnostics writePfm(const Image& image, const fs::path& path) {
+Diagnostics writePfm(const Image& image, const fs::path& path, NamedBy named) {
     static_assert(std::endian::native == std::endian::little);
     const Image colors = withComponents(withType(image, Component::f32), 3);
     const std::string header = fmt::format("PF\n{} {}\n-1.0\n", colors.width, colors.height);
@@ -40,18 +41,35 @@ Diagnostics writePfm(const Image& image, const fs::path& path) {
         const auto first = colors.data.begin() + static_cast<std::ptrdiff_t>(y * row);
         file.insert(file.end(), first, first + static_cast<std::ptrdiff_t>(row));
     }
-    return writeFileAtomically(path, file);
+    return writeFileAtomically(path, file, named);
 }
 
 Diagnostics writeOther(const Image& image, Format format, const fs::path& path, const WriteOptions& options) {
     std::error_code failed;
-    if (fs::is_directory(path, failed)) return {cannotWrite(path, "it is a folder")};
-    TemporaryFile temporary(path);
+    if (fs::is_directory(path, failed) &&
+        !(options.named == NamedBy::program && fs::is_symlink(path, failed)))
+        return {cannotWrite(path, "it is a folder")};
+    TemporaryFile temporary(path, options.named);
     if (temporary.path().empty()) return {temporary.failure()};
     Diagnostics problems = writeByModule(image, format, temporary.path(), {path.string(), {}},
                                          options.comment, options.moduleFolders);
     if (hasError(problems)) return problems;
     return temporary.commit();
+}
+
+/// file-W14 if the picture has alpha that its format does not keep.
+Diagnostics remarksOn(const Image& image, Format format, const fs::path& path) {
+    if (keepsAlpha(format) || !isTransparent(image)) return {};
+    return {diagnose("file-W14",
+                     fmt::format("'{}' has no alpha, so the transparency of the picture is lost; .png "
+                                 "and .tif keep it",
+                                 path.string()))};
+}
+
+Diagnostics writeAs(const Image& image, Format format, const fs::path& path, const WriteOptions& options) {
+    if (format == Format::png) return writePng(image, path, options.png, options.named);
+    if (format == Format::pfm) return writePfm(image, path, options.named);
+    return writeOther(image, format, path, options);
 }
 
 }  // namespace
@@ -60,13 +78,13 @@ Diagnostics writeImage(const Image& image, const fs::path& path, const WriteOpti
     if (!isConsistent(image)) return {cannotWrite(path, "the picture has no pixels")};
     const Format format = formatOfSuffix(path);
     try {
-        if (format == Format::png) return writePng(image, path, options.png);
-        if (format == Format::pfm) return writePfm(image, path);
         if (format == Format::unknown || format == Format::rawTexture)
             return {
                 cannotWrite(path, fmt::format("the suffix '{}' is not that of a picture format; .png is one",
                                               path.extension().string()))};
-        return writeOther(image, format, path, options);
+        Diagnostics problems = writeAs(image, format, path, options);
+        if (!hasError(problems)) append(problems, remarksOn(image, format, path));
+        return problems;
     } catch (const std::bad_alloc&) {
         return {cannotWrite(path, "there is not enough memory")};
     }

@@ -4,57 +4,32 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <set>
 #include <utility>
 
 #include "base/number.h"
-#include "base/suggest.h"
 #include "glib/number.h"
 #include "plan/frame_plan.h"
+#include "plan/reach.h"
 
 namespace glibra::plan {
 namespace {
 
-std::string_view plainName(std::string_view block) {
-    return block.substr(0, block.find('['));
-}
-
-/// The declaration of the block in the shaders' text; null if the text does not show it.
-const glsl::MemoryBlock* declarationOf(const ProgramInterface& interface, std::string_view name,
-                                       bool isStorage) {
-    return interface.facts.memory.block(plainName(name), isStorage);
-}
-
-/// "; did you mean 'particles'?" if a buffer of the scene has a name that is near.
-std::string suggestedBuffer(const scene::Scene& scene, std::string_view name) {
-    std::vector<std::string_view> names;
-    for (const scene::Buffer& each : scene.buffers) names.push_back(each.name);
-    return base::suggestion(name, names);
-}
-
-/// The buffer that a tag binds, or the one of that name; nothing if there is neither.
-class BufferFinder {
-  public:
-    BufferFinder(const scene::Scene& scene, scene::UniformSetIndex set)
-        : scene_(scene), objects_(set ? &scene.uniformSets[set].objects : nullptr) {}
-
-    [[nodiscard]] std::optional<scene::BufferView> find(std::string_view name) const {
-        if (name.empty()) return std::nullopt;
-        if (objects_ != nullptr)
-            for (auto each = objects_->rbegin(); each != objects_->rend(); ++each)
-                if (const auto* view = std::get_if<scene::BufferView>(&each->object);
-                    view != nullptr && each->tag == name)
-                    return *view;
-        for (const scene::BufferIndex i : scene_.buffers.indices())
-            if (scene_.buffers[i].name == name) return scene::BufferView{i, false};
-        return std::nullopt;
+std::string_view wordOfKind(NumberKind kind) {
+    switch (kind) {
+        case NumberKind::floating:
+            return "float";
+        case NumberKind::doublePrecision:
+            return "double";
+        case NumberKind::integer:
+            return "int";
+        case NumberKind::unsignedInteger:
+            return "uint";
+        case NumberKind::boolean:
+            break;
     }
-
-  private:
-    const scene::Scene& scene_;
-    const std::vector<scene::ObjectBinding>* objects_;
-};
+    return "bool";
+}
 
 std::string countedText(std::uint64_t count, std::string_view one, std::string_view several) {
     return fmt::format("{} {}", glib::groupedText(static_cast<long long>(count)), count == 1 ? one : several);
@@ -273,12 +248,35 @@ class LayoutFinder {
     void checkType(const scene::Buffer& buffer, const BufferLayout& layout) {
         const std::optional<MemoryPattern> declared = declaredPattern(buffer);
         const std::vector<MemoryNumber>& found = layout.pattern.element;
-        if (!declared || found.empty() || !layout.pattern.head.empty()) return;
-        const std::vector<MemoryNumber>& wanted = declared->element;
         constexpr std::size_t kMostNumbers = 256;
         const auto isWhole = [](NumberKind kind) {
             return kind == NumberKind::integer || kind == NumberKind::unsignedInteger;
         };
+        if (!declared || declared->element.empty()) return;
+        const std::vector<MemoryNumber>& wanted = declared->element;
+        if (!layout.pattern.isRuntimeSized()) {
+            // Without an array that the buffer's elements are, all numbers of the block are of its type.
+            const bool isOneKind = std::all_of(wanted.begin(), wanted.end(), [&](const MemoryNumber& each) {
+                return each.kind == wanted.front().kind;
+            });
+            const std::uint64_t numbers =
+                std::min<std::uint64_t>(kMostNumbers, layout.pattern.numbers(layout.elements));
+            for (std::uint64_t i = 0; isOneKind && i < numbers; ++i) {
+                const NumberKind kind = layout.pattern.at(i).kind;
+                if (kind == wanted.front().kind || (isWhole(kind) && isWhole(wanted.front().kind))) continue;
+                diagnostics_.push_back(diagnose(
+                    "memory-W04",
+                    fmt::format(
+                        "buffer '{}' is declared with the type {}, but number {} of {} ({}:{}) is {} {} "
+                        "and decides; leave out the type, or make them the same",
+                        buffer.name, buffer.type, i, layout.from, layout.place.file, layout.place.line,
+                        kind == NumberKind::integer ? "an" : "a", wordOfKind(kind)),
+                    buffer.place));
+                return;
+            }
+            if (isOneKind) return;
+        }
+        if (found.empty() || !layout.pattern.head.empty()) return;
         bool fits =
             !wanted.empty() && (wanted.size() % found.size() == 0 || found.size() % wanted.size() == 0);
         for (std::size_t i = 0; fits && i < std::min(kMostNumbers, std::max(wanted.size(), found.size()));
@@ -356,74 +354,6 @@ Diagnostics countsProblems(const scene::Scene& scene, const FramePlan& plan, con
 
 }  // namespace
 
-Result<std::vector<BlockUse>> blockUses(const scene::Scene& scene, const scene::Program& program,
-                                        scene::UniformSetIndex set, const ProgramInterface& interface) {
-    const BufferFinder finder(scene, set);
-    std::vector<BlockUse> uses;
-    Diagnostics errors;
-    const auto addBlock = [&](BlockUse::Kind kind, std::size_t index, const std::string& name) {
-        const bool isStorage = kind == BlockUse::Kind::storage;
-        const glsl::MemoryBlock* declared = declarationOf(interface, name, isStorage);
-        const Place place = declared != nullptr ? declared->place : program.place;
-        std::optional<scene::BufferView> view = finder.find(name);
-        if (!view) view = finder.find(plainName(name));
-        if (!view && declared != nullptr && !declared->instance.empty() && !plainName(name).empty()) {
-            view = finder.find(declared->instance + name.substr(plainName(name).size()));
-            if (!view) view = finder.find(declared->instance);
-        }
-        if (!view && isStorage && declared != nullptr && !declared->members.empty())
-            view = finder.find(declared->members.back().name);
-        if (view) return uses.push_back({kind, index, *view, place});
-        if (isStorage)
-            errors.push_back(diagnose(
-                "memory-E02",
-                fmt::format("storage block '{}' of program '{}' has no buffer; write 'Buffer {} n' before "
-                            "the program, or give the tag '{}' a buffer{}",
-                            name, program.name, plainName(name), plainName(name),
-                            suggestedBuffer(scene, plainName(name))),
-                program.place));
-    };
-    for (std::size_t i = 0; i < interface.blocks.size(); ++i)
-        addBlock(BlockUse::Kind::uniform, i, interface.blocks[i].name);
-    for (std::size_t i = 0; i < interface.storageBlocks.size(); ++i)
-        addBlock(BlockUse::Kind::storage, i, interface.storageBlocks[i].name);
-    for (std::size_t i = 0; i < interface.counterBuffers.size(); ++i) {
-        const base::CounterBuffer& counters = interface.counterBuffers[i];
-        std::optional<scene::BufferView> view;
-        std::string from;  // the counter that has it
-        for (const std::string& each : counters.counters) {
-            const std::optional<scene::BufferView> own = finder.find(each);
-            if (own && view && *own != *view)
-                errors.push_back(diagnose(
-                    "memory-E14",
-                    fmt::format("atomic counters '{}' and '{}' of program '{}' have the same binding, "
-                                "so they lie in one buffer, but two are given, '{}' and '{}'; give "
-                                "each counter a binding of its own",
-                                from, each, program.name, scene.buffers[view->buffer].name,
-                                scene.buffers[own->buffer].name),
-                    program.place));
-            if (own && !view) {
-                view = own;
-                from = each;
-            }
-        }
-        const std::string name = counters.counters.empty() ? std::string() : counters.counters.front();
-        const auto declared = interface.facts.memory.counters.find(name);
-        const Place place =
-            declared != interface.facts.memory.counters.end() ? declared->second.place : program.place;
-        if (view)
-            uses.push_back({BlockUse::Kind::counters, i, *view, place});
-        else
-            errors.push_back(diagnose("memory-E02",
-                                      fmt::format("atomic counter '{}' of program '{}' has no buffer; write "
-                                                  "'Buffer {} uint 1' before the program{}",
-                                                  name, program.name, name, suggestedBuffer(scene, name)),
-                                      program.place));
-    }
-    if (!errors.empty()) return errors;
-    return uses;
-}
-
 std::string describe(const BlockUse& use, const ProgramInterface& interface) {
     switch (use.kind) {
         case BlockUse::Kind::uniform:
@@ -441,6 +371,7 @@ Diagnostics BufferLayouts::add(const scene::Scene& scene, const FramePlan& plan,
                                std::uint64_t (*fileBytes)(const std::filesystem::path& path)) {
     Diagnostics diagnostics = LayoutFinder(scene, plan, mostBytes, fileBytes, layouts_).add();
     append(diagnostics, countsProblems(scene, plan, *this));
+    append(diagnostics, reachProblems(scene, plan, *this));
     return diagnostics;
 }
 

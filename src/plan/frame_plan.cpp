@@ -489,9 +489,15 @@ class FramePlanner {
 ProgramVariant variantOf(const scene::Scene& scene, const scene::Draw& draw, const scene::Pass& pass) {
     const bool isBuiltin = usesBuiltin(scene, draw, pass);
     const bool coversTarget = scene.isModern && std::holds_alternative<scene::ClipSpace>(draw.projection);
-    return {isBuiltin ? scene::ProgramIndex() : draw.program, draw.flatColors,
-            std::max<int>(1, static_cast<int>(pass.targets.size())),
-            !isBuiltin && (coversTarget || isWithoutVertexStage(scene, scene.programs[draw.program]))};
+    ProgramVariant variant{.flatColors = draw.flatColors,
+                           .colorTargets = std::max<int>(1, static_cast<int>(pass.targets.size()))};
+    if (isBuiltin) return variant;
+    const std::vector<scene::StageFile>& stages = scene.programs[draw.program].stages;
+    variant.program = draw.program;
+    variant.isFullScreen = coversTarget || isWithoutVertexStage(scene, scene.programs[draw.program]);
+    variant.isFill =
+        draw.isFill && std::any_of(stages.begin(), stages.end(), scene::Program::isLeftOutByFill);
+    return variant;
 }
 
 FramePlan planFrame(const scene::Scene& scene, const scene::NodeList& nodes, const InterfaceOf& interfaceOf,

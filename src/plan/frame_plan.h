@@ -30,6 +30,7 @@ struct ProgramVariant {
     int colorTargets = 1;
     bool isFullScreen = false;  ///< a vertex stage that covers the whole target may be supplied
     bool inPieces = false;      ///< a compute program that runs in several dispatches
+    bool isFill = false;        ///< Program::isLeftOutByFill: these stages are left out
     friend bool operator==(const ProgramVariant&, const ProgramVariant&) = default;
 };
 
@@ -184,6 +185,7 @@ struct PlanOptions {
     /// What the driver lacks for compute programs and storage buffers, as "OpenGL 4.3; it has 4.1"; empty if
     /// it has them.
     std::string lacksCompute{};
+    bool cutsDispatches = false;  ///< compute programs can run in pieces, also without `tiles`
     /// Returns the number of rounds after which the driver ends a shader's loops, 0 if it never does. Called
     /// at most once, and only if a needed program has long loops. May be empty, which means never.
     std::function<int()> loopLimit{};

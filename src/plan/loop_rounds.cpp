@@ -30,11 +30,42 @@ std::optional<double> valueOf(const PlannedProgram& program, std::string_view na
     return value;
 }
 
+glsl::UniformValue valuesOf(const PlannedProgram& program, const Measure& measure) {
+    return [&program, &measure](std::string_view name) -> std::optional<double> {
+        if (const auto value = valueOf(program, name)) return value;
+        return measure ? measure(name) : std::nullopt;
+    };
+}
+
 }  // namespace
 
-Diagnostics reportLongLoops(const PlannedProgram& program, const std::function<int()>& limit) {
+Diagnostics reportLostVertices(const PlannedProgram& program, const Measure& measure) {
+    const glsl::TranslatedProgram& facts = program.interface->facts;
+    const glsl::UniformValue value = valuesOf(program, measure);
+    for (const glsl::TranslatedStage& stage : facts.stages) {
+        if (stage.stage != glsl::Stage::geometry || facts.maxVertices == 0) continue;
+        double emitted = stage.emits;
+        for (const glsl::CountedLoop& each : stage.loops) emitted += glsl::emittedBy(each, value);
+        constexpr double kMost = 1e9;
+        if (emitted <= facts.maxVertices || emitted > kMost) continue;
+        const auto count = static_cast<long long>(emitted);
+        return {diagnose("glsl-W30",
+                         fmt::format("max_vertices is {}, but the stage emits {} vertices, of which the last "
+                                     "{} lost; write max_vertices = {}",
+                                     facts.maxVertices, glib::groupedText(count),
+                                     count - facts.maxVertices == 1
+                                         ? std::string("one is")
+                                         : glib::groupedText(count - facts.maxVertices) + " are",
+                                     count),
+                         facts.maxVerticesPlace)};
+    }
+    return {};
+}
+
+Diagnostics reportLongLoops(const PlannedProgram& program, const std::function<int()>& limit,
+                            const Measure& measure) {
     Diagnostics diagnostics;
-    const glsl::UniformValue value = [&](std::string_view name) { return valueOf(program, name); };
+    const glsl::UniformValue value = valuesOf(program, measure);
     for (const glsl::TranslatedStage& stage : program.interface->facts.stages) {
         double all = 0;
         double most = 0;

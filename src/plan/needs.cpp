@@ -195,15 +195,19 @@ bool usesStencil(const scene::Pass& pass) {
     });
 }
 
-bool isWithoutVertexStage(const scene::Scene& scene, const scene::Program& program) {
-    return scene.isModern && program.stages.size() == 1 && program.hasStage(glsl::Stage::fragment);
+bool isWithoutVertexStage(const scene::Scene& scene, const scene::Program& program, bool isFill) {
+    const auto isUsed = [&](const scene::StageFile& each) {
+        return !(isFill && scene::Program::isLeftOutByFill(each));
+    };
+    return scene.isModern && program.hasStage(glsl::Stage::fragment) &&
+           std::count_if(program.stages.begin(), program.stages.end(), isUsed) == 1;
 }
 
 bool usesBuiltin(const scene::Scene& scene, const scene::Draw& draw, const scene::Pass& pass) {
     if (!draw.program) return true;
     const scene::Program& program = scene.programs[draw.program];
-    if (!program.hasStage(glsl::Stage::vertex))
-        return !isWithoutVertexStage(scene, program) ||
+    if (!program.hasStage(glsl::Stage::vertex, draw.isFill))
+        return !isWithoutVertexStage(scene, program, draw.isFill) ||
                !(scene.shapes[draw.shape].bare || std::holds_alternative<scene::ClipSpace>(draw.projection));
     const bool needsFragments = !scene.isModern || pass.isWindow || !pass.targets.empty();
     return needsFragments && !program.hasStage(glsl::Stage::fragment);

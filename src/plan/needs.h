@@ -73,7 +73,7 @@ bool usesStencil(const scene::Pass& pass);
 
 /// True if the program has a fragment stage and no other: in modern scenes such a program gets a vertex stage
 /// that covers the whole target, when it draws vertices without data or `FullScreen`.
-bool isWithoutVertexStage(const scene::Scene& scene, const scene::Program& program);
+bool isWithoutVertexStage(const scene::Scene& scene, const scene::Program& program, bool isFill = false);
 
 /// True if the built-in program is used: the draw has no program, or the program lacks a vertex or a fragment
 /// stage (language, 2.2) that it needs here. A pass without colours needs no fragment stage.

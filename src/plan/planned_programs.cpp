@@ -40,14 +40,17 @@ PlannedProgramIndex PlannedPrograms::of(const ProgramVariant& variant, scene::Un
     if (!variant.program) uniforms = {};  // the built-in program reads none of them
     PlannedProgramIndex& index =
         programs_[VariantKey{variant.program, variant.flatColors, variant.colorTargets, variant.isFullScreen,
-                             variant.inPieces, uniforms}];
+                             variant.inPieces, variant.isFill, uniforms}];
     if (index) return index;
     const ProgramInterface& interface = interfaceOf_(variant);
     PlannedProgram program{variant, &interface, {}, {}, {}};
     State state;
     state.diagnostics = interface.facts.diagnostics;
     if (interface.usable) resolve(program, state, uniforms);
-    append(state.diagnostics, reportLongLoops(program, [this] { return loopLimit(); }));
+    const Measure measure = measureOf(scene_, program, state.units);
+    append(state.diagnostics, reportLongLoops(
+                                  program, [this] { return loopLimit(); }, measure));
+    append(state.diagnostics, reportLostVertices(program, measure));
     states_.push_back(std::move(state));
     return index = plan_.programs.add(std::move(program));
 }

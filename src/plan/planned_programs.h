@@ -40,7 +40,9 @@ class PlannedPrograms {
         return of(variantOf(scene_, draw, pass), draw.uniforms);
     }
     PlannedProgramIndex of(const scene::Dispatch& dispatch) {
-        return of(ProgramVariant{.program = dispatch.program, .inPieces = dispatch.tiles > 1},
+        const bool isCut =
+            options_.cutsDispatches && !std::holds_alternative<scene::GroupsFrom>(dispatch.groups);
+        return of(ProgramVariant{.program = dispatch.program, .inPieces = isCut || dispatch.tiles > 1},
                   dispatch.uniforms);
     }
     /// Returns the index of the variant with these values in the plan. The first call asks for its interface.
@@ -72,7 +74,7 @@ class PlannedPrograms {
     std::vector<ObjectUse> usesOf(const scene::Dispatch& dispatch);
 
   private:
-    using VariantKey = std::tuple<scene::ProgramIndex, bool, int, bool, bool, scene::UniformSetIndex>;
+    using VariantKey = std::tuple<scene::ProgramIndex, bool, int, bool, bool, bool, scene::UniformSetIndex>;
 
     void resolve(PlannedProgram& program, State& state, scene::UniformSetIndex uniforms);
     std::vector<ObjectUse> shaderUsesOf(PlannedProgramIndex program, const std::vector<TextureUse>& textures);

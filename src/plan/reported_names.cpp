@@ -187,6 +187,7 @@ std::set<scene::TextureIndex> writtenTextures(const scene::Scene& scene,
 Diagnostics reportUnwritten(const scene::Scene& scene, std::span<const FramePlan* const> plans) {
     Diagnostics diagnostics;
     std::set<scene::TextureIndex> written = writtenTextures(scene, plans);
+    written.insert(scene.mayBeWritten.begin(), scene.mayBeWritten.end());
     const auto check = [&](const std::vector<TextureUse>& uses, const Place& place) {
         for (const TextureUse& each : uses) {
             if (each.isImage || !each.view.texture) continue;
@@ -247,6 +248,7 @@ Diagnostics reportEmptyLevels(const scene::Scene& scene, std::span<const FramePl
             texture.levels != 1 && texture.samples == 1 && !texture.hasMipmaps)
             flat.insert(each);
     }
+    for (const scene::TextureIndex each : scene.mayBeWritten) flat.erase(each);
     eraseLevelled(scene.frame, flat);
     for (const scene::OnceBlock& each : scene.once) eraseLevelled(each.nodes, flat);
     for (const scene::StepBlock& each : scene.steps) eraseLevelled(each.nodes, flat);
@@ -279,12 +281,13 @@ Diagnostics reportNames(const scene::Scene& scene, std::span<const FramePlan* co
     Diagnostics diagnostics;
     if (!overrides.empty()) diagnostics = reportOverrides(scene, plans, overrides);
     if (!scene.setNames.empty()) append(diagnostics, reportSets(scene, plans));
-    if (!scene.isModern || scene.hasConditions) return diagnostics;
+    if (!scene.isModern) return diagnostics;
     append(diagnostics, reportUnwritten(scene, plans));
     append(diagnostics, reportEmptyLevels(scene, plans));
+    std::set<scene::TextureIndex> others = lastingTextures(scene, plans);
+    others.insert(scene.mayBeWritten.begin(), scene.mayBeWritten.end());
     for (const FramePlan* plan : plans)
-        if (plan->nodes == &scene.frame)
-            append(diagnostics, reportEarlyReads(scene, *plan, lastingTextures(scene, plans)));
+        if (plan->nodes == &scene.frame) append(diagnostics, reportEarlyReads(scene, *plan, others));
     return diagnostics;
 }
 

@@ -152,7 +152,9 @@ class SkipList {
             if (draws[i] > 1 && meshes[i] == 1)
                 add("mesh", fmt::format("{}: one mesh serves all its {} draws", word, draws[i]), place);
             for (const std::string& attribute : attributesOf(scene_.shapes[i]))
-                if (!contains(planned[i]->attributes, attribute))
+                // Few models have colours.
+                if (!contains(planned[i]->attributes, attribute) &&
+                    (scene_.shapes[i].list != nullptr || attribute != geometry::kColor))
                     attributes.push_back(
                         {"attribute", fmt::format("{} of {}: no program reads it", attribute, word), place});
         }
@@ -212,11 +214,17 @@ std::vector<Skipped> listSkipped(const scene::Scene& scene, const Needs& needs, 
     return SkipList(scene, needs, plan).list();
 }
 
+static bool isModel(glib::CommandId command) {
+    using glib::CommandId;
+    return command == CommandId::obj || command == CommandId::wireObj || command == CommandId::objAdj ||
+           command == CommandId::objPatch;
+}
+
 std::vector<std::string> attributesOf(const scene::Shape& shape) {
     std::vector<std::string> names;
     if (shape.bare) return names;
     for (const std::string_view each : kAttributes) {
-        bool isCarried = each != geometry::kColor;
+        bool isCarried = each != geometry::kColor || isModel(shape.command);
         if (each == geometry::kFaceIndex) {
             const geometry::PrimitiveSpec* spec = glib::primitiveOf(shape.command);
             isCarried = spec != nullptr && spec->hasFaceIndex;

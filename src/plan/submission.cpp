@@ -65,6 +65,29 @@ Result<Submission> asPatches(const scene::Shape& shape, const scene::Draw& draw,
     return Submission{Topology::patches, wanted};
 }
 
+/// Returns draw-W18 if the first tessellation stage reads vertices that the patches do not have.
+Diagnostics patchProblems(const scene::Shape& shape, const scene::Draw& draw, const scene::Program& program,
+                          const ProgramInterface& interface, int patchVertices) {
+    const glsl::TranslatedProgram& facts = interface.facts;
+    if (facts.patchVerticesRead <= patchVertices) return {};
+    const char* stage = program.hasStage(glsl::Stage::tessControl) ? "control stage" : "evaluation stage";
+    const bool isOwn = facts.patchRead.ends_with("[gl_InvocationID]");
+    const std::string reads =
+        isOwn ? fmt::format("{} has {} vertices and reads {}", stage, facts.patchVertices, facts.patchRead)
+              : fmt::format("{} reads {}", stage, facts.patchRead);
+    const bool isList = shape.list != nullptr;
+    const bool isSized = topologyOf(shape) == Topology::patches && !isList;
+    return {diagnose(
+        "draw-W18",
+        fmt::format("{}: a patch has {} {}, but the {} ({}:{}){}", draw.word, patchVertices,
+                    patchVertices == 1 ? "vertex" : "vertices", reads,
+                    facts.patchReadPlace.file.substr(facts.patchReadPlace.file.find_last_of("/\\") + 1),
+                    facts.patchReadPlace.line,
+                    isSized ? fmt::format("; write 'NumPatchVertices {}'", facts.patchVerticesRead)
+                            : std::string("; such a vertex has no value")),
+        draw.place)};
+}
+
 bool isAdjacency(Topology topology) {
     return topology == Topology::trianglesAdjacency || topology == Topology::linesAdjacency;
 }
@@ -102,10 +125,12 @@ Result<Submission> submissionOf(const scene::Scene& scene, const scene::Draw& dr
                                 const scene::Program* program, const ProgramInterface& interface) {
     const scene::Shape& shape = scene.shapes[draw.shape];
     const Topology topology = topologyOf(shape);
-    const bool isTessellated = program != nullptr && program->hasStage(glsl::Stage::tessEvaluation);
+    const bool isTessellated =
+        program != nullptr && program->hasStage(glsl::Stage::tessEvaluation, draw.isFill);
     const std::string& word = draw.word;
 
     Submission submission{topology, 0, shape.strip};
+    Diagnostics remarks;
     if (shape.strip && isTessellated)
         return diagnose(
             "draw-E03",
@@ -116,6 +141,7 @@ Result<Submission> submissionOf(const scene::Scene& scene, const scene::Draw& dr
         const Result<Submission> patches = asPatches(shape, draw, interface);
         if (!patches) return patches;
         submission = *patches;
+        remarks = patchProblems(shape, draw, *program, interface, submission.patchVertices);
         delivered = interface.facts.tessellationOutput;
     } else if (topology == Topology::patches) {
         return diagnose("draw-E04",
@@ -139,7 +165,7 @@ Result<Submission> submissionOf(const scene::Scene& scene, const scene::Draw& dr
                                     isTessellated ? "" : recommendation(shape.command, wanted)),
                         draw.place);
     }
-    return submission;
+    return {submission, std::move(remarks)};
 }
 
 std::optional<Topology> addedAdjacency(const scene::Shape& shape, Topology submitted) {
@@ -152,8 +178,10 @@ bool ignoresPointSize(const scene::Draw& draw, const scene::Program* program,
     if (program == nullptr || draw.raster.pointSizeFromShader || !interface.facts.writesPointSize)
         return false;
     const std::string_view points = wordOf(Topology::points);
-    if (program->hasStage(glsl::Stage::geometry)) return interface.facts.geometryOutput == points;
-    if (program->hasStage(glsl::Stage::tessEvaluation)) return interface.facts.tessellationOutput == points;
+    if (program->hasStage(glsl::Stage::geometry, draw.isFill))
+        return interface.facts.geometryOutput == points;
+    if (program->hasStage(glsl::Stage::tessEvaluation, draw.isFill))
+        return interface.facts.tessellationOutput == points;
     return submission.topology == Topology::points;
 }
 

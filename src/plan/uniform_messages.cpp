@@ -169,4 +169,16 @@ std::string UniformMessages::modernHint(const ActiveUniform& target) const {
     return "; scenes with a Camera or another modern statement supply it";
 }
 
+Diagnostic unknownWord(const scene::Scene& scene, std::string_view word, const Place& place) {
+    std::vector<std::string> names;
+    for (const scene::Variable& each : scene.variables) names.push_back(each.name);
+    for (const glib::UniformSpec& each : scene.namedValues) names.push_back(each.tag);
+    for (const scene::Texture& each : scene.textures)
+        if (!each.name.empty()) names.push_back(each.name);
+    for (const scene::Buffer& each : scene.buffers) names.push_back(each.name);
+    return diagnose("glib-E27",
+                    fmt::format("'{}' is no variable, texture or buffer{}", word, suggestionFor(word, names)),
+                    place);
+}
+
 }  // namespace glibra::plan

@@ -54,4 +54,7 @@ class UniformMessages {
     std::vector<std::string> knownNames_;
 };
 
+/// glib-E27 for a word as the value of a tag, which names nothing of the scene.
+Diagnostic unknownWord(const scene::Scene& scene, std::string_view word, const Place& place);
+
 }  // namespace glibra::plan

@@ -73,6 +73,12 @@ std::optional<std::array<double, 9>> upperLeft(const GivenValue& given, const Ac
     return values;
 }
 
+/// True for a whole matrix as the value of a scalar or vector.
+bool isMatrixInstead(const GivenValue& given, const ActiveUniform& target, const NamedUniform& named) {
+    return given.form == glib::UniformForm::list && (given.values.size() == 9 || given.values.size() == 16) &&
+           !isOpaque(target) && target.type.columns == 1 && (!target.isArray || named.oneElement);
+}
+
 bool isNoiseUniform(const glsl::BuiltinUniform& row) {
     return row.value == glsl::Builtin::noise2 || row.value == glsl::Builtin::noise3;
 }
@@ -166,9 +172,10 @@ class Resolver {
                                    place(spec.valuePosition)};
             const std::vector<NamedUniform> named = names_.find(spec.tag);
             const bool isChosen = choosesObject(spec.tag);
-            if (named.empty() && !spec.mayBeUnknown &&
-                !(isChosen && namesMemory(interface_.facts.memory, spec.tag)))
-                messages_.unknown(given, spec.resembles);
+            // A word for a block is reported with the block's buffer.
+            const bool isOfBlock =
+                (isChosen || !spec.word.empty()) && namesMemory(interface_.facts.memory, spec.tag);
+            if (named.empty() && !spec.mayBeUnknown && !isOfBlock) messages_.unknown(given, spec.resembles);
             for (const NamedUniform& each : named)
                 if (!isChosen || !isOpaque(uniform(each.uniform)))
                     apply(given, each, overridden_.contains({each.uniform, each.element}), spec.word);
@@ -331,15 +338,7 @@ class Resolver {
     std::optional<double> numberOf(std::string_view word, const GivenValue& given, UniformIndex index) {
         const std::vector<std::string>* functions = functionsOf(index);
         if (functions == nullptr) {
-            std::vector<std::string> names;
-            for (const scene::Variable& each : drawn_.scene->variables) names.push_back(each.name);
-            for (const scene::TextureIndex each : drawn_.scene->textures.indices())
-                names.push_back(drawn_.scene->textures[each].name);
-            for (const scene::BufferIndex each : drawn_.scene->buffers.indices())
-                names.push_back(drawn_.scene->buffers[each].name);
-            warn("glib-E27",
-                 fmt::format("'{}' is no variable, texture or buffer{}", word, suggestionFor(word, names)),
-                 given.valuePlace);
+            result_.diagnostics.push_back(unknownWord(*drawn_.scene, word, given.valuePlace));
             return std::nullopt;
         }
         const auto found = std::find(functions->begin(), functions->end(), word);
@@ -369,6 +368,15 @@ class Resolver {
         if (row != nullptr && !isNoiseUniform(*row)) return messages_.supplied(given);
         const auto part = drawn_.scene != nullptr ? upperLeft(given, target, named.oneElement) : std::nullopt;
         if (part) given.values = *part;
+        if (drawn_.scene != nullptr && isMatrixInstead(given, target, named)) {
+            touched_[named.uniform] = true;
+            result_.badBindings.push_back(
+                diagnose("glib-E32",
+                         fmt::format("'{}' is a {}, but its value has {} numbers, as a mat{}", given.tag,
+                                     target.type.word, given.values.size(), given.values.size() == 9 ? 3 : 4),
+                         given.valuePlace));
+            return;
+        }
         Reading reading = readValue(given, target, named.oneElement, declaredElements(target));
         if (isOverridden) {  // the scene's value is not used, but its slider stays
             if (reading.control) addControl(named.uniform, *reading.control);

@@ -1,7 +1,9 @@
 #include <glibra/render.h>
 
 #include <optional>
+#include <utility>
 
+#include "base/device_lost.h"
 #include "gpu/context/context.h"
 #include "render/probe/nan_search.h"
 #include "render/scene_renderer.h"
@@ -9,9 +11,22 @@
 namespace glibra {
 
 struct Renderer::State {
-    explicit State(gpu::Context opened) : context(std::move(opened)) {}
-    gpu::Context context;
+    State(Driver asked, gpu::Context opened) : driver(asked), context(std::move(opened)) {}
+    Result<Picture> render(const std::filesystem::path& scene, const RenderOptions& options);
+
+    Driver driver;
+    std::optional<gpu::Context> context;  ///< empty after a reset of the device
 };
+
+namespace {
+
+Result<gpu::Context> openFor(Driver driver) {
+    gpu::ContextOptions options;
+    options.driver = driver;
+    return gpu::openContext(options);
+}
+
+}  // namespace
 
 Renderer::Renderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Renderer::Renderer(Renderer&&) noexcept = default;
@@ -19,23 +34,34 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 Renderer::~Renderer() = default;
 
 Result<Renderer> Renderer::open(Driver driver) {
-    gpu::ContextOptions options;
-    options.driver = driver;
-    Result<gpu::Context> context = gpu::openContext(options);
+    Result<gpu::Context> context = openFor(driver);
     if (!context) return std::move(context.diagnostics);
-    return {Renderer(std::make_unique<State>(std::move(*context))), std::move(context.diagnostics)};
+    return {Renderer(std::make_unique<State>(driver, std::move(*context))), std::move(context.diagnostics)};
 }
 
 Result<Picture> Renderer::render(const std::filesystem::path& scene, const RenderOptions& options) {
+    if (!state_->context) {
+        Result<gpu::Context> context = openFor(state_->driver);
+        if (!context) return std::move(context.diagnostics);
+        state_->context = std::move(context.value);
+    }
+    try {
+        return state_->render(scene, options);
+    } catch (const base::DeviceLost& lost) {
+        state_->context.reset();
+        return base::diagnosticOf(lost, scene.string());
+    }
+}
+
+Result<Picture> Renderer::State::render(const std::filesystem::path& scene, const RenderOptions& options) {
     render::Stats stats;
-    Result<render::SceneRenderer> loaded =
-        render::SceneRenderer::load(state_->context, scene, options, stats);
+    Result<render::SceneRenderer> loaded = render::SceneRenderer::load(*context, scene, options, stats);
     Diagnostics diagnostics = std::move(loaded.diagnostics);
     if (!loaded) return diagnostics;
     Result<image::Image> image = loaded->draw(options.time, stats);
     append(diagnostics, std::move(image.diagnostics));
     if (options.checkNan)
-        if (Result<render::NanSearch> search = render::NanSearch::load(state_->context, scene, options))
+        if (Result<render::NanSearch> search = render::NanSearch::load(*context, scene, options))
             append(diagnostics, search->at(options.time));
     if (!image || (hasError(diagnostics) && !options.incomplete)) return diagnostics;
     Picture picture;

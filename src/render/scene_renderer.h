@@ -23,6 +23,7 @@ namespace glibra::render {
 
 class DeviceScene;
 class FrameDrawer;
+class OpenChecks;
 class PreparedScene;
 class ViewMatrices;
 struct InterpretedScene;
@@ -68,11 +69,14 @@ class SceneRenderer {
     /// must be among options.wantedTextures or seen in the picture.
     Result<image::Image> textureImage(const scene::TextureView& view);
 
-    /// True if the scene has Expect statements.
+    /// True if the scene has Expect statements that run, or may do so at a time that they name.
     [[nodiscard]] bool hasChecks() const;
+    /// True if it has Expect statements that do not run, which answerChecks() reports.
+    [[nodiscard]] bool hasIdleChecks() const;
     /// Answers the checks at their own times, and at `time` those without one: an error for each that does
-    /// not hold. Draws the pictures that it needs, at least that of `time`, and adds what drawing them
-    /// reports to `reported`, the scene's own diagnostics. What Expect error asks for is removed from these.
+    /// not hold or cannot be answered. Draws the pictures that it needs, at least that of `time`, and adds
+    /// what drawing them reports to `reported`, the scene's own diagnostics. What Expect error asks for is
+    /// removed from these.
     Diagnostics answerChecks(double time, Diagnostics& reported, Stats& stats);
 
     /// Moves the pictures that follow right and up by parts of a pixel; averaging many of them gives a
@@ -106,7 +110,7 @@ class SceneRenderer {
 
   private:
     explicit SceneRenderer(std::unique_ptr<State> state);
-    Diagnostics answerAt(double moment, double time, Stats& stats);
+    Diagnostics answerAt(double moment, OpenChecks& open, Stats& stats);
     static PreparedScene begin(gpu::Context& context, const std::filesystem::path& scene,
                                const RenderOptions& options, Stats& stats, SharedParts* shared);
     static Result<SceneRenderer> finish(Result<std::unique_ptr<State>> prepared, Stats& stats);
@@ -161,8 +165,10 @@ struct CheckResult {
 CheckResult checkScene(gpu::Context& context, const std::filesystem::path& scene,
                        const RenderOptions& options);
 
-/// The checks of a scene that cannot be drawn; empty if it cannot be read.
-std::vector<scene::Check> checksOf(const std::filesystem::path& scene, const RenderOptions& options);
+/// What is left of the reports of a scene that cannot be drawn: what Expect error asks for is removed. If no
+/// error is left, each other check is check-E02.
+Diagnostics answerWithoutPicture(const std::filesystem::path& scene, const RenderOptions& options,
+                                 Diagnostics reported);
 
 /// Draws the scene and answers its checks, for `glibra check --run`. The result has what was reported,
 /// without what Expect error asks for, and an error for each check that does not hold. `known` is what

@@ -96,6 +96,7 @@ Diagnostics SceneRenderer::State::preparePlan(Stats& stats, bool everything) {
                 planOptions.roots.emplace_back(scene::BufferView{each});
     planOptions.maxTextureUnits = context.capabilities().combinedTextureUnits;
     planOptions.lacksCompute = lackOfCompute(context.capabilities());
+    planOptions.cutsDispatches = !context.capabilities().isSoftware;
     planOptions.loopLimit = [this] { return gpu::measureLoopLimit(context); };
     planOptions.everything = everything || !options.skip;
     planOptions.shareMeshes = options.skip;

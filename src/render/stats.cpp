@@ -4,6 +4,10 @@
 
 #include <map>
 #include <nlohmann/json.hpp>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace glibra::render {
 
@@ -56,6 +60,33 @@ std::string toJson(const Stats& stats, std::string_view scene, int width, int he
     return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
+namespace {
+
+/// One line for each kind of thing and reason, with their number and the line of the first.
+std::string listed(std::span<const plan::Skipped> all) {
+    struct Kind {
+        const plan::Skipped* first;
+        std::size_t count = 1;
+    };
+    std::vector<Kind> kinds;
+    std::map<std::pair<std::string_view, std::string_view>, std::size_t> known;
+    for (const plan::Skipped& each : all) {
+        const auto [entry, isNew] = known.try_emplace({each.what, each.why}, kinds.size());
+        if (isNew)
+            kinds.push_back({&each});
+        else
+            ++kinds[entry->second].count;
+    }
+    std::string text;
+    for (const Kind& each : kinds) {
+        text += fmt::format("  line {:<4} {}: {}", each.first->place.line, each.first->what, each.first->why);
+        text += each.count == 1 ? "\n" : fmt::format(" ({} times)\n", each.count);
+    }
+    return text;
+}
+
+}  // namespace
+
 std::string toText(const Stats& stats) {
     std::string text = "time\n";
     double total = 0;
@@ -70,12 +101,9 @@ std::string toText(const Stats& stats) {
     for (const budget::Decision& each : stats.decisions)
         text += fmt::format("  line {:<4} {}: {}\n", each.place.line, each.what, each.why);
     if (!stats.foundByName.empty()) text += "found by name\n";
-    for (const plan::Skipped& each : stats.foundByName)
-        text += fmt::format("  line {:<4} {}: {}\n", each.place.line, each.what, each.why);
+    text += listed(stats.foundByName);
     text += stats.skipped.empty() ? "skipped: nothing\n" : "skipped\n";
-    for (const plan::Skipped& each : stats.skipped)
-        text += fmt::format("  line {:<4} {}: {}\n", each.place.line, each.what, each.why);
-    return text;
+    return text + listed(stats.skipped);
 }
 
 }  // namespace glibra::render

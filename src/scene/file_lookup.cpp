@@ -160,11 +160,12 @@ bool isFolder(const fs::path& path) {
     return fs::is_directory(path, failure);
 }
 
-/// Returns the nearest folder, from `folder` upwards, that contains `shaders` or `textures`.
-std::optional<fs::path> libraryAbove(const fs::path& folder) {
+/// Returns the nearest folder, from `folder` upwards, that contains `shaders` or `textures`. The search ends
+/// at `last`, if that is not empty.
+std::optional<fs::path> libraryAbove(const fs::path& folder, const fs::path& last) {
     for (fs::path each = folder;; each = each.parent_path()) {
         if (isFolder(each / "shaders") || isFolder(each / "textures")) return each;
-        if (each == each.parent_path()) return std::nullopt;
+        if (each == last || each == each.parent_path()) return std::nullopt;
     }
 }
 
@@ -336,7 +337,16 @@ SearchFolders searchFolders(const fs::path& scenePath, const InterpretOptions& o
     const fs::path sceneFolder = absolute.parent_path();
     for (const fs::path& root : options.libraryRoots)
         if (!root.empty()) addRoot(folders, root, sceneFolder);
-    if (const auto root = libraryAbove(sceneFolder); !failure && root) addRoot(folders, *root, sceneFolder);
+    fs::path last;
+    if (!options.within.empty()) {
+        last = fs::absolute(options.within, failure).lexically_normal();
+        if (!last.has_filename()) last = last.parent_path();
+        const fs::path inside = sceneFolder.lexically_relative(last);
+        // A scene that lies elsewhere has no library above it.
+        if (inside.empty() || *inside.begin() == "..") last = sceneFolder;
+    }
+    if (const auto root = libraryAbove(sceneFolder, last); !failure && root)
+        addRoot(folders, *root, sceneFolder);
     if (!options.within.empty()) {
         folders.readable.emplace();
         folders.readable->add(options.within);

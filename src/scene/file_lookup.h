@@ -66,7 +66,8 @@ struct SearchFolders {
 };
 
 /// Returns the folders to search for a scene's files: the scene's own folder, the given library roots, then
-/// the nearest folder, from the scene's own upwards, that contains `shaders` or `textures`. TOPIC is the path
+/// the nearest folder, from the scene's own upwards, that contains `shaders` or `textures`; with
+/// InterpretOptions::within only up to that folder. TOPIC is the path
 /// of the scene's folder below `glib` of that root, or else the last part of that path. A relative
 /// `scenePath` starts at the current folder.
 SearchFolders searchFolders(const std::filesystem::path& scenePath, const InterpretOptions& options = {});

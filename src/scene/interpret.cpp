@@ -66,6 +66,81 @@ void reportIdlePrograms(Interpreter& in) {
                                     each->text));
 }
 
+/// The statement of a stage that no Program has taken yet.
+struct PendingStage {
+    const glib::Command* command;
+    std::string file;  ///< empty: a shader in the script
+};
+
+std::string listOfStages(const std::vector<PendingStage>& stages) {
+    std::string text;
+    for (std::size_t i = 0; i < stages.size(); ++i)
+        text += fmt::format("{}{} (line {})",
+                            i == 0                   ? ""
+                            : i + 1 == stages.size() ? " and "
+                                                     : ", ",
+                            stages[i].command->word, stages[i].command->position.line);
+    return text;
+}
+
+/// Reports draw-W17 for shaders that no Program takes before others take their place or the script ends. An
+/// included file may have the Program.
+void reportStagesWithoutProgram(Interpreter& in) {
+    std::map<CommandId, PendingStage> pending;
+    std::vector<PendingStage> lost;
+    const auto report = [&](const glib::Command* before) {
+        if (lost.empty()) return;
+        std::sort(lost.begin(), lost.end(), [](const PendingStage& a, const PendingStage& b) {
+            return a.command->position.line < b.command->position.line;
+        });
+        in.reportAt(
+            *lost.front().command, "draw-W17",
+            fmt::format(
+                "{} belong{} to no Program, so nothing is drawn with {}; write 'Program NAME' "
+                "after {}{}",
+                listOfStages(lost), lost.size() == 1 ? "s" : "", lost.size() == 1 ? "it" : "them",
+                lost.size() == 1 ? "it" : "them",
+                before != nullptr ? fmt::format(", before line {}", before->position.line) : std::string()));
+        lost.clear();
+    };
+    const glib::Command* replacing = nullptr;  // the first of `lost`
+    for (const glib::Command& each : in.script->commands) {
+        switch (each.id) {
+            case CommandId::vertex:
+            case CommandId::tessControl:
+            case CommandId::tessEvaluation:
+            case CommandId::geometry:
+            case CommandId::fragment:
+            case CommandId::compute: {
+                const auto known = pending.find(each.id);
+                const bool isAgain =
+                    known != pending.end() && !each.text.empty() && known->second.file == each.text;
+                if (known != pending.end() && !isAgain) {
+                    if (lost.empty()) replacing = &each;
+                    lost.push_back(known->second);
+                }
+                pending.erase(each.id);
+                if (!each.text.empty() || !each.body.empty())
+                    pending.emplace(each.id, PendingStage{&each, each.text});
+                break;
+            }
+            case CommandId::program:
+                report(replacing);
+                if (pending.erase(CommandId::compute) == 0) pending.clear();  // it takes that stage alone
+                break;
+            case CommandId::include:
+                lost.clear();
+                pending.clear();
+                break;
+            default:
+                break;
+        }
+    }
+    report(replacing);
+    for (const auto& [id, stage] : pending) lost.push_back(stage);
+    report(nullptr);
+}
+
 /// All actions by CommandId. The element of a command without an action has no handler.
 std::vector<CommandAction> allActions() {
     std::vector<CommandAction> all(static_cast<std::size_t>(CommandId::firstPrimitive));
@@ -188,7 +263,7 @@ void noteNames(Scene& scene, const glib::Script& script) {
 /// The values of the names that every scene has.
 void setInputs(Interpreter& in) {
     Environment& names = in.shared->environment;
-    names.forgetValues();
+    names.beginFrame();
     in.shared->frameRate = kFramesPerSecond;
     setTime(in);
     for (const auto& [name, camera] : in.shared->previousCameras)
@@ -242,6 +317,7 @@ Scene Interpretation::State::run(const FrameInputs& inputs) {
     try {
         setInputs(in);
         addNoiseTextures(in);
+        expectNames(in);
         scene::run(in, 0, script.commands.size());
         checkList(in);
         checkStack(in);
@@ -251,6 +327,7 @@ Scene Interpretation::State::run(const FrameInputs& inputs) {
             reportIdlePrograms(in);
             reportUnusedCameras(in);
             reportUnusedRaster(in);
+            reportStagesWithoutProgram(in);
         }
         shared.cameras.clear();
         cameras.clear();
@@ -259,16 +336,16 @@ Scene Interpretation::State::run(const FrameInputs& inputs) {
             const bool isSeen = aspects != shared.aspects.end() && !aspects->second.empty();
             const double aspect = isSeen ? *aspects->second.begin() : windowAspect(in);
             shared.cameras[name] = valuesOf(camera, aspect);
-            const auto symbol = shared.environment.find(name.first);
-            const bool isArray = symbol && symbol->count > 0;
             cameras.push_back(
-                {isArray ? fmt::format("{}[{}]", name.first, name.second) : name.first, camera.view,
+                {textOf(in, name), camera.view,
                  camera.clip || camera.aspect ? projectionOf(camera, aspect) : camera.projection,
                  camera.isMirrored});
         }
         if (const CameraName eye{"eye", 0}; findCamera(in, eye) == nullptr)
             shared.cameras[eye] = valuesOf(classicCamera(in), windowAspect(in));
         in.scene.namedValues = namedValues(in);
+        if (in.scene.isModern) in.scene.mayBeWritten = undecidedWrites(in);
+        in.scene.idleChecks = idleChecks(in);
     } catch (const std::exception& problem) {
         in.report(diagnose("glib-E15", fmt::format("the scene cannot be run: {}", problem.what()),
                            script.place({})));
@@ -322,14 +399,10 @@ Scene Interpretation::at(const FrameInputs& inputs) {
     if (!shared.readsPrevious || knewPrevious) return scene;
     // Problems of values count once the cameras of the frame before are known.
     std::erase_if(scene.diagnostics, [](const Diagnostic& each) { return each.id == "expr-E06"; });
-    for (auto& [value, entry] : shared.expressions.entries) entry.isProblemReported = false;
+    for (auto& [value, readings] : shared.expressions)
+        readings.forEach([](ReadExpression& each) { each.isProblemReported = false; });
     runAgain();
     return scene;
-}
-
-Result<ConditionAnswer> Interpretation::answer(
-    const Check& check, const std::function<std::vector<double>(const std::string& buffer)>& read) {
-    return answerCondition(check, state_->shared.environment, read);
 }
 
 const glib::Script& Interpretation::script() const {

@@ -12,7 +12,6 @@
 
 #include "expression/names.h"
 #include "glib/script.h"
-#include "scene/modern/conditions.h"
 #include "scene/scene.h"
 
 namespace glibra::scene {
@@ -71,10 +70,6 @@ class Interpretation {
     /// others are executed. Does not throw. Textures, programs and files have the same indices in all scenes
     /// of one script, as far as the same statements are executed; shapes have not.
     Scene at(const FrameInputs& inputs);
-
-    /// answerCondition() in the frame that was interpreted last.
-    Result<ConditionAnswer> answer(const Check& check,
-                                   const std::function<std::vector<double>(const std::string& buffer)>& read);
 
     [[nodiscard]] const glib::Script& script() const;
     /// The cameras that the last scene declares, sorted by name.

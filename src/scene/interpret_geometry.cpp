@@ -146,6 +146,9 @@ void draw(Interpreter& in, const glib::Command& command, const Drawing& drawing)
     made.program = state.program;
     made.color = drawing.color.value_or(state.color);
     made.raster = state.raster;
+    made.raster.lineWidth = state.pointsAndLines.lineWidth;
+    made.raster.pointSize = state.pointsAndLines.pointSize;
+    made.raster.pointSizeFromShader = state.pointsAndLines.pointSizeFromShader;
     if (!in.modern.pass && !state.local.isBlendStated)
         made.raster.blendAll(state.target.textures.empty() ? base::kBlendOver : base::Blend{});
     lookAt(in, made);
@@ -216,13 +219,13 @@ void doPointGroups(Interpreter& in, const glib::Command& command) {
 }
 
 void doLineWidth(Interpreter& in, const glib::Command& command) {
-    if (!command.numbers.empty()) in.state.raster.lineWidth = command.numbers[0];
+    if (!command.numbers.empty()) in.state.pointsAndLines.lineWidth = command.numbers[0];
 }
 void doPointSize(Interpreter& in, const glib::Command& command) {
-    if (!command.numbers.empty()) in.state.raster.pointSize = command.numbers[0];
+    if (!command.numbers.empty()) in.state.pointsAndLines.pointSize = command.numbers[0];
 }
 void doPointSizeMode(Interpreter& in, const glib::Command& command) {
-    in.state.raster.pointSizeFromShader = command.numbers.empty() || command.numbers[0] != 0;
+    in.state.pointsAndLines.pointSizeFromShader = command.numbers.empty() || command.numbers[0] != 0;
 }
 void doNumPatchVertices(Interpreter& in, const glib::Command& command) {
     if (!command.numbers.empty()) in.state.patchVertices = static_cast<int>(command.numbers[0]);

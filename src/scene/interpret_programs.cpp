@@ -67,8 +67,8 @@ void doProgram(Interpreter& in, const glib::Command& command) {
         program.stages = {{glsl::Stage::compute, std::exchange(in.state.computeFile, {})}};
     } else {
         for (const auto& [stage, file] : in.state.stageFiles) {
-            program.stages.push_back({stage, file});
-            in.state.stagesOfProgram.insert(stage);
+            const bool isNew = in.state.stagesOfProgram.insert(stage).second;
+            program.stages.push_back({stage, file, !isNew});
         }
         program.geometryInput = in.state.geometryInput;
         program.geometryOutput = in.state.geometryOutput;
@@ -79,7 +79,8 @@ void doProgram(Interpreter& in, const glib::Command& command) {
     const ProgramIndex made = in.scene.programs.add(std::move(program));
     if (!computes) in.state.program = made;
     in.modern.programs[command.text] = made;
-    if (!command.tags.empty()) in.modern.programTags[made] = {&command, in.script};
+    if (!command.tags.empty())
+        in.modern.programTags[made] = {&command, in.script, in.shared->environment.here()};
 }
 
 void doGeometryInput(Interpreter& in, const glib::Command& command) {

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -17,6 +18,8 @@
 #include "scene/objects.h"
 
 namespace glibra::scene {
+
+class ConditionNames;
 
 struct Perspective {
     double fieldOfView = 50;  ///< vertical, full angle, degrees
@@ -68,6 +71,7 @@ struct Draw {
     AttributeSetIndex attributes{};  ///< none: only those of the mesh
     std::optional<std::array<double, 6>> tessellationLevels{};  ///< four outer and two inner ones
     bool isSky = false;                                         ///< the eye is at the origin of modelView
+    bool isFill = false;  ///< of `Fill`: stages that the program inherits are left out (Program::hasStage)
     /// The buffers that the draw reads besides those of its program and its attributes; some may be none.
     [[nodiscard]] std::array<BufferView, 3> ownBuffers() const {
         return {instancesFrom, verticesFrom, indices};
@@ -174,8 +178,22 @@ struct Check {
     std::vector<double> wanted;  ///< components of a colour or values of a buffer
     double tolerance = 0;        ///< absolute
     std::string word{};
-    const glib::Value* condition = nullptr;  ///< of the script, which must outlive the check
-    std::vector<BufferIndex> reads{};        ///< the buffers that the condition reads
+    const glib::Value* condition = nullptr;         ///< of the script, which must outlive the check
+    std::shared_ptr<const ConditionNames> names{};  ///< that the condition reads
+    std::vector<BufferIndex> reads{};               ///< the buffers that the condition reads
+    /// Which run of the statement this is: the rounds of the repetitions around it, and the places of Draw
+    /// and Include statements that lead to it. No two checks have equal places and paths.
+    std::vector<std::size_t> path{};
+    [[nodiscard]] bool isSame(const Check& check) const { return place == check.place && path == check.path; }
+};
+
+/// An Expect statement that has not run.
+struct IdleCheck {
+    Place place;
+    std::string text;                 ///< as written
+    std::string why;                  ///< "group 'row' is not drawn"
+    bool mayRun = false;              ///< at other times, or with other values of variables
+    std::optional<double> seconds{};  ///< the scene time, if it is a plain number
 };
 
 /// A step of a node list.

@@ -211,6 +211,7 @@ struct Slot {
 struct StageFile {
     glsl::Stage stage = glsl::Stage::vertex;
     FileIndex file{};
+    bool isInherited = false;  ///< it has been stated for an earlier program
 };
 
 struct Program {
@@ -224,10 +225,14 @@ struct Program {
     /// layouts of this program's shader in silence.
     bool sharesGeometryWords = false;
     std::vector<glib::UniformSpec> uniforms;
-    [[nodiscard]] bool hasStage(glsl::Stage stage) const {
+    /// `isFill`: as a Fill sees the program, which leaves out what it inherits besides the fragment stage.
+    [[nodiscard]] bool hasStage(glsl::Stage stage, bool isFill = false) const {
         for (const StageFile& each : stages)
-            if (each.stage == stage) return true;
+            if (each.stage == stage && !(isFill && isLeftOutByFill(each))) return true;
         return false;
+    }
+    static bool isLeftOutByFill(const StageFile& stage) {
+        return stage.isInherited && stage.stage != glsl::Stage::fragment;
     }
 };
 

@@ -47,7 +47,8 @@ Result<Mesh> parseModel(CommandId command, std::vector<std::byte> bytes, const s
                         bool withTangents) {
     if (command == CommandId::shp) return geo::parseShp(bytes, path);
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    Result<geo::ObjModel> model = geo::parseObj(text, path);
+    Result<geo::ObjModel> model = geo::parseObj(
+        text, path, command == CommandId::wireObj ? geo::ObjElements::edges : geo::ObjElements::faces);
     if (!model) return std::move(model.diagnostics);
     std::vector<std::byte>().swap(bytes);  // frees a large text before the mesh is made
     return {objMesh(command, *model, withTangents), std::move(model.diagnostics)};

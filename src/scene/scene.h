@@ -42,6 +42,7 @@ struct Scene : Declarations {
     std::vector<OnceBlock> once;   ///< before the frame; what they write lasts
     std::vector<StepBlock> steps;  ///< between Once and the frame; what they write lasts
     std::vector<Check> checks;
+    std::vector<IdleCheck> idleChecks;
     std::vector<KeyBinding> keys;
     /// The values of variables at the end of the script: uniforms of the same name that nothing else sets
     /// read them.
@@ -55,7 +56,8 @@ struct Scene : Declarations {
     bool isModern = false;                          ///< it has a modern statement or an expression
     bool hasStages = false;                         ///< a Vertex or Fragment statement has a shader
     std::set<std::string, std::less<>> localNames;  ///< the counters of Repeat and the parameters of groups
-    bool hasConditions = false;                     ///< a When has run, so other frames may have other nodes
+    /// What statements that do not run in this frame write in others: other values of variables decide.
+    std::set<TextureIndex> mayBeWritten;
     bool verbose = false;  ///< Verbose: the diagnostics contain a glib-N02 for each executed operation
     Diagnostics diagnostics;
 };

@@ -58,15 +58,29 @@ struct Cleared {
     std::set<int> depthBuffers;
 };
 
-/// The state that a statement may change for the statements after it.
-struct State {
-    Projection projection = Perspective{};
+/// The state that a scope gives back at its end (language, 12.2).
+struct ScopedState {
     glm::dmat4 modelView{1.0};
-    glm::dmat4 model{1.0};  ///< the product of the transforms below the view
-    std::vector<SavedMatrix> stack;
+    glm::dmat4 model{1.0};           ///< the product of the transforms below the view
+    std::vector<SavedMatrix> stack;  ///< of the scope alone
+    ProgramIndex program{};
+    std::vector<ScopedTag> set;  ///< of Set and Material; each tag once
+    RasterState raster;          ///< without what PointsAndLines has
+    LocalState local;
+};
+
+/// The part of RasterState that classic commands set, which no scope ends.
+struct PointsAndLines {
+    double lineWidth = 1, pointSize = 1;
+    bool pointSizeFromShader = false;
+};
+
+/// The state that a statement may change for the statements after it.
+struct State : ScopedState {
+    Projection projection = Perspective{};
     glm::dvec4 color{1.0};
     glm::dvec4 background = kInitialBackground;
-    RasterState raster;
+    PointsAndLines pointsAndLines;
     int patchVertices = 3;
     bool flatColors = false;
     Sampling sampling;
@@ -77,10 +91,8 @@ struct State {
     std::string geometryInput, geometryOutput;
     int geometryVerticesOut = 0;
     bool hasGeometryWordsOfProgram = false;  ///< no such statement has followed the last Program
-    ProgramIndex program{};
     TargetList target;
     double timerPeriod = 10;
-    LocalState local;
 };
 
 /// A glBegin list that is still open.

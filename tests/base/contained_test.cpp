@@ -77,6 +77,19 @@ TEST_F(Contained, WritesReplaceALinkAndFollowNone) {
         EXPECT_FALSE(each.path().filename().string().starts_with(".glibra-")) << each.path();
 }
 
+TEST_F(Contained, FoldersAreMadeThroughNoLink) {
+    fs::create_directory(root / "other");
+    fs::create_directory_symlink(root / "other", root / "link");
+    EXPECT_EQ(makeFoldersBeneath(root, "link/new"), ELOOP);
+    EXPECT_FALSE(fs::exists(root / "other/new"));
+    EXPECT_EQ(makeFoldersBeneath(root, "link"), ELOOP);
+    EXPECT_EQ(makeFoldersBeneath(root / "link", "new/deep"), 0) << "the root may be a link";
+    EXPECT_TRUE(fs::is_directory(root / "other/new/deep"));
+    EXPECT_EQ(makeFoldersBeneath(root / "made", "."), 0);
+    EXPECT_TRUE(fs::is_directory(root / "made"));
+    EXPECT_EQ(makeFoldersBeneath(root, "../up"), EINVAL);
+}
+
 TEST_F(Contained, PreparingRemovesWhatAWriteWouldFollow) {
     EXPECT_EQ(prepareBeneath(root, "a/link"), 0);
     EXPECT_FALSE(fs::is_symlink(root / "a/link"));

@@ -5,6 +5,7 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <linux/capability.h>
 #include <linux/filter.h>
 #include <linux/seccomp.h>
 #include <netinet/in.h>
@@ -27,6 +28,7 @@
 #include <functional>
 #include <thread>
 
+#include "base/memory_limit.h"
 #include "base/workers.h"
 
 namespace glibra::base {
@@ -292,6 +294,100 @@ TEST_F(Confined, SandboxesCannotBeLeftOrWidened) {
         static_cast<void>(enterSandbox(all, {}));  // refused or without effect
         return !reads("/etc/passwd");
     });
+}
+
+TEST_F(Confined, ALinkBelowARootIsNotFollowedWhenTheRulesAreMade) {
+    fs::create_directory(root / "scene/deep");
+    std::ofstream(root / "scene/deep/b.frag") << "mine";
+    fs::create_directory_symlink(root / "elsewhere", root / "scene/deep/out");
+    fs::create_directory_symlink(root / "scene", root / "named");
+    const auto readsOf = [&](const Reach& reach, const fs::path& file) {
+        sandbox.readable = {reach};
+        return inChild([&] { return reads(file); }, &sandbox) == 0;
+    };
+    // What the user names may be a link; what lies below may not.
+    EXPECT_TRUE(readsOf(Reach(root / "named"), root / "scene/a.frag"));
+    EXPECT_TRUE(readsOf(Reach(root / "named", "deep"), root / "scene/deep/b.frag"));
+    EXPECT_TRUE(readsOf(Reach(root, "scene/deep/b.frag"), root / "scene/deep/b.frag"));
+    EXPECT_TRUE(readsOf(Reach(root / "elsewhere"), root / "elsewhere/secret"));
+    for (const fs::path& way : {fs::path("folder"), fs::path("folder/secret"), fs::path("link"),
+                                fs::path("deep/out"), fs::path("deep/out/secret"), fs::path("../elsewhere"),
+                                fs::path("deep/../../elsewhere"), root / "elsewhere"})
+        EXPECT_FALSE(readsOf(Reach(root / "scene", way), root / "elsewhere/secret")) << way;
+    // The same for folders that are written to.
+    sandbox.readable = {root / "scene"};
+    sandbox.writable = {Reach(root / "scene", "folder")};
+    EXPECT_EQ(inChild([&] { return writes(root / "elsewhere/new"); }, &sandbox), 1);
+}
+
+TEST_F(Confined, AWorkerCannotLiftItsLimitOfMemory) {
+    const rlimit none{0, 0};
+    ASSERT_EQ(::setrlimit(RLIMIT_MEMLOCK, &none), 0);
+    constexpr std::uint64_t kLimit = std::uint64_t{256} << 20;
+    const auto lifts = [] {
+        const rlimit most{RLIM_INFINITY, RLIM_INFINITY};
+        rlimit now{};
+        ::getrlimit(RLIMIT_DATA, &now);
+        const rlimit hard{now.rlim_max, now.rlim_max};
+        ::syscall(SYS_prlimit64, 0, RLIMIT_DATA, &most, nullptr);
+        ::syscall(SYS_prlimit64, ::getpid(), RLIMIT_DATA, &hard, nullptr);
+        ::syscall(SYS_setrlimit, RLIMIT_DATA, &most);
+        constexpr std::size_t kMore = std::size_t{1} << 30;
+        void* const memory =
+            ::mmap(nullptr, kMore, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+        return memory != MAP_FAILED;
+    };
+    // Whoever has the right to raise limits lifts them, unless it is taken away.
+    __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
+    std::array<__user_cap_data_struct, _LINUX_CAPABILITY_U32S_3> rights{};
+    ASSERT_EQ(::syscall(SYS_capget, &header, rights.data()), 0);
+    const bool mayLift = (rights[0].effective & (1U << CAP_SYS_RESOURCE)) != 0;
+    EXPECT_EQ(inChild(
+                  [&] {
+                      MemoryLimit().setForever(kLimit);
+                      return lifts();
+                  },
+                  nullptr),
+              mayLift ? 0 : 1);
+    // Not every machine gives that right to the superuser. Another one that is taken away with it:
+    if ((rights[0].effective & (1U << CAP_IPC_LOCK)) != 0)
+        isStopped("memory that stays in spite of a limit of 0", [] {
+            static std::array<char, 8192> page;
+            return ::mlock(page.data(), page.size()) == 0;
+        });
+    WorkerOptions options;
+    options.sandbox = &sandbox;
+    options.memory = kLimit;
+    const auto check = [&](const WorkerOptions& with) {
+        std::string answers;
+        runInWorkers(
+            3, with, [&](std::size_t, const Step&) { return std::string(lifts() ? "lifted" : "kept"); },
+            [&](std::size_t, const Outcome& outcome) { answers += outcome.answer + " "; },
+            [](std::size_t, const std::string&) {});
+        EXPECT_EQ(answers, "kept kept kept ");
+    };
+    check(options);
+    // Also a piece that may take less than the one before it, or more.
+    options.memoryOf = [](std::size_t piece) { return kLimit / (piece == 1 ? 1 : 2); };
+    check(options);
+}
+
+TEST_F(Confined, PiecesWithOtherLimitsOfMemoryHaveTheirOwn) {
+    WorkerOptions options;
+    options.sandbox = &sandbox;
+    options.memoryOf = [](std::size_t piece) { return std::uint64_t{64} << (20 + 2 * (piece % 2)); };
+    std::string answers;
+    runInWorkers(
+        4, options,
+        [](std::size_t, const Step&) {
+            constexpr std::size_t kTaken = std::size_t{128} << 20;
+            void* const memory =
+                ::mmap(nullptr, kTaken, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+            return std::string(memory == MAP_FAILED ? "no " : "yes ");
+        },
+        [&](std::size_t, const Outcome& outcome) { answers += outcome.answer; },
+        [](std::size_t, const std::string&) {});
+    EXPECT_EQ(answers, "no yes no yes ");
 }
 
 TEST_F(Confined, WorkersAreConfinedBeforeTheirFirstPiece) {

@@ -5,6 +5,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cstdio>
+#include <string>
+
 namespace glibra::base {
 namespace {
 
@@ -28,6 +31,32 @@ TEST(StandardFiles, ClosedOnesAreTakenSoThatNothingElseGetsTheirNumbers) {
         ::waitpid(child, &status, 0);
         EXPECT_EQ(status, 0) << "closed: " << closed;
     }
+}
+
+TEST(StandardFiles, OutputThatDoesNotArriveIsReportedAtTheEnd) {
+    const struct {
+        const char* file;
+        int flags;
+        bool prints, arrives;
+    } cases[] = {{"/dev/null", O_WRONLY, true, true},
+                 {"/dev/full", O_WRONLY, true, false},
+                 {"/dev/full", O_WRONLY, false, true},
+                 {"/dev/null", O_RDONLY, true, false},  // as a closed descriptor becomes
+                 {"/dev/null", O_RDONLY, false, true}};
+    for (const auto& each : cases)
+        for (const std::size_t bytes : {std::size_t{1}, std::size_t{100'000}}) {
+            const pid_t child = ::fork();
+            if (child == 0) {
+                ::dup2(::open(each.file, each.flags), 1);
+                const std::string text(bytes, 'x');
+                if (each.prints) std::fwrite(text.data(), 1, text.size(), stdout);
+                const std::string problem = endStandardOutput();
+                ::_exit(problem.empty() == each.arrives ? 0 : 1);
+            }
+            int status = 0;
+            ::waitpid(child, &status, 0);
+            EXPECT_EQ(status, 0) << each.file << " " << each.flags << " " << each.prints << " " << bytes;
+        }
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "geometry/shapes/teapot.h"
@@ -150,8 +151,8 @@ TEST(SurfaceModel, BoundsSoccerballs) {
             if (test::valueAt(mesh, geometry::kTexCoord, i).z == 0)
                 normals[faces.values[i]] = test::valueAt(mesh, geometry::kPosition, i);
         ASSERT_EQ(normals.size(), 32U);
-        const double inside = test::farthest(
-            mesh, [](const MeshPoint& p) { return 1 - glm::length(p.place); }, 7);
+        const double inside =
+            test::farthest(mesh, [](const MeshPoint& p) { return 1 - glm::length(p.place); }, 7);
         expectTight(inside, model(glib::commandOf("Soccerball"), numbers, Fidelity::shape),
                     cuts < 3 ? .5 : .8, text(numbers));
         const double moved = test::farthest(

@@ -2,6 +2,7 @@
 // The surfaces that meshes approximate, written after language, 4, independently of the shapes' own code; and
 // the distance of a mesh from them.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>

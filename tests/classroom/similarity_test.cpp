@@ -205,6 +205,25 @@ TEST(Similarity, AFunctionThatWasCopiedIsAPartOfEach) {
     EXPECT_EQ(pairs[0].figure(), pairs[0].ofA);
 }
 
+TEST(Similarity, AFileIsNoCopyOfItselfButOneOfEveryOther) {
+    // 0 and 1 have copied; 2 uses their two files, 3 that of 0 and a copy of its own.
+    const std::vector<std::vector<Fingerprint>> one = fingerprints({kShader});
+    std::vector<Fingerprint> both = one[0];
+    for (Fingerprint each : one[0]) {
+        each.place.file = 1;
+        both.push_back(each);
+    }
+    const std::vector<std::vector<Fingerprint>> prints{one[0], one[0], both, both, one[0]};
+    const std::vector<std::vector<std::string>> files{
+        {"ana.frag"}, {"bob.frag"}, {"ana.frag", "bob.frag"}, {"ana.frag", "own.frag"}, {"ana.frag"}};
+    std::vector<std::pair<std::size_t, std::size_t>> found;
+    for (const SimilarPair& each : similarPairs(prints, files)) found.emplace_back(each.a, each.b);
+    std::sort(found.begin(), found.end());
+    // Only 0 and 4 have nothing but one and the same file.
+    EXPECT_EQ(found, (std::vector<std::pair<std::size_t, std::size_t>>{
+                         {0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {1, 4}, {2, 3}, {2, 4}, {3, 4}}));
+}
+
 TEST(Similarity, PairsAreInTheOrderOfTheirFigures) {
     const std::string half = std::string(kOther) + std::string(kShader);
     const std::vector<SimilarPair> pairs =

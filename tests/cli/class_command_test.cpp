@@ -229,6 +229,90 @@ TEST_F(ClassCommand, NothingFromOutsideOfASubmissionIsReadOrShown) {
     EXPECT_FALSE(contains(done.out + done.err, kSecret));
 }
 
+TEST_F(ClassCommand, WhatLiesAboveTheSubmissionsIsNoLibraryOfTheirs) {
+    // The reference uses shaders of a folder that the look-up of its own scene finds.
+    folder.write("shaders/solution.vert", kVertex);
+    folder.write("shaders/solution.frag", fragment("uTone"));
+    fs::remove(folder / "solution.vert");
+    fs::remove(folder / "solution.frag");
+    for (const char* name : {"solution.vert", "solution.frag"})
+        EXPECT_TRUE(fs::exists(folder / "shaders" / name));
+    hand("ana", fragment("uTone"));
+    folder.write("all/eve/a.glib", scene("solution"));
+    folder.write("all/eva.glib", scene("solution"));
+    folder.write("all/ivy/a.glib", scene("solution"));
+    folder.write("all/ivy/textures/none.txt", "a library of its own");
+    const Finished done = run("");
+    ASSERT_EQ(done.status, 0) << done.err;
+    EXPECT_EQ(grade("ana", "flip"), "0.00000");
+    for (const char* each : {"eve", "eva", "ivy"}) {
+        EXPECT_EQ(grade(each, "state"), "failed") << each;
+        EXPECT_TRUE(contains(grade(each, "reason"), "file-E01")) << grade(each, "reason");
+    }
+    // What the hand-out and the folder of submissions give is theirs, and so is a library that is named.
+    folder.write("handout/shaders/given.vert", kVertex);
+    folder.write("all/shaders/common.frag", fragment("uTone"));
+    folder.write("all/eve/a.glib", replaced(scene("given"), "given.frag", "common.frag"));
+    const Finished given = run("--template handout");
+    ASSERT_EQ(given.status, 0) << given.err;
+    EXPECT_EQ(grade("eve", "flip"), "0.00000") << grade("eve", "reason");
+    EXPECT_TRUE(contains(grade("eve", "not compared"), "'given.vert' is of the library"))
+        << grade("eve", "not compared");
+    EXPECT_TRUE(contains(page(), "Not compared with other submissions: ")) << page();
+    EXPECT_EQ(run("--library .").status, 0);
+    EXPECT_EQ(grade("eva", "flip"), "0.00000");
+}
+
+TEST_F(ClassCommand, NobodyTakesTheCodeOfOthersOutOfTheComparison) {
+    const std::string copied =
+        "vec3 tint(vec3 at, float by) {\n    vec3 sum = vec3(0.);\n    for (int i = 0; i < 4; ++i) {\n"
+        "        sum += mix(at, at.zxy, by) * float(i) / 6.;\n        at = reflect(at, normalize(sum + "
+        ".1));\n    }\n    return clamp(sum, 0., 1.);\n}\n";
+    const std::string shader = replaced(fragment("uTone"), "void main", copied + "void main");
+    // Scenes in one folder; eve uses the files of the two others, one of whom has copied from the other.
+    folder.write("all/a.vert", kVertex);
+    for (const std::string each : {"ana", "bob"}) {
+        folder.write("all/" + each + ".frag", shader);
+        folder.write("all/" + each + ".glib", replaced(scene("a"), "a.frag", each + ".frag"));
+    }
+    folder.write("all/eve.glib",
+                 replaced(scene("a"), "Program P", "Program Q\nFragment ana.frag\nProgram P") +
+                     "Fragment bob.frag\nProgram R\nSphere .1\n");
+    folder.write("all/a.frag", fragment(".5"));
+    const Finished done = run("");
+    ASSERT_EQ(done.status, 0) << done.err;
+    EXPECT_EQ(grade("ana", "most similar"), "bob");
+    EXPECT_EQ(grade("bob", "most similar"), "ana");
+    EXPECT_GT(std::stod(grade("ana", "similarity")), .8);
+    EXPECT_TRUE(contains(page(), "sum += mix(at, at.zxy, by)"));
+    for (const char* each : {"ana", "bob"})
+        EXPECT_TRUE(contains(grade(each, "not compared"), std::string("'") + each + ".frag' with eve"))
+            << grade(each, "not compared");
+    EXPECT_TRUE(contains(grade("eve", "not compared"), "'ana.frag' with ana"))
+        << grade("eve", "not compared");
+}
+
+TEST_F(ClassCommand, PaddingHidesNoCopy) {
+    const std::string copied =
+        "vec3 tint(vec3 at, float by) {\n    vec3 sum = vec3(0.);\n    for (int i = 0; i < 4; ++i) {\n"
+        "        sum += mix(at, at.zxy, by) * float(i) / 6.;\n        at = reflect(at, normalize(sum + "
+        ".1));\n    }\n    return clamp(sum, 0., 1.);\n}\n";
+    const auto padded = [&](std::size_t tokens) {
+        std::string text = "#version 330 core\n#if 0\n";
+        for (std::size_t i = 0; i < tokens / 4; ++i) text += "a+b;\n";
+        return replaced(replaced(fragment("uTone"), "void main", copied + "void main"), "#version 330 core\n",
+                        text + "#endif\n");
+    };
+    hand("ana", padded(0));
+    hand("bob", padded(100'000));
+    hand("cem", std::string(fragment("uTone")) + "// " + std::string(2'000'000, 'x') + "\n");
+    const Finished done = run("");
+    ASSERT_EQ(done.status, 0) << done.err;
+    EXPECT_EQ(grade("ana", "most similar"), "bob");
+    EXPECT_EQ(grade("bob", "not compared"), "");
+    EXPECT_EQ(grade("cem", "not compared"), "");
+}
+
 TEST_F(ClassCommand, NamesPathsAndMessagesStayText) {
     const std::string name = "<b onmouseover='alert(1)'>&amp;\"";
     hand(name, "#version 330 core\n#error <script>alert(2)</script>\nvoid main() {}\n");

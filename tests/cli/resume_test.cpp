@@ -96,5 +96,85 @@ TEST_F(Resume, ResultsWithoutFingerprintsAreDrawnAgain) {
     EXPECT_TRUE(contains(run("--resume").err, "3 shots of the earlier run are drawn again"));
 }
 
+/// Files that only another time, size or variable reads belong to the shots that have it.
+class ResumeMoments : public testing::Test {
+  protected:
+    void SetUp() override {
+        for (const char* each : {"late", "wide", "picked", "stepped", "asked", "plain", "included"})
+            folder.write(std::string(each) + ".obj", kModel);
+        folder.write("more.glib", "When (time > 4)\n  Obj included.obj\nEndWhen\n");
+        folder.write("m.glib",
+                     "WindowSize 16 16\nOrtho -2 2 -2 2\nLet choice <0 0 1>\n"
+                     "When (time > 1 && time < 2)\n  Obj late.obj\nEndWhen\n"
+                     "When (window.x > 20)\n  Obj wide.obj\nEndWhen\n"
+                     "When (choice > 0.5)\n  Obj picked.obj\nEndWhen\n"
+                     "When (time > 6)\n  Obj asked.obj\nEndWhen\n"
+                     "Include more.glib\nObj plain.obj\nExpect finite window at 7\n");
+        folder.write("n.glib",
+                     "WindowSize 16 16\nOrtho -2 2 -2 2\nTexture2D kept 4 4 rgba8\n"
+                     "Step 10\n  Pass kept\n    When (tick == 13)\n      Obj stepped.obj\n    EndWhen\n"
+                     "  EndPass\nEndStep\nObj plain.obj\n");
+        folder.write("m.toml",
+                     "goldens = \"golden\"\n[[shot]]\nscript = \"m.glib\"\nname = \"now\"\n"
+                     "[[shot]]\nscript = \"m.glib\"\nname = \"later\"\ntime = 1.45\n"
+                     "[[shot]]\nscript = \"m.glib\"\nname = \"wider\"\nsize = [32, 16]\n"
+                     "[[shot]]\nscript = \"m.glib\"\nname = \"chosen\"\nset = { choice = 1 }\n"
+                     "[[shot]]\nscript = \"m.glib\"\nname = \"last\"\ntime = 5\n"
+                     "[[shot]]\nscript = \"n.glib\"\ntime = [1, 1.45]\n");
+    }
+    Finished run(const std::string& arguments, const std::string& environment = {}) {
+        return glibra(folder.path(), "test m.toml " + arguments, environment);
+    }
+
+    static constexpr const char* kModel = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    Folder folder;
+};
+
+TEST_F(ResumeMoments, AFileIsAnInputOfTheShotsThatReadIt) {
+    const Finished made = run("--update --force");
+    ASSERT_EQ(made.status, 0) << made.out << made.err;
+    const Finished first = run("");
+    ASSERT_EQ(first.status, 0) << first.out << first.err;
+    EXPECT_FALSE(contains(run("--resume").err, "drawn again"));
+    const struct {
+        const char* file;
+        const char* count;
+    } changes[] = {
+        {"late", "1 shot of"},    {"wide", "1 shot of"}, {"picked", "1 shot of"},
+        {"stepped", "1 shot of"}, {"asked", "5 shots"},  // 'Expect ... at 7' reads it for all of them
+        {"included", "5 shots"},  {"plain", "7 shots"}};
+    for (const auto& each : changes) {
+        folder.write(std::string(each.file) + ".obj", std::string(kModel) + "# changed\n");
+        const Finished rest = run("--resume");
+        EXPECT_TRUE(contains(rest.err, each.count)) << each.file << rest.err;
+        EXPECT_FALSE(contains(run("--resume").err, "drawn again")) << each.file;
+    }
+}
+
+TEST_F(ResumeMoments, AnotherDriverDrawsEverythingAgain) {
+    ASSERT_EQ(run("--update --force").status, 0);
+    ASSERT_EQ(run("").status, 0);
+    // The key of a software driver has the switches that change its code.
+    const Finished other = run("--resume", "LP_NATIVE_VECTOR_WIDTH=128");
+    EXPECT_TRUE(contains(other.err, "7 shots of the earlier run are drawn again")) << other.err;
+    EXPECT_FALSE(contains(run("--resume", "LP_NATIVE_VECTOR_WIDTH=128").err, "drawn again"));
+    EXPECT_TRUE(contains(run("--resume").err, "7 shots of the earlier run are drawn again"));
+}
+
+TEST_F(ResumeMoments, AnUpdateWhoseGoldenIsGoneIsRepeated) {
+    ASSERT_EQ(run("--update --force").status, 0);
+    ASSERT_EQ(shell(folder.path(), "rm golden/now.png").status, 0);
+    EXPECT_EQ(run("--update --force --resume").status, 0);
+    EXPECT_FALSE(readFile(folder / "golden/now.png").empty());
+}
+
+TEST_F(ResumeMoments, ALineOfTheListAndALimitAreSettings) {
+    ASSERT_EQ(run("--update --force").status, 0);
+    ASSERT_EQ(run("").status, 0);
+    folder.write("golden/m.hashes", "");
+    EXPECT_TRUE(contains(run("--resume").err, "7 shots"));
+    EXPECT_TRUE(contains(run("--resume --timeout 100").err, "7 shots"));
+}
+
 }  // namespace
 }  // namespace glibra::test

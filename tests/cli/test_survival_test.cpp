@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <sstream>
 
 #include "program.h"
@@ -101,6 +102,32 @@ TEST_F(Survival, AShotThatEndsItsWorkerWhileItIsPreparedIsTheOneThatIsBlamed) {
         EXPECT_TRUE(
             contains(end.out + end.err, "b.glib:1:1: error: the process that drew it ended with signal 6"))
             << end.out << end.err;
+    }
+}
+#endif
+
+#ifdef GLIBRA_END_ON_OPEN
+/// Finding its files, preparing it while others are drawn, and drawing it each take the time of the shot.
+TEST_F(Survival, AShotThatNeverEndsTakesItsOwnTimeAndNobodyElses) {
+    folder.write("endless.frag", readFile(folder / "a.frag"));
+    folder.write("b.glib", "Vertex a.vert\nFragment endless.frag\nProgram P uRounds 200\nQuadXY 0 1 1 1\n");
+    const std::string shot = "[[shot]]\nscript = \"a.glib\"\nset = { uRounds = 200 }\nname = ";
+    for (const std::string first : {"match = \"last\"\n", ""}) {
+        folder.write("t.toml", "goldens = \"golden\"\n[defaults]\nsize = [30, 30]\n" + shot + "\"first\"\n" +
+                                   first + "[[shot]]\nscript = \"b.glib\"\ntimeout = 4\n" + shot +
+                                   "\"last\"\n");
+        ASSERT_EQ(run("t.toml --update").status, 0);
+        for (const std::string jobs : {"1", "2"}) {
+            const auto start = std::chrono::steady_clock::now();
+            const Finished end =
+                glibra(folder.path(), "test t.toml --jobs " + jobs, preload(GLIBRA_END_ON_OPEN));
+            const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+            EXPECT_EQ(end.status, 3) << end.out << end.err;
+            EXPECT_TRUE(contains(end.out, "1 timed-out, 2 passed")) << end.out << end.err;
+            EXPECT_TRUE(contains(end.out + end.err, "b.glib:1:1: error: not drawn within 4 seconds"))
+                << end.out << end.err;
+            EXPECT_LT(taken.count(), 100) << "the limit of other shots is 300 seconds";
+        }
     }
 }
 #endif

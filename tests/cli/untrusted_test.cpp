@@ -128,6 +128,107 @@ TEST_F(Untrusted, NoOtherFileIsRead) {
     EXPECT_EQ(run("render in/d.glib --untrusted").status, 3);
 }
 
+TEST_F(Untrusted, LinksThatAreFoldersOfALibraryAreNotFollowed) {
+    // The library beside a scene, above it, and in a folder that the user names: all three are searched.
+    const Folder elsewhere;
+    elsewhere.write("private.frag", kTimerFragment);
+    elsewhere.write("private.raw", std::string(64, 'x'));
+    folder.write("in/b.glib", "Vertex a.vert\nFragment private.frag\nProgram P\nTeapot\n");
+    struct Case {
+        fs::path link;
+        std::string options;
+    };
+    for (const Case& each :
+         {Case{"in/shaders", ""}, Case{"in/textures", ""}, Case{"shaders", ""},
+          Case{"named/shaders", " --library named"}, Case{"named/textures", " --library named"},
+          Case{"named/scenes/models", " --library named"}, Case{"named/shaders/in", " --library named"}}) {
+        fs::create_directories((folder / each.link.string()).parent_path());
+        fs::create_directory_symlink(elsewhere.path(), folder / each.link.string());
+        ASSERT_EQ(run("render in/b.glib -o free.png" + each.options).status, 0) << each.link;
+        for (const char* command : {"render", "check"}) {
+            const Finished confined = run(std::string(command) + " in/b.glib --untrusted" + each.options);
+            EXPECT_EQ(confined.status, 3) << command << each.link << confined.err;
+            EXPECT_TRUE(contains(confined.err, "file-W24")) << confined.err;
+            EXPECT_TRUE(contains(confined.err, each.link.string())) << confined.err;
+        }
+        // As a library that the user names, the place is one that may be read.
+        EXPECT_EQ(run("render in/b.glib --untrusted -o x.png --library '" + elsewhere.path().string() + "'" +
+                      each.options)
+                      .status,
+                  3)
+            << "its files lie beside its folder 'shaders'";
+        fs::remove(folder / each.link.string());
+    }
+    // A link that is the library itself is the user's.
+    fs::create_directory_symlink(folder / "lib", folder / "linked");
+    folder.write("in/l.glib", "Vertex a.vert\nFragment l.frag\nProgram P\nTeapot\n");
+    EXPECT_EQ(run("render in/l.glib --untrusted --library linked").status, 0);
+    // Buffers, pictures and models are found in the same folders.
+    fs::create_directory_symlink(elsewhere.path(), folder / "in/textures");
+    folder.write("in/m.glib",
+                 "Vertex inline\n#version 430 core\nvoid main() { gl_Position = vec4(0., 0., 0., 1.); "
+                 "}\nEndVertex\nFragment a.frag\nProgram P\nBuffer stolen uint private.raw\nVertices "
+                 "points 1\nExpect sum stolen 0\n");
+    EXPECT_TRUE(contains(run("check --run in/m.glib --untrusted").err, "private.raw"));
+    EXPECT_EQ(run("check in/m.glib --untrusted").status, 3);
+}
+
+TEST_F(Untrusted, AFolderOrALinkOfTheNameOfTheStagingFolderIsNotUsed) {
+    // The process id is not known before the command runs, so the shell that becomes the command prepares it.
+    const Folder elsewhere;
+    elsewhere.write("kept/0/a.png", "kept");
+    for (const std::string prepare :
+         {"mkdir -p .glibra-$$-untrusted/0 && echo mine > .glibra-$$-untrusted/0/a.png",
+          "ln -s '" + (elsewhere / "kept").string() + "' .glibra-$$-untrusted"}) {
+        const Finished done =
+            shell(folder.path(), prepare + " && exec '" GLIBRA_PROGRAM "' render in/a.glib --untrusted");
+        EXPECT_EQ(done.status, 0) << done.err;
+        ASSERT_EQ(run("render in/a.glib -o free.png").status, 0);
+        expectSame("free.png", "a.png");
+        EXPECT_EQ(readFile(elsewhere / "kept/0/a.png"), "kept");
+        EXPECT_NE(leftovers(), "") << "what somebody else made stays";
+        for (const auto& each : fs::directory_iterator(folder.path()))
+            if (each.path().filename().string().starts_with(".glibra")) fs::remove_all(each.path());
+    }
+}
+
+TEST_F(Untrusted, AGoodSuiteNeedsNoFolderOfGoldens) {
+    folder.write("in/s.toml", "[[shot]]\nscript = \"a.glib\"\nexpect-error = \"glsl-E01\"\n");
+    folder.write("in/a.frag", "#version 330 core\nvoid main() { nonsense; }\n");
+    for (const char* command : {"test in/s.toml --untrusted", "test s.toml --untrusted"}) {
+        if (std::string(command).find("in/") == std::string::npos)
+            folder.write("s.toml", "[[shot]]\nscript = \"in/a.glib\"\nexpect-error = \"glsl-E01\"\n");
+        const Finished good = run(command);
+        EXPECT_EQ(good.status, 0) << command << good.out << good.err;
+    }
+    folder.write("in/s.toml", "goldens = \"none/yet\"\n[[shot]]\nscript = \"a.glib\"\nexpect-error = true\n");
+    EXPECT_EQ(run("test in/s.toml --untrusted").status, 0);
+}
+
+TEST_F(Untrusted, ASuiteReachesNothingThroughALink) {
+    const Folder elsewhere;
+    elsewhere.write("b.glib", "Sphere\n");
+    fs::create_directory_symlink(elsewhere.path(), folder / "in/out");
+    fs::create_directory_symlink(folder / "lib", folder / "in/inside");
+    for (const std::string suite :
+         {"[[shot]]\nscript = \"out/b.glib\"\n", "goldens = \"out\"\n[[shot]]\nscript = \"a.glib\"\n",
+          "[[shot]]\nscript = \"a.glib\"\nlibrary = [\"out\"]\n",
+          "[[shot]]\nscript = \"a.glib\"\nlibrary = [\"inside\"]\n"}) {
+        folder.write("in/s.toml", suite);
+        for (const char* command :
+             {"test in/s.toml --untrusted", "render --suite in/s.toml -o drawn --untrusted"}) {
+            const Finished refused = run(command);
+            EXPECT_EQ(refused.status, 3) << command << suite;
+            EXPECT_TRUE(contains(refused.err, "error: --untrusted: ")) << command << suite << refused.err;
+        }
+    }
+    // The folder that a run writes to is no way out either.
+    folder.write("in/s.toml", "[[shot]]\nscript = \"a.glib\"\nexpect-error = true\n");
+    fs::create_directory(folder / "results");
+    fs::create_directory_symlink(elsewhere.path(), folder / "results/s");
+    EXPECT_EQ(run("test in/s.toml --untrusted --results results").status, 3);
+}
+
 TEST_F(Untrusted, SuitesAreTestedAndDrawn) {
     folder.write("in/s.toml",
                  "[[shot]]\nscript = \"a.glib\"\n[[shot]]\nname = \"b\"\nscript = \"a.glib\"\ntime = 0.3\n");

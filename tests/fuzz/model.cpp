@@ -21,7 +21,7 @@ void checkMesh(const glibra::geometry::Mesh& mesh) {
     for (const std::uint32_t index : mesh.indices) check(index < vertices, "an index is that of a vertex");
     const auto corners =
         static_cast<std::size_t>(glibra::geometry::verticesPerPrimitive(mesh.topology, mesh.patchVertices));
-    check(mesh.indices.size() % corners == 0, "primitives are whole");
+    check((mesh.indices.size() - mesh.pointCount) % corners == 0, "primitives are whole");
 }
 
 }  // namespace
@@ -36,7 +36,16 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         checkMesh(geometry::objPatch(*model, false));
         checkMesh(geometry::objAdj(*model));
         checkMesh(geometry::wireObj(*model));
+        geometry::ObjModel split = *model;
+        split.splitFaces.clear();
+        split.splitTriangles.clear();
+        fuzz::check(geometry::obj(split, false).indices.size() == geometry::obj(*model, false).indices.size(),
+                    "a polygon of n corners has n - 2 triangles");
     }
+    const Result<geometry::ObjModel> edges =
+        geometry::parseObj(fuzz::textOf(data, size), "nowhere/a.obj", geometry::ObjElements::edges);
+    fuzz::checkMessages(edges.diagnostics);
+    if (edges) checkMesh(geometry::wireObj(*edges));
     const Result<geometry::Mesh> map =
         geometry::parseShp(std::as_bytes(std::span(data, size)), "nowhere/a.shp");
     fuzz::checkMessages(map.diagnostics);

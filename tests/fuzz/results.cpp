@@ -1,6 +1,7 @@
 // Any bytes as the results of up to four runs, which are read, merged, continued and reported. A line that
 // begins with "=" begins the next run.
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <set>

@@ -2,6 +2,7 @@
 
 #include "geometry/shapes/capsule.h"
 
+#include <algorithm>
 #include <numbers>
 
 #include "mesh_checks.h"

@@ -2,6 +2,7 @@
 
 #include "geometry/shapes/half_sphere.h"
 
+#include <algorithm>
 #include <numbers>
 
 #include "mesh_checks.h"

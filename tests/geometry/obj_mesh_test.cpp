@@ -2,6 +2,7 @@
 
 #include "geometry/obj/obj_mesh.h"
 
+#include <algorithm>
 #include <set>
 #include <string>
 
@@ -157,12 +158,12 @@ TEST(ObjMesh, OneFileMayMixAllFaceForms) {
     // A house: a wall of five corners with texture coordinates and normals, a floor with normals and negative
     // indices, a side with texture coordinates only, a roof with positions only; groups and materials
     // between.
-    const Mesh mesh = obj(
-        model("mtllib house.mtl\no house\nv 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 2 0\nv 0 1 0\n"
-              "vt 0 0\nvt 1 0\nvt 1 .5\nvt .5 1\nvt 0 .5\nvn 0 0 2\ng wall\nusemtl brick\ns off\n"
-              "f 1/1/1 2/2/1 3/3/1 4/4/1 5/5/1\n"
-              "v 0 0 -3\nv 2 0 -3\nv 2 1 -3\nv 1 2 -3\nvn 0 -1 0\ng floor\ns 1\nf 1//-1 -4//-1 -3//-1 2//-1\n"
-              "g side\nf 2/-5 7/-4 8/-3 3/-2\ng roof\nf 3 8 9 4\n"));
+    const Mesh mesh =
+        obj(model("mtllib house.mtl\no house\nv 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 2 0\nv 0 1 0\n"
+                  "vt 0 0\nvt 1 0\nvt 1 .5\nvt .5 1\nvt 0 .5\nvn 0 0 2\ng wall\nusemtl brick\ns off\n"
+                  "f 1/1/1 2/2/1 3/3/1 4/4/1 5/5/1\ns 1\n"
+                  "v 0 0 -3\nv 2 0 -3\nv 2 1 -3\nv 1 2 -3\nvn 0 -1 0\ng floor\nf 1//-1 -4//-1 -3//-1 2//-1\n"
+                  "g side\nf 2/-5 7/-4 8/-3 3/-2\ng roof\nf 3 8 9 4\n"));
     EXPECT_EQ(countsOf(mesh), stated(5 + 4 + 4 + 4, 3 + 2 + 2 + 2));
     expectSound(mesh);
     EXPECT_EQ(wronglyWound(mesh), 0U);
@@ -178,6 +179,70 @@ TEST(ObjMesh, OneFileMayMixAllFaceForms) {
     expectNear(texCoordAt(mesh, 10), {1, 0, 0});
     // Corner 9 belongs to the roof alone.
     expectNear(normalAt(mesh, 15), glm::normalize(glm::dvec3(1, 1, 0)));
+}
+
+/// Two slopes of 45 degrees that meet in x = 0.
+constexpr const char* kRoof = "v -1 0 0\nv 0 0 1\nv 0 1 1\nv -1 1 0\nv 1 0 0\nv 1 1 0\n";
+
+TEST(ObjMesh, OnlyFacesOfOneSmoothingGroupShareNormals) {
+    const double slope = std::sqrt(.5);
+    const auto normalsOf = [](const std::string& text) {
+        const Mesh mesh = obj(model(kRoof + text));
+        std::vector<glm::dvec3> normals;
+        for (const std::uint32_t each : mesh.indices) normals.push_back(normalAt(mesh, each));
+        return normals;
+    };
+    const std::string left = "f 1 2 3 4\n", right = "f 2 5 6 3\n";
+    // The corners in the order of two fans; those of the ridge are 1, 2, 4 of the left, 0, 3, 5 of the right.
+    for (const std::string& text :
+         {"s 1\n" + left + "s 2\n" + right, "s off\n" + left + right, "s 0\n" + left + right,
+          left + "s 3\n" + right, "s 7\n" + left + "s off\n" + right,
+          "s 12\r\n" + left + "s 11\t\n" + right}) {
+        const std::vector<glm::dvec3> normals = normalsOf(text);
+        ASSERT_EQ(normals.size(), 12U);
+        for (std::size_t i = 0; i < 12; ++i) expectNear(normals[i], {i < 6 ? -slope : slope, 0, slope});
+    }
+    for (const std::string& text :
+         {left + right, "s 1\n" + left + right, "s 1\n" + left + "s 2\ns 1\n" + right, left + right + "s 1\n",
+          "s on\n" + left + "s 1\n" + right}) {
+        const std::vector<glm::dvec3> normals = normalsOf(text);
+        expectNear(normals[0], {-slope, 0, slope});
+        expectNear(normals[1], {0, 0, 1});
+        expectNear(normals[6], {0, 0, 1});
+    }
+}
+
+TEST(ObjMesh, FilesWithOneGroupAreFilesWithoutGroups) {
+    const std::string ball = textOf(sphere(1, 12, 8), false, true);
+    const Mesh plain = obj(model(ball)), grouped = obj(model("s 5\n" + ball));
+    EXPECT_EQ(plain.indices, grouped.indices);
+    ASSERT_EQ(plain.attributes.size(), grouped.attributes.size());
+    for (std::size_t i = 0; i < plain.attributes.size(); ++i)
+        EXPECT_EQ(plain.attributes[i].values, grouped.attributes[i].values);
+}
+
+TEST(ObjMesh, GroupsDoNotChangeNormalsOfTheFile) {
+    const std::string ball = textOf(sphere(1, 12, 8), true, true);
+    std::string grouped;
+    int faces = 0;
+    for (std::size_t at = 0, end; at < ball.size(); at = end + 1) {
+        end = ball.find('\n', at);
+        if (ball[at] == 'f') grouped += faces++ % 2 == 0 ? "s off\n" : "s 4\n";
+        grouped += ball.substr(at, end + 1 - at);
+    }
+    const Mesh one = obj(model(ball)), other = obj(model(grouped));
+    EXPECT_EQ(one.indices, other.indices);
+    EXPECT_EQ(one.attribute(kNormal)->values, other.attribute(kNormal)->values);
+}
+
+TEST(ObjMesh, ColoursOfVerticesAreTheirOwnAttribute) {
+    EXPECT_EQ(obj(model(std::string(kQuad) + "f 1 2 3 4\n")).attribute(kColor), nullptr);
+    EXPECT_EQ(obj(model("v 0 0 0 1\nv 1 0 0 .5\nv 0 1 0 2\nf 1 2 3\n")).attribute(kColor), nullptr);
+    const Mesh mesh = obj(model("v 0 0 0 1 .5 0\nv 1 0 0\nv 0 1 0 .25 0 1 .5\nv 1 1 0\nf 3 1 2 4\n"));
+    ASSERT_NE(mesh.attribute(kColor), nullptr);
+    EXPECT_EQ(mesh.attribute(kColor)->components, 4);
+    EXPECT_EQ(mesh.attribute(kColor)->values,
+              (std::vector<float>{.25F, 0, 1, 1, 1, .5F, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1}));
 }
 
 TEST(ObjAdj, NamesTheFarCornersOfTheNeighbours) {
@@ -261,6 +326,44 @@ TEST(WireObj, DrawsEveryPolygonEdgeOnce) {
     const std::vector<std::uint32_t> welded = weldedByBits(mesh);
     for (std::size_t i = 0; i < mesh.indices.size(); i += 2)
         EXPECT_TRUE(seen.insert(std::minmax(welded[mesh.indices[i]], welded[mesh.indices[i + 1]])).second);
+}
+
+TEST(WireObj, DrawsLinesAndPoints) {
+    const auto parsed = parseObj(
+        std::string(kQuad) + "vt .5 .5\nl 1/1 2/1 3/1\nl 4 -3 4\np 1 3\np 4\nf 1 2 3\nl 9 1\nl 1\np 7\n",
+        "a.obj", ObjElements::edges);
+    ASSERT_TRUE(parsed);
+    EXPECT_EQ(parsed.diagnostics.size(), 3U);
+    for (const Diagnostic& each : parsed.diagnostics) EXPECT_EQ(each.id, "file-W05");
+    const Mesh mesh = wireObj(*parsed);
+    expectSound(mesh);
+    EXPECT_EQ(mesh.pointCount, 3U);
+    ASSERT_EQ(mesh.indices.size(), 2 * 4 + 3U);
+    std::vector<std::pair<glm::dvec3, glm::dvec3>> edges;
+    for (std::size_t i = 0; i + 3 < mesh.indices.size(); i += 2)
+        edges.emplace_back(positionAt(mesh, mesh.indices[i]), positionAt(mesh, mesh.indices[i + 1]));
+    // Those of the face, then what the lines add.
+    const glm::dvec3 a{0, 0, 0}, b{2, 0, 0}, c{2, 2, 0}, d{0, 2, 0};
+    EXPECT_EQ(edges, (std::vector<std::pair<glm::dvec3, glm::dvec3>>{{a, b}, {b, c}, {c, a}, {d, b}}));
+    EXPECT_EQ(positionAt(mesh, mesh.indices[8]), a);
+    EXPECT_EQ(positionAt(mesh, mesh.indices[9]), c);
+    EXPECT_EQ(positionAt(mesh, mesh.indices[10]), d);
+}
+
+TEST(WireObj, NeedsNoFaces) {
+    for (const char* text : {"v 0 0 0\nv 1 0 0\nl 1 2\n", "v 0 0 0\np 1\n", "l 1 2\nv 0 0 0\nv 1 0 0\n"}) {
+        const auto parsed = parseObj(text, "a.obj", ObjElements::edges);
+        ASSERT_TRUE(parsed) << text;
+        EXPECT_TRUE(parsed.diagnostics.empty());
+        expectSound(wireObj(*parsed));
+        EXPECT_FALSE(wireObj(*parsed).indices.empty());
+        const auto faces = parseObj(text, "a.obj");
+        ASSERT_FALSE(faces);
+        EXPECT_EQ(faces.diagnostics.back().text, "'a.obj' has no faces; WireObj draws its lines and points");
+    }
+    const auto nothing = parseObj("v 0 0 0\n", "a.obj", ObjElements::edges);
+    ASSERT_FALSE(nothing);
+    EXPECT_EQ(nothing.diagnostics.back().text, "'a.obj' has no faces, lines or points");
 }
 
 TEST(WireObj, OfAClosedModelFollowsEuler) {

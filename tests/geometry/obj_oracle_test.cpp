@@ -35,6 +35,7 @@ std::string generatedFile(std::uint32_t seed) {
     const std::string end = random(2) ? "\n" : "\r\n";
     std::string text = "# generated" + end;
     std::uint32_t v = 0, vt = 0, vn = 0;
+    const bool hasColors = random(2) == 0;  // the other reader drops them unless all vertices have them
     // One statement each, so that the numbers come in the same order with every compiler.
     const auto putLine = [&](const char* word, int numbers) {
         text += word;
@@ -46,11 +47,13 @@ std::string generatedFile(std::uint32_t seed) {
     };
     for (int block = 0; block < 12; ++block) {
         if (random(2)) text.append("o object").append(std::to_string(block)).append(end);
-        for (std::uint32_t n = 3 + random(20); n > 0; --n, ++v) putLine("v", 3);
+        for (std::uint32_t n = 3 + random(20); n > 0; --n, ++v) putLine("v", hasColors ? 6 : 3);
         for (std::uint32_t n = 1 + random(9); n > 0; --n, ++vt) putLine("vt", 2);
         for (std::uint32_t n = 1 + random(9); n > 0; --n, ++vn) putLine("vn", 3);
-        if (random(2))
-            text.append("g part").append(std::to_string(block)).append(end).append("s 1").append(end);
+        if (random(2)) text.append("g part").append(std::to_string(block)).append(end);
+        const std::string groups[] = {"", "s 1", "s off", "s 0", "s " + std::to_string(random(100))};
+        if (const std::string& group = groups[block == 0 ? 4 : random(5)]; !group.empty())
+            text.append(group).append(end);
         for (std::uint32_t i = 0, n = random(30); i < n; ++i) {
             const std::uint32_t form = random(4);
             text += "f";
@@ -90,8 +93,11 @@ TEST(ObjOracle, TinyobjloaderReadsTheSameModels) {
         std::vector<tinyobj::material_t> materials;
         std::string warnings, errors;
         std::istringstream stream(text);
-        ASSERT_TRUE(
-            tinyobj::LoadObj(&theirs, &shapes, &materials, &warnings, &errors, &stream, nullptr, false));
+        ASSERT_TRUE(tinyobj::LoadObj(&theirs, &shapes, &materials, &warnings, &errors, &stream, nullptr,
+                                     false, false));
+        ASSERT_EQ(ours->colors.empty(), theirs.colors.empty());
+        for (std::size_t i = 0; i < ours->colors.size(); ++i)
+            for (std::size_t c = 0; c < 3; ++c) expectClose(ours->colors[i][c], theirs.colors[3 * i + c]);
 
         ASSERT_EQ(ours->positions.size() * 3, theirs.vertices.size());
         ASSERT_EQ(ours->texCoords.size() * 2, theirs.texcoords.size());
@@ -107,9 +113,10 @@ TEST(ObjOracle, TinyobjloaderReadsTheSameModels) {
 
         std::size_t face = 0, corner = 0;
         for (const tinyobj::shape_t& shape : shapes) {
-            std::size_t at = 0;
+            std::size_t at = 0, groupAt = 0;
             for (const auto corners : shape.mesh.num_face_vertices) {
                 ASSERT_LT(face, ours->faceCount());
+                EXPECT_EQ(ours->groups[face], shape.mesh.smoothing_group_ids[groupAt++]);
                 EXPECT_EQ(ours->faceStarts[face + 1] - ours->faceStarts[face],
                           static_cast<std::uint32_t>(corners));
                 for (std::size_t c = 0; c < static_cast<std::size_t>(corners); ++c, ++corner, ++at) {

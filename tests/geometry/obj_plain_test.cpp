@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <iterator>
 #include <random>
 #include <string>
@@ -21,6 +22,10 @@ void expectEqual(const ObjModel& a, const ObjModel& b) {
     EXPECT_EQ(a.normals, b.normals);
     EXPECT_EQ(a.corners, b.corners);
     EXPECT_EQ(a.faceStarts, b.faceStarts);
+    EXPECT_EQ(a.colors, b.colors);
+    EXPECT_EQ(a.groups, b.groups);
+    EXPECT_EQ(a.splitFaces, b.splitFaces);
+    EXPECT_EQ(a.splitTriangles, b.splitTriangles);
 }
 
 /// Lines as exporters write them, in any order: faces refer to vertices above and below them.
@@ -40,10 +45,10 @@ std::string randomModel(unsigned seed, int lines) {
                 return fmt::format("{:.0f}", value);
         }
     };
-    std::string text = "v 0 0 0\nvt 0 0\nvn 0 0 1\n";
+    std::string text = "v 0 0 0\nvt 0 0\nvn 0 0 1\nv 1 0 0\nv 0 1 3\nv 4 4 1\nv 9 2 2\nv 1 3 5\n";
     const std::string end = below(2) == 0 ? "\n" : "\r\n";
     for (int i = 0; i < lines; ++i) {
-        switch (below(9)) {
+        switch (below(12)) {
             case 0:
                 text += "# comment \\ " + number();
                 break;
@@ -61,6 +66,16 @@ std::string randomModel(unsigned seed, int lines) {
                 break;
             case 5:
                 text += "f 1 1 1 1";
+                break;
+            case 9:
+                text += "v " + number() + " " + number() + " " + number() +
+                        std::array{" 1", " 1 wide # 1", " 1 0 1e-60 1", " .5 -1 +2", " 1 2 3x"}[below(5)];
+                break;
+            case 10:
+                text += below(2) == 0 ? "s off" : "s " + std::to_string(below(40)) + " # group";
+                break;
+            case 11:
+                text += "f 2 3 4 5 6 # often concave";
                 break;
             case 6:
                 text += "f 1//1 1//1 1//1 # last";
@@ -93,7 +108,7 @@ TEST(PlainObj, IsWhatTheReaderOfAnyFileReads) {
 TEST(PlainObj, DoesNotDependOnThePieces) {
     const std::string text =
         "v 1 2 3\nv 4.5 -.5 +7\nv 1e-3 0 0\nvt .5 .25\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1\n"
-        "f 1//1 2//1 3//1\nf 3 2 1\n# done\n" +
+        "f 1//1 2//1 3//1\ns 4\nf 3 2 1\nv 1 1 1 .5 .5 .5\ns off\n# done\n" +
         std::string(100, '\n');
     const auto whole = readPlainObj(text);
     ASSERT_TRUE(whole);
@@ -124,6 +139,10 @@ TEST(PlainObj, IsNothingThatHasToBeRemarkedOn) {
                              "f 1 2 3x",
                              "f 1 2 \\\n3",
                              "l 1 2",
+                             "s on",
+                             "s -1",
+                             "s 1x",
+                             "s",
                              "g a\\\n",
                              "# a\rv 1 1 1",
                              "o\v",

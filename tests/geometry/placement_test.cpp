@@ -1,5 +1,6 @@
 // Orientation, texture coordinates, normals and order, as in the tables of language, 4.
 
+#include <algorithm>
 #include <numbers>
 
 #include "geometry/frame.h"

@@ -1,5 +1,6 @@
 // What holds for the row of every primitive.
 
+#include <algorithm>
 #include <set>
 #include <string>
 

@@ -1,8 +1,10 @@
 // Squares and point clouds.
 
-#include "geometry/shapes/quads.h"
+#include <algorithm>
+
 #include "geometry/mix.h"
 #include "geometry/shapes/clouds.h"
+#include "geometry/shapes/quads.h"
 #include "mesh_checks.h"
 
 namespace glibra::geometry {

@@ -1,5 +1,6 @@
 // Wire forms: the number of segments, that each occurs once, and that their vertices are those of the solids.
 
+#include <algorithm>
 #include <set>
 
 #include "geometry/frame.h"

@@ -88,7 +88,7 @@ TEST(Geometry, MacroOfTheVertexCountIsLoweredAtItsUse) {
         "#define MANY 2000\nlayout(triangles) in; layout(triangle_strip, max_vertices = MANY) out;\nvoid "
         "main() { gl_Position = gl_PositionIn[0]; int i = MANY; EmitVertex(); }");
     EXPECT_TRUE(hasTokens(userPart(translated, Stage::geometry), "max_vertices = 256"));
-    EXPECT_TRUE(hasTokens(userPart(translated, Stage::geometry), "#define MANY 2000"));
+    EXPECT_TRUE(hasTokens(userPart(translated, Stage::geometry), "int i = 2000;"));
 }
 
 TEST(Geometry, BuiltinVaryingsCountAsComponents) {
@@ -114,7 +114,8 @@ TEST(Geometry, MacrosAroundInputsWork) {
         translateSingle(Stage::geometry, kOld +
                                              "#define P gl_PositionIn\n#define AT(i) gl_PositionIn[i]\nvoid "
                                              "main() { gl_Position = P[0] + AT(1); EmitVertex(); }");
-    EXPECT_TRUE(hasTokens(userPart(translated, Stage::geometry), "gl_Position = P[0].gl_Position + AT(1);"));
+    EXPECT_TRUE(hasTokens(userPart(translated, Stage::geometry),
+                          "gl_Position = gl_in[0].gl_Position + gl_in[1].gl_Position;"));
     EXPECT_EQ("", ids(translated.diagnostics));
 }
 

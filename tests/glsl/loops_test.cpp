@@ -131,5 +131,61 @@ TEST(Loops, InEndlessRecursionEndTheSearch) {
     EXPECT_EQ(rounds("n = f(1);", "int f(int k) { return f(k); }\n"), 0);
 }
 
+/// The rounds in a compute stage with images, textures and blocks, whose sizes are given by name.
+double measured(const std::string& body) {
+    const TranslatedProgram translated = translateSingle(
+        Stage::compute,
+        "#version 430\nlayout(local_size_x = 1) in;\nlayout(r32f) uniform image2D uMap;\n"
+        "uniform sampler3D uVolume;\nuniform samplerBuffer uList;\nlayout(std430) buffer Data { int count; "
+        "float data[]; };\nlayout(std430) buffer More { int size; vec4 all[]; } more;\nvoid main() {\n  int "
+        "n "
+        "= 0;\n  " +
+            body + "\n  data[0] = float(n);\n}\n");
+    const std::map<std::string, double, std::less<>> sizes{{"imageSize(uMap).x", 100},
+                                                           {"imageSize(uMap).y", 50},
+                                                           {"textureSize(uVolume, 0).z", 8},
+                                                           {"textureSize(uVolume, 1).x", 16},
+                                                           {"data.length()", 77},
+                                                           {"more.all.length()", 33},
+                                                           {"count", 12},
+                                                           {"more.size", 9},
+                                                           {"textureSize(uList, 0).x", 5}};
+    double all = 0;
+    for (const CountedLoop& each : translated.stages.at(0).loops)
+        all += totalRounds(each, [&](std::string_view name) {
+            const auto found = sizes.find(name);
+            return found == sizes.end() ? std::nullopt : std::optional(found->second);
+        });
+    return all;
+}
+
+TEST(Loops, AreCountedUpToSizesOfImagesTexturesAndBuffers) {
+    EXPECT_EQ(measured("for (int i = 0; i < imageSize(uMap).x; ++i) n++;"), 100);
+    EXPECT_EQ(measured("ivec2 size = imageSize(uMap); for (int y = 0; y < size.y; y++) for (int x = 0; x < "
+                       "size.x; x++) n++;"),
+              50 * 101);
+    EXPECT_EQ(measured("int w = imageSize(uMap).x; for (int i = 0; i < w - 1; ++i) n++;"), 99);
+    EXPECT_EQ(measured("for (int i = 0; i < textureSize(uVolume, 0).z; ++i) n++;"), 8);
+    EXPECT_EQ(measured("ivec3 s = textureSize(uVolume, 1); for (int i = 0; i < s.r; ++i) n++;"), 16);
+    EXPECT_EQ(measured("for (int i = 0; i < textureSize(uList); ++i) n++;"), 5);
+    EXPECT_EQ(measured("for (int i = 0; i < data.length(); ++i) n++;"), 77);
+    EXPECT_EQ(measured("for (uint i = 0u; i < uint(more.all.length()); ++i) n++;"), 33);
+    EXPECT_EQ(measured("for (int i = 0; i < count; ++i) n++;"), 12);
+    EXPECT_EQ(measured("for (int i = 0; i < more.size * 2; ++i) n++;"), 18);
+    EXPECT_EQ(measured("ivec2 size = imageSize(uMap); size.x = 3; for (int i = 0; i < size.x; ++i) n++;"), 0);
+}
+
+TEST(Loops, WithoutAConditionEndAtTheirBreak) {
+    EXPECT_EQ(rounds("int i = 0; while (true) { if (i >= uN) break; i++; n++; }"), 1000);
+    EXPECT_EQ(rounds("int i = 0; while (true) { n++; if (i > uN) { break; } ++i; }"), 1001);
+    EXPECT_EQ(rounds("for (int i = 0;; i++) { if (i == uN) break; n++; }"), 1000);
+    EXPECT_EQ(rounds("int i = uN; for (;;) { if (i <= 0 || n > 3) break; i -= 2; }"), 500);
+    EXPECT_EQ(rounds("int i = 0; do { i++; } while (i < uN);"), 1000);
+    EXPECT_EQ(rounds("int i = 0; do { n++; i += 4; if (uM > 2.) n = 3; } while (i != uN);"), 250);
+    EXPECT_EQ(rounds("int i = 0; while (i != uN) i++;"), 1000);
+    EXPECT_EQ(rounds("int i = 0; while (true) { if (n > 7) break; n++; }"), 8);
+    EXPECT_EQ(rounds("while (true) { if (uM > 2.) break; }"), 0);
+}
+
 }  // namespace
 }  // namespace glibra::glsl::test

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "bmp_maker.h"
 #include "image/bmp/bmp_reader.h"
 #include "image/compare/compare.h"

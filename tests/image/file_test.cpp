@@ -2,12 +2,18 @@
 
 #include "image/file.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <signal.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstring>
+#include <fstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -82,7 +88,7 @@ TEST_F(WholeFile, FollowsTheUsersFileMode) {
     const mode_t before = ::umask(027);
     EXPECT_TRUE(writeFileAtomically(folder / "out.png", testing::bytesOf({1})).empty());
     ::umask(before);
-    struct stat status {};
+    struct stat status{};
     ASSERT_EQ(::stat((folder / "out.png").c_str(), &status), 0);
     EXPECT_EQ(status.st_mode & 0777U, 0640U);
 }
@@ -99,6 +105,51 @@ TEST_F(WholeFile, ThroughALinkChangesTheTargetOfTheLink) {
     EXPECT_TRUE(writeFileAtomically(folder / "link", testing::bytesOf({2})).empty());
     EXPECT_TRUE(fs::is_symlink(folder / "link"));
     EXPECT_EQ(*readFile(folder / "real", kFileLabel), testing::bytesOf({2}));
+}
+
+TEST_F(WholeFile, WhoseNameTheProgramChoseReplacesALink) {
+    const std::string text = "new";
+    const auto bytes = std::as_bytes(std::span(text));
+    std::ofstream(folder / "target") << "kept";
+    for (const char* target : {"target", "nowhere", "."}) {
+        fs::remove(folder / "link");
+        fs::create_symlink(target, folder / "link");
+        EXPECT_TRUE(writeFileAtomically(folder / "link", bytes, NamedBy::program).empty()) << target;
+        EXPECT_TRUE(fs::is_regular_file(fs::symlink_status(folder / "link")));
+        EXPECT_EQ(fs::file_size(folder / "link"), 3U);
+        EXPECT_EQ(fs::file_size(folder / "target"), 4U);
+        EXPECT_FALSE(fs::exists(folder / "nowhere"));
+    }
+    // A pipe is not waited for.
+    fs::remove(folder / "link");
+    ASSERT_EQ(::mkfifo((folder / "link").c_str(), 0600), 0);
+    EXPECT_TRUE(writeFileAtomically(folder / "link", bytes, NamedBy::program).empty());
+    EXPECT_EQ(fs::file_size(folder / "link"), 3U);
+    fs::create_directory(folder / "sub");
+    EXPECT_EQ(idsOf(writeFileAtomically(folder / "sub", bytes, NamedBy::program)), "file-E10");
+}
+
+TEST_F(WholeFile, OfAProcessThatIsKilledLeavesNothing) {
+    // Killed at any moment while it writes: there is the old file, or the new one, and nothing else.
+    const std::string before(1000, 'a'), after(std::size_t{8} << 20, 'b');
+    for (int attempt = 0; attempt < 40; ++attempt) {
+        std::ofstream(folder / "a") << before;
+        const pid_t child = ::fork();
+        if (child == 0) {
+            for (;;) static_cast<void>(writeFileAtomically(folder / "a", std::as_bytes(std::span(after))));
+        }
+        ::usleep(static_cast<useconds_t>(1000 + 977 * attempt));
+        ::kill(child, SIGKILL);
+        int status = 0;
+        ::waitpid(child, &status, 0);
+        const auto size = fs::file_size(folder / "a");
+        EXPECT_TRUE(size == before.size() || size == after.size()) << size;
+    }
+    // Without files that have no name, there may be one for each process that was killed.
+    if (const int file = ::open(folder.c_str(), O_TMPFILE | O_WRONLY, 0600); file >= 0) {
+        ::close(file);
+        EXPECT_LE(fileCount(), 2U) << "the name of a moment may have stayed";
+    }
 }
 
 TEST_F(WholeFile, ThatCannotBeWrittenLeavesNothing) {

@@ -2,8 +2,10 @@
 
 #include "image/compare/judge.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -306,6 +308,98 @@ TEST(JudgeByDefault, APictureMovedByOneRowIsSeen) {
     Image b = a;
     std::memmove(b.data.data() + b.rowBytes(), b.data.data(), b.data.size() - b.rowBytes());
     EXPECT_FALSE(judge(a, b, Tolerance{}).same);
+}
+
+/// A tolerance that only a difference in range can meet: the perceptual measures pass everything.
+Tolerance perceptual(std::optional<double> flipLimit, std::optional<double> structureLimit) {
+    Tolerance tolerance;
+    tolerance.flip = flipLimit;
+    tolerance.structure = structureLimit;
+    return tolerance;
+}
+
+/// All pairs of values, as whole pictures and as single pixels, under every combination of measures.
+TEST(JudgeFloats, PassOnlyWhereAMeasureSeesTheDifference) {
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const std::vector<float> values{0,    .25F,  1,     1.0001F, 1.5F,   2,         50,         100,
+                                    -.5F, -1.5F, 3e38F, -3e38F,  1e-30F, kInfinity, -kInfinity, nan};
+    const auto isFinite = [](float value) { return std::isfinite(value); };
+    const auto isInRange = [](float value) { return value >= 0 && value <= 1; };
+    constexpr int kSide = 16;
+    const Tolerance tolerances[] = {perceptual(1, {}), perceptual({}, 1), perceptual(1, 1),
+                                    perceptual(.05, .05), [] {
+                                        Tolerance all = loose();  // any number of pixels may differ
+                                        all.flip = all.structure = 1;
+                                        return all;
+                                    }()};
+    for (const float a : values)
+        for (const float b : values)
+            for (const bool isWhole : {true, false})
+                for (const Tolerance& tolerance : tolerances) {
+                    std::vector<float> expected(std::size_t{kSide} * kSide * 3, isWhole ? a : .5F),
+                        got = expected;
+                    if (isWhole) std::fill(got.begin(), got.end(), b);
+                    expected[100] = a;
+                    got[100] = b;
+                    const Judgement result = judge(floatImage(kSide, kSide, 3, expected),
+                                                   floatImage(kSide, kSide, 3, got), tolerance);
+                    const std::string what =
+                        fmt::format("{} and {}, whole {}, flip {}, fraction {}", a, b, isWhole,
+                                    tolerance.flip.value_or(-1), tolerance.fraction);
+                    const double limit =
+                        tolerance.absolute + tolerance.relative * std::max(std::abs(a), std::abs(b));
+                    const bool isEqual = a == b || (std::isnan(a) && std::isnan(b));
+                    const bool mayDecide = isInRange(a) && isInRange(b) && tolerance.flip.value_or(1) == 1 &&
+                                           tolerance.structure.value_or(1) == 1;
+                    std::optional<bool> expectedSame;  // nothing: either, by the figures of the measures
+                    if (isEqual)
+                        expectedSame = true;
+                    else if (!isFinite(a) || !isFinite(b))
+                        expectedSame = false;
+                    else if (std::abs(a - b) <= limit)
+                        expectedSame = true;
+                    else if (tolerance.fraction == 1 || mayDecide)
+                        expectedSame = true;
+                    else if (!isInRange(a) || !isInRange(b))
+                        expectedSame = false;
+                    EXPECT_EQ(result.same, expectedSame.value_or(result.same))
+                        << what << ": " << result.reason;
+                }
+}
+
+TEST(JudgeFloats, SayWhyAMeasureDoesNotDecide) {
+    std::vector<float> bright(std::size_t{8} * 8 * 3, .02F), brighter(std::size_t{8} * 8 * 3, 1.F);
+    EXPECT_TRUE(judge(floatImage(8, 8, 3, bright), floatImage(8, 8, 3, brighter), perceptual(1, {})).same);
+    for (float& each : brighter) each = 50;
+    for (float& each : bright) each = 1;
+    const Judgement outside =
+        judge(floatImage(8, 8, 3, bright), floatImage(8, 8, 3, brighter), perceptual(1, {}));
+    EXPECT_FALSE(outside.same);
+    EXPECT_NE(outside.reason.find("flip decides within 0..1 only"), std::string::npos) << outside.reason;
+    brighter = bright;
+    brighter[3 * 9] = std::numeric_limits<float>::quiet_NaN();
+    const Judgement notFinite = judge(floatImage(8, 8, 3, bright), floatImage(8, 8, 3, brighter), loose());
+    EXPECT_FALSE(notFinite.same);
+    EXPECT_EQ(notFinite.reason, "a value is NaN or infinite in only one of the pictures, at 1, 1");
+}
+
+/// Values outside of 0..1 that agree do not keep the measures from judging the others.
+TEST(JudgeFloats, BrightPixelsThatAgreeAreNoObstacle) {
+    std::vector<float> expected(std::size_t{32} * 32 * 3, .5F);
+    for (std::size_t i = 0; i < 300; ++i) expected[i] = 40;
+    std::vector<float> got = expected;
+    for (std::size_t i = 2000; i < 2060; ++i) got[i] = .52F;
+    const Image a = floatImage(32, 32, 3, expected), b = floatImage(32, 32, 3, got);
+    EXPECT_FALSE(judge(a, b, Tolerance()).same);
+    EXPECT_TRUE(judge(a, b, perceptual(.05, {})).same);
+}
+
+/// An 8-bit picture has no values outside of 0..1, but the float picture beside it may.
+TEST(JudgeFloats, AreHeldAgainstBytesToo) {
+    const Image bytes{8, 8, 3, Component::u8, std::vector<std::byte>(std::size_t{192}, std::byte{255})};
+    EXPECT_TRUE(judge(bytes, floatImage(8, 8, 3, std::vector<float>(192, 1)), perceptual(1, 1)).same);
+    EXPECT_FALSE(judge(bytes, floatImage(8, 8, 3, std::vector<float>(192, 2)), perceptual(1, 1)).same);
 }
 
 }  // namespace

@@ -85,9 +85,14 @@ TEST_F(ReadImage, AWrongSuffixIsAWarning) {
                     .diagnostics.empty());
 }
 
+/// A directory that says 1 x 1, and nothing else.
+std::vector<std::byte> smallestTiff() {
+    return testing::bytesOf({'I', 'I', 42, 0, 8, 0, 0, 0, 2, 0, 0, 1, 3, 0, 1, 0, 0, 0, 1,
+                             0,   0,   0,  1, 1, 3, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0});
+}
+
 TEST_F(ReadImage, WithoutTheModuleTheFormatIsNamed) {
-    const auto read = readImage(put("wood.bmp", testing::bytesOf({'I', 'I', 42, 0, 8, 0, 0, 0})), kReadPlace,
-                                testing::withoutModule());
+    const auto read = readImage(put("wood.bmp", smallestTiff()), kReadPlace, testing::withoutModule());
     ASSERT_EQ(idsOf(read.diagnostics), "file-E03");
     EXPECT_EQ(read.diagnostics[0].text,
               "'wood.bmp' is a TIFF picture, but the image module that reads it is not installed");
@@ -98,9 +103,7 @@ TEST_F(ReadImage, AFileThatIsNotAModuleIsIgnored) {
     put("glibra_openimageio.so", testing::bytesOf({'n', 'o'}));
     ReadOptions options;
     options.moduleFolders = {folder};
-    EXPECT_EQ(
-        idsOf(readImage(put("a.tif", testing::bytesOf({'I', 'I', 42, 0})), kReadPlace, options).diagnostics),
-        "file-E03");
+    EXPECT_EQ(idsOf(readImage(put("a.tif", smallestTiff()), kReadPlace, options).diagnostics), "file-E03");
 }
 
 TEST_F(ReadImage, TextIsNotAPicture) {

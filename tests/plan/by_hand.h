@@ -1,6 +1,7 @@
 #pragma once
 // Scenes and program interfaces made by hand, for the tests of plan.
 
+#include <algorithm>
 #include <initializer_list>
 #include <map>
 #include <string>

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "by_hand.h"
 #include "plan/needs.h"
 #include "plan/texture_binding.h"

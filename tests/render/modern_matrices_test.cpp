@@ -1,6 +1,7 @@
 // The matrices of cameras as a shader gets them, against closed forms in extended precision: views, inverse
 // views, reflected cameras with an oblique near plane, shifted eyes, off-axis frusta, boxes, shadow matrices.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <random>

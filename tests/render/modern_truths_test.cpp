@@ -2,6 +2,7 @@
 // precision, compared depth against depth read raw, cube maps that are drawn against cube maps from files,
 // two eyes without a distance.
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>

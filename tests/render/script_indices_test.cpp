@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "modern_text.h"
@@ -274,6 +275,34 @@ TEST(ScriptIndices, BuffersHaveAnElementForEachVertexAndInstance) {
     EXPECT_EQ(drawn(shifts + "Instances 2\nVertices triangles indices faces\n"), "");
     EXPECT_EQ(drawn(shifts + "Buffer n uint [3]\nInstances from n\nVertices triangles 6\n"), "");
     EXPECT_EQ(drawn("Buffer n uint [9]\nVertices triangles from n\n"), "");
+}
+
+TEST(ScriptIndices, ACountFromABufferIsNeverBeyondTheIndices) {
+    // A driver that reads beyond the end of the indices may crash.
+    for (const char* count : {"19", "20", "1000", "4096", "70000", "5000000", "400000000"}) {
+        const std::string found = problemsOf(kTintedMesh + kIndexedFan + "Buffer n uint [" + count +
+                                             "]\nVertices triangles from n indices faces\n");
+        EXPECT_NE(found.find("indices are more than the 18 elements of 'faces' [memory-E17]"),
+                  std::string::npos)
+            << count << found;
+    }
+    const std::string above = kTintedMesh + kIndexedFan + "Buffer n uint [500000001]\n";
+    EXPECT_NE(problemsOf(above + "Vertices triangles from n indices faces\n").find("memory-E06"),
+              std::string::npos);
+    for (const char* count : {"0", "1", "17", "18"})
+        EXPECT_EQ(problemsOf(kTintedMesh + kIndexedFan + "Buffer n uint [" + count +
+                             "]\nVertices triangles from n indices faces\n"),
+                  "")
+            << count;
+    // Attributes of vertices beyond their buffer read zeros, and crash nothing.
+    EXPECT_EQ(problemsOf(kTintedMesh + kIndexedFan + "Buffer n uint [3000000]\nVertices triangles from n\n"),
+              "");
+    EXPECT_EQ(problemsOf(kTintedMesh + kIndexedFan +
+                         "Buffer shifts vec2 2\n"
+                         "Attribute aShift shifts per instance\n"
+                         "Buffer n uint [300000]\nInstances from n\n"
+                         "Vertices triangles 6 indices faces\n"),
+              "");
 }
 
 TEST(ScriptAttributes, AMisspeltOneIsSuggested) {

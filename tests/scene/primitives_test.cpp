@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "geometry/shapes/primitive.h"
 #include "glib/command_table.h"
 #include "glib/modern/statement_table.h"
@@ -191,6 +193,24 @@ TEST(Models, TangentsAreMadeOnlyIfWanted) {
     const Scene scene = run("Obj square.obj\n", folder.path() / "a.glib");
     EXPECT_NE(makeMesh(scene, ShapeIndex(0))->attribute(geometry::kTangent), nullptr);
     EXPECT_EQ(makeMesh(scene, ShapeIndex(0), false)->attribute(geometry::kTangent), nullptr);
+}
+
+TEST(Models, OnlyWireObjReadsLinesAndPoints) {
+    const TemporaryFolder folder;
+    folder.write("lines.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nl 1 2 3\np 3\n");
+    const Scene scene = run("WireObj lines.obj\nObj lines.obj\nObjAdj lines.obj\nObjPatch lines.obj\n",
+                            folder.path() / "a.glib");
+    const auto wire = makeMesh(scene, ShapeIndex(0));
+    ASSERT_TRUE(wire) << textsOf(wire.diagnostics);
+    EXPECT_TRUE(wire.diagnostics.empty());
+    EXPECT_EQ(wire->topology, lines);
+    EXPECT_EQ(wire->indices.size(), 5U);
+    EXPECT_EQ(wire->pointCount, 1U);
+    for (std::size_t i = 1; i < 4; ++i) {
+        const auto mesh = makeMesh(scene, ShapeIndex(i));
+        EXPECT_FALSE(mesh);
+        EXPECT_EQ(idsOf(mesh.diagnostics), "file-W04 file-W04 file-E07");
+    }
 }
 
 TEST(Models, MessagesAboutTheFileComeWithTheMesh) {

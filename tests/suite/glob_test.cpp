@@ -101,5 +101,21 @@ TEST(Glob, KnowsTheFixedPartOfAPattern) {
     EXPECT_EQ(fixedFolder("/*.glib"), "/");
 }
 
+TEST(Glob, WhatCannotBeLookedAtIsAnError) {
+    const SceneFolder folder{"a/x.glib", "b/y.glib"};
+    std::filesystem::create_symlink("round", folder.path() / "round");  // a link to itself cannot be listed
+    std::filesystem::create_symlink("nowhere.glib", folder.path() / "a/lost.glib");
+    std::filesystem::create_symlink("nowhere.txt", folder.path() / "b/lost.txt");
+    for (const char* pattern : {"round/*.glib", "round/**/*.glib", "*/*.glib", "a/*.glib", "**/*.glib"}) {
+        const auto files = filesThatFit(folder.path(), pattern);
+        EXPECT_FALSE(files) << pattern;
+        ASSERT_FALSE(files.diagnostics.empty()) << pattern;
+        EXPECT_EQ(files.diagnostics.front().id, "suite-E22") << pattern;
+    }
+    EXPECT_EQ(found(folder, "b/*"), "b/y.glib ") << "a link that is no scene";
+    EXPECT_EQ(found(folder, "missing/**/*.glib"), "") << "a folder that does not exist";
+    EXPECT_EQ(found(folder, "b/y.glib/*.glib"), "") << "a file is no folder";
+}
+
 }  // namespace
 }  // namespace glibra::suite::test

@@ -30,6 +30,7 @@ RunResult run(const std::string& shard, std::vector<ShotResult> shots) {
     RunResult made;
     made.driver = "llvmpipe";
     made.shard = shard;
+    made.plan = "the plan";
     made.shots = std::move(shots);
     made.planned.emplace();
     for (const ShotResult& each : made.shots) made.planned->push_back({each.suite, {each.shot}});
@@ -326,6 +327,48 @@ TEST_F(Merge, IsRefusedWhileARunWritesIntoItsFolder) {
     const Result<ResultsWriter> writer = ResultsWriter::open(folder / "into", run("", {}));
     ASSERT_TRUE(writer);
     EXPECT_EQ(ids(merged().diagnostics), "result-E02 ");
+}
+
+TEST_F(Merge, PartsOfDifferentPlansOrSettingsDoNotBelongTogether) {
+    RunResult first = run("1/2", {shot("a", Verdict::passed)}),
+              second = run("2/2", {shot("b", Verdict::passed)});
+    for (const char* plan : {"another plan", ""}) {
+        folders.clear();
+        second.plan = plan;
+        add("1", first);
+        add("2", second);
+        for (int order = 0; order < 2; ++order, std::reverse(folders.begin(), folders.end())) {
+            const Result<RunResult> result = merged();
+            ASSERT_TRUE(result);
+            EXPECT_EQ(ids(result.diagnostics), "result-E06 ") << plan;
+            EXPECT_FALSE(result->complete);
+            EXPECT_NE(toJunit(*result).find("errors=\"1\""), std::string::npos) << toJunit(*result);
+            EXPECT_EQ(result->plan, "") << "a later merge must not take it for the whole";
+        }
+    }
+    first.plan = second.plan = "";
+    folders.clear();
+    add("1", first);
+    add("2", second);
+    EXPECT_EQ(ids(merged().diagnostics), "result-E06 result-E06 ");
+    // Whole runs on two machines are of one plan, too.
+    folders.clear();
+    first.shard = second.shard = "";
+    first.plan = "a";
+    second.plan = "b";
+    add("1", first);
+    add("2", second);
+    EXPECT_EQ(ids(merged().diagnostics), "result-E06 ");
+}
+
+TEST_F(Merge, WhatWasMergedCanBeMergedAgain) {
+    add("1", run("1/2", {shot("a", Verdict::passed)}));
+    add("2", run("2/2", {shot("b", Verdict::passed)}));
+    const Result<RunResult> all = merged();
+    ASSERT_TRUE(all && all->complete);
+    EXPECT_EQ(all->plan, "the plan");
+    folders = {folder / "into"};
+    EXPECT_TRUE(mergeResults(folders, folder / "again")->complete);
 }
 
 }  // namespace

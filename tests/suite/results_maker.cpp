@@ -111,6 +111,7 @@ ShotResult ResultsMaker::shot() {
     made.accept = text();
     made.driver = text();
     made.fingerprint = text();
+    made.driverKey = text();
     return made;
 }
 
@@ -130,6 +131,7 @@ RunResult ResultsMaker::run() {
 void expectEqual(const ShotResult& a, const ShotResult& b) {
     EXPECT_EQ(a.suite, b.suite);
     EXPECT_EQ(a.fingerprint, b.fingerprint);
+    EXPECT_EQ(a.driverKey, b.driverKey);
     EXPECT_EQ(a.shot, b.shot);
     EXPECT_EQ(a.verdict, b.verdict);
     EXPECT_EQ(a.reason, b.reason);

@@ -36,9 +36,18 @@ TEST(Pieces, JoinOnlyWhatMayBeTogether) {
 }
 
 TEST(Messages, ComeBack) {
-    const auto driver = parseMessage(toText(DriverIs{"llvmpipe, 4.5"}));
+    const auto driver = parseMessage(toText(DriverIs{"llvmpipe, 4.5", "key"}));
     ASSERT_TRUE(driver);
     EXPECT_EQ(std::get<DriverIs>(*driver).words, "llvmpipe, 4.5");
+    EXPECT_EQ(std::get<DriverIs>(*driver).key, "key");
+
+    for (const Phase::Kind kind :
+         {Phase::Kind::awaits, Phase::Kind::drawn, Phase::Kind::judges, Phase::Kind::recalls}) {
+        const auto phase = parseMessage(toText(Phase{kind, {7, 9}}));
+        ASSERT_TRUE(phase);
+        EXPECT_EQ(std::get<Phase>(*phase).kind, kind);
+        EXPECT_EQ(std::get<Phase>(*phase).shot, (ShotReference{7, 9}));
+    }
 
     const auto begins = parseMessage(toText(Begins{{3, 4711}}));
     ASSERT_TRUE(begins);

@@ -148,5 +148,20 @@ TEST(Selection, NamesPatternsThatMeanNothing) {
     EXPECT_EQ(problems[3].id, "suite-E15");
 }
 
+/// A picture without a golden and a pair of its own is compared only if those that name it run, too.
+TEST(Selection, APictureThatOnlyOthersCompareBringsThemAlong) {
+    Suite suite;
+    suite.shots = {taggedShot("a"), taggedShot("b"), taggedShot("c"), taggedShot("d")};
+    suite.shots[0].golden = false;
+    suite.shots[1].match = "a";
+    suite.shots[3].differ = "b";
+    EXPECT_EQ(names(suite, {"a"}), "a b ");
+    suite.shots[0].golden = true;
+    EXPECT_EQ(names(suite, {"a"}), "a ");
+    suite.shots[0].golden = false;
+    EXPECT_EQ(select(suite, std::vector<std::string>{"a"}, {}, false), std::vector<std::size_t>{0})
+        << "not with --update";
+}
+
 }  // namespace
 }  // namespace glibra::suite::test

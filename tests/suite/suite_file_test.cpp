@@ -5,11 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "suite/file/shot_name.h"
 #include "suite_text.h"
 
 namespace glibra::suite::test {
@@ -351,6 +353,54 @@ TEST(ShippedSuites, ShowEveryScene) {
         EXPECT_TRUE(shown.contains(fs::weakly_canonical(each.path()))) << each.path() << " is in no suite";
     }
     EXPECT_GE(scenes, 66);
+}
+
+/// The name as Windows tells it from others: the file system ignores case, and dots at the end of a folder.
+std::string onWindows(const std::string& name) {
+    std::filesystem::path path;
+    for (const std::filesystem::path& part : std::filesystem::path(name)) {
+        std::string text = part.string();
+        std::transform(text.begin(), text.end(), text.begin(),
+                       [](unsigned char c) { return std::tolower(c); });
+        path /= text;
+    }
+    std::string text = path.string();
+    for (std::size_t at = 0; (at = text.find("./")) != std::string::npos;) text.erase(at, 1);
+    return text;
+}
+
+TEST(ShotNames, AreToldApartOnEveryDisk) {
+    const std::string alphabet = "aAb./";
+    std::vector<std::string> all{""};
+    std::vector<std::string> valid;
+    for (std::size_t begin = 0, length = 1; length <= 4; ++length) {
+        const std::size_t end = all.size();
+        for (; begin < end; ++begin)
+            for (const char c : alphabet) all.push_back(all[begin] + c);
+    }
+    for (const std::string& each : all)
+        if (whyNotAName(each).empty()) valid.push_back(each);
+    EXPECT_GT(valid.size(), 200U);
+    for (const std::string& each : valid) EXPECT_EQ(nameOnAnyDisk(each), onWindows(each)) << each;
+}
+
+TEST(SuiteFile, NamesThatShareAGoldenOnSomeDiskAreRefused) {
+    const auto suiteOf = [](const std::string& first, const std::string& second) {
+        return "[[shot]]\nscript = 'x.glib'\nname = '" + first + "'\n[[shot]]\nscript = 'x.glib'\nname = '" +
+               second + "'\n";
+    };
+    const SceneFolder folder{"x.glib", "scenes/Ab.glib", "scenes/aB.glib", "other/a/b.glib", "other/A.glib"};
+    for (const auto& [first, second] :
+         {std::pair("Ab", "aB"), {"a/b", "A/b"}, {"a./b", "a/b"}, {"teapot", "TEAPOT"}, {"a", "A.nvidia"}})
+        EXPECT_EQ(
+            folder.show(suiteOf(first, second)),
+            std::string("6:8 suite-E23 the goldens of '") + first + "' and '" + second +
+                "' would be one file on disks that ignore upper and lower case; rename one; the other one "
+                "is on line 3\n");
+    for (const auto& [first, second] : {std::pair("ab", "abc"), {"a/b", "ab"}, {"a.", "a"}})
+        EXPECT_EQ(folder.show(suiteOf(first, second)), std::string(first) + "\n" + second + "\n");
+    EXPECT_NE(folder.shown(readSuite(folder.path() / "scenes")).find("suite-E23"), std::string::npos);
+    EXPECT_TRUE(readSuite(folder.path() / "other"));
 }
 
 }  // namespace

@@ -6,11 +6,13 @@
 find_program(GLAD_PROGRAM glad REQUIRED)
 set(glad_dir ${PROJECT_BINARY_DIR}/glad)
 set(glad_extensions
+    GL_ARB_robustness
     GL_ARB_shading_language_include
     GL_ARB_texture_filter_anisotropic
     GL_EXT_texture_filter_anisotropic
     GL_KHR_debug
     GL_KHR_parallel_shader_compile
+    GL_KHR_robustness
     GL_ARB_pipeline_statistics_query
     GL_MESA_pack_invert
     EGL_EXT_platform_base

@@ -1,5 +1,5 @@
-# The OpenImageIO module: every picture format except PNG and BMP. src/image loads it when a file needs it, so that a
-# process that renders to PNG never pays for OpenImageIO's start-up.
+# The image module: the picture formats that libraries of others read. src/image loads it when a file needs it, so that a
+# process that renders to PNG never pays for the start-up of OpenImageIO, OpenEXR and libwebp.
 
 # The program looks for the module beside itself first, so that an installation may be moved, then in both folders,
 # whether or not this build makes it.
@@ -11,9 +11,11 @@ if(NOT GLIBRA_IMAGE_MODULE)
 endif()
 # By pkg-config: Debian's CMake package of OpenImageIO requires OpenCV's headers, which it does not depend on.
 pkg_check_modules(openimageio REQUIRED IMPORTED_TARGET OpenImageIO)
+pkg_check_modules(openexr REQUIRED IMPORTED_TARGET OpenEXR)
+pkg_check_modules(webp REQUIRED IMPORTED_TARGET libwebp libwebpdemux)
 file(GLOB module_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/image/module/*.cpp)
 add_library(glibra_openimageio MODULE ${module_sources})
 glibra_compile_options(glibra_openimageio)
 target_include_directories(glibra_openimageio PRIVATE ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src)
-target_link_libraries(glibra_openimageio PRIVATE PkgConfig::openimageio fmt::fmt)
+target_link_libraries(glibra_openimageio PRIVATE PkgConfig::openimageio PkgConfig::openexr PkgConfig::webp)
 set_target_properties(glibra_openimageio PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})

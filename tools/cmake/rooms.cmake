@@ -62,6 +62,13 @@ function(glibra_precompile target owner)
     endif()
 endfunction()
 
+# The owner for what glibra_quick_to_compile() compiles at -O1. From version 13 on, GCC takes no headers that were precompiled
+# at another level.
+set(GLIBRA_QUICK_OWNER glibra_base)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 13)
+    set(GLIBRA_QUICK_OWNER glibra_glib)  # the first of these rooms
+endif()
+
 # glibra_room(NAME [QUICK_TO_COMPILE] [ROOMS room...] [LINK library...])
 # ROOMS are the rooms whose headers this one may include; their own rooms come with them.
 function(glibra_room room)
@@ -79,5 +86,9 @@ function(glibra_room room)
     endif()
     target_include_directories(glibra_${room} PUBLIC ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src)
     target_link_libraries(glibra_${room} PUBLIC glm::glm fmt::fmt ${rooms} ${arg_LINK})
-    glibra_precompile(glibra_${room} glibra_base)
+    if(arg_QUICK_TO_COMPILE)
+        glibra_precompile(glibra_${room} ${GLIBRA_QUICK_OWNER})
+    else()
+        glibra_precompile(glibra_${room} glibra_base)
+    endif()
 endfunction()

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <glm/vec4.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 

@@ -4,6 +4,7 @@
 #include <exception>
 #include <optional>
 
+#include "base/device_lost.h"
 #include "base/standard_files.h"
 #include "bench/program/commands.h"
 #include "cli/command_line.h"
@@ -62,9 +63,12 @@ int runProgram(int argc, char** argv) {
 int main(int argc, char** argv) {
     if (!glibra::base::openStandardFiles()) return glibra::cli::kNoDriver;
     try {
-        return glibra::bench::runProgram(argc, argv);
-    } catch (const std::exception& failure) {
-        glibra::cli::printError(failure.what());
+        return glibra::cli::endProgram(glibra::bench::runProgram(argc, argv));
+    } catch (const glibra::base::DeviceLost& lost) {
+        // Nothing is reported: nobody knows for how long the device was held before.
+        glibra::cli::print({glibra::base::diagnosticOf(lost, {})});
         return glibra::cli::kSceneIsWrong;
+    } catch (const std::exception& failure) {
+        return glibra::cli::failProgram(failure.what());
     }
 }

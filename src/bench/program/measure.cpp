@@ -68,8 +68,8 @@ Report measureAll(std::span<const Subject* const> chosen, const BenchOptions& op
     return report;
 }
 
-Diagnostics writeText(const std::filesystem::path& file, const std::string& text) {
-    return image::writeFileAtomically(file, std::as_bytes(std::span(text)));
+Diagnostics writeText(const std::filesystem::path& file, const std::string& text, image::NamedBy named) {
+    return image::writeFileAtomically(file, std::as_bytes(std::span(text)), named);
 }
 
 /// file-E13 for each file that would replace the earlier run which --against names.
@@ -102,8 +102,8 @@ Diagnostics writeFiles(const MeasureArguments& arguments, const Report& report,
     const auto write = [&](const std::string& named, const char* inFolder, const auto& text) {
         if (named.empty() && folder.empty()) return;
         const std::string content = text();
-        if (!named.empty()) append(problems, writeText(named, content));
-        if (!folder.empty()) append(problems, writeText(folder / inFolder, content));
+        if (!named.empty()) append(problems, writeText(named, content, image::NamedBy::user));
+        if (!folder.empty()) append(problems, writeText(folder / inFolder, content, image::NamedBy::program));
     };
     write(arguments.csv, "bench.csv", [&] { return csvReport(report); });
     write(arguments.json, "bench.json", [&] { return jsonReport(report); });

@@ -13,7 +13,7 @@ namespace {
 Mesh meshOf(const ObjModel& model, const ObjVertices& vertices, Topology topology, bool withTangents) {
     Mesh mesh;
     mesh.topology = topology;
-    mesh.indices = fanIndices(model, vertices);
+    mesh.indices = triangleIndices(model, vertices);
     mesh.attributes = objAttributes(model, vertices, mesh.indices, withTangents);
     return mesh;
 }
@@ -42,22 +42,32 @@ Mesh wireObj(const ObjModel& model, bool withTangents) {
     Mesh mesh = meshOf(model, vertices, Topology::lines, withTangents);
     mesh.indices.clear();
     std::vector<std::uint64_t> keys;
-    HashIndex known(model.corners.size());
+    HashIndex known(model.corners.size() + model.lineCorners.size());
+    const auto addEdge = [&](const ObjCorner& a, std::uint32_t vertexA, const ObjCorner& b,
+                             std::uint32_t vertexB) {
+        const std::uint32_t from = a.position, to = b.position;
+        if (from == to) return;
+        const std::uint64_t key = std::uint64_t{std::min(from, to)} << 32 | std::max(from, to);
+        const auto next = static_cast<std::uint32_t>(keys.size());
+        if (known.findOrEnter(spread(key), next, [&](std::uint32_t e) { return keys[e] == key; }) != next)
+            return;
+        keys.push_back(key);
+        mesh.indices.push_back(vertexA);
+        mesh.indices.push_back(vertexB);
+    };
     for (std::size_t face = 0; face + 1 < model.faceStarts.size(); ++face) {
         const std::uint32_t begin = model.faceStarts[face], end = model.faceStarts[face + 1];
         for (std::uint32_t i = begin; i < end; ++i) {
             const std::uint32_t j = i + 1 == end ? begin : i + 1;
-            const std::uint32_t from = model.corners[i].position, to = model.corners[j].position;
-            if (from == to) continue;
-            const std::uint64_t key = std::uint64_t{std::min(from, to)} << 32 | std::max(from, to);
-            const auto next = static_cast<std::uint32_t>(keys.size());
-            if (known.findOrEnter(spread(key), next, [&](std::uint32_t e) { return keys[e] == key; }) != next)
-                continue;
-            keys.push_back(key);
-            mesh.indices.push_back(vertices.ofCorner[i]);
-            mesh.indices.push_back(vertices.ofCorner[j]);
+            addEdge(model.corners[i], vertices.ofCorner[i], model.corners[j], vertices.ofCorner[j]);
         }
     }
+    for (std::size_t line = 0; line + 1 < model.lineStarts.size(); ++line)
+        for (std::uint32_t i = model.lineStarts[line]; i + 1 < model.lineStarts[line + 1]; ++i)
+            addEdge(model.lineCorners[i], vertices.ofLineCorner[i], model.lineCorners[i + 1],
+                    vertices.ofLineCorner[i + 1]);
+    mesh.indices.insert(mesh.indices.end(), vertices.ofPoint.begin(), vertices.ofPoint.end());
+    mesh.pointCount = vertices.ofPoint.size();
     return mesh;
 }
 

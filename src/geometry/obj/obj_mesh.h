@@ -6,14 +6,18 @@
 
 namespace glibra::geometry {
 
-/// Makes triangles: a polygon with n corners becomes the fan (0, i, i + 1). Each different triple (v, vt, vn)
-/// becomes one vertex, in the order of first use.
+/// Makes triangles: a polygon with n corners becomes the fan (0, i, i + 1), or, if that leaves its outline,
+/// n - 2 other triangles (concave_faces.h). Each different triple (v, vt, vn) becomes one vertex, in the
+/// order of first use.
 ///
 /// Normals are those of the file, made unit vectors; a corner without a normal, or with one of length zero,
-/// gets the area-weighted mean of the faces around its position index. Texture coordinates are left out if
+/// gets the area-weighted mean of the faces around its position index. In a file with `s` lines these are the
+/// faces of its smoothing group, or, for `s off`, its own face alone; a vertex then belongs to one group, or
+/// to one such face. Texture coordinates are left out if
 /// the file has none; a corner without one has (0, 0, 0). Tangents are the directions of rising t, weighted
 /// by area over the triangles at the vertex and made perpendicular to the normal, or T0(N) where they are
-/// undefined. `withTangents` is false for a draw whose program reads no tangents; the mesh then has none.
+/// undefined. Colours are those of the `v` lines, or left out. `withTangents` is false for a draw whose
+/// program reads no tangents; the mesh then has none.
 Mesh obj(const ObjModel& model, bool withTangents = true);
 
 /// Makes the same vertices and triangles, as patches of 3 vertices.
@@ -26,7 +30,8 @@ Mesh objPatch(const ObjModel& model, bool withTangents = true);
 Mesh objAdj(const ObjModel& model, bool withTangents = true);
 
 /// Makes the same vertices, with each edge of the file's polygons once as a line. Edges are told apart by
-/// their position indices and stand in the order of first use.
+/// their position indices and stand in the order of first use; those of `l` lines follow, then the points of
+/// `p` lines (Mesh::pointCount).
 Mesh wireObj(const ObjModel& model, bool withTangents = true);
 
 }  // namespace glibra::geometry

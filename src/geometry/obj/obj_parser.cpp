@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "geometry/obj/concave_faces.h"
 #include "geometry/obj/file_remarks.h"
 #include "geometry/obj/obj_model.h"
 #include "geometry/obj/obj_plain.h"
@@ -11,15 +12,27 @@
 namespace glibra::geometry {
 namespace {
 
+constexpr Triple kWhite{1, 1, 1};
+
 /// No model uses more elements of a kind than its triangles have corners.
 constexpr std::uint64_t kMostElements = 3 * kMostTriangles;
 
-constexpr std::array<std::string_view, 5> kMeaningless{"o", "g", "s", "usemtl", "mtllib"};
+constexpr std::array<std::string_view, 4> kMeaningless{"o", "g", "usemtl", "mtllib"};
 
-/// A face with an index that may be defined further down. It is checked again at the end of the file.
-struct ForwardFace {
-    std::size_t face = 0;
+/// A face, line or point with an index that may be defined further down. It is checked again at the end of
+/// the file.
+struct Forward {
+    std::size_t number = 0;
     int line = 1, column = 1;
+};
+
+/// Sequences of corners: faces, or lines.
+struct Sequences {
+    std::vector<ObjCorner>& corners;
+    std::vector<std::uint32_t>& starts;  ///< of each sequence; last, the number of corners
+    std::size_t least;                   ///< corners of one
+    std::string_view name;
+    std::vector<Forward> forward{};
 };
 
 /// The elements that an index refers to.
@@ -30,7 +43,8 @@ struct ElementKind {
 
 class ObjReader {
   public:
-    ObjReader(std::string_view text, std::string path) : scanner_(text), remarks_(std::move(path)) {}
+    ObjReader(std::string_view text, std::string path, ObjElements wanted)
+        : scanner_(text), remarks_(std::move(path)), wanted_(wanted) {}
 
     Result<ObjModel> read();
 
@@ -38,22 +52,32 @@ class ObjReader {
     bool readStatement(std::string_view word, int line, int column);
     bool readNumber(float& value);
     bool readTriple(std::vector<Triple>& triples, std::string_view word, int least, int line, int column);
-    bool readFace(int line, int column);
+    bool readPosition(int line, int column);
+    void readColor();
+    void readGroup(int line, int column);
+    bool readSequence(Sequences& to, int line, int column);
     bool readCorner(ObjCorner& corner, bool& isForward, std::string& fault);
     bool readIndex(const ElementKind& kind, std::uint32_t& index, bool& isForward, std::string& fault);
     [[nodiscard]] std::string outOfRange(const ObjCorner& corner) const;
-    void dropForwardFaces();
+    std::vector<bool> dropForward(Sequences& sequences);
     Result<ObjModel> failed(std::string_view id, std::string text) &&;
 
     TextScanner scanner_;
     FileRemarks remarks_;
+    ObjElements wanted_;
     ObjModel model_;
-    std::vector<ForwardFace> forward_;
+    Sequences faces_{model_.corners, model_.faceStarts, 3, "face"};
+    Sequences lines_{model_.lineCorners, model_.lineStarts, 2, "line"};
+    std::vector<std::uint32_t> pointStarts_;
+    Sequences points_{model_.points, pointStarts_, 1, "point"};
+    std::uint32_t group_ = kNoIndex;
+    bool hasGroups_ = false;  ///< an `s` line
+    bool hasLines_ = false;   ///< or points
     std::string_view tooMany_;
 };
 
 Result<ObjModel> ObjReader::read() {
-    model_.faceStarts.push_back(0);
+    for (Sequences* each : {&faces_, &lines_, &points_}) each->starts.push_back(0);
     while (!scanner_.atEnd()) {
         scanner_.skipBlanks();
         if (!scanner_.statementEnds()) {
@@ -65,17 +89,37 @@ Result<ObjModel> ObjReader::read() {
         }
         scanner_.nextLine();
     }
-    dropForwardFaces();
-    if (model_.faceCount() == 0) return std::move(*this).failed("file-E07", "has no faces");
+    const std::vector<bool> dropped = dropForward(faces_);
+    if (!model_.groups.empty()) {
+        std::size_t face = 0;
+        std::erase_if(model_.groups, [&](std::uint32_t) { return face < dropped.size() && dropped[face++]; });
+    }
+    dropForward(lines_);
+    dropForward(points_);
+    if (!model_.colors.empty()) model_.colors.resize(model_.positions.size(), kWhite);
+    const bool isEmpty = model_.faceCount() == 0 && model_.lineCorners.empty() && model_.points.empty();
+    if (isEmpty)
+        return std::move(*this).failed("file-E07",
+                                       wanted_ == ObjElements::edges ? "has no faces, lines or points"
+                                       : hasLines_ ? "has no faces; WireObj draws its lines and points"
+                                                   : "has no faces");
     return {std::move(model_), std::move(remarks_).finish()};
 }
 
 /// Returns false if a limit is exceeded.
 bool ObjReader::readStatement(std::string_view word, int line, int column) {
-    if (word == "v") return readTriple(model_.positions, word, 3, line, column);
+    if (word == "v") return readPosition(line, column);
     if (word == "vt") return readTriple(model_.texCoords, word, 1, line, column);
     if (word == "vn") return readTriple(model_.normals, word, 3, line, column);
-    if (word == "f") return readFace(line, column);
+    if (word == "f") return readSequence(faces_, line, column);
+    if (word == "s") {
+        readGroup(line, column);
+        return true;
+    }
+    if (word == "l" || word == "p") {
+        hasLines_ = true;
+        if (wanted_ == ObjElements::edges) return readSequence(word == "l" ? lines_ : points_, line, column);
+    }
     if (std::find(kMeaningless.begin(), kMeaningless.end(), word) == kMeaningless.end())
         remarks_.ignored(word, line, column);
     return true;
@@ -115,29 +159,69 @@ bool ObjReader::readTriple(std::vector<Triple>& triples, std::string_view word, 
     return true;
 }
 
-bool ObjReader::readFace(int line, int column) {
-    const std::size_t first = model_.corners.size();
+bool ObjReader::readPosition(int line, int column) {
+    if (!readTriple(model_.positions, "v", 3, line, column)) return false;
+    readColor();
+    return true;
+}
+
+/// Three more numbers, or more, are a colour. Anything else after a position is ignored.
+void ObjReader::readColor() {
+    Triple color{};
+    for (float& value : color) {
+        scanner_.skipBlanks();
+        if (scanner_.statementEnds() || !scanner_.number(value) || !scanner_.tokenEnds()) return;
+    }
+    model_.colors.resize(model_.positions.size() - 1, kWhite);
+    model_.colors.push_back(color);
+}
+
+/// Reads a number, or "off" for 0 and "on" for 1.
+void ObjReader::readGroup(int line, int column) {
+    scanner_.skipBlanks();
+    const TextScanner start = scanner_;
+    long long number = 0;
+    const bool isNumber = scanner_.integer(number) && scanner_.tokenEnds() && number >= 0;
+    if (!isNumber) {
+        scanner_ = start;
+        const std::string_view word = scanner_.token();
+        number = word == "on" ? 1 : 0;
+        if (word != "on" && word != "off")
+            remarks_.warn("file-W06", fmt::format("smoothing group '{}' read as 0", shown(word)), line,
+                          column);
+    }
+    if (!hasGroups_) model_.groups.assign(model_.faceCount(), kNoIndex);
+    group_ = static_cast<std::uint32_t>(std::min<long long>(number, kNoIndex - 1));
+    hasGroups_ = true;
+}
+
+bool ObjReader::readSequence(Sequences& to, int line, int column) {
+    const std::size_t first = to.corners.size();
     bool isForward = false;
     std::string fault;
     for (scanner_.skipBlanks(); fault.empty() && !scanner_.statementEnds(); scanner_.skipBlanks()) {
         ObjCorner corner;
         if (!readCorner(corner, isForward, fault)) break;
-        model_.corners.push_back(corner);
-        if (model_.corners.size() - 2 * model_.faceCount() > kMostTriangles + 2) {
-            tooMany_ = "faces";
+        to.corners.push_back(corner);
+        const std::size_t perSequence = to.least - 1;  // corners that make no triangle, or no line
+        const std::size_t sequences = to.starts.size() - 1;
+        if (to.corners.size() - std::min(to.corners.size(), perSequence * sequences) >
+            kMostTriangles + perSequence) {
+            tooMany_ = to.least == 3 ? "faces" : to.least == 2 ? "lines" : "points";
             return false;
         }
     }
-    const std::size_t count = model_.corners.size() - first;
-    if (fault.empty() && count < 3)
+    const std::size_t count = to.corners.size() - first;
+    if (fault.empty() && count < to.least)
         fault = fmt::format("only {} {}", count, count == 1 ? "corner" : "corners");
     if (!fault.empty()) {
-        model_.corners.resize(first);
-        remarks_.warn("file-W05", "face dropped: " + fault, line, column);
+        to.corners.resize(first);
+        remarks_.warn("file-W05", fmt::format("{} dropped: {}", to.name, fault), line, column);
         return true;
     }
-    if (isForward) forward_.push_back({model_.faceCount(), line, column});
-    model_.faceStarts.push_back(static_cast<std::uint32_t>(model_.corners.size()));
+    if (isForward) to.forward.push_back({to.starts.size() - 1, line, column});
+    to.starts.push_back(static_cast<std::uint32_t>(to.corners.size()));
+    if (&to == &faces_ && hasGroups_) model_.groups.push_back(group_);
     return true;
 }
 
@@ -199,31 +283,35 @@ std::string ObjReader::outOfRange(const ObjCorner& corner) const {
     return fault;
 }
 
-/// Drops the faces whose indices were not defined further down either.
-void ObjReader::dropForwardFaces() {
+/// Drops the sequences whose indices were not defined further down either, and returns which; none if all
+/// stay.
+std::vector<bool> ObjReader::dropForward(Sequences& sequences) {
     std::vector<bool> dropped;
-    for (const ForwardFace& each : forward_) {
-        const auto begin = model_.corners.begin() + model_.faceStarts[each.face];
-        const auto end = model_.corners.begin() + model_.faceStarts[each.face + 1];
+    const std::size_t count = sequences.starts.size() - 1;
+    for (const Forward& each : sequences.forward) {
+        const auto begin = sequences.corners.begin() + sequences.starts[each.number];
+        const auto end = sequences.corners.begin() + sequences.starts[each.number + 1];
         for (auto corner = begin; corner != end; ++corner)
             if (const std::string fault = outOfRange(*corner); !fault.empty()) {
-                remarks_.warn("file-W05", "face dropped: " + fault, each.line, each.column);
-                dropped.resize(model_.faceCount());
-                dropped[each.face] = true;
+                remarks_.warn("file-W05", fmt::format("{} dropped: {}", sequences.name, fault), each.line,
+                              each.column);
+                dropped.resize(count);
+                dropped[each.number] = true;
                 break;
             }
     }
-    if (dropped.empty()) return;
+    if (dropped.empty()) return dropped;
     std::vector<ObjCorner> corners;
     std::vector<std::uint32_t> starts{0};
-    for (std::size_t face = 0; face < dropped.size(); ++face) {
-        if (dropped[face]) continue;
-        corners.insert(corners.end(), model_.corners.begin() + model_.faceStarts[face],
-                       model_.corners.begin() + model_.faceStarts[face + 1]);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (dropped[i]) continue;
+        corners.insert(corners.end(), sequences.corners.begin() + sequences.starts[i],
+                       sequences.corners.begin() + sequences.starts[i + 1]);
         starts.push_back(static_cast<std::uint32_t>(corners.size()));
     }
-    model_.corners = std::move(corners);
-    model_.faceStarts = std::move(starts);
+    sequences.corners = std::move(corners);
+    sequences.starts = std::move(starts);
+    return dropped;
 }
 
 Result<ObjModel> ObjReader::failed(std::string_view id, std::string text) && {
@@ -258,7 +346,7 @@ bool isCompilerOutput(std::string_view text) {
 
 }  // namespace
 
-Result<ObjModel> parseObj(std::string_view text, std::string path) {
+Result<ObjModel> parseObj(std::string_view text, std::string path, ObjElements wanted) {
     const auto failure = [&](std::string_view id, std::string_view what) {
         return diagnose(std::string(id), fmt::format("'{}' {}", fileName(path), what), {path, 1, 1});
     };
@@ -268,8 +356,19 @@ Result<ObjModel> parseObj(std::string_view text, std::string path) {
                                                    static_cast<double>(kLargestModelFile)));
     if (isCompilerOutput(text)) return failure("file-E08", "is a compiler's object file, not a model");
     if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
-    if (auto plain = readPlainObj(text)) return *std::move(plain);
-    return ObjReader(text, std::move(path)).read();
+    Result<ObjModel> model;
+    if (auto plain = readPlainObj(text))
+        model = *std::move(plain);
+    else
+        model = ObjReader(text, path, wanted).read();
+    if (!model) return model;
+    if (const std::size_t uncut = splitConcaveFaces(*model); uncut > 0)
+        model.diagnostics.push_back(diagnose(
+            "file-W23",
+            fmt::format("{} concave {} of many corners drawn as {} from the first corner", grouped(uncut),
+                        uncut == 1 ? "face" : "faces", uncut == 1 ? "a fan" : "fans"),
+            {path, 1, 1}));
+    return model;
 }
 
 }  // namespace glibra::geometry

@@ -17,8 +17,11 @@ namespace {
 struct Piece {
     std::string_view text;
     std::vector<Triple> positions, texCoords, normals;
+    std::vector<Triple> colors;  ///< of the first positions; empty if there is none
     std::vector<ObjCorner> corners;
     std::vector<std::uint32_t> faceEnds;  ///< indices into `corners`
+    /// `s` lines: the number of faces above, and the group below
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> groups;
     std::uint32_t positionsNeeded = 0, texCoordsNeeded = 0, normalsNeeded = 0;
     bool isPlain = false;
 };
@@ -52,11 +55,12 @@ class PieceReader {
   private:
     const char* readLine(const char* at) {
         if (*at == 'v') {
-            if (isBlank(at[1])) return readTriple(at + 1, 3, piece_.positions);
-            if (at[1] == 't' && isBlank(at[2])) return readTriple(at + 2, 1, piece_.texCoords);
-            if (at[1] == 'n' && isBlank(at[2])) return readTriple(at + 2, 3, piece_.normals);
+            if (isBlank(at[1])) return readPosition(at + 1);
+            if (at[1] == 't' && isBlank(at[2])) return endOfLine(readTriple(at + 2, 1, piece_.texCoords));
+            if (at[1] == 'n' && isBlank(at[2])) return endOfLine(readTriple(at + 2, 3, piece_.normals));
             return nullptr;
         }
+        if (*at == 's' && isBlank(at[1])) return readGroup(skipBlanks(at + 1));
         if (*at == 'f' && isBlank(at[1])) return readFace(at + 1);
         if (*at == '#') return endOfComment(at);
         if (*at == '\n' || *at == '\r' || isMeaningless(at)) return endOfLine(at);
@@ -68,11 +72,12 @@ class PieceReader {
         while (*end >= 'a' && *end <= 'z') ++end;
         if (!isBlank(*end) && *end != '\n' && *end != '\r') return false;
         const std::string_view word(at, static_cast<std::size_t>(end - at));
-        return word == "o" || word == "g" || word == "s" || word == "usemtl" || word == "mtllib";
+        return word == "o" || word == "g" || word == "usemtl" || word == "mtllib";
     }
 
-    /// Skips the rest of the line.
+    /// Skips the rest of the line; null stays null.
     static const char* endOfLine(const char* at) {
+        if (at == nullptr) return nullptr;
         for (; *at != '\n'; ++at) {
             if (*at == '#') return endOfComment(at);
             if (*at == '\\' || (*at == '\r' && at[1] != '\n')) return nullptr;
@@ -98,20 +103,57 @@ class PieceReader {
         return failure == std::errc{} && rest == end ? end : nullptr;
     }
 
-    const char* readTriple(const char* at, int least, std::vector<Triple>& triples) {
+    /// Reads a number and what ends it.
+    static const char* readNumber(const char* at, float& value) {
+        const char* rest = readDecimal(at, value);
+        if (rest == nullptr) rest = readLongNumber(at, value);
+        return rest != nullptr && endsNumber(*rest) ? rest : nullptr;
+    }
+
+    static const char* readTriple(const char* at, int least, std::vector<Triple>& triples) {
         Triple triple{0, 0, 0};
         int numbers = 0;
         for (at = skipBlanks(at); numbers < 3; at = skipBlanks(at), ++numbers) {
             if (*at == '\n' || *at == '\r' || *at == '#') break;
-            float& value = triple[static_cast<std::size_t>(numbers)];
-            const char* rest = readDecimal(at, value);
-            if (rest == nullptr) rest = readLongNumber(at, value);
-            if (rest == nullptr || !endsNumber(*rest)) return nullptr;
-            at = rest;
+            at = readNumber(at, triple[static_cast<std::size_t>(numbers)]);
+            if (at == nullptr) return nullptr;
         }
         if (numbers < least) return nullptr;
         triples.push_back(triple);
-        return endOfLine(at);
+        return at;
+    }
+
+    const char* readPosition(const char* at) {
+        at = readTriple(at, 3, piece_.positions);
+        // Three more numbers, or more, are a colour.
+        if (at == nullptr || *at == '\n' || *at == '\r') return endOfLine(at);
+        Triple color{0, 0, 0};
+        const char* rest = at;
+        for (float& value : color) {
+            const char* const token = skipBlanks(rest);
+            rest = readNumber(token, value);
+            // Numbers that are too small, or written in an odd way, are left to the other reader.
+            const bool mayBeNumber =
+                (*token >= '0' && *token <= '9') || *token == '.' || *token == '-' || *token == '+';
+            if (rest == nullptr) return mayBeNumber ? nullptr : endOfLine(at);
+        }
+        piece_.colors.resize(piece_.positions.size() - 1, {1, 1, 1});
+        piece_.colors.push_back(color);
+        return endOfLine(rest);
+    }
+
+    const char* readGroup(const char* at) {
+        std::uint32_t group = kFlat;
+        if (at[0] == 'o' && at[1] == 'f' && at[2] == 'f') {
+            at += 3;
+        } else {
+            const Digits digits = digitsAt(at);
+            if (digits.count == 0 || digits.count == 8) return nullptr;
+            group = static_cast<std::uint32_t>(digits.value);
+            at += digits.count;
+        }
+        piece_.groups.emplace_back(static_cast<std::uint32_t>(piece_.faceEnds.size()), group);
+        return endsNumber(*at) ? endOfLine(at) : nullptr;
     }
 
     /// Reads a positive index; `index` counts from 0.
@@ -189,6 +231,40 @@ std::vector<Value> joined(std::vector<Piece>& pieces, std::vector<Value> Piece::
     return all;
 }
 
+/// The smoothing group of each face; empty if there are no `s` lines.
+std::vector<std::uint32_t> groupsOf(const std::vector<Piece>& pieces, std::size_t faces) {
+    std::vector<std::uint32_t> groups;
+    if (std::all_of(pieces.begin(), pieces.end(), [](const Piece& each) { return each.groups.empty(); }))
+        return groups;
+    groups.reserve(faces);
+    std::uint32_t group = kNoIndex;
+    std::size_t before = 0;
+    for (const Piece& piece : pieces) {
+        for (const auto& [face, next] : piece.groups) {
+            groups.resize(before + face, group);
+            group = next;
+        }
+        before += piece.faceEnds.size();
+    }
+    groups.resize(faces, group);
+    return groups;
+}
+
+/// The colour of each position; empty if there is none.
+std::vector<Triple> colorsOf(const std::vector<Piece>& pieces) {
+    std::vector<Triple> colors;
+    std::size_t before = 0;
+    for (const Piece& piece : pieces) {
+        if (!piece.colors.empty()) {
+            colors.resize(before, {1, 1, 1});
+            colors.insert(colors.end(), piece.colors.begin(), piece.colors.end());
+        }
+        before += piece.positions.size();
+    }
+    if (!colors.empty()) colors.resize(before, {1, 1, 1});
+    return colors;
+}
+
 bool withinLimits(const ObjModel& model) {
     constexpr std::size_t kMost = 3 * kMostTriangles;
     return model.faceCount() > 0 && model.positions.size() <= kMost && model.texCoords.size() <= kMost &&
@@ -234,6 +310,8 @@ std::optional<ObjModel> readPlainObj(std::string_view text, std::size_t pieceByt
             model.faceStarts.push_back(static_cast<std::uint32_t>(corners + end));
         corners += piece.corners.size();
     }
+    model.groups = groupsOf(pieces, faces);
+    model.colors = colorsOf(pieces);
     model.positions = joined(pieces, &Piece::positions);
     model.texCoords = joined(pieces, &Piece::texCoords);
     model.normals = joined(pieces, &Piece::normals);

@@ -14,9 +14,9 @@ namespace glibra::geometry {
 inline constexpr std::size_t kPlainPiece = std::size_t{1} << 20;
 
 /// Reads a text about which there is nothing to report: complete v, vt and vn lines, faces of three or more
-/// corners with positive indices that all exist, lines without meaning, comments; LF or CR LF; no joined
-/// lines. Returns nothing for any other text; parseObj then reads it line by line. `pieceBytes` is about the
-/// size of a piece; the result does not depend on it.
+/// corners with positive indices that all exist, `s off` and `s N`, lines without meaning, comments; LF or
+/// CR LF; no joined lines. Returns nothing for any other text; parseObj then reads it line by line.
+/// `pieceBytes` is about the size of a piece; the result does not depend on it.
 std::optional<ObjModel> readPlainObj(std::string_view text, std::size_t pieceBytes = kPlainPiece);
 
 }  // namespace glibra::geometry

@@ -26,21 +26,27 @@ bool hasOwnNormal(const ObjModel& model, const ObjCorner& corner) {
     return corner.normal != kNoIndex && model.normals[corner.normal] != std::array<float, 3>{0, 0, 0};
 }
 
+/// The area vector of a face, twice as long as its area.
+glm::dvec3 areaOf(const ObjModel& model, std::size_t face) {
+    const std::uint32_t begin = model.faceStarts[face], end = model.faceStarts[face + 1];
+    const auto place = [&](std::uint32_t corner) {
+        return precise(model.positions[model.corners[corner].position]);
+    };
+    const glm::dvec3 origin = place(begin);
+    glm::dvec3 area(0);
+    for (std::uint32_t i = begin + 1; i + 1 < end; ++i)
+        area += glm::cross(place(i) - origin, place(i + 1) - origin);
+    return area;
+}
+
 /// Returns for each position the sum of the area vectors of the faces around it, made a unit vector; zero if
 /// there are no faces.
 std::vector<glm::dvec3> smoothNormals(const ObjModel& model) {
     std::vector<glm::dvec3> normals(model.positions.size(), glm::dvec3(0));
     std::vector<glm::dvec3> someFace(model.positions.size(), glm::dvec3(0));
     for (std::size_t face = 0; face + 1 < model.faceStarts.size(); ++face) {
-        const std::uint32_t begin = model.faceStarts[face], end = model.faceStarts[face + 1];
-        const auto place = [&](std::uint32_t corner) {
-            return precise(model.positions[model.corners[corner].position]);
-        };
-        const glm::dvec3 origin = place(begin);
-        glm::dvec3 area(0);
-        for (std::uint32_t i = begin + 1; i + 1 < end; ++i)
-            area += glm::cross(place(i) - origin, place(i + 1) - origin);
-        for (std::uint32_t i = begin; i < end; ++i) {
+        const glm::dvec3 area = areaOf(model, face);
+        for (std::uint32_t i = model.faceStarts[face]; i < model.faceStarts[face + 1]; ++i) {
             const std::uint32_t position = model.corners[i].position;
             normals[position] += area;
             if (someFace[position] == glm::dvec3(0)) someFace[position] = area;
@@ -52,17 +58,65 @@ std::vector<glm::dvec3> smoothNormals(const ObjModel& model) {
     return normals;
 }
 
-std::vector<glm::dvec3> unitNormals(const ObjModel& model, const std::vector<ObjCorner>& corners) {
+/// The corners of all faces, of which those without a normal get one of `normals`: the mean of the faces of
+/// their smoothing group around their position, or the normal of their own face if it has no group.
+std::vector<ObjCorner> groupedCorners(const ObjModel& model, std::vector<glm::dvec3>& normals) {
+    std::vector<ObjCorner> corners = model.corners;
+    std::vector<glm::dvec3> someFace;
+    std::vector<std::uint64_t> keys;  // of each normal, the group and the position; 0: of a face alone
+    HashIndex known(corners.size());
+    const auto add = [&](std::uint64_t key) {
+        normals.emplace_back(0);
+        someFace.emplace_back(0);
+        keys.push_back(key);
+    };
+    for (std::size_t face = 0; face < model.faceCount(); ++face) {
+        const glm::dvec3 area = areaOf(model, face);
+        const std::uint64_t group = model.groups[face];
+        if (group == kFlat) {
+            add(0);
+            normals.back() = area;
+        }
+        for (std::uint32_t i = model.faceStarts[face]; i < model.faceStarts[face + 1]; ++i) {
+            auto normal = static_cast<std::uint32_t>(normals.size() - (group == kFlat ? 1 : 0));
+            if (group != kFlat) {
+                const std::uint64_t key = group << 32 | corners[i].position;
+                const std::uint32_t next = normal;
+                normal =
+                    known.findOrEnter(spread(key), next, [&](std::uint32_t n) { return keys[n] == key; });
+                if (normal == next) add(key);
+                normals[normal] += area;
+                if (someFace[normal] == glm::dvec3(0)) someFace[normal] = area;
+            }
+            if (!hasOwnNormal(model, corners[i]))
+                corners[i].normal = static_cast<std::uint32_t>(model.normals.size()) + normal;
+        }
+    }
+    for (std::size_t i = 0; i < normals.size(); ++i)
+        normals[i] = unitOr(normals[i], unitOr(someFace[i], {0, 0, 1}));
+    return corners;
+}
+
+std::vector<glm::dvec3> unitNormals(const ObjModel& model, const ObjVertices& vertices) {
+    const auto isOfGroup = [&](const ObjCorner& corner) {
+        return corner.normal != kNoIndex && corner.normal >= model.normals.size();
+    };
+    const auto hasNormal = [&](const ObjCorner& corner) {
+        return isOfGroup(corner) || hasOwnNormal(model, corner);
+    };
     std::vector<glm::dvec3> smooth;
-    if (!std::all_of(corners.begin(), corners.end(),
-                     [&](const ObjCorner& c) { return hasOwnNormal(model, c); }))
+    if (!std::all_of(vertices.corners.begin(), vertices.corners.end(), hasNormal))
         smooth = smoothNormals(model);
     std::vector<glm::dvec3> normals;
-    normals.reserve(corners.size());
-    for (const ObjCorner& corner : corners)
-        normals.push_back(hasOwnNormal(model, corner)
-                              ? unitOr(precise(model.normals[corner.normal]), {0, 0, 1})
-                              : smooth[corner.position]);
+    normals.reserve(vertices.corners.size());
+    for (const ObjCorner& corner : vertices.corners) {
+        if (isOfGroup(corner))
+            normals.push_back(vertices.groupNormals[corner.normal - model.normals.size()]);
+        else if (hasOwnNormal(model, corner))
+            normals.push_back(unitOr(precise(model.normals[corner.normal]), {0, 0, 1}));
+        else
+            normals.push_back(smooth[corner.position]);
+    }
     return normals;
 }
 
@@ -111,33 +165,51 @@ std::vector<float> tangentValues(const ObjModel& model, const ObjVertices& verti
 
 ObjVertices objVertices(const ObjModel& model) {
     ObjVertices vertices;
-    vertices.ofCorner.reserve(model.corners.size());
+    std::vector<ObjCorner> grouped;
+    if (!model.groups.empty() && !std::all_of(model.corners.begin(), model.corners.end(),
+                                              [&](const ObjCorner& c) { return hasOwnNormal(model, c); }))
+        grouped = groupedCorners(model, vertices.groupNormals);
+    const std::vector<ObjCorner>& ofFaces = grouped.empty() ? model.corners : grouped;
     // Most positions have one vertex. It is found without a hash, and near the last one in memory.
     std::vector<std::uint32_t> firstAt(model.positions.size(), kNoIndex);
     std::optional<HashIndex> others;
-    for (const ObjCorner& corner : model.corners) {
-        const auto next = static_cast<std::uint32_t>(vertices.corners.size());
-        const auto isCorner = [&](std::uint32_t v) { return vertices.corners[v] == corner; };
-        std::uint32_t vertex = firstAt[corner.position];
-        if (vertex == kNoIndex) {
-            vertex = firstAt[corner.position] = next;
-        } else if (!isCorner(vertex)) {
-            if (!others) others.emplace(model.corners.size());
-            const std::uint64_t hash =
-                spread((std::uint64_t{corner.position} << 32 | corner.texCoord) ^ spread(corner.normal));
-            vertex = others->findOrEnter(hash, next, isCorner);
+    const auto addAll = [&](const std::vector<ObjCorner>& corners, std::vector<std::uint32_t>& numbers) {
+        numbers.reserve(corners.size());
+        for (const ObjCorner& corner : corners) {
+            const auto next = static_cast<std::uint32_t>(vertices.corners.size());
+            const auto isCorner = [&](std::uint32_t v) { return vertices.corners[v] == corner; };
+            std::uint32_t vertex = firstAt[corner.position];
+            if (vertex == kNoIndex) {
+                vertex = firstAt[corner.position] = next;
+            } else if (!isCorner(vertex)) {
+                if (!others)
+                    others.emplace(model.corners.size() + model.lineCorners.size() + model.points.size());
+                const std::uint64_t hash =
+                    spread((std::uint64_t{corner.position} << 32 | corner.texCoord) ^ spread(corner.normal));
+                vertex = others->findOrEnter(hash, next, isCorner);
+            }
+            if (vertex == next) vertices.corners.push_back(corner);
+            numbers.push_back(vertex);
         }
-        if (vertex == next) vertices.corners.push_back(corner);
-        vertices.ofCorner.push_back(vertex);
-    }
+    };
+    addAll(ofFaces, vertices.ofCorner);
+    addAll(model.lineCorners, vertices.ofLineCorner);
+    addAll(model.points, vertices.ofPoint);
     return vertices;
 }
 
-std::vector<std::uint32_t> fanIndices(const ObjModel& model, const ObjVertices& vertices) {
+std::vector<std::uint32_t> triangleIndices(const ObjModel& model, const ObjVertices& vertices) {
     std::vector<std::uint32_t> indices;
     indices.reserve(static_cast<std::size_t>(3 * model.triangleCount()));
+    std::size_t split = 0, at = 0;  // the next of the split faces, and of their triangles
     for (std::size_t face = 0; face + 1 < model.faceStarts.size(); ++face) {
         const std::uint32_t begin = model.faceStarts[face], end = model.faceStarts[face + 1];
+        if (split < model.splitFaces.size() && model.splitFaces[split] == face) {
+            ++split;
+            for (std::size_t n = 3 * std::size_t{end - begin - 2}; n > 0; --n)
+                indices.push_back(vertices.ofCorner[begin + model.splitTriangles[at++]]);
+            continue;
+        }
         for (std::uint32_t i = begin + 1; i + 1 < end; ++i)
             for (const std::uint32_t corner : {begin, i, i + 1}) indices.push_back(vertices.ofCorner[corner]);
     }
@@ -156,7 +228,7 @@ std::vector<Attribute> objAttributes(const ObjModel& model, const ObjVertices& v
     }
     attributes.push_back(std::move(position));
 
-    const std::vector<glm::dvec3> normals = unitNormals(model, vertices.corners);
+    const std::vector<glm::dvec3> normals = unitNormals(model, vertices);
     Attribute normal{std::string(kNormal), 3, {}};
     normal.values.reserve(3 * count);
     for (const glm::dvec3& each : normals) putVector(normal.values, each);
@@ -177,6 +249,16 @@ std::vector<Attribute> objAttributes(const ObjModel& model, const ObjVertices& v
                         ? 0
                         : model.texCoords[corner.texCoord][static_cast<std::size_t>(c)]);
         attributes.push_back(std::move(texCoord));
+    }
+
+    if (!model.colors.empty()) {
+        Attribute color{std::string(kColor), 4, {}};
+        color.values.reserve(4 * count);
+        for (const ObjCorner& corner : vertices.corners) {
+            const Triple& each = model.colors[corner.position];
+            color.values.insert(color.values.end(), {each[0], each[1], each[2], 1.F});
+        }
+        attributes.push_back(std::move(color));
     }
     return attributes;
 }

@@ -200,6 +200,7 @@ Mesh ShapeReader::mesh() && {
     }
     mesh.attributes = {std::move(position), std::move(normal), std::move(tangent)};
     mesh.indices = std::move(indices_);
+    if (mesh.topology == Topology::points) mesh.pointCount = mesh.indices.size();
     return mesh;
 }
 

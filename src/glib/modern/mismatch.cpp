@@ -60,14 +60,23 @@ std::string Mismatch::suggested(std::string_view word) const {
     return nearest;
 }
 
-std::string Mismatch::valueHint(const Value& found, const DeclaredNames& names) const {
+std::string Mismatch::valueHint(const Pieces& pieces, std::size_t at, const DeclaredNames& names) const {
     constexpr std::string_view kCounter = "i";
+    const Value& found = pieces[at];
     const std::string_view head = beforePoint(found.text);
     const bool expectsNumber = std::any_of(expected_.begin(), expected_.end(), [](const Expectation& each) {
         return each.text.starts_with("a number") || each.text.starts_with("number ");
     });
-    if (expectsNumber && isUnquoted(found) && looksLikeExpression(found.text))
-        return fmt::format("; write ({}) for its value", found.text);
+    const bool expectsValue =
+        expectsNumber || std::any_of(expected_.begin(), expected_.end(), [](const Expectation& each) {
+            return each.text.starts_with("a value") || each.text.starts_with("an expression");
+        });
+    if (expectsValue && isUnquoted(found)) {
+        const std::string whole = pieces.expressionFrom(at);
+        const bool isCall = whole.size() > found.text.size() && whole.ends_with(')');
+        if (isCall || looksLikeExpression(found.text))
+            return fmt::format("; write ({}) for its value", whole);
+    }
     if (!isUnquoted(found) || !isDotted(found.text, false)) return {};
     if (!names.has(head) && !(expectsNumber && head == kCounter)) return {};
     return fmt::format("; write ({}) for its value", found.text);
@@ -160,7 +169,7 @@ void Mismatch::report(const StatementRow& row, const Pieces& pieces, const Decla
     const std::string text = found(pieces, furthest_);
     const bool expectsWord =
         std::any_of(expected_.begin(), expected_.end(), [](const Expectation& each) { return each.isWord; });
-    std::string hint = valueHint(pieces[furthest_], names);
+    std::string hint = valueHint(pieces, furthest_, names);
     if (hint.empty()) hint = nameHint(pieces);
     if (isUnquoted(pieces[furthest_]) && expectsWord) {
         const std::string nearest = hint.empty() ? suggested(pieces[furthest_].text) : std::string();

@@ -40,7 +40,8 @@ class Mismatch {
     [[nodiscard]] std::string suggested(std::string_view word) const;
     /// What to write for the value of a name that stands without parentheses; empty if that is not the
     /// mistake.
-    [[nodiscard]] std::string valueHint(const Value& found, const DeclaredNames& names) const;
+    [[nodiscard]] std::string valueHint(const Pieces& pieces, std::size_t at,
+                                        const DeclaredNames& names) const;
     /// For a statement whose name is missing before a word that may follow it; else empty.
     [[nodiscard]] std::string nameHint(const Pieces& pieces) const;
     /// For a word that is another command; else empty.

@@ -37,6 +37,18 @@ bool looksLikeExpression(std::string_view word) {
            std::any_of(word.begin(), word.end(), isOperand);
 }
 
+std::string_view expressionAt(std::string_view text, std::span<const Token> tokens, const Token& first) {
+    std::size_t end = first.end;
+    for (const Token* next = &first + 1; next < tokens.data() + tokens.size(); ++next) {
+        const std::string_view soFar = text.substr(first.begin, end - first.begin);
+        const bool isOpen =
+            std::count(soFar.begin(), soFar.end(), '(') > std::count(soFar.begin(), soFar.end(), ')');
+        if (next->begin != end && !isOpen) break;
+        end = next->end;
+    }
+    return text.substr(first.begin, end - first.begin);
+}
+
 bool isDotted(std::string_view text, bool hasHead) {
     if (hasHead) {
         if (!text.starts_with('.')) return false;
@@ -108,6 +120,18 @@ std::string_view Pieces::source(const Value& value) const {
 
 std::string Pieces::written(std::size_t begin, std::size_t end) const {
     return std::string(text_.substr((*this)[begin].begin, (*this)[end - 1].end - (*this)[begin].begin));
+}
+
+std::string Pieces::expressionFrom(std::size_t at) const {
+    std::size_t end = at + 1;
+    while (end < size()) {
+        const std::string whole = written(at, end);
+        const bool isOpen =
+            std::count(whole.begin(), whole.end(), '(') > std::count(whole.begin(), whole.end(), ')');
+        if (!isJoined(end) && !isOpen) break;
+        ++end;
+    }
+    return written(at, end);
 }
 
 Value Pieces::indexOf(const Value& subscript) const {

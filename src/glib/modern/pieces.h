@@ -3,6 +3,7 @@
 // several of them make: `lights[2].position`.
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -18,6 +19,9 @@ bool isNumeric(const Value& value);
 bool isUnquoted(const Value& value);
 /// True for a word that is an expression without its parentheses: `2*k`, `n/3`, `-k`.
 bool looksLikeExpression(std::string_view word);
+/// The expression without its parentheses that begins with the token: what touches it, and what stands in
+/// parentheses that it opens, as `360*rand(k, 3)`.
+std::string_view expressionAt(std::string_view text, std::span<const Token> tokens, const Token& first);
 
 /// The text before its first point, and the text after it; nothing after it if there is no point.
 std::string_view beforePoint(std::string_view text);
@@ -53,6 +57,8 @@ class Pieces {
     [[nodiscard]] std::string_view source(const Value& value) const;
     /// The values from `begin` to `end`, without it, as they were written.
     [[nodiscard]] std::string written(std::size_t begin, std::size_t end) const;
+    /// What expressionAt() gives for tokens.
+    [[nodiscard]] std::string expressionFrom(std::size_t at) const;
     /// The parts of the name that these values make.
     [[nodiscard]] std::vector<NamePart> pathOf(std::size_t begin, std::size_t end) const;
     /// That name as one value.

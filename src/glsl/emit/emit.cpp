@@ -22,24 +22,32 @@ class Emitter {
         lineStart_ = stage_.source.size();
     }
 
-    /// Emits the user's tokens with their edits.
-    void text() {
+    /// Emits the preprocessed text with its edits.
+    void text() { emitTokens(unit_.tokens, &unit_.edits); }
+    /// Emits the text as the user wrote it.
+    void written() { emitTokens(unit_.written, nullptr); }
+
+    TranslatedStage take() { return std::move(stage_); }
+
+  private:
+    void emitTokens(const std::vector<Token>& tokens, const Edits* edits) {
         bool directive = false;
         int joinedLines = 0;
         bool lineKnown = false;
-        LineOrigin origin;
         const auto endLine = [&] {
             stage_.source += '\n';
-            stage_.lineMap.lines.push_back(origin);
+            stage_.lineMap.lines.push_back(origin_);
             stage_.lineMap.columns.push_back(std::exchange(shifts_, {}));
             lineStart_ = stage_.source.size();
-            if (origin.file >= 0) ++origin.line;
+            if (origin_.file >= 0) ++origin_.line;
             lineKnown = false;
         };
-        for (std::uint32_t i = 0; i < unit_.tokens.size(); ++i) {
-            const Token& token = unit_.tokens[i];
+        for (std::uint32_t i = 0; i < tokens.size(); ++i) {
+            const Token& token = tokens[i];
             if (!lineKnown) {
-                origin = token.synthetic ? LineOrigin{} : LineOrigin{token.file, token.line};
+                // Inside a call the lines go on, whatever its tokens come from.
+                if (!token.expanded || origin_.file < 0)
+                    origin_ = token.synthetic ? LineOrigin{} : LineOrigin{token.file, token.line};
                 lineKnown = true;
             }
             directive = token.kind == TokenKind::newline ? false : (directive || token.directive);
@@ -59,18 +67,14 @@ class Emitter {
                     endLine();
                 }
             } else {
-                append(i, token, endLine);
+                append(edits ? edits->find(i) : nullptr, token, endLine);
             }
         }
         if (lineKnown || joinedLines > 0) endLine();
     }
 
-    TranslatedStage take() { return std::move(stage_); }
-
-  private:
     template <class EndLine>
-    void append(std::uint32_t index, const Token& token, const EndLine& endLine) {
-        const Edit* edit = unit_.edits.find(index);
+    void append(const Edit* edit, const Token& token, const EndLine& endLine) {
         if (edit) {
             glue(edit->before);
             stage_.source += edit->before;
@@ -91,17 +95,31 @@ class Emitter {
 
     void column(const Token& token) {
         const auto emitted = static_cast<int>(stage_.source.size() - lineStart_) + 1;
-        const ColumnShift known = shifts_.empty() ? ColumnShift{} : shifts_.back();
-        if (token.column - emitted != known.user - known.emitted) shifts_.push_back({emitted, token.column});
+        const ColumnShift known = shifts_.empty() ? ColumnShift{1, 1, origin_} : shifts_.back();
+        const LineOrigin line{token.file, token.line};
+        const int macro = macroOf(token);
+        if (token.column - emitted != known.user - known.emitted || macro != known.macro ||
+            line.line != known.line.line || line.file != known.line.file)
+            shifts_.push_back({emitted, token.column, line, macro});
     }
 
-    /// Adds a blank between two words that an edit made adjacent.
+    /// The index into LineMap::macros for a token from the text of a macro; -1 for others.
+    int macroOf(const Token& token) {
+        if (token.body == kNone) return -1;
+        macros_.resize(unit_.macroTexts.size(), -1);
+        int& index = macros_[token.body];
+        if (index < 0) {
+            index = static_cast<int>(stage_.lineMap.macros.size());
+            const BodyPlace& place = unit_.macroTexts[token.body];
+            stage_.lineMap.macros.push_back(
+                {std::string(place.macro), {place.file, place.line}, place.column});
+        }
+        return index;
+    }
+
+    /// Adds a blank between two tokens that an edit made adjacent.
     void glue(std::string_view next) {
-        const auto wordPart = [](char c) {
-            return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-        };
-        if (!next.empty() && !stage_.source.empty() && wordPart(stage_.source.back()) &&
-            wordPart(next.front()))
+        if (!next.empty() && !stage_.source.empty() && growTogether(stage_.source.back(), next.front()))
             stage_.source += ' ';
     }
 
@@ -122,7 +140,9 @@ class Emitter {
 
     Unit& unit_;
     TranslatedStage stage_;
+    LineOrigin origin_;                ///< of the current line
     std::vector<ColumnShift> shifts_;  ///< of the current line
+    std::vector<int> macros_;          ///< from StageText::macroTexts to LineMap::macros
     std::size_t lineStart_ = 0;
 };
 
@@ -162,7 +182,7 @@ TranslatedStage emitAsIs(Unit& unit) {
     if (unit.request->target.lineDirectiveTakesFileName)
         emitter.own("#extension GL_ARB_shading_language_include : enable");
     emitter.own(lineDirective(unit, 0, 1, dialect.given ? dialect.version : 110));
-    emitter.text();
+    emitter.written();
     return emitter.take();
 }
 

@@ -66,6 +66,10 @@ int lineOf(const TranslatedStage& stage, const std::string& file, int line) {
     return last > 0 ? std::min(line, last) : line;
 }
 
+Place placeOf(const TranslatedStage& stage, const LineOrigin& line, int column) {
+    return {stage.lineMap.files[static_cast<std::size_t>(line.file)], std::max(1, line.line), column};
+}
+
 std::vector<std::string_view> linesOf(std::string_view log) {
     std::vector<std::string_view> lines;
     while (!log.empty()) {
@@ -131,6 +135,7 @@ Diagnostics explainCompileLog(const TranslatedProgram& program, const Translated
     Diagnostics result;
     std::string rest;
     bool failed = false;
+    bool isUnderstood = false;
     bool candidates = false;
     LogAdvice advice(program, stage);
     Consequences consequences;
@@ -142,19 +147,27 @@ Diagnostics explainCompileLog(const TranslatedProgram& program, const Translated
             if (!isLogSummary(each)) rest += (rest.empty() ? "" : " ") + inUserNames(program, each);
             continue;
         }
+        isUnderstood = true;
         if (line->line >= kOwnLines) continue;
         if (consequences.contain(*line)) continue;
         const std::string& file = fileOf(stage, line->source);
-        const Place place{file, std::max(1, lineOf(stage, file, line->line)), userColumn(stage, *line, file)};
+        const std::optional<EmittedPlace> emitted = emittedPlace(stage, *line, file);
+        const UserPlace user = emitted ? userPlace(stage, *emitted) : UserPlace{};
+        const Place place =
+            emitted ? placeOf(stage, user.line, user.column)
+                    : Place{file, std::max(1, lineOf(stage, file, line->line)), std::max(1, line->column)};
         std::string text = inUserNames(program, line->text);
         if (candidates) text.resize(text.size() - kCandidates.size());
-        result.push_back(line->isWarning ? withoutId(Severity::warning, text, place)
-                                         : diagnose("glsl-E01", text, place));
-        if (!line->isWarning) advice.addTo(*line, result.back());
-        failed = failed || !line->isWarning;
+        if (line->isWarning) continue;
+        result.push_back(diagnose("glsl-E01", text, place));
+        advice.addTo(*line, result.back());
+        if (user.macro)
+            result.push_back({Severity::note, "glsl-E01", "in the text of macro '" + user.macro->name + "'",
+                              placeOf(stage, user.macro->line, user.macro->column)});
+        failed = true;
     }
-    if (!rest.empty() && result.empty()) {
-        result.push_back(diagnose("glsl-E01", rest, {stage.path, 1, 1}));
+    if (!rest.empty() && !isUnderstood) {
+        result.push_back(diagnose("glsl-E01", rest, {stage.path, stage.firstLine, 1}));
         failed = true;
     }
     if (failed) result.push_back(programNote(program, "glsl-E01"));
@@ -192,16 +205,14 @@ Diagnostics explainLinkLog(const TranslatedProgram& program, std::string_view lo
             const std::string& file = fileOf(*stage, line->source);
             const Place place{file, std::max(1, lineOf(*stage, file, line->line)), 1};
             const std::string text = inUserNames(program, line->text);
-            result.push_back(line->isWarning ? withoutId(Severity::warning, text, place)
-                                             : diagnose("glsl-E02", text, place));
+            if (!line->isWarning) result.push_back(diagnose("glsl-E02", text, place));
             continue;
         }
         std::string_view text = line ? std::string_view(line->text) : each;
         const bool isWarning = stripSeverity(text);
         const std::string told = inUserNames(program, text);
         const std::string whole = told + places(told);
-        result.push_back(isWarning ? withoutId(Severity::warning, whole, programPlace)
-                                   : diagnose("glsl-E02", whole, programPlace));
+        if (!isWarning) result.push_back(diagnose("glsl-E02", whole, programPlace));
     }
     if (result.empty())
         result.push_back(

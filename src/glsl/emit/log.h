@@ -9,9 +9,9 @@
 
 namespace glibra::glsl {
 
-/// The driver's compile log as diagnostics at the user's files and lines. Errors have the id glsl-E01; the
-/// driver's warnings become warnings without an id. Understands the formats of Mesa, NVIDIA, AMD/ATI, Apple
-/// and glslang.
+/// The errors of a driver's compile log, as glsl-E01 at the user's files and lines. Warnings are left out: a
+/// driver gives none for a shader that its cache has, so they would come and go; facts/ has checks that do
+/// not. Understands the formats of Mesa, NVIDIA, AMD/ATI, Apple and glslang.
 Diagnostics explainCompileLog(const TranslatedProgram& program, const TranslatedStage& stage,
                               std::string_view log);
 

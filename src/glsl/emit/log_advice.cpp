@@ -190,10 +190,10 @@ class LogAdvice::Source {
     [[nodiscard]] std::optional<Place> userPlace(const Token& token, int column) const {
         const auto line = static_cast<std::size_t>(token.line - 1);
         if (line >= stage_.lineMap.lines.size()) return std::nullopt;
-        const LineOrigin& origin = stage_.lineMap.lines[line];
-        if (origin.file < 0) return std::nullopt;
-        return Place{stage_.lineMap.files[static_cast<std::size_t>(origin.file)], origin.line,
-                     userColumn(stage_, EmittedPlace{line, column})};
+        if (stage_.lineMap.lines[line].file < 0) return std::nullopt;
+        const UserPlace user = glsl::userPlace(stage_, EmittedPlace{line, column});
+        return Place{stage_.lineMap.files[static_cast<std::size_t>(user.line.file)], user.line.line,
+                     user.column};
     }
 
     /// True if a statement cannot go on after the token without an operator: a name, a number, a closing

@@ -276,27 +276,30 @@ std::optional<EmittedPlace> emittedPlace(const TranslatedStage& stage, const Log
     return std::nullopt;
 }
 
-int userColumn(const TranslatedStage& stage, const EmittedPlace& place) {
-    if (place.column <= 0) return 1;
+UserPlace userPlace(const TranslatedStage& stage, const EmittedPlace& place) {
     const LineMap& map = stage.lineMap;
-    ColumnShift shift;
+    UserPlace user{map.lines[place.line]};
+    if (place.column <= 0) return user;
+    ColumnShift shift{1, 1, user.line};
     int next = std::numeric_limits<int>::max();
     if (place.line < map.columns.size())
         for (const ColumnShift& each : map.columns[place.line]) {
             if (each.emitted > place.column) {
-                next = each.user;
+                if (each.line.line == shift.line.line && each.macro < 0) next = each.user;
                 break;
             }
             shift = each;
         }
+    user.line = shift.line;
+    if (shift.macro >= 0) {
+        user.macro = &map.macros[static_cast<std::size_t>(shift.macro)];
+        user.column = shift.user;
+        return user;
+    }
     // Inside a longer spelling of the translator, the column is that of the user's word.
-    return std::max(1, std::min(shift.user + place.column - shift.emitted, std::max(shift.user, next - 1)));
-}
-
-int userColumn(const TranslatedStage& stage, const LogLine& line, const std::string& file) {
-    if (line.column <= 0) return 1;
-    const std::optional<EmittedPlace> place = emittedPlace(stage, line, file);
-    return place ? userColumn(stage, *place) : line.column;
+    user.column =
+        std::max(1, std::min(shift.user + place.column - shift.emitted, std::max(shift.user, next - 1)));
+    return user;
 }
 
 }  // namespace glibra::glsl

@@ -42,10 +42,13 @@ struct EmittedPlace {
 /// The place that a message is about; nothing if no emitted line comes from that line of `file`.
 std::optional<EmittedPlace> emittedPlace(const TranslatedStage& stage, const LogLine& line,
                                          const std::string& file);
-/// The user's column for a column of an emitted line; 1 if that is 0.
-int userColumn(const TranslatedStage& stage, const EmittedPlace& place);
-/// The user's column for a message; 1 if it is not known.
-int userColumn(const TranslatedStage& stage, const LogLine& line, const std::string& file);
+/// The user's place of an emitted one.
+struct UserPlace {
+    LineOrigin line;
+    int column = 1;                     ///< 1 if it is not known
+    const MacroPlace* macro = nullptr;  ///< the word of a macro's text there; the place is that of the call
+};
+UserPlace userPlace(const TranslatedStage& stage, const EmittedPlace& place);
 
 /// The first quoted word of a message: `foo', 'foo' or "foo"; empty if there is none.
 std::string_view quotedWord(std::string_view text);

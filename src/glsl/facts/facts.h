@@ -40,8 +40,21 @@ StageFacts factsOf(const Unit& unit);
 /// True if a vertex stage names the tangent input.
 bool mayReadTangents(const ProgramUnits& program);
 
-/// The loops that main runs, also in the functions that it calls. A call counts like the loops of the
-/// function, if only one function has that name.
-std::vector<CountedLoop> loopsOf(const Unit& unit);
+/// The loops that main runs, also in the functions that it calls, and the vertices that it emits outside of
+/// them. A call counts like the code of the function, if only one function has that name.
+struct LoopFacts {
+    std::vector<CountedLoop> loops;
+    double emits = 0;  ///< TranslatedStage::emits
+};
+LoopFacts loopsOf(const Unit& unit);
+
+/// Fills patchVerticesRead, maxVertices and invocationAxes of the result, with their places.
+void collectReaches(ProgramUnits& program);
+
+/// TranslatedStage::subscripts.
+std::vector<ElementSubscript> subscriptsOf(const Unit& unit);
+
+/// Reports glsl-W31 for local variables whose first use reads them.
+void reportUnassigned(const Unit& unit, Report& report);
 
 }  // namespace glibra::glsl

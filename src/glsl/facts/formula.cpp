@@ -1,5 +1,6 @@
 #include "glsl/facts/formula.h"
 
+#include <algorithm>
 #include <charconv>
 
 #include "glsl/parse/usage.h"
@@ -120,6 +121,8 @@ bool TokenSearch::primary(std::uint32_t& at, std::uint32_t end, Formula& to) {
         return append({here + 1, match(here)}, to);
     }
     if (!isWord(here)) return false;
+    if (at = here; measure(at, end, to)) return true;
+    at = here + 1;
     if (text(at) == "(" && match(at) < end) {
         const Range inside{at + 1, match(at)};
         at = match(at) + 1;
@@ -161,18 +164,106 @@ bool TokenSearch::name(std::uint32_t at, Formula& to) {
     return false;
 }
 
-bool TokenSearch::local(std::uint32_t at, Formula& to) {
+const LocalVariable* TokenSearch::keptLocal(std::uint32_t at) {
     const LocalVariable* found = nullptr;
     for (const LocalVariable& each : unit_.bodies.locals) {
         if (text(each.name) != text(at)) continue;
-        if (found != nullptr) return false;
+        if (found != nullptr) return nullptr;
         found = &each;
     }
-    if (found == nullptr || found->isParameter) return false;
+    if (found == nullptr || found->isParameter) return nullptr;
     // The declaration itself counts as a change, so the text before and after it is searched.
     const bool isKept = !changes(text(at), {0, found->name}) &&
                         !changes(text(at), {found->name + 1, static_cast<std::uint32_t>(unit_.view.size())});
-    return isKept && append(found->initializer, to);
+    return isKept ? found : nullptr;
+}
+
+bool TokenSearch::local(std::uint32_t at, Formula& to) {
+    const LocalVariable* found = keptLocal(at);
+    return found != nullptr && append(found->initializer, to);
+}
+
+std::string TokenSearch::sizeCall(Range range) {
+    const bool isImage = text(range.first) == "imageSize";
+    if ((!isImage && text(range.first) != "textureSize") || text(range.first + 1) != "(" ||
+        match(range.first + 1) + 1 != range.end)
+        return {};
+    const std::vector<Range> arguments = parts({range.first + 2, range.end - 1}, ",");
+    if (arguments.front().end != arguments.front().first + 1 || arguments.size() > (isImage ? 1U : 2U))
+        return {};
+    const std::string object(text(arguments.front().first));
+    if (isImage) return "imageSize(" + object + ")";
+    std::string level = "0";
+    if (arguments.size() == 2) {
+        const bool isNumber = arguments[1].end == arguments[1].first + 1 &&
+                              unit_.view[arguments[1].first].kind == TokenKind::number;
+        if (!isNumber) return {};
+        level = text(arguments[1].first);
+    }
+    return "textureSize(" + object + ", " + level + ")";
+}
+
+bool TokenSearch::measure(std::uint32_t& at, std::uint32_t end, Formula& to) {
+    const std::uint32_t here = at;
+    std::uint32_t after = here + 1;
+    std::string size;
+    if (text(after) == "(" && match(after) < end) {
+        after = match(after) + 1;
+        size = sizeCall({here, after});
+        if (size.empty()) return false;
+    } else if (unit_.bodies.roles[here] == WordRole::local && text(after) == ".") {
+        const LocalVariable* found = keptLocal(here);
+        if (found == nullptr || found->initializer.empty()) return false;
+        size = sizeCall(found->initializer);
+        if (size.empty()) return false;
+    }
+    if (!size.empty()) {
+        std::string_view component = "x";
+        if (text(after) == "." && after + 1 < end) {
+            component = text(after + 1);
+            after += 2;
+        }
+        constexpr std::string_view kNames = "xyzwrgbastpq";
+        const std::size_t axis = component.size() == 1 ? kNames.find(component) : std::string_view::npos;
+        if (axis == std::string_view::npos) return false;
+        at = after;
+        to.steps.emplace_back(size + "." + "xyz"[std::min<std::size_t>(axis % 4, 2)]);
+        return true;
+    }
+    if (unit_.bodies.roles[here] != WordRole::global || text(after) == "[") return false;
+    const auto isBlockName = [&](std::string_view name, bool asInstance) {
+        for (const Declaration& each : unit_.syntax.declarations) {
+            if (each.kind != DeclarationKind::block ||
+                (each.qualifiers.storage != Storage::uniform && each.qualifiers.storage != Storage::buffer))
+                continue;
+            if (asInstance && !each.declarators.empty() && text(each.declarators.front().name) == name)
+                return true;
+            if (asInstance || !each.declarators.empty()) continue;
+            for (const Declaration& member : each.members)
+                for (const Declarator& one : member.declarators)
+                    if (text(one.name) == name) return true;
+        }
+        return false;
+    };
+    std::string name(text(here));
+    if (isBlockName(name, true)) {
+        if (text(after) != "." || after + 1 >= end || !isWord(after + 1)) return false;
+        name += "." + std::string(text(after + 1));
+        after += 2;
+    } else if (!isBlockName(name, false)) {
+        return false;
+    }
+    if (text(after) == "[") return false;
+    if (text(after) == ".") {
+        if (text(after + 1) != "length" || text(after + 2) != "(" || text(after + 3) != ")" ||
+            after + 4 > end)
+            return false;
+        name += ".length()";
+        after += 4;
+    }
+    at = after;
+    to.steps.emplace_back(std::move(name));
+    return true;
 }
 
 }  // namespace glibra::glsl

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -33,7 +34,7 @@ class TokenSearch {
     /// True if a token in the range changes it, or if the limit is reached.
     bool changes(std::string_view name, Range range);
 
-    /// The value of an expression; nothing if it depends on anything except constants and scalar uniforms.
+    /// The value of an expression; nothing if it depends on anything that a Formula does not have.
     std::optional<Formula> formula(Range range);
 
   private:
@@ -45,6 +46,12 @@ class TokenSearch {
     bool call(std::string_view function, Range inside, Formula& to);
     bool name(std::uint32_t at, Formula& to);
     bool local(std::uint32_t at, Formula& to);
+    /// The local variable of that name, if there is only one and it keeps the value of its declaration.
+    const LocalVariable* keptLocal(std::uint32_t at);
+    /// A size with its component, or a member of a block, at `at`; `at` moves behind it.
+    bool measure(std::uint32_t& at, std::uint32_t end, Formula& to);
+    /// "imageSize(uMap)" for a call in the range; empty if it is none.
+    std::string sizeCall(Range range);
 
     const Unit& unit_;
     std::size_t spent_ = 0;

@@ -36,9 +36,10 @@ class LoopSearch {
         }
     }
 
-    std::vector<CountedLoop> find() {
+    LoopFacts find() {
         const Declaration* main = function("main");
-        return main == nullptr ? std::vector<CountedLoop>() : loopsIn(main->body, 0);
+        if (main == nullptr) return {};
+        return {loopsIn(main->body, 0, true), emitsIn(main->body, 0)};
     }
 
   private:
@@ -52,30 +53,85 @@ class LoopSearch {
         return found == functions_.end() ? nullptr : found->second;
     }
 
-    std::vector<CountedLoop> loopsIn(Range range, int depth) {
+    /// `isSure`: the range is executed whenever main is.
+    std::vector<CountedLoop> loopsIn(Range range, int depth, bool isSure) {
         std::vector<CountedLoop> loops;
         if (depth > kDeepestLoop) return loops;
         const auto take = [&loops](std::vector<CountedLoop> more) {
             std::move(more.begin(), more.end(), std::back_inserter(loops));
         };
+        std::uint32_t conditional = range.first;  // the end of the last `if` or `switch`
         for (std::uint32_t at = range.first; at < range.end && search_.spend(1); ++at) {
+            const bool isSureHere = isSure && at >= conditional;
+            if (text(at) == "do" && search_.isWord(at)) {
+                take(loopAt(at, range.end, depth, isSureHere));
+                at = std::max(at, afterDo(at, range.end) - 1);
+                continue;
+            }
             if (!search_.isWord(at) || text(at + 1) != "(" || match(at + 1) >= range.end) continue;
+            if (text(at) == "if" || text(at) == "switch")
+                conditional = std::max(conditional, statementEnd(at, range.end));
             if (text(at) == "for" || text(at) == "while") {
-                const Range body{match(at + 1) + 1, statementEnd(match(at + 1) + 1, range.end)};
-                std::optional<CountedLoop> loop = text(at) == "for" ? forAt(at, body) : whileAt(at, body);
-                std::vector<CountedLoop> inside = loopsIn(body, depth + 1);
-                if (loop) {
-                    loop->inside = std::move(inside);
-                    loops.push_back(std::move(*loop));
-                } else {
-                    take(std::move(inside));
-                }
-                at = std::max(at, body.end - 1);
+                take(loopAt(at, range.end, depth, isSureHere));
+                at = std::max(at, bodyOf(at, range.end).end - 1);
             } else if (role(at) == WordRole::global) {
-                if (const Declaration* called = function(text(at))) take(loopsIn(called->body, depth + 1));
+                if (const Declaration* called = function(text(at)))
+                    take(loopsIn(called->body, depth + 1, isSureHere));
             }
         }
         return loops;
+    }
+
+    /// The statement that the `for`, `while` or `do` at `at` repeats.
+    [[nodiscard]] Range bodyOf(std::uint32_t at, std::uint32_t end) const {
+        const std::uint32_t first = text(at) == "do" ? at + 1 : match(at + 1) + 1;
+        return {first, statementEnd(first, end)};
+    }
+
+    /// The index after `do ... while (...)`.
+    [[nodiscard]] std::uint32_t afterDo(std::uint32_t at, std::uint32_t end) const {
+        const std::uint32_t word = bodyOf(at, end).end;
+        const bool isWhole = text(word) == "while" && text(word + 1) == "(" && match(word + 1) < end;
+        return isWhole ? match(word + 1) + 1 : std::max(word, at + 1);
+    }
+
+    /// The loop at `at`, or those in it if it cannot be counted.
+    std::vector<CountedLoop> loopAt(std::uint32_t at, std::uint32_t end, int depth, bool isSure) {
+        const Range body = bodyOf(at, end);
+        std::optional<CountedLoop> loop = text(at) == "for"     ? forAt(at, body)
+                                          : text(at) == "while" ? whileAt(at, body)
+                                                                : doAt(at, body, end);
+        if (!loop) return loopsIn(body, depth + 1, false);
+        loop->inside = loopsIn(body, depth + 1, true);
+        loop->emits = emitsIn(body, depth + 1);
+        loop->isSure = isSure && !mayEndEarly(body);
+        return {std::move(*loop)};
+    }
+
+    [[nodiscard]] bool mayEndEarly(Range body) const {
+        for (std::uint32_t at = body.first; at < body.end; ++at)
+            if (text(at) == "break" || text(at) == "return" || text(at) == "continue") return true;
+        return false;
+    }
+
+    /// The EmitVertex() calls of a range outside of conditions and loops, also in the functions that it
+    /// calls.
+    double emitsIn(Range range, int depth) {
+        double emits = 0;
+        if (depth > kDeepestLoop) return emits;
+        for (std::uint32_t at = range.first; at < range.end && search_.spend(1); ++at) {
+            const std::string_view word = text(at);
+            if (!search_.isWord(at)) continue;
+            if (word == "do") {
+                at = std::max(at, afterDo(at, range.end) - 1);
+            } else if (afterHead(at, range.end) > at) {
+                at = std::max(at, statementEnd(at, range.end) - 1);
+            } else if (text(at + 1) == "(" && role(at) == WordRole::global) {
+                if (word == "EmitVertex" || word == "EmitStreamVertex") ++emits;
+                if (const Declaration* called = function(word)) emits += emitsIn(called->body, depth + 1);
+            }
+        }
+        return emits;
     }
 
     /// The index after the statement that begins at `at`.
@@ -108,38 +164,81 @@ class LoopSearch {
         const std::vector<Range> head = search_.parts({at + 2, match(at + 1)}, ";");
         if (head.size() != 3) return std::nullopt;
         const auto step = [&](std::string_view name) {
+            if (head[2].empty()) return stepInside(name, body);
             return search_.changes(name, body) ? std::nullopt : stepOf(name, head[2]);
         };
-        return loopWhile(at, head[1],
-                         {[&](std::string_view name) { return firstOf(name, head[0]); }, step,
-                          [&](std::string_view name) {
-                              return !search_.changes(name, body) && !search_.changes(name, head[2]);
-                          }});
+        const auto first = [&](std::string_view name) {
+            std::optional<Formula> here = firstOf(name, head[0]);
+            return here ? here : firstBefore(name, at);
+        };
+        const Counter counter{first, step, [&](std::string_view name) {
+                                  return !search_.changes(name, body) && !search_.changes(name, head[2]);
+                              }};
+        return isAlwaysTrue(head[1]) ? loopUntil(at, body, counter) : loopWhile(at, head[1], counter);
     }
 
     std::optional<CountedLoop> whileAt(std::uint32_t at, Range body) {
-        return loopWhile(at, {at + 2, match(at + 1)},
-                         {[&](std::string_view name) { return firstBefore(name, at); },
-                          [&](std::string_view name) { return stepInside(name, body); },
-                          [&](std::string_view name) { return !search_.changes(name, body); }});
+        return loopWith(at, body, {at + 2, match(at + 1)});
+    }
+
+    std::optional<CountedLoop> doAt(std::uint32_t at, Range body, std::uint32_t end) {
+        const std::uint32_t after = afterDo(at, end);
+        if (after <= body.end) return std::nullopt;
+        return loopWith(at, body, {body.end + 2, after - 1});
+    }
+
+    /// A loop whose counter is set before it and changed in its body.
+    std::optional<CountedLoop> loopWith(std::uint32_t at, Range body, Range condition) {
+        const Counter counter{[&](std::string_view name) { return firstBefore(name, at); },
+                              [&](std::string_view name) { return stepInside(name, body); },
+                              [&](std::string_view name) { return !search_.changes(name, body); }};
+        return isAlwaysTrue(condition) ? loopUntil(at, body, counter) : loopWhile(at, condition, counter);
+    }
+
+    [[nodiscard]] bool isAlwaysTrue(Range condition) const {
+        return condition.empty() || (condition.end == condition.first + 1 && text(condition.first) == "true");
+    }
+
+    /// A loop without a condition, counted by the first `if (i >= n) break;` of its body that can be counted.
+    std::optional<CountedLoop> loopUntil(std::uint32_t at, Range body, const Counter& counter) {
+        if (body.empty() || text(body.first) != "{") return std::nullopt;
+        for (std::uint32_t here = body.first + 1; here < body.end; here = statementEnd(here, body.end)) {
+            if (text(here) != "if" || text(here + 1) != "(" || match(here + 1) >= body.end) continue;
+            const std::uint32_t then = match(here + 1) + 1;
+            const std::uint32_t leave = text(then) == "{" ? then + 1 : then;
+            if (text(leave) != "break" && text(leave) != "return") continue;
+            for (const Range& each : search_.parts({here + 2, then - 1}, "||"))
+                if (std::optional<CountedLoop> loop = compared(at, each, counter, true)) return loop;
+        }
+        return std::nullopt;
     }
 
     /// The loop at `at`, counted by the first of its conditions that can be counted.
     std::optional<CountedLoop> loopWhile(std::uint32_t at, Range condition, const Counter& counter) {
         for (const Range& each : search_.parts(condition, "&&"))
-            for (const std::string_view comparison : {"<=", ">=", "<", ">"}) {
-                const std::vector<Range> sides = search_.parts(each, comparison);
-                if (sides.size() != 2) continue;
-                for (const bool isLeft : {true, false}) {
-                    std::optional<CountedLoop> loop =
-                        counted(sides[isLeft ? 0 : 1], sides[isLeft ? 1 : 0], counter);
-                    if (!loop) continue;
-                    loop->place = unit_.place(at);
-                    loop->falling = (comparison.front() == '>') == isLeft;
-                    loop->including = comparison.size() == 2;
-                    return loop;
-                }
+            if (std::optional<CountedLoop> loop = compared(at, each, counter, false)) return loop;
+        return std::nullopt;
+    }
+
+    /// The loop that goes on while the comparison holds, or `ends` when it does.
+    std::optional<CountedLoop> compared(std::uint32_t at, Range comparison, const Counter& counter,
+                                        bool ends) {
+        const std::string_view equality = ends ? "==" : "!=";
+        for (const std::string_view sign : {std::string_view("<="), std::string_view(">="),
+                                            std::string_view("<"), std::string_view(">"), equality}) {
+            const std::vector<Range> sides = search_.parts(comparison, sign);
+            if (sides.size() != 2) continue;
+            for (const bool isLeft : {true, false}) {
+                std::optional<CountedLoop> loop =
+                    counted(sides[isLeft ? 0 : 1], sides[isLeft ? 1 : 0], counter);
+                if (!loop) continue;
+                loop->place = unit_.place(at);
+                loop->untilEqual = sign == equality;
+                loop->falling = ((sign.front() == '>') == isLeft) != ends;
+                loop->including = !loop->untilEqual && (sign.size() == 2) != ends;
+                return loop;
             }
+        }
         return std::nullopt;
     }
 
@@ -243,7 +342,7 @@ class LoopSearch {
 
 }  // namespace
 
-std::vector<CountedLoop> loopsOf(const Unit& unit) {
+LoopFacts loopsOf(const Unit& unit) {
     return LoopSearch(unit).find();
 }
 

@@ -6,6 +6,7 @@
 
 #include "glsl/facts/facts.h"
 #include "glsl/parse/usage.h"
+#include "glsl/read/condition.h"
 #include "glsl/read/words.h"
 
 namespace glibra::glsl {

@@ -10,7 +10,7 @@
 
 #include "glsl/parse/syntax.h"
 #include "glsl/parse/types.h"
-#include "glsl/read/macros.h"
+#include "glsl/read/token.h"
 
 namespace glibra::glsl {
 

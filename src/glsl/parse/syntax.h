@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "glsl/read/macros.h"
+#include "glsl/read/token.h"
 
 namespace glibra::glsl {
 

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "glsl/read/condition.h"
 #include "glsl/read/words.h"
 
 namespace glibra::glsl {

@@ -1,30 +1,28 @@
 #include "glsl/read/preprocessor.h"
 
-#include "glsl/read/extensions.h"
+#include <algorithm>
+#include <utility>
+
+#include "glsl/read/condition.h"
+#include "glsl/read/predefined.h"
 
 namespace glibra::glsl {
 namespace {
 
-ViewToken viewOf(const Token& token) {
-    ViewToken view;
-    view.text = token.text;
-    view.kind = token.kind;
-    return view;
+constexpr int kFirstWithPasting = 130;
+
+std::string quoted(std::string_view text) {
+    return "'" + std::string(text) + "'";
 }
 
-ViewToken numberToken(bool one) {
-    ViewToken token;
-    token.text = one ? "1" : "0";
-    token.kind = TokenKind::number;
-    return token;
+Piece zeroOrOne(bool one, const Piece& place) {
+    Piece piece = place;
+    piece.token.text = one ? "1" : "0";
+    piece.token.kind = TokenKind::number;
+    return piece;
 }
 
 }  // namespace
-
-void Preprocessor::flush() {
-    macros_.expand(pending_, stage_.view);
-    pending_.clear();
-}
 
 bool Preprocessor::perform(std::string_view directive, const SourceLine& line) {
     if (directive == "if" || directive == "ifdef" || directive == "ifndef" || directive == "elif" ||
@@ -33,33 +31,40 @@ bool Preprocessor::perform(std::string_view directive, const SourceLine& line) {
         return true;
     }
     if (directive != "define" && directive != "undef") return false;
-    if (!active_ || line.word(2).empty()) return true;
-    flush();
-    if (directive == "define")
+    if (!active_) return true;
+    if (line.significant.size() < 3 || line.significant[2]->kind != TokenKind::word)
+        complain("expected a name after '#" + std::string(directive) + "'", line.token(2));
+    else if (directive == "define")
         define(line);
     else
-        macros_.undefine(line.word(2));
+        undefine(line);
     return true;
 }
 
 void Preprocessor::conditional(std::string_view directive, const SourceLine& line) {
     if (directive == "if" || directive == "ifdef" || directive == "ifndef") {
-        conditionals_.push_back({active_, false});
-        const bool holds = directive == "if"
-                               ? active_ && condition(line)
-                               : !line.word(2).empty() && isDefined(line.word(2)) == (directive == "ifdef");
-        branch(active_ && holds);
-        return;
-    }
-    if (conditionals_.empty()) return;
-    if (directive == "endif") {
+        conditionals_.push_back({active_, false, false, line.token(0)});
+        const bool holds =
+            active_ && (directive == "if" ? condition(directive, line) : isNameDefined(directive, line));
+        branch(holds);
+    } else if (conditionals_.empty()) {
+        complain("'#" + std::string(directive) + "' without '#if'", line.token(0));
+    } else if (directive == "endif") {
         active_ = conditionals_.back().outer;
         conditionals_.pop_back();
     } else {
-        const bool open = conditionals_.back().outer && !conditionals_.back().taken;
-        active_ = false;
-        branch(open && (directive == "else" || condition(line)));
+        nextBranch(directive, line);
     }
+}
+
+void Preprocessor::nextBranch(std::string_view directive, const SourceLine& line) {
+    Conditional& current = conditionals_.back();
+    if (current.hasElse && current.outer)
+        complain("'#" + std::string(directive) + "' after '#else'", line.token(0));
+    const bool isOpen = current.outer && !current.taken && !current.hasElse;
+    current.hasElse = current.hasElse || directive == "else";
+    // A condition after the branch that is compiled is not read.
+    branch(isOpen && (directive == "else" || condition(directive, line)));
 }
 
 void Preprocessor::branch(bool taken) {
@@ -67,76 +72,162 @@ void Preprocessor::branch(bool taken) {
     if (taken) conditionals_.back().taken = true;
 }
 
-bool Preprocessor::isDefined(std::string_view name) const {
-    if (macros_.isDefined(name) || name == "__VERSION__" || name == "__LINE__" || name == "__FILE__")
-        return true;
-    if (name == "GL_core_profile") return true;
-    if (name == "GL_compatibility_profile") return !stage_.dialect.core;
-    if (!name.starts_with("GL_")) return false;
-    const Target& target = stage_.request->target;
-    if (isInCore(name, target.version)) return true;
-    return target.hasExtension && target.hasExtension(name);
+void Preprocessor::finish() {
+    if (!conditionals_.empty()) complain("this branch has no '#endif'", conditionals_.back().start);
 }
 
-bool Preprocessor::condition(const SourceLine& line) {
-    std::vector<ViewToken> tokens;
-    for (std::size_t i = 2; i < line.significant.size(); ++i) {
-        if (line.word(i) != "defined") {
-            tokens.push_back(viewOf(*line.significant[i]));
+bool Preprocessor::isNameDefined(std::string_view directive, const SourceLine& line) {
+    if (line.significant.size() < 3 || line.significant[2]->kind != TokenKind::word) {
+        complain("expected a name after '#" + std::string(directive) + "'", line.token(2));
+        return false;
+    }
+    return expander_.isDefined(line.word(2)) == (directive == "ifdef");
+}
+
+void Preprocessor::evaluateDefined(std::vector<Piece>& pieces, std::string_view directive,
+                                   const SourceLine& line) {
+    std::vector<Piece> result;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        if (pieces[i].token.text != "defined") {
+            result.push_back(pieces[i]);
             continue;
         }
-        const bool bracket = line.word(i + 1) == "(";
+        const auto is = [&](std::size_t at, std::string_view text) {
+            return at < pieces.size() && pieces[at].token.text == text;
+        };
+        const bool bracket = is(i + 1, "(");
         const std::size_t at = i + (bracket ? 2 : 1);
-        tokens.push_back(numberToken(isDefined(line.word(at))));
+        if (at >= pieces.size() || pieces[at].token.kind != TokenKind::word ||
+            (bracket && !is(at + 1, ")"))) {
+            complain("#" + std::string(directive) + ": expected 'defined NAME' or 'defined(NAME)'",
+                     line.token(0));
+            result.push_back(zeroOrOne(false, pieces[i]));
+            break;
+        }
+        result.push_back(zeroOrOne(expander_.isDefined(pieces[at].token.text), pieces[i]));
         i = at + (bracket ? 1 : 0);
     }
-    std::vector<ViewToken> expanded;
-    macros_.expand(tokens, expanded);
-    for (ViewToken& each : expanded) predefined(each);
-    long long value = 0;
-    return evaluateCondition(expanded, value) && value != 0;
+    pieces = std::move(result);
 }
 
-void Preprocessor::predefined(ViewToken& token) {
-    if (token.kind != TokenKind::word) return;
-    if (token.text == "__VERSION__") {
-        stage_.storage.push_back(std::to_string(stage_.dialect.written));
-        token.text = stage_.storage.back();
-        token.kind = TokenKind::number;
-    } else if (isDefined(token.text)) {
-        token = numberToken(true);
+bool Preprocessor::condition(std::string_view directive, const SourceLine& line) {
+    std::vector<Piece> pieces;
+    for (std::size_t i = 2; i < line.significant.size(); ++i) pieces.push_back({*line.significant[i]});
+    evaluateDefined(pieces, directive, line);
+    pieces = expander_.expand(std::move(pieces));
+    evaluateDefined(pieces, directive, line);  // a macro may have written the word
+    const Condition found = evaluateCondition(pieces);
+    const std::string start = "#" + std::string(directive) + ": ";
+    if (!found.error.empty()) {
+        complain(start + found.error, found.at ? found.at->token : line.token(line.significant.size()));
+        return false;
     }
+    if (found.unknown) {
+        const std::string name = quoted(found.unknown->token.text);
+        if (stage_.dialect.es)
+            complain(start + name + " is not defined; GLSL ES demands a macro here, or 'defined'",
+                     found.unknown->token);
+        else if (!isReservedMacro(found.unknown->token.text))
+            complain_("glsl-W24", name + " is not defined, so it counts as 0 here", found.unknown->token);
+    }
+    return found.value != 0;
 }
 
-bool Preprocessor::number(const SourceLine& line, std::size_t first, long long& value) {
-    std::vector<ViewToken> tokens, expanded;
-    for (std::size_t i = first; i < line.significant.size(); ++i)
-        tokens.push_back(viewOf(*line.significant[i]));
-    macros_.expand(tokens, expanded);
-    return !expanded.empty() && evaluateCondition(std::span(expanded).first(1), value);
+std::vector<Piece> Preprocessor::expanded(const SourceLine& line, std::size_t first) {
+    std::vector<Piece> pieces;
+    for (std::size_t i = first; i < line.significant.size(); ++i) pieces.push_back({*line.significant[i]});
+    return expander_.expand(std::move(pieces));
+}
+
+void Preprocessor::undefine(const SourceLine& line) {
+    if (isReservedMacro(line.word(2)))
+        complain(quoted(line.word(2)) + " is predefined; it cannot be undefined", line.token(2));
+    else
+        expander_.macros().undefine(line.word(2));
 }
 
 void Preprocessor::define(const SourceLine& line) {
     const Token* const name = line.significant[2];
-    stage_.macros.emplace(name->text);
     Macro macro;
+    macro.line = name->line;
     // A parenthesis begins the parameters only if it follows the name without a blank.
-    const Token* const next = name + 1;
+    const Token* next = name + 1;
+    const Token* const end = line.tokens.data() + line.tokens.size();
+    while (next != end && next->kind == TokenKind::splice) ++next;
     std::size_t at = 3;
-    if (next != line.tokens.data() + line.tokens.size() && next->text == "(") {
-        macro.takesArguments = true;
-        for (at = 4; at < line.significant.size() && line.word(at) != ")"; ++at)
-            if (line.significant[at]->kind == TokenKind::word) macro.parameters.push_back(line.word(at));
+    if (next != end && next->text == "(" && !defineParameters(line, macro, at)) return;
+    defineBody(line, macro, at);
+    if (!macro.body.empty() && (macro.body.front().text == "##" || macro.body.back().isPasted))
+        return complain("'##' cannot begin or end the text of a macro", *name);
+    if (name->text == "defined") return complain("'defined' cannot be the name of a macro", *name);
+    const Macro* const known = expander_.find(name->text);
+    if (isReservedMacro(name->text)) {
+        // Some sources make up for a driver that lacks an extension's macro.
+        const bool isSame =
+            known && !macro.takesArguments && macro.body.size() == 1 && macro.body[0].text == "1";
+        if (!isSame) complain("the name " + quoted(name->text) + " is reserved for predefined macros", *name);
+        return;
+    }
+    if (known && !known->isSameAs(macro))
+        return complain(quoted(name->text) + " is already defined with another text in line " +
+                            std::to_string(known->line) + "; write '#undef " + std::string(name->text) +
+                            "' first",
+                        *name);
+    if (!known) expander_.macros().define(name->text, std::move(macro));
+}
+
+bool Preprocessor::defineParameters(const SourceLine& line, Macro& macro, std::size_t& at) {
+    macro.takesArguments = true;
+    at = 4;
+    if (line.word(at) == ")") {
         ++at;
+        return true;
     }
-    for (; at < line.significant.size(); ++at) {
-        ViewToken token = viewOf(*line.significant[at]);
-        token.raw = token.site =
-            line.first + static_cast<std::uint32_t>(line.significant[at] - line.tokens.data());
-        token.body = true;
-        macro.body.push_back(token);
+    for (;; at += 2) {
+        const bool isName = at < line.significant.size() && line.significant[at]->kind == TokenKind::word;
+        const std::string_view name = line.word(at);
+        if (!isName) {
+            complain("expected the name of a parameter" + (name.empty() ? "" : ", found " + quoted(name)),
+                     line.token(at));
+            return false;
+        }
+        if (std::find(macro.parameters.begin(), macro.parameters.end(), name) != macro.parameters.end()) {
+            complain("two parameters have the name " + quoted(name), line.token(at));
+            return false;
+        }
+        macro.parameters.push_back(name);
+        if (line.word(at + 1) == ",") continue;
+        if (line.word(at + 1) == ")") break;
+        complain("expected ',' or ')' after the parameter " + quoted(name), line.token(at + 1));
+        return false;
     }
-    macros_.define(name->text, std::move(macro));
+    at += 2;
+    return true;
+}
+
+void Preprocessor::defineBody(const SourceLine& line, Macro& macro, std::size_t first) {
+    bool paste = false;
+    for (std::size_t i = first; i < line.significant.size(); ++i) {
+        const Token& token = *line.significant[i];
+        if (token.text == "##" && !macro.body.empty() && i > first) {
+            macro.body.back().isPasted = paste = true;
+            const Dialect& dialect = stage_.dialect;
+            if ((dialect.es || dialect.version < kFirstWithPasting) && !std::exchange(reportedPasting_, true))
+                complain_("glsl-W25", "'##' came with GLSL 1.30, accepted", token);
+            continue;
+        }
+        BodyToken& to = macro.body.emplace_back();
+        to.text = token.text;
+        to.kind = token.kind;
+        to.isAfterPaste = std::exchange(paste, false);
+        const auto parameter = std::find(macro.parameters.begin(), macro.parameters.end(), token.text);
+        if (token.kind == TokenKind::word && parameter != macro.parameters.end())
+            to.parameter = static_cast<int>(parameter - macro.parameters.begin());
+        for (const Token* before = &token - 1; before != line.significant[i - 1]; --before)
+            to.blank = to.blank || before->kind == TokenKind::blank || before->kind == TokenKind::comment;
+        to.body = static_cast<std::uint32_t>(stage_.macroTexts.size());
+        stage_.macroTexts.push_back({line.word(2), token.line, token.column, token.file});
+    }
 }
 
 }  // namespace glibra::glsl

@@ -1,7 +1,14 @@
 #include "glsl/read/source.h"
 
 #include <algorithm>
+#include <array>
+#include <deque>
+#include <optional>
+#include <set>
+#include <utility>
 
+#include "base/suggest.h"
+#include "glsl/read/condition.h"
 #include "glsl/read/extensions.h"
 #include "glsl/read/preprocessor.h"
 #include "glsl/read/version.h"
@@ -10,8 +17,9 @@ namespace glibra::glsl {
 namespace {
 
 constexpr std::size_t kMostSourceBytes = 4U << 20;  // language, 11
-constexpr int kDeepestInclude = 32;
+constexpr std::size_t kDeepestInclude = 32;
 constexpr std::size_t kMostFiles = 256;
+constexpr long long kMostLines = 50'000'000;
 
 /// The last part of a path, in lower case.
 std::string lowerName(std::string_view path) {
@@ -22,25 +30,42 @@ std::string lowerName(std::string_view path) {
     return name;
 }
 
+/// A file that is being read.
+struct Frame {
+    std::vector<Token> tokens;
+    std::size_t at = 0;
+    std::size_t file = 0;      ///< index into the files of the stage
+    std::int32_t shift = 0;    ///< from the lines of the file to those that #line directives count
+    long long fileNumber = 0;  ///< __FILE__
+    std::vector<Token> after;  ///< what follows in the text of the including file
+};
+
 class SourceReader {
   public:
-    SourceReader(StageText& stage, Report& report) : stage_(stage), report_(report), preprocessor_(stage) {}
+    SourceReader(StageText& stage, Report& report)
+        : stage_(stage),
+          report_(report),
+          preprocessor_(stage, [this](const char* id, std::string text, const Token& at) {
+              complain(id, std::move(text), at);
+          }) {}
 
     void run(const StageSource& source) {
         stage_.storage.push_back(normalizeLines(source.text));
         const std::string& text = stage_.storage.back();
-        const std::vector<Token> tokens = lex(text, stage_.storage);
         bytes_ = text.size();
         if (bytes_ > kMostSourceBytes) return tooLarge(source.path);
+        std::vector<Token> tokens = lex(text, stage_.storage);
         findVersion(tokens);
-        addFile(tokens, 0);
-        preprocessor_.flush();
-        if (preprocessor_.isExhausted())
+        if (continuesComments(stage_.dialect)) tokens = lex(text, stage_.storage, true);
+        stage_.tokens.reserve(tokens.size());
+        frames_.emplace_back().tokens = std::move(tokens);
+        preprocessor_.expander().run([this] { return nextLine(); });
+        preprocessor_.finish();
+        if (preprocessor_.expander().isExhausted())
             report_.report("glsl-E11", "the macros expand to more than 2,000,000 tokens", stage_.start());
         stage_.edits.resize(stage_.tokens.size());
-        for (const std::uint32_t each : blanked_) stage_.edits.remove(each);
-        for (auto& [token, text2] : replaced_) stage_.edits.replace(token, std::move(text2));
-        if (!stage_.dialect.given && stage_.request->shim)
+        collectView();
+        if (!stage_.dialect.given && shim())
             report_.report(
                 "glsl-W01",
                 "no #version, treated as " + std::to_string(stage_.dialect.version) + " compatibility",
@@ -50,11 +75,28 @@ class SourceReader {
   private:
     [[nodiscard]] bool shim() const { return stage_.request->shim; }
     [[nodiscard]] Place placeOf(const Token& token) const {
-        return {stage_.files[file_], token.line + shift_, token.column};
+        return {stage_.files[token.file], token.line, token.column};
+    }
+    /// Without the translation the driver reads the directives, and reports what is wrong with them.
+    void complain(const char* id, std::string text, const Token& at) {
+        if (shim()) report_.report(id, std::move(text), placeOf(at));
     }
 
     void tooLarge(const std::string& path) {
         report_.report("file-E09", "'" + path + "' with its includes is larger than 4 MiB", stage_.start());
+    }
+
+    void collectView() {
+        stage_.view.reserve(stage_.tokens.size() / 2);
+        for (std::uint32_t i = 0; i < stage_.tokens.size(); ++i) {
+            const Token& token = stage_.tokens[i];
+            if (!isSignificant(token.kind) || token.directive || token.synthetic) continue;
+            ViewToken view;
+            view.text = token.text;
+            view.raw = view.site = i;
+            view.kind = token.kind;
+            stage_.view.push_back(view);
+        }
     }
 
     /// The first #version of the stage's own file decides, wherever it stands. It is read before all other
@@ -85,96 +127,158 @@ class SourceReader {
         if (!atTop) report_.report("glsl-W02", "#version moved to the top", place);
     }
 
-    void addFile(std::span<const Token> tokens, std::size_t file) {
-        const auto saved = std::pair(file_, shift_);
-        file_ = file;
-        shift_ = 0;
-        std::size_t i = 0;
-        while (i < tokens.size()) {
-            std::size_t end = i;
-            while (end < tokens.size() && tokens[end].kind != TokenKind::newline) ++end;
-            if (end < tokens.size()) ++end;
-            addLine(tokens.subspan(i, end - i));
-            i = end;
+    /// Reads a line of the source; false at its end.
+    bool nextLine() {
+        if (frames_.empty()) return false;
+        Frame& frame = frames_.back();
+        if (frame.at == frame.tokens.size()) {
+            const std::vector<Token> after = std::move(frame.after);
+            frames_.pop_back();
+            if (!including_.empty()) including_.pop_back();
+            for (const Token& each : after) add(each);
+            return true;
         }
-        std::tie(file_, shift_) = saved;
+        std::vector<Token> tokens;
+        bool ended = false;
+        while (frame.at < frame.tokens.size() && !ended) {
+            Token& token = tokens.emplace_back(frame.tokens[frame.at++]);
+            ended = token.kind == TokenKind::newline;
+            token.line += frame.shift;
+            token.file = static_cast<std::uint16_t>(frame.file);
+        }
+        preprocessor_.expander().setFileNumber(frame.fileNumber);
+        addLine(tokens);
+        return true;
     }
 
     void addLine(std::span<const Token> tokens) {
         SourceLine line;
         line.tokens = tokens;
-        for (const Token& each : tokens)
-            if (isSignificant(each.kind)) line.significant.push_back(&each);
-        const bool directive = line.word(0) == "#";
-        if (!directive) {
-            push(tokens, false);
-            return;
+        for (std::size_t i = 0; i < tokens.size(); ++i) {
+            if (isSignificant(tokens[i].kind)) line.significant.push_back(&tokens[i]);
+            if (tokens[i].kind == TokenKind::comment) checkComment(tokens[i]);
         }
-        const std::string_view name = line.word(1);
-        if (name == "include") {
-            include(line);
-            return;
+        if (line.word(0) == "#") {
+            directive(line);
+        } else if (preprocessor_.active()) {
+            for (const Token& each : tokens) add(each);
+        } else {
+            addLineEnds(tokens);
         }
-        line.first = static_cast<std::uint32_t>(stage_.tokens.size());
-        push(tokens, true);
-        perform(name, line);
     }
 
-    void push(std::span<const Token> tokens, bool directive) {
+    void checkComment(const Token& comment) {
+        if (comment.text.starts_with("/*")) {
+            if (comment.text.size() < 4 || !comment.text.ends_with("*/"))
+                complain("glsl-E16", "this comment has no end; write '*/' after it", comment);
+        } else if (comment.droppedBackslash) {
+            complain("glsl-W08", "backslash at the end of a comment dropped", comment);
+        } else if (comment.continuedComment) {
+            complain("glsl-W26", "the backslash at the end of this comment makes the next line part of it",
+                     comment);
+        }
+    }
+
+    /// Adds a token of the text.
+    void add(const Token& token) {
+        preprocessor_.expander().add(token);
+        if (!shim()) stage_.written.push_back(token);
+    }
+    /// Adds the line ends alone.
+    void addLineEnds(std::span<const Token> tokens) {
         for (const Token& each : tokens) {
+            Token end = each;
+            end.kind = TokenKind::newline;
+            end.text = "\n";
+            if (each.kind == TokenKind::newline || each.kind == TokenKind::splice) {
+                add(end);
+            } else if (each.kind == TokenKind::comment) {
+                for (auto k = std::count(each.text.begin(), each.text.end(), '\n'); k > 0; --k, ++end.line)
+                    add(end);
+            }
+        }
+    }
+    /// Adds a line that stays a directive, or that the translator writes.
+    void addDirective(std::string text, const Token& place, bool isOwn) {
+        Token token = place;
+        token.text = stage_.storage.emplace_back(std::move(text));
+        token.kind = TokenKind::other;
+        token.directive = true;
+        token.synthetic = isOwn;
+        add(token);
+    }
+    void addOwnLineEnd(const Token& place) {
+        Token end = place;
+        end.text = "\n";
+        end.kind = TokenKind::newline;
+        end.synthetic = true;
+        add(end);
+    }
+
+    void directive(const SourceLine& line) {
+        const std::string_view name = line.word(1);
+        if (name == "include") return include(line);
+        const bool isLineNumber = name == "line" && preprocessor_.active();
+        if (!shim() && !isLineNumber) addAsWritten(name, line);
+        const bool isPerformed = preprocessor_.perform(name, line);
+        if (!isPerformed && preprocessor_.active() && !name.empty()) {
+            if (name == "version") {
+                version(line);
+            } else if (name == "extension") {
+                extension(line);
+            } else if (name == "line") {
+                return lineNumber(line);
+            } else if (name == "pragma" || name == "error") {
+                return passOn(line);
+            } else {
+                constexpr std::array<std::string_view, 14> kNames{
+                    "define", "undef",   "if",        "ifdef", "ifndef", "else",  "elif",
+                    "endif",  "version", "extension", "line",  "pragma", "error", "include"};
+                const std::string nearest = base::nearestName(name, kNames);
+                complain("glsl-E14",
+                         "there is no directive '#" + std::string(name) + "'" +
+                             (nearest.empty() ? "" : "; did you mean '#" + nearest + "'?"),
+                         line.token(1));
+            }
+        }
+        addBlankLine(line);
+    }
+
+    void addBlankLine(const SourceLine& line) {
+        if (shim())
+            addLineEnds(line.tokens);
+        else
+            for (const Token& each : line.tokens)
+                if (each.kind == TokenKind::newline) preprocessor_.expander().add(each);
+    }
+
+    /// The directives that the driver reads without the translation.
+    void addAsWritten(std::string_view name, const SourceLine& line) {
+        const bool isOwn = name == "version" || (name == "pragma" && line.word(2) == "once");
+        for (const Token& each : line.tokens) {
+            if (isOwn && isSignificant(each.kind)) continue;
             Token token = each;
-            token.line += shift_;
-            token.file = static_cast<std::uint16_t>(file_);
-            token.active = preprocessor_.active();
-            token.directive = directive && each.kind != TokenKind::newline;
-            if (each.droppedBackslash && shim())
-                report_.report("glsl-W08", "backslash at the end of a comment dropped", placeOf(each));
-            const auto index = static_cast<std::uint32_t>(stage_.tokens.size());
-            stage_.tokens.push_back(token);
-            if (!directive && token.active && isSignificant(token.kind)) {
-                ViewToken view;
-                view.text = token.text;
-                view.raw = view.site = index;
-                view.kind = token.kind;
-                preprocessor_.text(view);
-            }
+            token.directive = each.kind != TokenKind::newline;
+            stage_.written.push_back(token);
         }
     }
 
-    void blank(const SourceLine& line) {
-        for (std::size_t i = 0; i < line.tokens.size(); ++i)
-            if (isSignificant(line.tokens[i].kind))
-                blanked_.push_back(line.first + static_cast<std::uint32_t>(i));
-    }
-    /// Puts `text` in place of the directive.
-    void replace(const SourceLine& line, std::string text) {
-        blank(line);
-        for (std::size_t i = 0; i < line.tokens.size(); ++i)
-            if (isSignificant(line.tokens[i].kind)) {
-                replaced_.emplace_back(line.first + static_cast<std::uint32_t>(i), std::move(text));
-                return;
-            }
-    }
-
-    void perform(std::string_view name, const SourceLine& line) {
-        if (preprocessor_.perform(name, line)) return;
-        if (!preprocessor_.active()) {
-            if (name == "extension" || name == "version") blank(line);
-        } else if (name == "version") {
-            version(line);
-        } else if (name == "extension") {
-            extension(line);
-        } else if (name == "line") {
-            lineNumber(line);
-        } else if (name == "pragma" && line.word(2) == "once") {
-            once_.insert(stage_.files[file_]);
-            blank(line);
+    /// Passes #pragma and #error on to the driver, in one line.
+    void passOn(const SourceLine& line) {
+        if (line.word(1) == "pragma" && line.word(2) == "once") {
+            once_.insert(stage_.files[line.token(0).file]);
+            return addBlankLine(line);
         }
+        if (!shim()) return addBlankLine(line);
+        std::string text;
+        for (const Token* each = line.significant[0]; each <= line.significant.back(); ++each)
+            text += isSignificant(each->kind) ? each->text : std::string_view(" ");
+        addDirective(std::move(text), line.token(0), false);
+        addLineEnds(line.tokens);
     }
 
     void version(const SourceLine& line) {
-        const Place place = placeOf(*line.significant[0]);
-        blank(line);
+        const Place place = placeOf(line.token(0));
         if (!stage_.dialect.given) {
             std::vector<std::string_view> words;
             for (std::size_t i = 2; i < line.significant.size(); ++i)
@@ -186,11 +290,12 @@ class SourceReader {
     }
 
     void extension(const SourceLine& line) {
-        if (!shim() || line.significant.size() < 3) return;
+        if (!shim()) return;
+        if (line.significant.size() < 3)
+            return complain("glsl-E14", "expected '#extension NAME : BEHAVIOUR'", line.token(0));
         const std::string name(line.significant[2]->text);
         const std::string_view behaviour = line.significant.size() > 4 ? line.significant[4]->text : "enable";
-        const Place place = placeOf(*line.significant[0]);
-        blank(line);
+        const Place place = placeOf(line.token(0));
         const Target& target = stage_.request->target;
         const bool has = target.hasExtension && target.hasExtension(name);
         const auto pass = [&] {
@@ -227,55 +332,59 @@ class SourceReader {
     }
 
     void lineNumber(const SourceLine& line) {
+        const std::vector<Piece> words = preprocessor_.expanded(line, 2);
+        const Token& last = line.tokens.back();
+        Frame& frame = frames_.back();
         long long number = 0;
-        if (!preprocessor_.number(line, 2, number) || number < 0 || number > 1'000'000) return;
+        long long file = frame.fileNumber;
+        const bool isNumber = !words.empty() && readInteger(words[0].token.text, number);
+        // Some sources name a file here.
+        const bool hasFile = words.size() > 1 && words[1].token.kind == TokenKind::number;
+        if (!isNumber || (hasFile && (words.size() > 2 || !readInteger(words[1].token.text, file))) ||
+            (words.size() > 1 && !hasFile && words[1].token.kind != TokenKind::other))
+            complain("glsl-E14", "expected '#line NUMBER' or '#line NUMBER NUMBER'", line.token(0));
+        else if (number > kMostLines)
+            complain("glsl-E14", "#line: at most " + std::to_string(kMostLines) + " is possible",
+                     line.token(2));
+        if (!isNumber || number > kMostLines) {
+            if (!shim()) addAsWritten("line", line);
+            return addBlankLine(line);
+        }
         // Places count from 1, so "#line 0" counts as "#line 1".
-        const long long next = std::max(1LL, stage_.dialect.version <= 150 ? number + 1 : number);
-        const std::int32_t physical = line.significant[0]->line;
-        replace(line, lineDirective(stage_, file_, next,
-                                    shim() ? stage_.request->target.version : stage_.dialect.version));
-        shift_ = static_cast<std::int32_t>(next) - (physical + 1);
+        const long long next = std::max(1LL, lineAfterDirective(stage_.dialect, number));
+        frame.fileNumber = file;
+        const bool ended = last.kind == TokenKind::newline;
+        addLineEnds(line.tokens.first(line.tokens.size() - (ended ? 1 : 0)));
+        addDirective(lineDirective(stage_, frame.file, next, emittedVersion()), last, true);
+        if (ended) add(last);
+        frame.shift += static_cast<std::int32_t>(next) - (last.line + 1);
     }
 
-    void synthetic(std::string text, TokenKind kind) {
-        stage_.storage.push_back(std::move(text));
-        Token token;
-        token.text = stage_.storage.back();
-        token.kind = kind;
-        token.synthetic = true;
-        token.directive = kind != TokenKind::newline;
-        token.active = preprocessor_.active();
-        token.file = static_cast<std::uint16_t>(file_);
-        stage_.tokens.push_back(token);
+    /// The version whose meaning #line has for the driver.
+    [[nodiscard]] int emittedVersion() const {
+        return shim() ? stage_.request->target.version : stage_.dialect.version;
     }
 
     void include(const SourceLine& line) {
-        const Token& hash = *line.significant[0];
-        const Place place = placeOf(hash);
-        const Token& last = line.tokens.back();
-        const bool ended = last.kind == TokenKind::newline;
-        const auto end = [&] {
-            if (ended) push(line.tokens.last(1), true);
-        };
+        const Token& hash = line.token(0);
+        const auto end = [&] { addLineEnds(line.tokens); };
         if (!preprocessor_.active()) return end();
+        const auto refuse = [&](std::string text) {
+            addDirective("#error " + std::move(text), hash, true);
+            end();
+        };
         const std::string name = includeName(line);
-        if (name.empty()) {
-            synthetic("#error #include needs a file name", TokenKind::other);
-            return end();
-        }
+        if (name.empty()) return refuse("#include needs a file name");
         if (lowerName(name) == "gstap.h") return end();
         const IncludeReader& reader = stage_.request->include;
-        std::optional<IncludedFile> found = reader ? reader(name, stage_.files[file_]) : std::nullopt;
-        if (!found) {
-            synthetic("#error cannot find the included file '" + name + "'", TokenKind::other);
-            return end();
-        }
+        std::optional<IncludedFile> found = reader ? reader(name, stage_.files[hash.file]) : std::nullopt;
+        if (!found) return refuse("cannot find the included file '" + name + "'");
         if (once_.contains(found->path)) return end();
-        if (std::find(stack_.begin(), stack_.end(), found->path) != stack_.end() ||
+        if (std::find(including_.begin(), including_.end(), found->path) != including_.end() ||
             found->path == stage_.path) {
             std::string names = stage_.path;
-            for (const std::string& each : stack_) names += ", " + each;
-            report_.report("glsl-E04", "#include cycle: " + names + ", " + found->path, place);
+            for (const std::string& each : including_) names += ", " + each;
+            report_.report("glsl-E04", "#include cycle: " + names + ", " + found->path, placeOf(hash));
             return end();
         }
         bytes_ += found->text.size();
@@ -283,62 +392,69 @@ class SourceReader {
             tooLarge(stage_.path);
             return end();
         }
-        if (stack_.size() >= kDeepestInclude || ++included_ > kMostFiles) {
+        if (including_.size() >= kDeepestInclude || ++included_ > kMostFiles) {
             report_.reportOnce("limit", "file-E09",
                                "'" + found->path + "': more than " +
-                                   (stack_.size() >= kDeepestInclude ? "32 includes inside each other"
-                                                                     : "256 included files"),
-                               place);
+                                   (including_.size() >= kDeepestInclude ? "32 includes inside each other"
+                                                                         : "256 included files"),
+                               placeOf(hash));
             return end();
         }
-        enter(std::move(*found), hash.line);
-        end();
+        enter(std::move(*found), line);
     }
 
-    void enter(IncludedFile found, std::int32_t physicalLine) {
-        const int version = shim() ? stage_.request->target.version : stage_.dialect.version;
+    void enter(IncludedFile found, const SourceLine& line) {
         auto at = std::find(stage_.files.begin(), stage_.files.end(), found.path);
         const auto index = static_cast<std::size_t>(at - stage_.files.begin());
         if (at == stage_.files.end()) stage_.files.push_back(found.path);
         stage_.storage.push_back(normalizeLines(found.text));
         const std::string& text = stage_.storage.back();
-        const std::vector<Token> tokens = lex(text, stage_.storage);
-        synthetic(lineDirective(stage_, index, 1, version), TokenKind::other);
-        synthetic("\n", TokenKind::newline);
-        stack_.push_back(std::move(found.path));
-        addFile(tokens, index);
-        stack_.pop_back();
-        if (!text.empty() && text.back() != '\n') synthetic("\n", TokenKind::newline);
-        synthetic(lineDirective(stage_, file_, physicalLine + shift_ + 1, version), TokenKind::other);
+        Frame frame;
+        frame.tokens = lex(text, stage_.storage, continuesComments(stage_.dialect));
+        frame.file = index;
+        frame.fileNumber = static_cast<long long>(index);
+        const Token& last = line.tokens.back();
+        addDirective(lineDirective(stage_, index, 1, emittedVersion()), last, true);
+        addOwnLineEnd(last);
+        const auto after = [&](std::string_view text2, TokenKind kind) {
+            Token& token = frame.after.emplace_back(last);
+            token.text = text2;
+            token.kind = kind;
+            token.synthetic = true;
+            token.directive = kind != TokenKind::newline;
+        };
+        if (!text.empty() && text.back() != '\n') after("\n", TokenKind::newline);
+        after(stage_.storage.emplace_back(
+                  lineDirective(stage_, last.file, static_cast<long long>(last.line) + 1, emittedVersion())),
+              TokenKind::other);
+        if (last.kind == TokenKind::newline) frame.after.push_back(last);
+        including_.push_back(std::move(found.path));
+        frames_.push_back(std::move(frame));
     }
 
     /// The text between the quotes or angle brackets of an #include.
     static std::string includeName(const SourceLine& line) {
         if (line.significant.size() < 3) return {};
-        const Token& open = *line.significant[2];
-        const char* const begin = open.text.data();
-        // The tokens of a line are adjacent in the text, and the last one ends the line.
-        const Token& last = line.tokens.back();
-        const char* const end = last.text.data() + (last.kind == TokenKind::newline ? 0 : last.text.size());
-        if (end <= begin) return {};
+        const char* const begin = line.significant[2]->text.data();
+        // The tokens of a line are adjacent in the text. What looks like a comment may belong to the name.
+        const char* end = begin;
+        for (const Token* each = line.significant[2]; each <= &line.tokens.back(); ++each)
+            if (each->kind != TokenKind::splice && each->kind != TokenKind::newline)
+                end = each->text.data() + each->text.size();
         const std::string_view rest(begin, static_cast<std::size_t>(end - begin));
-        const char closer = rest.front() == '<' ? '>' : '"';
-        if (rest.front() != '<' && rest.front() != '"') return {};
-        const std::size_t close = rest.find(closer, 1);
+        if (rest.empty() || (rest.front() != '<' && rest.front() != '"')) return {};
+        const std::size_t close = rest.find(rest.front() == '<' ? '>' : '"', 1);
         return close == std::string_view::npos ? std::string{} : std::string(rest.substr(1, close - 1));
     }
 
     StageText& stage_;
     Report& report_;
     Preprocessor preprocessor_;
-    std::vector<std::string> stack_;  ///< files that include each other at the current line
+    std::deque<Frame> frames_;            ///< files that include each other at the current line
+    std::vector<std::string> including_;  ///< paths of all but the first
     std::set<std::string> once_;
-    std::vector<std::uint32_t> blanked_;
-    std::vector<std::pair<std::uint32_t, std::string>> replaced_;
     std::size_t bytes_ = 0;
     std::size_t included_ = 0;
-    std::size_t file_ = 0;
-    std::int32_t shift_ = 0;
 };
 
 }  // namespace

@@ -1,6 +1,8 @@
 #include "glsl/read/token.h"
 
+#include <algorithm>
 #include <array>
+#include <span>
 
 namespace glibra::glsl {
 namespace {
@@ -20,14 +22,59 @@ constexpr std::array<std::string_view, 23> kLongPunctuators = {
     "-=",  "*=",  "/=", "%=", "&=", "^=", "|=", "<<", ">>", "##", "->"};
 constexpr std::string_view kShortPunctuators = "+-*/%<>=!&|^~?:;,.()[]{}#";
 
-/// Walks the text, whose positions are in bytes.
+/// The text without the backslashes that join lines.
+struct JoinedText {
+    std::string text;
+    std::vector<std::size_t> joints;  ///< positions in `text` where lines were joined
+};
+
+/// The end of the comment that begins at `at`, without the line end of a // comment.
+std::size_t endOfComment(std::string_view text, std::size_t at) {
+    const bool isLine = text[at + 1] == '/';
+    const std::size_t end = text.find(isLine ? "\n" : "*/", at + 2);
+    if (end == std::string_view::npos) return text.size();
+    return isLine ? end : end + 2;
+}
+
+JoinedText joinLines(std::string_view text, bool joinsComments) {
+    JoinedText joined;
+    std::string& to = joined.text;
+    to.reserve(text.size());
+    enum class In { code, lineComment, blockComment } in = In::code;
+    std::size_t codeSince = 0;  // a comment begins with two characters of code
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const bool isJoint = text[i] == '\\' && i + 1 < text.size() && text[i + 1] == '\n';
+        if (isJoint && (in != In::lineComment || joinsComments)) {
+            joined.joints.push_back(to.size());
+            ++i;
+            continue;
+        }
+        to += text[i];
+        if (in == In::lineComment && text[i] == '\n') {
+            in = In::code;
+            codeSince = to.size();
+        } else if (to.size() < codeSince + 2) {
+            continue;
+        } else if (in == In::blockComment && to.ends_with("*/")) {
+            in = In::code;
+            codeSince = to.size();
+        } else if (in == In::code && (to.ends_with("//") || to.ends_with("/*"))) {
+            in = to.back() == '/' ? In::lineComment : In::blockComment;
+            codeSince = to.size();
+        }
+    }
+    return joined;
+}
+
+/// Walks the text, whose positions are in bytes. `joints` are the places where lines were joined.
 class Lexer {
   public:
-    Lexer(std::string_view text, std::deque<std::string>& storage) : text_(text), storage_(storage) {}
+    Lexer(std::string_view text, std::span<const std::size_t> joints) : text_(text), joints_(joints) {}
 
     std::vector<Token> run() {
         tokens_.reserve(text_.size() / 3 + 16);
         while (at_ < text_.size()) step();
+        takeJoints();
         return std::move(tokens_);
     }
 
@@ -35,31 +82,39 @@ class Lexer {
     [[nodiscard]] char peek(std::size_t ahead = 0) const {
         return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0';
     }
-    [[nodiscard]] bool joinsHere() const { return peek() == '\\' && peek(1) == '\n'; }
 
-    void push(TokenKind kind, std::string_view text, std::size_t length) {
+    void push(TokenKind kind, std::size_t length) {
         Token token;
-        token.text = text;
+        token.text = text_.substr(at_, length);
         token.line = line_;
         token.column = static_cast<std::int32_t>(at_ - lineStart_) + 1;
         token.kind = kind;
         tokens_.push_back(token);
         at_ += length;
     }
-    void push(TokenKind kind, std::size_t length) { push(kind, text_.substr(at_, length), length); }
-    void endLine() {
-        ++line_;
-        lineStart_ = at_;
+
+    /// The joints up to here come after what they interrupt, so that line numbers stay right.
+    void takeJoints() {
+        for (; joint_ < joints_.size() && joints_[joint_] <= at_; ++joint_) {
+            Token token;
+            token.text = "\\\n";
+            token.line = line_;
+            token.column =
+                static_cast<std::int32_t>(joints_[joint_] - std::min(lineStart_, joints_[joint_])) + 1;
+            token.kind = TokenKind::splice;
+            tokens_.push_back(token);
+            ++line_;
+            lineStart_ = std::max(lineStart_, joints_[joint_]);
+        }
     }
 
     void step() {
+        takeJoints();
         const char c = peek();
         if (c == '\n') {
             push(TokenKind::newline, 1);
-            endLine();
-        } else if (joinsHere()) {
-            push(TokenKind::splice, 2);
-            endLine();
+            ++line_;
+            lineStart_ = at_;
         } else if (isBlank(c)) {
             std::size_t length = 1;
             while (isBlank(peek(length))) ++length;
@@ -69,71 +124,47 @@ class Lexer {
         } else if (c == '/' && peek(1) == '*') {
             blockComment();
         } else if (isWordStart(c)) {
-            joined(TokenKind::word);
+            push(TokenKind::word, lengthOf(TokenKind::word));
         } else if (isDigit(c) || (c == '.' && isDigit(peek(1)))) {
-            joined(TokenKind::number);
+            push(TokenKind::number, lengthOf(TokenKind::number));
         } else {
             punctuator();
         }
     }
 
     void lineComment() {
-        std::size_t end = text_.find('\n', at_);
-        if (end == std::string_view::npos) end = text_.size();
+        const std::size_t end = endOfComment(text_, at_);
         const bool backslash = text_[end - 1] == '\\';
-        push(TokenKind::comment, text_.substr(at_, end - at_ - (backslash ? 1 : 0)), end - at_);
-        tokens_.back().droppedBackslash = backslash;
+        const auto joint = std::lower_bound(joints_.begin(), joints_.end(), at_ + 2);
+        const bool isContinued = joint != joints_.end() && *joint < end;
+        push(TokenKind::comment, end - at_);
+        tokens_.back().continuedComment = isContinued;
+        if (!backslash) return;
+        tokens_.back().text.remove_suffix(1);
+        tokens_.back().droppedBackslash = true;
     }
 
     void blockComment() {
-        std::size_t end = text_.find("*/", at_ + 2);
-        end = end == std::string_view::npos ? text_.size() : end + 2;
         const std::size_t start = at_;
-        push(TokenKind::comment, end - at_);
-        for (std::size_t i = start; i < end; ++i)
+        push(TokenKind::comment, endOfComment(text_, at_) - at_);
+        for (std::size_t i = start; i < at_; ++i)
             if (text_[i] == '\n') {
                 ++line_;
                 lineStart_ = i + 1;
             }
     }
 
-    /// The number of characters from `from` on that belong to a word or number; `previous` is the character
-    /// before them.
-    [[nodiscard]] std::size_t run(TokenKind kind, std::size_t from, char previous) const {
-        std::size_t i = from;
+    /// The number of characters from here on that belong to a word or number.
+    [[nodiscard]] std::size_t lengthOf(TokenKind kind) const {
+        const bool hexadecimal = peek() == '0' && (peek(1) == 'x' || peek(1) == 'X');
+        std::size_t i = at_;
         for (; i < text_.size(); ++i) {
             const char c = text_[i];
-            const bool sign = kind == TokenKind::number && (c == '+' || c == '-') &&
-                              (previous == 'e' || previous == 'E') && !hexadecimal();
+            const bool sign = kind == TokenKind::number && (c == '+' || c == '-') && i > at_ &&
+                              (text_[i - 1] == 'e' || text_[i - 1] == 'E') && !hexadecimal;
             if (!isWordPart(c) && !(kind == TokenKind::number && c == '.') && !sign) break;
-            previous = c;
         }
-        return i - from;
-    }
-    [[nodiscard]] bool hexadecimal() const { return peek() == '0' && (peek(1) == 'x' || peek(1) == 'X'); }
-
-    void joined(TokenKind kind) {
-        const std::size_t length = run(kind, at_, '\0');
-        std::size_t next = at_ + length;
-        if (!(text_.substr(next, 2) == "\\\n" && next + 2 < text_.size() && isWordPart(text_[next + 2]))) {
-            push(kind, length);
-            return;
-        }
-        std::string whole(text_.substr(at_, length));
-        std::size_t splices = 0;
-        while (text_.substr(next, 2) == "\\\n" && next + 2 < text_.size() && isWordPart(text_[next + 2])) {
-            const std::size_t more = run(kind, next + 2, whole.back());
-            whole += text_.substr(next + 2, more);
-            next += 2 + more;
-            ++splices;
-        }
-        storage_.push_back(std::move(whole));
-        push(kind, storage_.back(), next - at_);
-        // The line ends inside the word come after it, so that line numbers stay right.
-        for (; splices > 0; --splices) {
-            push(TokenKind::splice, "\\\n", 0);
-            endLine();
-        }
+        return i - at_;
     }
 
     void punctuator() {
@@ -145,8 +176,9 @@ class Lexer {
     }
 
     std::string_view text_;
-    std::deque<std::string>& storage_;
+    std::span<const std::size_t> joints_;
     std::vector<Token> tokens_;
+    std::size_t joint_ = 0;
     std::size_t at_ = 0;
     std::size_t lineStart_ = 0;
     std::int32_t line_ = 1;
@@ -160,9 +192,10 @@ std::string normalizeLines(std::string_view text) {
     result.reserve(text.size() + 1);
     for (std::size_t i = 0; i < text.size(); ++i) {
         const char c = text[i];
-        if (c == '\r') {
+        if (c == '\r' || c == '\n') {
+            // CR LF and LF CR end one line (GLSL 4.60, 3.1).
             result += '\n';
-            if (i + 1 < text.size() && text[i + 1] == '\n') ++i;
+            if (i + 1 < text.size() && text[i + 1] != c && (text[i + 1] == '\n' || text[i + 1] == '\r')) ++i;
         } else {
             // A NUL would end the source for some drivers.
             result += c == '\0' ? ' ' : c;
@@ -171,8 +204,11 @@ std::string normalizeLines(std::string_view text) {
     return result;
 }
 
-std::vector<Token> lex(std::string_view text, std::deque<std::string>& storage) {
-    return Lexer(text, storage).run();
+std::vector<Token> lex(std::string_view text, std::deque<std::string>& storage, bool joinsComments) {
+    if (text.find("\\\n") == std::string_view::npos) return Lexer(text, {}).run();
+    JoinedText joined = joinLines(text, joinsComments);
+    storage.push_back(std::move(joined.text));
+    return Lexer(storage.back(), joined.joints).run();
 }
 
 }  // namespace glibra::glsl

@@ -1,6 +1,7 @@
 #pragma once
 // Splits GLSL source text into tokens. The texts of all tokens, with blanks and comments, joined again give
-// the source. The only exceptions are backslashes that join lines; they become `splice` tokens.
+// the source. The only exceptions are backslashes that join lines; they become `splice` tokens, after the
+// token that they interrupt.
 
 #include <cstdint>
 #include <deque>
@@ -13,20 +14,35 @@ namespace glibra::glsl {
 
 enum class TokenKind : std::uint8_t { word, number, punctuator, blank, splice, newline, comment, other };
 
+/// Stands for "no token". Indices have 32 bits, because a source has at most 4 MiB.
+inline constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
 struct Token {
     std::string_view text;
     std::int32_t line = 1;    ///< from 1; after readSource, as #line directives count it
     std::int32_t column = 1;  ///< in bytes, from 1
-    std::uint16_t file = 0;   ///< index into the files of the stage
+    /// Of a token from the text of a macro: the index into StageText::macroTexts. Its place is that of the call.
+    std::uint32_t body = kNone;
+    std::uint16_t file = 0;  ///< index into the files of the stage
     TokenKind kind = TokenKind::other;
     bool active = true;             ///< false: in a branch of #if that is not compiled
     bool directive = false;         ///< it is on a preprocessor line
+    bool expanded = false;          ///< it comes out of a macro call
     bool droppedBackslash = false;  ///< a // comment that ended in a backslash
+    bool continuedComment = false;  ///< a // comment that a backslash continues in the next line
     bool synthetic = false;         ///< written by the translator
 };
 
-/// Stands for "no token". Indices have 32 bits, because a source has at most 4 MiB.
-inline constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+/// A token as the grammar sees it: a significant one of the text.
+struct ViewToken {
+    std::string_view text;
+    std::uint32_t raw = 0;   ///< its index among the tokens
+    std::uint32_t site = 0;  ///< the same
+    TokenKind kind = TokenKind::word;
+    bool body = false;
+    bool objectSite = false;
+    bool isName = false;  ///< a keyword of the target that this source uses as a name (markNames)
+};
 
 /// True for tokens that the grammar sees; false for blanks, comments and line ends.
 constexpr bool isSignificant(TokenKind kind) {
@@ -39,11 +55,22 @@ constexpr bool isWordPart(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
 
+/// True if the two characters may belong to one token, so that text that ends in the first one and text that
+/// begins with the second one need a blank between them.
+constexpr bool growTogether(char left, char right) {
+    if (isWordPart(left)) return isWordPart(right);
+    if (left == '.') return right == '.' || (right >= '0' && right <= '9');
+    if (right == '=') return std::string_view("+-*/%<>=!&|^").find(left) != std::string_view::npos;
+    if (left == right) return std::string_view("+-<>&|^#/").find(left) != std::string_view::npos;
+    return (left == '/' && right == '*') || (left == '*' && right == '/') || (left == '-' && right == '>');
+}
+
 /// The text with LF line ends and without a byte-order mark.
 std::string normalizeLines(std::string_view text);
 
-/// The tokens of `text`, whose lines end with LF. Tokens point into `text`, except for words and numbers that
-/// a backslash joins over two lines: they point into `storage`.
-std::vector<Token> lex(std::string_view text, std::deque<std::string>& storage);
+/// The tokens of `text`, whose lines end with LF. Tokens point into `text`, or into `storage` if backslashes
+/// join lines. `joinsComments`: a backslash at the end of a // comment continues it in the next line, as from
+/// GLSL 4.20 and GLSL ES 3.00 on; otherwise it is dropped.
+std::vector<Token> lex(std::string_view text, std::deque<std::string>& storage, bool joinsComments = false);
 
 }  // namespace glibra::glsl

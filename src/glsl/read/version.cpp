@@ -53,6 +53,7 @@ Dialect readVersion(std::span<const std::string_view> words, const Place& place,
     if (profile == "es" || number == 100) {
         dialect.version = number <= 100 ? 120 : (number < 310 ? 330 : (number < 320 ? 430 : 450));
         dialect.written = number;
+        dialect.es = true;
         report.report("glsl-W03", "'" + joined(words) + "' treated as " + std::to_string(dialect.version),
                       place);
         return dialect;

@@ -20,9 +20,21 @@ struct Dialect {
     int written = 330;    ///< the number that __VERSION__ gives
     bool given = false;   ///< the source has a #version line
     bool core = false;    ///< that line has the word core
+    bool es = false;      ///< it declares a version of GLSL ES
     std::string profile;  ///< "core", "compatibility" or empty, for sources that are not translated
     Place place;
 };
+
+/// True if a backslash at the end of a // comment continues it (GLSL 4.20, GLSL ES 3.00).
+inline bool continuesComments(const Dialect& dialect) {
+    return dialect.written >= (dialect.es ? 300 : 420);
+}
+
+/// The line that follows "#line number": `number` itself from GLSL 3.30 on and in GLSL ES, before that the
+/// next one.
+inline long long lineAfterDirective(const Dialect& dialect, long long number) {
+    return dialect.es || dialect.version >= 330 ? number : number + 1;
+}
 
 /// Reads the words of a #version line after `version`. Reports the spellings that are tolerated or refused.
 Dialect readVersion(std::span<const std::string_view> words, const Place& place, int targetVersion,

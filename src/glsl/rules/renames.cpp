@@ -1,23 +1,8 @@
 // Writes the renamed words of a stage into its edits.
 
-#include "glsl/read/extensions.h"
 #include "glsl/rules/rules.h"
 
 namespace glibra::glsl {
-namespace {
-
-/// Macro names that drivers reserve get another spelling and a definition.
-bool renameDriverMacro(Unit& unit, std::uint32_t at, std::string_view text) {
-    if (!text.starts_with("GL_")) return false;
-    const bool compatibility = text == "GL_compatibility_profile";
-    if (!compatibility && !isInCore(text, unit.request->target.version)) return false;
-    const std::string name = "glibra_" + std::string(text.substr(3));
-    unit.edits.replace(at, name);
-    if (!compatibility || !unit.dialect.core) unit.declare("#define " + name + " 1");
-    return true;
-}
-
-}  // namespace
 
 void applyRenames(Unit& unit, const TokenWalk& walk) {
     if (!unit.mainEnd.empty() && unit.isDeclared("main")) unit.renames["main"] = "glibra_main";
@@ -32,14 +17,15 @@ void applyRenames(Unit& unit, const TokenWalk& walk) {
             unit.edits.replace(i, found->second);
             continue;
         }
-        if (token.text == "__VERSION__") {
-            unit.edits.replace(i, std::to_string(unit.dialect.written));
+        if (token.text.starts_with("GL_") && !token.directive) {
+            // It is no macro of this version, but it may be one of the target.
+            const auto& [name, spelling] =
+                *unit.renames.emplace(token.text, "glibra_" + std::string(token.text)).first;
+            unit.edits.replace(i, spelling);
             continue;
         }
-        if (renameDriverMacro(unit, i, token.text)) continue;
         const auto found = unit.renames.find(token.text);
-        if (found == unit.renames.end() || unit.keptSpelling.contains(i) || unit.macros.contains(token.text))
-            continue;
+        if (found == unit.renames.end() || unit.keptSpelling.contains(i)) continue;
         if (walk.text(walk.previous(i)) == ".") continue;
         unit.edits.replace(i, found->second);
     }

@@ -72,9 +72,17 @@ double roundsOf(const CountedLoop& loop, const UniformValue& uniform) {
     const std::optional<double> first = valueOf(loop.first, uniform);
     const std::optional<double> bound = valueOf(loop.bound, uniform);
     const std::optional<double> step = valueOf(loop.step, uniform);
-    if (!first || !bound || !step || *step == 0 || (*step < 0) != loop.falling) return 0;
+    if (!first || !bound || !step || *step == 0) return 0;
+    if (!loop.untilEqual && (*step < 0) != loop.falling) return 0;
     const double steps = (*bound - *first) / *step;
     return std::clamp(loop.including ? std::floor(steps) + 1 : std::ceil(steps), 0., kMostRounds);
+}
+
+double emittedBy(const CountedLoop& loop, const UniformValue& uniform) {
+    if (!loop.isSure) return 0;
+    double each = loop.emits;
+    for (const CountedLoop& inner : loop.inside) each += emittedBy(inner, uniform);
+    return each == 0 ? 0 : roundsOf(loop, uniform) * each;
 }
 
 double totalRounds(const CountedLoop& loop, const UniformValue& uniform) {

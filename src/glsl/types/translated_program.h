@@ -21,16 +21,25 @@ struct LineOrigin {
     int file = -1;  ///< index into LineMap::files; -1: written by the translator
     int line = 0;   ///< the user's line, as #line directives count it
 };
-/// From column `emitted` of an emitted line on, the user's columns count from `user`.
+/// From column `emitted` of an emitted line on, the user's columns count from `user`, in the user's `line`.
 struct ColumnShift {
     int emitted = 1;
     int user = 1;
+    LineOrigin line{};  ///< that of the emitted line, except inside macro calls of several lines
+    int macro = -1;     ///< index into LineMap::macros: from there comes the text that the call expands to
+};
+/// A word in the text of a macro.
+struct MacroPlace {
+    std::string name;  ///< the name of the macro
+    LineOrigin line;
+    int column = 1;
 };
 /// The origins of the lines of an emitted text. lines[i] and columns[i] belong to line i + 1 of that text.
 struct LineMap {
     std::vector<std::string> files;
     std::vector<LineOrigin> lines;
     std::vector<std::vector<ColumnShift>> columns;  ///< an empty entry: the columns are the user's
+    std::vector<MacroPlace> macros;
 };
 
 /// What the code of a stage does, as far as its tokens show it. Code that the preprocessor removes does not
@@ -58,14 +67,26 @@ struct TypeMismatch {
     std::string text;  ///< "vec4 + vec3", "the value is a vec3, the function returns a float"
 };
 
+/// The subscript of an element of a storage block's last array: a constant, or the number of an invocation, a
+/// vertex or an instance that nothing compares with a size.
+struct ElementSubscript {
+    std::string array;   ///< the member of the block
+    std::string number;  ///< "gl_GlobalInvocationID.x", "gl_VertexID", ...; empty: `constant`
+    long long constant = 0;
+    Place place;
+};
+
 struct TranslatedStage {
     Stage stage = Stage::vertex;
     std::string source;  ///< complete text for glShaderSource; begins with its #version line, if it has one
     LineMap lineMap;
     std::string path;                ///< the stage's own file
+    int firstLine = 1;               ///< of its text, after blank lines
     std::vector<CountedLoop> loops;  ///< the countable loops that main runs, also in the functions it calls
     StageFacts facts{};
     std::vector<TypeMismatch> mismatches{};
+    double emits = 0;  ///< EmitVertex() calls of main outside of conditions and loops
+    std::vector<ElementSubscript> subscripts{};
 };
 
 /// A uniform as declared in a source, whether or not the compiler keeps it.
@@ -105,6 +126,15 @@ struct TranslatedProgram {
     bool writesLayer = false;                   ///< in the last stage before rasterisation
     int clipDistances = 0;                      ///< number of gl_ClipDistance elements that this stage writes
     int patchVertices = 0;                      ///< layout(vertices = n) of the control stage; 0: none
+    /// The vertices of a patch that the first tessellation stage reads, as far as its subscripts show it, and
+    /// where it reads the last of them, as "gl_in[3]".
+    int patchVerticesRead = 0;
+    Place patchReadPlace;
+    std::string patchRead;
+    int maxVertices = 0;     ///< layout(max_vertices = n) of the geometry stage; 0: none
+    Place maxVerticesPlace;  ///< of that layout
+    /// The axes along which a compute stage distinguishes its invocations or groups.
+    std::array<bool, 3> invocationAxes{};
     /// Uniforms (by the user's names) whose values reach gl_TessLevelOuter and gl_TessLevelInner by
     /// assignments in the control stage and, as the text shows, nothing else: no position, no colour, no
     /// condition. Scalars of type float or int. Empty if the program has a geometry stage or delivers points,

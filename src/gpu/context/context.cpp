@@ -9,6 +9,7 @@
 
 #include "gpu/context/backend.h"
 #include "gpu/context/call_counter.h"
+#include "gpu/context/reset.h"
 
 namespace glibra::gpu {
 
@@ -19,7 +20,10 @@ struct Context::State {
     std::string howOpened;
     std::vector<std::string> failedWays;
 
+    /// Prepares the current context, which `backend` has adopted.
+    Diagnostics useAdopted();
     ~State() {
+        unwatchDevice(log);
         // An adopted context continues to exist.
         if (backend && backend->driver() == Driver::automatic) log.detach();
     }
@@ -33,7 +37,7 @@ class AdoptedBackend final : public Backend {
     explicit AdoptedBackend(std::function<void*(const char*)> loader) : loader_(std::move(loader)) {}
     bool makeCurrent() override { return true; }
     void release() override {}
-    void* address(const char* function) override { return loader_(function); }
+    void* address(const char* function) override { return loader_ ? loader_(function) : nullptr; }
     [[nodiscard]] Driver driver() const override { return Driver::automatic; }
     [[nodiscard]] std::string description() const override { return "context of a window"; }
 
@@ -111,7 +115,14 @@ const std::vector<std::string>& Context::failedWays() const {
 }
 
 bool Context::makeCurrent() {
-    return state_->backend->makeCurrent() && loadFunctions(*state_->backend);
+    if (!state_->backend->makeCurrent() || !loadFunctions(*state_->backend)) return false;
+    watchDevice(state_->log);
+    return true;
+}
+
+Diagnostics Context::adoptAgain(const std::function<void*(const char*)>& loader) {
+    state_->backend = std::make_unique<AdoptedBackend>(loader);
+    return state_->useAdopted();
 }
 
 Result<Context> openContext(const ContextOptions& options) {
@@ -134,6 +145,7 @@ Result<Context> openContext(const ContextOptions& options) {
         state->failedWays = std::move(failures);
         state->backend = std::move(backend);
         state->log.attach(state->capabilities.debugOutput);
+        watchDevice(state->log);
         setInitialState();
         return Context(std::move(state));
     }
@@ -141,15 +153,22 @@ Result<Context> openContext(const ContextOptions& options) {
                     "no usable OpenGL driver (4.1 core or later is needed); tried: " + joined(failures));
 }
 
+Diagnostics Context::State::useAdopted() {
+    if (!loadFunctions(*backend))
+        return {
+            diagnose("gpu-E01", "no usable OpenGL driver: the window's context is older than OpenGL 4.1")};
+    capabilities = readCapabilities(false);
+    howOpened = backend->description();
+    log.attach(capabilities.debugOutput);
+    watchDevice(log);
+    setInitialState();
+    return {};
+}
+
 Result<Context> adopt(const std::function<void*(const char*)>& loader) {
     auto state = std::make_unique<Context::State>();
     state->backend = std::make_unique<AdoptedBackend>(loader);
-    if (!loader || !loadFunctions(*state->backend))
-        return diagnose("gpu-E01", "no usable OpenGL driver: the window's context is older than OpenGL 4.1");
-    state->capabilities = readCapabilities(false);
-    state->howOpened = state->backend->description();
-    state->log.attach(state->capabilities.debugOutput);
-    setInitialState();
+    if (Diagnostics problems = state->useAdopted(); !problems.empty()) return problems;
     return Context(std::move(state));
 }
 

@@ -2,7 +2,8 @@
 // A GL context without a window: EGL without a surface, an EGL device (NVIDIA), OSMesa, or an adopted one
 // that another library made. EGL and OSMesa are opened at run time; the program links neither.
 // A process uses one context at a time, because it has one table of GL functions. A context belongs to the
-// thread that opened it. Every GL object must be destroyed before its context.
+// thread that opened it. Every GL object must be destroyed before its context. After the driver has reset the
+// device, whatever is read with the context throws base::DeviceLost (reset.h), until another one is opened.
 
 #include <glibra/driver.h>
 #include <glibra/result.h>
@@ -48,6 +49,10 @@ class Context {
     /// Makes the context current on the calling thread again after another one was. False if the driver
     /// refuses.
     bool makeCurrent();
+    /// Adopts another context in place of an adopted one that is lost; it is current on this thread. No GL
+    /// object of the lost one may exist any more. This object and its log keep their addresses. Reports
+    /// gpu-E01.
+    Diagnostics adoptAgain(const std::function<void*(const char*)>& loader);
 
   private:
     friend Result<Context> openContext(const ContextOptions& options);

@@ -1,8 +1,10 @@
 #include "gpu/context/debug.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "gpu/context/errors.h"
+#include "gpu/context/reset.h"
 
 namespace glibra::gpu {
 namespace {
@@ -50,6 +52,17 @@ void DebugLog::detach() {
     callsBack_ = false;
 }
 
+void DebugLog::setPlace(const Place& place) {
+    place_ = place;
+    if (std::exchange(isFinished_, false) || unfinished_.first.file != place.file) {
+        unfinished_ = {place, place.line};
+    } else if (place.line < unfinished_.first.line) {
+        unfinished_.first = place;
+    } else {
+        unfinished_.lastLine = std::max(unfinished_.lastLine, place.line);
+    }
+}
+
 void DebugLog::add(DebugMessage message) {
     if (messages_.size() >= kMost) {
         ++dropped_;
@@ -79,6 +92,7 @@ std::vector<DebugMessage> DebugLog::take() {
 }
 
 Diagnostics DebugLog::takeDiagnostics() {
+    expectDevice();
     Diagnostics diagnostics;
     for (DebugMessage& each : take()) {
         if (each.severity != Severity::error) continue;

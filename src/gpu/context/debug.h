@@ -29,7 +29,15 @@ class DebugLog {
     static constexpr std::size_t kMost = 256;
 
     /// Sets the place in the scene that later messages belong to.
-    void setPlace(const Place& place) { place_ = place; }
+    void setPlace(const Place& place);
+    /// The places since the device was known to be idle.
+    struct Unfinished {
+        Place first;       ///< without a file: none
+        int lastLine = 0;  ///< the last one in the same file
+    };
+    [[nodiscard]] Unfinished unfinished() const { return isFinished_ ? Unfinished{} : unfinished_; }
+    /// The device has done all that it was given.
+    void finishPlaces() { isFinished_ = true; }
 
     /// Below GL 4.3, collects pending errors; `what` names the call ("glTexImage2D"). Otherwise it does
     /// nothing.
@@ -58,6 +66,8 @@ class DebugLog {
     std::size_t dropped_ = 0;
     bool callsBack_ = false;
     Place place_;
+    Unfinished unfinished_;
+    bool isFinished_ = true;  ///< the next place is the first unfinished one
 };
 
 }  // namespace glibra::gpu

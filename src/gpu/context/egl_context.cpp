@@ -65,21 +65,40 @@ EGLConfig anyConfig(const EglLibrary& egl, EGLDisplay display) {
     return config;
 }
 
-/// The best context that an initialised display offers. `robust`: shaders that index outside of a buffer read
-/// zero or something else of that buffer, and write nothing outside (OpenGL 4.6 Core, 6.4).
-EGLContext createContext(const EglLibrary& egl, EGLDisplay display, EGLConfig config, bool debug,
-                         bool robust) {
-    for (const int minor : kMinorVersions) {
-        // Not forward-compatible: such a context has no wide lines.
-        std::vector<EGLint> attributes{EGL_CONTEXT_MAJOR_VERSION,       4,
-                                       EGL_CONTEXT_MINOR_VERSION,       minor,
-                                       EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT};
-        if (debug) attributes.insert(attributes.end(), {EGL_CONTEXT_OPENGL_DEBUG, EGL_TRUE});
-        if (robust) attributes.insert(attributes.end(), {EGL_CONTEXT_OPENGL_ROBUST_ACCESS, EGL_TRUE});
-        attributes.push_back(EGL_NONE);
-        const EGLContext context = egl.createContext(display, config, EGL_NO_CONTEXT, attributes.data());
-        if (context != EGL_NO_CONTEXT) return context;
-    }
+/// What a context is asked to do for its user's sake.
+struct Care {
+    bool robust = false;    ///< shaders that index outside of a buffer read zero or something else of that
+                            ///< buffer, and write nothing outside (OpenGL 4.6 Core, 6.4)
+    bool notifies = false;  ///< the context ends with a reset of the device, and tells so (2.3.2)
+};
+
+EGLContext createContext(const EglLibrary& egl, EGLDisplay display, EGLConfig config, bool debug, int minor,
+                         const Care& care) {
+    // Not forward-compatible: such a context has no wide lines.
+    std::vector<EGLint> attributes{EGL_CONTEXT_MAJOR_VERSION,       4,
+                                   EGL_CONTEXT_MINOR_VERSION,       minor,
+                                   EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT};
+    if (debug) attributes.insert(attributes.end(), {EGL_CONTEXT_OPENGL_DEBUG, EGL_TRUE});
+    if (care.robust) attributes.insert(attributes.end(), {EGL_CONTEXT_OPENGL_ROBUST_ACCESS, EGL_TRUE});
+    if (care.notifies)
+        attributes.insert(attributes.end(),
+                          {EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY, EGL_LOSE_CONTEXT_ON_RESET});
+    attributes.push_back(EGL_NONE);
+    return egl.createContext(display, config, EGL_NO_CONTEXT, attributes.data());
+}
+
+/// The best context that an initialised display offers: the highest version, with as much care as it has.
+EGLContext bestContext(const EglLibrary& egl, EGLDisplay display, EGLConfig config, bool debug,
+                       const Care& most) {
+    std::vector<Care> wanted{most};
+    if (most.robust && most.notifies) wanted.push_back({.notifies = true});
+    if (most.robust || most.notifies) wanted.push_back({.robust = most.robust && most.notifies});
+    if (wanted.back().robust) wanted.emplace_back();
+    for (const int minor : kMinorVersions)
+        for (const Care& each : wanted)
+            if (EGLContext made = createContext(egl, display, config, debug, minor, each);
+                made != EGL_NO_CONTEXT)
+                return made;
     return EGL_NO_CONTEXT;
 }
 
@@ -105,10 +124,10 @@ std::variant<std::unique_ptr<Backend>, std::string> tryDisplay(const EglLibrary&
     // With Mesa, robust access costs nothing that can be measured: a software rasteriser checks every access
     // anyway. It has not been measured with other drivers.
     const bool isEgl15 = major > 1 || minor >= 5;
-    const bool robust = isEgl15 && candidate.platform == EGL_PLATFORM_SURFACELESS_MESA &&
-                        listHas(extensions, "EGL_EXT_create_context_robustness");
-    EGLContext context = createContext(egl, display, config, debug, robust);
-    if (context == EGL_NO_CONTEXT && robust) context = createContext(egl, display, config, debug, false);
+    const Care care{.robust = isEgl15 && candidate.platform == EGL_PLATFORM_SURFACELESS_MESA &&
+                              listHas(extensions, "EGL_EXT_create_context_robustness"),
+                    .notifies = isEgl15 || listHas(extensions, "EGL_KHR_create_context")};
+    EGLContext context = bestContext(egl, display, config, debug, care);
     if (context == EGL_NO_CONTEXT) return "no OpenGL 4.1 core context (" + egl.lastError() + ")";
     if (!egl.makeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
         std::string why = "eglMakeCurrent failed (" + egl.lastError() + ")";

@@ -261,7 +261,17 @@ void RasterTracker::applyRectangles(const base::RasterState& state) {
         scissor = pixelsOf(*state.scissor, width_, height_);
         if (limit_) scissor = intersection(*scissor, *limit_);
     }
+    drawn_ = scissor;
     applyScissor(scissor);
+}
+
+PixelRectangle RasterTracker::drawnPixels() const {
+    const PixelRectangle all{0, 0, width_, height_};
+    return drawn_ ? intersection(*drawn_, all) : all;
+}
+
+void RasterTracker::narrowTo(const PixelRectangle& pixels) {
+    applyScissor(intersection(drawnPixels(), pixels));
 }
 
 void RasterTracker::applyScissor(const std::optional<PixelRectangle>& pixels) {

@@ -36,6 +36,11 @@ class RasterTracker {
     /// Sets the state for draws into the bound target. Line widths and point sizes are limited to those of
     /// the driver.
     void apply(const base::RasterState& state);
+    /// The pixels that draws with the applied state can change.
+    [[nodiscard]] PixelRectangle drawnPixels() const;
+    /// Draws change only those of drawnPixels() that lie in the rectangle, which may be empty, until the next
+    /// call, or apply().
+    void narrowTo(const PixelRectangle& pixels);
     /// Opens all write masks and sets the scissor to the limit alone, so that clears change all pixels.
     void openForClears();
 
@@ -78,7 +83,8 @@ class RasterTracker {
     const Capabilities* capabilities_;
     Known known_;
     std::optional<PixelRectangle> limit_;
-    int width_ = 1, height_ = 1;  ///< of the bound target
+    std::optional<PixelRectangle> drawn_;  ///< the scissor of the applied state
+    int width_ = 1, height_ = 1;           ///< of the bound target
 };
 
 }  // namespace glibra::gpu

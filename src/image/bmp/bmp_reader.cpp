@@ -1,9 +1,11 @@
 #include "image/bmp/bmp_reader.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <bit>
 #include <cstring>
 
+#include "image/bit_field.h"
 #include "image/bmp/bmp_header.h"
 #include "image/bmp/bmp_run_lengths.h"
 #include "image/bytes.h"
@@ -11,30 +13,32 @@
 namespace glibra::image {
 namespace {
 
-/// One component of a bit-field pixel, scaled to 0..255 with rounding. A component without a mask is
-/// `missing`.
-struct Field {
-    std::uint32_t mask, shift, missing;
-    std::uint64_t most;
+using Field = BitField<std::uint8_t>;
 
-    Field(std::uint32_t bits, std::uint32_t without)
-        : mask(bits),
-          shift(bits == 0 ? 0 : static_cast<std::uint32_t>(std::countr_zero(bits))),
-          missing(without),
-          most(bits >> shift) {}
-
-    [[nodiscard]] std::uint8_t of(std::uint32_t pixel) const {
-        if (mask == 0) return static_cast<std::uint8_t>(missing);
-        const std::uint64_t value = (pixel & mask) >> shift;
-        return static_cast<std::uint8_t>((value * 255 + most / 2) / most);
-    }
-};
-
+/// Entries that the palette lacks have alpha 0, by which `findStrays` finds them.
 std::vector<BmpPixel> colorsOf(const BmpHeader& header) {
-    std::vector<BmpPixel> colors(std::size_t{1} << header.bits, BmpPixel{0, 0, 0, 255});
-    for (std::size_t i = 0; i < header.palette.size(); ++i)
+    std::vector<BmpPixel> colors(std::size_t{1} << header.bits, BmpPixel{});
+    for (std::size_t i = 0; i < header.palette.size(); ++i) {
         std::copy(header.palette[i].begin(), header.palette[i].end(), colors[i].begin());
+        colors[i][3] = 255;
+    }
     return colors;
+}
+
+/// Makes pixels black whose colour the palette lacks. file-W16 if there are any.
+Diagnostics findStrays(const BmpHeader& header, const FileLabel& label, std::span<BmpPixel> pixels) {
+    if (header.bits > 8 || header.palette.size() == std::size_t{1} << header.bits) return {};
+    std::uint64_t strays = 0;
+    for (BmpPixel& each : pixels)
+        if (each[3] == 0) {
+            each[3] = 255;
+            ++strays;
+        }
+    if (strays == 0) return {};
+    return {diagnose("file-W16",
+                     fmt::format("'{}': {} pixels have colours that the palette lacks; they are black",
+                                 label.name, strays),
+                     label.place)};
 }
 
 void indexedRow(ByteSpan from, std::uint32_t bits, std::span<const BmpPixel> colors, std::span<BmpPixel> to) {
@@ -113,13 +117,15 @@ Result<Image> decodeBmp(ByteSpan file, const FileLabel& label, const Limits& lim
     const std::span<BmpPixel> pixels(reinterpret_cast<BmpPixel*>(image.data.data()), count);
     if (!packed) {
         plainRows(header, data, stride, pixels);
-        return image;
+        Diagnostics remarks = findStrays(header, label, pixels);
+        return {std::move(image), std::move(remarks)};
     }
     const std::vector<BmpPixel> colors = colorsOf(header);
     const std::uint64_t wholeRows =
         decodeRunLengths(data, {header.width, header.height, header.topDown, header.bits}, colors, pixels);
     if (wholeRows < header.height) return endsEarly(label, wholeRows, header.height);
-    return image;
+    Diagnostics remarks = findStrays(header, label, pixels);
+    return {std::move(image), std::move(remarks)};
 }
 
 }  // namespace glibra::image

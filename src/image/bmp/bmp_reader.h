@@ -13,8 +13,9 @@
 namespace glibra::image {
 
 /// RGBA, u8. Alpha is 1, except in 32-bit pixels with an alpha mask. Pixels that run lengths skip have
-/// palette entry 0; indices beyond the palette are black. Errors: file-E04 damaged or short; file-E09 exceeds
-/// the limits. A BMP file that only wraps a JPEG or PNG is not read here; see embeddedPicture.
+/// palette entry 0; colours that the palette lacks are black (file-W16). Errors: file-E04 damaged or short;
+/// file-E09 exceeds the limits. A BMP file that only wraps a JPEG or PNG is not read here; see
+/// embeddedPicture.
 Result<Image> decodeBmp(std::span<const std::byte> file, const FileLabel& label, const Limits& limits = {});
 
 /// The complete JPEG or PNG file that a BMP file wraps (compression 4 and 5); empty if it wraps none.

@@ -1,5 +1,6 @@
 #include "image/compare/compare.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>

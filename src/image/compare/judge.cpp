@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 
+#include "image/bytes.h"
 #include "image/compare/alike.h"
 #include "image/compare/excess.h"
 #include "image/compare/flip.h"
@@ -46,7 +49,10 @@ void judgePlainly(const ExcessLimits& limits, const Tolerance& tolerance, const 
                                   ? fmt::format("{:g} + {:g} of the value", limits.absolute, limits.relative)
                                   : fmt::format("{:g} of 255", limits.largest);
     result.decidedBy = Rung::differences;
-    if (result.beyond > limits.allowed) {
+    if (std::isinf(result.comparison.largest)) {
+        result.reason = fmt::format("a value is NaN or infinite in only one of the pictures, at {}, {}",
+                                    result.comparison.x, result.comparison.y);
+    } else if (result.beyond > limits.allowed) {
         result.reason = fmt::format("{} by more than {} (allowed: {}); {}", differ(result.beyond), limit,
                                     limits.allowed, largestDifference(result.comparison));
     } else if (result.cluster > static_cast<std::uint64_t>(std::max(tolerance.cluster, 0))) {
@@ -71,6 +77,35 @@ void judgePlainly(const ExcessLimits& limits, const Tolerance& tolerance, const 
     }
 }
 
+/// The pixel that firstOutOfRange() finds.
+struct OutOfRange {
+    int x = 0, y = 0;
+};
+
+/// The first pixel of two float pictures with a value outside of 0..1 that differs by more than the plain
+/// limit. The perceptual measures see such values as 0 or 1.
+std::optional<OutOfRange> firstOutOfRange(const Image& a, const Image& b, const ExcessLimits& limits) {
+    if (a.type != Component::f32) return std::nullopt;
+    const auto components = static_cast<std::size_t>(a.components);
+    const auto isInRange = [](double value) { return value >= 0 && value <= 1; };
+    for (int y = 0; y < a.height; ++y) {
+        const std::byte* rowA = a.row(y).data();
+        const std::byte* rowB = b.row(y).data();
+        if (std::memcmp(rowA, rowB, a.rowBytes()) == 0) continue;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(a.width) * components; ++i) {
+            const auto p = static_cast<double>(valueAt<float>(rowA, i)),
+                       q = static_cast<double>(valueAt<float>(rowB, i));
+            if (isInRange(p) && isInRange(q)) continue;
+            if (p == q || (std::isnan(p) && std::isnan(q))) continue;
+            const double allowed =
+                limits.relativeOnly ? limits.absolute + limits.relative * std::max(std::abs(p), std::abs(q))
+                                    : limits.largest / 255;
+            if (!(std::abs(p - q) <= allowed)) return OutOfRange{static_cast<int>(i / components), y};
+        }
+    }
+    return std::nullopt;
+}
+
 /// Applies one perceptual measure: false if the picture fails it.
 bool judgeMeasure(Rung rung, const char* what, double value, double limit, Judgement& result) {
     result.same = value <= limit;
@@ -80,9 +115,18 @@ bool judgeMeasure(Rung rung, const char* what, double value, double limit, Judge
     return result.same;
 }
 
+/// `outside`: see firstOutOfRange().
 void judgePerceptually(const Image& expected, const Image& got, const Tolerance& tolerance, bool everything,
-                       Judgement& result) {
-    const bool needed = !result.same;
+                       const std::optional<OutOfRange>& outside, Judgement& result) {
+    const bool isFinite = !std::isinf(result.comparison.largest);
+    const bool needed = !result.same && isFinite && !outside;
+    if (!result.same && isFinite && outside && (tolerance.structure || tolerance.flip))
+        result.reason +=
+            fmt::format("; {} decide{} within 0..1 only, but values outside of it differ at {}, {}",
+                        !tolerance.flip        ? "structure"
+                        : !tolerance.structure ? "flip"
+                                               : "flip and structure",
+                        tolerance.flip && tolerance.structure ? "" : "s", outside->x, outside->y);
     if (everything || (needed && tolerance.structure)) result.structure = structure(expected, got).difference;
     const bool refused = needed && tolerance.structure &&
                          !judgeMeasure(Rung::structure, "the structural difference", *result.structure,
@@ -151,6 +195,7 @@ Judgement judge(const Image& expected, const Image& got, const Tolerance& tolera
         return equalBytes(expected);
     const ExcessLimits limits = limitsFor(expected, got, tolerance);
     std::string place;
+    std::optional<OutOfRange> outside;
     withAlike(expected, got, [&](const Image& a, const Image& b) {
         result.comparison = compare(a, b);
         if (result.comparison.identical) return;
@@ -165,6 +210,7 @@ Judgement judge(const Image& expected, const Image& got, const Tolerance& tolera
         result.bias = excess.bias;
         result.biasX = excess.biasX;
         result.biasY = excess.biasY;
+        if (tolerance.flip || tolerance.structure) outside = firstOutOfRange(a, b, limits);
     });
     if (result.comparison.identical) {
         result.same = true;
@@ -172,7 +218,7 @@ Judgement judge(const Image& expected, const Image& got, const Tolerance& tolera
         return result;
     }
     judgePlainly(limits, tolerance, place, result);
-    judgePerceptually(expected, got, tolerance, everything, result);
+    judgePerceptually(expected, got, tolerance, everything, outside, result);
     return result;
 }
 

@@ -25,7 +25,9 @@ struct Tolerance {
     int line = 16;    ///< pixels that differ by more in one row or column; more is a row that has moved
     double bias = 1;  ///< 255ths that the mean of the signed differences over any block of pixels may be:
                       ///< a value just between two steps may fall to either. Float pictures have no such test
-    std::optional<double> flip;  ///< mean FLIP (0..1) that passes where the five above fail
+    /// Mean FLIP (0..1) that passes where the five above fail. It sees 0..1 only: it does not decide if
+    /// values outside of that range differ by more than the plain limit.
+    std::optional<double> flip;
     std::optional<double>
         structure;           ///< structural difference (0..1) likewise; both must pass if both are set
     double relative = 1e-4;  ///< two float pictures, in place of `largest`: |a - b| <= absolute + relative
@@ -69,9 +71,10 @@ Limited limitedBias(const Judgement& judged, const Tolerance& tolerance);
 std::string biasText(const Judgement& judged, const Tolerance& tolerance);
 
 /// Compares a picture with the expected one. Equal bytes are the same even if they are NaN; the reason then
-/// mentions it. Alpha counts like any component. `bias` limits differences to +-`largest`, so that single
-/// pixels beyond, which `fraction` allows, do not decide it. `everything` computes all figures even if an
-/// early one decides (for reports of failures).
+/// mentions it. A value that is finite in one picture and not in the other, or another infinity, never
+/// passes, whatever the tolerance. Alpha counts like any component. `bias` limits differences to +-`largest`,
+/// so that single pixels beyond, which `fraction` allows, do not decide it. `everything` computes all figures
+/// even if an early one decides (for reports of failures).
 Judgement judge(const Image& expected, const Image& got, const Tolerance& tolerance, bool everything = false);
 
 }  // namespace glibra::image

@@ -28,7 +28,7 @@ class Plane {
         for (int y = -1; y <= image.height; ++y)
             for (int x = -1; x <= image.width; ++x) {
                 const auto row = pixels.row(std::clamp(y, 0, image.height - 1));
-                Lanes pixel;
+                Lanes pixel{};
                 const auto column = static_cast<std::size_t>(std::clamp(x, 0, image.width - 1));
                 std::memcpy(&pixel, row.data() + column * sizeof pixel, sizeof pixel);
                 for (std::size_t c = 0; c < kLanes; ++c)

@@ -1,5 +1,5 @@
 #pragma once
-// The interface between the program and its OpenImageIO module: C functions and plain structs; no memory
+// The interface between the program and its image module: C functions and plain structs; no memory
 // changes its owner, and no exception crosses. Pixels are RGBA (reading) or RGB and RGBA (writing), top row
 // first, tightly packed.
 
@@ -9,7 +9,7 @@
 extern "C" {
 
 /// Increased whenever anything below changes. The program rejects a module with another number.
-constexpr int kGlibraModuleVersion = 2;
+constexpr int kGlibraModuleVersion = 3;
 
 enum { kGlibraU8 = 0, kGlibraU16 = 1, kGlibraF32 = 2 };           // component types
 enum { kGlibraDone = 0, kGlibraFailed = 1, kGlibraRefused = 2 };  // results
@@ -33,6 +33,7 @@ struct GlibraWriteRequest {
     const char* path;  ///< an existing file is overwritten
     int width, height;
     int components;  ///< 3 or 4
+    int keepsAlpha;  ///< 0: a fourth component is not written
     int type;
     const void* pixels;
     const char* comment;  ///< for formats that can store one; null or empty: none

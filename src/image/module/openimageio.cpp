@@ -1,36 +1,19 @@
-// The OpenImageIO module: every picture format except PNG, BMP and raw textures. It is a file of its own,
-// loaded when a picture needs it, because linking OpenImageIO costs a process about 100 ms at every start.
+// Every format that OpenImageIO knows.
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstdio>
+#include <cmath>
 #include <cstring>
-#include <exception>
 #include <memory>
-#include <new>
 #include <string>
-#include <vector>
 
-#include "image/module/abi.h"
+#include "image/module/codec.h"
 
+namespace glibra::module {
 namespace {
-
-struct Failure {
-    std::string text;
-};
-
-int fail(char* message, size_t size, const std::string& text) {
-    if (message != nullptr && size > 0) {
-        const size_t length = std::min(text.find_first_of("\r\n"), std::min(text.size(), size - 1));
-        std::memcpy(message, text.data(), length);
-        message[length] = '\0';
-    }
-    return kGlibraFailed;
-}
 
 OIIO::TypeDesc typeOf(int type) {
     return type == kGlibraU8 ? OIIO::TypeUInt8 : type == kGlibraU16 ? OIIO::TypeUInt16 : OIIO::TypeFloat;
@@ -71,6 +54,17 @@ template <class Value>
 void fill(void* pixels, size_t count, int component, Value value) {
     auto* at = static_cast<Value*>(pixels) + component;
     for (size_t i = 0; i < count; ++i) at[4 * i] = value;
+}
+
+/// True for whole numbers that are no fractions of their range: those with a sign.
+bool isWhole(const OIIO::TypeDesc& format) {
+    return format == OIIO::TypeInt8 || format == OIIO::TypeInt16 || format == OIIO::TypeInt32;
+}
+
+/// The largest number of a format of whole numbers, which OpenImageIO reads as 1.
+float largestOf(const OIIO::ImageSpec& spec) {
+    const auto bits = static_cast<int>(8 * spec.format.size()) - 1;
+    return std::ldexp(1.F, bits) - (bits < 24 ? 1.F : 0.F);
 }
 
 void fillAlpha(void* pixels, size_t count, int type) {
@@ -129,7 +123,9 @@ void quieten() {
     OIIO::attribute("exr_threads", -1);
 }
 
-int readPicture(const GlibraReadRequest& request) {
+}  // namespace
+
+void readByOpenImageIo(const GlibraReadRequest& request) {
     quieten();
     const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(request.format);
     if (!input) throw Failure{OIIO::geterror()};
@@ -152,35 +148,28 @@ int readPicture(const GlibraReadRequest& request) {
 
     const int type = typeFor(spec);
     const std::array<int, 4> channels = channelsOf(spec);
-    void* pixels = request.allocate(request.context, static_cast<uint64_t>(spec.width),
-                                    static_cast<uint64_t>(spec.height), type);
-    if (pixels == nullptr) return kGlibraRefused;
+    void* const pixels =
+        allocate(request, static_cast<uint64_t>(spec.width), static_cast<uint64_t>(spec.height), type);
     const size_t count = static_cast<size_t>(spec.width) * static_cast<size_t>(spec.height);
     readChannels(*input, count, channels, type, pixels);
     if (channels[3] < 0) fillAlpha(pixels, count, type);
+    if (isWhole(spec.format) && spec.channelformats.empty()) {
+        // Alpha stays a fraction.
+        const float factor = largestOf(spec);
+        for (size_t i = 0; i < 4 * count; ++i)
+            if (i % 4 != 3) static_cast<float*>(pixels)[i] *= factor;
+    }
     input->close();
-    return kGlibraDone;
 }
 
-void writeFile(const char* path, const std::vector<unsigned char>& bytes) {
-    std::FILE* const file = std::fopen(path, "wb");
-    if (file == nullptr) throw Failure{std::strerror(errno)};
-    const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
-    const int before = errno;
-    if (const bool closed = std::fclose(file) == 0; !written || !closed)
-        throw Failure{std::strerror(written ? errno : before)};
-}
-
-int writePicture(const GlibraWriteRequest& request) {
+void writeByOpenImageIo(const GlibraWriteRequest& request) {
     quieten();
     const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(request.format);
     if (!output) {
         OIIO::geterror();  // clears a text that names neither the file nor the reason
         throw Failure{"OpenImageIO cannot write this format"};
     }
-    // BMP would get a fourth byte without meaning.
-    const bool alpha = output->supports("alpha") && std::strcmp(request.format, "bmp") != 0;
-    const int components = alpha ? request.components : 3;
+    const int components = request.keepsAlpha != 0 && output->supports("alpha") ? request.components : 3;
     const bool floats =
         std::strcmp(request.format, "openexr") == 0 || std::strcmp(request.format, "hdr") == 0;
     OIIO::ImageSpec spec(request.width, request.height, components,
@@ -200,37 +189,6 @@ int writePicture(const GlibraWriteRequest& request) {
     if (!output->write_image(typeOf(request.type), request.pixels, stride) || !output->close())
         throw Failure{output->geterror()};
     if (inMemory) writeFile(request.path, memory.buffer());
-    return kGlibraDone;
 }
 
-template <class Request, class Work>
-int guarded(const Request* request, const Work& work) {
-    try {
-        return work(*request);
-    } catch (const Failure& failure) {
-        return fail(request->message, request->messageSize, failure.text.empty() ? "damaged" : failure.text);
-    } catch (const std::bad_alloc&) {
-        return kGlibraRefused;
-    } catch (const std::exception& caught) {
-        return fail(request->message, request->messageSize, caught.what());
-    } catch (...) {
-        return fail(request->message, request->messageSize, "unknown error");
-    }
-}
-
-}  // namespace
-
-extern "C" {
-
-int glibraModuleVersion() {
-    return kGlibraModuleVersion;
-}
-
-int glibraReadPicture(const GlibraReadRequest* request) {
-    return guarded(request, readPicture);
-}
-
-int glibraWritePicture(const GlibraWriteRequest* request) {
-    return guarded(request, writePicture);
-}
-}
+}  // namespace glibra::module

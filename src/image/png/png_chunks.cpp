@@ -6,14 +6,10 @@
 #include <array>
 #include <string_view>
 
+#include "image/bytes.h"
+
 namespace glibra::image {
 namespace {
-
-std::uint32_t big32(std::span<const std::byte> bytes, std::size_t at) {
-    std::uint32_t value = 0;
-    for (std::size_t i = 0; i < 4; ++i) value = value << 8U | std::to_integer<std::uint32_t>(bytes[at + i]);
-    return value;
-}
 
 /// Adds the content of a chunk; false if it must not occur here.
 bool add(std::string_view type, std::span<const std::byte> content, PngChunks& chunks, bool dataEnded) {

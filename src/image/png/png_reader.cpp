@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <spng.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "image/png/png_quick_reader.h"

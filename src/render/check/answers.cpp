@@ -292,4 +292,29 @@ Diagnostics withoutExpected(const std::vector<Check>& checks, Diagnostics diagno
     return diagnostics;
 }
 
+Diagnostics withoutPicture(const std::vector<Check>& checks, Diagnostics diagnostics) {
+    std::string causes;
+    for (const Diagnostic& each : diagnostics)
+        if (each.severity == Severity::error && causes.find(each.id) == std::string::npos)
+            causes += (causes.empty() ? "" : ", ") + each.id;
+    diagnostics = withoutExpected(checks, std::move(diagnostics));
+    if (hasError(diagnostics)) return diagnostics;
+    for (const Check& each : checks)
+        if (each.kind != Kind::error)
+            diagnostics.push_back(
+                diagnose("check-E02",
+                         fmt::format("{}: there is no picture to look at, because of {}", each.text, causes),
+                         each.place));
+    return diagnostics;
+}
+
+Diagnostics reportIdle(const std::vector<scene::IdleCheck>& checks) {
+    Diagnostics diagnostics;
+    for (const scene::IdleCheck& each : checks)
+        diagnostics.push_back(diagnose(each.mayRun ? "check-N01" : "check-W01",
+                                       fmt::format("{} is not answered: {}", each.text, each.why),
+                                       each.place));
+    return diagnostics;
+}
+
 }  // namespace glibra::render

@@ -28,4 +28,10 @@ std::optional<Diagnostic> answer(const scene::Check& check, const CheckQuestions
 /// The diagnostics without those that Expect error asks for, and check-E01 for each that was not reported.
 Diagnostics withoutExpected(const std::vector<scene::Check>& checks, Diagnostics diagnostics);
 
+/// The same if these checks have no picture to look at. If no error is left, check-E02 for each of them.
+Diagnostics withoutPicture(const std::vector<scene::Check>& checks, Diagnostics diagnostics);
+
+/// check-W01 for each Expect that has not run, or check-N01 if another time or value may make it run.
+Diagnostics reportIdle(const std::vector<scene::IdleCheck>& checks);
+
 }  // namespace glibra::render

@@ -1,13 +1,14 @@
 // Answers the checks of a scene from what its renderer drew.
 
 #include <algorithm>
-#include <set>
 #include <utility>
+#include <vector>
 
 #include "gpu/object/query.h"
 #include "gpu/object/readback.h"
 #include "render/check/answers.h"
 #include "render/check/object_content.h"
+#include "render/check/open_checks.h"
 #include "render/scene_state.h"
 
 namespace glibra::render {
@@ -45,33 +46,43 @@ bool hasMessage(const Diagnostics& all, const Diagnostic& one) {
 }  // namespace
 
 bool SceneRenderer::hasChecks() const {
-    return !state_->scene.checks.empty();
+    const std::vector<scene::IdleCheck>& idle = state_->scene.idleChecks;
+    return !state_->scene.checks.empty() ||
+           std::any_of(idle.begin(), idle.end(), [](const auto& each) { return each.seconds.has_value(); });
+}
+
+bool SceneRenderer::hasIdleChecks() const {
+    return !state_->scene.idleChecks.empty();
 }
 
 Diagnostics SceneRenderer::answerChecks(double time, Diagnostics& reported, Stats& stats) {
-    const std::vector<scene::Check> checks = state_->scene.checks;  // those of other moments may differ
-    std::set<double> times;
-    for (const scene::Check& each : checks)
-        if (each.kind != scene::Check::Kind::error) times.insert(each.seconds.value_or(time));
-    if (times.empty()) times.insert(time);
+    State& state = *state_;
+    Diagnostics found = state.moveTo(time, stats);
+    applyStrict(found, state.options.strict);
+    OpenChecks open(state.scene, time);
+    if (!state.isStopped(found))
+        for (const double each : open.times()) append(found, answerAt(each, open, stats));
     Diagnostics wrong;
-    const auto sort = [&](Diagnostics found) {
-        for (Diagnostic& each : found) {
-            if (each.id.starts_with("check-"))
+    const auto sort = [&](Diagnostics diagnostics) {
+        for (Diagnostic& each : diagnostics) {
+            if (each.severity == Severity::error && each.id.starts_with("check-"))
                 wrong.push_back(std::move(each));
             else if (!hasMessage(reported, each))
                 reported.push_back(std::move(each));
         }
     };
-    Diagnostics ofTimes;
-    for (const double each : times) append(ofTimes, answerAt(each, time, stats));
-    sort(std::move(ofTimes));
-    sort(withoutExpected(checks, std::exchange(reported, {})));
+    Diagnostics idle = reportIdle(open.idle());
+    applyStrict(idle, state.options.strict);
+    append(found, std::move(idle));
+    sort(std::move(found));
+    Diagnostics unexplained = std::exchange(reported, {});
+    sort(open.isAnswered() ? withoutExpected(open.all(), std::move(unexplained))
+                           : withoutPicture(open.unanswered(), std::move(unexplained)));
     return wrong;
 }
 
 /// Draws the picture of `moment` and answers the checks that ask for it. What drawing reports comes first.
-Diagnostics SceneRenderer::answerAt(double moment, double time, Stats& stats) {
+Diagnostics SceneRenderer::answerAt(double moment, OpenChecks& open, Stats& stats) {
     State& state = *state_;
     const auto isCounted = [](const scene::Check& each) {
         return each.kind == scene::Check::Kind::primitives || each.kind == scene::Check::Kind::samples;
@@ -80,12 +91,17 @@ Diagnostics SceneRenderer::answerAt(double moment, double time, Stats& stats) {
     if (std::any_of(state.scene.checks.begin(), state.scene.checks.end(), isCounted))
         if (Result<image::Image> before = draw(moment, stats); !before) return std::move(before.diagnostics);
     state.forgetDrawn();  // all nodes count
+    // Parts of draws would count again.
+    const double share = state.drawer->timeShare();
+    if (std::any_of(state.scene.checks.begin(), state.scene.checks.end(), isCounted))
+        state.drawer->setTimeShare(0);
     const gpu::Query primitives(GL_PRIMITIVES_GENERATED), samples(GL_SAMPLES_PASSED);
     primitives.begin();
     samples.begin();
     Result<image::Image> picture = draw(moment, stats);
     samples.end();
     primitives.end();
+    if (state.drawer) state.drawer->setTimeShare(share);
     if (!picture) return std::move(picture.diagnostics);
     CheckQuestions questions;
     questions.primitives = [&] { return primitives.result(); };
@@ -99,7 +115,7 @@ Diagnostics SceneRenderer::answerAt(double moment, double time, Stats& stats) {
         return read;
     };
     questions.condition = [&](const scene::Check& check) {
-        return state.source->answer(check, [&](const std::string& name) {
+        return scene::answerCondition(check, [&](const std::string& name) {
             for (const scene::BufferIndex each : state.scene.buffers.indices()) {
                 if (state.scene.buffers[each].name != name) continue;
                 Result<Content> content = contentOf(state.scene, state.device, scene::BufferView{each});
@@ -109,16 +125,29 @@ Diagnostics SceneRenderer::answerAt(double moment, double time, Stats& stats) {
         });
     };
     Diagnostics wrong = std::move(picture.diagnostics);
-    for (const scene::Check& each : state.scene.checks)
-        if (each.kind != scene::Check::Kind::error && each.seconds.value_or(time) == moment)
-            if (std::optional<Diagnostic> found = answer(each, questions)) wrong.push_back(std::move(*found));
+    for (const scene::Check& each : open.take(moment, state.scene.checks))
+        if (std::optional<Diagnostic> found = answer(each, questions)) wrong.push_back(std::move(*found));
     return wrong;
 }
 
+namespace {
+
+/// The checks of a scene that cannot be drawn; empty if it cannot be read.
 std::vector<scene::Check> checksOf(const std::filesystem::path& path, const RenderOptions& options) {
     Stats stats;
     Result<InterpretedScene> interpreted = interpretFile(path, options, stats);
-    return interpreted ? std::move(interpreted->scene.checks) : std::vector<scene::Check>();
+    if (!interpreted) return {};
+    if (!interpreted->source || options.time == interpreted->inputs.time)
+        return std::move(interpreted->scene.checks);
+    interpreted->inputs.time = options.time;
+    return interpreted->source->at(interpreted->inputs).checks;
+}
+
+}  // namespace
+
+Diagnostics answerWithoutPicture(const std::filesystem::path& path, const RenderOptions& options,
+                                 Diagnostics reported) {
+    return withoutPicture(checksOf(path, options), std::move(reported));
 }
 
 Diagnostics runChecks(gpu::Context& context, const std::filesystem::path& path, const RenderOptions& options,
@@ -130,7 +159,7 @@ Diagnostics runChecks(gpu::Context& context, const std::filesystem::path& path, 
     Diagnostics reported = std::move(known);
     for (Diagnostic& each : renderer.diagnostics)
         if (!hasMessage(reported, each)) reported.push_back(std::move(each));
-    if (!renderer) return withoutExpected(checksOf(path, options), std::move(reported));
+    if (!renderer) return answerWithoutPicture(path, options, std::move(reported));
     Diagnostics wrong = renderer->answerChecks(options.time, reported, stats);
     append(reported, std::move(wrong));
     return reported;

@@ -65,7 +65,19 @@ Result<std::array<unsigned, 3>> checkedGroups(const GroupCounts& groups, const g
                             place);
         checked[axis] = static_cast<unsigned>(groups[axis]);
     }
-    return checked;
+    if (!driver.isSoftware) return checked;
+    // llvmpipe: lp_cs_tpool_queue_task() takes an int.
+    constexpr std::uint64_t kMostOfSoftware = (std::uint64_t{1} << 31) - 1;
+    const std::uint64_t all = groups[0] * groups[1] * groups[2];  // each count has 16 bits there
+    if (all <= kMostOfSoftware) return checked;
+    return {
+        checked,
+        {diagnose("draw-W25",
+                  fmt::format("Dispatch: {} groups in all; this driver counts at most {}, and may not run "
+                              "the others; dispatch fewer groups, or divide them with tiles",
+                              glib::groupedText(static_cast<long long>(all)),
+                              glib::groupedText(static_cast<long long>(kMostOfSoftware))),
+                  place)}};
 }
 
 Diagnostics FrameDrawer::dispatch(const plan::PlannedDispatch& planned) {
@@ -81,6 +93,7 @@ Diagnostics FrameDrawer::dispatch(const plan::PlannedDispatch& planned) {
     bindings_.use(*built->program);
     bindBlocks(planned.program, *built);
     bindTextures(planned.textures, *built);
+    Diagnostics remarks;
     if (const auto* from = std::get_if<scene::GroupsFrom>(&dispatch.groups)) {
         if (const gpu::Buffer* counts = device_.buffers().buffer(from->buffer)) {
             GroupCounts groups{};
@@ -88,15 +101,16 @@ Diagnostics FrameDrawer::dispatch(const plan::PlannedDispatch& planned) {
                 groups.at(axis) = countIn(from->buffer, axis);
             const auto checked = checkedGroups(groups, context_.capabilities(), dispatch.place);
             if (!checked) return checked.diagnostics;
+            append(remarks, checked.diagnostics);
             gpu::dispatchFrom(*counts);
         }
     } else {
-        const GroupCounts& groups = groupsOf(planned, *built);
-        if (Diagnostics refused = dispatchPieces(*built, groups, dispatch); !refused.empty()) return refused;
+        remarks = dispatchPieces(*built, groupsOf(planned, *built), dispatch);
+        if (hasError(remarks)) return remarks;
     }
     finishWrites(planned.program, planned.textures);
     stats_.add("dispatches", 1);
-    return {};
+    return remarks;
 }
 
 Diagnostics FrameDrawer::dispatchPieces(const BuiltProgram& built, const GroupCounts& groups,
@@ -112,21 +126,31 @@ Diagnostics FrameDrawer::dispatchPieces(const BuiltProgram& built, const GroupCo
     const std::uint64_t pieces =
         std::clamp<std::uint64_t>(groups.at(axis), 1, static_cast<std::uint64_t>(dispatch.tiles));
     const std::array<int, 3> localSize = gpu::localSizeOf(*built.program);
-    GroupCounts first{};
-    for (std::uint64_t piece = 0; piece < pieces; ++piece) {
-        GroupCounts part = groups;
-        // The counts are below 2^32 and the pieces at most 65,536, so the products fit.
-        first.at(axis) = groups.at(axis) * piece / pieces;
-        part.at(axis) = groups.at(axis) * (piece + 1) / pieces - first.at(axis);
+    Diagnostics remarks;
+    const auto run = [&](std::uint64_t begin, std::uint64_t end) -> Diagnostics {
+        GroupCounts first{}, part = groups;
+        first.at(axis) = begin;
+        part.at(axis) = end - begin;
         const Result<std::array<unsigned, 3>> checked =
             checkedGroups(part, context_.capabilities(), dispatch.place);
         if (!checked) return checked.diagnostics;
+        if (remarks.empty()) remarks = checked.diagnostics;  // once for all pieces
         setPiece(built, first, groups, localSize);
         gpu::dispatch(*checked);
+        return {};
+    };
+    if (dispatch.tiles == 1) {
+        Diagnostics refused = dispatchInShares(built, groups, axis, run);
+        return refused.empty() ? remarks : refused;
+    }
+    for (std::uint64_t piece = 0; piece < pieces; ++piece) {
+        // The counts are below 2^32 and the pieces at most 65,536, so the products fit.
+        Diagnostics refused = run(groups.at(axis) * piece / pieces, groups.at(axis) * (piece + 1) / pieces);
+        if (!refused.empty()) return refused;
         if (pieces > 1) glFlush();
     }
     if (pieces > 1) stats_.add("pieces of dispatches", pieces);
-    return {};
+    return remarks;
 }
 
 const GroupCounts& FrameDrawer::groupsOf(const plan::PlannedDispatch& planned, const BuiltProgram& built) {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "plan/accesses.h"
+#include "render/draw/work_share.h"
 
 namespace glibra::render {
 namespace {
@@ -34,6 +35,7 @@ FrameDrawer::FrameDrawer(const gpu::Context& context, const plan::FramePlan& pla
       device_(device),
       stats_(stats),
       states_(plan.programs.size()),
+      timeShare_(context.capabilities().isSoftware ? 0 : kTimeShare),
       raster_(context.capabilities()) {}
 
 void FrameDrawer::skipOpaqueBlending() {

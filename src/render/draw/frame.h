@@ -85,6 +85,10 @@ class FrameDrawer {
     /// Turns blending off for programs that always write 1 for alpha. The window's colours must be bytes:
     /// floats would keep the sign of a zero that blending loses.
     void skipOpaqueBlending();
+    /// Draws that may take longer than this many seconds are cut into parts, for the same pixels; 0: none is.
+    /// At first it is kTimeShare, and 0 where the processor draws. Vertex stages then run once per part.
+    void setTimeShare(double seconds) { timeShare_ = seconds; }
+    [[nodiscard]] double timeShare() const { return timeShare_; }
     /// Draws only the first `draws` of the plan's draws, counted over all passes in their order. Passes still
     /// begin with their implicit clears.
     void setDrawLimit(std::size_t draws) { drawLimit_ = draws; }
@@ -95,7 +99,8 @@ class FrameDrawer {
     [[nodiscard]] bool drawsPlainly() const;
 
     /// For hooks: issues the GL calls of that draw alone, with whatever program and vertex array are bound.
-    void submit(const plan::PlannedDraw& planned) const;
+    /// `withPoints`: also the points of a mesh of lines.
+    void submit(const plan::PlannedDraw& planned, bool withPoints = false) const;
     /// The program that the draw uses, which may be the fallback; null if nothing is drawn.
     [[nodiscard]] const BuiltProgram* programOf(const plan::PlannedDraw& planned) const;
 
@@ -158,13 +163,23 @@ class FrameDrawer {
         bool areIndexed = false;
         std::uint64_t offset = 0;  ///< bytes before the first index
         int count = 0;
+        int points = 0;  ///< the last ones, which are points, whatever the draw's primitives are
     };
     /// The mesh of the draw must be on the device.
     [[nodiscard]] Elements elementsOf(const plan::PlannedDraw& planned) const;
+    /// Draws elements of one kind.
+    void submitPart(const plan::PlannedDraw& planned, const Elements& elements, GLenum mode) const;
+    /// Submits a draw whose state is set, in parts if it may take long (work_share.h).
+    void submitInShares(const plan::PlannedDraw& planned, const BuiltProgram& built);
+    /// Does all rows by `work`, in parts if the program is not known to be quick. Returns their number.
+    int workInShares(const BuiltProgram& built, int rows, double pixels,
+                     const std::function<void(int first, int end)>& work);
+    [[nodiscard]] bool mayTakeLong(const plan::PlannedDraw& planned, const BuiltProgram& built);
     void submitDirect(const plan::PlannedDraw& planned, const Elements& elements, GLenum mode) const;
     /// The word of that number of a buffer; 0 if the buffer has not been made. Waits for the device.
     [[nodiscard]] std::uint32_t countIn(const scene::BufferView& from, std::size_t word) const;
-    /// memory-E06 if a buffer gives the draw more vertices or instances than a scene may state.
+    /// memory-E06 if a buffer gives the draw more vertices or instances than a scene may state, memory-E17 if
+    /// more indices than there are.
     [[nodiscard]] Diagnostics checkCounts(const scene::Draw& draw) const;
     /// Draws with counts that buffers hold.
     void submitIndirect(const scene::Draw& draw, const Elements& elements, GLenum mode) const;
@@ -180,6 +195,11 @@ class FrameDrawer {
     /// each piece the driver gets the commands, so that none of them takes long.
     Diagnostics dispatchPieces(const BuiltProgram& built, const GroupCounts& groups,
                                const scene::Dispatch& dispatch);
+    /// The same in parts that follow from the time that the first ones take (work_share.h). `run` does the
+    /// groups of that range along the axis.
+    Diagnostics dispatchInShares(
+        const BuiltProgram& built, const GroupCounts& groups, std::size_t axis,
+        const std::function<Diagnostics(std::uint64_t begin, std::uint64_t end)>& run);
     /// After a draw or dispatch that may write by its shaders.
     void finishWrites(plan::PlannedProgramIndex program, const std::vector<plan::TextureUse>& textures);
 
@@ -199,6 +219,8 @@ class FrameDrawer {
     DrawHook hook_;
     NodeHook nodeHook_;
     const BuiltProgram* fallback_ = nullptr;
+    double timeShare_;
+    std::map<const BuiltProgram*, bool> loops_;  ///< whether it has any
     glm::dvec2 shift_{0.0};
     std::vector<glm::dvec2> textureShifts_;  ///< one per pass into textures, in their order
     Tile texture_;                           ///< the whole target of the current pass into a texture

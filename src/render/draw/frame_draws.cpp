@@ -119,7 +119,9 @@ bool FrameDrawer::isOutOfTile(const plan::PlannedDraw& planned, const BuiltProgr
                               const gpu::Target& target, bool isWindow) const {
     const scene::Draw& draw = plan_.drawOf(planned);
     const VertexBox* bounds = windowSamples_ > 0 ? device_.knownBounds(draw.shape) : nullptr;
-    if (!bounds || !isPlacedByMatrices(draw) ||
+    const DeviceMesh* mesh = device_.deviceMesh(plan_, planned.mesh);
+    // Points reach further than the primitives that the draw view knows.
+    if (!bounds || !isPlacedByMatrices(draw) || (mesh != nullptr && mesh->pointCount > 0) ||
         plan::writesMemory(plan_.programs[planned.program], planned.textures))
         return false;
     const Screen window{frame_->width, frame_->height, frame_->tile, windowSamples_,
@@ -147,7 +149,7 @@ const BuiltProgram* FrameDrawer::programOf(const plan::PlannedDraw& planned) con
 FrameDrawer::Elements FrameDrawer::elementsOf(const plan::PlannedDraw& planned) const {
     const scene::Draw& draw = plan_.drawOf(planned);
     const DeviceMesh& mesh = *device_.deviceMesh(plan_, planned.mesh);
-    if (!draw.indices.buffer) return {bool(mesh.indices), 0, mesh.indexCount};
+    if (!draw.indices.buffer) return {bool(mesh.indices), 0, mesh.indexCount, mesh.pointCount};
     const auto own = device_.indicesOf(draw).value_or(DeviceScene::Indices{});
     const int wanted = draw.drawsAllIndices ? own.count : std::min(own.count, mesh.indexCount);
     return {true, own.offset, wanted};
@@ -170,13 +172,23 @@ Diagnostics FrameDrawer::checkCounts(const scene::Draw& draw) const {
                          fmt::format("{} from a buffer: {} {}; the limit is {}", word,
                                      glib::groupedText(count), things, glib::groupedText(most)),
                          draw.place));
+        return count;
     };
-    check(draw.verticesFrom, scene::kMostVertices, "Vertices", "vertices");
+    const std::uint32_t count = check(draw.verticesFrom, scene::kMostVertices, "Vertices", "vertices");
     check(draw.instancesFrom, scene::kMostInstances, "Instances", "instances");
+    // Drivers read beyond the end of a buffer of indices, and may crash there.
+    const auto indices = device_.indicesOf(draw);
+    if (diagnostics.empty() && indices && count > static_cast<std::uint32_t>(indices->count))
+        diagnostics.push_back(
+            diagnose("memory-E17",
+                     fmt::format("Vertices from a buffer: {} indices are more than the {} elements of '{}'",
+                                 glib::groupedText(count), glib::groupedText(indices->count),
+                                 device_.nameOfIndices(draw)),
+                     draw.place));
     return diagnostics;
 }
 
-void FrameDrawer::submit(const plan::PlannedDraw& planned) const {
+void FrameDrawer::submit(const plan::PlannedDraw& planned, bool withPoints) const {
     const scene::Draw& draw = plan_.drawOf(planned);
     if (draw.indices.buffer && !device_.indicesOf(draw)) return;
     const Elements elements = elementsOf(planned);
@@ -187,11 +199,25 @@ void FrameDrawer::submit(const plan::PlannedDraw& planned) const {
         glEnable(GL_PRIMITIVE_RESTART);
         glPrimitiveRestartIndex(std::numeric_limits<GLuint>::max());
     }
+    Elements part = elements;
+    part.count -= elements.points;
+    if (part.count > 0 || elements.points == 0) submitPart(planned, part, mode);
+    // A geometry stage takes lines or points, not both.
+    const std::string& geometryInput = programOf(planned)->interface.facts.geometryInput;
+    if (withPoints && elements.points > 0 && mode == GL_LINES && geometryInput.empty()) {
+        part.offset += static_cast<std::uint64_t>(part.count) * sizeof(GLuint);
+        part.count = elements.points;
+        submitPart(planned, part, GL_POINTS);
+    }
+    if (restarts) glDisable(GL_PRIMITIVE_RESTART);
+}
+
+void FrameDrawer::submitPart(const plan::PlannedDraw& planned, const Elements& elements, GLenum mode) const {
+    const scene::Draw& draw = plan_.drawOf(planned);
     if (draw.instancesFrom.buffer || draw.verticesFrom.buffer)
         submitIndirect(draw, elements, mode);
     else if (draw.instances > 0)
         submitDirect(planned, elements, mode);
-    if (restarts) glDisable(GL_PRIMITIVE_RESTART);
 }
 
 void FrameDrawer::submitDirect(const plan::PlannedDraw& planned, const Elements& elements,
@@ -293,7 +319,7 @@ Diagnostics FrameDrawer::drawOne(const plan::PlannedDraw& planned, const gpu::Ta
     setRaster(planned, built, isWindow, diagnostics);
     bindings_.bind(device_.vertexArray(plan_, planned, built));
     if (hook_) hook_(planned, isWindow, true);
-    submit(planned);
+    submitInShares(planned, built);
     if (hook_) {
         hook_(planned, isWindow, false);
         forgetState();

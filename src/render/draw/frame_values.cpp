@@ -15,6 +15,9 @@ void FrameDrawer::forgetLiterals(plan::PlannedProgramIndex program) {
     ProgramState& state = states_[program];
     state.literalsSet = false;
     state.blocks.clear();
+    // Other values may make its loops longer.
+    if (const BuiltProgram* built = programs_.find(plan_.programs[program].variant))
+        device_.secondsPerPixel(built) = 0;
 }
 
 void FrameDrawer::resetUniforms(plan::PlannedProgramIndex program, const BuiltProgram& built) {

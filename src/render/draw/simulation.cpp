@@ -341,6 +341,7 @@ Diagnostics Simulation::advance(const scene::FrameInputs& inputs) {
             parts_.device.forgetShapes();
         }
         append(diagnostics, runStep(step, inputs));
+        if (!parts_.context.capabilities().isSoftware) queue_.endPiece();
         return !hasError(diagnostics);
     });
     if (frame) {

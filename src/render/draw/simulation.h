@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "gpu/context/context.h"
+#include "gpu/object/work_queue.h"
 #include "plan/accesses.h"
 #include "plan/frame_plan.h"
 #include "render/draw/frame.h"
@@ -147,6 +148,7 @@ class Simulation {
     std::vector<scene::ObjectView> roots_;  ///< what is read of what lasts
     bool hasRun_ = false;
     RunHook hook_;
+    gpu::WorkQueue queue_;  ///< of steps
     std::int64_t changes_ = 0;
 };
 

@@ -175,15 +175,22 @@ class JobRun {
     /// Writes the textures of Job::saves.
     Diagnostics save(SceneRenderer& scene, int index) {
         Diagnostics problems;
+        std::vector<image::Image> contents;  // no file appears unless all can be read
         for (const Job::Save& each : job_.saves) {
             const Result<scene::TextureView> view = scene::textureNamed(scene.scene(), each.texture);
             if (!view) return view.diagnostics;
             Result<image::Image> content = scene.textureImage(*view);
             append(problems, std::move(content.diagnostics));
             if (!content) return problems;
-            const StageTimer timer(stats_, "write");
-            append(problems, image::writeImage(*content, frameFile(each.file, index, job_.frames)));
+            contents.push_back(std::move(*content));
         }
+        const StageTimer timer(stats_, "write");
+        // The names of frames are this program's.
+        const image::WriteOptions options =
+            image::writtenAs(job_.frames > 1 ? image::NamedBy::program : image::NamedBy::user);
+        for (std::size_t i = 0; i < contents.size(); ++i)
+            append(problems,
+                   image::writeImage(contents[i], frameFile(job_.saves[i].file, index, job_.frames), options));
         return problems;
     }
 
@@ -211,8 +218,9 @@ class JobRun {
         const std::optional<image::Image> picture = draw(scene, 0);
         if (!picture) return;
         const StageTimer timer(stats_, "write");
-        append(result_.diagnostics, job_.output == "-" ? writeToStandardOutput(image::encodePng(*picture))
-                                                       : image::writeImage(*picture, job_.output));
+        append(result_.diagnostics,
+               job_.output == "-" ? writeToStandardOutput(image::encodePng(*picture))
+                                  : image::writeImage(*picture, job_.output, image::writtenAs(job_.named)));
     }
 
     /// For each frame, the first frame that shows the same picture.
@@ -250,12 +258,15 @@ class JobRun {
         std::vector<std::byte> png;
         int shown = -1;  // the frame that `png` is
         for (int i = 0; i < job_.frames; ++i) {
+            const bool isWritten = i < job_.written;
+            if (isWritten && !scene.remembersFrames()) continue;
             if (first[static_cast<std::size_t>(i)] != shown) {
                 const std::optional<image::Image> picture = draw(scene, i);
                 if (!picture) return;
                 png = image::encodePng(*picture);
                 shown = first[static_cast<std::size_t>(i)];
             }
+            if (isWritten) continue;
             const StageTimer timer(stats_, "write");
             if (const Diagnostics problems = writeToStandardOutput(png); !problems.empty())
                 return append(result_.diagnostics, problems);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "gpu/context/context.h"
+#include "image/file.h"
 #include "image/image.h"
 #include "plan/frame_plan.h"
 #include "render/load/shared_parts.h"
@@ -18,10 +19,12 @@ namespace glibra::render {
 
 struct Job {
     std::filesystem::path scene;
-    std::filesystem::path output;  ///< file; "-" is standard output, as PNG
+    std::filesystem::path output;                 ///< file; "-" is standard output, as PNG
+    image::NamedBy named = image::NamedBy::user;  ///< what becomes of links that have the names of pictures
     RenderOptions options;
     int frames = 1;
     double framesPerSecond = 30;
+    int written = 0;  ///< frames that an earlier job has already written to standard output
     /// An animation may be divided among `parts` jobs; this one is number `part`. The jobs must run on the
     /// same machine, each in its own process. Each draws its share of the frames if the driver draws on the
     /// processor and no frame depends on earlier ones; otherwise part 0 draws all.

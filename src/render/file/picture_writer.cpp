@@ -14,7 +14,7 @@ namespace glibra::render {
 Diagnostics copyFile(const std::filesystem::path& from, const std::filesystem::path& to) {
     const auto bytes = image::readFile(from, {from.string(), {from.string(), 1, 1}});
     if (!bytes) return bytes.diagnostics;
-    return image::writeFileAtomically(to, *bytes);
+    return image::writeFileAtomically(to, *bytes, image::NamedBy::program);
 }
 
 PictureWriter::PictureWriter(const std::function<void(int)>& written, std::size_t mostThreads)
@@ -104,6 +104,7 @@ void PictureWriter::run() {
     image::WriteOptions options;
     options.png.level = 0;
     options.png.threads = 1;
+    options.named = image::NamedBy::program;  // frames
     Item item;
     while (take(item)) {
         const auto* picture = std::get_if<image::Image>(&item.content);

@@ -1,17 +1,77 @@
 #include "render/file/scene_inputs.h"
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
 #include <set>
 #include <string>
 #include <utility>
 
 #include "image/file.h"
 #include "render/draw/frame.h"
+#include "render/draw/simulation.h"
 #include "render/scene_renderer.h"
 #include "render/stats.h"
 
 namespace glibra::render {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+/// Steps that are interpreted to find what they read.
+constexpr std::int64_t kMostSteps = 2'000;
+
+/// True if a file may be read at some times and not at others. Everything else is declared outside of `When`.
+bool mayChooseFiles(const scene::Interpretation& source) {
+    constexpr std::array kChoosing{glib::CommandId::obj, glib::CommandId::wireObj, glib::CommandId::objAdj,
+                                   glib::CommandId::objPatch, glib::CommandId::include};
+    for (const glib::Script* script : source.scripts())
+        for (const glib::Command& command : script->commands)
+            if (std::find(kChoosing.begin(), kChoosing.end(), command.id) != kChoosing.end()) return true;
+    return false;
+}
+
+/// True if another time may read other files.
+bool isTimed(const InterpretedScene& interpreted) {
+    const auto& steps = interpreted.scene.steps;
+    return interpreted.source &&
+           (interpreted.changesWithTime() ||
+            std::any_of(steps.begin(), steps.end(), [](const auto& each) { return each.dependsOnTick; }));
+}
+
+/// Interprets the scene for the picture at `time`, so that its list of files has those of that time. False if
+/// steps were left out.
+bool visitMoments(InterpretedScene& interpreted, double time) {
+    if (!isTimed(interpreted) || !mayChooseFiles(*interpreted.source)) return true;
+    std::set<double> times{time};
+    for (const scene::Check& each : interpreted.scene.checks)
+        if (each.seconds) times.insert(*each.seconds);
+    scene::FrameInputs inputs = interpreted.inputs;
+    bool isWhole = true;
+    for (const double each : times) {
+        const std::size_t blocks = interpreted.scene.steps.size();
+        for (std::size_t block = 0; block < blocks; ++block) {
+            const double rate = interpreted.scene.steps[block].rate;
+            const std::int64_t count = stepsAt(each, rate);
+            isWhole &= count <= kMostSteps;
+            for (std::int64_t tick = 0; tick < std::min(count, kMostSteps); ++tick) {
+                inputs.time = static_cast<double>(tick) / rate;
+                inputs.ticks.assign(blocks, 0);
+                inputs.ticks[block] = tick;
+                inputs.sinceStepBefore = 1 / rate;
+                interpreted.scene = interpreted.source->at(inputs);
+                if (interpreted.scene.steps.size() != blocks) return false;
+            }
+        }
+        inputs = interpreted.inputs;
+        inputs.time = each;
+        interpreted.scene = interpreted.source->at(inputs);
+    }
+    return isWhole;
+}
+
+}  // namespace
 
 std::vector<fs::path> includedFiles(std::string_view text, const fs::path& file, const scene::Scene& scene,
                                     const RenderOptions& options, scene::FolderListings& listings) {
@@ -32,12 +92,15 @@ std::vector<fs::path> includedFiles(std::string_view text, const fs::path& file,
     return files;
 }
 
-std::vector<fs::path> filesReadBy(const fs::path& path, const RenderOptions& options) {
+ReadByScene filesReadBy(const fs::path& path, const RenderOptions& options) {
     std::set<fs::path> files;
     if (!options.sceneText) files.insert(path);
     Stats stats;
-    const Result<InterpretedScene> interpreted = interpretFile(path, options, stats);
-    if (!interpreted) return {files.begin(), files.end()};
+    Result<InterpretedScene> interpreted = interpretFile(path, options, stats);
+    if (!interpreted) return {{files.begin(), files.end()}};
+    ReadByScene read;
+    read.changesWithTime = isTimed(*interpreted);
+    read.isWhole = visitMoments(*interpreted, options.time);
     const scene::Scene& scene = interpreted->scene;
     if (interpreted->source)
         for (const glib::Script* each : interpreted->source->scripts())
@@ -65,7 +128,8 @@ std::vector<fs::path> filesReadBy(const fs::path& path, const RenderOptions& opt
     }
     for (const scene::FileReference& each : scene.files)
         if (!each.path.empty()) files.insert(each.path);
-    return {files.begin(), files.end()};
+    read.files.assign(files.begin(), files.end());
+    return read;
 }
 
 }  // namespace glibra::render

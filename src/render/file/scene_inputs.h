@@ -18,9 +18,19 @@ std::vector<std::filesystem::path> includedFiles(std::string_view text, const st
                                                  const scene::Scene& scene, const RenderOptions& options,
                                                  scene::FolderListings& listings);
 
-/// All files that the scene reads: its own, scripts that it includes, shaders with what they include,
-/// textures and models. They are sorted, each once. Of a scene with errors those that are known.
-std::vector<std::filesystem::path> filesReadBy(const std::filesystem::path& scene,
-                                               const RenderOptions& options);
+/// What a picture of a scene reads.
+struct ReadByScene {
+    /// The scene, scripts that it includes, shaders with what they include, textures and models. They are
+    /// sorted, each once. Of a scene with errors those that are known.
+    std::vector<std::filesystem::path> files;
+    bool changesWithTime = false;  ///< another time may read other files
+    /// False if the picture needs so many steps that not all of them were looked at; they may read more
+    /// files.
+    bool isWhole = true;
+};
+
+/// The scene is interpreted with exactly these options: for the picture's time, for the times that its checks
+/// ask for and, if a model or an included script may depend on them, for the steps before.
+ReadByScene filesReadBy(const std::filesystem::path& scene, const RenderOptions& options);
 
 }  // namespace glibra::render

@@ -68,6 +68,7 @@ Result<DeviceMesh> copyToDevice(const geometry::Mesh& source, const std::vector<
     DeviceMesh copy;
     copy.vertexCount = source.vertexCount();
     copy.indexCount = static_cast<int>(indices.size());
+    copy.pointCount = static_cast<int>(source.pointCount);
     Diagnostics diagnostics;
     const auto upload = [&](auto values) {
         Result<gpu::Buffer> buffer = gpu::Buffer::create(std::as_bytes(values));

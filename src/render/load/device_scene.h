@@ -44,6 +44,7 @@ struct DeviceMesh {
     std::vector<Attribute> attributes;
     std::optional<gpu::Buffer> indices;  ///< nothing: vertices without data
     int indexCount = 0;                  ///< without `indices` the vertices of the shape, or 0
+    int pointCount = 0;                  ///< of the last indices, which are points (geometry::Mesh)
     std::size_t vertexCount = 0;
 };
 
@@ -65,6 +66,8 @@ class DeviceScene {
           sharesTextures_(sharesTextures),
           buffers_(context, scene, stats) {}
 
+    /// How long a draw with that program took at most, divided by its pixels; 0: it has not been measured.
+    double& secondsPerPixel(const BuiltProgram* program) { return secondsPerPixel_[program]; }
     /// Sets the device scene before the scene was read again; it must exist until prepare(), which takes over
     /// unchanged meshes and textures.
     void inherit(DeviceScene& previous) { previous_ = &previous; }
@@ -156,6 +159,10 @@ class DeviceScene {
     };
     /// The indices of `Draw::indices`; nothing if it has none, or without a buffer that can hold them.
     [[nodiscard]] std::optional<Indices> indicesOf(const scene::Draw& draw) const;
+    /// The name of the buffer that Draw::indices is.
+    [[nodiscard]] const std::string& nameOfIndices(const scene::Draw& draw) const {
+        return scene_.buffers[draw.indices.buffer].name;
+    }
     /// Adds what feeds an input from a buffer of the scene, one source per column.
     void addBufferSources(const scene::BufferView& view, bool isPerInstance, const base::ActiveInput& input,
                           std::vector<gpu::AttributeSource>& sources) const;
@@ -252,6 +259,7 @@ class DeviceScene {
     const scene::Scene& scene_;
     Stats& stats_;
     SharedParts* shared_;
+    std::map<const BuiltProgram*, double> secondsPerPixel_;
     bool sharesTextures_;
     DeviceScene* previous_ = nullptr;
     std::map<std::string, std::shared_ptr<const geometry::Mesh>> keptMeshes_;  ///< of the last moment, by key

@@ -12,6 +12,7 @@
 #include "gpu/object/uniform.h"
 #include "image/file.h"
 #include "plan/accesses.h"
+#include "render/load/bounded_filter.h"
 #include "render/load/gl_names.h"
 #include "render/load/hidden_text.h"
 #include "scene/file_lookup.h"
@@ -228,6 +229,7 @@ glsl::ProgramRequest ProgramLibrary::request(const plan::ProgramVariant& variant
     request.geometryVerticesOut = program.geometryVerticesOut;
     request.reportsGeometryConflicts = !program.sharesGeometryWords;
     for (const scene::StageFile& stage : program.stages) {
+        if (variant.isFill && scene::Program::isLeftOutByFill(stage)) continue;
         const SourceFile& source = sourceFile(stage.file);
         append(diagnostics, source.diagnostics);
         if (!source.path.empty()) noteIfHidden(variant.program, source.path);
@@ -266,11 +268,12 @@ bool ProgramLibrary::compile(const plan::ProgramVariant& variant, const glsl::Tr
     gpu::BuildOutcome outcome = gpu::buildProgram(
         context_.capabilities(), {.stages = stages, .vertexInputs = {}, .fragmentOutputs = {}});
     for (std::size_t i = 0; i < outcome.stages.size(); ++i) {
+        if (outcome.stages[i].compiled) continue;
         Diagnostics found = glsl::explainCompileLog(translated, translated.stages[i], outcome.stages[i].log);
-        if (!outcome.stages[i].compiled && !hasError(found))
+        if (!hasError(found))
             found.push_back(diagnose("glsl-E01",
                                      "the driver does not compile the shader: " + outcome.stages[i].log,
-                                     {translated.stages[i].path, 1, 1}));
+                                     {translated.stages[i].path, translated.stages[i].firstLine, 1}));
         append(diagnostics, std::move(found));
     }
     if (!outcome.program && !hasError(diagnostics)) {
@@ -294,9 +297,23 @@ void ProgramLibrary::build(const plan::ProgramVariant& variant, BuiltProgram& bu
     glsl::TranslatedProgram translated;
     if (translation.program) {
         translated = *translation.program;
+        for (Diagnostic& each : translated.diagnostics)
+            if (variant.isFill && each.id == "glsl-W11")
+                each.text +=
+                    "; Fill leaves out the stages before an earlier Program, so write them again "
+                    "before this one";
         append(diagnostics, std::move(translated.diagnostics));
     }
     if (!hasError(diagnostics)) {
+        if (context_.capabilities().isSoftware && filtersAnisotropically(scene_))
+            for (glsl::TranslatedStage& each : translated.stages)
+                if (boundFilter(each) && variant.program)
+                    stats_.skip(
+                        "texels",
+                        fmt::format("aniso on a software driver: where a pixel covers more than {} texels "
+                                    "of the coarsest level, it reads 16 x 16 of them",
+                                    kMostTexels),
+                        scene_.programs[variant.program].place);
         built.key = keyOf(variant, translated);
         if (BuiltProgram* earlier = earlierByKey(built.key)) {
             built.program = std::exchange(earlier->program, std::nullopt);

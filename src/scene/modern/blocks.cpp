@@ -21,17 +21,6 @@ using glib::CommandId;
 
 constexpr double kMostStepsPerSecond = 1e9;
 
-/// The frame goes on with the variables that it had before the block.
-void giveBackVariables(Interpreter& in, OpenBlock& block) {
-    Environment& names = in.shared->environment;
-    for (auto& [name, before] : block.before) {
-        const auto symbol = names.findOutermost(name);
-        if (symbol && before) names.giveBack(symbol->slot, std::move(*before));
-        if (!before)
-            names.forget(name, fmt::format("only {} sets it (line {})", block.word, block.place.line));
-    }
-}
-
 /// Runs the statements of a block into its own list of nodes. What the frame has drawn and cleared is put
 /// back at the end.
 void runBlock(Interpreter& in, const Command& command, OpenBlock& block, NodeList& nodes) {
@@ -40,6 +29,7 @@ void runBlock(Interpreter& in, const Command& command, OpenBlock& block, NodeLis
     Cleared cleared = std::exchange(in.cleared, {});
     const auto implicitPass = std::exchange(in.implicitPass, std::nullopt);
     in.modern.block = &block;
+    in.shared->environment.beginBlock();
     {
         const Scope scope(in);
         // What has moved and changed the frame so far, perhaps with time, does not act on what lasts.
@@ -50,7 +40,7 @@ void runBlock(Interpreter& in, const Command& command, OpenBlock& block, NodeLis
         runBody(in, index + 1, command.partner);
     }
     nodes.namedValues = namedValuesOfBlock(in);
-    giveBackVariables(in, block);
+    in.shared->environment.endBlock(fmt::format("only {} sets it (line {})", block.word, block.place.line));
     in.modern.block = nullptr;
     in.implicitPass = implicitPass;
     in.cleared = std::move(cleared);
@@ -130,7 +120,7 @@ void noteCamera(Interpreter& in, const SceneCamera& camera) {
 void noteFill(Interpreter& in) {
     OpenBlock* block = in.modern.block;
     if (block == nullptr) return;
-    if (const auto symbol = in.shared->environment.find(currentCamera(in).name.first + ".view"))
+    if (const auto* symbol = in.shared->environment.lookUpInScene(currentCamera(in).name.first + ".view"))
         block->fillDepends = block->fillDepends | in.shared->environment.dependsOf(symbol->slot);
 }
 

@@ -70,7 +70,7 @@ Parts partsOf(const Command& command) {
 /// The components of an expression of `i` for each element. They are computed again only if what the
 /// expression reads has changed.
 std::optional<std::vector<double>> computedElements(Interpreter& in, const Value& value, int count) {
-    ComputedElements& known = in.shared->elements[&value];
+    ComputedElements& known = in.shared->elements[writtenAt(in, value)];
     const auto readsOf = [&](std::span<const Environment::Slot> slots) {
         std::vector<double> reads;
         for (const Environment::Slot slot : slots) {

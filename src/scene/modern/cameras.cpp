@@ -16,6 +16,7 @@
 #include "scene/matrices.h"
 #include "scene/modern/evaluate.h"
 #include "scene/modern/modern.h"
+#include "scene/modern/scope.h"
 #include "scene/state.h"
 #include "scene/view.h"
 
@@ -191,7 +192,9 @@ void publish(Interpreter& in, const SceneCamera& camera) {
     const std::size_t aspects = known != in.shared->aspects.end() ? known->second.size() : 0;
     const CameraValues values = valuesOf(camera, aspects > 0 ? *known->second.begin() : windowAspect(in));
     names.setCamera(name, values, element);
-    if (!in.shared->previousCameras.contains(camera.name)) names.setCamera(name + ".prev", values, element);
+    const auto previous = in.shared->previousCameras.find(camera.name);
+    names.setCamera(name + ".prev", previous != in.shared->previousCameras.end() ? previous->second : values,
+                    element);
     if (aspects < 2 || !followsTarget(camera)) return;
     for (const char* field : {".projection", ".viewProjection", ".shadow", ".aspect"})
         names.forget(name + field, "the camera sees targets of different shapes, so write its aspect");
@@ -201,7 +204,8 @@ void publish(Interpreter& in, const SceneCamera& camera) {
 void addCameraDepends(Interpreter& in, const std::string& name, expression::Depends depends) {
     for (const expression::NameRow& each : expression::cameraFields())
         for (const char* moment : {".", ".prev."})
-            if (const auto symbol = in.shared->environment.find(name + moment + std::string(each.path)))
+            if (const auto* symbol =
+                    in.shared->environment.lookUpInScene(name + moment + std::string(each.path)))
                 in.shared->environment.addDepends(symbol->slot, depends);
 }
 
@@ -223,16 +227,14 @@ void declareCamera(Interpreter& in, const Command& command) {
                 "statement declares them all, with i for the index: Camera side[6] Face (i) ...");
     }
     if (!declareName(in, command, name, DeclaredName::Kind::camera)) return;
+    constexpr double kElementsPerCamera = 64;  // a camera takes as long as so many elements of an array
+    if (isArray && !countElements(in, target, kElementsPerCamera * count)) return;
     names.declareCamera(name, isArray ? static_cast<std::size_t>(count) : 0);
+    const InnerNames inner(in);
+    const Environment::Slot counter = isArray ? names.bind("i", counterSymbol()) : Environment::Slot();
     for (double i = 0; i < count; ++i) {
-        names.beginScope();
-        if (isArray) {
-            expression::Symbol symbol;
-            symbol.depends = expression::Depends::counter;
-            names.set(names.declareScoped(&command, "i", symbol), {&i, 1});
-        }
+        if (isArray) names.setNumber(counter, i);
         auto camera = read(in, command);
-        names.endScope();
         if (!camera) return;
         camera->name = {name, static_cast<std::size_t>(i)};
         if (camera->root.first.empty()) camera->root = camera->name;
@@ -302,7 +304,7 @@ void reportUnusedCameras(Interpreter& in) {
 }
 
 void noteCameraDepends(Interpreter& in, const CameraName& name) {
-    if (const auto symbol = in.shared->environment.find(name.first + ".view"))
+    if (const auto* symbol = in.shared->environment.lookUpInScene(name.first + ".view"))
         addDepends(in, in.shared->environment.dependsOf(symbol->slot));
 }
 
@@ -319,31 +321,35 @@ std::optional<SceneCamera> cameraNamed(Interpreter& in, const glib::Value& value
         in.report(diagnose("glib-E27", std::move(text), in.script->place(value.position)));
         return std::nullopt;
     };
-    glib::NamePart first = value.path.empty() ? glib::NamePart{value.text, {}} : value.path.front();
-    auto declared = in.modern.names.find(first.name);
-    if (declared == in.modern.names.end() || declared->second.kind != DeclaredName::Kind::camera)
-        declared = in.modern.names.find(first.name = wordBehind(in, first.name));
-    const bool isEye = first.name == "eye" && declared == in.modern.names.end();
+    const glib::NamePart whole{value.text, {}};
+    const glib::NamePart& first = value.path.empty() ? whole : value.path.front();
+    const auto isCamera = [&](const std::string& name) {
+        const auto known = in.modern.names.find(name);
+        return known != in.modern.names.end() && known->second.kind == DeclaredName::Kind::camera;
+    };
+    CameraName name{wordBehind(in, first.name), 0};
+    const bool isWord = name.first != first.name;  // of a counter, which hides a camera of its name
+    if (!isWord || !isCamera(name.first)) name.first = isCamera(first.name) ? first.name : name.first;
+    const bool isEye = name.first == "eye" && !isCamera("eye");
     if (value.path.size() > 1)
         return refuse(fmt::format("expected a camera, found '{}', which is a part of one", value.text));
     if (isEye && first.index.empty()) return classicCamera(in);
-    if (isLost(in, first.name)) return std::nullopt;
-    if (declared == in.modern.names.end() || declared->second.kind != DeclaredName::Kind::camera) {
+    if (isLost(in, name.first)) return std::nullopt;
+    if (!isCamera(name.first)) {
         std::vector<std::string_view> names{"eye"};
         for (const auto& [each, camera] : in.modern.cameras) names.push_back(each.first);
-        return refuse(fmt::format("no camera '{}' is declared before this line{}", first.name,
-                                  base::suggestion(first.name, names)));
+        return refuse(fmt::format("no camera '{}' is declared before this line{}", name.first,
+                                  base::suggestion(name.first, names)));
     }
-    const auto symbol = in.shared->environment.find(first.name);
-    const std::size_t count = symbol ? symbol->count : 0;
-    CameraName name{first.name, 0};
+    const expression::Symbol* const symbol = in.shared->environment.lookUpInScene(name.first);
+    const std::size_t count = symbol != nullptr ? symbol->count : 0;
     if (count == 0 && !first.index.empty())
-        return refuse(fmt::format("'{}' is one camera, not an array", first.name));
+        return refuse(fmt::format("'{}' is one camera, not an array", name.first));
     if (count > 0) {
         if (first.index.empty())
             return refuse(
-                fmt::format("'{0}' is an array of cameras; write {0}[0] to {0}[{1}]", first.name, count - 1));
-        const auto index = integerIn(in, first.index.front(), fmt::format("{}: the index", first.name), 0,
+                fmt::format("'{0}' is an array of cameras; write {0}[0] to {0}[{1}]", name.first, count - 1));
+        const auto index = integerIn(in, first.index.front(), fmt::format("{}: the index", name.first), 0,
                                      static_cast<int>(count) - 1);
         if (!index) return std::nullopt;
         name.second = static_cast<std::size_t>(*index);
@@ -356,6 +362,12 @@ std::optional<SceneCamera> cameraNamed(Interpreter& in, const glib::Value& value
 SceneCamera currentCamera(const Interpreter& in) {
     const SceneCamera* found = findCamera(in, in.modern.pass ? in.modern.pass->camera : CameraName{"eye", 0});
     return found != nullptr ? *found : classicCamera(in);
+}
+
+std::string textOf(const Interpreter& in, const CameraName& name) {
+    const expression::Symbol* const symbol = in.shared->environment.lookUpInScene(name.first);
+    const bool isArray = symbol != nullptr && symbol->count > 0;
+    return isArray ? fmt::format("{}[{}]", name.first, name.second) : name.first;
 }
 
 double currentAspect(const Interpreter& in) {

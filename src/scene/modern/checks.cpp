@@ -53,6 +53,7 @@ class CheckReader {
 
     std::optional<Check> read() {
         check_.place = in_.place(command_);
+        check_.path = in_.modern.checks.path;
         check_.text = glib::written(command_);
         if (!readSubject() || !readOptions()) return std::nullopt;
         return std::move(check_);
@@ -75,12 +76,12 @@ class CheckReader {
         check_.condition = &command_.values.front();
         static constexpr expression::Type kTypes[] = {expression::Type::boolean(),
                                                       expression::Type::number()};
-        const Value& condition = command_.values.front();
-        for (const std::string& each : buffersRead(in_, condition, {.types = kTypes}))
-            if (const auto known = in_.modern.names.find(each); known != in_.modern.names.end())
-                if (const auto* buffer = std::get_if<BufferIndex>(&known->second.object))
-                    check_.reads.push_back(*buffer);
-        return isReadable(in_, condition, {.types = kTypes});
+        check_.names = namesOfCondition(in_, command_.values.front(), {.types = kTypes});
+        if (!check_.names) return false;
+        for (const std::string& name : check_.names->buffers())
+            for (const BufferIndex each : in_.scene.buffers.indices())
+                if (in_.scene.buffers[each].name == name) check_.reads.push_back(each);
+        return true;
     }
 
     bool refuse(const Value& value, const std::string& text) {
@@ -259,12 +260,65 @@ class CheckReader {
 };
 
 void doExpect(Interpreter& in, const Command& command) {
+    in.modern.checks.run.insert(&command);
     if (auto check = CheckReader(in, command).read()) in.scene.checks.push_back(std::move(*check));
+}
+
+/// Why the statements of a body have not run; empty if they have, or if an error is the reason.
+std::string whyIdle(const Command& opener) {
+    switch (opener.id) {
+        case CommandId::group:
+            return fmt::format("group '{}' is not drawn", opener.values.front().text);
+        case CommandId::repeat:
+            return fmt::format("the Repeat on line {} has no round", opener.position.line);
+        case CommandId::when:
+            return fmt::format("the condition of the When on line {} is false", opener.position.line);
+        case CommandId::elseBranch:
+            return fmt::format("the condition of the When before the Else on line {} is true",
+                               opener.position.line);
+        default:
+            return {};
+    }
+}
+
+/// The outermost statement around an Expect whose body has not run; null if there is none.
+const Command* idleBodyAround(const ChecksOfRun& checks, const std::vector<Command>& commands,
+                              std::size_t expect) {
+    for (std::size_t i = 0; i < expect; ++i) {
+        const std::size_t partner = commands[i].partner;
+        if (partner != Command::kNoPartner && partner > expect && !checks.bodies.contains(&commands[i]))
+            return &commands[i];
+    }
+    return nullptr;
 }
 
 constexpr CommandAction kCheckActions[] = {{CommandId::expect, doExpect}};
 
 }  // namespace
+
+std::vector<IdleCheck> idleChecks(const Interpreter& in) {
+    std::vector<IdleCheck> idle;
+    const ChecksOfRun& checks = in.modern.checks;
+    if (!checks.areThere) return idle;
+    std::vector<const glib::Script*> scripts{in.script};
+    scripts.insert(scripts.end(), in.modern.included.begin(), in.modern.included.end());
+    for (const glib::Script* script : scripts)
+        for (std::size_t i = 0; i < script->commands.size(); ++i) {
+            const Command& each = script->commands[i];
+            if (each.id != CommandId::expect || checks.run.contains(&each)) continue;
+            const Command* const body = idleBodyAround(checks, script->commands, i);
+            const std::string why = body != nullptr ? whyIdle(*body) : std::string();
+            if (why.empty()) continue;
+            IdleCheck check{script->place(each.position), glib::written(each), why};
+            check.mayRun = body->id == CommandId::when || body->id == CommandId::elseBranch;
+            for (const KeyedValues& key : each.keys)
+                if (key.key == "at" && key.values.size() == 1 &&
+                    key.values.front().kind == Value::Kind::number && key.values.front().number >= 0)
+                    check.seconds = key.values.front().number;
+            idle.push_back(std::move(check));
+        }
+    return idle;
+}
 
 std::span<const CommandAction> checkActions() {
     return kCheckActions;

@@ -1,12 +1,14 @@
 #include "scene/modern/conditions.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <string_view>
 
 #include "expression/expression.h"
 #include "glib/number.h"
-#include "scene/modern/environment.h"
 #include "scene/scene.h"
 
 namespace glibra::scene {
@@ -50,7 +52,7 @@ std::string textOfValue(const expression::Value& value) {
 }
 
 /// The two sides of a comparison with their values; empty if the text is something else.
-std::string sidesOf(std::string_view text, const Environment& names) {
+std::string sidesOf(std::string_view text, const ConditionNames& names) {
     const std::optional<ComparisonAt> comparison = comparisonIn(text);
     if (!comparison) return {};
     const auto valueOf = [&](std::string_view side) -> std::string {
@@ -67,20 +69,65 @@ std::string sidesOf(std::string_view text, const Environment& names) {
 
 }  // namespace
 
+void ConditionNames::add(Name name) {
+    name.symbol.slot = static_cast<std::uint32_t>(names_.size());
+    names_.push_back(std::move(name));
+}
+
+std::vector<std::string> ConditionNames::buffers() const {
+    std::vector<std::string> buffers;
+    for (const Name& each : names_)
+        if (!each.buffer.empty() && std::find(buffers.begin(), buffers.end(), each.buffer) == buffers.end())
+            buffers.push_back(each.buffer);
+    return buffers;
+}
+
+void ConditionNames::readBuffers(const std::function<std::vector<double>(const std::string& buffer)>& read) {
+    for (Name& each : names_) {
+        if (each.buffer.empty() || each.elementSize == 0) continue;
+        std::vector<double> numbers = read(each.buffer);
+        const std::size_t count = numbers.size() / each.elementSize;
+        if (each.symbol.count > 0) {
+            each.components = std::move(numbers);
+            each.has.assign(count, true);
+            each.why = fmt::format("'{}' has {} elements", each.path, count);
+        } else {
+            each.components = {static_cast<double>(count)};
+            each.has = {true};
+        }
+    }
+}
+
+std::optional<expression::Symbol> ConditionNames::find(std::string_view path) const {
+    const auto found =
+        std::find_if(names_.begin(), names_.end(), [&](const Name& each) { return each.path == path; });
+    return found != names_.end() ? std::optional(found->symbol) : std::nullopt;
+}
+
+std::vector<std::string> ConditionNames::known(std::string_view) const {
+    return {};
+}
+
+const double* ConditionNames::find(std::uint32_t slot, std::size_t element) const {
+    const Name& name = names_.at(slot);
+    if (element >= name.has.size() || !name.has[element]) return nullptr;
+    return &name.components[element * name.symbol.type.size()];
+}
+
+std::string ConditionNames::whyMissing(std::uint32_t slot, std::size_t) const {
+    return names_.at(slot).why;
+}
+
 Result<ConditionAnswer> answerCondition(
-    const Check& check, Environment& names,
-    const std::function<std::vector<double>(const std::string& buffer)>& read) {
+    const Check& check, const std::function<std::vector<double>(const std::string& buffer)>& read) {
     const glib::Position begin = glib::placeIn(*check.condition, 0);
     static constexpr expression::Type kTypes[] = {expression::Type::boolean(), expression::Type::number()};
     const std::string& text = check.condition->text;
+    ConditionNames names = *check.names;
+    names.readBuffers(read);
     const auto parsed =
         expression::parse(text, {check.place.file, begin.line, begin.column}, names, {.types = kTypes});
     if (!parsed) return parsed.problem.message;
-    for (const expression::Use& each : parsed->uses()) {
-        if (!any(each.symbol.depends & expression::Depends::buffer)) continue;
-        const std::string name = each.path.substr(0, each.path.find('.'));
-        names.setElements(name, read(name));
-    }
     const auto value = parsed->evaluate(names);
     if (!value) return value.problem.message;
     std::string found = sidesOf(text, names);

@@ -53,31 +53,33 @@ expression::Depends dependsOf(Interpreter& in, const expression::Expression& exp
         const expression::Depends now = in.shared->environment.dependsOf(each.symbol.slot);
         depends = depends | now;
         using expression::Depends;
-        if (any(now & (Depends::variable | Depends::camera | Depends::texture)))
+        if (any(now & (Depends::variable | Depends::camera | Depends::texture | Depends::buffer)))
             noteRead(in, each.path, each.symbol.slot, expression.origin());
     }
     return depends;
 }
 
-ExpressionCache::Entry& entryOf(Interpreter& in, const glib::Value& value, const expression::Wanted& wanted) {
-    const auto [known, isNew] =
-        in.shared->expressions.entries.try_emplace({&value, in.shared->environment.lengths()});
-    if (!isNew) return known->second;
+ReadExpression& readExpression(Interpreter& in, const glib::Value& value, const expression::Wanted& wanted) {
+    const Environment& environment = in.shared->environment;
+    MadeOfNames<ReadExpression>& readSoFar = in.shared->expressions[writtenAt(in, value)];
+    if (ReadExpression* known = readSoFar.find(environment)) return *known;
     const bool isWord = value.kind == glib::Value::Kind::word;
     const Place origin = in.script->place(isWord ? value.position : glib::placeIn(value, 0));
-    auto parsed = expression::parse(value.text, origin, in.shared->environment, wanted);
+    const NotedNames names(environment);
+    auto parsed = expression::parse(value.text, origin, names, wanted);
+    ReadExpression made;
     if (parsed) {
         for (const expression::Use& each : parsed->uses()) {
             if (each.path.find(".prev.") != std::string::npos) in.shared->readsPrevious = true;
             if (!readsShape(each.path)) continue;
-            known->second.readsShape = true;
+            made.readsShape = true;
             if (!each.path.starts_with("camera.")) in.shared->readsShapes = true;
         }
-        known->second.expression = std::move(*parsed);
+        made.expression = std::move(*parsed);
     } else {
         in.report(parsed.problem.message);
     }
-    return known->second;
+    return readSoFar.add(environment, names.take(), std::move(made));
 }
 
 /// True if the expression reads what a faulty statement would have declared.
@@ -95,6 +97,10 @@ bool readsLostName(const Interpreter& in, std::string_view text) {
 
 }  // namespace
 
+WrittenAt writtenAt(const Interpreter& in, const glib::Value& value) {
+    return {in.script, value.position.line, value.position.column, value.kind};
+}
+
 std::optional<expression::Value> evaluate(Interpreter& in, const glib::Value& value,
                                           const expression::Wanted& wanted) {
     const auto fail = [&] {
@@ -102,7 +108,7 @@ std::optional<expression::Value> evaluate(Interpreter& in, const glib::Value& va
         return std::nullopt;
     };
     if (readsLostName(in, value.text)) return fail();
-    ExpressionCache::Entry& entry = entryOf(in, value, wanted);
+    ReadExpression& entry = readExpression(in, value, wanted);
     if (!entry.expression) return fail();
     supply(in, entry.expression->depends());
     expression::Depends depends = dependsOf(in, *entry.expression);
@@ -121,7 +127,7 @@ namespace {
 void checkOnce(Interpreter& in, std::string_view name, expression::Depends depends, const Place& place) {
     const OpenBlock* block = in.modern.block;
     if (block == nullptr || block->isStep || !any(depends & expression::Depends::variable) ||
-        !changesWithTime(depends) || block->before.contains(name))
+        !changesWithTime(depends) || in.shared->environment.isOfBlock(name))
         return;
     const auto declared = in.modern.names.find(name);
     const std::string where =
@@ -159,20 +165,39 @@ void addDepends(Interpreter& in, expression::Depends depends) {
 DependsOnly::DependsOnly(Interpreter& in)
     : all_(currentDepends(in)), before_(std::exchange(all_, expression::Depends::nothing)) {}
 
-bool isReadable(Interpreter& in, const glib::Value& value, const expression::Wanted& wanted) {
-    return !readsLostName(in, value.text) && entryOf(in, value, wanted).expression.has_value();
-}
-
-std::vector<std::string> buffersRead(Interpreter& in, const glib::Value& value,
-                                     const expression::Wanted& wanted) {
-    std::vector<std::string> names;
-    if (readsLostName(in, value.text)) return names;
-    const ExpressionCache::Entry& entry = entryOf(in, value, wanted);
-    if (!entry.expression) return names;
+std::shared_ptr<const ConditionNames> namesOfCondition(Interpreter& in, const glib::Value& value,
+                                                       const expression::Wanted& wanted) {
+    if (readsLostName(in, value.text)) return nullptr;
+    const ReadExpression& entry = readExpression(in, value, wanted);
+    if (!entry.expression) return nullptr;
+    supply(in, entry.expression->depends());
+    addDepends(in, dependsOf(in, *entry.expression));
+    const Environment& environment = in.shared->environment;
+    auto names = std::make_shared<ConditionNames>();
     for (const expression::Use& each : entry.expression->uses()) {
-        if (!any(each.symbol.depends & expression::Depends::buffer)) continue;
-        std::string name = each.path.substr(0, each.path.find('.'));
-        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(std::move(name));
+        ConditionNames::Name name{each.path, each.symbol, {}};
+        if (any(each.symbol.depends & expression::Depends::buffer)) {
+            const std::string head = each.path.substr(0, each.path.find('.'));
+            glib::Value word;
+            word.kind = glib::Value::Kind::word;
+            word.text = head;
+            word.position = value.position;
+            const auto object = objectNamed(in, word);
+            if (const auto* view = object ? std::get_if<BufferView>(&*object) : nullptr)
+                name.buffer = in.scene.buffers[view->buffer].name;
+            const expression::Symbol* const elements = environment.lookUp(head);
+            if (elements != nullptr && Environment::isBuffer(*elements))
+                name.elementSize = elements->type.size();
+        }
+        const std::size_t count = Environment::isBuffer(each.symbol) ? 0 : std::max(1U, each.symbol.count);
+        for (std::size_t i = 0; i < count; ++i) {
+            const double* const found = environment.find(each.symbol.slot, i);
+            name.has.push_back(found != nullptr);
+            for (std::size_t k = 0; k < each.symbol.type.size(); ++k)
+                name.components.push_back(found != nullptr ? found[k] : 0);
+        }
+        name.why = environment.whyMissing(each.symbol.slot, 0);
+        names->add(std::move(name));
     }
     return names;
 }

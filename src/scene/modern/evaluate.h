@@ -1,8 +1,10 @@
 #pragma once
 // Private to this room: the values of the arguments of modern statements.
 
+#include <compare>
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -11,23 +13,33 @@
 #include <vector>
 
 #include "expression/expression.h"
-#include "glib/value.h"
+#include "glib/script.h"
+#include "scene/modern/conditions.h"
 #include "scene/modern/environment.h"
 
 namespace glibra::scene {
 
 struct Interpreter;
 
-/// The expressions of a script, each read once for the lengths that arrays have (Environment::lengths).
-struct ExpressionCache {
-    struct Entry {
-        std::optional<expression::Expression>
-            expression;                  ///< nothing if it is wrong, which has been reported
-        bool isProblemReported = false;  ///< a problem of its evaluation
-        bool readsShape = false;         ///< it reads a camera's projection, which depends on the target
-    };
-    std::map<std::pair<const glib::Value*, std::size_t>, Entry> entries;
+/// An expression of a script is known by the place where it is written, whatever copies there are of its
+/// value.
+struct WrittenAt {
+    const glib::Script* script = nullptr;
+    int line = 0, column = 0;
+    glib::Value::Kind kind = glib::Value::Kind::expression;
+    friend auto operator<=>(const WrittenAt&, const WrittenAt&) = default;
 };
+WrittenAt writtenAt(const Interpreter&, const glib::Value& value);
+
+/// An expression that has been read.
+struct ReadExpression {
+    std::optional<expression::Expression> expression;  ///< nothing if it is wrong, which has been reported
+    bool isProblemReported = false;                    ///< a problem of its evaluation
+    bool readsShape = false;  ///< it reads a camera's projection, which depends on the target
+};
+
+/// The expressions of a script, each read once for each meaning of its names.
+using ExpressionCache = std::map<WrittenAt, MadeOfNames<ReadExpression>>;
 
 /// Evaluates an expression where it stands. Nothing with the problem reported, once for each expression.
 std::optional<expression::Value> evaluate(Interpreter&, const glib::Value& value,
@@ -54,12 +66,10 @@ class DependsOnly {
     expression::Depends before_;
 };
 
-/// True if the text of an expression is right; otherwise the reason is reported. Its value is not asked for.
-bool isReadable(Interpreter&, const glib::Value& value, const expression::Wanted& wanted);
-
-/// The names of buffers that an expression reads, each once; empty if it is wrong.
-std::vector<std::string> buffersRead(Interpreter&, const glib::Value& value,
-                                     const expression::Wanted& wanted);
+/// The names that a condition reads, with their values where it stands; null with the reason reported if it
+/// is wrong. The scene depends on what the condition reads.
+std::shared_ptr<const ConditionNames> namesOfCondition(Interpreter&, const glib::Value& value,
+                                                       const expression::Wanted& wanted);
 
 /// One number; an expression must be a number.
 std::optional<double> numberOf(Interpreter&, const glib::Value& value);

@@ -21,6 +21,7 @@
 #include "scene/camera.h"
 #include "scene/modern/environment.h"
 #include "scene/modern/evaluate.h"
+#include "scene/modern/undecided.h"
 #include "scene/scene.h"
 
 namespace glibra::scene {
@@ -44,7 +45,7 @@ struct ComputedElements {
 struct SharedState {
     Environment environment;
     ExpressionCache expressions;
-    std::map<const glib::Value*, std::optional<expression::Type>> arrayTypes;  ///< of `Let name[n] (...)`
+    std::map<WrittenAt, MadeOfNames<std::optional<expression::Type>>> arrayTypes;  ///< of `Let name[n] (...)`
     std::vector<const glib::Script*> includedOrder;
     std::map<std::filesystem::path, std::string> texts;                   ///< InterpretOptions::texts
     std::map<std::string, std::unique_ptr<const glib::Script>> included;  ///< by path
@@ -60,7 +61,7 @@ struct SharedState {
     /// The aspects of the passes that each camera sees: as they were when the last frame ended, and as they
     /// are taken to be while a frame is interpreted.
     std::map<CameraName, std::set<double>> foundAspects, aspects;
-    std::map<const glib::Value*, ComputedElements> elements;
+    std::map<WrittenAt, ComputedElements> elements;
 };
 
 /// A camera of a Camera statement.
@@ -84,11 +85,16 @@ struct DeclaredName {
     const glib::Command* command = nullptr;
     /// The texture, sampler or buffer; empty if its declaration has an error.
     std::variant<std::monostate, TextureIndex, SamplerIndex, BufferIndex> object;
-    std::optional<ObjectView> view{};  ///< of a parameter: what it stands for, with its part
 };
 
 /// The values that Include gives to variables of the file.
 using GivenVariables = std::map<std::string, expression::Value, std::less<>>;
+
+/// A file whose statements run, with what the Include that read it gives its variables.
+struct RunningFile {
+    const glib::Script* script = nullptr;
+    std::shared_ptr<const GivenVariables> given;  ///< null: nothing
+};
 
 /// The Pass that the current statement stands in.
 struct OpenPass {
@@ -109,15 +115,14 @@ struct OpenBlock {
     std::set<std::uint32_t> readSlots;
     expression::Depends depends = expression::Depends::nothing;
     expression::Depends fillDepends = expression::Depends::nothing;  ///< of the camera, if there is a Fill
-    /// The variables that Let sets in the block, as they were before it; nothing: only the block sets them.
-    std::map<std::string, std::optional<Environment::Kept>, std::less<>> before;
 };
 
 /// A group of statements with a name.
 struct GroupDefinition {
-    const glib::Script* script = nullptr;
-    std::size_t command = 0;  ///< index of the Group statement
-    bool isRunning = false;   ///< a group cannot draw itself
+    RunningFile file;            ///< that declares it
+    std::size_t command = 0;     ///< index of the Group statement
+    Environment::Point names{};  ///< around the Group statement
+    bool isRunning = false;      ///< a group cannot draw itself
 };
 
 /// A tag of Set or Material with the script that it stands in.
@@ -125,13 +130,15 @@ struct ScopedTag {
     const glib::KeyedValues* tag = nullptr;
     std::string key;  ///< the tag with the subscripts that its expressions had where the Set stands
     const glib::Script* script = nullptr;
-    std::optional<ObjectView> object{};  ///< what its value names where the Set stands
+    Environment::Point names{};          ///< where the Set stands
+    std::optional<ObjectView> object{};  ///< what its value names there
 };
 
 /// A Program statement with tags that are evaluated at its draws.
 struct ProgramTags {
     const glib::Command* command = nullptr;
     const glib::Script* script = nullptr;
+    Environment::Point names{};  ///< where the statement stands
 };
 
 /// A Pass or Fill after a statement whose raster state it does not take over.
@@ -141,18 +148,30 @@ struct LostRaster {
     std::string word;  ///< of the Pass or Fill
 };
 
+/// What has run around the Expect statements of a frame.
+struct ChecksOfRun {
+    bool areThere = false;  ///< a script that runs has Expect statements
+    /// Where the current statement stands among rounds and calls: the numbers of the rounds, and the places
+    /// of the Draw and Include statements.
+    std::vector<std::size_t> path;
+    std::set<const glib::Command*> run;     ///< Expect statements that have been read
+    std::set<const glib::Command*> bodies;  ///< statements that open a body, or divide one, which has run
+};
+
 /// What modern statements change during one frame.
 struct ModernState {
     std::map<CameraName, SceneCamera> cameras;
     std::map<std::string, ProgramIndex, std::less<>> programs;
     std::map<std::string, GroupDefinition, std::less<>> groups;
     std::map<ProgramIndex, ProgramTags> programTags;
-    std::vector<ScopedTag> set;  ///< of the scope; each tag once
     std::size_t statements = 0;
-    std::size_t calls = 0;   ///< nested groups and included files
-    std::size_t blocks = 0;  ///< blocks that the current statement stands in
-    bool isFull = false;     ///< the limit of statements has been reported
+    std::size_t rounds = 0;    ///< of all Repeat statements
+    std::size_t elements = 0;  ///< that expressions of i have given
+    std::size_t calls = 0;     ///< nested groups and included files
+    std::size_t blocks = 0;    ///< blocks that the current statement stands in
+    bool isFull = false;       ///< the limit of statements has been reported
     std::set<const glib::Script*> including;
+    std::set<const glib::Script*> included;  ///< that have run
     std::map<std::string, DeclaredName, std::less<>> names;
     /// What faulty statements would have declared. Whoever misses one of these reports nothing.
     std::set<std::string, std::less<>> lostNames;
@@ -162,16 +181,25 @@ struct ModernState {
     expression::Depends conditions = expression::Depends::nothing;  ///< of the When around the statement
     std::optional<OpenPass> pass;
     OpenBlock* block = nullptr;
-    GivenVariables given;                                 ///< of the file that is included now
+    std::shared_ptr<const GivenVariables> given;  ///< RunningFile::given of the current script
+    std::set<const glib::Command*> hidingLets;    ///< of glib-W40
+    ChecksOfRun checks;
     std::vector<Environment::Slot>* readSlots = nullptr;  ///< collects the variables that expressions read
+    std::vector<UntakenRange> untaken{};                  ///< each once per time that it does not run
 };
 
 // structure.cpp
 
 /// Runs the statements [first, last) of the current script. Each block runs its own statements.
 void run(Interpreter&, std::size_t first, std::size_t last);
-/// Counts a statement that is about to run. False, with glib-E33, if there are too many.
+/// Makes the names known that the statements of the current script declare, before they run.
+void expectNames(Interpreter&);
+/// Counts a statement that is about to run. False, with glib-E28, if there are too many.
 bool countStatement(Interpreter&, const glib::Command& command);
+/// The same for a round of Repeat, whether or not it has statements.
+bool countRound(Interpreter&, const glib::Command& command);
+/// The same for elements that an expression of `i` gives a list or array.
+bool countElements(Interpreter&, const glib::Value& owner, double count);
 /// The number of the file that the current statement stands in: 0 for the scene's own, then the included ones
 /// in the order in which they were read first.
 int fileNumber(const Interpreter&);
@@ -183,6 +211,8 @@ int fileNumber(const Interpreter&);
 std::optional<expression::Value> constantOf(Interpreter&, std::span<const glib::Value> values);
 /// The numbers of a list, where `[6 of (...)]` counts `i`. Nothing with the reason reported.
 std::optional<std::vector<double>> listOf(Interpreter&, const glib::Value& list);
+/// What expressions know of a name that counts.
+expression::Symbol counterSymbol();
 /// The values of `element` for i from 0 to count - 1, one after the other. `owner` is the value that they
 /// stand in. Nothing with the reason reported, which is glib-E15 if they are more than `most` numbers.
 std::optional<std::vector<double>> elementsOf(Interpreter&, const glib::Value& owner,
@@ -195,6 +225,13 @@ std::optional<ProgramIndex> programNamed(Interpreter&, const glib::Value& name, 
 /// The uniform variables and objects that tags with expressions, Set and Material give to a draw or dispatch
 /// of the program that is made now. `own` are the tags of its own statement, which come before all others.
 UniformSetIndex uniformsOf(Interpreter&, ProgramIndex program, std::span<const glib::KeyedValues> own = {});
+// checks.cpp
+
+/// The Expect statements that have not run, and why.
+std::vector<IdleCheck> idleChecks(const Interpreter&);
+
+// tags.cpp
+
 /// The values of all variables, for uniform variables of the same name.
 std::vector<glib::UniformSpec> namedValues(Interpreter&);
 /// The same for those that the open Once or Step block sets.
@@ -212,6 +249,8 @@ std::optional<SceneCamera> cameraNamed(Interpreter&, const glib::Value& name);
 void noteCameraDepends(Interpreter&, const CameraName& name);
 /// The camera that sees what is drawn now: that of the pass, or `eye`, which may be the classic view.
 SceneCamera currentCamera(const Interpreter&);
+/// The name as a scene writes it: "slice[2]", or "eye".
+std::string textOf(const Interpreter&, const CameraName& name);
 /// Width / height of the current target.
 double currentAspect(const Interpreter&);
 /// The view and projection of classic commands as a camera.
@@ -259,6 +298,9 @@ bool choosesObject(Interpreter&, const glib::Value& value);
 std::optional<ObjectView> objectNamed(Interpreter&, const glib::Value& value);
 std::optional<TextureView> textureNamed(Interpreter&, const glib::Value& value);
 std::optional<BufferView> bufferNamed(Interpreter&, const glib::Value& value);
+/// A texture, buffer, camera or variable of the scene that the name means here; null if a scope gives the
+/// name another meaning, or nothing has the name.
+const DeclaredName* declaredName(const Interpreter&, std::string_view name);
 /// The word that a name stands for, if it is the counter of a Repeat over words or a choice; otherwise the
 /// name itself.
 std::string wordBehind(Interpreter&, const std::string& name);

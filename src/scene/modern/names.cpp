@@ -52,32 +52,45 @@ std::string lineOf(const Interpreter& in, const Place& place) {
                                          : fmt::format("line {} of {}", place.line, place.file);
 }
 
+/// The texture or buffer that a parameter of this name stands for; null if it is none.
+const ObjectView* objectOfScope(const Interpreter& in, std::string_view name) {
+    const Environment& names = in.shared->environment;
+    const auto slot = names.findLocal(name);
+    return slot && names.objectOf(*slot) ? &*names.objectOf(*slot) : nullptr;
+}
+
 /// Reads the parts after the name of an object: `.level(2)`, `.prev`, `.crisp`.
 class PartReader {
   public:
     PartReader(Interpreter& in, const Value& value) : in_(in), value_(value), name_(nameOf(value)) {}
 
     std::optional<ObjectView> read() {
-        auto known = in_.modern.names.find(name_.name);
-        if (known == in_.modern.names.end() || known->second.kind == NameKind::variable ||
-            known->second.kind == NameKind::computed)
-            known = in_.modern.names.find(name_.name = wordBehind(in_, name_.name));
-        if (known == in_.modern.names.end()) return unknown();
-        const DeclaredName& declared = known->second;
-        if (declared.kind != NameKind::texture && declared.kind != NameKind::buffer)
+        if (const ObjectView* object = objectOfScope(in_, name_.name)) return readOf(*object);
+        const DeclaredName* declared = declaredName(in_, name_.name);
+        if (declared == nullptr || declared->kind == NameKind::variable ||
+            declared->kind == NameKind::computed) {
+            name_.name = wordBehind(in_, name_.name);
+            if (const ObjectView* object = objectOfScope(in_, name_.name)) return readOf(*object);
+            declared = declaredName(in_, name_.name);
+        }
+        if (declared == nullptr) return unknown();
+        if (declared->kind != NameKind::texture && declared->kind != NameKind::buffer)
             return refuse("glib-E27", fmt::format("'{}' is {}, not a texture or buffer", name_.name,
-                                                  wordOfKind(declared.kind)));
-        if (std::holds_alternative<std::monostate>(declared.object)) return std::nullopt;
-        if (!name_.index.empty())
-            return refuse("glib-E27",
-                          fmt::format("'{}' is {}, not an array", name_.name, wordOfKind(declared.kind)));
-        if (declared.view) return readParts(*declared.view);
-        if (const auto* buffer = std::get_if<BufferIndex>(&declared.object))
-            return readParts(BufferView{*buffer});
-        return readParts(TextureView{.texture = std::get<TextureIndex>(declared.object)});
+                                                  wordOfKind(declared->kind)));
+        if (std::holds_alternative<std::monostate>(declared->object)) return std::nullopt;
+        if (const auto* buffer = std::get_if<BufferIndex>(&declared->object))
+            return readOf(BufferView{*buffer});
+        return readOf(TextureView{.texture = std::get<TextureIndex>(declared->object)});
     }
 
   private:
+    std::optional<ObjectView> readOf(const ObjectView& object) {
+        if (name_.index.empty()) return readParts(object);
+        const bool isBuffer = std::holds_alternative<BufferView>(object);
+        return refuse("glib-E27", fmt::format("'{}' is {}, not an array", name_.name,
+                                              wordOfKind(isBuffer ? NameKind::buffer : NameKind::texture)));
+    }
+
     static NamePart nameOf(const Value& value) {
         return value.path.empty() ? NamePart{value.text, {}} : value.path.front();
     }
@@ -211,7 +224,7 @@ class PartReader {
 
     Interpreter& in_;
     const Value& value_;
-    NamePart name_;
+    NamePart name_;                   ///< its subscript is never evaluated
     std::optional<int> cube_, face_;  ///< of several cube maps
 };
 
@@ -263,21 +276,35 @@ bool isLost(const Interpreter& in, std::string_view name) {
     return in.modern.lostNames.contains(name);
 }
 
+const DeclaredName* declaredName(const Interpreter& in, std::string_view name) {
+    if (in.shared->environment.findLocal(name)) return nullptr;
+    const auto known = in.modern.names.find(name);
+    return known != in.modern.names.end() ? &known->second : nullptr;
+}
+
+namespace {
+
+/// True if the name means a texture or buffer here.
+bool isObject(const Interpreter& in, std::string_view name) {
+    if (objectOfScope(in, name) != nullptr) return true;
+    const DeclaredName* declared = declaredName(in, name);
+    return declared != nullptr && (declared->kind == NameKind::texture || declared->kind == NameKind::buffer);
+}
+
+}  // namespace
+
 bool namesObject(const Interpreter& in, const Value& value) {
-    if (value.kind != Value::Kind::word) return false;
-    const auto known = in.modern.names.find(value.path.empty() ? value.text : value.path.front().name);
-    return known != in.modern.names.end() &&
-           (known->second.kind == NameKind::texture || known->second.kind == NameKind::buffer);
+    return value.kind == Value::Kind::word &&
+           isObject(in, value.path.empty() ? value.text : value.path.front().name);
 }
 
 bool choosesObject(Interpreter& in, const Value& value) {
     if (value.kind != Value::Kind::word || namesObject(in, value)) return false;
     const std::string& name = value.path.empty() ? value.text : value.path.front().name;
-    if (value.path.size() > 1 && in.shared->environment.find(value.text)) return false;
+    if (value.path.size() > 1 && in.shared->environment.lookUp(value.text) != nullptr) return false;
     if (!value.path.empty() && !value.path.front().index.empty()) return false;
-    const auto known = in.modern.names.find(wordBehind(in, name));
-    return known != in.modern.names.end() && known->first != name &&
-           (known->second.kind == NameKind::texture || known->second.kind == NameKind::buffer);
+    const std::string word = wordBehind(in, name);
+    return word != name && isObject(in, word);
 }
 
 std::optional<ObjectView> objectNamed(Interpreter& in, const Value& value) {
@@ -294,8 +321,8 @@ std::optional<BufferView> bufferNamed(Interpreter& in, const Value& value) {
 
 std::string wordBehind(Interpreter& in, const std::string& name) {
     const Environment& names = in.shared->environment;
-    const auto symbol = names.find(name);
-    if (!symbol || symbol->words.empty()) return name;
+    const expression::Symbol* const symbol = names.lookUp(name);
+    if (symbol == nullptr || symbol->words.empty()) return name;
     const double* number = names.find(symbol->slot, 0);
     if (number == nullptr || !(*number >= 0 && *number < static_cast<double>(symbol->words.size())))
         return name;

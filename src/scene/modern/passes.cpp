@@ -326,7 +326,7 @@ void doPass(Interpreter& in, const Command& command) {
         targets->isWindow ? windowAspect(in) : static_cast<double>(targets->width) / targets->height;
     open.camera = camera ? camera->name : CameraName{"eye", 0};
     open.hasStencil = !targets->depth || base::hasStencil(formatOf(in, *targets->depth));
-    if (from != nullptr && camera->name != CameraName{"eye", 0}) pass.camera = from->values.front().text;
+    if (from != nullptr && camera->name != CameraName{"eye", 0}) pass.camera = textOf(in, camera->name);
     open.index = in.nodes->passes.size();
     in.nodes->add(std::move(pass));
     in.implicitPass.reset();
@@ -366,7 +366,7 @@ void doFill(Interpreter& in, const Command& command) {
     made.id = nextDrawId(in, made.place);
     made.word = command.word;
     Shape shape{.command = command.id, .numbers = {3}, .file = {}, .list = nullptr};
-    if (in.scene.programs[*program].hasStage(glsl::Stage::vertex)) {
+    if (in.scene.programs[*program].hasStage(glsl::Stage::vertex, true)) {
         shape.command = glib::findCommand("FullScreen")->id;
         shape.numbers.clear();
     } else {
@@ -374,6 +374,7 @@ void doFill(Interpreter& in, const Command& command) {
     }
     made.shape = shareShape(in, std::move(shape));
     made.program = *program;
+    made.isFill = true;
     made.projection = coveringSpace(
         in, targets->isWindow ? windowAspect(in) : static_cast<double>(targets->width) / targets->height);
     noteFill(in);

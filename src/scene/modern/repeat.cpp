@@ -21,12 +21,6 @@ namespace {
 
 using glib::Command;
 
-expression::Symbol counter() {
-    expression::Symbol symbol;
-    symbol.depends = expression::Depends::counter;
-    return symbol;
-}
-
 /// The words over which a Repeat runs.
 const std::vector<glib::Value>* wordsOf(const Command& command) {
     const glib::Value& what = command.values.front();
@@ -37,8 +31,8 @@ const std::vector<glib::Value>* wordsOf(const Command& command) {
 /// of words.
 bool isListOfValues(const Interpreter& in, std::span<const glib::Value> items) {
     const auto isPlainVariable = [&](const glib::Value& each) {
-        const auto symbol = in.shared->environment.find(each.text);
-        return symbol && symbol->type.kind != expression::Kind::record && symbol->words.empty() &&
+        const expression::Symbol* const symbol = in.shared->environment.lookUp(each.text);
+        return symbol != nullptr && symbol->type.kind != expression::Kind::record && symbol->words.empty() &&
                symbol->count == 0;
     };
     return std::any_of(items.begin(), items.end(),
@@ -63,6 +57,20 @@ std::optional<std::vector<expression::Value>> repeatedValues(Interpreter& in,
         return std::nullopt;
     }
     return values;
+}
+
+/// The names that a Repeat gives each round.
+struct RoundNames {
+    Environment::Slot counter = 0;
+    std::optional<Environment::Slot> index;  ///< NAME.index, if the counter is a word or a value
+};
+
+RoundNames bindCounter(Environment& names, const std::string& name, const expression::Symbol& counter,
+                       bool hasIndex) {
+    RoundNames bound;
+    bound.counter = names.bind(name, counter);
+    if (hasIndex) bound.index = names.bind(name + ".index", counterSymbol());
+    return bound;
 }
 
 }  // namespace
@@ -94,26 +102,31 @@ void doRepeat(Interpreter& in, const Command& command) {
                                 glib::groupedText(static_cast<long long>(kMostStatements))));
         return;
     }
+    if (rounds < 1) in.modern.untaken.push_back({in.script, index + 1, command.partner});
+    expression::Symbol symbol = counterSymbol();
+    if (values && !values->empty())
+        symbol.type = values->front().type;
+    else if (words != nullptr)
+        for (const glib::Value& each : *words) symbol.words.push_back(each.text);
+    // All rounds have the same names, so they are made once.
+    Environment& names = in.shared->environment;
+    const InnerNames outer(in);
+    const RoundNames own = bindCounter(names, name, symbol, words != nullptr);
+    std::vector<std::size_t>& path = in.modern.checks.path;
+    path.push_back(0);
     for (double round = 0; round < rounds && !in.modern.isFull; ++round) {
+        if (!countRound(in, command)) break;
         const Scope scope(in);
-        Environment& names = in.shared->environment;
-        if (values) {
-            const expression::Value& value = (*values)[static_cast<std::size_t>(round)];
-            expression::Symbol symbol;
-            symbol.type = value.type;
-            symbol.depends = depends;
-            names.set(names.declareScoped(&command, name, symbol), value.all());
-            names.set(names.declareScoped(&command, name + ".index", counter()), {&round, 1});
-        } else if (words != nullptr) {
-            expression::Symbol word = counter();
-            for (const glib::Value& each : *words) word.words.push_back(each.text);
-            names.set(names.declareScoped(&command, name, word), {&round, 1});
-            names.set(names.declareScoped(&command, name + ".index", counter()), {&round, 1});
-        } else {
-            names.set(names.declareScoped(&command, name, counter()), {&round, 1});
-        }
+        path.back() = static_cast<std::size_t>(round);
+        names.setDepends(own.counter, depends);
+        if (values)
+            names.set(own.counter, (*values)[path.back()].all());
+        else
+            names.setNumber(own.counter, round);
+        if (own.index) names.setNumber(*own.index, round);
         runBody(in, index + 1, command.partner);
     }
+    path.pop_back();
 }
 
 }  // namespace glibra::scene

@@ -63,9 +63,6 @@ class StateReader {
             if (key.key == "default") {
                 const base::RasterState before = state;
                 state = {};
-                state.lineWidth = before.lineWidth;
-                state.pointSize = before.pointSize;
-                state.pointSizeFromShader = before.pointSizeFromShader;
                 state.viewport = before.viewport;
                 state.scissor = before.scissor;
                 statesBlend = false;

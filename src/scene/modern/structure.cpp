@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -44,36 +45,12 @@ void doGroup(Interpreter& in, const Command& command) {
     const std::size_t index = indexOf(in, command);
     if (!command.values.empty()) {
         GroupDefinition& group = in.modern.groups[command.values.front().text];
-        group = {in.script, index, group.isRunning};
+        group = {{in.script, in.modern.given}, index, in.shared->environment.here(), group.isRunning};
         return;
     }
     const Scope scope(in);
     runBody(in, index + 1, command.partner);
 }
-
-/// Makes names stand for textures or buffers, and gives them back their meanings at its end.
-class HiddenNames {
-  public:
-    explicit HiddenNames(Interpreter& in) : in_(in) {}
-    HiddenNames(const HiddenNames&) = delete;
-    HiddenNames& operator=(const HiddenNames&) = delete;
-    ~HiddenNames() {
-        for (auto each = before_.rbegin(); each != before_.rend(); ++each) {
-            in_.modern.names.erase(each->first);
-            if (each->second) in_.modern.names.emplace(each->first, std::move(*each->second));
-        }
-    }
-    void hide(const std::string& name, DeclaredName meaning) {
-        const auto known = in_.modern.names.find(name);
-        before_.emplace_back(name,
-                             known == in_.modern.names.end() ? std::nullopt : std::optional(known->second));
-        in_.modern.names.insert_or_assign(name, std::move(meaning));
-    }
-
-  private:
-    Interpreter& in_;
-    std::vector<std::pair<std::string, std::optional<DeclaredName>>> before_;
-};
 
 /// What a parameter is given: a value, or a texture or buffer.
 using Argument = std::variant<expression::Value, ObjectView>;
@@ -107,87 +84,111 @@ bool haveParameters(Interpreter& in, std::span<const glib::KeyedValues> argument
 }
 
 /// Gives a parameter its value for the statements of the group.
-void bindValue(Interpreter& in, const glib::KeyedValues& parameter, const expression::Value& value,
-               expression::Depends depends, HiddenNames& hidden) {
+void bindValue(Environment& names, const glib::KeyedValues& parameter, const expression::Value& value,
+               expression::Depends depends) {
     expression::Symbol symbol;
     symbol.type = value.type;
-    Environment& names = in.shared->environment;
-    const Environment::Slot slot = names.declareScoped(&parameter, parameter.key, symbol);
-    names.setDepends(slot, expression::Depends::variable | depends);
+    symbol.depends = expression::Depends::variable;
+    const Environment::Slot slot = names.bind(parameter.key, symbol);
+    names.setDepends(slot, depends);
     names.set(slot, value.all());
-    const auto known = in.modern.names.find(parameter.key);
-    if (known != in.modern.names.end() && (known->second.kind == DeclaredName::Kind::texture ||
-                                           known->second.kind == DeclaredName::Kind::buffer))
-        hidden.hide(parameter.key, {DeclaredName::Kind::computed, known->second.place, nullptr, {}, {}});
 }
 
 /// Makes a parameter stand for a texture or buffer, with its size.
-void bindObject(Interpreter& in, const glib::KeyedValues& parameter, const ObjectView& object,
-                HiddenNames& hidden) {
+void bindObject(Interpreter& in, const glib::KeyedValues& parameter, const ObjectView& object) {
     Environment& names = in.shared->environment;
     const auto* texture = std::get_if<TextureView>(&object);
     const std::string& own = texture != nullptr ? in.scene.textures[texture->texture].name
                                                 : in.scene.buffers[std::get<BufferView>(object).buffer].name;
+    expression::Symbol symbol;
+    symbol.type = expression::Type::record();
+    symbol.what = texture != nullptr ? "texture" : "buffer";
+    if (const expression::Symbol* declared = texture == nullptr ? names.lookUpInScene(own) : nullptr)
+        symbol = *declared;  // with the type of its elements
+    names.setObject(names.bind(parameter.key, symbol), object);
     const char* const field = texture != nullptr ? ".size" : ".count";
-    expression::Symbol record;
-    record.type = expression::Type::record();
-    record.what = texture != nullptr ? "texture" : "buffer";
-    names.declareScoped(&parameter, parameter.key, record);
-    if (const auto symbol = names.findOutermost(own + field)) {
-        std::vector<double> size = names.valuesOf(symbol->slot);
-        // Layers do not become fewer.
-        const std::size_t sides =
-            texture != nullptr ? sideCount(in.scene.textures[texture->texture].target) : 0;
-        for (std::size_t i = 0; i < sides && texture->level && i < size.size(); ++i)
-            size[i] = std::max(1., std::floor(std::ldexp(size[i], -*texture->level)));
-        const Environment::Slot slot = names.declareScoped(&parameter, parameter.key + field, *symbol);
-        if (!size.empty()) names.set(slot, size);
-    }
-    DeclaredName meaning{texture != nullptr ? DeclaredName::Kind::texture : DeclaredName::Kind::buffer,
-                         {},
-                         nullptr,
-                         {},
-                         object};
-    if (texture != nullptr)
-        meaning.object = texture->texture;
-    else
-        meaning.object = std::get<BufferView>(object).buffer;
-    hidden.hide(parameter.key, std::move(meaning));
+    const expression::Symbol* const declared = names.lookUpInScene(own + field);
+    if (declared == nullptr) return;
+    std::vector<double> size = names.valuesOf(declared->slot);
+    // Layers do not become fewer.
+    const std::size_t sides = texture != nullptr ? sideCount(in.scene.textures[texture->texture].target) : 0;
+    for (std::size_t i = 0; i < sides && texture->level && i < size.size(); ++i)
+        size[i] = std::max(1., std::floor(std::ldexp(size[i], -*texture->level)));
+    const Environment::Slot slot = names.bind(parameter.key + field, expression::Symbol(*declared));
+    if (!size.empty()) names.set(slot, size);
 }
 
-/// The parameters of a group: its defaults, and what Draw gives in their place.
-bool bindParameters(Interpreter& in, const Command& group, const Command& call,
-                    const glib::Script& callScript, HiddenNames& hidden) {
+/// What Draw gives the parameters of a group, with what that depends on; nothing for those that have their
+/// defaults.
+using Arguments = std::vector<std::optional<std::pair<Argument, expression::Depends>>>;
+
+std::optional<std::pair<Argument, expression::Depends>> argumentWithDepends(
+    Interpreter& in, std::span<const glib::Value> values, bool wantsObject) {
+    const DependsOnly depends(in);
+    auto argument = argumentOf(in, values, wantsObject);
+    if (!argument) return std::nullopt;
+    return std::pair{*std::move(argument), depends.depends()};
+}
+
+/// Evaluates what Draw gives, where the Draw stands. `wantsObject`: by parameter.
+std::optional<Arguments> givenArguments(Interpreter& in, const Command& group, const Command& call,
+                                        const std::vector<bool>& wantsObject) {
     std::vector<std::string_view> names;
     for (const glib::KeyedValues& each : group.tags) names.push_back(each.key);
-    const glib::Script* const own = std::exchange(in.script, &callScript);
-    const bool areKnown = haveParameters(
-        in, call.tags, names, fmt::format("group '{}' has no parameter", group.values.front().text));
-    in.script = own;
-    if (!areKnown) return false;
-    std::vector<std::pair<Argument, expression::Depends>> arguments;
-    for (const glib::KeyedValues& parameter : group.tags) {
-        const DependsOnly depends(in);
+    if (!haveParameters(in, call.tags, names,
+                        fmt::format("group '{}' has no parameter", group.values.front().text)))
+        return std::nullopt;
+    Arguments arguments(group.tags.size());
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
         const auto given =
             std::find_if(call.tags.begin(), call.tags.end(),
-                         [&](const glib::KeyedValues& each) { return each.key == parameter.key; });
-        const bool isGiven = given != call.tags.end();
-        const glib::Value& usual = parameter.values.front();
-        const bool wantsObject = namesObject(in, usual) || choosesObject(in, usual);
-        in.script = isGiven ? &callScript : own;
-        auto argument = argumentOf(in, isGiven ? given->values : parameter.values, wantsObject);
-        in.script = own;
-        if (!argument) return false;
-        arguments.emplace_back(*std::move(argument), depends.depends());
+                         [&](const glib::KeyedValues& each) { return each.key == group.tags[i].key; });
+        if (given == call.tags.end()) continue;
+        arguments[i] = argumentWithDepends(in, given->values, wantsObject[i]);
+        if (!arguments[i]) return std::nullopt;
+    }
+    return arguments;
+}
+
+/// Gives the parameters of a group their values, where the group stands. False with the reason reported.
+bool bindParameters(Interpreter& in, const Command& group, Arguments arguments,
+                    const std::vector<bool>& wantsObject) {
+    // No default reads a parameter.
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        if (arguments[i]) continue;
+        arguments[i] = argumentWithDepends(in, group.tags[i].values, wantsObject[i]);
+        if (!arguments[i]) return false;
     }
     for (std::size_t i = 0; i < arguments.size(); ++i) {
-        const auto& [argument, depends] = arguments[i];
+        const auto& [argument, depends] = *arguments[i];
         if (const auto* value = std::get_if<expression::Value>(&argument))
-            bindValue(in, group.tags[i], *value, depends, hidden);
+            bindValue(in.shared->environment, group.tags[i], *value, depends);
         else
-            bindObject(in, group.tags[i], std::get<ObjectView>(argument), hidden);
+            bindObject(in, group.tags[i], std::get<ObjectView>(argument));
     }
     return true;
+}
+
+/// Runs a group for a Draw. Errors of the arguments are those of the Draw.
+void runGroup(Interpreter& in, const GroupDefinition& group, const Command& call) {
+    Environment& names = in.shared->environment;
+    const Command& definition = group.file.script->commands[group.command];
+    std::vector<bool> wantsObject;
+    {
+        const InFile file(in, group.file);
+        const InnerNames inner(in);
+        names.enterGroup(group.names, &definition);
+        for (const glib::KeyedValues& each : definition.tags) {
+            const glib::Value& usual = each.values.front();
+            wantsObject.push_back(namesObject(in, usual) || choosesObject(in, usual));
+        }
+    }
+    auto arguments = givenArguments(in, definition, call, wantsObject);
+    if (!arguments) return;
+    const InFile file(in, group.file);
+    names.enterGroup(group.names, &definition);
+    if (bindParameters(in, definition, *std::move(arguments), wantsObject))
+        runBody(in, group.command + 1, definition.partner);
 }
 
 void doDraw(Interpreter& in, const Command& command) {
@@ -204,25 +205,19 @@ void doDraw(Interpreter& in, const Command& command) {
                            in.script->place(command.values.front().position)));
         return;
     }
-    GroupDefinition& group = known->second;
-    if (group.isRunning) {
+    if (known->second.isRunning) {
         in.reportAt(command, "glib-E28", fmt::format("group '{}' draws itself", name));
         return;
     }
     if (!mayEnter(in, command)) return;
     const Scope scope(in);
-    const glib::Script* const caller = std::exchange(in.script, group.script);
-    const Command& definition = in.script->commands[group.command];
-    group.isRunning = true;
+    known->second.isRunning = true;
     ++in.modern.calls;
-    {
-        HiddenNames hidden(in);
-        if (bindParameters(in, definition, command, *caller, hidden))
-            runBody(in, group.command + 1, definition.partner);
-    }
+    in.modern.checks.path.push_back(command.begin);
+    runGroup(in, GroupDefinition(known->second), command);
+    in.modern.checks.path.pop_back();
     --in.modern.calls;
     in.modern.groups.find(name)->second.isRunning = false;
-    in.script = caller;
 }
 
 /// The variables that a branch sets change with its condition, whichever branch runs now.
@@ -231,9 +226,9 @@ void addConditions(Interpreter& in, std::size_t first, std::size_t last) {
         const Command& each = in.script->commands[i];
         if (each.id != CommandId::let || each.values.empty()) continue;
         const glib::Value& target = each.values.front();
-        const auto symbol = in.shared->environment.findOutermost(
+        const expression::Symbol* const symbol = in.shared->environment.lookUpInScene(
             target.path.empty() ? target.text : target.path.front().name);
-        if (symbol) in.shared->environment.addDepends(symbol->slot, in.modern.conditions);
+        if (symbol != nullptr) in.shared->environment.addDepends(symbol->slot, in.modern.conditions);
     }
 }
 
@@ -246,10 +241,14 @@ void doWhen(Interpreter& in, const Command& command) {
         condition = truthOf(in, command.values.front());
         in.modern.conditions = outer | depends.depends();
     }
-    in.scene.hasConditions = true;
     const Command& partner = in.script->commands[command.partner];
     const bool hasElse = partner.id == CommandId::elseBranch;
     addConditions(in, index + 1, hasElse ? partner.partner : command.partner);
+    if (in.modern.conditions != expression::Depends::nothing || !condition)
+        in.modern.untaken.push_back(
+            condition && !*condition
+                ? UntakenRange{in.script, index + 1, command.partner}
+                : UntakenRange{in.script, command.partner + 1, hasElse ? partner.partner : command.partner});
     ++in.modern.blocks;
     if (condition && *condition)
         run(in, index + 1, command.partner);
@@ -348,11 +347,14 @@ void doInclude(Interpreter& in, const Command& command) {
     if (auto given = givenVariables(in, command, *script)) {
         in.modern.lostNames.insert(script->lostNames.begin(), script->lostNames.end());
         ++in.modern.calls;
-        const glib::Script* const outer = std::exchange(in.script, script);
-        std::swap(in.modern.given, *given);
-        run(in, 0, script->commands.size());
-        std::swap(in.modern.given, *given);
-        in.script = outer;
+        in.modern.checks.path.push_back(command.begin);
+        {
+            const InFile file(in, {script, std::make_shared<const GivenVariables>(*std::move(given))});
+            expectNames(in);
+            in.modern.included.insert(script);
+            run(in, 0, script->commands.size());
+        }
+        in.modern.checks.path.pop_back();
         --in.modern.calls;
     }
     in.modern.including.erase(script);
@@ -390,6 +392,8 @@ std::size_t indexOf(const Interpreter& in, const Command& command) {
 }
 
 void run(Interpreter& in, std::size_t first, std::size_t last) {
+    if (in.modern.checks.areThere && first > 0)
+        in.modern.checks.bodies.insert(&in.script->commands[first - 1]);
     for (std::size_t i = first; i < last && !in.modern.isFull;) {
         const Command& command = in.script->commands[i];
         if (in.scene.isModern && !countStatement(in, command)) return;
@@ -408,13 +412,44 @@ int fileNumber(const Interpreter& in) {
     return found == files.end() ? 0 : static_cast<int>(found - files.begin()) + 1;
 }
 
-bool countStatement(Interpreter& in, const Command& command) {
-    if (++in.modern.statements <= kMostStatements) return true;
+void expectNames(Interpreter& in) {
+    for (const Command& each : in.script->commands) {
+        if (each.id == CommandId::expect) in.modern.checks.areThere = true;
+        const glib::StatementRow* row = each.isModern ? glib::statementOf(each.id) : nullptr;
+        if (row == nullptr || !row->declaresName || each.values.empty()) continue;
+        const glib::Value& name = each.values.front();
+        in.shared->environment.expect(name.path.empty() ? name.text : name.path.front().name);
+    }
+}
+
+namespace {
+
+/// Reports once that the frame is too long. Nothing more of it runs.
+bool stop(Interpreter& in, const Place& place, std::string_view what, std::size_t most) {
     if (!std::exchange(in.modern.isFull, true))
-        in.reportAt(command, "glib-E28",
-                    fmt::format("the frame has more than {} statements, with repetitions",
-                                glib::groupedText(static_cast<long long>(kMostStatements))));
+        in.report(diagnose("glib-E28",
+                           fmt::format("the frame has more than {} {}",
+                                       glib::groupedText(static_cast<long long>(most)), what),
+                           place));
     return false;
+}
+
+}  // namespace
+
+bool countStatement(Interpreter& in, const Command& command) {
+    return ++in.modern.statements <= kMostStatements ||
+           stop(in, in.place(command), "statements, with repetitions", kMostStatements);
+}
+
+bool countRound(Interpreter& in, const Command& command) {
+    return ++in.modern.rounds <= kMostStatements ||
+           stop(in, in.place(command), "rounds of Repeat", kMostStatements);
+}
+
+bool countElements(Interpreter& in, const glib::Value& owner, double count) {
+    in.modern.elements += static_cast<std::size_t>(count);
+    return in.modern.elements <= kMostElements ||
+           stop(in, in.place(owner), "elements that are computed", kMostElements);
 }
 
 }  // namespace glibra::scene

@@ -13,6 +13,7 @@
 #include "scene/modern/evaluate.h"
 #include "scene/modern/materials.h"
 #include "scene/modern/modern.h"
+#include "scene/modern/scope.h"
 #include "scene/state.h"
 
 namespace glibra::scene {
@@ -48,19 +49,19 @@ void addTags(Interpreter& in, std::span<const glib::KeyedValues> tags) {
     for (const glib::KeyedValues& each : tags) {
         std::optional<std::string> key = keyOf(in, each);
         if (!key) continue;
-        std::erase_if(in.modern.set, [&](const ScopedTag& other) { return other.key == *key; });
-        ScopedTag scoped{&each, *std::move(key), in.script};
+        std::erase_if(in.state.set, [&](const ScopedTag& other) { return other.key == *key; });
+        ScopedTag scoped{&each, *std::move(key), in.script, in.shared->environment.here()};
         if (namesObject(in, each.values.front())) {
             scoped.object = objectNamed(in, each.values.front());
             if (!scoped.object) continue;
         }
-        in.modern.set.push_back(std::move(scoped));
+        in.state.set.push_back(std::move(scoped));
     }
 }
 
 void doSet(Interpreter& in, const Command& command) {
     addTags(in, command.tags);
-    for (const ScopedTag& each : in.modern.set)
+    for (const ScopedTag& each : in.state.set)
         if (each.tag >= command.tags.data() && each.tag < command.tags.data() + command.tags.size())
             in.scene.setNames.try_emplace(each.key, in.script->place(each.tag->position));
 }
@@ -125,8 +126,8 @@ std::optional<glib::UniformSpec> specOf(Interpreter& in, const glib::KeyedValues
     spec.valuePosition = tag.values.front().position;
     const Value& first = tag.values.front();
     if (first.kind == Value::Kind::word) {
-        const auto symbol = in.shared->environment.find(first.text);
-        const bool isPlain = symbol && symbol->type.kind != expression::Kind::record;
+        const expression::Symbol* const symbol = in.shared->environment.lookUp(first.text);
+        const bool isPlain = symbol != nullptr && symbol->type.kind != expression::Kind::record;
         if (isPlain && symbol->words.empty() && first.path.size() <= 1 &&
             (first.path.empty() || first.path.front().index.empty())) {
             // Reading the name as an expression notes what it depends on.
@@ -208,6 +209,25 @@ std::optional<Value> choiceInParentheses(Interpreter& in, const glib::KeyedValue
     return choosesObject(in, word) ? std::optional(std::move(word)) : std::nullopt;
 }
 
+/// The names of the statement that a tag stands in, for its expressions: they are evaluated at draws, which
+/// may stand in other scopes.
+class NamesOfTag {
+  public:
+    NamesOfTag(Interpreter& in, const glib::KeyedValues& tag, Environment::Point names,
+               const glib::Script* script)
+        : file_(in, {script, in.modern.given}), before_(in) {
+        const auto hasNoNames = [](const Value& each) {
+            return each.kind == Value::Kind::number || each.kind == Value::Kind::truth;
+        };
+        if (!std::all_of(tag.values.begin(), tag.values.end(), hasNoNames))
+            in.shared->environment.enterGroup(names, &tag);
+    }
+
+  private:
+    InFile file_;
+    InnerNames before_;
+};
+
 }  // namespace
 
 std::span<const CommandAction> tagActions() {
@@ -255,17 +275,15 @@ UniformSetIndex uniformsOf(Interpreter& in, ProgramIndex program, std::span<cons
     const auto addOwn = [&](const glib::KeyedValues& tag, bool mayBeUnknown) {
         if (const auto key = keyOf(in, tag)) add(tag, *key, mayBeUnknown);
     };
-    const glib::Script* const here = in.script;
     if (const auto tags = in.modern.programTags.find(program); tags != in.modern.programTags.end())
         for (const glib::KeyedValues& each : tags->second.command->tags) {
-            in.script = tags->second.script;
+            const NamesOfTag names(in, each, tags->second.names, tags->second.script);
             addOwn(each, false);
         }
-    for (const ScopedTag& each : in.modern.set) {
-        in.script = each.script;
+    for (const ScopedTag& each : in.state.set) {
+        const NamesOfTag names(in, *each.tag, each.names, each.script);
         add(*each.tag, each.key, true, each.object);
     }
-    in.script = here;
     for (const glib::KeyedValues& each : own) addOwn(each, false);
     if (set.values.empty() && set.objects.empty() && set.lost.empty()) return {};
     std::vector<std::pair<std::string, std::vector<double>>> key;
@@ -285,17 +303,16 @@ UniformSetIndex uniformsOf(Interpreter& in, ProgramIndex program, std::span<cons
 }
 
 std::vector<glib::UniformSpec> namedValuesOfBlock(Interpreter& in) {
-    if (in.modern.block->before.empty()) return {};
     std::vector<glib::UniformSpec> own = namedValues(in);
-    std::erase_if(own, [&](const auto& each) { return !in.modern.block->before.contains(each.tag); });
+    std::erase_if(own, [&](const auto& each) { return !in.shared->environment.isOfBlock(each.tag); });
     return own;
 }
 
 std::vector<glib::UniformSpec> namedValues(Interpreter& in) {
     std::vector<glib::UniformSpec> all;
     for (const auto& [name, position] : in.modern.variables) {
-        const auto symbol = in.shared->environment.find(name);
-        if (!symbol || symbol->type.kind == expression::Kind::record) continue;
+        const expression::Symbol* const symbol = in.shared->environment.lookUpInScene(name);
+        if (symbol == nullptr || symbol->type.kind == expression::Kind::record) continue;
         glib::UniformSpec spec;
         spec.tag = name;
         spec.tagPosition = spec.valuePosition = position;

@@ -13,6 +13,7 @@
 #include "glib/number.h"
 #include "scene/modern/evaluate.h"
 #include "scene/modern/modern.h"
+#include "scene/modern/scope.h"
 #include "scene/state.h"
 
 namespace glibra::scene {
@@ -48,13 +49,20 @@ std::optional<double> chosenWord(Interpreter& in, const Variable& variable) {
     return std::nullopt;
 }
 
+/// The slot of the variable that Let sets. Nothing with the reason reported.
+std::optional<Environment::Slot> slotOfLet(Interpreter& in, const Command& command, const std::string& name,
+                                           const expression::Symbol& symbol) {
+    Environment& names = in.shared->environment;
+    const auto slot = names.declareVariable(name, symbol);
+    if (!slot)
+        in.reportAt(command, "glib-E27", fmt::format("'{}' is declared above with another type", name));
+    return slot;
+}
+
 void declare(Interpreter& in, const Command& command, const std::string& name,
              const expression::Symbol& symbol, std::span<const double> components) {
-    const auto slot = in.shared->environment.declare(name, symbol);
-    if (!slot) {
-        in.reportAt(command, "glib-E27", fmt::format("'{}' is declared above with another type", name));
-        return;
-    }
+    const auto slot = slotOfLet(in, command, name, symbol);
+    if (!slot) return;
     const std::size_t size = symbol.type.size();
     for (std::size_t i = 0; i * size < components.size(); ++i)
         in.shared->environment.set(*slot, components.subspan(i * size, size), i);
@@ -66,6 +74,11 @@ expression::Symbol variable(expression::Type type, std::size_t count = 0) {
     symbol.count = static_cast<std::uint32_t>(count);
     symbol.depends = expression::Depends::variable;
     return symbol;
+}
+
+const expression::Value* find(const GivenVariables& given, const std::string& name) {
+    const auto found = given.find(name);
+    return found != given.end() ? &found->second : nullptr;
 }
 
 /// A file that is included twice declares its variables twice.
@@ -145,6 +158,46 @@ void declareControl(Interpreter& in, const Command& command, const std::string& 
     addVariable(in, std::move(made));
 }
 
+/// The names of an environment, and an array that is about to be declared.
+class NamesWithArray final : public expression::Names {
+  public:
+    NamesWithArray(const expression::Names& names, std::string_view name, expression::Symbol array)
+        : names_(names), name_(name), array_(std::move(array)) {}
+    [[nodiscard]] std::optional<expression::Symbol> find(std::string_view path) const override {
+        return path == name_ ? array_ : names_.find(path);
+    }
+    [[nodiscard]] std::vector<std::string> known(std::string_view path) const override {
+        return names_.known(path);
+    }
+
+  private:
+    const expression::Names& names_;
+    std::string_view name_;
+    std::optional<expression::Symbol> array_;
+};
+
+/// The type with which the expression of an array, which may read earlier elements, has this same type.
+/// Nothing if there is none.
+std::optional<expression::Type> typeOfElements(Interpreter& in, const std::string& name, const Value& value,
+                                               std::size_t elements) {
+    const Environment& environment = in.shared->environment;
+    auto& foundSoFar = in.shared->arrayTypes[writtenAt(in, value)];
+    if (const auto* known = foundSoFar.find(environment)) return *known;
+    const NotedNames noted(environment);
+    std::optional<expression::Type> type;
+    using expression::Type;
+    for (const Type candidate : {Type::number(), Type::vector(3), Type::vector(4), Type::matrix(4),
+                                 Type::vector(2), Type::matrix(3), Type::boolean(), Type::matrix(2)}) {
+        const NamesWithArray names(noted, name, variable(candidate, elements));
+        const auto parsed = expression::parse(value.text, in.script->place(glib::placeIn(value, 0)), names);
+        if (!parsed || parsed->type() != candidate) continue;
+        type = candidate;
+        break;
+    }
+    foundSoFar.add(environment, noted.take(), type);
+    return type;
+}
+
 void declareArray(Interpreter& in, const Command& command, const std::string& name, const Value& count,
                   const Value& value) {
     const auto wanted = numberOf(in, count);
@@ -157,43 +210,22 @@ void declareArray(Interpreter& in, const Command& command, const std::string& na
         return;
     }
     const auto elements = static_cast<std::size_t>(*wanted);
+    if (!countElements(in, value, *wanted)) return;
+    const InnerNames inner(in);
     Environment& names = in.shared->environment;
-    names.beginScope();
-    const Environment::Slot counter = names.declareScoped(&value, "i", [] {
-        expression::Symbol symbol;
-        symbol.depends = expression::Depends::counter;
-        return symbol;
-    }());
-    // The expression may read earlier elements, so their type must be known before the expression can be
-    // read.
-    std::optional<expression::Type> type = in.shared->arrayTypes[&value];
-    if (value.kind == Value::Kind::number) type = expression::Type::number();
-    if (!type) {
-        using expression::Type;
-        for (const Type candidate : {Type::number(), Type::vector(3), Type::vector(4), Type::matrix(4),
-                                     Type::vector(2), Type::matrix(3), Type::boolean(), Type::matrix(2)}) {
-            Environment trial = names;
-            trial.declare(name, variable(candidate, elements));
-            const auto parsed =
-                expression::parse(value.text, in.script->place(glib::placeIn(value, 0)), trial);
-            if (!parsed || parsed->type() != candidate) continue;
-            type = candidate;
-            break;
-        }
-        in.shared->arrayTypes[&value] = type;
-    }
-    // Without a type the expression is wrong; evaluating it reports why.
-    const auto slot = names.declare(name, variable(type.value_or(expression::Type::number()), elements));
-    if (!slot)
-        in.reportAt(command, "glib-E27", fmt::format("'{}' is declared above with another type", name));
+    const Environment::Slot counter = names.bind("i", counterSymbol());
+    // The expression may read earlier elements, so their type must be known before it can be read. Without a
+    // type it is wrong; evaluating it reports why.
+    const auto type = value.kind == Value::Kind::number ? expression::Type::number()
+                                                        : typeOfElements(in, name, value, elements);
+    const auto slot =
+        slotOfLet(in, command, name, variable(type.value_or(expression::Type::number()), elements));
     for (std::size_t i = 0; slot && i < elements; ++i) {
-        const auto number = static_cast<double>(i);
-        names.set(counter, {&number, 1});
+        names.setNumber(counter, static_cast<double>(i));
         const auto element = constantOf(in, {&value, 1});
         if (!element) break;
         names.set(*slot, element->all(), i);
     }
-    names.endScope();
 }
 
 /// What stands in the parentheses of [n of (...)].
@@ -202,14 +234,14 @@ std::string bodyOf(const Value& list) {
     return item.kind == Value::Kind::number ? glib::numberText(item.number) : item.text;
 }
 
-void declareVariable(Interpreter& in, const Command& command) {
+void runLet(Interpreter& in, const Command& command) {
     if (command.values.size() < 2) return;
     const Value& target = command.values[0];
     const Value& value = command.values[1];
     const std::string name = target.path.empty() ? target.text : target.path.front().name;
     const bool isArray = !target.path.empty() && !target.path.front().index.empty();
-    const auto given = in.modern.given.find(name);
-    const bool isGiven = given != in.modern.given.end();
+    const expression::Value* const given = in.modern.given ? find(*in.modern.given, name) : nullptr;
+    const bool isGiven = given != nullptr;
     const bool isRule = value.kind == Value::Kind::list && !value.count.empty();
     const bool isComputed = value.kind == Value::Kind::expression || isRule || isGiven;
     if (!declareName(in, command, name,
@@ -218,7 +250,7 @@ void declareVariable(Interpreter& in, const Command& command) {
     const auto isSame = [&](const auto& each) { return each.first == name; };
     if (std::none_of(in.modern.variables.begin(), in.modern.variables.end(), isSame))
         in.modern.variables.emplace_back(name, command.position);
-    if (isGiven) return declare(in, command, name, variable(given->second.type), given->second.all());
+    if (isGiven) return declare(in, command, name, variable(given->type), given->all());
     if (isArray && isRule) {
         in.report(diagnose(
             "glib-E26",
@@ -262,23 +294,34 @@ void declareVariable(Interpreter& in, const Command& command) {
     declare(in, command, name, variable(result->type), result->all());
 }
 
-/// What Let sets in Once and Step is for the block alone: remembers what the variable was before it.
-void keepBefore(Interpreter& in, const std::string& name) {
-    if (in.modern.block == nullptr || in.modern.block->before.contains(name)) return;
-    const auto symbol = in.shared->environment.findOutermost(name);
-    in.modern.block->before.emplace(
-        name, symbol ? std::optional(in.shared->environment.keep(symbol->slot)) : std::nullopt);
+/// A counter or parameter of this name is hidden from here to the end of the scope, so that what Let sets
+/// can be read.
+void showVariable(Interpreter& in, const Command& command, const std::string& name) {
+    Environment& names = in.shared->environment;
+    const expression::Symbol* const own = names.lookUpInScene(name);
+    const auto seen = names.findOwn(name);
+    if (own == nullptr || !seen || *seen == own->slot) return;
+    const Environment::Slot slot = own->slot;
+    names.bind(name, slot);
+    if (!in.modern.hidingLets.insert(&command).second) return;
+    in.reportAt(
+        command, "glib-W40",
+        fmt::format("'{0}' is a counter or parameter here; from this Let on to the end of the scope, '{0}' "
+                    "is the variable of the scene; choose another name",
+                    name));
 }
 
 /// What a variable depends on passes to the expressions that read it.
 void doLet(Interpreter& in, const Command& command) {
     const Value& target = command.values.front();
     const std::string& name = target.path.empty() ? target.text : target.path.front().name;
-    keepBefore(in, name);
     const DependsOnly own(in);
-    declareVariable(in, command);
-    const auto symbol = in.shared->environment.find(name);
-    if (symbol) in.shared->environment.addDepends(symbol->slot, own.depends() | in.modern.conditions);
+    runLet(in, command);
+    Environment& names = in.shared->environment;
+    const expression::Symbol* const symbol = names.lookUpInScene(name);
+    if (symbol == nullptr) return;
+    names.addDepends(symbol->slot, own.depends() | in.modern.conditions);
+    showVariable(in, command, name);
 }
 
 void doUse(Interpreter& in, const Command& command) {
@@ -330,21 +373,25 @@ std::optional<expression::Value> constantOf(Interpreter& in, std::span<const Val
 std::optional<std::vector<double>> listOf(Interpreter& in, const Value& list) {
     if (list.count.empty()) return numbersOf(in, {&list, 1});
     const auto count = integerIn(in, list.count.front(), "the number of elements", 1, kMostVariableElements);
-    if (!count) return std::nullopt;
+    if (!count || !countElements(in, list, *count)) return std::nullopt;
     constexpr double kMostComponents = 16.0 * kMostVariableElements;
     return elementsOf(in, list, list.items, *count, kMostComponents);
 }
 
-std::optional<std::vector<double>> elementsOf(Interpreter& in, const Value& owner,
-                                              std::span<const Value> element, int count, double most) {
-    Environment& names = in.shared->environment;
-    names.beginScope();
+expression::Symbol counterSymbol() {
     expression::Symbol symbol;
     symbol.depends = expression::Depends::counter;
-    const Environment::Slot counter = names.declareScoped(&owner, "i", symbol);
+    return symbol;
+}
+
+std::optional<std::vector<double>> elementsOf(Interpreter& in, const Value& owner,
+                                              std::span<const Value> element, int count, double most) {
+    const InnerNames inner(in);
+    Environment& names = in.shared->environment;
+    const Environment::Slot counter = names.bind("i", counterSymbol());
     std::optional<std::vector<double>> all(std::in_place);
     for (double i = 0; i < count && all; ++i) {
-        names.set(counter, {&i, 1});
+        names.setNumber(counter, i);
         const auto numbers = numbersOf(in, element);
         if (!numbers) {
             all.reset();
@@ -359,7 +406,6 @@ std::optional<std::vector<double>> elementsOf(Interpreter& in, const Value& owne
             all->insert(all->end(), numbers->begin(), numbers->end());
         }
     }
-    names.endScope();
     return all;
 }
 

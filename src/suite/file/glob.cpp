@@ -1,11 +1,15 @@
 #include "suite/file/glob.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <set>
 #include <system_error>
 #include <utility>
+
+#include "glib/text.h"
 
 namespace glibra::suite {
 namespace {
@@ -65,14 +69,33 @@ class Walk {
         std::vector<fs::path> found;
         std::error_code failure;
         const fs::path from = folder.empty() ? fs::path(".") : folder;
-        for (fs::directory_iterator each(from, failure), end; !failure && each != end && !isTooMuch();
+        fs::directory_iterator each(from, failure);
+        for (const fs::directory_iterator end; !failure && each != end && !isTooMuch();
              each.increment(failure)) {
             ++seen_;
             const std::string name = each->path().filename().string();
             if (name.starts_with('.') && !part.starts_with('.')) continue;
             if (part == "**" || fits(part, name)) found.push_back(folder / name);
         }
+        if (failure && !isMissing(failure)) reportFolder(from, failure);
         return found;
+    }
+
+    [[nodiscard]] bool isFile(const fs::path& path) {
+        std::error_code failure;
+        const fs::file_type type = fs::status(path, failure).type();
+        const bool isDanglingLink = type == fs::file_type::not_found && fs::is_symlink(path, failure) &&
+                                    glib::sameWord(path.extension().string(), ".glib");
+        if (type == fs::file_type::none || isDanglingLink)
+            problems_.push_back(diagnose(
+                "suite-E22",
+                fmt::format("cannot look at '{}': {}; it would be left out", path.string(),
+                            isDanglingLink ? "the target of the link is missing" : failure.message()),
+                {path.string(), 1, 1}));
+        return type == fs::file_type::regular;
+    }
+    [[nodiscard]] bool isFolder(const fs::path& path) {
+        return typeOf(path, true) == fs::file_type::directory;
     }
 
     /// The folder and all folders below it.
@@ -82,9 +105,8 @@ class Walk {
             const auto [folder, depth] = std::move(open.back());
             open.pop_back();
             if (!folders.insert(folder).second) continue;
-            std::error_code failure;
             for (fs::path& each : entries(folder, "**")) {
-                if (fs::symlink_status(each, failure).type() != fs::file_type::directory) continue;
+                if (typeOf(each, false) != fs::file_type::directory) continue;
                 if (depth == kDeepestSearch) {
                     tooDeep_ = true;
                     return;
@@ -95,8 +117,32 @@ class Walk {
     }
 
     [[nodiscard]] bool isTooMuch() const { return tooDeep_ || seen_ > kMostSearched; }
+    [[nodiscard]] const Diagnostics& problems() const { return problems_; }
 
   private:
+    /// A pattern may name a folder that does not exist, or a file where it needs a folder. Both match
+    /// nothing.
+    static bool isMissing(const std::error_code& failure) {
+        return failure == std::errc::no_such_file_or_directory || failure == std::errc::not_a_directory;
+    }
+
+    void reportFolder(const fs::path& folder, const std::error_code& failure) {
+        problems_.push_back(
+            diagnose("suite-E22",
+                     fmt::format("cannot list the folder '{}': {}; its scenes would be left out",
+                                 folder.string(), failure.message()),
+                     {folder.string(), 1, 1}));
+    }
+
+    fs::file_type typeOf(const fs::path& path, bool followsLinks) {
+        std::error_code failure;
+        const fs::file_type type =
+            (followsLinks ? fs::status(path, failure) : fs::symlink_status(path, failure)).type();
+        if (type == fs::file_type::none && !isMissing(failure)) reportFolder(path, failure);
+        return type;
+    }
+
+    Diagnostics problems_;
     bool tooDeep_ = false;
     std::size_t seen_ = 0;
 };
@@ -147,9 +193,8 @@ Result<std::vector<fs::path>> filesThatFit(const fs::path& folder, std::string_v
             if (all[i] == "**") {
                 walk.addTree(each, next);
             } else if (isPattern(all[i])) {
-                std::error_code failure;
                 for (const fs::path& entry : walk.entries(each, all[i]))
-                    if (fs::is_directory(entry, failure)) next.insert(entry);
+                    if (walk.isFolder(entry)) next.insert(entry);
             } else {
                 next.insert(each / all[i]);
             }
@@ -158,13 +203,13 @@ Result<std::vector<fs::path>> filesThatFit(const fs::path& folder, std::string_v
     }
     std::vector<fs::path> files;
     for (const fs::path& each : here) {
-        std::error_code failure;
         const std::vector<fs::path> found =
             isPattern(all.back()) ? walk.entries(each, all.back()) : std::vector<fs::path>{each / all.back()};
         for (const fs::path& entry : found)
-            if (fs::is_regular_file(entry, failure)) files.push_back(entry);
+            if (walk.isFile(entry)) files.push_back(entry);
     }
     if (walk.isTooMuch()) return {};
+    if (!walk.problems().empty()) return walk.problems();
     std::sort(files.begin(), files.end(),
               [](const fs::path& a, const fs::path& b) { return a.native() < b.native(); });
     return files;

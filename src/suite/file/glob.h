@@ -28,8 +28,11 @@ inline constexpr int kDeepestSearch = 64;
 /// Returns the regular files below `folder` whose paths match the pattern, sorted by bytes, in the form
 /// "folder/part/part". Links to files are followed. The pattern is matched part by part: "*" ends at a "/",
 /// the part "**" stands for any number of folders (links to folders are not followed), and neither matches a
-/// name that begins with ".". An absolute pattern does not use `folder`. Folders that cannot be read are left
-/// out. No value and no diagnostics mean that the search would exceed a limit.
+/// name that begins with ".". An absolute pattern does not use `folder`.
+///
+/// No value and no diagnostics mean that the search would exceed a limit. No value and suite-E22 for each
+/// folder that cannot be listed, and for each entry of which it is not known whether it is a file: a search
+/// that left them out would lose scenes without a word.
 Result<std::vector<std::filesystem::path>> filesThatFit(const std::filesystem::path& folder,
                                                         std::string_view pattern);
 

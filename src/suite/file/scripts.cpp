@@ -67,7 +67,10 @@ class ScriptFinder {
         // "a/**" matches pictures and shaders too.
         if (files && key == "script")
             std::erase_if(*files, [](const fs::path& each) { return !isScene(each); });
-        if (!files)
+        if (!files && !files.diagnostics.empty()) {
+            for (const Diagnostic& each : files.diagnostics)
+                reader_.report("suite-E22", fmt::format("{}: {}", key, each.text), pattern.place);
+        } else if (!files) {
             reader_.report(
                 "suite-E11",
                 fmt::format("{}: {} has too much to search; the limits are {} files and {} folders "
@@ -75,8 +78,9 @@ class ScriptFinder {
                             key, glib::inQuotes(pattern.text),
                             glib::groupedText(static_cast<long long>(kMostSearched)), kDeepestSearch),
                 pattern.place);
-        else if (files->empty())
+        } else if (files->empty()) {
             fitsNothing(key, pattern);
+        }
         return files ? *files : std::vector<fs::path>();
     }
 

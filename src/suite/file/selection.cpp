@@ -20,16 +20,32 @@ std::string_view beforeSweep(std::string_view name) {
     return name.substr(0, name.find('@'));
 }
 
-/// Marks the shots that marked shots name, until no more are added.
+/// True if only other shots compare the picture.
+bool isPartnerOnly(const Shot& shot) {
+    return !shot.golden && shot.match.empty() && shot.differ.empty();
+}
+
+/// Marks the shots that marked shots are compared with, until no more are added.
 void markNamed(const Suite& suite, std::vector<bool>& marked) {
     std::unordered_map<std::string_view, std::size_t> byName;
-    for (std::size_t i = 0; i < suite.shots.size(); ++i) byName.emplace(suite.shots[i].name, i);
+    std::unordered_multimap<std::string_view, std::size_t> namedBy;
+    for (std::size_t i = 0; i < suite.shots.size(); ++i) {
+        byName.emplace(suite.shots[i].name, i);
+        for (const std::string* each : {&suite.shots[i].match, &suite.shots[i].differ})
+            if (!each->empty()) namedBy.emplace(*each, i);
+    }
     std::vector<std::size_t> open;
     for (std::size_t i = 0; i < marked.size(); ++i)
         if (marked[i]) open.push_back(i);
     while (!open.empty()) {
         const Shot& shot = suite.shots[open.back()];
         open.pop_back();
+        const auto [begin, end] = namedBy.equal_range(shot.name);
+        for (auto each = begin; isPartnerOnly(shot) && each != end; ++each) {
+            if (marked[each->second]) continue;
+            marked[each->second] = true;
+            open.push_back(each->second);
+        }
         for (const std::string* each : {&shot.match, &shot.differ}) {
             const auto found = byName.find(*each);
             if (each->empty() || found == byName.end() || marked[found->second]) continue;

@@ -19,8 +19,8 @@ namespace glibra::suite {
 bool isMeant(const Shot& shot, std::string_view pattern);
 
 /// Returns the indices of the shots to run, in rising order: the shots that any pattern matches (all shots if
-/// there is no pattern); with `withNamed` also the shots that those name by `match` and `differ`, and so on;
-/// and of these only the shots of the shard.
+/// there is no pattern); with `withNamed` also the shots that those name by `match` and `differ`, and so on,
+/// and those that name a shot that only they compare; and of these only the shots of the shard.
 std::vector<std::size_t> select(const Suite& suite, std::span<const std::string> onlyPatterns, Shard shard,
                                 bool withNamed = true);
 

@@ -47,6 +47,15 @@ std::string whyNotAName(std::string_view name) {
     }
 }
 
+std::string nameOnAnyDisk(std::string_view name) {
+    std::string folded;
+    for (const char c : name) {
+        while (c == '/' && folded.ends_with('.')) folded.pop_back();
+        folded += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    }
+    return folded;
+}
+
 std::string_view shotOfVariant(std::string_view name) {
     const std::size_t dot = name.rfind('.');
     if (dot == std::string_view::npos) return {};

@@ -11,6 +11,10 @@ namespace glibra::suite {
 /// with "." or is longer than 200 bytes, and the name is not longer than 1000.
 std::string whyNotAName(std::string_view name);
 
+/// The name as a disk that ignores upper and lower case, and dots at the end of a folder's name, tells it
+/// from others: two names with one such form would share their golden there.
+std::string nameOnAnyDisk(std::string_view name);
+
 /// Returns "teapot" for "teapot.nvidia": the shot whose golden for that family of drivers would have the same
 /// file as the golden of this shot. Empty if the part after the last "." cannot be a family (letters,
 /// "d3d12", "osmesa-...").

@@ -33,6 +33,29 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t kLargestSuiteFile = std::uint64_t{16} << 20;
 
+/// The pairs of names whose goldens are one file, or one the variant of the other, on disks that ignore case,
+/// but not on others.
+std::vector<std::pair<std::string, std::string>> sharedOnSomeDisk(const std::vector<std::string>& names) {
+    std::unordered_map<std::string, std::string> byForm;
+    for (const std::string& each : names) byForm.emplace(nameOnAnyDisk(each), each);
+    std::vector<std::pair<std::string, std::string>> shared;
+    for (const std::string& each : names) {
+        const std::string form = nameOnAnyDisk(each);
+        if (const std::string& first = byForm.at(form); first != each) shared.emplace_back(each, first);
+        const auto other = byForm.find(std::string(shotOfVariant(form)));
+        if (other != byForm.end() && other->second != shotOfVariant(each))
+            shared.emplace_back(each, other->second);
+    }
+    return shared;
+}
+
+std::string shareText(const std::string& name, const std::string& other) {
+    return fmt::format(
+        "the goldens of '{}' and '{}' would be one file on disks that ignore upper and lower case; rename "
+        "one",
+        other, name);
+}
+
 /// Makes shots of templates.
 class SuiteBuilder {
   public:
@@ -60,6 +83,7 @@ class SuiteBuilder {
 
     void finish() {
         checkVariants();
+        checkOtherDisks();
         resolvePairs(reader_, requests_, suite_);
     }
 
@@ -164,6 +188,17 @@ class SuiteBuilder {
         }
     }
 
+    /// A repository is checked out on other systems, too.
+    void checkOtherDisks() {
+        std::vector<std::string> names;
+        for (const Shot& shot : suite_.shots) names.push_back(shot.name);
+        for (const auto& [name, other] : sharedOnSomeDisk(names))
+            reader_.report("suite-E23",
+                           fmt::format("{}; the other one is on line {}", shareText(name, other),
+                                       byName_.at(other).line),
+                           byName_.at(name));
+    }
+
     TomlReader& reader_;
     Suite& suite_;
     std::unordered_map<std::string, Place> byName_;
@@ -207,6 +242,7 @@ Result<Suite> readFolder(const fs::path& folder) {
 
     const Place place{folder.string(), 1, 1};
     const Result<std::vector<fs::path>> scenes = scenesBelow(folder);
+    if (!scenes.diagnostics.empty()) return scenes.diagnostics;
     if (!scenes || scenes->size() > kMostShots)
         return diagnose("suite-E11",
                         fmt::format("the folder is too large for a suite; that has at most {} scenes",
@@ -243,6 +279,10 @@ Result<Suite> readFolder(const fs::path& folder) {
                          fmt::format("the golden of {} would be a variant of that of {}; rename one",
                                      glib::inQuotes(shot.script.string()), glib::inQuotes(other->second)),
                          place));
+    std::vector<std::string> names;
+    for (const Shot& shot : suite.shots) names.push_back(shot.name);
+    for (const auto& [name, other] : sharedOnSomeDisk(names))
+        problems.push_back(diagnose("suite-E23", shareText(name, other), place));
     if (hasError(problems)) return problems;
     return suite;
 }

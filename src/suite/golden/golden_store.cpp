@@ -10,6 +10,7 @@
 #include "image/file.h"
 #include "image/read.h"
 #include "image/write.h"
+#include "suite/file/shot_name.h"
 #include "suite/golden/hash_key.h"
 
 namespace glibra::suite {
@@ -80,6 +81,18 @@ fs::path goldenName(const Shot& shot, std::string_view variant) {
                        shot.options.floatPixels ? ".exr" : ".png");
 }
 
+bool hasGolden(const fs::path& folder, const Shot& shot) {
+    const fs::path golden = folder / goldenName(shot);
+    std::error_code failure;
+    if (fs::exists(golden, failure)) return true;
+    for (fs::directory_iterator each(golden.parent_path(), failure), end; !failure && each != end;
+         each.increment(failure))
+        if (each->path().extension() == golden.extension() &&
+            shotOfVariant(each->path().stem().string()) == golden.stem().string())
+            return true;
+    return false;
+}
+
 Diagnostics checkGoldenFolder(const Suite& suite) {
     if (isBelow(suite.goldens, folderOf(suite))) return {};
     return {diagnose(
@@ -129,6 +142,16 @@ Result<Golden> GoldenStore::find(const Shot& shot, std::string_view family) cons
     return {};
 }
 
+fs::path GoldenStore::lostGolden(const Shot& shot) const {
+    if (accepted_.isUnknown()) return file(shot, "");
+    for (const AcceptedHash& line : accepted_.linesOf(shot.name)) {
+        fs::path golden = file(shot, line.variant);
+        std::error_code failure;
+        if (fs::status(golden, failure).type() == fs::file_type::not_found) return golden;
+    }
+    return {};
+}
+
 const Hash* GoldenStore::acceptedPixels(const Shot& shot, const Golden& golden,
                                         const std::string& key) const {
     return accepted_.find(shot.name, golden.variant, golden.identity, key);
@@ -151,6 +174,7 @@ Result<Golden> GoldenStore::replace(const Shot& shot, std::string_view variant,
         path.parent_path() / fmt::format(".glibra-{}-golden{}", ::getpid(), path.extension().string());
     image::WriteOptions options;
     options.png.level = kCompression;
+    options.named = image::NamedBy::program;
     Diagnostics problems = image::writeImage(picture, whole, options);
     if (hasError(problems)) return refuseAs(std::move(problems), whole, path);
     if (const int problem = base::renameDurably(whole, path); problem != 0) {

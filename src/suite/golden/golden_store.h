@@ -31,6 +31,8 @@ std::string toText(const image::Tolerance& tolerance);
 std::filesystem::path goldenFolder(const Suite& suite, const std::filesystem::path& folder = {});
 /// The name of a shot's golden in that folder.
 std::filesystem::path goldenName(const Shot& shot, std::string_view variant = {});
+/// True if the shot has a golden for any driver in that folder.
+bool hasGolden(const std::filesystem::path& folder, const Shot& shot);
 
 class GoldenStore {
   public:
@@ -41,12 +43,16 @@ class GoldenStore {
                                     bool allowOutside = false);
 
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+    [[nodiscard]] const HashList& accepted() const { return accepted_; }
     [[nodiscard]] std::filesystem::path hashFile() const;
     [[nodiscard]] std::filesystem::path file(const Shot& shot, std::string_view variant) const;
 
     /// Returns the nearest golden for a family of drivers. Nothing without diagnostics means that there is
     /// none; nothing with diagnostics, that it cannot be read.
     [[nodiscard]] Result<Golden> find(const Shot& shot, std::string_view family) const;
+    /// The golden that the list of accepted pixels names for this shot and that is not there, or an empty
+    /// path. Every shot lacks one while the list cannot be read.
+    [[nodiscard]] std::filesystem::path lostGolden(const Shot& shot) const;
     /// The pixels that were accepted for this golden with that driver, or null.
     [[nodiscard]] const Hash* acceptedPixels(const Shot& shot, const Golden& golden,
                                              const std::string& key) const;

@@ -42,6 +42,12 @@ class FolderLock {
     int descriptor_;
 };
 
+void sortLines(std::vector<AcceptedHash>& lines) {
+    std::sort(lines.begin(), lines.end(), [](const AcceptedHash& a, const AcceptedHash& b) {
+        return std::tie(a.variant, a.key) < std::tie(b.variant, b.key);
+    });
+}
+
 }  // namespace
 
 std::string toLine(const AcceptedHash& accepted) {
@@ -68,7 +74,7 @@ Result<AcceptedHash> parseLine(std::string_view line, const Place& place) {
 Result<HashList> HashList::read(const fs::path& file) {
     Result<HashList> list{HashList()};
     std::error_code failure;
-    if (!fs::exists(file, failure)) return list;
+    if (fs::status(file, failure).type() == fs::file_type::not_found) return list;
     const Place place{file.string(), 1, 1};
     const auto bytes = image::readFile(file, {file.string(), place}, kLargestHashList);
     if (!bytes) {
@@ -76,6 +82,7 @@ Result<HashList> HashList::read(const fs::path& file) {
             each.severity = Severity::warning;
             list.diagnostics.push_back(std::move(each));
         }
+        list->isUnknown_ = true;
         return list;
     }
     std::string_view rest(reinterpret_cast<const char*>(bytes->data()), bytes->size());
@@ -107,6 +114,14 @@ std::set<std::string> HashList::shots() const {
     return names;
 }
 
+std::vector<AcceptedHash> HashList::linesOf(const std::string& shot) const {
+    const auto found = ofShot_.find(shot);
+    if (found == ofShot_.end()) return {};
+    std::vector<AcceptedHash> lines = found->second;
+    sortLines(lines);
+    return lines;
+}
+
 void HashList::accept(std::span<const AcceptedHash> accepted) {
     for (const AcceptedHash& each : accepted) {
         std::vector<AcceptedHash>& lines = ofShot_[each.shot];
@@ -120,11 +135,7 @@ void HashList::accept(std::span<const AcceptedHash> accepted) {
 std::string HashList::toText() const {
     std::string text(kHeading);
     for (const auto& [shot, lines] : ofShot_) {
-        std::vector<AcceptedHash> sorted = lines;
-        std::sort(sorted.begin(), sorted.end(), [](const AcceptedHash& a, const AcceptedHash& b) {
-            return std::tie(a.variant, a.key) < std::tie(b.variant, b.key);
-        });
-        for (const AcceptedHash& each : sorted) text += toLine(each) + "\n";
+        for (const AcceptedHash& each : linesOf(shot)) text += toLine(each) + "\n";
     }
     return text;
 }

@@ -1,7 +1,7 @@
 #pragma once
 // The list of the exact pixels that were accepted, per driver, in a file beside the goldens of a suite. It is
-// a text file of sorted lines, one per shot and driver, so that git can merge it. A lost line costs time and
-// nothing else.
+// a text file of sorted lines, one per shot and driver, so that git can merge it. A lost line costs time, and
+// a shot that no line names may do without a golden if its scene checks itself.
 //
 //     teapot - 0f3c...golden 9a41...pixels llvmpipe (LLVM 15.0.6, 256 bits); 4.5 ...
 //
@@ -37,7 +37,8 @@ class HashList {
   public:
     HashList() = default;
     /// Reads the list. A missing file is an empty list. Lines that cannot be read are left out and reported
-    /// as suite-W01. A file that cannot be read is an empty list with the reason as a warning.
+    /// as suite-W01. A file that cannot be read is an empty list with the reason as a warning; isUnknown()
+    /// is true then.
     static Result<HashList> read(const std::filesystem::path& file);
 
     /// The pixels that were accepted with that driver for the golden of that content, or null.
@@ -45,6 +46,10 @@ class HashList {
                                    const std::string& key) const;
     /// The names of the shots that it has lines for.
     [[nodiscard]] std::set<std::string> shots() const;
+    /// The lines of a shot, sorted.
+    [[nodiscard]] std::vector<AcceptedHash> linesOf(const std::string& shot) const;
+    /// The file is there, but what it says is not known.
+    [[nodiscard]] bool isUnknown() const { return isUnknown_; }
     /// Adds lines. They replace lines of the same shot, variant and driver, and lines for other content of
     /// the same golden.
     void accept(std::span<const AcceptedHash> accepted);
@@ -52,6 +57,7 @@ class HashList {
 
   private:
     std::map<std::string, std::vector<AcceptedHash>> ofShot_;
+    bool isUnknown_ = false;
 };
 
 /// Adds lines to the file, which other processes may change at the same time. Returns nothing if that worked.

@@ -135,7 +135,8 @@ Diagnostics writeHtmlReport(const RunResult& run, const std::filesystem::path& r
     const std::string page = base::filled(report_page::page_html(), slots);
     Diagnostics problems = files.problems();
     static_cast<void>(base::prepareBeneath(reportFolder, "index.html"));  // the write below reports a failure
-    append(problems, image::writeFileAtomically(reportFolder / "index.html", std::as_bytes(std::span(page))));
+    append(problems, image::writeFileAtomically(reportFolder / "index.html", std::as_bytes(std::span(page)),
+                                                image::NamedBy::program));
     if (!hasError(problems)) files.removeOthers();
     return problems;
 }

@@ -80,7 +80,7 @@ bool ReportFiles::write(const std::string& name, std::span<const std::byte> byte
                                              std::generic_category().message(problem))));
         return false;
     }
-    Diagnostics problems = image::writeFileAtomically(reportFolder_ / name, bytes);
+    Diagnostics problems = image::writeFileAtomically(reportFolder_ / name, bytes, image::NamedBy::program);
     const bool good = problems.empty();
     append(problems_, std::move(problems));
     if (good) written_.insert(name);

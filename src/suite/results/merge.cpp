@@ -87,6 +87,27 @@ Diagnostics checkShards(const std::vector<MergedRun>& runs, std::string& missing
     return problems;
 }
 
+/// result-E06 unless all runs are of one plan with one set of settings.
+Diagnostics checkSettings(std::span<const MergedRun> runs) {
+    if (runs.size() < 2) return {};
+    Diagnostics problems;
+    for (const MergedRun& run : runs) {
+        if (run.results.plan.empty())
+            problems.push_back(diagnose(
+                "result-E06", fmt::format("results in '{}': the file does not say what the whole run was to "
+                                          "judge; run the suite again with this glibra",
+                                          run.folder.string())));
+        else if (!runs.front().results.plan.empty() && run.results.plan != runs.front().results.plan)
+            problems.push_back(diagnose(
+                "result-E06",
+                fmt::format(
+                    "'{}' and '{}' are not parts of one run: their shots or settings differ; run both "
+                    "with the same suites and options",
+                    runs.front().folder.string(), run.folder.string())));
+    }
+    return problems;
+}
+
 /// result-E03 for every run with planned shots that have no verdict. A run that was killed falls short unless
 /// runs that reached their end have verdicts on all of its shots.
 Diagnostics checkPlans(const std::vector<MergedRun>& runs) {
@@ -198,6 +219,13 @@ class PictureCopier {
     std::set<fs::path> written_;
 };
 
+/// Page and JUnit file of a merge that is not whole say so, too.
+std::string firstErrorOf(const Diagnostics& remarks) {
+    const auto first = std::find_if(remarks.begin(), remarks.end(),
+                                    [](const Diagnostic& each) { return each.severity == Severity::error; });
+    return first == remarks.end() ? "" : first->text;
+}
+
 /// The values of a member in all runs, each once.
 std::string joined(std::span<const MergedRun> runs, std::string RunResult::*member,
                    std::string_view between) {
@@ -215,6 +243,8 @@ RunResult header(std::span<const MergedRun> runs) {
     merged.driver = joined(runs, &RunResult::driver, "; ");
     merged.machine = joined(runs, &RunResult::machine, "; ");
     merged.command = joined(runs, &RunResult::command, "\n");
+    // Parts that do not belong together have no plan, so that no later merge takes the result for one.
+    if (checkSettings(runs).empty()) merged.plan = runs.front().results.plan;
     for (const MergedRun& run : runs) {
         merged.seconds = std::max(merged.seconds, run.results.seconds);
         const std::string& began = run.results.began;
@@ -243,6 +273,7 @@ Result<RunResult> mergeResults(std::span<const fs::path> folders, const fs::path
 
     std::string missing;
     append(remarks, checkShards(runs, missing));
+    append(remarks, checkSettings(runs));
     append(remarks, checkPlans(runs));
     const bool isWhole = !hasError(remarks);
     std::map<ShotKey, ShotSource> chosen;
@@ -269,6 +300,7 @@ Result<RunResult> mergeResults(std::span<const fs::path> folders, const fs::path
         }
         merged.shots.push_back(std::move(shot));
     }
+    if (!isWhole && shortfall(merged).empty()) merged.missingShards = firstErrorOf(remarks);
     if (Diagnostics problems = writeResults(merged, into); !problems.empty()) return problems;
     return {std::move(merged), std::move(remarks)};
 }

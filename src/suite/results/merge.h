@@ -22,7 +22,8 @@ namespace glibra::suite {
 /// pictures; they are left out.
 ///
 /// Errors beside a value with what was found: those of readResults for a folder whose results cannot be read
-/// (the others are joined); result-E03 a shard is in none of the folders, or planned shots have no verdict
+/// (the others are joined); result-E06 runs of different plans or settings, or of which that is not known
+/// (RunResult::plan); result-E03 a shard is in none of the folders, or planned shots have no verdict
 /// because their run was stopped or killed; result-E04 shards of different counts ("2/8" and "3/4"). The
 /// merged run is complete only without errors. Errors without a value: no folder can be read, result-E05 no
 /// folder is given, result-E02 another run or merge is writing to `into`, file-E10.

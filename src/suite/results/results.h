@@ -57,6 +57,7 @@ struct ShotResult {
     std::string accept;          ///< the command line that makes the picture the new golden
     image::Tolerance tolerance;  ///< the tolerance that was applied
     std::string fingerprint{};   ///< of what the verdict depends on (fingerprint.h); empty if unknown
+    std::string driverKey{};     ///< hash of the driverKey() of the driver that drew it; empty if unknown
     std::string driver{};        ///< if it differs from the driver of the run, as in merged runs
 };
 
@@ -71,13 +72,14 @@ struct RunResult {
     std::string driver;             ///< GL_RENDERER and GL_VERSION
     std::string machine;            ///< processor model and system
     std::string shard;              ///< "2/8", or empty
+    std::string plan{};             ///< planDigest(), the same for all shards of a run; empty if unknown
     std::string command;            ///< the command line
     double seconds = 0;             ///< wall time
     std::string began{};            ///< UTC as "2026-01-31T12:00:00Z"; empty if unknown
     std::vector<ShotResult> shots;  ///< in the order of the suites
     /// What the run set out to judge; nothing for a value that no run wrote.
     std::optional<std::vector<PlannedShots>> planned{};
-    /// "2 of 4 shards are missing: 2/4, 4/4", of a merged run; empty if none is missing.
+    /// "2 of 4 shards are missing: 2/4, 4/4", or what else makes a merged run no whole; empty if it is one.
     std::string missingShards{};
     bool complete = false;  ///< the run reached its end, with a verdict on every planned shot
 };

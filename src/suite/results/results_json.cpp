@@ -303,6 +303,7 @@ void members(Archive& archive, Value& value) {
         archive.within("milliseconds", value.milliseconds, 1000 * kLongestTime);
         archive("driver", value.driver);
         archive("fingerprint", value.fingerprint);
+        archive("driverKey", value.driverKey);
         archive("reproduce", value.reproduce);
         archive("accept", value.accept);
     } else if constexpr (std::is_same_v<Type, PlannedShots>) {
@@ -313,6 +314,7 @@ void members(Archive& archive, Value& value) {
         archive("driver", value.driver);
         archive("machine", value.machine);
         archive("shard", value.shard);
+        archive("plan", value.plan);
         archive("command", value.command);
         archive.within("seconds", value.seconds, kLongestTime);
         archive("began", value.began);

@@ -9,8 +9,10 @@
 #include <system_error>
 #include <vector>
 
+#include "gpu/context/context.h"
 #include "suite/golden/golden_store.h"
 #include "suite/golden/hash.h"
+#include "suite/golden/hash_key.h"
 #include "suite/options/option_words.h"
 
 namespace glibra::suite {
@@ -72,7 +74,7 @@ class GoldenNames {
 }  // namespace
 
 ShotInputs inputsOf(std::span<const Suite> suites, std::span<const ShotReference> shots,
-                    const base::WorkerOptions& workers) {
+                    const base::WorkerOptions& workers, std::optional<double> timeout) {
     ShotInputs inputs;
     for (const ShotReference& each : shots) {
         inputs.try_emplace(each);
@@ -81,7 +83,7 @@ ShotInputs inputsOf(std::span<const Suite> suites, std::span<const ShotReference
     std::vector<SceneQuery> queries;
     for (const auto& [shot, ignored] : inputs) {
         const Shot& asked = suites[shot.suite].shots[shot.shot];
-        queries.push_back({asked.script, asked.options});
+        queries.push_back({asked.script, asked.options, timeout.value_or(asked.timeout)});
     }
     std::vector<SceneInputs> found = readInputs(queries, workers);
     auto next = found.begin();
@@ -89,13 +91,38 @@ ShotInputs inputsOf(std::span<const Suite> suites, std::span<const ShotReference
     return inputs;
 }
 
+std::string keyOfDriver(Driver driver, const base::WorkerOptions& workers) {
+    std::string key;
+    base::runInWorkers(
+        1, workers,
+        [driver](std::size_t, const base::Step&) {
+            const Result<gpu::Context> context = gpu::openContext({.driver = driver});
+            return context ? driverKey(context->capabilities()) : std::string();
+        },
+        [&](std::size_t, const base::Outcome& outcome) { key = outcome.answer; },
+        [](std::size_t, const std::string&) {});
+    return key.empty() ? key : toText(hashOf(std::as_bytes(std::span(key))));
+}
+
 std::map<ShotReference, std::string> fingerprints(std::span<const Suite> suites,
                                                   std::span<const ShotReference> shots,
                                                   const ShotInputs& inputs, const RunOptions& options) {
     const std::string ofRun =
-        fmt::format("{}\n{}\n{}\n{}\n{}\n{}", contentOf("/proc/self/exe"), static_cast<int>(options.driver),
-                    options.skip, options.update, options.force, options.variant);
+        fmt::format("{}\n{}\n{} {} {} {} {} {}\n{} {}", contentOf("/proc/self/exe"),
+                    static_cast<int>(options.driver), options.skip, options.update, options.force,
+                    options.variant, options.allowOutside, options.sandbox != nullptr,
+                    options.timeout.value_or(-1), options.memory ? std::to_string(*options.memory) : "-");
     GoldenNames goldens;
+    std::map<std::size_t, GoldenStore> stores;  // per suite
+    const auto linesOf = [&](std::size_t suite, const Shot& shot) {
+        auto store = stores.find(suite);
+        if (store == stores.end())
+            store = stores.emplace(suite, *GoldenStore::open(suites[suite], options.goldens)).first;
+        std::string text;
+        for (const AcceptedHash& each : store->second.accepted().linesOf(shot.name))
+            text += "\n" + toLine(each);
+        return text;
+    };
     std::map<ShotReference, std::string> all;
     for (const ShotReference& each : shots) {
         std::vector<ShotReference> parts = partnersOf(suites, each);
@@ -111,7 +138,8 @@ std::map<ShotReference, std::string> fingerprints(std::span<const Suite> suites,
         const Suite& suite = suites[each.suite];
         if (!options.update)
             text += goldens.contentsFor(goldenFolder(suite, options.goldens) /
-                                        goldenName(suite.shots[each.shot]));
+                                        goldenName(suite.shots[each.shot])) +
+                    linesOf(each.suite, suite.shots[each.shot]);
         all.emplace(each, isKnown ? toText(hashOf(std::as_bytes(std::span(text)))) : std::string());
     }
     return all;

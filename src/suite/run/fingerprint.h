@@ -2,6 +2,7 @@
 // What a verdict depends on, as a hash: --resume takes over a verdict only if nothing of it has changed.
 
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -12,14 +13,19 @@
 
 namespace glibra::suite {
 
-/// What the scenes of shots read, and those of the shots that they are compared with.
+/// What the scenes of shots read, and those of the shots that they are compared with. Each scene has the time
+/// of its shot, unless `timeout` gives all the same.
 using ShotInputs = std::map<ShotReference, SceneInputs>;
 ShotInputs inputsOf(std::span<const Suite> suites, std::span<const ShotReference> shots,
-                    const base::WorkerOptions& workers);
+                    const base::WorkerOptions& workers, std::optional<double> timeout = {});
 
-/// The fingerprints of shots: of the program, the settings of the shot and of those that it is compared with,
-/// the contents of all files that their scenes read, and of the golden with its variants unless the run
-/// updates it. Empty for a shot whose scene could not be read.
+/// Hash of the driverKey() of the driver that the workers open; empty if there is none.
+std::string keyOfDriver(Driver driver, const base::WorkerOptions& workers);
+
+/// The fingerprints of shots: of the program, the settings of the run, of the shot and of those that it is
+/// compared with, the contents of all files that their scenes read with exactly these settings, and of the
+/// golden with its variants and its lines in the list of accepted pixels unless the run updates them. Empty
+/// for a shot whose scene could not be read. The driver is not part of it: see ShotResult::driverKey.
 std::map<ShotReference, std::string> fingerprints(std::span<const Suite> suites,
                                                   std::span<const ShotReference> shots,
                                                   const ShotInputs& inputs, const RunOptions& options);

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,15 +17,17 @@ namespace glibra::suite {
 struct SceneQuery {
     std::filesystem::path scene;
     RenderOptions options;
+    std::optional<double> timeout{};  ///< seconds, instead of those of the workers; 0: no limit
 };
 
 struct SceneInputs {
     std::vector<std::filesystem::path> files;  ///< render::filesReadBy()
-    std::string content;  ///< hash of their names and contents; empty if they could not be read
+    /// Hash of their names and contents; empty if they could not be read or there may be more.
+    std::string content;
 };
 
-/// The inputs of each scene, in the order of the queries. Equal queries are answered once. A scene whose
-/// worker ends or is late has none.
+/// The inputs of each scene with exactly its options, in the order of the queries. Equal queries are answered
+/// once. A scene whose worker ends or is late has none, and takes no other's.
 std::vector<SceneInputs> readInputs(std::span<const SceneQuery> queries, const base::WorkerOptions& options);
 
 /// Hash of a file's content as text; the reason as a word if it cannot be read.

@@ -11,10 +11,13 @@
 
 #include "base/memory_limit.h"
 #include "base/workers.h"
+#include "gpu/context/hardware.h"
 #include "image/file.h"
+#include "suite/golden/hash.h"
 #include "suite/run/run_messages.h"
 #include "suite/run/run_pieces.h"
 #include "suite/run/run_worker.h"
+#include "suite/run/shot_clocks.h"
 #include "suite/run/suspicions.h"
 #include "suite/run/verdict.h"
 
@@ -29,7 +32,10 @@ using End = base::Outcome::End;
 class Run {
   public:
     Run(std::span<const Suite> suites, const RunOptions& options, const RunEvents& events)
-        : options_(options), events_(events), plan_{suites, {}, options, {}, 1} {
+        : options_(options),
+          events_(events),
+          plan_{suites, {}, options, {}, 1},
+          sharesDevice_(gpu::mayUseHardware(options.driver)) {
         jobs_ = options.jobs > 0 ? options.jobs : defaultJobs();
         plan_.jobs = jobs_;
         accepted_.resize(suites.size());
@@ -45,7 +51,11 @@ class Run {
         std::vector<ShotReference> open(shots.begin(), shots.end());
         count_ = shots.size();
         while (!open.empty() && !stopped()) {
-            round(open);
+            // Shots that may be innocent of the end of their worker come last, each alone.
+            std::vector<ShotReference> next = open;
+            std::erase_if(next, [this](const ShotReference& each) { return repeated_.contains(each); });
+            if (next.empty()) next.push_back(open.front());
+            round(next);
             std::erase_if(open, [this](const ShotReference& each) { return done_.contains(each); });
         }
         end_.stopped = !end_.noDriver && !open.empty();
@@ -81,12 +91,20 @@ class Run {
             for (const std::size_t each : piece) shots.push_back(open[each]);
         }
         begun_.assign(plan_.pieces.size(), {});
+        clocks_.assign(plan_.pieces.size(), ShotClocks(limitOf_));
         ShotWorker worker(plan_);
         const base::WorkerOptions options{
             .workers = jobs_,
-            .timeoutOf = [this](std::size_t piece) { return timeoutOf(plan_.pieces[piece].front()); },
             .memoryOf = [this](std::size_t piece) { return memoryOf(plan_.pieces[piece].front()); },
+            .timeLeft =
+                [this](std::size_t piece) {
+                    return clocks_[piece]
+                        .left(ShotClocks::Clock::now())
+                        .value_or(timeoutOf(plan_.pieces[piece].front()));
+                },
             .stop = [this] { return stopped(); },
+            .sharesDevice = sharesDevice_,
+            .repeats = false,  // a piece is done again from where it stopped
             .sandbox = options_.sandbox};
         base::runInWorkers(
             plan_.pieces.size(), options, std::ref(worker),
@@ -99,15 +117,24 @@ class Run {
         if (!message) return;
         if (const auto* driver = std::get_if<DriverIs>(&*message)) {
             end_.driver = driver->words;
+            driverKey_ = toText(hashOf(std::as_bytes(std::span(driver->key))));
         } else if (const auto* begins = std::get_if<Begins>(&*message)) {
             if (!isOf(piece, begins->shot)) return;
             begun_[piece] = begins->shot;
+            clocks_[piece].hear(*begins, ShotClocks::Clock::now());
             if (events_.begins) events_.begins(begins->shot);
+        } else if (const auto* phase = std::get_if<Phase>(&*message)) {
+            if (isOf(piece, phase->shot)) clocks_[piece].hear(*phase, ShotClocks::Clock::now());
         } else if (auto* done = std::get_if<Done>(&*message)) {
             if (!isOf(piece, done->shot)) return;
+            clocks_[piece].hear(*done);
             done->result.suite = plan_.suites[done->shot.suite].name;
             done->result.shot = shotOf(done->shot).name;
-            if (done->accepted) accepted_[done->shot.suite].push_back(std::move(*done->accepted));
+            // Only --update changes the list, whatever a worker says that a scene has taken over.
+            if (done->accepted && options_.update) {
+                done->accepted->shot = shotOf(done->shot).name;
+                accepted_[done->shot.suite].push_back(std::move(*done->accepted));
+            }
             finish(done->shot, done->result);
         }
     }
@@ -120,40 +147,66 @@ class Run {
 
     void finish(const ShotReference& shot, const ShotResult& result) {
         if (!done_.insert(shot).second) return;
-        for (const ShotResult& each : suspicions_.settle(shot, result))
+        for (ShotResult& each : suspicions_.settle(shot, result)) {
+            each.driverKey = driverKey_;
             if (events_.done) events_.done(each);
+        }
     }
 
     void pieceEnds(std::size_t piece, const base::Outcome& outcome) {
+        const auto& shots = plan_.pieces[piece];
         if (outcome.end == End::finished) {
-            if (outcome.answer.empty() || end_.noDriver) return;
+            if (end_.noDriver) return;
+            if (outcome.answer.empty()) return blameSilent(shots);
             end_.noDriver = true;
             end_.diagnostics.push_back(diagnose("gpu-E01", outcome.answer));
             return;
         }
-        const auto& shots = plan_.pieces[piece];
         removeLeftovers(shots, outcome.process);
         if (outcome.end == End::stopped) return;
+        const std::optional<ShotReference> drawn = begun_[piece];
+        if (drawn && !done_.contains(*drawn)) {
+            const auto known = repeated_.find(*drawn);
+            const int times = known == repeated_.end() ? 0 : known->second;
+            if (base::mayBeInnocent(outcome, sharesDevice_, times)) {
+                ++repeated_[*drawn];
+                return;
+            }
+        }
         // The shot that was being drawn is to blame. Shots that waited for their verdict or their turn are
         // given out again. If no shot was begun, all are given out again, a limited number of times.
-        std::optional<ShotReference> blamed = begun_[piece];
+        std::optional<ShotReference> blamed = drawn;
+        if (outcome.end == End::timedOut && clocks_[piece].latest()) blamed = clocks_[piece].latest();
         if (blamed && done_.contains(*blamed)) blamed.reset();
         if (!blamed) {
             const auto first = std::find_if(shots.begin(), shots.end(), [this](const ShotReference& each) {
                 return !done_.contains(each);
             });
-            constexpr int kPatience = 3;
             if (first == shots.end() || ++unexplained_[*first] < kPatience) return;
             blamed = *first;
         }
-        ShotResult result = endedBy(*blamed, outcome);
-        // Only the drawn shot can be late, because nothing waits for the prepared ones.
+        ShotResult result = endedBy(*blamed, outcome, clocks_[piece].judged() == blamed);
+        // Each shot is late by itself. A crash may come from those that were prepared or judged meanwhile.
         std::vector<ShotReference> prepared;
-        if (outcome.end == End::crashed) prepared = preparedBeside(*blamed, shots);
+        if (outcome.end == End::crashed) {
+            prepared = preparedBeside(*blamed, shots);
+            const std::optional<ShotReference> judged = clocks_[piece].judged();
+            if (judged && *judged != *blamed && !done_.contains(*judged) &&
+                std::find(prepared.begin(), prepared.end(), *judged) == prepared.end())
+                prepared.push_back(*judged);
+        }
         if (prepared.empty())
             finish(*blamed, result);
         else
             suspicions_.add(*blamed, std::move(prepared), std::move(result));
+    }
+
+    /// A worker that ended its piece has reported a verdict on each shot. If one is missing or was no
+    /// verdict, the shot is given out again, but not for ever.
+    void blameSilent(const std::vector<ShotReference>& shots) {
+        for (const ShotReference& each : shots)
+            if (!done_.contains(each) && ++unexplained_[each] >= kPatience)
+                finish(each, endedBy(each, {.end = End::crashed}));
     }
 
     [[nodiscard]] std::vector<ShotReference> preparedBeside(const ShotReference& drawn,
@@ -165,19 +218,23 @@ class Run {
         return prepared;
     }
 
-    [[nodiscard]] ShotResult endedBy(const ShotReference& blamed, const base::Outcome& outcome) const {
+    [[nodiscard]] ShotResult endedBy(const ShotReference& blamed, const base::Outcome& outcome,
+                                     bool isJudged = false) const {
         const bool late = outcome.end == End::timedOut;
-        std::string reason = late ? fmt::format("not drawn within {:g} seconds", timeoutOf(blamed))
+        std::string reason = late ? fmt::format("not {} within {:g} seconds", isJudged ? "compared" : "drawn",
+                                                timeoutOf(blamed))
                              : outcome.signal > 0
                                  ? fmt::format("the process that drew it ended with signal {} ({})",
                                                outcome.signal, signalName(outcome.signal))
                                  : "the process that drew it ended by itself";
         if (outcome.nearMemoryLimit) reason += ", perhaps because it reached its limit of memory (--memory)";
+        const std::string script = shotOf(blamed).script.string();
+        Diagnostic problem = diagnose(late ? "draw-E07" : "draw-E06", reason, {script, 1, 1});
+        if (outcome.end == End::deviceLost) problem = base::diagnosticOf(outcome.lost, script);
         ShotResult result = ShotJudge::broken(plan_.suites[blamed.suite], shotOf(blamed),
-                                              late ? Verdict::timedOut : Verdict::crashed, reason);
+                                              late ? Verdict::timedOut : Verdict::crashed, problem.text);
         result.accept.clear();
-        result.diagnostics.push_back(
-            diagnose(late ? "draw-E07" : "draw-E06", reason, {result.script.string(), 1, 1}));
+        result.diagnostics.push_back(std::move(problem));
         return result;
     }
 
@@ -215,6 +272,8 @@ class Run {
         for (const fs::path& each : folders) image::removeTemporaryFiles(each, process);
     }
 
+    static constexpr int kPatience = 3;  ///< pieces that may end without a word on a shot
+
     const RunOptions& options_;
     const RunEvents& events_;
     RunPlan plan_;
@@ -223,8 +282,15 @@ class Run {
     std::size_t count_ = 0;  ///< of the shots
     std::set<ShotReference> done_;
     Suspicions suspicions_;
+    const bool sharesDevice_;
+    std::map<ShotReference, int> repeated_;     ///< how often each was drawn again, alone
     std::map<ShotReference, int> unexplained_;  ///< number of workers that ended before they began a shot
     std::vector<std::optional<ShotReference>> begun_;  ///< last shot begun, per piece
+    const std::function<double(const ShotReference&)> limitOf_ = [this](const ShotReference& shot) {
+        return timeoutOf(shot);
+    };
+    std::vector<ShotClocks> clocks_;                   ///< per piece
+    std::string driverKey_;                            ///< ShotResult::driverKey
     std::vector<std::vector<AcceptedHash>> accepted_;  ///< per suite
 };
 

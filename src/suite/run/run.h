@@ -27,16 +27,18 @@ struct ShotReference {
 
 struct RunOptions {
     Driver driver = Driver::automatic;
-    int jobs = 0;                            ///< worker processes; 0: defaultJobs()
-    std::optional<double> timeout;           ///< seconds for every shot, instead of its own; 0: no limit
-    std::optional<std::uint64_t> memory;     ///< bytes for every shot, instead of its own; 0: no limit
-    bool update = false;                     ///< pictures that differ replace their goldens
-    bool force = false;                      ///< ... even pictures of one colour or with NaN
-    bool skip = true;                        ///< false: also makes and draws what the pictures do not need
-    bool variant = false;                    ///< ... for this family of drivers alone
-    bool allowOutside = false;               ///< goldens may be links to places outside of their folder
-    std::filesystem::path goldens{};         ///< folder with one folder per suite, instead of the suites' own
-    std::filesystem::path results{};         ///< folder for the pictures of failures
+    int jobs = 0;                         ///< worker processes; 0: defaultJobs()
+    std::optional<double> timeout;        ///< seconds for every shot, instead of its own; 0: no limit
+    std::optional<std::uint64_t> memory;  ///< bytes for every shot, instead of its own; 0: no limit
+    bool update = false;                  ///< pictures that differ replace their goldens
+    bool force = false;                   ///< ... even pictures of one colour or with NaN
+    bool skip = true;                     ///< false: also makes and draws what the pictures do not need
+    bool variant = false;                 ///< ... for this family of drivers alone
+    bool allowOutside = false;            ///< goldens may be links to places outside of their folder
+    std::filesystem::path goldens{};      ///< folder with one folder per suite, instead of the suites' own
+    std::filesystem::path results{};      ///< folder for the pictures of failures
+    bool refusesMisspelt =
+        false;  ///< with `onlyRender`: misspelt names are errors (render/check/misspellings.h)
     std::filesystem::path onlyRender{};      ///< if not empty: no goldens, pictures are written here by name
     const base::Sandbox* sandbox = nullptr;  ///< if given, what confines the workers; excludes `update`
 };

@@ -12,8 +12,13 @@ std::string head(char kind, const ShotReference& shot) {
 }
 
 struct ToText {
-    std::string operator()(const DriverIs& message) const { return "k\n" + message.words; }
+    std::string operator()(const DriverIs& message) const {
+        return "k\n" + message.words + "\n" + message.key;
+    }
     std::string operator()(const Begins& message) const { return head('b', message.shot); }
+    std::string operator()(const Phase& message) const {
+        return head(static_cast<char>(message.kind), message.shot);
+    }
     std::string operator()(const Done& message) const {
         return head('d', message.shot) + toJsonLine(message.result) + "\n" +
                (message.accepted ? toLine(*message.accepted) : "");
@@ -34,12 +39,15 @@ std::optional<Message> parseMessage(const std::string& text) {
     std::getline(lines, first);
     std::getline(lines, second);
     std::getline(lines, third);
-    if (first == "k") return DriverIs{second};
+    if (first == "k") return DriverIs{second, third};
     std::istringstream words(first);
     char kind = 0;
     ShotReference shot;
     if (!(words >> kind >> shot.suite >> shot.shot)) return std::nullopt;
     if (kind == 'b') return Begins{shot};
+    for (const Phase::Kind each :
+         {Phase::Kind::awaits, Phase::Kind::drawn, Phase::Kind::judges, Phase::Kind::recalls})
+        if (kind == static_cast<char>(each)) return Phase{each, shot};
     if (kind != 'd') return std::nullopt;
     Result<ShotResult> result = parseJsonLine(second, {});
     if (!result) return std::nullopt;

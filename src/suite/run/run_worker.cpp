@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <deque>
 #include <mutex>
 #include <new>
 #include <system_error>
 
+#include "base/contained.h"
 #include "image/write.h"
 #include "suite/golden/hash_key.h"
 #include "suite/run/background.h"
@@ -67,13 +69,17 @@ std::string ShotWorker::openContext() {
     Result<gpu::Context> opened = gpu::openContext({.driver = plan_.options.driver});
     if (!opened) return opened.diagnostics.empty() ? "no driver" : opened.diagnostics.front().text;
     context_.emplace(std::move(*opened));
-    renderer_.emplace(*context_, plan_.options.skip);
+    renderer_.emplace(*context_, plan_.options.skip, [this](const Shot* shot) { awaits_(shot); });
     const gpu::Capabilities& driver = context_->capabilities();
     driver_ = driver.renderer + ", " + driver.version;
-    const JudgeOptions options{plan_.options.update, plan_.options.force, plan_.options.variant,
-                               plan_.options.results};
+    driverKey_ = driverKey(driver);
+    const JudgeOptions options{.update = plan_.options.update,
+                               .force = plan_.options.force,
+                               .variant = plan_.options.variant,
+                               .trustsHashes = plan_.options.sandbox == nullptr,
+                               .results = plan_.options.results};
     for (std::size_t i = 0; i < plan_.goldens.size(); ++i)
-        judges_.emplace_back(plan_.suites[i], plan_.goldens[i], driver.family, driverKey(driver), options);
+        judges_.emplace_back(plan_.suites[i], plan_.goldens[i], driver.family, driverKey_, options);
     return {};
 }
 
@@ -104,13 +110,22 @@ Judged ShotWorker::keep(const ShotReference& reference, const Attempt& attempt) 
     ShotResult& result = judged.result;
     result.accept.clear();
     result.diagnostics = attempt.own.diagnostics;
+    for (const Diagnostic& each : attempt.own.failedChecks) {
+        if (each.id.starts_with("check-")) continue;
+        result.diagnostics.push_back(each);
+        if (!plan_.options.refusesMisspelt) result.diagnostics.back().severity = severityOf(each.id);
+    }
     if (attempt.own.picture) {
         result.width = attempt.own.picture->width;
         result.height = attempt.own.picture->height;
         result.got = pictureFile(plan_.options.onlyRender, suite, shot, plan_.suites.size() > 1);
-        std::error_code ignored;  // reported with the file that cannot be written
-        fs::create_directories(result.got.parent_path(), ignored);
-        append(result.diagnostics, image::writeImage(*attempt.own.picture, result.got));
+        // No link below the folder that the user named is followed. A failure is reported with the file.
+        if (base::makeFoldersBeneath(plan_.options.onlyRender, result.got.parent_path().lexically_relative(
+                                                                   plan_.options.onlyRender)) == ELOOP)
+            result.diagnostics.push_back(image::cannotWrite(result.got, "its folder is a link"));
+        else
+            append(result.diagnostics, image::writeImage(*attempt.own.picture, result.got,
+                                                         image::writtenAs(image::NamedBy::program)));
     }
     const bool expected = shot.expectedError && contains(result.diagnostics, *shot.expectedError);
     if (hasError(result.diagnostics) && !expected) {
@@ -152,12 +167,23 @@ std::string ShotWorker::operator()(std::size_t piece, const base::Step& step) {
                             const Attempt* again) {
         const Clock::time_point start = Clock::now();
         std::optional<Judged> judged = judge(reference, *drawn, again);
-        if (!judged) return recalls.add({reference, drawn});
+        if (!judged) {
+            send(Phase{Phase::Kind::recalls, reference});
+            return recalls.add({reference, drawn});
+        }
         judged->result.milliseconds += millisecondsSince(start);
         send(Done{reference, std::move(judged->result), std::move(judged->accepted)});
     };
+    const std::vector<ShotReference>& shots = plan_.pieces[piece];
+    ShotReference current;
+    awaits_ = [&](const Shot* shot) {
+        const auto found = std::find_if(shots.begin(), shots.end(),
+                                        [&](const ShotReference& each) { return &shotOf(each) == shot; });
+        send(Phase{Phase::Kind::awaits, found == shots.end() ? current : *found});
+    };
     const auto renderRecalled = [&] {
         while (const std::optional<Recalls::Recall> recall = recalls.next()) {
+            current = recall->reference;
             send(Begins{recall->reference});
             renderer_->forget();
             const Attempt again = attempt(recall->reference, {});
@@ -166,19 +192,24 @@ std::string ShotWorker::operator()(std::size_t piece, const base::Step& step) {
     };
 
     Background judging;
-    const std::vector<ShotReference>& shots = plan_.pieces[piece];
     for (std::size_t i = 0; i < shots.size(); ++i) {
-        const ShotReference reference = shots[i];
+        const ShotReference reference = current = shots[i];
         send(Begins{reference});
         const bool first = !context_;
         if (std::string problem = openContext(); !problem.empty()) return problem;
-        if (first) send(DriverIs{driver_});
+        if (first) send(DriverIs{driver_, driverKey_});
         std::vector<const Shot*> coming;
         for (std::size_t next = i + 1; next < shots.size() && coming.size() < kShotsAhead; ++next)
             coming.push_back(&shotOf(shots[next]));
         auto drawn = std::make_shared<const Attempt>(attempt(reference, coming));
         const std::size_t bytes = bytesOf(*drawn);
-        judging.add([reference, drawn, &report] { report(reference, drawn, nullptr); }, bytes);
+        send(Phase{Phase::Kind::drawn, reference});
+        judging.add(
+            [reference, drawn, &report, &send] {
+                send(Phase{Phase::Kind::judges, reference});
+                report(reference, drawn, nullptr);
+            },
+            bytes);
         drawn.reset();
         renderRecalled();
     }

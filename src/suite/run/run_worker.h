@@ -34,7 +34,7 @@ class ShotWorker {
     std::string operator()(std::size_t piece, const base::Step& step);
 
   private:
-    /// Opens the context. Returns nothing, or why there is none.
+    /// Opens the context. Returns nothing, or why there is none. `awaits`: see ShotRenderer.
     std::string openContext();
     /// `coming` are the shots that follow.
     Attempt attempt(const ShotReference& reference, std::span<const Shot* const> coming);
@@ -47,7 +47,8 @@ class ShotWorker {
 
     const RunPlan& plan_;
     std::optional<gpu::Context> context_;
-    std::string driver_;
+    std::string driver_, driverKey_;
+    std::function<void(const Shot*)> awaits_;  ///< during a piece: tells the parent what drawing waits for
     std::vector<ShotJudge> judges_;
     std::optional<ShotRenderer> renderer_;  ///< after the context, because it must be destroyed first
 };

@@ -4,7 +4,8 @@
 #include <new>
 #include <utility>
 
-#include "render/check/answers.h"
+#include "base/device_lost.h"
+#include "render/check/misspellings.h"
 #include "render/file/job.h"
 #include "suite/file/unknown_uniforms.h"
 
@@ -26,14 +27,15 @@ void ShotRenderer::prepare(std::span<const Shot* const> coming, const Source& cu
         if (source == *before) continue;
         if (wanted == preparations_.size() || !(preparations_[wanted].source == source)) {
             dropPreparationsFrom(wanted);
-            beginPreparation(std::move(source));
+            beginPreparation(*each, std::move(source));
         }
         before = &preparations_[wanted++].source;
     }
 }
 
-void ShotRenderer::beginPreparation(Source source) {
+void ShotRenderer::beginPreparation(const Shot& shot, Source source) {
     Preparation& begun = preparations_.emplace_back();
+    begun.shot = &shot;
     begun.source = std::move(source);
     begun.stats = std::make_unique<render::Stats>();
     begun.job = background_.add([this, &begun] {
@@ -49,7 +51,11 @@ void ShotRenderer::beginPreparation(Source source) {
 
 void ShotRenderer::dropPreparationsFrom(std::size_t first) {
     if (first >= preparations_.size()) return;
-    background_.wait();
+    for (const Preparation& each : preparations_) {
+        if (awaits_) awaits_(each.shot);
+        background_.wait(each.job);
+    }
+    if (awaits_) awaits_(nullptr);
     while (preparations_.size() > first) preparations_.pop_back();
 }
 
@@ -86,8 +92,9 @@ Rendering ShotRenderer::tryRender(const Shot& shot, std::span<const Shot* const>
     if (loaded_ && loaded_->source == source && !loaded_->renderer.remembersFrames())
         prepare(coming, source);
     else if (Diagnostics problems = load(source, coming); !loaded_) {
-        rendering.diagnostics =
-            render::withoutExpected(render::checksOf(source.script, source.options), std::move(problems));
+        RenderOptions options = source.options;
+        options.time = shot.options.time;
+        rendering.diagnostics = render::answerWithoutPicture(source.script, options, std::move(problems));
         rendering.failsAsExpected = !hasError(rendering.diagnostics);
         return rendering;
     }
@@ -99,9 +106,11 @@ Rendering ShotRenderer::tryRender(const Shot& shot, std::span<const Shot* const>
         append(rendering.diagnostics,
                render::remarksOn(*rendering.picture, shot.script, loaded_->renderer.plan()));
         render::applyStrict(rendering.diagnostics, shot.options.strict);
-        if (rendering.hasChecks = loaded_->renderer.hasChecks(); rendering.hasChecks)
+        rendering.hasChecks = loaded_->renderer.hasChecks();
+        if (rendering.hasChecks || loaded_->renderer.hasIdleChecks())
             rendering.failedChecks =
                 loaded_->renderer.answerChecks(shot.options.time, rendering.diagnostics, *loaded_->stats);
+        append(rendering.failedChecks, render::takeMisspellings(rendering.diagnostics));
     }
     return rendering;
 }
@@ -138,6 +147,8 @@ Rendering ShotRenderer::render(const Shot& shot, std::span<const Shot* const> co
         rendering = tryRender(shot, coming);
         if (!shot.expectedError) reportUnknownUniforms(shot, rendering.diagnostics);
         if (hasError(rendering.diagnostics)) rendering.picture.reset();
+    } catch (const base::DeviceLost&) {
+        throw;  // the worker must not be used any more
     } catch (const std::bad_alloc&) {
         fail("draw-E05", "out of memory");
     } catch (const std::exception& failure) {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <deque>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -26,8 +27,10 @@ inline constexpr std::size_t kShotsAhead = 2;
 
 class ShotRenderer {
   public:
-    /// The context must outlive the object. `skip` is RunOptions::skip.
-    ShotRenderer(gpu::Context& context, bool skip) : context_(context), skip_(skip), shared_(std::in_place) {}
+    /// The context must outlive the object. `skip` is RunOptions::skip. `awaits` is called before the
+    /// renderer waits for another shot that is being prepared, and with null after it.
+    ShotRenderer(gpu::Context& context, bool skip, std::function<void(const Shot*)> awaits = {})
+        : context_(context), skip_(skip), awaits_(std::move(awaits)), shared_(std::in_place) {}
 
     /// Errors are in the result, including draw-E05 if memory runs out. `coming`, at most kShotsAhead shots,
     /// are prepared meanwhile for the calls that render them. The picture does not depend on them.
@@ -52,6 +55,7 @@ class ShotRenderer {
         render::Moment moment;  ///< the moment of that picture
     };
     struct Preparation {
+        const Shot* shot = nullptr;
         Source source;
         std::unique_ptr<render::Stats> stats;
         std::uint64_t job = 0;                       ///< of background_
@@ -62,12 +66,13 @@ class ShotRenderer {
     Rendering tryRender(const Shot& shot, std::span<const Shot* const> coming);
     Diagnostics load(const Source& source, std::span<const Shot* const> coming);
     void prepare(std::span<const Shot* const> coming, const Source& current);
-    void beginPreparation(Source source);
+    void beginPreparation(const Shot& shot, Source source);
     void dropPreparationsFrom(std::size_t first);
     Result<image::Image> draw(double time);
 
     gpu::Context& context_;
     bool skip_;
+    std::function<void(const Shot*)> awaits_;
     std::optional<render::SharedParts> shared_;
     std::optional<Loaded> loaded_;
     std::deque<Preparation> preparations_;  ///< in the order of the shots

@@ -66,6 +66,7 @@ std::string toPhrase(const ExpectedError& expected) {
 /// why.
 struct ShotJudge::Findings {
     std::optional<Golden> golden;
+    fs::path lost;  ///< a golden that is missing though the list of accepted pixels names it
     std::optional<image::Image> picture;
     Diagnostics problems;
     image::Judgement judgement;
@@ -83,7 +84,11 @@ ShotJudge::ShotJudge(const Suite& suite, const GoldenStore& goldens, std::string
       goldens_(goldens),
       family_(std::move(family)),
       key_(std::move(key)),
-      options_(std::move(options)) {}
+      options_(std::move(options)) {
+    for (const Shot& each : suite.shots)
+        for (const std::string* name : {&each.match, &each.differ})
+            if (!name->empty()) partners_.insert(*name);
+}
 
 ShotResult ShotJudge::begin(const Attempt& attempt) const {
     ShotResult result = broken(suite_, *attempt.shot, Verdict::failed, {});
@@ -110,6 +115,12 @@ ShotResult ShotJudge::broken(const Suite& suite, const Shot& shot, Verdict verdi
     return result;
 }
 
+bool ShotJudge::isCompared(const Attempt& attempt) const {
+    const Shot& shot = *attempt.shot;
+    return shot.golden || !shot.match.empty() || !shot.differ.empty() || attempt.own.hasChecks ||
+           partners_.contains(shot.name);
+}
+
 ShotJudge::Findings ShotJudge::look(const Attempt& attempt, bool everything) const {
     const Shot& shot = *attempt.shot;
     const image::Image& got = *attempt.own.picture;
@@ -119,12 +130,15 @@ ShotJudge::Findings ShotJudge::look(const Attempt& attempt, bool everything) con
         Result<Golden> golden = goldens_.find(shot, family_);
         append(found.problems, std::move(golden.diagnostics));
         found.golden = std::move(golden.value);
-        if (!found.golden && attempt.own.hasChecks && !options_.update && !hasError(found.problems))
-            found.goldenHolds = true;
+        if (!found.golden && attempt.own.hasChecks && !options_.update && !hasError(found.problems)) {
+            found.lost = goldens_.lostGolden(shot);
+            found.goldenHolds = found.lost.empty();
+        }
     }
     if (found.golden) {
         found.pixels = hashOf(got);
-        const Hash* accepted = goldens_.acceptedPixels(shot, *found.golden, key_);
+        const Hash* accepted =
+            options_.trustsHashes ? goldens_.acceptedPixels(shot, *found.golden, key_) : nullptr;
         if (accepted && *accepted == *found.pixels) {
             found.exact = found.goldenHolds = true;
         } else {
@@ -140,8 +154,13 @@ ShotJudge::Findings ShotJudge::look(const Attempt& attempt, bool everything) con
         }
     }
     const auto relate = [&](const std::optional<Rendering>& partner, const std::string& name, bool same) {
-        if (!partner || !found.relation.empty()) return;
+        if (name.empty() || !found.relation.empty()) return;
         const char* word = same ? "match" : "differ from";
+        if (!partner) {
+            found.partnerFails = true;
+            found.relation = fmt::format("the shot '{}', which it has to {}, was not drawn", name, word);
+            return;
+        }
         if (!partner->picture) {
             found.partnerFails = true;
             found.relation = fmt::format("the shot '{}', which it has to {}, has errors: {}", name, word,
@@ -211,6 +230,19 @@ std::optional<Judged> ShotJudge::first(const Attempt& attempt) const {
         judged.result.got = write(shot, "got", *attempt.own.picture, judged.result);
         return judged;
     }
+    if (!isCompared(attempt)) {
+        Judged judged{begin(attempt), std::nullopt};
+        judged.result.diagnostics.push_back(diagnose(
+            "suite-E21",
+            fmt::format(
+                "the picture of '{}' is compared with nothing: golden = false, no match, no differ, and "
+                "no Expect in the scene",
+                shot.name),
+            shot.place));
+        judged.result.reason = judged.result.diagnostics.back().text;
+        judged.result.got = write(shot, "got", *attempt.own.picture, judged.result);
+        return judged;
+    }
     Findings found = look(attempt, false);
     if (found.goldenHolds && found.relation.empty()) return passed(attempt, std::move(found));
     return std::nullopt;
@@ -226,7 +258,7 @@ fs::path ShotJudge::write(const Shot& shot, std::string_view what, const image::
     const int problem = base::prepareBeneath(options_.results, name);
     Diagnostics problems =
         problem == 0
-            ? image::writeImage(picture, file)
+            ? image::writeImage(picture, file, image::writtenAs(image::NamedBy::program))
             : Diagnostics{diagnose("file-E10", fmt::format("cannot write '{}': {}", file.string(),
                                                            std::generic_category().message(problem)))};
     const bool bad = hasError(problems);
@@ -275,6 +307,12 @@ void ShotJudge::fail(const Attempt& attempt, const Findings& found, ShotResult& 
     } else {
         result.verdict = Verdict::missing;
         result.reason = fmt::format("there is no golden '{}'", goldens_.file(shot, "").string());
+        if (!found.lost.empty())
+            result.reason = fmt::format(
+                "there is no golden '{0}', though '{1}' names it; restore it, or delete its lines there if "
+                "the "
+                "Expect statements suffice",
+                found.lost.string(), goldens_.hashFile().string());
     }
 }
 

@@ -3,6 +3,8 @@
 // replaces goldens for --update. No GL here.
 
 #include <optional>
+#include <set>
+#include <string>
 
 #include "image/image.h"
 #include "suite/golden/golden_store.h"
@@ -15,7 +17,7 @@ namespace glibra::suite {
 struct Rendering {
     std::optional<image::Image> picture;
     Diagnostics diagnostics;
-    bool hasChecks = false;        ///< the scene has Expect statements; it needs no golden
+    bool hasChecks = false;        ///< the scene has Expect statements; it needs no golden unless it had one
     Diagnostics failedChecks;      ///< those that do not hold
     bool failsAsExpected = false;  ///< no picture, and Expect error names all errors
     double milliseconds = 0;       ///< load, draw and read back
@@ -32,6 +34,7 @@ struct JudgeOptions {
     bool update = false;              ///< what differs becomes the golden
     bool force = false;               ///< ... even a picture of one colour, or with NaN
     bool variant = false;             ///< ... for this family of drivers alone
+    bool trustsHashes = true;         ///< false: the list of accepted pixels decides nothing
     std::filesystem::path results{};  ///< folder for what a report shows
 };
 
@@ -58,6 +61,8 @@ class ShotJudge {
   private:
     struct Findings;
     [[nodiscard]] ShotResult begin(const Attempt& attempt) const;
+    /// False for a picture that nothing is compared with, neither here nor as the partner of another shot.
+    [[nodiscard]] bool isCompared(const Attempt& attempt) const;
     [[nodiscard]] Findings look(const Attempt& attempt, bool everything) const;
     [[nodiscard]] Judged passed(const Attempt& attempt, Findings found) const;
     void fail(const Attempt& attempt, const Findings& found, ShotResult& result) const;
@@ -73,6 +78,7 @@ class ShotJudge {
 
     const Suite& suite_;
     const GoldenStore& goldens_;
+    std::set<std::string> partners_;  ///< the shots that others have to match or to differ from
     std::string family_, key_;
     JudgeOptions options_;
 };

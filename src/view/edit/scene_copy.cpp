@@ -114,7 +114,8 @@ Diagnostics writeCopy(std::string_view text, const fs::path& target, const std::
     fs::create_directories(whole(target).parent_path(), failure);
     for (const auto& [file, content] : wanted) {
         fs::create_directories(file.parent_path(), failure);
-        if (Diagnostics problems = image::writeFileAtomically(file, content); !problems.empty())
+        if (Diagnostics problems = image::writeFileAtomically(file, content, image::NamedBy::program);
+            !problems.empty())
             return problems;
     }
     return image::writeFileAtomically(target, std::as_bytes(std::span(text)));

@@ -76,6 +76,7 @@ Diagnostics LiveScene::State::makePlan(bool variablesDiffer) {
     plan::PlanOptions planOptions;
     planOptions.maxTextureUnits = context.capabilities().combinedTextureUnits;
     planOptions.lacksCompute = render::lackOfCompute(context.capabilities());
+    planOptions.cutsDispatches = !context.capabilities().isSoftware;
     planOptions.loopLimit = [this] { return measuredLoopLimit(); };
     planOptions.shareTargets = !keepsTextures;
     plan = planList(scene.frame, planOptions);

@@ -100,13 +100,43 @@ void Session::dropScene() {
     live_.reset();
 }
 
+void Session::releaseDevice() {
+    if (live_) kept_.keep(live_->scene(), knobs_);
+    isReleased_ = isReleased_ || live_;
+    debugRenderer_.reset();
+    objectTimer_.forget();
+    live_.reset();
+    target_.reset();
+    plain_.reset();
+}
+
+void Session::restoreDevice() {
+    const bool wasStopped = isStopped_;
+    Diagnostics before = diagnostics_;
+    if (!reload() || !wasStopped) return;
+    isStopped_ = true;
+    std::erase_if(before, [](const Diagnostic& each) { return each.id != "view-E04"; });
+    append(diagnostics_, std::move(before));
+}
+
+void Session::stop(const base::DeviceLost& lost) {
+    if (path_.empty()) return;
+    isStopped_ = true;
+    diagnostics_.push_back(diagnose("view-E04",
+                                    "stopped, because the graphics driver reset the device" +
+                                        base::whileDrawn(lost) +
+                                        "; change a value or the text, or reload the scene, to draw it again",
+                                    lost.place.file.empty() ? Place{path_.string(), 1, 1} : lost.place));
+}
+
 void Session::take(LiveScene::Loading loading, bool sameScene) {
     if (live_) kept_.keep(live_->scene(), knobs_);
     if (sameScene && live_) {
         view_.objects = moved(view_.objects, live_->scene(), loading.scene->scene());
-    } else {
+    } else if (!sameScene || !isReleased_) {
         kept_.forget();
     }
+    isReleased_ = isStopped_ = false;
     if (picked_) {
         const std::vector<const scene::Draw*> draws = windowDraws(loading.scene->scene());
         const auto ordinal = static_cast<std::size_t>(picked_->ordinal);
@@ -163,13 +193,13 @@ void Session::setClock(const Clock& clock) {
 }
 
 void Session::advance(double seconds) {
-    if (!usesTime() || !clock_.advance(seconds)) return;
+    if (isStopped_ || !usesTime() || !clock_.advance(seconds)) return;
     if (live_->isAnimated()) isStale_ = true;
     moveAnimations();
 }
 
 bool Session::isMoving() const {
-    return clock_.isPlaying() && clock_.speed() != 0 && usesTime();
+    return !isStopped_ && clock_.isPlaying() && clock_.speed() != 0 && usesTime();
 }
 
 RenderOptions Session::renderOptions(int width, int height) const {

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "base/device_lost.h"
 #include "gpu/context/context.h"
 #include "gpu/object/target.h"
 #include "view/debug_view/debug_renderer.h"
@@ -39,6 +40,14 @@ class Session {
     /// Loads the scene and its files again; values, view and time stay. Returns false if the scene cannot be
     /// read; the earlier state stays then, unless memory ran out and hasScene() is false.
     bool reload();
+    /// Destroys all that is on the device, because the device is lost. Call restoreDevice() when there is
+    /// another one: the scene is loaded again, and values, view and time are as before.
+    void releaseDevice();
+    void restoreDevice();
+    /// The scene is not drawn any more, because that has made the driver reset the device; view-E04 says so.
+    /// This ends with a value that is set, or when the scene is loaded again.
+    void stop(const base::DeviceLost& lost);
+    [[nodiscard]] bool isStopped() const { return isStopped_; }
     /// Chooses a file for a statement of the scene that names none; the next reload() uses it. Returns what
     /// is wrong; empty on success. open() forgets the choices.
     std::string chooseFile(const Place& place, const std::filesystem::path& file);
@@ -228,6 +237,8 @@ class Session {
     std::uint64_t plainFrame_ = 0;
     std::vector<Animation> animations_;
     bool isStale_ = true;
+    bool isStopped_ = false;
+    bool isReleased_ = false;  ///< kept_ has the values of a scene that is on no device
     std::uint64_t framesDrawn_ = 0, timesLoaded_ = 0;
     std::optional<Picked> picked_;
 };

@@ -133,7 +133,7 @@ bool Session::makeTarget(std::optional<gpu::Target>& target, int samples) {
 }
 
 bool Session::drawIfNeeded() {
-    if (!isStale_ || !live_) return false;
+    if (!isStale_ || !live_ || isStopped_) return false;
     // Debug views show numbers, which must not be mixed.
     const bool isMixed = debugView_ == DebugView::picture || debugView_ == DebugView::normals;
     if (!makeTarget(target_, isMixed ? samples_ : 1)) {

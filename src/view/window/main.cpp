@@ -120,7 +120,11 @@ int start(int argc, char** argv) {
 int main(int argc, char** argv) {
     if (!glibra::base::openStandardFiles()) return kNoDriver;
     try {
-        return start(argc, argv);
+        const int status = start(argc, argv);
+        const std::string problem = glibra::base::endStandardOutput();
+        if (problem.empty()) return status;
+        std::fprintf(stderr, "glibra: error: cannot write to standard output: %s\n", problem.c_str());
+        return std::max(status, kSceneIsWrong);
     } catch (const std::exception& failure) {
         std::fprintf(stderr, "glibra: error: %s\n", failure.what());
         return kNoDriver;

@@ -71,6 +71,22 @@ void Tabs::close(std::size_t tab) {
             shared_.sources.erase(file);
 }
 
+void Tabs::releaseDevice() {
+    for (const std::unique_ptr<Tab>& each : tabs_) {
+        each->session.releaseDevice();
+        each->ui.hardcopy.job.reset();
+        each->ui.labels = {};
+        each->ui.inspector.shown.reset();
+        each->ui.inspector.readFor.clear();
+    }
+    shared_.noise.picture.reset();
+    for (ExampleBrowser::Tile& each : shared_.examples.tiles) each.picture.reset();
+}
+
+void Tabs::restoreDevice() {
+    for (const std::unique_ptr<Tab>& each : tabs_) each->session.restoreDevice();
+}
+
 bool Tabs::uses(const Tab& tab, const fs::path& file) const {
     const std::vector<SourceFile>& files = tab.ui.source.files;
     return std::any_of(files.begin(), files.end(), [&](const SourceFile& each) { return each.path == file; });

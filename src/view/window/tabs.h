@@ -45,6 +45,10 @@ class Tabs {
     /// Closes a tab; the only tab is replaced by an empty one.
     void close(std::size_t tab);
 
+    /// Destroys all that the tabs have on the device, and makes it again on another one (Session).
+    void releaseDevice();
+    void restoreDevice();
+
     /// The files with unsaved text that only this tab shows.
     [[nodiscard]] std::vector<std::filesystem::path> unsaved(std::size_t tab) const;
     /// The files with unsaved text of all tabs.

@@ -13,7 +13,9 @@
 #include <optional>
 #include <thread>
 
+#include "base/device_lost.h"
 #include "gpu/context/context.h"
+#include "gpu/context/reset.h"
 #include "image/file.h"
 #include "view/browse/example_scenes.h"
 #include "view/edit/save_values.h"
@@ -26,6 +28,7 @@
 #include "view/window/platform/gui.h"
 #include "view/window/platform/input_queue.h"
 #include "view/window/platform/input_script.h"
+#include "view/window/platform/keys.h"
 #include "view/window/platform/theme.h"
 #include "view/window/tabs.h"
 #include "view/window/window_json.h"
@@ -39,6 +42,7 @@ using RealClock = std::chrono::steady_clock;
 constexpr int kFramesAfterEvent = 3;
 constexpr double kMilliseconds = 1000;  ///< per second
 constexpr double kLongestStep = .25;    ///< seconds by which one frame may advance the scene's time
+constexpr double kReplayedSeconds = 1. / 60;
 
 double secondsSince(RealClock::time_point start) {
     return std::chrono::duration<double>(RealClock::now() - start).count();
@@ -79,8 +83,8 @@ class Window {
     void quit();
     bool hasWork();
     void waitForWork();
-    bool nextInput();
-    void record();
+    bool nextInput(FrameInput& input);
+    void record(FrameInput frame);
     int samplesOfFrame();
     bool isPassedOver();
     void drawFrame();
@@ -88,9 +92,11 @@ class Window {
     void writeState();
     void saveSettings();
     void followScale();
+    Diagnostics recover(const base::DeviceLost& lost);
 
     const WindowArguments& arguments_;
     Display& display_;
+    gpu::Context& context_;
     Shared shared_;
     Tabs tabs_;
     std::optional<Gui> gui_;
@@ -112,6 +118,7 @@ class Window {
     const bool isSoftware_;    ///< the processor draws
     bool quits_ = false;       ///< the user has agreed to what is lost
     std::string writtenState_;
+    std::size_t drawn_ = 0;  ///< the tab that draws now
     float scale_ = 1;
     Diagnostics setProblems_;
 };
@@ -119,6 +126,7 @@ class Window {
 Window::Window(const WindowArguments& arguments, Display& display, gpu::Context& context)
     : arguments_(arguments),
       display_(display),
+      context_(context),
       tabs_(context, arguments.options, shared_),
       watch_([] { Display::wake(); }),
       pacer_(display.refreshRate(), Display::hasSwapControl()),
@@ -306,25 +314,30 @@ void Window::waitForWork() {
     pacer_.setRate(display_.refreshRate());
 }
 
-bool Window::nextInput() {
+bool Window::nextInput(FrameInput& input) {
     if (replayed_ >= replay_.size()) return false;
     const FrameInput& frame = replay_[replayed_++];
-    replaceInput(frame);
+    input = frame;
+    ImGui::GetIO().DeltaTime = static_cast<float>(kReplayedSeconds);
     ui().way = frame.way;
     if (frame.windowSize) display_.setSize(frame.windowSize->first, frame.windowSize->second);
     if (frame.open) ui().requests.open = *frame.open;
     dropped_ = frame.dropped;
-    const ImGuiIO& io = ImGui::GetIO();
+    const auto isDown = [&](int left, int right) {
+        return std::any_of(frame.keys.begin(), frame.keys.end(),
+                           [&](int key) { return key == left || key == right; });
+    };
+    const bool control = isDown(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
+    const bool shift = isDown(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
     for (const int key : frame.keys)
         if (std::find(replayedKeys_.begin(), replayedKeys_.end(), key) == replayedKeys_.end())
-            ui().pressed.push_back({key, io.KeyCtrl, io.KeyShift});
+            ui().pressed.push_back({key, control, shift});
     replayedKeys_ = frame.keys;
     framesWanted_ = kFramesAfterEvent;
     return true;
 }
 
-void Window::record() {
-    FrameInput frame = currentInput();
+void Window::record(FrameInput frame) {
     if (ui().way.size() > 1) frame.way = ui().way;
     if (const auto size = display_.size(); size != recordedSize_) frame.windowSize = recordedSize_ = size;
     frame.dropped = std::exchange(recordedDrops_, {});
@@ -352,18 +365,20 @@ void Window::drawFrame() {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     input_.add(display_.takeInput());
-    InputQueue::Frame input = input_.next();
-    giveToImGui(input_, input);
-    ui().pressed = std::move(input.pressed);
-    ui().way = std::move(input.way);
-    const bool isReplayed = nextInput();
-    if (recorder_) record();
-    for (std::size_t i = 0; i < tabs_.count(); ++i) continueHardcopy(tabs_.at(i).ui);
+    InputQueue::Frame queued = input_.next();
+    FrameInput input = inputOf(input_, queued);
+    ui().pressed = std::move(queued.pressed);
+    ui().way = std::move(queued.way);
+    const bool isReplayed = nextInput(input);
+    giveToImGui(input);
+    if (recorder_) record(std::move(input));
+    for (drawn_ = 0; drawn_ < tabs_.count(); ++drawn_) continueHardcopy(tabs_.at(drawn_).ui);
+    drawn_ = tabs_.shownIndex();
     Ui& ui = tabs_.shown().ui;
-    ui.session.advance(isReplayed ? 1.0 / 60 : passed);
+    ui.session.advance(isReplayed ? kReplayedSeconds : passed);
     tabs_.updateTitles();
     // Outside of text fields, Tab chooses sliders (value_slider.h).
-    ImGui::GetIO().KeyMap[ImGuiKey_Tab] = ImGui::GetIO().WantTextInput ? GLFW_KEY_TAB : -1;
+    keepTabFromFocus();
     ImGui::NewFrame();
     showAll(ui);
     if (!ImGui::IsAnyItemActive() && ui.dragButton < 0 && ui.session.hasScene())
@@ -412,6 +427,7 @@ void Window::present() {
     ImGui::Render();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     display_.present();
+    gpu::expectDevice();
     ++loop_.framesPresented;
     if (const auto saved = std::exchange(changeSaved_, std::nullopt)) {
         glFinish();
@@ -475,15 +491,42 @@ void Window::setSize() {
     display_.setSize(size.first, size.second);
 }
 
+/// After the driver has reset the device: makes a new context, and in it all that was in the lost one. The
+/// scene that has caused the reset is not drawn again.
+Diagnostics Window::recover(const base::DeviceLost& lost) {
+    shared_.settings.layout = ImGui::SaveIniSettingsToMemory();
+    shared_.settings.layoutScale = scale_;
+    tabs_.releaseDevice();
+    gui_.reset();
+    if (Diagnostics problems = display_.renew(); !problems.empty()) return problems;
+    if (Diagnostics problems = context_.adoptAgain(&Display::address); !problems.empty()) return problems;
+    gui_.emplace(display_, scale_, shared_.settings);
+    input_ = {};
+    tabs_.restoreDevice();
+    Session& drawn = tabs_.at(std::min(drawn_, tabs_.count() - 1)).session;
+    const bool isGuilty = lost.cause != base::ResetCause::other && drawn.hasScene();
+    if (isGuilty) drawn.stop(lost);
+    const std::string who = isGuilty ? "'" + drawn.path().filename().string() + "', which is stopped now,"
+                                     : std::string("another program");
+    ui().notice = {who + " made the graphics driver reset the device; everything else goes on", true};
+    tabs_.watch(watch_);
+    framesWanted_ = kFramesAfterEvent;
+    return {};
+}
+
 Diagnostics Window::run() {
     openInitialScenes();
     setSize();
     while (display_.isOpen()) {
-        waitForWork();
-        handleRequests();
-        reloadIfNeeded();
-        followScale();
-        if (hasWork()) drawFrame();
+        try {
+            waitForWork();
+            handleRequests();
+            reloadIfNeeded();
+            followScale();
+            if (hasWork()) drawFrame();
+        } catch (const base::DeviceLost& lost) {
+            if (Diagnostics problems = recover(lost); !problems.empty()) return problems;
+        }
         writeState();
         if (!replay_.empty() && replayed_ >= replay_.size()) break;
     }

@@ -1,5 +1,7 @@
 #include "view/window/panels/code_assist.h"
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -12,6 +14,7 @@
 #include "view/edit/declared_names.h"
 #include "view/window/panels/syntax_colors.h"
 #include "view/window/panels/ui.h"
+#include "view/window/platform/keys.h"
 #include "view/window/platform/theme.h"
 
 namespace glibra::view {
@@ -222,10 +225,6 @@ EditedFile* activeFile(Ui& ui) {
     return found == ui.shared.sources.end() ? nullptr : &found->second;
 }
 
-bool isPressed(ImGuiKey key) {
-    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key));
-}
-
 /// What is known about the typed word: its entry, or the words that begin with it.
 void lookUp(Ui& ui) {
     CodeAssist& state = ui.source.assist;
@@ -279,9 +278,9 @@ void assistKeys(Ui& ui, EditedFile& file, CodeView& view) {
     state.hasAccepted = state.hasAccepted || view.newText;
     if (!state.isOpen || state.words.empty()) return;
     const std::size_t count = state.words.size();
-    if (isPressed(ImGuiKey_DownArrow)) state.chosen = (state.chosen + 1) % count;
-    if (isPressed(ImGuiKey_UpArrow)) state.chosen = (state.chosen + count - 1) % count;
-    if (isPressed(ImGuiKey_Tab) || isPressed(ImGuiKey_Enter) || isPressed(ImGuiKey_KeyPadEnter))
+    if (isKeyPressed(GLFW_KEY_DOWN)) state.chosen = (state.chosen + 1) % count;
+    if (isKeyPressed(GLFW_KEY_UP)) state.chosen = (state.chosen + count - 1) % count;
+    if (isKeyPressed(GLFW_KEY_TAB) || isKeyPressed(GLFW_KEY_ENTER) || isKeyPressed(GLFW_KEY_KP_ENTER))
         accept(state, file, view);
 }
 

@@ -1,17 +1,21 @@
 #include "view/window/panels/code_editor.h"
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "view/window/panels/code_drawing.h"
 #include "view/window/panels/syntax_colors.h"
+#include "view/window/platform/keys.h"
 #include "view/window/platform/theme.h"
 
 namespace glibra::view {
@@ -42,8 +46,8 @@ void indent(ImGuiInputTextCallbackData& data, const CodeView& view) {
 
 /// Moves by the visible lines on Page Up and Page Down. ImGui would take the whole text as visible.
 void turnPage(ImGuiInputTextCallbackData& data, const Editing& editing) {
-    const bool up = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_PageUp));
-    const bool down = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_PageDown));
+    const bool up = isKeyPressed(GLFW_KEY_PAGE_UP);
+    const bool down = isKeyPressed(GLFW_KEY_PAGE_DOWN);
     if (up == down) return;
     const std::string_view text(data.Buf, static_cast<std::size_t>(data.BufTextLen));
     const LineStarts starts = lineStarts(text);
@@ -120,25 +124,22 @@ int charactersIn(std::string_view text) {
 
 /// The ImGui widget that edits. Its text is transparent, since it has only one colour; drawCode() draws it.
 bool edit(const char* name, Editing editing, const ImVec2& size, bool isReadOnly) {
-    ImGuiIO& io = ImGui::GetIO();
     const std::string label = fmt::format("##{}/{}", name, editing.view.generation);
     ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32_BLACK_TRANS);
     ImGui::PushStyleColor(ImGuiCol_FrameBg, IM_COL32_BLACK_TRANS);
     ImGui::PushStyleColor(ImGuiCol_TextSelectedBg, tintColor(CodeTint::selection));
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, 0));
     // In ImGui, Esc undoes all edits since the widget got the keyboard focus.
-    constexpr std::array kListKeys{ImGuiKey_Escape,      ImGuiKey_Tab,     ImGuiKey_Enter,
-                                   ImGuiKey_KeyPadEnter, ImGuiKey_UpArrow, ImGuiKey_DownArrow};
-    const std::size_t hidden = editing.view.leavesListKeys ? kListKeys.size() : 1;
-    std::array<int, kListKeys.size()> keys{};
-    for (std::size_t i = 0; i < hidden; ++i) keys[i] = std::exchange(io.KeyMap[kListKeys[i]], -1);
+    constexpr std::array kListKeys{GLFW_KEY_ESCAPE,   GLFW_KEY_TAB, GLFW_KEY_ENTER,
+                                   GLFW_KEY_KP_ENTER, GLFW_KEY_UP,  GLFW_KEY_DOWN};
+    const std::span<const int> listKeys = kListKeys;
+    const HiddenKeys hidden(editing.view.leavesListKeys ? listKeys : listKeys.first(1));
     const bool isChanged =
         ImGui::InputTextMultiline(label.c_str(), editing.text.data(), editing.text.capacity() + 1, size,
                                   ImGuiInputTextFlags_AllowTabInput | ImGuiInputTextFlags_CallbackResize |
                                       ImGuiInputTextFlags_CallbackAlways | ImGuiInputTextFlags_NoUndoRedo |
                                       (isReadOnly ? ImGuiInputTextFlags_ReadOnly : 0),
                                   onEdit, &editing);
-    for (std::size_t i = 0; i < hidden; ++i) io.KeyMap[kListKeys[i]] = keys[i];
     ImGui::PopStyleVar();
     ImGui::PopStyleColor(3);
     return isChanged;

@@ -2,6 +2,8 @@
 
 #include "view/window/panels/file_dialog.h"
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -10,6 +12,7 @@
 #include <utility>
 
 #include "view/window/panels/ui.h"
+#include "view/window/platform/keys.h"
 #include "view/window/platform/theme.h"
 
 namespace glibra::view {
@@ -186,7 +189,7 @@ void pathEntry(Ui& ui) {
     const bool isPressed = dialogButtons(ui);
     if (isEntered || isPressed) takeEntry(ui, isEntered && !isPressed);
     ImGui::SameLine();
-    if (ImGui::Button("Cancel") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) {
+    if (ImGui::Button("Cancel") || isKeyPressed(GLFW_KEY_ESCAPE)) {
         dialog.question.reset();
         ImGui::CloseCurrentPopup();
     }

@@ -1,5 +1,7 @@
 #include "view/window/panels/find_bar.h"
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -7,6 +9,7 @@
 #include <utility>
 
 #include "view/window/panels/ui.h"
+#include "view/window/platform/keys.h"
 
 namespace glibra::view {
 namespace {
@@ -152,8 +155,7 @@ void lineRow(Ui& ui, FindBar& bar, CodeView& view) {
     ImGui::SetNextItemWidth(90 * ui.scale);
     ImGui::InputInt("go to line", &bar.line, 0, 0, ImGuiInputTextFlags_AutoSelectAll);
     const bool isEntered =
-        ImGui::IsItemDeactivated() && (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter)) ||
-                                       ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_KeyPadEnter)));
+        ImGui::IsItemDeactivated() && (isKeyPressed(GLFW_KEY_ENTER) || isKeyPressed(GLFW_KEY_KP_ENTER));
     markField(ui, "source/line", "go to line");
     if (!isEntered) return;
     view.goTo = std::max(1, bar.line);

@@ -2,6 +2,8 @@
 
 #include "view/window/panels/hardcopy_panel.h"
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <fmt/format.h>
 #include <imgui.h>
 #include <unistd.h>
@@ -20,6 +22,7 @@
 #include "view/export/hardcopy.h"
 #include "view/window/panels/icons.h"
 #include "view/window/panels/ui.h"
+#include "view/window/platform/keys.h"
 
 namespace glibra::view {
 namespace {
@@ -294,7 +297,7 @@ void replaceDialog(Ui& ui) {
     }
     mark(ui, "hardcopy/other");
     ImGui::SameLine();
-    if (ImGui::Button("Cancel") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) isDone = true;
+    if (ImGui::Button("Cancel") || isKeyPressed(GLFW_KEY_ESCAPE)) isDone = true;
     mark(ui, "hardcopy/cancel");
     if (isDone) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();

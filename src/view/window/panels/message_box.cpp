@@ -1,5 +1,7 @@
 #include "view/window/panels/message_box.h"
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -8,6 +10,7 @@
 #include <utility>
 
 #include "view/window/panels/ui.h"
+#include "view/window/platform/keys.h"
 
 namespace glibra::view {
 namespace {
@@ -52,8 +55,8 @@ void messageBox(Ui& ui) {
     ImGui::PopTextWrapPos();
     ImGui::Spacing();
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-    if (ImGui::Button("OK", {80 * ui.scale, 0}) || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter)) ||
-        ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) {
+    if (ImGui::Button("OK", {80 * ui.scale, 0}) || isKeyPressed(GLFW_KEY_ENTER) ||
+        isKeyPressed(GLFW_KEY_ESCAPE)) {
         box.isShown = false;
         ImGui::CloseCurrentPopup();
     }

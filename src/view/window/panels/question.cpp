@@ -1,5 +1,7 @@
 // The dialog that asks before unsaved text or values would be lost.
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -9,6 +11,7 @@
 #include "view/browse/example_scenes.h"
 #include "view/edit/save_values.h"
 #include "view/window/panels/ui.h"
+#include "view/window/platform/keys.h"
 #include "view/window/platform/theme.h"
 
 namespace glibra::view {
@@ -81,7 +84,7 @@ void questionDialog(Ui& ui) {
     }
     mark(ui, "question/discard");
     ImGui::SameLine();
-    if (ImGui::Button("Cancel") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) {
+    if (ImGui::Button("Cancel") || isKeyPressed(GLFW_KEY_ESCAPE)) {
         isDone = true;
         returnToText(ui);
     }

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "glib/text.h"
+#include "view/window/platform/keys.h"
 #include "view/window/platform/theme.h"
 
 namespace glibra::view {
@@ -221,7 +222,7 @@ void beginSliders(Ui& ui) {
     ui.sliderIsTyped = ui.sliderWasClicked = false;
     const ImGuiIO& io = ImGui::GetIO();
     const bool takesKeys = !io.WantTextInput && !io.KeyCtrl && !io.KeyAlt && !ui.shared.question;
-    if (takesKeys && ImGui::IsKeyPressed(GLFW_KEY_TAB) && !ui.sliders.empty()) {
+    if (takesKeys && isKeyPressed(GLFW_KEY_TAB) && !ui.sliders.empty()) {
         const auto now = std::find(ui.sliders.begin(), ui.sliders.end(), ui.focusedSlider);
         const auto count = static_cast<std::ptrdiff_t>(ui.sliders.size());
         const std::ptrdiff_t at = now == ui.sliders.end() ? (io.KeyShift ? 0 : -1) : now - ui.sliders.begin();
@@ -231,7 +232,7 @@ void beginSliders(Ui& ui) {
     } else if (takesKeys && ui.focusedSlider != 0) {
         const double fine = io.KeyShift ? kFine : 1;
         const auto move = [&](int key, const char* name, double by) {
-            if (!isUsedByScene(ui, name) && ImGui::IsKeyPressed(key)) ui.sliderMoves += by * fine;
+            if (!isUsedByScene(ui, name) && isKeyPressed(key)) ui.sliderMoves += by * fine;
         };
         move(GLFW_KEY_RIGHT, "right", kStep);
         move(GLFW_KEY_UP, "up", kStep);
@@ -239,10 +240,9 @@ void beginSliders(Ui& ui) {
         move(GLFW_KEY_DOWN, "down", -kStep);
         move(GLFW_KEY_PAGE_UP, "pageup", kPage);
         move(GLFW_KEY_PAGE_DOWN, "pagedown", -kPage);
-        if (ImGui::IsKeyPressed(GLFW_KEY_HOME)) ui.sliderEnd = false;
-        if (ImGui::IsKeyPressed(GLFW_KEY_END)) ui.sliderEnd = true;
-        const bool isEnter =
-            ImGui::IsKeyPressed(GLFW_KEY_ENTER, false) || ImGui::IsKeyPressed(GLFW_KEY_KP_ENTER, false);
+        if (isKeyPressed(GLFW_KEY_HOME)) ui.sliderEnd = false;
+        if (isKeyPressed(GLFW_KEY_END)) ui.sliderEnd = true;
+        const bool isEnter = isKeyPressed(GLFW_KEY_ENTER, false) || isKeyPressed(GLFW_KEY_KP_ENTER, false);
         ui.sliderIsTyped = isEnter && !isUsedByScene(ui, "enter");
     }
     ui.sliders.clear();

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
+#include <thread>
 #include <utility>
 
 namespace glibra::view {
@@ -27,14 +29,17 @@ std::string lastError() {
     return text ? text : "unknown reason";
 }
 
-/// A window with the highest OpenGL version that the driver has; null if it has none.
+/// A window with the highest OpenGL version that the driver has; null if it has none. Its context is lost
+/// with a reset of the device, and tells so, if the driver has such contexts.
 GLFWwindow* createWindow(int width, int height, const std::string& title) {
-    for (const auto& [major, minor] : kVersions) {
-        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, major);
-        glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, minor);
-        if (GLFWwindow* window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr))
-            return window;
-    }
+    for (const auto& [major, minor] : kVersions)
+        for (const int robustness : {GLFW_LOSE_CONTEXT_ON_RESET, GLFW_NO_ROBUSTNESS}) {
+            glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, major);
+            glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, minor);
+            glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, robustness);
+            if (GLFWwindow* window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr))
+                return window;
+        }
     return nullptr;
 }
 
@@ -103,16 +108,46 @@ Result<Display> Display::open(int width, int height, const std::string& title) {
     glfwSwapInterval(1);
     auto events = std::make_unique<Events>();
     listen(window, *events);
-    return Display(window, std::move(events));
+    Display display(window, std::move(events));
+    display.title_ = title;
+    return display;
+}
+
+Diagnostics Display::renew() {
+    const auto [width, height] = size();
+    int left = 0, top = 0;
+    glfwGetWindowPos(window_, &left, &top);
+    const bool isMaximized = glfwGetWindowAttrib(window_, GLFW_MAXIMIZED) == GLFW_TRUE;
+    // The size is that in screen coordinates already.
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_FALSE);
+    // A driver may need some time before it gives a context again.
+    constexpr int kTries = 20;
+    GLFWwindow* window = createWindow(width, height, title_);
+    for (int i = 1; i < kTries && window == nullptr; ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(500));
+        window = createWindow(width, height, title_);
+    }
+    if (window == nullptr) return {diagnose("view-E02", "cannot open a window again (" + lastError() + ")")};
+    glfwSetWindowPos(window, left, top);
+    if (isMaximized) glfwMaximizeWindow(window);
+    glfwMakeContextCurrent(window);
+    glfwSwapInterval(1);
+    glfwDestroyWindow(std::exchange(window_, window));
+    *events_ = {};
+    listen(window_, *events_);
+    return {};
 }
 
 Display::Display(GLFWwindow* window, std::unique_ptr<Events> events)
     : window_(window), events_(std::move(events)) {}
 Display::Display(Display&& other) noexcept
-    : window_(std::exchange(other.window_, nullptr)), events_(std::move(other.events_)) {}
+    : window_(std::exchange(other.window_, nullptr)),
+      events_(std::move(other.events_)),
+      title_(std::move(other.title_)) {}
 Display& Display::operator=(Display&& other) noexcept {
     std::swap(window_, other.window_);
     std::swap(events_, other.events_);
+    std::swap(title_, other.title_);
     return *this;
 }
 Display::~Display() {
@@ -135,6 +170,7 @@ void Display::keepOpen() {
     glfwSetWindowShouldClose(window_, GLFW_FALSE);
 }
 void Display::setTitle(const std::string& title) {
+    title_ = title;
     glfwSetWindowTitle(window_, title.c_str());
 }
 void Display::setSize(int width, int height) {

@@ -32,6 +32,10 @@ class Display {
     /// The address of a GL function.
     static void* address(const char* function);
 
+    /// Opens another window with a context of its own in place of this one, whose context is lost. Fails with
+    /// view-E02; the window stays then.
+    Diagnostics renew();
+
     [[nodiscard]] bool isOpen() const;
     void close();
     /// Cancels a request of the user to close the window.
@@ -89,6 +93,7 @@ class Display {
     Display(GLFWwindow* window, std::unique_ptr<Events> events);
     GLFWwindow* window_ = nullptr;
     std::unique_ptr<Events> events_;
+    std::string title_;
 };
 
 }  // namespace glibra::view

@@ -1,16 +1,12 @@
 #include "view/window/platform/gui.h"
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 #include <imgui_internal.h>
 
 #include <algorithm>
-#include <iterator>
 
-#include "view/window/platform/input_queue.h"
 #include "view/window/platform/theme.h"
 
 namespace glibra::view {
@@ -64,21 +60,6 @@ void Gui::rescale(const Display& display, float from, float to, const Settings& 
     ImGui_ImplOpenGL3_CreateFontsTexture();
     applyTheme(settings.lightTheme, to);
     scaleWindows(to / from);
-}
-
-void giveToImGui(const InputQueue& queue, const InputQueue::Frame& frame) {
-    ImGuiIO& io = ImGui::GetIO();
-    io.ClearInputCharacters();
-    for (const unsigned each : frame.characters) io.AddInputCharacter(each);
-    const auto isDown = [&](int left, int right) { return queue.isDown(left) || queue.isDown(right); };
-    for (int key = 0; key < static_cast<int>(InputQueue::kKeys); ++key) io.KeysDown[key] = queue.isDown(key);
-    io.KeyCtrl = isDown(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
-    io.KeyShift = isDown(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
-    io.KeyAlt = isDown(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT);
-    io.KeySuper = isDown(GLFW_KEY_LEFT_SUPER, GLFW_KEY_RIGHT_SUPER);
-    if (frame.mouse) io.MousePos = {static_cast<float>(frame.mouse->x), static_cast<float>(frame.mouse->y)};
-    for (unsigned i = 0; i < std::size(io.MouseDown); ++i) io.MouseDown[i] = (frame.buttons >> i & 1U) != 0;
-    io.MouseWheel = static_cast<float>(frame.wheel);
 }
 
 Gui::~Gui() {

@@ -1,6 +1,6 @@
 #pragma once
-// Distributes keys, characters and the mouse to frames, in the order in which they arrived. ImGui 1.86 looks
-// at the keys, the buttons and the mouse as they are when a frame begins. In a slow scene it would miss what
+// Distributes keys, characters and the mouse to frames, in the order in which they arrived. Dear ImGui gets
+// the keys, the buttons and the mouse as they are when a frame begins. In a slow scene it would miss what
 // happened between two frames: a key or button that was pressed and released, the order of several, and where
 // the mouse was when a button changed.
 
@@ -48,8 +48,5 @@ class InputQueue {
     unsigned buttons_ = 0;
     std::optional<MousePoint> mouse_;
 };
-
-/// Passes the input of a frame to ImGui; call it before ImGui::NewFrame() and after the backend's.
-void giveToImGui(const InputQueue& queue, const InputQueue::Frame& frame);
 
 }  // namespace glibra::view

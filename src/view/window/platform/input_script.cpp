@@ -1,19 +1,10 @@
 #include "view/window/platform/input_script.h"
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
-#include <imgui.h>
-
-#include <algorithm>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <tuple>
 
 namespace glibra::view {
 namespace {
-
-constexpr unsigned kButtons = 3;
-constexpr float kFrameSeconds = 1.F / 60;
 
 // These read a member if it is there and has the right type.
 
@@ -99,38 +90,6 @@ std::vector<FrameInput> readInput(const std::filesystem::path& file) {
         if (json.is_object()) frames.push_back(frameOf(json, frames.empty() ? FrameInput{} : frames.back()));
     }
     return frames;
-}
-
-FrameInput currentInput() {
-    const ImGuiIO& io = ImGui::GetIO();
-    FrameInput frame;
-    frame.mouseX = io.MousePos.x;
-    frame.mouseY = io.MousePos.y;
-    for (unsigned i = 0; i < kButtons; ++i)
-        if (io.MouseDown[i]) frame.buttons |= 1U << i;
-    frame.wheel = io.MouseWheel;
-    for (int key = 0; key < GLFW_KEY_LAST; ++key)
-        if (io.KeysDown[key]) frame.keys.push_back(key);
-    for (const ImWchar each : io.InputQueueCharacters)
-        if (each < 128) frame.text += static_cast<char>(each);
-    return frame;
-}
-
-void replaceInput(const FrameInput& frame) {
-    ImGuiIO& io = ImGui::GetIO();
-    io.MousePos = {frame.mouseX, frame.mouseY};
-    for (unsigned i = 0; i < kButtons; ++i) io.MouseDown[i] = (frame.buttons >> i & 1U) != 0;
-    io.MouseWheel = frame.wheel;
-    std::fill(std::begin(io.KeysDown), std::end(io.KeysDown), false);
-    for (const int key : frame.keys)
-        if (key >= 0 && key < static_cast<int>(std::size(io.KeysDown))) io.KeysDown[key] = true;
-    const auto isDown = [&](int left, int right) { return io.KeysDown[left] || io.KeysDown[right]; };
-    io.KeyCtrl = isDown(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
-    io.KeyShift = isDown(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
-    io.KeyAlt = isDown(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT);
-    io.ClearInputCharacters();
-    io.AddInputCharactersUTF8(frame.text.c_str());
-    io.DeltaTime = kFrameSeconds;
 }
 
 }  // namespace glibra::view

@@ -39,9 +39,4 @@ class InputRecorder {
 /// Reads the frames of a file; invalid lines are skipped.
 std::vector<FrameInput> readInput(const std::filesystem::path& file);
 
-/// The input that the backend has given ImGui for this frame, to be recorded.
-FrameInput currentInput();
-/// Replaces ImGui's input of this frame by a recorded one.
-void replaceInput(const FrameInput& frame);
-
 }  // namespace glibra::view

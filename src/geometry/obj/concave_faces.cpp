@@ -1,0 +1,307 @@
+#include "geometry/obj/concave_faces.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <tuple>
+#include <utility>
+
+#include "base/parallel.h"
+#include "geometry/obj/plane_outline.h"
+
+namespace glibra::geometry {
+namespace {
+
+/// 1, -1: the outline encloses its area counterclockwise, clockwise; 0 if it has none.
+int windingOf(const std::vector<PlanePoint>& points) {
+    double area = 0, size = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const PlanePoint a = points[i], b = points[i + 1 == points.size() ? 0 : i + 1];
+        const double across = static_cast<double>(a.x) * b.y, back = static_cast<double>(a.y) * b.x;
+        area += across - back;
+        size += std::abs(across) + std::abs(back);
+    }
+    if (std::abs(area) > 1e-9 * size) return area > 0 ? 1 : -1;
+    // Rounding may decide the sum of a thin outline far from the origin. The turn at an outermost corner is
+    // exact.
+    const auto before = [](PlanePoint a, PlanePoint b) {
+        return std::tuple(a.x, a.y) < std::tuple(b.x, b.y);
+    };
+    const std::size_t outermost =
+        static_cast<std::size_t>(std::min_element(points.begin(), points.end(), before) - points.begin());
+    const std::size_t count = points.size();
+    std::size_t next = outermost, previous = outermost;
+    for (std::size_t i = 1; i < count && points[next] == points[outermost]; ++i)
+        next = (outermost + i) % count;
+    for (std::size_t i = 1; i < count && points[previous] == points[outermost]; ++i)
+        previous = (outermost + count - i) % count;
+    return orientation(points[previous], points[outermost], points[next]);
+}
+
+/// One corner of what is left of an outline.
+struct RingCorner {
+    std::size_t previous = 0, next = 0;
+    bool isCut = false;
+    bool isConvex = false;  ///< turns left
+};
+
+/// An outline that is being cut up. Its corners are numbered counterclockwise from a corner that does not
+/// depend on how the polygon is written.
+class Remains {
+  public:
+    Remains(std::vector<PlanePoint> points, std::size_t& work) : points_(std::move(points)), work_(work) {
+        const std::size_t count = points_.size();
+        corners_.resize(count);
+        for (std::size_t i = 0; i < count; ++i)
+            corners_[i] = {(i + count - 1) % count, (i + 1) % count, false, false};
+        for (std::size_t i = 0; i < count; ++i) corners_[i].isConvex = turnAt(i) > 0;
+        for (std::size_t i = 0; i < count; ++i)
+            if (!corners_[i].isConvex) reflex_.push_back(i);
+        std::sort(reflex_.begin(), reflex_.end(),
+                  [&](std::size_t a, std::size_t b) { return points_[a].x < points_[b].x; });
+        reflexLeft_ = reflex_.size();
+    }
+
+    /// Calls `ear(a, b, c)` for each triangle. False if the work is too much.
+    template <class Ear>
+    bool cut(Ear ear) {
+        std::size_t left = points_.size(), at = 0;
+        // A corner that is written twice has no place of its own.
+        for (std::size_t n = points_.size(); n > 0 && left > 3; --n) {
+            const std::size_t next = corners_[at].next;
+            if (points_[at] == points_[next]) {
+                ear(corners_[at].previous, at, next);
+                cutOff(at);
+                --left;
+            }
+            at = next;
+        }
+        std::size_t last = at;
+        int rule = 0;
+        while (left > 3) {
+            const std::size_t before = corners_[at].previous, after = corners_[at].next;
+            if (isEar(at, rule)) {
+                ear(before, at, after);
+                cutOff(at);
+                --left;
+                // Every second corner first: the triangles become less narrow.
+                at = last = corners_[after].next;
+                rule = 0;
+                continue;
+            }
+            if (work_ > EarCutter::kMostWork) return false;
+            at = after;
+            // Outlines that touch or cross themselves may have no ear by the stricter rules.
+            if (at == last) ++rule;
+        }
+        ear(corners_[at].previous, at, corners_[at].next);
+        return true;
+    }
+
+  private:
+    [[nodiscard]] int turnAt(std::size_t corner) const {
+        const RingCorner& each = corners_[corner];
+        return orientation(points_[each.previous], points_[corner], points_[each.next]);
+    }
+
+    /// Rules: 0, nothing else touches the triangle; 1, nothing is inside of it; 2, it has no area; 3, it is
+    /// convex; 4, any.
+    bool isEar(std::size_t at, int rule) {
+        ++work_;
+        if (rule >= 4) return true;
+        if (rule == 2) return turnAt(at) == 0;
+        if (!corners_[at].isConvex) return false;
+        return rule == 3 || !holdsCorner(at, rule == 0);
+    }
+
+    bool holdsCorner(std::size_t at, bool withEdges) {
+        constexpr std::size_t kOrientations = 8;  // as much work as comparing boxes
+        const PlanePoint a = points_[corners_[at].previous], b = points_[at], c = points_[corners_[at].next];
+        const float left = std::min({a.x, b.x, c.x}), right = std::max({a.x, b.x, c.x});
+        const float low = std::min({a.y, b.y, c.y}), high = std::max({a.y, b.y, c.y});
+        // An outline that enters a triangle has a corner there that turns right, or that lies on a line.
+        auto each = std::lower_bound(reflex_.begin(), reflex_.end(), left,
+                                     [&](std::size_t i, float x) { return points_[i].x < x; });
+        for (; each != reflex_.end() && points_[*each].x <= right; ++each) {
+            ++work_;
+            const PlanePoint p = points_[*each];
+            if (p.y < low || p.y > high || corners_[*each].isCut || corners_[*each].isConvex) continue;
+            if (p == a || p == b || p == c) continue;
+            work_ += kOrientations;
+            const int least = withEdges ? 0 : 1;
+            if (orientation(a, b, p) >= least && orientation(b, c, p) >= least &&
+                orientation(c, a, p) >= least)
+                return true;
+        }
+        return false;
+    }
+
+    void cutOff(std::size_t at) {
+        const std::size_t before = corners_[at].previous, after = corners_[at].next;
+        if (!corners_[at].isConvex) --reflexLeft_;
+        corners_[at].isCut = true;
+        corners_[before].next = after;
+        corners_[after].previous = before;
+        for (const std::size_t each : {before, after}) {
+            const bool was = corners_[each].isConvex, is = turnAt(each) > 0;
+            corners_[each].isConvex = is;
+            if (is && !was) --reflexLeft_;
+            // Only outlines that touch or cross themselves lose a convex corner.
+            if (was && !is) enter(each);
+        }
+        if (2 * reflexLeft_ + 16 < reflex_.size())
+            std::erase_if(reflex_,
+                          [&](std::size_t each) { return corners_[each].isCut || corners_[each].isConvex; });
+    }
+
+    void enter(std::size_t corner) {
+        ++reflexLeft_;
+        const auto place = std::lower_bound(reflex_.begin(), reflex_.end(), points_[corner].x,
+                                            [&](std::size_t i, float x) { return points_[i].x < x; });
+        // It may still be there.
+        for (auto each = place; each != reflex_.end() && points_[*each].x == points_[corner].x; ++each)
+            if (*each == corner) return;
+        work_ += reflex_.size() / 64;  // the others move
+        reflex_.insert(place, corner);
+    }
+
+    std::vector<PlanePoint> points_;
+    std::vector<RingCorner> corners_;
+    std::vector<std::size_t> reflex_;  ///< that turn right or lie on a line, by x; some of them no longer
+    std::size_t reflexLeft_ = 0;       ///< of these those that still do
+    std::size_t& work_;
+};
+
+/// The corners of an outline in the order in which they are cut up.
+std::vector<std::uint32_t> canonicalOrder(std::span<const Triple> outline, int winding) {
+    const std::size_t count = outline.size();
+    // Of equal corners, the one whose neighbours are least.
+    const auto neighbours = [&](std::size_t i) {
+        return std::minmax(outline[(i + 1) % count], outline[(i + count - 1) % count]);
+    };
+    std::size_t first = 0;
+    for (std::size_t i = 1; i < count; ++i)
+        if (outline[i] < outline[first] ||
+            (outline[i] == outline[first] && neighbours(i) < neighbours(first)))
+            first = i;
+    const bool isForward =
+        winding != 0 ? winding > 0 : outline[(first + 1) % count] < outline[(first + count - 1) % count];
+    std::vector<std::uint32_t> order;
+    order.reserve(count);
+    for (std::size_t i = 0; i < count; ++i)
+        order.push_back(
+            static_cast<std::uint32_t>(isForward ? (first + i) % count : (first + count - i) % count));
+    return order;
+}
+
+/// True only for a polygon of four corners whose fan has two triangles of the same orientation beyond all
+/// rounding. Most faces with more than three corners are such.
+bool isClearQuad(std::span<const Triple> outline) {
+    if (outline.size() != 4) return false;
+    std::array<glm::dvec3, 3> to;
+    for (std::size_t i = 0; i < 3; ++i)
+        for (int axis = 0; axis < 3; ++axis)
+            to[i][axis] = static_cast<double>(outline[i + 1][static_cast<std::size_t>(axis)]) -
+                          outline[0][static_cast<std::size_t>(axis)];
+    const glm::dvec3 first = glm::cross(to[0], to[1]), second = glm::cross(to[1], to[2]);
+    const int axis = nearestAxis(first + second);
+    const double least = 1e-12 * (glm::dot(to[0], to[0]) + glm::dot(to[1], to[1]) + glm::dot(to[2], to[2]));
+    return (first[axis] > least && second[axis] > least) || (first[axis] < -least && second[axis] < -least);
+}
+
+void appendFan(std::size_t count, std::vector<std::uint32_t>& triangles) {
+    for (std::uint32_t i = 1; i + 1 < count; ++i) triangles.insert(triangles.end(), {0, i, i + 1});
+}
+
+}  // namespace
+
+bool isFan(std::span<const Triple> outline) {
+    if (outline.size() < 4 || isClearQuad(outline)) return true;
+    const std::vector<PlanePoint> points = planeOutline(outline);
+    const PlanePoint origin = points[0];
+    int turn = 0;
+    PlanePoint reference = origin;  // the first other corner
+    bool isBeyond = false;          // more than half a turn from there
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const PlanePoint p = points[i];
+        if (reference == origin) {
+            reference = p;
+            continue;
+        }
+        const int step = orientation(origin, points[i - 1], p);
+        if (step != 0 && turn == 0) turn = step;
+        if (step * turn < 0) return false;
+        // An edge that passes through the first corner
+        if (step == 0) {
+            const auto opposite = [](float a, float b, float o) {
+                return (a < o && o < b) || (b < o && o < a);
+            };
+            if (opposite(points[i - 1].x, p.x, origin.x) || opposite(points[i - 1].y, p.y, origin.y))
+                return false;
+        }
+        if (p == origin)  // the outline touches itself there, unless this is the first corner once more
+            return std::all_of(points.begin() + static_cast<std::ptrdiff_t>(i), points.end(),
+                               [&](PlanePoint each) { return each == origin; });
+        const int side = orientation(origin, reference, p) * turn;
+        if (isBeyond && side >= 0) return false;
+        isBeyond = isBeyond || side < 0;
+    }
+    return true;
+}
+
+bool EarCutter::cut(std::span<const Triple> outline, std::vector<std::uint32_t>& triangles) {
+    const std::size_t count = outline.size(), had = triangles.size();
+    const std::vector<PlanePoint> points = planeOutline(outline);
+    const std::vector<std::uint32_t> order = canonicalOrder(outline, windingOf(points));
+    const bool isForward = order[1] == (order[0] + 1) % count;
+    std::vector<PlanePoint> ordered;
+    ordered.reserve(count);
+    for (const std::uint32_t each : order) ordered.push_back(points[each]);
+    work_ += count;
+    const bool isDone =
+        work_ <= kMostWork &&
+        Remains(std::move(ordered), work_).cut([&](std::size_t a, std::size_t b, std::size_t c) {
+            if (!isForward) std::swap(a, c);
+            triangles.insert(triangles.end(), {order[a], order[b], order[c]});
+        });
+    if (isDone) return true;
+    triangles.resize(had);
+    appendFan(count, triangles);
+    return false;
+}
+
+std::size_t splitConcaveFaces(ObjModel& model) {
+    const auto takeOutline = [&](std::size_t face, std::vector<Triple>& outline) {
+        outline.clear();
+        for (std::uint32_t i = model.faceStarts[face]; i < model.faceStarts[face + 1]; ++i)
+            outline.push_back(model.positions[model.corners[i].position]);
+    };
+    // Models of triangles only are the usual ones.
+    if (model.corners.size() == 3 * model.faceCount()) return 0;
+    constexpr std::size_t kPiece = 16'384;
+    std::vector<std::vector<std::uint32_t>> found(model.faceCount() / kPiece + 1);
+    base::forEachIndex(
+        found.size(), 0, [] { return std::vector<Triple>(); },
+        [&](std::size_t piece, std::vector<Triple>& outline) {
+            const std::size_t end = std::min(model.faceCount(), (piece + 1) * kPiece);
+            for (std::size_t face = piece * kPiece; face < end; ++face) {
+                if (model.faceStarts[face + 1] - model.faceStarts[face] <= 3) continue;
+                takeOutline(face, outline);
+                if (!isFan(outline)) found[piece].push_back(static_cast<std::uint32_t>(face));
+            }
+        });
+    std::size_t uncut = 0;
+    EarCutter cutter;
+    std::vector<Triple> outline;
+    for (const std::vector<std::uint32_t>& piece : found)
+        for (const std::uint32_t face : piece) {
+            takeOutline(face, outline);
+            model.splitFaces.push_back(face);
+            if (!cutter.cut(outline, model.splitTriangles)) ++uncut;
+        }
+    return uncut;
+}
+
+}  // namespace glibra::geometry

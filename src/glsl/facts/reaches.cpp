@@ -1,0 +1,197 @@
+// How far a stage reaches: the vertices of a patch that it reads, the vertices that it may emit, the axes
+// along which it distinguishes invocations, and the elements of buffers that it names.
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "glsl/facts/facts.h"
+#include "glsl/facts/formula.h"
+#include "glsl/parse/usage.h"
+
+namespace glibra::glsl {
+namespace {
+
+/// What limits a number; equality does not, since `if (gl_InvocationID == 0)` only picks one of them.
+bool isComparison(std::string_view text) {
+    constexpr std::array<std::string_view, 7> kComparisons{"<", ">", "<=", ">=", "%", "&", ">>"};
+    return std::find(kComparisons.begin(), kComparisons.end(), text) != kComparisons.end();
+}
+
+/// True if the name, or a component of it, is compared or reduced anywhere in the stage: then the text does
+/// not show which values reach a subscript.
+bool isGuarded(const Unit& unit, std::string_view name) {
+    for (std::uint32_t at = 0; at < unit.view.size(); ++at) {
+        if (unit.text(at) != name || unit.bodies.roles[at] == WordRole::member) continue;
+        const std::uint32_t after = unit.text(at + 1) == "." ? at + 3 : at + 1;
+        if (isComparison(unit.text(after)) || (at > 0 && isComparison(unit.text(at - 1)))) return true;
+        const bool isCast = at >= 2 && unit.text(at - 1) == "(" &&
+                            (unit.text(at - 2) == "int" || unit.text(at - 2) == "uint");
+        if (isCast && (isComparison(unit.text(after + 1)) || (at > 2 && isComparison(unit.text(at - 3)))))
+            return true;
+    }
+    return false;
+}
+
+// ---- Patches
+
+void readsOfPatch(const Unit& unit, TranslatedProgram& result) {
+    const bool isOwnGuarded = isGuarded(unit, "gl_InvocationID") || unit.isUsed("gl_PatchVerticesIn");
+    const auto isInput = [&](std::uint32_t at) {
+        if (unit.text(at) == "gl_in") return true;
+        const auto found = std::find_if(unit.variables.begin(), unit.variables.end(),
+                                        [&](const Variable& each) { return each.name == unit.text(at); });
+        return found != unit.variables.end() && found->storage == Storage::input && !found->patch &&
+               found->isArray();
+    };
+    for (std::uint32_t at = 0; at + 2 < unit.view.size(); ++at) {
+        if (unit.bodies.roles[at] != WordRole::global || unit.text(at + 1) != "[" || !isInput(at)) continue;
+        const std::uint32_t close = unit.bodies.matches[at + 1];
+        if (close >= unit.view.size()) continue;
+        const Range subscript{at + 2, close};
+        long long index = -1;
+        if (!integerValue(unit, subscript, index)) {
+            const bool isOwn = close == at + 3 && unit.text(at + 2) == "gl_InvocationID";
+            index = isOwn && !isOwnGuarded ? result.patchVertices - 1 : -1;
+        }
+        constexpr long long kMost = 1024;
+        if (index < result.patchVerticesRead || index > kMost) continue;
+        result.patchVerticesRead = static_cast<int>(index) + 1;
+        result.patchReadPlace = unit.place(at);
+        result.patchRead = std::string(unit.text(at)) + "[" + textOf(unit, subscript) + "]";
+    }
+}
+
+// ---- Geometry
+
+void readMostVertices(const Unit& unit, TranslatedProgram& result) {
+    for (const Declaration& each : unit.syntax.declarations) {
+        if (each.kind != DeclarationKind::layoutOnly || each.qualifiers.storage != Storage::output) continue;
+        const LayoutItem* item = each.qualifiers.item("max_vertices");
+        long long value = 0;
+        constexpr long long kMost = 1 << 20;
+        if (item == nullptr || !globalIntegerValue(unit, item->value, value) || value <= 0 || value > kMost)
+            continue;
+        result.maxVertices = static_cast<int>(value);
+        result.maxVerticesPlace = unit.place(item->tokens.first);
+    }
+}
+
+// ---- Invocations
+
+void axesOf(const Unit& unit, TranslatedProgram& result) {
+    for (const std::string_view name : {"gl_GlobalInvocationID", "gl_WorkGroupID"}) {
+        const auto uses = unit.uses.find(name);
+        if (uses == unit.uses.end()) continue;
+        for (const std::uint32_t at : uses->second) {
+            const std::string_view component = unit.text(at + 1) == "." ? unit.text(at + 2) : "xyz";
+            constexpr std::string_view kNames = "xyzrgbstp";
+            for (const char c : component)
+                if (const std::size_t axis = kNames.find(c); axis != std::string_view::npos)
+                    result.invocationAxes.at(axis % 3) = true;
+        }
+    }
+}
+
+// ---- Elements
+
+/// Finds the subscripts of the last members of storage blocks.
+class SubscriptSearch {
+  public:
+    explicit SubscriptSearch(const Unit& unit) : unit_(unit), search_(unit) {}
+
+    std::vector<ElementSubscript> find() {
+        std::vector<ElementSubscript> found;
+        for (const Declaration& block : unit_.syntax.declarations) {
+            if (block.kind != DeclarationKind::block || block.qualifiers.storage != Storage::buffer ||
+                block.members.empty() || block.members.back().declarators.empty())
+                continue;
+            const bool isSingle = block.declarators.empty() || block.declarators.front().dimensions.empty();
+            if (!isSingle) continue;
+            const std::string_view array = unit_.text(block.members.back().declarators.back().name);
+            const std::string_view instance =
+                block.declarators.empty() ? std::string_view() : unit_.text(block.declarators.front().name);
+            findOf(array, instance, found);
+        }
+        return found;
+    }
+
+  private:
+    void findOf(std::string_view array, std::string_view instance, std::vector<ElementSubscript>& found) {
+        constexpr std::size_t kMost = 64;
+        for (std::uint32_t at = 0; at + 2 < unit_.view.size() && search_.spend(1); ++at) {
+            if (unit_.text(at) != array || unit_.text(at + 1) != "[") continue;
+            const bool isOfInstance = at >= 2 && unit_.text(at - 1) == "." && unit_.text(at - 2) == instance;
+            if (instance.empty() ? unit_.bodies.roles[at] != WordRole::global : !isOfInstance) continue;
+            const std::uint32_t close = search_.match(at + 1);
+            if (close >= unit_.view.size() || found.size() == kMost) continue;
+            ElementSubscript one{std::string(array), {}, 0, unit_.place(at)};
+            const Range subscript{at + 2, close};
+            if (integerValue(unit_, subscript, one.constant)) {
+                found.push_back(std::move(one));
+            } else if (one.number = numberIn(subscript); !one.number.empty()) {
+                found.push_back(std::move(one));
+            }
+        }
+    }
+
+    /// The number of the invocation, vertex or instance that the range is; empty if it is another value or
+    /// one that the stage limits.
+    std::string numberIn(Range range) {
+        const bool isCast = range.end > range.first + 3 && search_.text(range.first + 1) == "(" &&
+                            search_.match(range.first + 1) + 1 == range.end &&
+                            (search_.text(range.first) == "int" || search_.text(range.first) == "uint");
+        if (isCast) return numberIn({range.first + 2, range.end - 1});
+        const std::string_view name = search_.text(range.first);
+        if (isGuarded(unit_, name)) return {};
+        if (range.end == range.first + 1) {
+            if (name == "gl_VertexID" || name == "gl_InstanceID" || name == "gl_LocalInvocationIndex")
+                return std::string(name);
+            return unit_.bodies.roles[range.first] == WordRole::local ? numberOfLocal(range.first) : "";
+        }
+        const bool isComponent = range.end == range.first + 3 && search_.text(range.first + 1) == ".";
+        if (!isComponent ||
+            (name != "gl_GlobalInvocationID" && name != "gl_WorkGroupID" && name != "gl_LocalInvocationID"))
+            return {};
+        const std::string_view component = search_.text(range.first + 2);
+        return component == "x" ? std::string(name) + ".x" : "";
+    }
+
+    std::string numberOfLocal(std::uint32_t at) {
+        const LocalVariable* found = nullptr;
+        for (const LocalVariable& each : unit_.bodies.locals) {
+            if (unit_.text(each.name) != unit_.text(at)) continue;
+            if (found != nullptr) return {};
+            found = &each;
+        }
+        if (found == nullptr || found->isParameter || found->initializer.empty()) return {};
+        const auto size = static_cast<std::uint32_t>(unit_.view.size());
+        const bool isKept = !search_.changes(unit_.text(at), {0, found->name}) &&
+                            !search_.changes(unit_.text(at), {found->name + 1, size});
+        return isKept ? numberIn(found->initializer) : "";
+    }
+
+    const Unit& unit_;
+    TokenSearch search_;
+};
+
+}  // namespace
+
+void collectReaches(ProgramUnits& program) {
+    TranslatedProgram& result = *program.result;
+    const Unit* control = program.find(Stage::tessControl);
+    const Unit* evaluation = program.find(Stage::tessEvaluation);
+    if (control != nullptr)
+        readsOfPatch(*control, result);
+    else if (evaluation != nullptr)
+        readsOfPatch(*evaluation, result);
+    if (const Unit* geometry = program.find(Stage::geometry)) readMostVertices(*geometry, result);
+    if (const Unit* compute = program.find(Stage::compute)) axesOf(*compute, result);
+}
+
+std::vector<ElementSubscript> subscriptsOf(const Unit& unit) {
+    return SubscriptSearch(unit).find();
+}
+
+}  // namespace glibra::glsl

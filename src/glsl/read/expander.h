@@ -1,0 +1,91 @@
+#pragma once
+// Expands macros as C does (C11, 6.10.3): arguments are expanded first, the result is read again together
+// with the text that follows, and a macro is not expanded inside itself. Tokens never grow together.
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "glsl/read/macros.h"
+#include "glsl/read/stage_text.h"
+
+namespace glibra::glsl {
+
+/// Reports a mistake at the place of a token.
+using Complain = std::function<void(const char* id, std::string text, const Token& at)>;
+
+class Expander {
+  public:
+    /// The expanded text goes to `stage.tokens`.
+    Expander(StageText& stage, Complain complain) : stage_(stage), complain_(std::move(complain)) {}
+
+    MacroTable& macros() { return macros_; }
+    /// The macro of that name, also a predefined one; null if there is none.
+    Macro* find(std::string_view name);
+    [[nodiscard]] bool isDefined(std::string_view name);
+
+    /// Adds a token of the text. Tokens of directives and synthetic ones are not looked into.
+    void add(const Token& token) { input_.push_back(token); }
+    /// Expands the text. `more` adds further tokens; it returns false at the end of the source.
+    void run(const std::function<bool()>& more);
+    /// Expands the tokens of a directive.
+    std::vector<Piece> expand(std::vector<Piece> pieces);
+
+    /// The value of __FILE__ from here on.
+    void setFileNumber(long long number) { fileNumber_ = number; }
+    /// True once there was so much to expand that something was left as it is.
+    [[nodiscard]] bool isExhausted() const { return steps_ > kMostSteps; }
+    static constexpr std::size_t kMostSteps = 2'000'000;  // glsl-E11 states it
+    static constexpr int kDeepestCalls = 200;
+
+  private:
+    /// Tokens that are read before the text: the result of a macro, or an argument.
+    struct Context {
+        std::vector<Piece> pieces;
+        std::size_t at = 0;
+        Macro* macro = nullptr;
+    };
+    /// What is read: the contexts from `base` on, and the text after them if `text`.
+    struct Reach {
+        std::size_t base = 0;
+        bool text = false;
+    };
+    using Pieces = std::vector<Piece>;
+
+    void drain(Reach reach, Pieces& out);
+    /// Puts the piece into `out`, or the result of the macro that it calls before what is read next.
+    void name(Piece piece, Reach reach, Pieces& out);
+    [[nodiscard]] Piece placeMacro(const Piece& piece);
+    void push(Pieces pieces, Macro* macro);
+    void popExhausted(std::size_t base);
+    bool takeParenthesis(Reach reach);
+    bool takeArguments(Reach reach, std::vector<Pieces>& arguments);
+    bool next(Reach reach, Piece& piece);
+    bool nextOfText(Piece& piece);
+    Pieces substitute(const Macro& macro, const std::vector<Pieces>& arguments, const Piece& call);
+    void paste(Pieces& pieces, std::size_t left, Piece right);
+    bool countStep();
+
+    void keepLineEnds(const Token& token, std::uint32_t order);
+    void flush(const Pieces& result);
+    void write(const Token& token);
+    void writeBlank(const Token& before);
+
+    StageText& stage_;
+    Complain complain_;
+    MacroTable macros_;
+    std::vector<Context> contexts_;
+    std::vector<Token> input_;
+    std::size_t at_ = 0;
+    std::uint32_t firstOrder_ = 0;  ///< order of input_[0]
+    const std::function<bool()>* more_ = nullptr;
+    std::vector<Piece> lineEnds_;  ///< line ends and directives inside the current call
+    bool afterCall_ = false;
+    std::size_t steps_ = 0;
+    int depth_ = 0;
+    bool isExhausted_ = false;
+    long long fileNumber_ = 0;
+};
+
+}  // namespace glibra::glsl

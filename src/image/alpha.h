@@ -1,0 +1,15 @@
+#pragma once
+// Alpha, which is not associated with the colours of an Image: they are not multiplied by it.
+
+#include "image/image.h"
+
+namespace glibra::image {
+
+/// Divides the colours of an RGBA picture by alpha. Integers are limited to their range and rounded; colours
+/// with alpha 0 stay.
+void unassociateAlpha(Image& image);
+
+/// True if the picture has alpha that is not 1 somewhere.
+bool isTransparent(const Image& image);
+
+}  // namespace glibra::image

@@ -1,0 +1,172 @@
+#include "image/hdr/hdr_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "image/bytes.h"
+#include "image/convert.h"
+
+namespace glibra::image {
+namespace {
+
+using Rgbe = std::array<std::uint8_t, 4>;  // red, green, blue, exponent
+
+/// One axis of the resolution line: "-Y 480" has 480 pixels or rows, from the top one on.
+struct HdrAxis {
+    bool isX = false, fromMost = false;  ///< y counts upward, so "-Y" begins with the top row
+    std::uint64_t size = 0;
+};
+
+struct HdrHeader {
+    HdrAxis slow, fast;
+    std::size_t dataOffset = 0;
+};
+
+/// The next line without its end, from `at`, which moves behind it; empty if the file has no further one.
+std::optional<std::string_view> lineAt(std::string_view file, std::size_t& at) {
+    constexpr std::size_t kLongestLine = 4096;
+    const std::size_t end = file.substr(at, kLongestLine).find('\n');
+    if (end == std::string_view::npos) return std::nullopt;
+    std::string_view line = file.substr(at, end);
+    at += end + 1;
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    return line;
+}
+
+std::string_view wordOf(std::string_view& line) {
+    line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+    const std::string_view word = line.substr(0, line.find_first_of(" \t"));
+    line.remove_prefix(word.size());
+    return word;
+}
+
+std::optional<HdrAxis> axisOf(std::string_view& line) {
+    const std::string_view name = wordOf(line), size = wordOf(line);
+    if (name.size() != 2 || (name[0] != '-' && name[0] != '+') || (name[1] != 'X' && name[1] != 'Y'))
+        return std::nullopt;
+    HdrAxis axis{.isX = name[1] == 'X', .fromMost = name[0] == '-'};
+    const auto [end, failure] = std::from_chars(size.data(), size.data() + size.size(), axis.size);
+    if (failure != std::errc() || end != size.data() + size.size() || axis.size == 0) return std::nullopt;
+    return axis;
+}
+
+Result<HdrHeader> readHdrHeader(std::string_view file, const FileLabel& label) {
+    std::size_t at = 0;
+    for (;;) {
+        const auto line = lineAt(file, at);
+        if (!line) return damaged(label, "the file ends within the HDR header");
+        if (line->empty()) break;
+        constexpr std::string_view kFormat = "FORMAT=";
+        if (!line->starts_with(kFormat)) continue;
+        std::string_view value = line->substr(kFormat.size());
+        const std::string_view format = wordOf(value);
+        if (format == "32-bit_rle_xyze")
+            return damaged(label, "its colours are XYZ, not RGB; 'ra_xyze -r' of Radiance converts them");
+        if (format != "32-bit_rle_rgbe")
+            return damaged(label, fmt::format("unknown HDR format '{}'", format));
+    }
+    const auto resolution = lineAt(file, at);
+    if (!resolution) return damaged(label, "the file ends within the HDR header");
+    std::string_view rest = *resolution;
+    const auto slow = axisOf(rest), fast = axisOf(rest);
+    if (!slow || !fast || slow->isX == fast->isX || !wordOf(rest).empty())
+        return damaged(label, "its resolution line is not like '-Y 480 +X 640'");
+    return HdrHeader{*slow, *fast, at};
+}
+
+/// Run lengths per component, which begin with 2, 2 and the number of pixels. False at their end or at
+/// damage.
+bool readComponents(ByteSpan file, std::size_t& at, std::span<Rgbe> line) {
+    for (std::size_t component = 0; component < 4; ++component)
+        for (std::size_t x = 0; x < line.size();) {
+            if (at + 2 > file.size()) return false;
+            const std::size_t code = octetAt(file, at++);
+            const bool isRun = code > 128;
+            const std::size_t count = isRun ? code - 128 : code;
+            if (count == 0 || count > line.size() - x || at + (isRun ? 1 : count) > file.size()) return false;
+            for (std::size_t i = 0; i < count; ++i)
+                line[x++][component] = octetAt(file, at + (isRun ? 0 : i));
+            at += isRun ? 1 : count;
+        }
+    return true;
+}
+
+/// Whole pixels; 1 1 1 n repeats the one before n times, and each further one in a row counts 256 times as
+/// much.
+bool readWholePixels(ByteSpan file, std::size_t& at, std::span<Rgbe> line) {
+    unsigned shift = 0;
+    for (std::size_t x = 0; x < line.size(); at += 4) {
+        if (at + 4 > file.size()) return false;
+        const Rgbe pixel{octetAt(file, at), octetAt(file, at + 1), octetAt(file, at + 2),
+                         octetAt(file, at + 3)};
+        if (pixel[0] != 1 || pixel[1] != 1 || pixel[2] != 1) {
+            line[x++] = pixel;
+            shift = 0;
+            continue;
+        }
+        const std::size_t count = std::size_t{pixel[3]} << shift;
+        if (x == 0 || shift > 24 || count > line.size() - x) return false;
+        std::fill_n(line.begin() + static_cast<std::ptrdiff_t>(x), count, line[x - 1]);
+        x += count;
+        shift += 8;
+    }
+    return true;
+}
+
+bool readLine(ByteSpan file, std::size_t& at, std::span<Rgbe> line) {
+    constexpr std::size_t kLeast = 8, kMost = 0x7fff;
+    const bool byComponent = line.size() >= kLeast && line.size() <= kMost && at + 4 <= file.size() &&
+                             octetAt(file, at) == 2 && octetAt(file, at + 1) == 2 &&
+                             big16(file, at + 2) == line.size();
+    if (!byComponent) return readWholePixels(file, at, line);
+    at += 4;
+    return readComponents(file, at, line);
+}
+
+std::array<float, 4> floatsOf(const Rgbe& pixel) {
+    constexpr int kBias = 128 + 8;
+    if (pixel[3] == 0) return {0, 0, 0, 1};
+    const float unit = std::ldexp(1.F, pixel[3] - kBias);
+    return {static_cast<float>(pixel[0]) * unit, static_cast<float>(pixel[1]) * unit,
+            static_cast<float>(pixel[2]) * unit, 1};
+}
+
+}  // namespace
+
+Result<Image> decodeHdr(ByteSpan file, const FileLabel& label, const Limits& limits) {
+    const auto read = readHdrHeader({reinterpret_cast<const char*>(file.data()), file.size()}, label);
+    if (!read) return read.diagnostics;
+    const auto& [slow, fast, dataOffset] = *read;
+    const std::uint64_t width = slow.isX ? slow.size : fast.size, height = slow.isX ? fast.size : slow.size;
+    if (auto tooLarge = checkSize(width, height, 4 * sizeof(float), limits, label))
+        return *std::move(tooLarge);
+    if (auto tooShort = checkInflation(width, height, file.size(), label)) return *std::move(tooShort);
+
+    Image image = blankImage(width, height, Component::f32);
+    std::vector<Rgbe> line(static_cast<std::size_t>(fast.size));
+    std::size_t at = dataOffset;
+    for (std::uint64_t i = 0; i < slow.size; ++i) {
+        if (!readLine(file, at, line))
+            return at + 4 > file.size() ? endsEarly(label, i, slow.size)
+                                        : damaged(label, fmt::format("row {} is damaged", i + 1));
+        for (std::uint64_t j = 0; j < fast.size; ++j) {
+            std::uint64_t x = slow.isX ? i : j, y = slow.isX ? j : i;
+            if ((slow.isX ? slow : fast).fromMost) x = width - 1 - x;
+            if (!(slow.isX ? fast : slow).fromMost) y = height - 1 - y;
+            const std::array<float, 4> pixel = floatsOf(line[j]);
+            std::memcpy(image.data.data() + (y * width + x) * sizeof pixel, pixel.data(), sizeof pixel);
+        }
+    }
+    return image;
+}
+
+}  // namespace glibra::image

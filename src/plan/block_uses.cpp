@@ -1,0 +1,146 @@
+// The buffers of a program's blocks and atomic counters.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "base/suggest.h"
+#include "plan/buffers.h"
+#include "plan/uniform_messages.h"
+
+namespace glibra::plan {
+namespace {
+
+std::string_view plainName(std::string_view block) {
+    return block.substr(0, block.find('['));
+}
+
+/// The declaration of the block in the shaders' text; null if the text does not show it.
+const glsl::MemoryBlock* declarationOf(const ProgramInterface& interface, std::string_view name,
+                                       bool isStorage) {
+    return interface.facts.memory.block(plainName(name), isStorage);
+}
+
+/// "; did you mean 'particles'?" if a buffer of the scene has a name that is near.
+std::string suggestedBuffer(const scene::Scene& scene, std::string_view name) {
+    std::vector<std::string_view> names;
+    for (const scene::Buffer& each : scene.buffers) names.push_back(each.name);
+    return base::suggestion(name, names);
+}
+
+/// The buffer that a tag binds, or the one of that name; nothing if there is neither.
+class BufferFinder {
+  public:
+    BufferFinder(const scene::Scene& scene, scene::UniformSetIndex set)
+        : scene_(scene), objects_(set ? &scene.uniformSets[set].objects : nullptr) {}
+
+    [[nodiscard]] std::optional<scene::BufferView> find(std::string_view name) const {
+        if (name.empty()) return std::nullopt;
+        if (objects_ != nullptr)
+            for (auto each = objects_->rbegin(); each != objects_->rend(); ++each)
+                if (const auto* view = std::get_if<scene::BufferView>(&each->object);
+                    view != nullptr && each->tag == name)
+                    return *view;
+        for (const scene::BufferIndex i : scene_.buffers.indices())
+            if (scene_.buffers[i].name == name) return scene::BufferView{i, false};
+        return std::nullopt;
+    }
+
+  private:
+    const scene::Scene& scene_;
+    const std::vector<scene::ObjectBinding>* objects_;
+};
+
+}  // namespace
+
+Result<std::vector<BlockUse>> blockUses(const scene::Scene& scene, const scene::Program& program,
+                                        scene::UniformSetIndex set, const ProgramInterface& interface) {
+    const BufferFinder finder(scene, set);
+    std::vector<BlockUse> uses;
+    Diagnostics errors;
+    // A tag whose value is a word that names nothing.
+    const auto isLost = [&](std::initializer_list<std::string_view> names) {
+        for (const glib::UniformSpec& each : program.uniforms) {
+            if (each.word.empty() || !each.values.empty() ||
+                std::find(names.begin(), names.end(), each.tag) == names.end())
+                continue;
+            const glib::Position at = each.valuePosition;
+            errors.push_back(unknownWord(scene, each.word, {scene.path, at.line, at.column}));
+            return true;
+        }
+        return false;
+    };
+    const auto addBlock = [&](BlockUse::Kind kind, std::size_t index, const std::string& name) {
+        const bool isStorage = kind == BlockUse::Kind::storage;
+        const glsl::MemoryBlock* declared = declarationOf(interface, name, isStorage);
+        const Place place = declared != nullptr ? declared->place : program.place;
+        std::optional<scene::BufferView> view = finder.find(name);
+        if (!view) view = finder.find(plainName(name));
+        if (!view && declared != nullptr && !declared->instance.empty() && !plainName(name).empty()) {
+            view = finder.find(declared->instance + name.substr(plainName(name).size()));
+            if (!view) view = finder.find(declared->instance);
+        }
+        if (!view && isStorage && declared != nullptr && !declared->members.empty())
+            view = finder.find(declared->members.back().name);
+        if (isLost({name, plainName(name), declared != nullptr ? std::string_view(declared->instance) : "",
+                    declared != nullptr && isStorage && !declared->members.empty()
+                        ? std::string_view(declared->members.back().name)
+                        : ""}))
+            return;
+        if (view) return uses.push_back({kind, index, *view, place});
+        if (isStorage)
+            errors.push_back(diagnose(
+                "memory-E02",
+                fmt::format("storage block '{}' of program '{}' has no buffer; write 'Buffer {} n' before "
+                            "the program, or give the tag '{}' a buffer{}",
+                            name, program.name, plainName(name), plainName(name),
+                            suggestedBuffer(scene, plainName(name))),
+                program.place));
+    };
+    for (std::size_t i = 0; i < interface.blocks.size(); ++i)
+        addBlock(BlockUse::Kind::uniform, i, interface.blocks[i].name);
+    for (std::size_t i = 0; i < interface.storageBlocks.size(); ++i)
+        addBlock(BlockUse::Kind::storage, i, interface.storageBlocks[i].name);
+    for (std::size_t i = 0; i < interface.counterBuffers.size(); ++i) {
+        const base::CounterBuffer& counters = interface.counterBuffers[i];
+        std::optional<scene::BufferView> view;
+        std::string from;  // the counter that has it
+        for (const std::string& each : counters.counters) {
+            const std::optional<scene::BufferView> own = finder.find(each);
+            if (own && view && *own != *view)
+                errors.push_back(diagnose(
+                    "memory-E14",
+                    fmt::format("atomic counters '{}' and '{}' of program '{}' have the same binding, "
+                                "so they lie in one buffer, but two are given, '{}' and '{}'; give "
+                                "each counter a binding of its own",
+                                from, each, program.name, scene.buffers[view->buffer].name,
+                                scene.buffers[own->buffer].name),
+                    program.place));
+            if (own && !view) {
+                view = own;
+                from = each;
+            }
+        }
+        const std::string name = counters.counters.empty() ? std::string() : counters.counters.front();
+        const auto declared = interface.facts.memory.counters.find(name);
+        const Place place =
+            declared != interface.facts.memory.counters.end() ? declared->second.place : program.place;
+        if (isLost({name})) continue;
+        if (view)
+            uses.push_back({BlockUse::Kind::counters, i, *view, place});
+        else
+            errors.push_back(diagnose("memory-E02",
+                                      fmt::format("atomic counter '{}' of program '{}' has no buffer; write "
+                                                  "'Buffer {} uint 1' before the program{}",
+                                                  name, program.name, name, suggestedBuffer(scene, name)),
+                                      program.place));
+    }
+    if (!errors.empty()) return errors;
+    return uses;
+}
+
+}  // namespace glibra::plan

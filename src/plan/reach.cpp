@@ -1,0 +1,220 @@
+#include "plan/reach.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+
+#include "glib/number.h"
+#include "plan/memory_pattern.h"
+#include "scene/texture_parts.h"
+
+namespace glibra::plan {
+namespace {
+
+std::string grouped(std::uint64_t count) {
+    return glib::groupedText(static_cast<long long>(count));
+}
+
+/// How many numbers the built-in variables of shaders count to in a draw or dispatch; 0: not known.
+struct Extent {
+    std::array<std::uint64_t, 3> groups{};
+    std::array<std::uint64_t, 3> invocations{};
+    std::uint64_t groupSize = 0;
+    std::uint64_t vertices = 0, instances = 0;
+    const scene::ObjectView* over = nullptr;
+
+    [[nodiscard]] std::uint64_t of(const std::string& number) const {
+        if (number == "gl_GlobalInvocationID.x") return invocations[0];
+        if (number == "gl_WorkGroupID.x") return groups[0];
+        if (number == "gl_LocalInvocationIndex") return groupSize;
+        if (number == "gl_VertexID") return vertices;
+        return number == "gl_InstanceID" ? instances : 0;
+    }
+};
+
+class ReachCheck {
+  public:
+    ReachCheck(const scene::Scene& scene, const FramePlan& plan, const BufferLayouts& layouts)
+        : scene_(scene), plan_(plan), layouts_(layouts) {}
+
+    Diagnostics run() && {
+        for (const PlannedDispatch& each : plan_.dispatches) {
+            const scene::Dispatch& dispatch = plan_.dispatchOf(each);
+            const Extent extent = extentOf(dispatch, plan_.programs[each.program]);
+            checkElements(plan_.programs[each.program], extent, "Dispatch", dispatch.place);
+            checkAxes(each, extent, dispatch);
+        }
+        for (const PlannedPass& pass : plan_.passes)
+            for (const auto& step : pass.steps)
+                if (const auto* planned = std::get_if<PlannedDraw>(&step)) {
+                    const scene::Draw& draw = plan_.drawOf(*planned);
+                    checkElements(plan_.programs[planned->program], extentOf(draw), draw.word, draw.place);
+                }
+        return std::move(diagnostics_);
+    }
+
+  private:
+    [[nodiscard]] Extent extentOf(const scene::Draw& draw) const {
+        Extent extent;
+        const scene::Shape& shape = scene_.shapes[draw.shape];
+        if (shape.bare && !draw.verticesFrom.buffer && !draw.indices.buffer && !shape.numbers.empty())
+            extent.vertices = static_cast<std::uint64_t>(std::max(0., shape.numbers.front()));
+        if (!draw.instancesFrom.buffer && draw.instances > 0)
+            extent.instances = static_cast<std::uint64_t>(draw.instances);
+        return extent;
+    }
+
+    [[nodiscard]] Extent extentOf(const scene::Dispatch& dispatch, const PlannedProgram& program) const {
+        Extent extent;
+        const std::array<int, 3>& local = program.interface->facts.localSize;
+        if (std::find(local.begin(), local.end(), 0) != local.end()) return extent;
+        extent.groupSize = 1;
+        for (const int each : local) extent.groupSize *= static_cast<std::uint64_t>(each);
+        if (const auto* counts = std::get_if<std::array<std::uint64_t, 3>>(&dispatch.groups))
+            extent.groups = *counts;
+        if (const auto* over = std::get_if<scene::Over>(&dispatch.groups)) {
+            extent.over = std::get_if<scene::ObjectView>(&over->what);
+            std::optional<std::array<std::uint64_t, 3>> size;
+            if (extent.over != nullptr)
+                size = sizeOf(*extent.over);
+            else
+                size = std::get<std::array<std::uint64_t, 3>>(over->what);
+            for (std::size_t axis = 0; size && axis < 3; ++axis) {
+                const auto side = static_cast<std::uint64_t>(local.at(axis));
+                extent.groups.at(axis) = (size->at(axis) + side - 1) / side;
+                // Those of the last group that are beyond the size are there for their group alone.
+                extent.invocations.at(axis) = size->at(axis);
+            }
+            return extent;
+        }
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            extent.invocations.at(axis) = extent.groups.at(axis) * static_cast<std::uint64_t>(local.at(axis));
+        return extent;
+    }
+
+    [[nodiscard]] std::optional<std::array<std::uint64_t, 3>> sizeOf(const scene::ObjectView& object) const {
+        if (const auto* buffer = std::get_if<scene::BufferView>(&object)) {
+            const BufferLayout* layout = layouts_.find(buffer->buffer);
+            if (layout == nullptr) return std::nullopt;
+            return std::array<std::uint64_t, 3>{std::max<std::uint64_t>(1, layout->elements), 1, 1};
+        }
+        return sizeOf(std::get<scene::TextureView>(object));
+    }
+
+    [[nodiscard]] std::optional<std::array<std::uint64_t, 3>> sizeOf(const scene::TextureView& view) const {
+        const scene::Texture& texture = scene_.textures[view.texture];
+        const auto size = scene::sizeOfLevel(texture, view.level.value_or(0));
+        if (!size) return std::nullopt;
+        const bool isRow = texture.target == scene::TextureTarget::texture1DArray;
+        const int layers = view.layer ? 1 : size->at(2);
+        const std::array<int, 3> sides =
+            isRow ? std::array{size->at(0), layers, 1} : std::array{size->at(0), size->at(1), layers};
+        std::array<std::uint64_t, 3> result{};
+        for (std::size_t i = 0; i < 3; ++i)
+            result.at(i) = static_cast<std::uint64_t>(std::max(1, sides.at(i)));
+        return result;
+    }
+
+    /// The storage block whose last member is that array, and its buffer.
+    [[nodiscard]] const BlockUse* useOf(const PlannedProgram& program, const std::string& array) const {
+        for (const BlockUse& use : program.blocks) {
+            if (use.kind != BlockUse::Kind::storage) continue;
+            const std::string& name = program.interface->storageBlocks.at(use.index).name;
+            const glsl::MemoryBlock* block = program.interface->facts.memory.block(name, true);
+            if (block != nullptr && !block->members.empty() && block->members.back().name == array)
+                return &use;
+        }
+        return nullptr;
+    }
+
+    void checkElements(const PlannedProgram& program, const Extent& extent, const std::string& word,
+                       const Place& place) {
+        for (const glsl::TranslatedStage& stage : program.interface->facts.stages)
+            for (const glsl::ElementSubscript& each : stage.subscripts) {
+                const BlockUse* use = useOf(program, each.array);
+                const BufferLayout* layout = use != nullptr ? layouts_.find(use->buffer.buffer) : nullptr;
+                if (layout == nullptr || !layout->pattern.isRuntimeSized()) continue;
+                const std::uint64_t wanted =
+                    each.number.empty() ? static_cast<std::uint64_t>(std::max(-1LL, each.constant) + 1)
+                                        : extent.of(each.number);
+                if (wanted <= layout->elements) continue;
+                const scene::Buffer& buffer = scene_.buffers[use->buffer.buffer];
+                const std::string subscript =
+                    each.number.empty() ? std::to_string(each.constant) : each.number;
+                const std::string way =
+                    each.number.empty()
+                        ? fmt::format("declare '{}' with {} elements or more", buffer.name, grouped(wanted))
+                    : word == "Dispatch"
+                        ? fmt::format("write 'over {}', compare with {}.length(), or declare {} elements",
+                                      buffer.name, each.array, grouped(wanted))
+                        : fmt::format("declare '{}' with {} elements", buffer.name, grouped(wanted));
+                report("memory-W05",
+                       fmt::format(
+                           "{}: {}[{}] (line {}) goes up to element {}, but buffer '{}' has {} {}; {}", word,
+                           each.array, subscript, each.place.line, grouped(wanted - 1), buffer.name,
+                           grouped(layout->elements), layout->elements == 1 ? "element" : "elements", way),
+                       place);
+            }
+    }
+
+    void checkAxes(const PlannedDispatch& planned, const Extent& extent, const scene::Dispatch& dispatch) {
+        const PlannedProgram& program = plan_.programs[planned.program];
+        const glsl::TranslatedProgram& facts = program.interface->facts;
+        constexpr const char* kAxes = "xyz";
+        for (const TextureUse& use : planned.textures) {
+            if (!use.isImage || !use.view.texture) continue;
+            const std::string& uniform = at(program.interface->uniforms, use.uniform).name;
+            const auto image = facts.memory.images.find(uniform);
+            if (image == facts.memory.images.end() || image->second.isReadonly) continue;
+            const auto size = sizeOf(use.view);
+            if (!size) continue;
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const std::uint64_t reached = extent.invocations.at(axis);
+                if (!facts.invocationAxes.at(axis) || extent.groups.at(axis) != 1 || reached == 0 ||
+                    reached >= size->at(axis) || !isWholeElsewhere(extent, *size, axis))
+                    continue;
+                const std::string& name = scene_.textures[use.view.texture].name;
+                return report(
+                    "memory-W06",
+                    fmt::format("Dispatch: there is one group along {}, so only {} of the {} texels of "
+                                "'{}' along {} are reached; write 'over {}' or the number of groups "
+                                "along {}",
+                                kAxes[axis], grouped(reached), grouped(size->at(axis)), name, kAxes[axis],
+                                name, kAxes[axis]),
+                    dispatch.place);
+            }
+        }
+    }
+
+    /// True if another axis is reached as far as the image goes, so that the axis is probably forgotten.
+    static bool isWholeElsewhere(const Extent& extent, const std::array<std::uint64_t, 3>& size,
+                                 std::size_t except) {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            if (axis != except && extent.invocations.at(axis) >= size.at(axis) && size.at(axis) > 1)
+                return true;
+        return false;
+    }
+
+    void report(const char* id, std::string text, const Place& place) {
+        const bool isKnown =
+            std::any_of(diagnostics_.begin(), diagnostics_.end(),
+                        [&](const Diagnostic& each) { return each.id == id && each.place == place; });
+        if (!isKnown) diagnostics_.push_back(diagnose(id, std::move(text), place));
+    }
+
+    const scene::Scene& scene_;
+    const FramePlan& plan_;
+    const BufferLayouts& layouts_;
+    Diagnostics diagnostics_;
+};
+
+}  // namespace
+
+Diagnostics reachProblems(const scene::Scene& scene, const FramePlan& plan, const BufferLayouts& layouts) {
+    return ReachCheck(scene, plan, layouts).run();
+}
+
+}  // namespace glibra::plan

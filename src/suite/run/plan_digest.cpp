@@ -1,0 +1,65 @@
+#include "suite/run/plan_digest.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <map>
+#include <system_error>
+
+#include "suite/golden/golden_store.h"
+#include "suite/golden/hash.h"
+#include "suite/options/option_words.h"
+#include "suite/run/read_inputs.h"
+
+namespace glibra::suite {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path suiteFolderOf(const Suite& suite) {
+    std::error_code failed;
+    if (fs::is_directory(suite.file, failed)) return suite.file;
+    return suite.file.has_parent_path() ? suite.file.parent_path() : fs::path(".");
+}
+
+std::string portablePathOf(const fs::path& folder, const fs::path& file) {
+    const fs::path base = fs::absolute(folder).lexically_normal();
+    return fs::absolute(file).lexically_normal().lexically_relative(base).generic_string();
+}
+
+std::string portableSettingsOf(const Shot& shot) {
+    Shot portable = shot;
+    portable.script.clear();
+    portable.options.libraryRoots.clear();
+    std::string text = fmt::format("{}\n{}\n{} {}\n{}\n{}\n{}\n{}", shot.name, optionArguments(portable),
+                                   shot.options.floatPixels, shot.golden, shot.match, shot.differ,
+                                   toText(shot.tolerance), shot.timeout);
+    if (shot.expectedError)
+        text += fmt::format("\n{}\n{}\n{}", shot.expectedError->id, shot.expectedError->text,
+                            shot.expectedError->line);
+    return text;
+}
+
+}  // namespace
+
+std::string planDigest(std::span<const Suite> suites, std::span<const ShotReference> undivided,
+                       const RunOptions& options) {
+    std::string text =
+        fmt::format("{} {} {} {} {} {}\n{} {}", options.skip, options.update, options.force, options.variant,
+                    options.allowOutside, options.sandbox != nullptr, options.timeout.value_or(-1),
+                    options.memory ? std::to_string(*options.memory) : "-");
+    for (const Suite& suite : suites) text += "\n" + suite.name;
+    std::map<fs::path, std::string> contents;
+    for (const ShotReference& each : undivided) {
+        const Suite& suite = suites[each.suite];
+        const Shot& shot = suite.shots[each.shot];
+        const auto [known, isNew] = contents.try_emplace(shot.script);
+        if (isNew) known->second = contentOf(shot.script);
+        text +=
+            fmt::format("\n\n{}\n{}\n{}\n{}", suite.name, portablePathOf(suiteFolderOf(suite), shot.script),
+                        known->second, portableSettingsOf(shot));
+    }
+    return toText(hashOf(std::as_bytes(std::span(text))));
+}
+
+}  // namespace glibra::suite

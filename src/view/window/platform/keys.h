@@ -1,0 +1,40 @@
+#pragma once
+// The keyboard, mouse and text of a frame for Dear ImGui, with keys by their GLFW codes. Dear ImGui has
+// changed how keys are given and asked for (1.87); no other file of the window knows that Debian 12 has 1.86
+// and Debian 13 has 1.91.
+
+#include <memory>
+#include <span>
+
+#include "view/window/platform/input_queue.h"
+#include "view/window/platform/input_script.h"
+
+namespace glibra::view {
+
+/// The input of a frame as ImGui gets it and as it is recorded. `way` stays empty.
+FrameInput inputOf(const InputQueue& queue, const InputQueue::Frame& frame);
+
+/// Gives ImGui the input of its next frame; call it before ImGui::NewFrame() and after the backend's.
+void giveToImGui(const FrameInput& input);
+
+/// True if the key is pressed in this frame, or, if `repeats`, held so long that it is pressed again.
+bool isKeyPressed(int key, bool repeats = true);
+
+/// Call it before ImGui::NewFrame(): outside of text fields, Tab does not move ImGui's keyboard focus in that
+/// frame.
+void keepTabFromFocus();
+
+/// While it lives, the widgets of this frame see these keys as not pressed.
+class HiddenKeys {
+  public:
+    explicit HiddenKeys(std::span<const int> keys);
+    HiddenKeys(const HiddenKeys&) = delete;
+    HiddenKeys& operator=(const HiddenKeys&) = delete;
+    ~HiddenKeys();
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace glibra::view

@@ -1,0 +1,167 @@
+// What becomes of pieces of work whose graphics device is reset: by themselves, by another piece, by another
+// program.
+
+#include "base/device_lost.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+
+#include "base/workers.h"
+
+namespace glibra::base {
+namespace {
+
+namespace fs = std::filesystem;
+using End = Outcome::End;
+
+/// A device that all processes see as a file; each reset adds a byte.
+class Device {
+  public:
+    Device() : file_(fs::temp_directory_path() / ("device-" + std::to_string(::getpid()))) { reset(); }
+    Device(const Device&) = delete;
+    Device& operator=(const Device&) = delete;
+    ~Device() { fs::remove(file_); }
+    void reset() const { std::ofstream(file_, std::ios::app) << 'x'; }
+    [[nodiscard]] std::uintmax_t resets() const { return fs::file_size(file_); }
+
+  private:
+    fs::path file_;
+};
+
+DeviceLost lostBy(ResetCause cause) {
+    DeviceLost lost;
+    lost.cause = cause;
+    lost.place = {"a scene.glib", 3, 1};
+    lost.lastLine = 7;
+    return lost;
+}
+
+struct Ends {
+    std::map<std::size_t, Outcome> outcomes;
+    std::map<std::size_t, int> repeated;
+};
+
+Ends runAllOf(std::size_t count, WorkerOptions options, const Work& work) {
+    Ends ends;
+    options.repeated = [&](std::size_t index, const Outcome&) { ++ends.repeated[index]; };
+    runInWorkers(
+        count, options, work,
+        [&](std::size_t index, const Outcome& outcome) { ends.outcomes[index] = outcome; },
+        [](std::size_t, const std::string&) {});
+    return ends;
+}
+
+TEST(DeviceLostText, IsReadBackAsItWasWritten) {
+    for (const ResetCause cause : {ResetCause::own, ResetCause::other, ResetCause::unknown}) {
+        const auto read = parseDeviceLost(toText(lostBy(cause)));
+        ASSERT_TRUE(read);
+        EXPECT_EQ(read->cause, cause);
+        EXPECT_EQ(read->place, (Place{"a scene.glib", 3, 1}));
+        EXPECT_EQ(read->lastLine, 7);
+    }
+    for (const char* wrong : {"", "1", "1 2 3", "7 1 1 1 a.glib", "-1 1 1 1 a.glib", "x 1 1 1 a.glib"})
+        EXPECT_FALSE(parseDeviceLost(wrong)) << wrong;
+}
+
+TEST(DeviceLostText, NamesTheSceneOnlyIfItIsToBlame) {
+    EXPECT_EQ(diagnosticOf(lostBy(ResetCause::own), "b.glib").id, "gpu-E06");
+    EXPECT_EQ(diagnosticOf(lostBy(ResetCause::unknown), "b.glib").id, "gpu-E06");
+    EXPECT_EQ(diagnosticOf(lostBy(ResetCause::other), "b.glib").id, "gpu-E07");
+    EXPECT_EQ(diagnosticOf({}, "b.glib").place.file, "b.glib");
+    EXPECT_EQ(diagnosticOf(lostBy(ResetCause::own), "b.glib").place.line, 3);
+}
+
+/// Piece 2 resets the device; every process that works with it then is lost.
+class LostPieces : public testing::TestWithParam<std::tuple<int, ResetCause>> {};
+
+TEST_P(LostPieces, ThePieceThatResetsTheDeviceIsToBlameAndAllOthersAreDone) {
+    const auto [workers, told] = GetParam();
+    const Device device;
+    // Every worker opens the device with its first piece.
+    std::uintmax_t opened = 0;
+    const auto work = [&, told = told](std::size_t index, const Step&) mutable {
+        if (opened == 0) opened = device.resets();
+        if (index == 2) {
+            ::usleep(30'000);
+            device.reset();
+            throw lostBy(told);
+        }
+        ::usleep(60'000);
+        if (device.resets() != opened) throw lostBy(told == ResetCause::own ? ResetCause::other : told);
+        return std::to_string(index);
+    };
+    const Ends ends = runAllOf(8, {.workers = workers, .sharesDevice = true}, work);
+    ASSERT_EQ(ends.outcomes.size(), 8U);
+    for (const auto& [index, outcome] : ends.outcomes) {
+        EXPECT_EQ(outcome.end, index == 2 ? End::deviceLost : End::finished) << index;
+        if (index != 2) EXPECT_EQ(outcome.answer, std::to_string(index));
+    }
+    EXPECT_EQ(ends.outcomes.at(2).lost.place.line, 3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Workers, LostPieces,
+                         testing::Combine(testing::Values(1, 2, 4),
+                                          testing::Values(ResetCause::own, ResetCause::unknown)));
+
+TEST(LostDevice, APieceIsGivenUpWhenOtherProgramsGoOnResettingTheDevice) {
+    const Ends ends = runAllOf(2, {.workers = 2}, [](std::size_t index, const Step&) -> std::string {
+        if (index == 1) throw lostBy(ResetCause::other);
+        return "good";
+    });
+    EXPECT_EQ(ends.outcomes.at(0).end, End::finished);
+    EXPECT_EQ(ends.outcomes.at(1).end, End::deviceLost);
+    EXPECT_EQ(ends.repeated.at(1), 3);
+}
+
+TEST(LostDevice, APieceThatIsLateBesideOthersOnASharedDeviceIsDoneAgainAlone) {
+    for (const bool shares : {false, true}) {
+        // The first time another piece holds the device; alone it is quick.
+        const Device device;
+        const auto work = [&](std::size_t index, const Step&) -> std::string {
+            if (index == 1 && device.resets() == 1) {
+                device.reset();
+                ::sleep(10);
+            }
+            ::usleep(100'000);
+            return "good";
+        };
+        const Ends ends = runAllOf(2, {.workers = 2, .timeout = .5, .sharesDevice = shares}, work);
+        EXPECT_EQ(ends.outcomes.at(0).end, End::finished);
+        EXPECT_EQ(ends.outcomes.at(1).end, shares ? End::finished : End::timedOut);
+    }
+    const Ends ends = runAllOf(1, {.timeout = .2, .sharesDevice = true},
+                               [](std::size_t, const Step&) -> std::string { return ::sleep(10), "late"; });
+    EXPECT_EQ(ends.outcomes.at(0).end, End::timedOut) << "it was alone, so nobody else is to blame";
+    EXPECT_TRUE(ends.repeated.empty());
+}
+
+TEST(LostDevice, TheTimeForWhichAnotherPieceHoldsTheDeviceIsNotCounted) {
+    for (const bool shares : {false, true}) {
+        const auto work = [](std::size_t index, const Step&) -> std::string {
+            ::usleep(index == 0 ? 400'000 : 750'000);
+            if (index == 0) throw lostBy(ResetCause::own);
+            return "good";
+        };
+        const Ends ends =
+            runAllOf(2, {.workers = 2, .timeout = .6, .sharesDevice = shares, .repeats = false}, work);
+        EXPECT_EQ(ends.outcomes.at(0).end, End::deviceLost);
+        EXPECT_EQ(ends.outcomes.at(1).end, shares ? End::finished : End::timedOut);
+    }
+}
+
+TEST(LostDevice, AWorkerThatSaysNonsenseOfADeviceIsOneThatCrashed) {
+    const Ends ends = runAllOf(1, {}, [](std::size_t, const Step&) -> std::string {
+        DeviceLost lost;
+        lost.cause = static_cast<ResetCause>(9);
+        throw lost;
+    });
+    EXPECT_EQ(ends.outcomes.at(0).end, End::crashed);
+}
+
+}  // namespace
+}  // namespace glibra::base

@@ -1,0 +1,153 @@
+// What stages reach: vertices of patches, emitted vertices, axes of invocations, elements of buffers; and
+// what they read before it has a value.
+
+#include <gtest/gtest.h>
+
+#include "support.h"
+
+namespace glibra::glsl::test {
+namespace {
+
+TranslatedProgram patches(const std::string& control, int vertices = 4) {
+    return translateStages(
+        {{Stage::vertex, kPlainVertex},
+         {Stage::tessControl, "#version 410\nlayout(vertices = " + std::to_string(vertices) +
+                                  ") out;\nin vec3 vColor[];\nvoid main() {\n" + control + "\n}\n"},
+         {Stage::tessEvaluation,
+          "#version 410\nlayout(quads) in;\nvoid main() { gl_Position = vec4(0.); }\n"},
+         {Stage::fragment, kPlainFragment}});
+}
+
+TEST(Patches, AreReadUpToTheGreatestSubscript) {
+    const std::string own = "gl_out[gl_InvocationID].gl_Position = gl_in[gl_InvocationID].gl_Position;";
+    EXPECT_EQ(patches(own).patchVerticesRead, 4);
+    EXPECT_EQ(patches(own, 3).patchVerticesRead, 3);
+    EXPECT_EQ(patches("gl_out[gl_InvocationID].gl_Position = gl_in[5].gl_Position;").patchVerticesRead, 6);
+    EXPECT_EQ(patches("gl_out[gl_InvocationID].gl_Position = vec4(vColor[2], 1.);").patchVerticesRead, 3);
+    EXPECT_EQ(patches("if (gl_InvocationID == 0) gl_TessLevelInner[0] = 2.;\n" + own).patchVerticesRead, 4)
+        << "picks an invocation, but limits nothing";
+    EXPECT_EQ(patches("if (gl_InvocationID < 3) " + own).patchVerticesRead, 0);
+    EXPECT_EQ(patches("if (gl_InvocationID < gl_PatchVerticesIn) " + own).patchVerticesRead, 0);
+    EXPECT_EQ(patches("gl_out[gl_InvocationID].gl_Position = gl_in[0].gl_Position;").patchVerticesRead, 1);
+}
+
+/// The vertices that a geometry stage surely emits.
+double emitted(const std::string& body, const std::string& functions = "") {
+    const TranslatedProgram translated =
+        translateStages({{Stage::vertex, kPlainVertex},
+                         {Stage::geometry,
+                          "#version 330\nlayout(triangles) in;\nlayout(triangle_strip, max_vertices = 4) "
+                          "out;\nuniform int uN;\n" +
+                              functions + "void main() {\n" + body + "\n}\n"},
+                         {Stage::fragment, kPlainFragment}});
+    EXPECT_EQ(translated.maxVertices, 4);
+    EXPECT_EQ(translated.maxVerticesPlace.line, 3);
+    const TranslatedStage& stage = translated.stages.at(1);
+    double all = stage.emits;
+    for (const CountedLoop& each : stage.loops)
+        all += emittedBy(
+            each, [](std::string_view name) { return name == "uN" ? std::optional(10.) : std::nullopt; });
+    return all;
+}
+
+TEST(Emission, CountsWhatIsSure) {
+    EXPECT_EQ(emitted("EmitVertex(); EmitVertex(); EndPrimitive();"), 2);
+    EXPECT_EQ(emitted("for (int i = 0; i < 5; ++i) { gl_Position = vec4(i); EmitVertex(); }"), 5);
+    EXPECT_EQ(emitted("for (int i = 0; i < 3; ++i) for (int k = 0; k <= 1; ++k) EmitVertex();"), 6);
+    EXPECT_EQ(emitted("for (int i = 0; i < uN; ++i) EmitVertex();"), 10);
+    EXPECT_EQ(emitted("corner(); corner(); EmitVertex();", "void corner() { EmitVertex(); }\n"), 3);
+    EXPECT_EQ(emitted("EmitVertex(); int i = 0; do { EmitVertex(); i++; } while (i < 4);"), 5);
+    EXPECT_EQ(emitted("float x = uN > 1 ? 1. : 2.; gl_Position = vec4(x); EmitVertex();"), 1);
+}
+TEST(Emission, LeavesOutWhatDepends) {
+    EXPECT_EQ(emitted("if (uN > 3) { EmitVertex(); } else EmitVertex(); EmitVertex();"), 1);
+    EXPECT_EQ(emitted("for (int i = 0; i < 9; ++i) { if (i > uN) break; EmitVertex(); }"), 0);
+    EXPECT_EQ(emitted("if (uN > 1) for (int i = 0; i < 9; ++i) EmitVertex();"), 0);
+    EXPECT_EQ(emitted("for (int i = 0; i < 9; ++i) { if (i == 2) EmitVertex(); EmitVertex(); }"), 9);
+    EXPECT_EQ(emitted("for (int i = 0; i < int(gl_in[0].gl_Position.x); ++i) for (int k = 0; k < 9; ++k) "
+                      "EmitVertex();"),
+              0);
+}
+
+TranslatedProgram compute(const std::string& body) {
+    return translateSingle(Stage::compute,
+                           "#version 430\nlayout(local_size_x = 4) in;\nlayout(std430) buffer Data { uint "
+                           "count; float data[]; };\nlayout(std430) buffer More { float all[]; } more;\nvoid "
+                           "main() {\n" +
+                               body + "\n}\n");
+}
+
+std::string subscripts(const std::string& body) {
+    std::string found;
+    for (const ElementSubscript& each : compute(body).stages.at(0).subscripts)
+        found += (found.empty() ? "" : " ") + each.array + ":" +
+                 (each.number.empty() ? std::to_string(each.constant) : each.number);
+    return found;
+}
+
+TEST(Subscripts, AreNumbersOfInvocationsAndConstants) {
+    EXPECT_EQ(subscripts("data[gl_GlobalInvocationID.x] = 1.;"), "data:gl_GlobalInvocationID.x");
+    EXPECT_EQ(subscripts("uint i = gl_GlobalInvocationID.x; data[i] = more.all[i];"),
+              "data:gl_GlobalInvocationID.x all:gl_GlobalInvocationID.x");
+    EXPECT_EQ(subscripts("int i = int(gl_GlobalInvocationID.x); data[i] = more.all[7];"),
+              "data:gl_GlobalInvocationID.x all:7");
+    EXPECT_EQ(subscripts("data[gl_LocalInvocationIndex] = 1.;"), "data:gl_LocalInvocationIndex");
+}
+TEST(Subscripts, ThatAreLimitedAreNotKnown) {
+    EXPECT_EQ(subscripts("uint i = gl_GlobalInvocationID.x; if (i >= count) return; data[i] = 1.;"), "");
+    EXPECT_EQ(subscripts("uint i = gl_GlobalInvocationID.x; if (i < data.length()) data[i] = 1.;"), "");
+    EXPECT_EQ(subscripts("if (gl_GlobalInvocationID.x > 5u) return; data[gl_GlobalInvocationID.x] = 1.;"),
+              "");
+    EXPECT_EQ(subscripts("uint i = gl_GlobalInvocationID.x; i = min(i, 3u); data[i] = 1.;"), "");
+    EXPECT_EQ(subscripts("data[gl_GlobalInvocationID.x % 4u] = 1.;"), "");
+    EXPECT_EQ(subscripts("data[gl_GlobalInvocationID.x + 1u] = 1.;"), "");
+}
+
+TEST(InvocationAxes, AreThoseOfTheComponentsThatAreRead) {
+    using Axes = std::array<bool, 3>;
+    EXPECT_EQ(compute("data[gl_GlobalInvocationID.x] = 1.;").invocationAxes, (Axes{true, false, false}));
+    EXPECT_EQ(compute("ivec2 p = ivec2(gl_GlobalInvocationID.xy);").invocationAxes,
+              (Axes{true, true, false}));
+    EXPECT_EQ(compute("uint z = gl_WorkGroupID.z;").invocationAxes, (Axes{false, false, true}));
+    EXPECT_EQ(compute("uvec3 p = gl_GlobalInvocationID;").invocationAxes, (Axes{true, true, true}));
+    EXPECT_EQ(compute("uint l = gl_LocalInvocationID.y;").invocationAxes, (Axes{}));
+}
+
+/// The names of glsl-W31, with the lines of the body.
+std::string unassigned(const std::string& body, const std::string& functions = "") {
+    std::string found;
+    for (const Diagnostic& each :
+         translateSingle(Stage::fragment, functions + "out vec4 fColor;\nvoid main() {\n" + body + "\n}\n")
+             .diagnostics)
+        if (each.id == "glsl-W31") found += each.text.substr(0, each.text.find(" is"));
+    return found;
+}
+
+TEST(FirstReads, AreReported) {
+    EXPECT_EQ(unassigned("float a; fColor = vec4(a);"), "'a'");
+    EXPECT_EQ(unassigned("vec3 a, b; b = vec3(1.); fColor = vec4(a + b, 1.);"), "'a'");
+    EXPECT_EQ(unassigned("float sum; for (int i = 0; i < 4; ++i) sum += float(i); fColor = vec4(sum);"),
+              "'sum'");
+    EXPECT_EQ(unassigned("int n; n++; fColor = vec4(n);"), "'n'");
+    EXPECT_EQ(unassigned("float a; float b = sin(a); fColor = vec4(b);"), "'a'");
+}
+TEST(FirstReads, AreNoAssignments) {
+    EXPECT_EQ(unassigned("float a; a = 1.; fColor = vec4(a);"), "");
+    EXPECT_EQ(unassigned("vec4 a; a.x = 1.; a.yzw = vec3(0.); fColor = a;"), "");
+    EXPECT_EQ(unassigned("float a; if (gl_FragCoord.x > 1.) a = 1.; else a = 2.; fColor = vec4(a);"), "");
+    EXPECT_EQ(unassigned("float a[3]; a[0] = 1.; fColor = vec4(a[0]);"), "");
+    EXPECT_EQ(unassigned("float whole; float rest = modf(gl_FragCoord.x, whole); fColor = vec4(rest);"), "");
+    EXPECT_EQ(unassigned("float a; set(a); fColor = vec4(a);", "void set(out float x) { x = 1.; }\n"), "");
+    EXPECT_EQ(unassigned("{ float a; a = 1.; } float a = 3.; fColor = vec4(a);"), "");
+    EXPECT_EQ(unassigned("int i; for (i = 0; i < 3; ++i) {} fColor = vec4(i);"), "");
+    EXPECT_EQ(unassigned("mat2 m; m[0] = vec2(1.); m[1] = vec2(0.); fColor = vec4(m[0], m[1]);"), "");
+}
+
+TEST(FirstLine, IsThatOfTheTextAfterBlankLines) {
+    const TranslatedProgram translated = translateSingle(
+        Stage::fragment, "\n\n\n\n#version 330\nout vec4 c;\nvoid main() { c = gl_Color; }\n");
+    EXPECT_EQ(translated.stages.at(0).firstLine, 5);
+}
+
+}  // namespace
+}  // namespace glibra::glsl::test

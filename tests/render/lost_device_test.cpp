@@ -1,0 +1,44 @@
+#include <glad/gl.h>
+#include <glibra/render.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "gpu/context/debug.h"
+#include "gpu/context/reset.h"
+#include "scene_text.h"
+
+namespace glibra::render {
+namespace {
+
+using test::has;
+
+GLenum told = GL_NO_ERROR;
+GLenum tell() {
+    return told;
+}
+
+TEST(LostDevice, TheLibraryReportsItAndOpensAnotherContext) {
+    const std::filesystem::path scene = std::filesystem::path(GLIBRA_SOURCE_DIR) / "glib/start/teapot.glib";
+    Result<Renderer> renderer = Renderer::open();
+    ASSERT_TRUE(renderer);
+    const Result<Picture> before = renderer->render(scene);
+    ASSERT_TRUE(before);
+    for (const GLenum status : {GL_GUILTY_CONTEXT_RESET, GL_INNOCENT_CONTEXT_RESET}) {
+        gpu::DebugLog log;
+        glad_glGetGraphicsResetStatus = tell;
+        gpu::watchDevice(log);
+        told = status;
+        const Result<Picture> lost = renderer->render(scene);
+        EXPECT_FALSE(lost);
+        EXPECT_TRUE(has(lost.diagnostics, status == GL_GUILTY_CONTEXT_RESET ? "gpu-E06" : "gpu-E07"))
+            << test::text(lost.diagnostics);
+        told = GL_NO_ERROR;
+        const Result<Picture> again = renderer->render(scene);
+        ASSERT_TRUE(again) << test::text(again.diagnostics);
+        EXPECT_TRUE(test::isSame(*before, *again));
+    }
+}
+
+}  // namespace
+}  // namespace glibra::render
