@@ -16,48 +16,48 @@ namespace glibra::glsl::test {
 namespace {
 
 /// How a shader uses a word: in which stage, with which declaration and statement. `r` is a vec4.
-struct Use {
+struct WordUse {
     Stage stage = Stage::fragment;
     std::string declaration;
     std::string statement;
 };
 
-bool starts(std::string_view text, std::string_view part) {
+bool startsWith(std::string_view text, std::string_view part) {
     return text.substr(0, part.size()) == part;
 }
-bool contains(std::string_view text, std::string_view part) {
+bool hasPart(std::string_view text, std::string_view part) {
     return text.find(part) != std::string_view::npos;
 }
 
-std::string vector(int size, const std::string& prefix, const std::string& scalar) {
+std::string vectorWord(int size, const std::string& prefix, const std::string& scalar) {
     return size == 1 ? scalar : prefix + "vec" + std::to_string(size);
 }
-std::string floats(int size) {
-    return vector(size, "", "float") + "(.5)";
+std::string floatsOf(int size) {
+    return vectorWord(size, "", "float") + "(.5)";
 }
-std::string ints(int size) {
-    return vector(size, "i", "int") + "(1)";
+std::string intsOf(int size) {
+    return vectorWord(size, "i", "int") + "(1)";
 }
 
 /// What a texture function of GLSL 1.x takes, by its name (EXT_gpu_shader4, 8.7).
-struct Dimension {
+struct TextureDimension {
     std::string_view name;
     int coordinates, derivatives, shadow;
 };
-constexpr Dimension kDimensions[] = {{"2DRect", 2, 2, 3}, {"1DArray", 2, 1, 3}, {"2DArray", 3, 2, 4},
-                                     {"Buffer", 1, 1, 0}, {"Cube", 3, 3, 4},    {"1D", 1, 1, 3},
-                                     {"2D", 2, 2, 3},     {"3D", 3, 3, 0}};
+constexpr TextureDimension kTextureDimensions[] = {
+    {"2DRect", 2, 2, 3}, {"1DArray", 2, 1, 3}, {"2DArray", 3, 2, 4}, {"Buffer", 1, 1, 0},
+    {"Cube", 3, 3, 4},   {"1D", 1, 1, 3},      {"2D", 2, 2, 3},      {"3D", 3, 3, 0}};
 
-std::optional<Use> textureUse(std::string_view word) {
+std::optional<WordUse> textureUse(std::string_view word) {
     std::string_view rest = word;
     std::string_view kind;
     for (const std::string_view each : {"textureSize", "texelFetch", "texture", "shadow"})
-        if (kind.empty() && starts(rest, each)) kind = each;
+        if (kind.empty() && startsWith(rest, each)) kind = each;
     if (kind.empty()) return std::nullopt;
     rest.remove_prefix(kind.size());
-    const Dimension* dimension = nullptr;
-    for (const Dimension& each : kDimensions)
-        if (dimension == nullptr && starts(rest, each.name)) dimension = &each;
+    const TextureDimension* dimension = nullptr;
+    for (const TextureDimension& each : kTextureDimensions)
+        if (dimension == nullptr && startsWith(rest, each.name)) dimension = &each;
     if (dimension == nullptr) return std::nullopt;
     rest.remove_prefix(dimension->name.size());
     const bool isShadow = kind == "shadow", isRect = dimension->name == "2DRect";
@@ -69,47 +69,47 @@ std::optional<Use> textureUse(std::string_view word) {
     if (kind == "textureSize") {
         if (dimension->name != "Buffer") call += ", 0";
         const bool isScalar = dimension->name == "Buffer" || dimension->name == "1D";
-        return Use{Stage::fragment, "uniform " + sampler + " " + name + ";",
-                   "r.x += float(" + call + ")" + (isScalar ? "" : ".x") + ");"};
+        return WordUse{Stage::fragment, "uniform " + sampler + " " + name + ";",
+                       "r.x += float(" + call + ")" + (isScalar ? "" : ".x") + ");"};
     }
     const std::string offset =
         dimension->derivatives == 1 ? "2" : "ivec" + std::to_string(dimension->derivatives) + "(2)";
     if (kind == "texelFetch") {
-        call += ", " + ints(dimension->coordinates);
+        call += ", " + intsOf(dimension->coordinates);
         if (!isRect && dimension->name != "Buffer") call += ", 0";
     } else if (isShadow) {
-        call += ", " + floats(contains(rest, "Proj") ? 4 : dimension->shadow);
+        call += ", " + floatsOf(hasPart(rest, "Proj") ? 4 : dimension->shadow);
     } else {
-        call += ", " + floats(dimension->coordinates + (contains(rest, "Proj") ? 1 : 0));
+        call += ", " + floatsOf(dimension->coordinates + (hasPart(rest, "Proj") ? 1 : 0));
     }
-    if (contains(rest, "Lod")) call += ", 1.";
-    for (int i = 0; i < 2 && contains(rest, "Grad"); ++i) call += ", " + floats(dimension->derivatives);
-    if (contains(rest, "Offset")) call += ", " + offset;
-    return Use{Stage::fragment, "uniform " + sampler + " " + name + ";", "r += vec4(" + call + "));"};
+    if (hasPart(rest, "Lod")) call += ", 1.";
+    for (int i = 0; i < 2 && hasPart(rest, "Grad"); ++i) call += ", " + floatsOf(dimension->derivatives);
+    if (hasPart(rest, "Offset")) call += ", " + offset;
+    return WordUse{Stage::fragment, "uniform " + sampler + " " + name + ";", "r += vec4(" + call + "));"};
 }
 
 /// Types, constants and formats of images.
-std::optional<Use> typeUse(const std::string& word) {
-    if (contains(word, "sampler")) return Use{Stage::fragment, "uniform " + word + " t" + word + ";", ""};
-    const std::string bare = starts(word, "i") && !starts(word, "image") ? word.substr(1)
-                             : starts(word, "u")                         ? word.substr(1)
-                                                                         : word;
+std::optional<WordUse> typeUse(const std::string& word) {
+    if (hasPart(word, "sampler")) return WordUse{Stage::fragment, "uniform " + word + " t" + word + ";", ""};
+    const std::string bare = startsWith(word, "i") && !startsWith(word, "image") ? word.substr(1)
+                             : startsWith(word, "u")                             ? word.substr(1)
+                                                                                 : word;
     const std::string number = "8" + std::string(word == bare ? "" : word.substr(0, 1) == "i" ? "i" : "ui");
-    if (starts(bare, "image") && bare.size() > 5 &&
+    if (startsWith(bare, "image") && bare.size() > 5 &&
         (bare[5] == '1' || bare[5] == '2' || bare[5] == '3' || bare == "imageCube" || bare == "imageBuffer" ||
          bare == "imageCubeArray"))
-        return Use{Stage::fragment, "layout(rgba" + number + ") uniform " + word + " t" + word + ";", ""};
-    if (starts(word, "gl_Max")) return Use{Stage::fragment, "", "r.x += float(" + word + ");"};
-    const bool isMatrix = contains(word, "mat") && word.size() <= 7 && word != "format";
-    const bool isVector = contains(word, "vec") && word.size() <= 7;
+        return WordUse{Stage::fragment, "layout(rgba" + number + ") uniform " + word + " t" + word + ";", ""};
+    if (startsWith(word, "gl_Max")) return WordUse{Stage::fragment, "", "r.x += float(" + word + ");"};
+    const bool isMatrix = hasPart(word, "mat") && word.size() <= 7 && word != "format";
+    const bool isVector = hasPart(word, "vec") && word.size() <= 7;
     if (isMatrix || isVector || word == "double" || word.ends_with("2_t") || word == "float64_t")
-        return Use{Stage::fragment, "",
-                   "{ " + word + " v = " + word + "(1" + (starts(word, "u") ? "u" : "") +
-                       "); r.x += float(v" +
-                       (isMatrix   ? "[0][0]"
-                        : isVector ? "[0]"
-                                   : "") +
-                       "); }"};
+        return WordUse{Stage::fragment, "",
+                       "{ " + word + " v = " + word + "(1" + (startsWith(word, "u") ? "u" : "") +
+                           "); r.x += float(v" +
+                           (isMatrix   ? "[0][0]"
+                            : isVector ? "[0]"
+                                       : "") +
+                           "); }"};
     static const std::set<std::string, std::less<>> kFormats = [] {
         std::set<std::string, std::less<>> all;
         for (const char* const channels : {"r", "rg", "rgba"})
@@ -121,16 +121,17 @@ std::optional<Use> typeUse(const std::string& word) {
     }();
     if (kFormats.contains(word)) {
         const std::string kind = word.ends_with("ui") ? "u" : word.ends_with("i") ? "i" : "";
-        return Use{Stage::fragment, "layout(" + word + ") uniform " + kind + "image2D f" + word + ";", ""};
+        return WordUse{Stage::fragment, "layout(" + word + ") uniform " + kind + "image2D f" + word + ";",
+                       ""};
     }
     return std::nullopt;
 }
 
-const std::map<std::string, Use>& otherUses() {
+const std::map<std::string, WordUse>& otherUses() {
     constexpr Stage v = Stage::vertex, f = Stage::fragment, g = Stage::geometry, c = Stage::tessControl,
                     e = Stage::tessEvaluation, k = Stage::compute;
-    static const std::map<std::string, Use> kUses = [] {
-        std::map<std::string, Use> all = {
+    static const std::map<std::string, WordUse> kUses = [] {
+        std::map<std::string, WordUse> all = {
             {"gl_InstanceIDARB", {v, "", "r.x += float(gl_InstanceIDARB);"}},
             {"gl_InstanceIDEXT", {v, "", "r.x += float(gl_InstanceIDEXT);"}},
             {"gl_InstanceIDNV", {v, "", "r.x += float(gl_InstanceIDNV);"}},
@@ -341,14 +342,14 @@ const std::map<std::string, Use>& otherUses() {
     return kUses;
 }
 
-std::optional<Use> useOf(const std::string& word) {
+std::optional<WordUse> useOf(const std::string& word) {
     if (const auto found = otherUses().find(word); found != otherUses().end()) return found->second;
     if (auto use = textureUse(word)) return use;
     return typeUse(word);
 }
 
 /// The version whose shaders the extension was written for.
-std::string versionOf(std::string_view name) {
+std::string dialectOf(std::string_view name) {
     const auto isIn = [&](std::string_view list) {
         return (" " + std::string(list) + " ").find(" " + std::string(name.substr(3)) + " ") !=
                std::string::npos;
@@ -364,7 +365,7 @@ std::string versionOf(std::string_view name) {
              "EXT_shader_non_constant_global_initializers NV_shader_noperspective_interpolation "
              "APPLE_clip_distance"))
         return "300 es";
-    if (starts(name, "GL_OES") || starts(name, "GL_ANDROID") ||
+    if (startsWith(name, "GL_OES") || startsWith(name, "GL_ANDROID") ||
         isIn("EXT_geometry_shader EXT_geometry_point_size EXT_gpu_shader5 EXT_shader_implicit_conversions "
              "EXT_shader_io_blocks EXT_shader_texture_samples EXT_tessellation_point_size "
              "EXT_tessellation_shader "
@@ -372,7 +373,7 @@ std::string versionOf(std::string_view name) {
              "NV_image_formats "
              "NV_viewport_array"))
         return "310 es";
-    if (starts(name, "GL_ARB_geometry_shader4") || starts(name, "GL_EXT_geometry_shader4") ||
+    if (startsWith(name, "GL_ARB_geometry_shader4") || startsWith(name, "GL_EXT_geometry_shader4") ||
         isIn("EXT_gpu_shader4 EXT_texture_array ARB_shader_texture_lod ATI_shader_texture_lod "
              "ARB_draw_buffers "
              "ATI_draw_buffers ARB_draw_instanced EXT_texture_rectangle ARB_texture_rectangle "
@@ -383,14 +384,14 @@ std::string versionOf(std::string_view name) {
     return "150";
 }
 
-struct Parts {
+struct ShaderParts {
     std::set<std::string> declarations;
     std::string statements;
 };
 
 /// A shader of the stage that requires the extension and uses what `parts` has.
-std::string shader(const std::string& extension, const std::string& version, Stage stage,
-                   const Parts& parts) {
+std::string extensionShader(const std::string& extension, const std::string& version, Stage stage,
+                            const ShaderParts& parts) {
     std::string text = "#version " + (stage == Stage::compute ? std::string("420") : version) +
                        "\n#extension " + extension + " : require\n#ifndef " + extension +
                        "\n#error not defined\n#endif\n";
@@ -412,7 +413,7 @@ std::string shader(const std::string& extension, const std::string& version, Sta
             break;
     }
     for (const std::string& each : parts.declarations) text += each + "\n";
-    const bool hasData = contains(parts.statements, "gl_FragData");
+    const bool hasData = hasPart(parts.statements, "gl_FragData");
     std::string end = "gl_Position = r;";
     if (stage == Stage::fragment) {
         if (!isOld) text += "out vec4 fColor;\n";
@@ -424,7 +425,7 @@ std::string shader(const std::string& extension, const std::string& version, Sta
 }
 
 /// The stage with those that it cannot be without.
-Stages around(Stage stage, const std::string& version, const std::string& text) {
+Stages withOtherStages(Stage stage, const std::string& version, const std::string& text) {
     const std::string head = "#version " + version + "\nvoid main() { ";
     Stages stages;
     if (stage == Stage::geometry || stage == Stage::tessControl || stage == Stage::tessEvaluation)
@@ -437,7 +438,7 @@ Stages around(Stage stage, const std::string& version, const std::string& text) 
     return stages;
 }
 
-std::vector<std::string> wordsOf(const Extension& extension) {
+std::vector<std::string> addedWords(const Extension& extension) {
     std::vector<std::string> words;
     std::string_view rest = extension.adds;
     while (!rest.empty()) {
@@ -453,19 +454,19 @@ class Extensions : public testing::TestWithParam<Extension> {};
 
 TEST_P(Extensions, EveryWordThatOneAddsWorks) {
     const std::string name(GetParam().name);
-    const std::string version = versionOf(name);
-    std::map<Stage, Parts> stages;
+    const std::string version = dialectOf(name);
+    std::map<Stage, ShaderParts> stages;
     if (GetParam().adds.empty()) stages[Stage::fragment];
-    for (const std::string& word : wordsOf(GetParam())) {
-        const std::optional<Use> use = useOf(word);
+    for (const std::string& word : addedWords(GetParam())) {
+        const std::optional<WordUse> use = useOf(word);
         ASSERT_TRUE(use) << "no use of " << word << " is known";
-        Parts& parts = stages[use->stage];
+        ShaderParts& parts = stages[use->stage];
         if (!use->declaration.empty()) parts.declarations.insert(use->declaration);
         if (!use->statement.empty()) parts.statements += "    " + use->statement + "\n";
     }
     for (const auto& [stage, parts] : stages) {
-        const std::string text = shader(name, version, stage, parts);
-        ProgramRequest request = program(around(stage, version, text));
+        const std::string text = extensionShader(name, version, stage, parts);
+        ProgramRequest request = program(withOtherStages(stage, version, text));
         request.acceptsStorage = true;
         const TranslatedProgram translated = translate(request);
         for (const Diagnostic& each : translated.diagnostics) {

@@ -11,39 +11,40 @@
 namespace glibra::glsl::test {
 namespace {
 
-struct Version {
+struct WordVersion {
     const char* text;
     int version, written;
     bool hasBlocks;
 };
-constexpr Version kVersions[] = {
+constexpr WordVersion kWordVersions[] = {
     {"100", 120, 100, false},   {"110", 110, 110, false},  {"120", 120, 120, false},
     {"130", 130, 130, false},   {"150", 150, 150, true},   {"330", 330, 330, true},
     {"410", 410, 410, true},    {"450", 450, 450, true},   {"300 es", 330, 300, true},
     {"310 es", 430, 310, true}, {"320 es", 450, 320, true}};
 
-std::vector<std::string> freeWords(const Version& version) {
+std::vector<std::string> freeWords(const WordVersion& version) {
     Dialect dialect;
     dialect.version = version.version;
     dialect.written = version.written;
+    dialect.es = version.written == 100 || version.written != version.version;
     std::vector<std::string> words;
     for (const std::string_view word : keywords())
         if (isFreeWord(word, dialect)) words.emplace_back(word);
     return words;
 }
 
-std::string replaced(std::string text, const std::string& word) {
+std::string withWord(std::string text, const std::string& word) {
     for (std::size_t at = text.find('@'); at != std::string::npos; at = text.find('@', at + word.size()))
         text.replace(at, 1, word);
     return text;
 }
 
-class FreeWords : public testing::TestWithParam<Version> {
+class FreeWords : public testing::TestWithParam<WordVersion> {
   protected:
     /// A fragment stage of the version, with `declarations` and `statements` for every free word: @ is the
     /// word.
     void expectToCompile(const std::string& declarations, const std::string& statements, std::size_t uses) {
-        const Version& version = GetParam();
+        const WordVersion& version = GetParam();
         const bool isOld = version.version < 130;
         const bool isEs = version.written == 100 || version.written != version.version;
         std::string text = "#version " + std::string(version.text) +
@@ -52,8 +53,8 @@ class FreeWords : public testing::TestWithParam<Version> {
         std::string body;
         const std::vector<std::string> words = freeWords(version);
         for (const std::string& word : words) {
-            text += replaced(declarations, word) + "\n";
-            body += replaced(statements, word) + "\n";
+            text += withWord(declarations, word) + "\n";
+            body += withWord(statements, word) + "\n";
         }
         text += "void main() {\nfloat sum = 0.;\n" + body + (isOld ? "gl_FragColor" : "fColor") +
                 " = vec4(sum);\n}\n";
@@ -119,7 +120,7 @@ TEST_P(FreeWords, NameBlocks) {
     expectToCompile("uniform @ { float of_@; };", "sum += of_@;", 1);
 }
 
-INSTANTIATE_TEST_SUITE_P(Versions, FreeWords, testing::ValuesIn(kVersions), [](const auto& version) {
+INSTANTIATE_TEST_SUITE_P(Versions, FreeWords, testing::ValuesIn(kWordVersions), [](const auto& version) {
     std::string name(version.param.text);
     std::replace(name.begin(), name.end(), ' ', '_');
     return name;
@@ -185,7 +186,7 @@ TEST(LayoutWords, AreNamesInEveryVersion) {
         for (const std::string& word : words)
             if (word != "shared" ||
                 (std::string_view(version) != "450" && std::string_view(version) != "320 es"))
-                text += replaced("{ float @ = 1.; sum += @; }\n", word);
+                text += withWord("{ float @ = 1.; sum += @; }\n", word);
         text += std::string(isOld ? "gl_FragColor = vec4(sum);" : "fColor = m[0] * sum;") + "\n}\n";
         const TranslatedProgram translated = translateSingle(Stage::fragment, text);
         EXPECT_FALSE(hasError(translated.diagnostics)) << version;

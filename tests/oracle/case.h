@@ -72,5 +72,6 @@ std::vector<Case> casesOfMacros();
 std::vector<Case> casesOfStructures();
 std::vector<Case> casesOfIdioms();
 std::vector<Case> casesOfCollisions();
+std::vector<Case> casesOfExtensions();
 
 }  // namespace glibra::oracle

@@ -34,7 +34,7 @@ std::vector<Case> allCases() {
     for (const auto& group :
          {casesOf110(), casesOf110State(), casesOf110Textures(), casesOf120(), casesOf130(),
           casesOfGeometryShader4(), casesOf150(), casesOf330(), casesOf400(), casesOfNames(), casesOfMacros(),
-          casesOfStructures(), casesOfIdioms(), casesOfCollisions()})
+          casesOfStructures(), casesOfIdioms(), casesOfCollisions(), casesOfExtensions()})
         all.insert(all.end(), group.begin(), group.end());
     return all;
 }

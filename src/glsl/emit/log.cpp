@@ -12,6 +12,7 @@
 #include "glsl/emit/emit.h"
 #include "glsl/emit/log_advice.h"
 #include "glsl/emit/log_line.h"
+#include "glsl/emit/log_phrases.h"
 #include "glsl/read/token.h"
 
 namespace glibra::glsl {
@@ -104,22 +105,13 @@ class Consequences {
     /// True for a name that an earlier error says to be undeclared, and for expressions on the line of such a
     /// name or in its statement, whose type is therefore not known. Remembers errors about undeclared names.
     bool contain(const LogLine& line, const std::optional<EmittedPlace>& place) {
-        if (line.text.find("undeclared") != std::string_view::npos) {
+        if (const std::string_view name = undeclaredName(line.text); !name.empty()) {
             lines_.emplace(line.source, line.line);
             if (place && places_.size() < kMostPlaces) places_.push_back(offsetOf(*place));
-            return !names_.emplace(quotedWord(line.text)).second;
+            return !names_.emplace(name).second;
         }
-        constexpr std::array<std::string_view, 7> kPhrases{"from a non-numeric data type",
-                                                           "operands to arithmetic operators must be numeric",
-                                                           "used uninitialized",
-                                                           "(error,",
-                                                           "(error)",
-                                                           ", error,",
-                                                           ", error)"};
-        return std::any_of(
-                   kPhrases.begin(), kPhrases.end(),
-                   [&](std::string_view each) { return line.text.find(each) != std::string_view::npos; }) &&
-               (lines_.contains({line.source, line.line}) || (place && isInStatement(offsetOf(*place))));
+        return isConsequence(line.text) && (lines_.contains({line.source, line.line}) ||
+                                            (place && isInStatement(offsetOf(*place))));
     }
 
   private:

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/suggest.h"
+#include "glsl/emit/log_phrases.h"
 #include "glsl/facts/stage_variables.h"
 #include "glsl/parse/types.h"
 #include "glsl/read/token.h"
@@ -110,26 +111,6 @@ std::string readableSyntaxError(std::string_view driver, std::string_view token)
     const std::string_view expected = driver.substr(at + kExpecting.size());
     const bool isJargon = expected.find_first_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ") != std::string_view::npos;
     return isJargon ? text : text + ", expected " + std::string(expected.substr(0, expected.find(" at ")));
-}
-
-bool isAboutAnUnknownName(std::string_view text) {
-    constexpr std::array<std::string_view, 6> kPhrases{"undeclared",
-                                                       "no function with name",
-                                                       "undefined variable",
-                                                       "unable to find compatible overloaded",
-                                                       "no matching overloaded function",
-                                                       "is not declared"};
-    return std::any_of(kPhrases.begin(), kPhrases.end(),
-                       [&](std::string_view each) { return contains(text, each); });
-}
-
-bool isAboutTypes(std::string_view text) {
-    constexpr std::array<std::string_view, 7> kPhrases{
-        "mismatch",      "could not implicitly convert", "must have the same type",
-        "wrong operand", "incompatible types",           "no operation",
-        "cannot convert"};
-    return std::any_of(kPhrases.begin(), kPhrases.end(),
-                       [&](std::string_view each) { return contains(text, each); });
 }
 
 }  // namespace
@@ -347,11 +328,10 @@ void LogAdvice::nameTypes(const LogLine& line, Diagnostic& message) const {
 void LogAdvice::addTo(const LogLine& line, Diagnostic& message) {
     constexpr int kMostMessages = 32;
     if (++messages_ > kMostMessages) return;
-    if (contains(line.text, "syntax error")) {
+    if (isSyntaxError(line.text)) {
         explainSyntaxError(line, message);
-    } else if (isAboutAnUnknownName(line.text)) {
-        const std::string word(quotedWord(message.text));
-        if (!word.empty() && keywordSince(word) == 0) message.text += suggestionFor(word, false);
+    } else if (const std::string word(undeclaredName(message.text)); !word.empty()) {
+        if (keywordSince(word) == 0) message.text += suggestionFor(word, false);
     } else if (isAboutTypes(line.text)) {
         nameTypes(line, message);
     }

@@ -99,8 +99,7 @@ class NameFinder {
 
 /// True if the version counts a comma expression of constants as a constant.
 bool hasConstantSequences(const Dialect& dialect) {
-    const bool isLaterEs = dialect.written >= 300 && dialect.written <= 320 && dialect.version >= 330;
-    return dialect.version < 430 && !isLaterEs;
+    return dialect.es ? dialect.written < 300 : dialect.version < 430;
 }
 
 /// True if the evaluation of the tokens changes nothing: no assignment, and no call but of constructors.
@@ -112,20 +111,6 @@ bool isIdle(const Unit& unit, Range range) {
             (isCall && !isTypeWord(text)))
             return false;
     }
-    return true;
-}
-
-/// Removes the tokens from the text; false if that would change other places as well.
-bool drop(Unit& unit, Range range) {
-    std::vector<std::uint32_t> tokens;
-    const ViewToken& outside = unit.view[range.first - 1];
-    const bool isInMacro = outside.body;  // then all that the macro expands to changes alike
-    for (std::uint32_t i = range.first; i < range.end; ++i) {
-        if (isInMacro && (!unit.view[i].body || unit.view[i].site != outside.site)) return false;
-        if (isInMacro) tokens.push_back(unit.view[i].raw);
-    }
-    if (!isInMacro && !editableTokens(unit, range, tokens)) return false;
-    for (const std::uint32_t each : tokens) unit.edits.remove(each);
     return true;
 }
 
@@ -160,13 +145,16 @@ void dropIdleOperands(Unit& unit) {
                                 unit.view[group.open - 1].kind == TokenKind::word;
             if (isList || group.comma == kNone || group.comma == group.open + 1) continue;
             const Range idle{group.open + 1, group.comma + 1};
-            if (!isIdle(unit, idle) || !drop(unit, idle)) continue;
+            if (!isIdle(unit, idle)) continue;
             for (std::uint32_t k = idle.first; k < idle.end; ++k) isDropped[k] = true;
         }
     }
     std::vector<ViewToken> kept;
     for (std::uint32_t i = 0; i < unit.view.size(); ++i) {
-        if (!isDropped[i]) kept.push_back(unit.view[i]);
+        if (isDropped[i])
+            unit.edits.remove(unit.view[i].raw);
+        else
+            kept.push_back(unit.view[i]);
     }
     unit.view = std::move(kept);
 }

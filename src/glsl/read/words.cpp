@@ -127,10 +127,7 @@ int keywordSince(std::string_view word) {
 bool isFreeWord(std::string_view word, const Dialect& dialect) {
     const Since since = sinceOf(word);
     if (since.desktop == 0) return false;
-    // Versions of ES are treated as versions from 1.20 on, and `written` tells them apart.
-    const bool isEs = dialect.written == 100 ||
-                      (dialect.written >= 300 && dialect.written <= 320 && dialect.version >= 330);
-    return isEs ? since.es == 0 || since.es > dialect.written : since.desktop > dialect.version;
+    return dialect.es ? since.es == 0 || since.es > dialect.written : since.desktop > dialect.version;
 }
 
 std::vector<std::string_view> keywords() {
