@@ -87,7 +87,13 @@ TEST_F(Containment, CheckGoesOnAfterASceneThatCrashesTheDriver) {
 TEST_F(Containment, ADecoderThatNeverEndsCostsItsOwnScene) {
     writeScene("good", "#version 330 core\nout vec4 o;\nvoid main() { o = vec4(1.); }\n");
     writeEndlessPicture("a.webp");
-    folder.write("endless.glib", "Texture2D 5 a.webp\nSphere\n");
+    folder.write(
+        "picture.frag",
+        "#version 330 core\nuniform sampler2D uPicture;\nout vec4 o;\nvoid main() { o = texture(uPicture, "
+        "vec2(.5)); }\n");
+    folder.write(
+        "endless.glib",
+        "Texture2D 5 a.webp\nVertex good.vert\nFragment picture.frag\nProgram P uPicture 5\nSphere\n");
     const std::string endless = preload(GLIBRA_ENDLESS_DECODER);
     for (const char* command :
          {"check --run endless.glib good.glib --timeout 3", "render endless.glib good.glib --timeout 3"}) {
