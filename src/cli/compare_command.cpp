@@ -134,8 +134,7 @@ class Comparer {
         print(expected.diagnostics);
         print(got.diagnostics);
         if (!expected || !got) return kSceneIsWrong;
-        image::Judgement judged =
-            image::judge(*expected, *got, arguments_.tolerance, arguments_.everything);
+        image::Judgement judged = image::judge(*expected, *got, arguments_.tolerance, arguments_.everything);
         if (judged.same && arguments_.exact)
             if (const std::string difference = layoutDifference(*first, *second); !difference.empty()) {
                 judged.same = false;

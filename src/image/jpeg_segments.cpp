@@ -22,6 +22,7 @@ JpegFacts jpegFacts(ByteSpan jpeg) {
     constexpr std::size_t kLeastFrame = 8;  // after the length: precision, height, width, components
     constexpr std::string_view kExif("Exif\0\0", 6);
     JpegFacts facts;
+    bool hasExif = false;  // of several, the first one counts
     for (std::size_t at = 2; at + 4 <= jpeg.size() && octetAt(jpeg, at) == 0xff;) {
         const unsigned marker = octetAt(jpeg, at + 1);
         if (marker == 0xff) {  // a fill byte
@@ -37,9 +38,11 @@ JpegFacts jpegFacts(ByteSpan jpeg) {
             facts.width = big16(content, 3);
             facts.components = octetAt(content, 5);
         }
-        if (marker == kApp0 + 1 && content.size() > kExif.size() &&
-            std::equal(kExif.begin(), kExif.end(), reinterpret_cast<const char*>(content.data())))
+        if (!hasExif && marker == kApp0 + 1 && content.size() > kExif.size() &&
+            std::equal(kExif.begin(), kExif.end(), reinterpret_cast<const char*>(content.data()))) {
             facts.orientation = tiffOrientation(content.subspan(kExif.size()));
+            hasExif = true;
+        }
         at += 2 + length;
     }
     return facts;

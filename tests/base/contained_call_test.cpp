@@ -7,6 +7,7 @@
 
 #include <atomic>
 #include <future>
+#include <memory>
 #include <vector>
 
 namespace glibra::base {
@@ -79,6 +80,29 @@ TEST(ContainedCall, RunsFromSeveralThreadsAtOnce) {
         }));
     for (std::size_t i = 0; i < all.size(); ++i)
         EXPECT_EQ(all[i].get().kind, i % 2 == 1 ? Kind::died : Kind::finished) << i;
+}
+
+TEST(ContainedCall, KeepsALowerLimitOfMemoryOfItsCaller) {
+    const CallEnd end = runContained({.seconds = 10, .memory = std::uint64_t{64} << 20}, [] {
+        const CallEnd inner = runContained({.seconds = 10}, [] {
+            void* const got = ::mmap(nullptr, std::size_t{256} << 20, PROT_READ | PROT_WRITE,
+                                     MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+            if (got != MAP_FAILED) ::_exit(1);
+        });
+        if (inner.kind != Kind::finished) ::_exit(1);
+    });
+    EXPECT_EQ(end.kind, Kind::finished);
+}
+
+TEST(CallInThread, IsGivenUpAfterItsTime) {
+    const auto value = std::make_shared<std::atomic<int>>(0);
+    EXPECT_TRUE(runInThread({.seconds = 30}, [value] { *value = 7; }));
+    EXPECT_EQ(*value, 7);
+    EXPECT_TRUE(runInThread({.seconds = 0}, [value] { *value = 8; })) << "no limit";
+    EXPECT_EQ(*value, 8);
+    const auto go = std::make_shared<std::promise<void>>();
+    EXPECT_FALSE(runInThread({.seconds = .02}, [go] { go->get_future().wait(); }));
+    go->set_value();
 }
 
 TEST(MemoryShare, IsDividedAmongTheWorkersButNeverTooSmall) {

@@ -225,6 +225,24 @@ TEST(Workers, KnowThatTheyAreWorkers) {
     EXPECT_FALSE(isWorker());
 }
 
+TEST(Workers, KnowHowMuchTimeTheirStepHas) {
+    EXPECT_FALSE(stepTime());
+    const Log log = runAll(1, {.workers = 1, .timeout = 60}, [](std::size_t, const Step& step) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        const auto before = stepTime();
+        step("again");
+        const auto after = stepTime();
+        const bool good =
+            before && after && before->limit == 60 && before->left < 59.96 && after->left > before->left;
+        return std::string(good ? "yes" : "no");
+    });
+    EXPECT_EQ(log.outcomes.at(0).answer, "yes");
+    const Log unlimited = runAll(1, {.workers = 1}, [](std::size_t, const Step&) {
+        return std::string(stepTime() ? "limit" : "none");
+    });
+    EXPECT_EQ(unlimited.outcomes.at(0).answer, "none");
+}
+
 TEST(Workers, LongAnswersArriveWhole) {
     const std::string big(5'000'000, 'x');
     const Log log = runAll(3, {.workers = 3}, [&](std::size_t, const Step&) { return std::string(big); });

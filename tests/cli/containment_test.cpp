@@ -40,7 +40,9 @@ class Containment : public testing::Test {
     /// A WebP picture of 2 x 2 pixels, which the preloaded library decodes for ever.
     void writeEndlessPicture(const std::string& name) const {
         constexpr std::string_view kFile(
-            "RIFF\x24\0\0\0WEBPVP8L\x11\0\0\0\x2f\x01\x40\0\0\x07\x50\x84\x26\xf4\xa0\xff\x81\x88\xe8\x7f\0\0\0", 44);
+            "RIFF\x24\0\0\0WEBPVP8L\x11\0\0\0\x2f\x01\x40\0\0\x07\x50\x84\x26\xf4\xa0\xff\x81\x88\xe8\x7f\0\0"
+            "\0",
+            44);
         folder.write(name, std::string(kFile));
     }
     void writePng(const std::string& name) const {
@@ -85,13 +87,21 @@ TEST_F(Containment, CheckGoesOnAfterASceneThatCrashesTheDriver) {
 TEST_F(Containment, ADecoderThatNeverEndsCostsItsOwnScene) {
     writeScene("good", "#version 330 core\nout vec4 o;\nvoid main() { o = vec4(1.); }\n");
     writeEndlessPicture("a.webp");
-    folder.write("endless.glib", "Texture2D 5 a.webp\nSphere\n");
+    folder.write(
+        "picture.frag",
+        "#version 330 core\nuniform sampler2D uPicture;\nout vec4 o;\nvoid main() { o = texture(uPicture, "
+        "vec2(.5)); }\n");
+    folder.write(
+        "endless.glib",
+        "Texture2D 5 a.webp\nVertex good.vert\nFragment picture.frag\nProgram P uPicture 5\nSphere\n");
     const std::string endless = preload(GLIBRA_ENDLESS_DECODER);
-    for (const char* command : {"check --run endless.glib good.glib --timeout 3", "render endless.glib good.glib --timeout 3"}) {
+    for (const char* command :
+         {"check --run endless.glib good.glib --timeout 3", "render endless.glib good.glib --timeout 3"}) {
         const Finished ran = glibra(folder.path(), command, endless);
         if (ran.err.find("not installed") != std::string::npos) GTEST_SKIP() << ran.err;
         EXPECT_EQ(ran.status, 3) << command;
-        expectContains(ran.err, "endless.glib:1:1: error: 'a.webp': not decoded within 3 seconds (--timeout)");
+        expectContains(ran.err,
+                       "endless.glib:1:1: error: 'a.webp': not decoded within 3 seconds (--timeout)");
         EXPECT_EQ(ran.err.find("[draw-E07]"), std::string::npos) << ran.err;
         EXPECT_EQ(ran.err.find("good.glib:"), std::string::npos) << ran.err;
     }
@@ -120,8 +130,8 @@ TEST_F(Containment, CompareEndsADecoderThatNeverEnds) {
     writeEndlessPicture("a.webp");
     writePng("a.png");
     for (const char* pair : {"a.webp a.png", "a.png a.webp"}) {
-        const Finished compared =
-            glibra(folder.path(), std::string("compare --timeout 1 ") + pair, preload(GLIBRA_ENDLESS_DECODER));
+        const Finished compared = glibra(folder.path(), std::string("compare --timeout 1 ") + pair,
+                                         preload(GLIBRA_ENDLESS_DECODER));
         if (compared.err.find("not installed") != std::string::npos) GTEST_SKIP() << compared.err;
         EXPECT_EQ(compared.status, 3) << pair;
         EXPECT_EQ(compared.err, "a.webp:1:1: error: 'a.webp': not decoded within 1 seconds [file-E11]\n");
@@ -130,8 +140,8 @@ TEST_F(Containment, CompareEndsADecoderThatNeverEnds) {
 }
 
 TEST_F(Containment, AMergeAndItsReportDecodeHostilePicturesWithinTheirLimits) {
-    // Results as a stranger may send them: the pictures of the shot are WebP files under several names, in the
-    // folder of the run and beside it.
+    // Results as a stranger may send them: the pictures of the shot are WebP files under several names, in
+    // the folder of the run and beside it.
     folder.write("a.vert", "#version 330 core\nvoid main() { gl_Position = vec4(aVertex.xy, 0., 1.); }\n");
     folder.write("a.frag",
                  "#version 330 core\nout vec4 f;\nvoid main() { f = vec4(gl_FragCoord.x / 30.); }\n");
@@ -154,8 +164,9 @@ TEST_F(Containment, AMergeAndItsReportDecodeHostilePicturesWithinTheirLimits) {
     for (const std::string name : {"endless.webp", "endless.png", "endless.exr"}) {
         writeEndlessPicture("run/s/" + name);
         folder.write("run/results.jsonl", replaced("got", "s/" + name));
-        const Finished merged = shell(
-            folder.path(), endless + " timeout 40 '" GLIBRA_PROGRAM "' test --merge run --results all --report page");
+        const Finished merged =
+            shell(folder.path(),
+                  endless + " timeout 40 '" GLIBRA_PROGRAM "' test --merge run --results all --report page");
         EXPECT_EQ(merged.status, 1) << merged.out << merged.err;
         expectContains(merged.err, "'s/" + name + "' is not a picture");
         expectContains(merged.out, "1 failed");
@@ -165,8 +176,8 @@ TEST_F(Containment, AMergeAndItsReportDecodeHostilePicturesWithinTheirLimits) {
     folder.write("run/results.jsonl", replaced("expected", (folder / "golden/endless.webp").string()));
     const Finished shown =
         shell(folder.path(), endless + " timeout 40 '" GLIBRA_PROGRAM
-                             "' test --merge run --results all --report page --root golden "
-                             "--timeout 1");
+                                       "' test --merge run --results all --report page --root golden "
+                                       "--timeout 1");
     if (shown.err.find("not installed") != std::string::npos) GTEST_SKIP() << shown.err;
     EXPECT_EQ(shown.status, 1) << shown.out << shown.err;
     expectContains(shown.err, "endless.webp': not decoded within 1 seconds");

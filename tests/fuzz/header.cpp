@@ -1,4 +1,5 @@
-// Any bytes as the header of a picture that a library decodes: what is judged before the library sees the file.
+// Any bytes as the header of a picture that a library decodes: what is judged before the library sees the
+// file.
 
 #include <span>
 
@@ -23,7 +24,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     };
     const auto exr = image::readExrHeader(file, label, limits);
     if (judge(exr)) {
-        check(exr->display.width() <= 2048 && exr->display.height() <= 2048, "a display window keeps to the limits");
+        check(exr->display.width() <= 2048 && exr->display.height() <= 2048,
+              "a display window keeps to the limits");
         check(exr->data.width() <= 2048 && exr->data.height() <= 2048, "a data window keeps to the limits");
         check(!exr->channels.empty() && !image::describeExr(*exr).empty(), "a part has channels");
     }

@@ -1,5 +1,6 @@
-// Any bytes as a picture of a format that is read here, or as a raw texture. What is accepted gives the same pixels
-// after it is written as PNG, unless they are floats. The targets "header" and "module" have the other formats.
+// Any bytes as a picture of a format that is read here, or as a raw texture. What is accepted gives the same
+// pixels after it is written as PNG, unless they are floats. The targets "header" and "module" have the other
+// formats.
 
 #include <array>
 #include <span>
@@ -25,13 +26,14 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         check(picture->data.size() == picture->rowBytes() * static_cast<std::size_t>(picture->height),
               "a picture has all its pixels");
         check(picture->data.size() <= options.limits.texelBytes, "a picture keeps to the limits");
-        const bool isFloat = picture->type == image::Component::f32;  // which PNG does not have
-        const auto written = isFloat ? std::vector<std::byte>() :
-            image::encodePng(*picture, {.level = static_cast<int>(size % 5), .text = {}, .threads = 1});
-        const Result<image::Image> again = image::decodePng(written, {"again.png", {}}, options.limits);
-        check(isFloat || again && again->width == picture->width && again->height == picture->height &&
-                  again->type == picture->type && again->data == picture->data,
-              "a picture that is written as PNG keeps its pixels");
+        if (picture->type != image::Component::f32) {  // PNG has no floats
+            const auto written =
+                image::encodePng(*picture, {.level = static_cast<int>(size % 5), .text = {}, .threads = 1});
+            const Result<image::Image> again = image::decodePng(written, {"again.png", {}}, options.limits);
+            check(again && again->width == picture->width && again->height == picture->height &&
+                      again->type == picture->type && again->data == picture->data,
+                  "a picture that is written as PNG keeps its pixels");
+        }
     }
     for (const int dimensions : std::array{0, 1, 2, 3}) {
         const Result<image::TexelBlock> texels =

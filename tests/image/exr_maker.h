@@ -93,8 +93,8 @@ struct ExrMaker {
         std::vector<std::byte> list;
         for (const Channel& each : channels) {
             putText(list, each.name);
-            for (const int number : {static_cast<int>(each.type), 0, 1, 1})
-                putLittle(list, static_cast<std::uint32_t>(number), 4);
+            for (const int field : {static_cast<int>(each.type), 0, 1, 1})
+                putLittle(list, static_cast<std::uint32_t>(field), 4);
         }
         list.push_back({});
         constexpr int kOne = 0x3f800000;

@@ -185,7 +185,8 @@ TEST_F(Exr, WhatTwoFilesHaveDifferentIsDescribed) {
     maker.channels[2].type = Type::whole;
     const auto part = readExrHeader(maker.file(), {"a", {}});
     ASSERT_TRUE(part);
-    EXPECT_EQ(describeExr(*part), "display window at 2 3, data window 2 x 2 at 0 0, channels B (float) G (half) R (uint)");
+    EXPECT_EQ(describeExr(*part),
+              "display window at 2 3, data window 2 x 2 at 0 0, channels B (float) G (half) R (uint)");
 }
 
 }  // namespace

@@ -168,9 +168,9 @@ Result<ExrPart> readExrHeader(ByteSpan file, const FileLabel& label, const Limit
 }
 
 std::string describeExr(const ExrPart& part) {
-    std::string text = fmt::format("display window at {} {}, data window {} x {} at {} {}, channels",
-                                   part.display.left, part.display.top, part.data.width(), part.data.height(),
-                                   part.data.left, part.data.top);
+    std::string text =
+        fmt::format("display window at {} {}, data window {} x {} at {} {}, channels", part.display.left,
+                    part.display.top, part.data.width(), part.data.height(), part.data.left, part.data.top);
     for (const ExrChannel& each : part.channels)
         text += fmt::format(" {} ({})", each.name, wordFor(each.number));
     return text;

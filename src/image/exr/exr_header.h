@@ -42,8 +42,8 @@ struct ExrPart {
 Result<ExrPart> readExrHeader(std::span<const std::byte> file, const FileLabel& label,
                               const Limits& limits = {});
 
-/// What two files may have different although the pictures that they show are equal: the places of the windows, and
-/// the channels with their types, in words.
+/// What two files may have different although the pictures that they show are equal: the places of the
+/// windows, and the channels with their types, in words.
 std::string describeExr(const ExrPart& part);
 
 }  // namespace glibra::image

@@ -91,7 +91,13 @@ bool PictureWriter::done(const Item& item, Diagnostics problems) {
     changed_.notify_all();
     if (failed_) return false;
     failed_ = hasError(problems);
-    append(problems_, std::move(problems));
+    for (Diagnostic& each : problems) {
+        // What all frames lose is reported for the first one.
+        const bool isKnown = std::any_of(problems_.begin(), problems_.end(), [&](const Diagnostic& before) {
+            return before.id == each.id && each.severity != Severity::error;
+        });
+        if (!isKnown) problems_.push_back(std::move(each));
+    }
     if (failed_)
         waiting_.clear();
     else
