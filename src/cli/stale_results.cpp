@@ -1,5 +1,8 @@
 #include "cli/stale_results.h"
 
+#include <fmt/format.h>
+
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -28,15 +31,27 @@ bool hasMark(const fs::path& file, std::string_view mark) {
     return text.substr(0, kSearched).find(mark) != std::string_view::npos;
 }
 
+/// Cuts off the line that says that the run is complete. That takes no room on a disk that may be full.
 void markResults(const fs::path& folder) {
+    const fs::path file = suite::resultsFile(folder);
     std::error_code failure;
-    if (!fs::is_regular_file(fs::symlink_status(suite::resultsFile(folder), failure))) return;
+    if (!fs::is_regular_file(fs::symlink_status(file, failure))) return;
     const Result<base::Descriptor> lock = suite::lockResults(folder);
     if (!lock) return;
-    Result<suite::RunResult> earlier = suite::readResults(folder);
+    const Result<suite::RunResult> earlier = suite::readResults(folder);
     if (!earlier || !earlier->complete) return;
-    earlier->complete = false;
-    print(suite::writeResults(*earlier, folder));
+    const std::size_t cut = suite::endLine(earlier->shots.size()).size() + 1;
+    const std::uintmax_t size = fs::file_size(file, failure);
+    if (!failure && size > cut) fs::resize_file(file, size - cut, failure);
+    if (failure)
+        print({diagnose("file-E10", fmt::format("cannot write '{}': {}", file.string(), failure.message()))});
+}
+
+/// Prints why a file could not be written, and removes the old one then.
+void orRemove(const Diagnostics& problems, const fs::path& old) {
+    print(problems);
+    std::error_code failure;
+    if (hasError(problems)) fs::remove(old, failure);
 }
 
 }  // namespace
@@ -47,10 +62,11 @@ void markUnfinished(const ResultFiles& files) {
     unfinished.missingShards = "this run has not reached its end";
     if (!files.junit.empty() && hasMark(files.junit, "<testsuites name=\"glibra\"")) {
         const std::string xml = suite::toJunit(unfinished);
-        print(image::writeFileAtomically(files.junit, std::as_bytes(std::span(xml))));
+        orRemove(image::writeFileAtomically(files.junit, std::as_bytes(std::span(xml))), files.junit);
     }
     if (!files.report.empty() && hasMark(files.report / "index.html", "- glibra</title>"))
-        print(suite::writeHtmlReport(unfinished, files.results, files.report));
+        orRemove(suite::writeHtmlReport(unfinished, files.results, files.report),
+                 files.report / "index.html");
 }
 
 }  // namespace glibra::cli

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <string>
 
 #include "program.h"
@@ -97,6 +98,18 @@ TEST_F(StaleResults, FilesOfOthersAreLeftAlone) {
     folder.write("s.toml", kGood);
     EXPECT_EQ(glibra(folder.path(), "test s.toml --junit s.toml").status, 3);
     EXPECT_EQ(readFile(folder / "s.toml"), kGood);
+}
+
+/// On a full disk (here: files may not grow) nothing green stays either.
+TEST_F(StaleResults, AreMarkedOrRemovedOnAFullDisk) {
+    const Finished end = shell(folder.path(), "{ ulimit -f 0; '" GLIBRA_PROGRAM
+                                              "' test s.toml --junit out/junit.xml --report page; }");
+    EXPECT_NE(end.status, 0);
+    for (const char* each : {"out/junit.xml", "page/index.html"})
+        if (std::filesystem::exists(folder / each)) {
+            EXPECT_TRUE(contains(readFile(folder / each), "has not reached its end")) << each;
+        }
+    EXPECT_FALSE(contains(readFile(folder / "glibra-results/results.jsonl"), "{\"end\""));
 }
 
 TEST_F(StaleResults, OfAMergeThatFailsAreMarkedToo) {

@@ -109,7 +109,7 @@ TEST(Glob, WhatCannotBeLookedAtIsAnError) {
     for (const char* pattern : {"round/*.glib", "round/**/*.glib", "*/*.glib", "a/*.glib", "**/*.glib"}) {
         const auto files = filesThatFit(folder.path(), pattern);
         EXPECT_FALSE(files) << pattern;
-        ASSERT_FALSE(files.diagnostics.empty()) << pattern;
+        ASSERT_EQ(files.diagnostics.size(), std::string(pattern) == "*/*.glib" ? 2U : 1U) << pattern;
         EXPECT_EQ(files.diagnostics.front().id, "suite-E22") << pattern;
     }
     EXPECT_EQ(found(folder, "b/*"), "b/y.glib ") << "a link that is no scene";

@@ -126,7 +126,9 @@ class Walk {
         return failure == std::errc::no_such_file_or_directory || failure == std::errc::not_a_directory;
     }
 
+    /// "**" looks at a folder twice: for the folders in it, and for the files.
     void reportFolder(const fs::path& folder, const std::error_code& failure) {
+        if (!reported_.insert(folder).second) return;
         problems_.push_back(
             diagnose("suite-E22",
                      fmt::format("cannot list the folder '{}': {}; its scenes would be left out",
@@ -143,6 +145,7 @@ class Walk {
     }
 
     Diagnostics problems_;
+    std::set<fs::path> reported_;
     bool tooDeep_ = false;
     std::size_t seen_ = 0;
 };
