@@ -178,7 +178,7 @@ TEST_F(Untrusted, AFolderOrALinkOfTheNameOfTheStagingFolderIsNotUsed) {
     const Folder elsewhere;
     elsewhere.write("kept/0/a.png", "kept");
     for (const std::string prepare :
-         {"mkdir -p .glibra-$$-untrusted/0 && echo mine > .glibra-$$-untrusted/0/a.png",
+         {std::string("mkdir -p .glibra-$$-untrusted/0 && echo mine > .glibra-$$-untrusted/0/a.png"),
           "ln -s '" + (elsewhere / "kept").string() + "' .glibra-$$-untrusted"}) {
         const Finished done =
             shell(folder.path(), prepare + " && exec '" GLIBRA_PROGRAM "' render in/a.glib --untrusted");
