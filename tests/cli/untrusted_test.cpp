@@ -177,7 +177,7 @@ TEST_F(Untrusted, AFolderOrALinkOfTheNameOfTheStagingFolderIsNotUsed) {
     // The process id is not known before the command runs, so the shell that becomes the command prepares it.
     const Folder elsewhere;
     elsewhere.write("kept/0/a.png", "kept");
-    for (const std::string prepare :
+    for (const std::string& prepare :
          {std::string("mkdir -p .glibra-$$-untrusted/0 && echo mine > .glibra-$$-untrusted/0/a.png"),
           "ln -s '" + (elsewhere / "kept").string() + "' .glibra-$$-untrusted"}) {
         const Finished done =
