@@ -254,7 +254,12 @@ class SceneBatch {
             print(problems);
             return kSceneIsWrong;
         }
-        for (const fs::path& each : writtenFiles()) makeFolders(each.parent_path());
+        std::set<fs::path> folders;
+        for (const fs::path& each : writtenFiles()) folders.insert(each.parent_path());
+        for (const fs::path& each : folders) {
+            makeFolders(each);
+            image::removeAbandonedFiles(each);
+        }
         if (!confine()) return kSceneIsWrong;
         JobRunner runner(arguments_, outputs_, parts_, staging_ ? &*staging_ : nullptr, framesWritten_);
         base::runInWorkers(

@@ -56,31 +56,31 @@ std::optional<base::Reach> reachBelow(const fs::path& folder, const fs::path& pa
     return std::nullopt;
 }
 
-/// True if the way from the root is a link, or leads through one.
-bool isThroughLink(const base::Reach& reach) {
+/// The first link on the way down from the root.
+std::optional<fs::path> linkOn(const base::Reach& reach) {
+    if (reach.root.empty()) return std::nullopt;
     fs::path way = reach.root;
     for (const fs::path& part : reach.path) {
         way /= part;
         std::error_code failure;
-        if (fs::is_symlink(fs::symlink_status(way, failure))) return true;
+        if (fs::is_symlink(fs::symlink_status(way, failure))) return way;
     }
-    return false;
+    return std::nullopt;
 }
 
-/// What the workers may read. Folders that are links are named once.
+/// What the workers may read. Links are named once.
 class Readable {
   public:
     void add(base::Reach reach) {
-        if (!reach.root.empty() && isThroughLink(reach)) {
-            if (linked_.insert(reach.whole()).second)
-                problems_.push_back(diagnose(
-                    "file-W24", fmt::format("--untrusted: '{}' is reached through a link, which is "
-                                            "not followed; name the folder that it leads to, as with "
-                                            "--library",
-                                            reach.whole().string())));
-            return;
+        const std::optional<fs::path> link = linkOn(reach);
+        if (!link) {
+            found_.insert(std::move(reach));
+        } else if (linked_.insert(*link).second) {
+            problems_.push_back(diagnose(
+                "file-W24", fmt::format("--untrusted: '{}' is a link, which is not followed; name the "
+                                        "folder that it leads to, as with --library",
+                                        link->string())));
         }
-        found_.insert(std::move(reach));
     }
 
     /// The folders of the library that the look-up of a scene's files searches.
@@ -162,17 +162,17 @@ std::optional<base::Sandbox> sandboxOf(const Selection& selection, Driver driver
         const fs::path own = fs::is_directory(suite.file, failure) ? suite.file : folderOf(suite.file);
         std::optional<base::Reach> way = reachBelow(own, path);
         if (!way) way = reachBelow(".", path);
-        const bool isLink = way && isThroughLink(*way);
-        if (way && !isLink) return way;
+        const std::optional<fs::path> link = way ? linkOn(*way) : std::nullopt;
+        if (way && !link) return way;
         if (known.insert(path).second)
             problems.push_back(
                 withoutId(Severity::error,
-                          isLink ? fmt::format("--untrusted: the {} '{}' is reached through a link, which "
-                                               "is not followed",
-                                               what, path.string())
-                                 : fmt::format("--untrusted: the {} '{}' must be below the suite's folder or "
-                                               "the current one",
-                                               what, path.string()),
+                          link ? fmt::format("--untrusted: the {} '{}' is reached through a link, which "
+                                             "is not followed",
+                                             what, path.string())
+                               : fmt::format("--untrusted: the {} '{}' must be below the suite's folder or "
+                                             "the current one",
+                                             what, path.string()),
                           place));
         return std::optional<base::Reach>();
     };
@@ -198,10 +198,10 @@ std::optional<base::Sandbox> sandboxOf(const Selection& selection, Driver driver
             readable.add(std::move(*way));
     }
     for (const base::Reach& folder : folders) {
-        if (isThroughLink(folder))
+        if (const std::optional<fs::path> link = linkOn(folder))
             problems.push_back(withoutId(
                 Severity::error,
-                fmt::format("--untrusted: '{}', which is written to, is a link", folder.whole().string())));
+                fmt::format("--untrusted: '{}' on the way to what is written is a link", link->string())));
         for (const base::Reach& each : readable.all())
             if (isBelow(each.whole(), folder.whole()))
                 problems.push_back(withoutId(

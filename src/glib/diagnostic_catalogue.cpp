@@ -278,9 +278,8 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"file-W16", "'a.bmp': 3 pixels have colours that the palette lacks; they are black"},
     {"file-W23", "1 concave face of many corners drawn as a fan from the first corner"},
     {"file-W24",
-     "--untrusted: 'scenes/shaders' is reached through a link, which is not followed; name the folder that "
-     "it "
-     "leads to, as with --library"},
+     "--untrusted: 'scenes/shaders' is a link, which is not followed; name the folder that it leads to, as "
+     "with --library"},
     {"file-N01", "noise is read from 'noise3d.064.tex' beside the scene"},
     // The graphics driver
     {"gpu-E01", "no usable OpenGL driver (4.1 core or later is needed); tried: egl, osmesa"},

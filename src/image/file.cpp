@@ -8,8 +8,12 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <ctime>
 #include <memory>
 #include <new>
+#include <string_view>
 #include <system_error>
 
 #include "base/contained.h"
@@ -170,6 +174,33 @@ void removeTemporaryFiles(const fs::path& folder, int process) {
             std::error_code ignored;
             fs::remove(each->path(), ignored);
         }
+}
+
+void removeAbandonedFiles(const fs::path& folder) {
+    constexpr std::time_t kAge = 60;
+    constexpr std::string_view kBegin = ".glibra-";
+    std::error_code failure;
+    for (fs::directory_iterator each(folder.empty() ? "." : folder, failure), end; !failure && each != end;
+         each.increment(failure)) {
+        const std::string name = each->path().filename().string();
+        if (!name.starts_with(kBegin)) continue;
+        pid_t process = 0;
+        const char* const last = name.data() + name.size();
+        const auto [after, wrong] = std::from_chars(name.data() + kBegin.size(), last, process);
+        int attempt = 0;
+        if (wrong != std::errc{} || process <= 0 || after == last || *after != '-') continue;
+        const auto [rest, alsoWrong] = std::from_chars(after + 1, last, attempt);
+        if (alsoWrong != std::errc{} ||
+            !std::string_view(rest, static_cast<std::size_t>(last - rest)).starts_with(".tmp"))
+            continue;
+        struct stat status {};
+        if (::lstat(each->path().c_str(), &status) != 0 || !S_ISREG(status.st_mode) ||
+            status.st_uid != ::geteuid() || std::time(nullptr) - status.st_mtime < kAge ||
+            ::kill(process, 0) == 0 || errno != ESRCH)
+            continue;
+        std::error_code ignored;
+        fs::remove(each->path(), ignored);
+    }
 }
 
 /// Writes a file that has no name until it is complete. Returns 0, an error number, or ENOTSUP where the

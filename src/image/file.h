@@ -37,6 +37,10 @@ Diagnostics writeFileAtomically(const std::filesystem::path& path, std::span<con
 /// Removes the temporary files of a process that ended while it was writing into a folder.
 void removeTemporaryFiles(const std::filesystem::path& folder, int process);
 
+/// Removes temporary files from a folder whose processes were killed before they could do it: those of this
+/// user that nobody has written to for a minute, since another machine may write into the folder, too.
+void removeAbandonedFiles(const std::filesystem::path& folder);
+
 /// A temporary file beside `target`, for code that writes the file itself. The file is removed unless
 /// `commit` succeeds.
 class TemporaryFile {

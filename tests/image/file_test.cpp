@@ -152,6 +152,28 @@ TEST_F(WholeFile, OfAProcessThatIsKilledLeavesNothing) {
     }
 }
 
+TEST_F(WholeFile, OfAProcessThatIsNoMoreIsRemovedLater) {
+    const pid_t child = ::fork();
+    if (child == 0) ::_exit(0);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    const std::string dead = ".glibra-" + std::to_string(child),
+                      own = ".glibra-" + std::to_string(::getpid());
+    const auto put = [&](const std::string& name, bool isOld) {
+        std::ofstream(folder / name) << "half";
+        if (isOld)
+            fs::last_write_time(folder / name, fs::file_time_type::clock::now() - std::chrono::minutes(5));
+    };
+    const std::vector<std::string> kept{
+        dead + "-1.tmp", own + "-0.tmp", dead + "-golden.png", ".glibra-x-0.tmp", dead + "-0.txt",
+        ".glibra-",      "a.tmp"};
+    for (const std::string& each : kept) put(each, each != kept.front());
+    for (const char* each : {"-0.tmp", "-7.tmp.tif"}) put(dead + each, true);
+    removeAbandonedFiles(folder);
+    EXPECT_EQ(fileCount(), kept.size());
+    for (const std::string& each : kept) EXPECT_TRUE(fs::exists(folder / each)) << each;
+}
+
 TEST_F(WholeFile, ThatCannotBeWrittenLeavesNothing) {
     const auto bytes = testing::bytesOf({1, 2, 3});
     const auto missing = writeFileAtomically(folder / "none" / "out.png", bytes);
