@@ -1,7 +1,7 @@
 #include "render/check/open_checks.h"
 
 #include <algorithm>
-#include <utility>
+#include <iterator>
 
 namespace glibra::render {
 
