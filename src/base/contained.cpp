@@ -47,7 +47,7 @@ Descriptor enter(const fs::path& root, const std::vector<std::string>& parts, bo
     Descriptor folder = openFolder(root);
     for (std::size_t i = 0; folder && i + 1 < parts.size(); ++i) {
         if (make) ::mkdirat(folder.number(), parts[i].c_str(), 0777);
-        struct stat status {};
+        struct stat status{};
         const bool isLink = ::fstatat(folder.number(), parts[i].c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0 &&
                             S_ISLNK(status.st_mode);
         Descriptor next(
@@ -98,7 +98,7 @@ Descriptor openBeneath(const fs::path& root, const fs::path& path) {
     // Without O_NONBLOCK, opening a pipe blocks until somebody writes to it.
     Descriptor file(
         ::openat(folder.number(), parts.back().c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
-    struct stat status {};
+    struct stat status{};
     if (file && ::fstat(file.number(), &status) == 0 && !S_ISREG(status.st_mode)) {
         errno = ENOTSUP;
         return {};
@@ -107,7 +107,7 @@ Descriptor openBeneath(const fs::path& root, const fs::path& path) {
 }
 
 int readAll(const Descriptor& file, std::uint64_t largest, std::vector<std::byte>& bytes) {
-    struct stat status {};
+    struct stat status{};
     if (::fstat(file.number(), &status) != 0) return errno;
     if (static_cast<std::uint64_t>(status.st_size) > largest) return EFBIG;
     try {
@@ -199,7 +199,7 @@ int prepareBeneath(const fs::path& root, const fs::path& path) {
     const std::vector<std::string> parts = downwards(path);
     const Descriptor folder = enter(root, parts, true);
     if (!folder) return errno;
-    struct stat status {};
+    struct stat status{};
     if (::fstatat(folder.number(), parts.back().c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0)
         return errno == ENOENT ? 0 : errno;
     if (S_ISREG(status.st_mode)) return 0;

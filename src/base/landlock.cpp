@@ -59,7 +59,7 @@ Descriptor openReach(const Reach& reach) {
         }
         // With O_PATH, a link is opened itself.
         file = Descriptor(::openat(file.number(), part.c_str(), O_PATH | O_NOFOLLOW | O_CLOEXEC));
-        struct stat status {};
+        struct stat status{};
         if (file && (::fstat(file.number(), &status) != 0 || S_ISLNK(status.st_mode))) {
             errno = ENOENT;
             return {};
@@ -72,7 +72,7 @@ Descriptor openReach(const Reach& reach) {
 int allow(int rules, const Reach& reach, std::uint64_t rights) {
     const Descriptor file = openReach(reach);
     if (!file) return errno == ENOENT || errno == ENOTDIR || errno == EACCES ? 0 : errno;
-    struct stat status {};
+    struct stat status{};
     if (::fstat(file.number(), &status) != 0) return errno;
     PathRule rule{S_ISDIR(status.st_mode) ? rights : rights & kOfFiles, file.number()};
     return ::syscall(SYS_landlock_add_rule, rules, kPathRuleType, &rule, 0) == 0 ? 0 : errno;

@@ -38,8 +38,7 @@ void forEachIndex(std::size_t count, int threads, const MakeState& makeState, co
 template <class Work>
 void forEachIndex(std::size_t count, int threads, const Work& work) {
     struct Nothing {};
-    forEachIndex(
-        count, threads, [] { return Nothing{}; }, [&](std::size_t index, Nothing) { work(index); });
+    forEachIndex(count, threads, [] { return Nothing{}; }, [&](std::size_t index, Nothing) { work(index); });
 }
 
 }  // namespace glibra::base

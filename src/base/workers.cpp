@@ -203,8 +203,8 @@ class Pool {
         const auto wanted = static_cast<std::size_t>(std::max(1, options_.workers));
         workers_.resize(std::min(wanted, count_));
         // A worker that dies during this write is detected when its pipe is read.
-        struct sigaction ignore {};
-        struct sigaction before {};
+        struct sigaction ignore{};
+        struct sigaction before{};
         ignore.sa_handler = SIG_IGN;
         ::sigaction(SIGPIPE, &ignore, &before);
         while (next_ < count_ || !again_.empty() || busy() > 0) {

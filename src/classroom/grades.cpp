@@ -84,7 +84,7 @@ std::string gradesCsv(const Classroom& classroom) {
     for (std::size_t i = 0; i < classroom.entries.size(); ++i) {
         const Entry& entry = classroom.entries[i];
         const std::optional<Scores> scores = scoresOf(entry);
-        const auto part = [&](double Scores::*member) {
+        const auto part = [&](double Scores::* member) {
             return scores ? std::optional<double>((*scores).*member) : std::nullopt;
         };
         std::vector<std::string> stages, uniforms;

@@ -88,8 +88,7 @@ class CommandLine {
             names.emplace_back(word);
             values.push_back(value);
         }
-        return choice(
-            name, std::move(names), [values, &to](std::size_t which) { to = values[which]; }, help);
+        return choice(name, std::move(names), [values, &to](std::size_t which) { to = values[which]; }, help);
     }
 
     /// --driver

@@ -60,8 +60,8 @@ void printError(std::string_view why);
 /// Ends a program that has this exit status: what it printed on standard output has to have arrived there, or
 /// else the status is kSceneIsWrong, with a message.
 int endProgram(int status);
-/// Ends a program that an exception has stopped; `why` is its text. What could not be printed counts first: it
-/// may be the reason. Returns kSceneIsWrong.
+/// Ends a program that an exception has stopped; `why` is its text. What could not be printed counts first:
+/// it may be the reason. Returns kSceneIsWrong.
 int failProgram(std::string_view why);
 
 /// The folders of an environment variable, which are separated by colons.

@@ -12,7 +12,7 @@ volatile std::sig_atomic_t noted = 0;
 
 Interruption::Interruption() {
     noted = 0;
-    struct sigaction note {};
+    struct sigaction note{};
     note.sa_handler = [](int signal) { noted = signal; };
     for (std::size_t i = 0; i < kSignals.size(); ++i) {
         ::sigaction(kSignals[i], nullptr, &before_[i]);
@@ -30,7 +30,7 @@ int Interruption::signal() const {
 
 void Interruption::obey() const {
     if (noted == 0) return;
-    struct sigaction plain {};
+    struct sigaction plain{};
     plain.sa_handler = SIG_DFL;
     ::sigaction(noted, &plain, nullptr);
     ::raise(noted);

@@ -73,8 +73,7 @@ void addNoise(CommandLine& program, int& status) {
     NoiseArguments& to = *arguments;
     noise::GraphOptions& options = to.noise.options;
     const auto points = [&command](const char* name, std::map<int, double>& values, const char* help) {
-        command.repeated(
-            name, [&values](const std::string& text) { return readPoint(text, values); }, help);
+        command.repeated(name, [&values](const std::string& text) { return readPoint(text, values); }, help);
     };
     command.option("DIMENSIONS", options.dimensions, "number of dimensions").within(1, 2);
     command.choice("--lattice", options.lattice,

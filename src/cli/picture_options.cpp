@@ -41,8 +41,7 @@ void add(CommandLine& command, const suite::OptionRow& row, suite::Shot& to) {
     const auto read = [&row, &to](const std::string& text) { return suite::readOptionText(row, text, to); };
     const auto added = [&] {
         if (std::holds_alternative<suite::FlagValue>(row.value))
-            return command.flag(
-                name, [read] { read(""); }, helpOf(row));
+            return command.flag(name, [read] { read(""); }, helpOf(row));
         Option option = mayBeRepeated(row) ? command.repeated(name, read, helpOf(row))
                                            : command.option(name, read, helpOf(row));
         return option.placeholder(suite::placeholder(row));

@@ -189,8 +189,8 @@ class JobRunner {
         job.explain = arguments_.explain;
         job.stats = !arguments_.statsFile.empty();
         return pack(guarded(arguments_.scenes[index], [&] {
-            render::JobResult result = render::runJob(
-                *context_, job, [&](int written) { step(std::to_string(written)); }, &shared_);
+            render::JobResult result =
+                render::runJob(*context_, job, [&](int written) { step(std::to_string(written)); }, &shared_);
             Answer answer{.status = result.failed ? kSceneIsWrong : kDone,
                           .remarks = {std::move(result.diagnostics), std::move(result.ofFrames)},
                           .explanation = std::move(result.explanation),
@@ -493,8 +493,8 @@ int renderScenes(const RenderArguments& arguments) {
     if (arguments.untrusted)
         sandbox = sandboxOf(arguments.scenes, arguments.picture.options, arguments.driver);
     Diagnostics late;
-    const std::optional<int> parts = partsOf(
-        arguments, sandbox ? &*sandbox : nullptr, [&] { return interruption.signal() != 0; }, late);
+    const std::optional<int> parts =
+        partsOf(arguments, sandbox ? &*sandbox : nullptr, [&] { return interruption.signal() != 0; }, late);
     interruption.obey();
     if (parts)
         return SceneBatch(arguments, static_cast<std::size_t>(*parts), std::move(sandbox), interruption)

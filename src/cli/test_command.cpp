@@ -152,8 +152,8 @@ std::string lineOf(const suite::ShotResult& shot) {
 
 /// True if two descriptors lead to the same terminal or file.
 bool isSameFile(int first, int second) {
-    struct stat a {};
-    struct stat b {};
+    struct stat a{};
+    struct stat b{};
     return ::fstat(first, &a) == 0 && ::fstat(second, &b) == 0 && a.st_dev == b.st_dev &&
            a.st_ino == b.st_ino;
 }

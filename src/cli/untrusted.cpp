@@ -250,7 +250,7 @@ fs::path StagingFolder::fileOf(std::size_t piece, const fs::path& target) const 
 
 std::optional<fs::path> StagingFolder::find(std::size_t piece, const fs::path& target) const {
     fs::path file = path_ / std::to_string(piece) / target.filename();
-    struct stat status {};
+    struct stat status{};
     if (::lstat(file.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
     return file;
 }
@@ -260,7 +260,7 @@ Diagnostics StagingFolder::deliver(std::size_t piece, const fs::path& target, im
     const auto refuse = [&](const std::string& why) {
         return Diagnostics{diagnose("file-E10", fmt::format("cannot write '{}': {}", target.string(), why))};
     };
-    struct stat status {};
+    struct stat status{};
     if (::lstat(file.c_str(), &status) != 0) return {};
     if (!S_ISREG(status.st_mode)) return refuse("the process that drew it made something else of it");
     // A link that the user named keeps its target, as with files that are written directly.

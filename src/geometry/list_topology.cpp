@@ -137,9 +137,8 @@ ListIndices listIndices(ListTopology topology, std::size_t count, int patchVerti
             break;
         case ListTopology::triangleFan:
         case ListTopology::polygon:
-            dropped = shared(3, 1, [&](std::uint32_t i, std::uint32_t) {
-                putIndices(out, {0, i + 1, i + 2});
-            });
+            dropped =
+                shared(3, 1, [&](std::uint32_t i, std::uint32_t) { putIndices(out, {0, i + 1, i + 2}); });
             break;
         case ListTopology::quads: {
             for (std::uint32_t a = 0; a + 4 <= n; a += 4) putIndices(out, {a, a + 1, a + 2, a, a + 2, a + 3});
@@ -153,9 +152,8 @@ ListIndices listIndices(ListTopology topology, std::size_t count, int patchVerti
             });
             break;
         case ListTopology::lineStripAdjacency:
-            dropped = shared(4, 1, [&](std::uint32_t i, std::uint32_t) {
-                putIndices(out, {i, i + 1, i + 2, i + 3});
-            });
+            dropped = shared(
+                4, 1, [&](std::uint32_t i, std::uint32_t) { putIndices(out, {i, i + 1, i + 2, i + 3}); });
             break;
         case ListTopology::triangleStripAdjacency:
             dropped =

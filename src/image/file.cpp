@@ -89,7 +89,7 @@ Result<std::vector<std::byte>> readFile(const fs::path& path, const FileLabel& l
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     if (file.number() < 0 && (errno == ENOENT || errno == ENOTDIR))
         return diagnose("file-E01", fmt::format("cannot find '{}'", label.name), label.place);
-    struct stat status {};
+    struct stat status{};
     if (file.number() < 0 || ::fstat(file.number(), &status) != 0) return unreadable(reason(errno));
     if (S_ISDIR(status.st_mode)) return unreadable("it is a folder");
     if (!S_ISREG(status.st_mode)) return unreadable("it is not an ordinary file");
@@ -193,7 +193,7 @@ void removeAbandonedFiles(const fs::path& folder) {
         if (alsoWrong != std::errc{} ||
             !std::string_view(rest, static_cast<std::size_t>(last - rest)).starts_with(".tmp"))
             continue;
-        struct stat status {};
+        struct stat status{};
         if (::lstat(each->path().c_str(), &status) != 0 || !S_ISREG(status.st_mode) ||
             status.st_uid != ::geteuid() || std::time(nullptr) - status.st_mtime < kAge ||
             ::kill(process, 0) == 0 || errno != ESRCH)
@@ -221,7 +221,7 @@ static int writeUnnamed([[maybe_unused]] const fs::path& target,
 }
 
 Diagnostics writeFileAtomically(const fs::path& path, std::span<const std::byte> bytes, NamedBy named) {
-    struct stat status {};
+    struct stat status{};
     const bool exists =
         named == NamedBy::user ? ::stat(path.c_str(), &status) == 0 : ::lstat(path.c_str(), &status) == 0;
     if (exists && S_ISDIR(status.st_mode)) return {cannotWrite(path, "it is a folder")};

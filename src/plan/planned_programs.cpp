@@ -48,8 +48,7 @@ PlannedProgramIndex PlannedPrograms::of(const ProgramVariant& variant, scene::Un
     state.diagnostics = interface.facts.diagnostics;
     if (interface.usable) resolve(program, state, uniforms);
     const Measure measure = measureOf(scene_, program, state.units);
-    append(state.diagnostics, reportLongLoops(
-                                  program, [this] { return loopLimit(); }, measure));
+    append(state.diagnostics, reportLongLoops(program, [this] { return loopLimit(); }, measure));
     append(state.diagnostics, reportLostVertices(program, measure));
     states_.push_back(std::move(state));
     return index = plan_.programs.add(std::move(program));

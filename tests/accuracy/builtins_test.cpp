@@ -76,9 +76,8 @@ TEST(JudgedPrecision, CountsTheUnitsByWhichAResultIsWrong) {
 TEST(JudgedPrecision, ReportsNotANumberAndItsArguments) {
     const BuiltinFunction& function = functionOf("exp");
     const ArgumentSweep& sweep = function.sweeps.front();
-    std::vector<float> results = answers(sweep, 100, [](const auto& x) {
-        return std::array<float, 3>{std::exp(x[0]), 0, 0};
-    });
+    std::vector<float> results =
+        answers(sweep, 100, [](const auto& x) { return std::array<float, 3>{std::exp(x[0]), 0, 0}; });
     results[4 * 17] = std::numeric_limits<float>::quiet_NaN();
     const Precision precision = judgePrecision(function, sweep, results);
     EXPECT_EQ(precision.notNumbers, 1U);
@@ -143,39 +142,19 @@ TEST(BuiltinFunctions, BoundsHoldForTheEquationsInFloat) {
     using Floats = std::array<float, 8>;
     using Three = std::array<float, 3>;
     const std::map<std::string, std::function<Three(const Floats&)>> inFloat{
-        {"sqrt",
-         [](const Floats& x) {
-             return Three{1 / (1 / std::sqrt(x[0])), 0, 0};
-         }},
-        {"radians",
-         [](const Floats& x) {
-             return Three{x[0] * .017453292f, 0, 0};
-         }},
-        {"mix",
-         [](const Floats& x) {
-             return Three{x[0] * (1 - x[4]) + x[1] * x[4], 0, 0};
-         }},
-        {"fract",
-         [](const Floats& x) {
-             return Three{x[0] - std::floor(x[0]), 0, 0};
-         }},
-        {"mod",
-         [](const Floats& x) {
-             return Three{x[0] - x[4] * std::floor(x[0] / x[4]), 0, 0};
-         }},
+        {"sqrt", [](const Floats& x) { return Three{1 / (1 / std::sqrt(x[0])), 0, 0}; }},
+        {"radians", [](const Floats& x) { return Three{x[0] * .017453292f, 0, 0}; }},
+        {"mix", [](const Floats& x) { return Three{x[0] * (1 - x[4]) + x[1] * x[4], 0, 0}; }},
+        {"fract", [](const Floats& x) { return Three{x[0] - std::floor(x[0]), 0, 0}; }},
+        {"mod", [](const Floats& x) { return Three{x[0] - x[4] * std::floor(x[0] / x[4]), 0, 0}; }},
         {"smoothstep",
          [](const Floats& x) {
              const float t = std::clamp((x[4] + x[0]) / (x[1] + x[0]), 0.f, 1.f);
              return Three{t * t * (3 - 2 * t), 0, 0};
          }},
         {"dot",
-         [](const Floats& x) {
-             return Three{x[0] * x[4] + x[1] * x[5] + x[2] * x[6] + x[3] * x[7], 0, 0};
-         }},
-        {"length",
-         [&](const Floats& x) {
-             return Three{std::sqrt(dot3(x, 0, 0)), 0, 0};
-         }},
+         [](const Floats& x) { return Three{x[0] * x[4] + x[1] * x[5] + x[2] * x[6] + x[3] * x[7], 0, 0}; }},
+        {"length", [&](const Floats& x) { return Three{std::sqrt(dot3(x, 0, 0)), 0, 0}; }},
         {"normalize",
          [&](const Floats& x) {
              const float length = std::sqrt(dot3(x, 0, 0));
@@ -190,9 +169,8 @@ TEST(BuiltinFunctions, BoundsHoldForTheEquationsInFloat) {
          [](const Floats& x) {
              return Three{x[1] * x[6] - x[2] * x[5], x[2] * x[4] - x[0] * x[6], x[0] * x[5] - x[1] * x[4]};
          }},
-        {"mat2 * vec2", [](const Floats& x) {
-             return Three{x[0] * x[4] + x[2] * x[5], x[1] * x[4] + x[3] * x[5], 0};
-         }}};
+        {"mat2 * vec2",
+         [](const Floats& x) { return Three{x[0] * x[4] + x[2] * x[5], x[1] * x[4] + x[3] * x[5], 0}; }}};
     for (const auto& [name, evaluate] : inFloat) {
         const BuiltinFunction& function = functionOf(name);
         for (const ArgumentSweep& sweep : function.sweeps) {

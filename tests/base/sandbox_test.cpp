@@ -232,7 +232,7 @@ TEST_F(Confined, ReachesNoOtherProcess) {
     });
     isStopped("being traced", [] { return ::ptrace(PTRACE_TRACEME, 0, nullptr, nullptr) == 0; });
     isStopped("its limits", [&] {
-        struct rlimit limit {};
+        struct rlimit limit{};
         return ::prlimit(victim, RLIMIT_NOFILE, nullptr, &limit) == 0;
     });
     isStopped("its memory", [&] {
@@ -257,8 +257,8 @@ TEST_F(Confined, HasNoDescriptorsButThoseThatItIsGiven) {
     for (const int each : {0, 1, 2})
         EXPECT_EQ(inChild(
                       [&] {
-                          struct stat status {};
-                          struct stat null {};
+                          struct stat status{};
+                          struct stat null{};
                           return ::fstat(each, &status) == 0 && ::stat("/dev/null", &null) == 0 &&
                                  status.st_rdev == null.st_rdev;
                       },

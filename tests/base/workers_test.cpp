@@ -79,7 +79,7 @@ TEST(Workers, APieceThatHangsIsEndedAndTheOthersGoOn) {
 /// Writes bytes to every pipe of this process, as code can that a shader has brought in.
 void writeToPipes(const std::string& bytes) {
     for (int file = 3; file < 64; ++file) {
-        struct stat status {};
+        struct stat status{};
         if (::fstat(file, &status) == 0 && S_ISFIFO(status.st_mode))
             static_cast<void>(::write(file, bytes.data(), bytes.size()));
     }

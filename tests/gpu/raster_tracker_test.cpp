@@ -155,19 +155,13 @@ const std::vector<StateCase>& stateCases() {
              glGetFloatv(GL_MIN_SAMPLE_SHADING_VALUE, &fraction);
              return glIsEnabled(GL_SAMPLE_SHADING) && fraction == .5F;
          }},
-        {"viewport",
-         [](RasterState& s) {
-             s.viewport = {.5, .25, .5, .5};
-         },
+        {"viewport", [](RasterState& s) { s.viewport = {.5, .25, .5, .5}; },
          [] {
              GLint rectangle[4] = {};
              glGetIntegerv(GL_VIEWPORT, rectangle);
              return rectangle[0] == 50 && rectangle[1] == 10 && rectangle[2] == 50 && rectangle[3] == 20;
          }},
-        {"scissor",
-         [](RasterState& s) {
-             s.scissor = base::FractionRectangle{.1, .1, .2, .3};
-         },
+        {"scissor", [](RasterState& s) { s.scissor = base::FractionRectangle{.1, .1, .2, .3}; },
          [] {
              GLint rectangle[4] = {};
              glGetIntegerv(GL_SCISSOR_BOX, rectangle);

@@ -71,9 +71,7 @@ TEST_F(ResetTest, EveryWayInWhichContentComesBackRefusesThatOfALostDevice) {
     std::array<std::byte, 16> bytes{};
     const std::vector<std::pair<const char*, std::function<void()>>> ways{
         {"pixels",
-         [&] {
-             (void)readPixels(driver(), target->readable(), 0, {0, 0, 4, 4}, {4, TexelType::u8});
-         }},
+         [&] { (void)readPixels(driver(), target->readable(), 0, {0, 0, 4, 4}, {4, TexelType::u8}); }},
         {"buffer", [&] { buffer->read(0, bytes); }},
         {"count", [&] { (void)query.result(); }},
         {"availability", [&] { (void)query.isReady(); }},

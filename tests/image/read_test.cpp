@@ -193,9 +193,7 @@ TEST_P(ReadByModule, ACutFileGivesOneMessage) {
 TEST_F(ReadImage, TheModuleWritesAndReadsInProcessesOfTheirOwn) {
     GLIBRA_NEED_MODULE();
     static int forks = 0;
-    ASSERT_EQ(pthread_atfork(
-                  nullptr, [] { ++forks; }, nullptr),
-              0);
+    ASSERT_EQ(pthread_atfork(nullptr, [] { ++forks; }, nullptr), 0);
     ASSERT_TRUE(
         writeImage(testing::smoothImage(40, 30), folder / "a.tif", {{}, testing::moduleFolders()}).empty());
     EXPECT_EQ(forks, 1);

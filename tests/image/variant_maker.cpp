@@ -401,7 +401,8 @@ std::vector<Variant> targaVariants() {
             for (const int first : {0, 10, 200})
                 for (unsigned flags = 0; flags < 16; ++flags) {
                     if (kind != 1 && (entryBits != 24 || first != 0)) continue;
-                    if (kind == 1 && flags % 4 != static_cast<unsigned>(first) % 4) continue;  // each orientation with some map
+                    if (kind == 1 && flags % 4 != static_cast<unsigned>(first) % 4)
+                        continue;  // each orientation with some map
                     all.push_back(targaVariant({kind, bits, entryBits, first, (flags & 8U) != 0,
                                                 (flags & 1U) != 0, (flags & 2U) != 0, (flags & 4U) != 0}));
                 }

@@ -27,7 +27,7 @@ struct NamedStage {
     glsl::Stage stage;
     const char* command;
     const char* suffix;
-    std::string Stages::*text;
+    std::string Stages::* text;
 };
 const std::array<NamedStage, 5>& namedStages() {
     static const std::array<NamedStage, 5> all{

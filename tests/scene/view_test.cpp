@@ -192,10 +192,7 @@ TEST(ViewPolicy, ShapesThatCannotBeMadeAreIgnored) {
     EXPECT_EQ(distanceOf("Obj absent.obj\n"), 0);
     EXPECT_EQ(distanceOf("Obj absent.obj\nSphere\n"), 2.375);
     const Scene scene = run("Sphere\n");
-    EXPECT_EQ(autoView(
-                  scene, [](ShapeIndex) { return nullptr; }, 1)
-                  .distance,
-              0);
+    EXPECT_EQ(autoView(scene, [](ShapeIndex) { return nullptr; }, 1).distance, 0);
 }
 
 TEST(ViewPolicy, SingularAndHugeMatricesGiveFiniteDistances) {

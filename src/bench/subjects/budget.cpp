@@ -91,7 +91,7 @@ class Measuring {
     int width_ = 0, height_ = 0;
 };
 
-Curve sceneCurve(const std::vector<SceneRow>& rows, std::string name, MeasuredSetting SceneRow::*which) {
+Curve sceneCurve(const std::vector<SceneRow>& rows, std::string name, MeasuredSetting SceneRow::* which) {
     Curve curve{.name = std::move(name), .points = {}};
     for (std::size_t i = 0; i < rows.size(); ++i)
         curve.points.push_back({.setting = static_cast<double>(i + 1),
@@ -102,7 +102,7 @@ Curve sceneCurve(const std::vector<SceneRow>& rows, std::string name, MeasuredSe
     return curve;
 }
 
-double total(const std::vector<SceneRow>& rows, MeasuredSetting SceneRow::*which) {
+double total(const std::vector<SceneRow>& rows, MeasuredSetting SceneRow::* which) {
     double sum = 0;
     for (const SceneRow& each : rows) sum += (each.*which).time.median;
     return sum;
@@ -111,7 +111,7 @@ double total(const std::vector<SceneRow>& rows, MeasuredSetting SceneRow::*which
 /// How many scenes keep the bound, which one is worst, and the total time; and which scenes break the bound
 /// without a report by the program.
 std::string finding(const std::vector<SceneRow>& rows, std::string_view name,
-                    MeasuredSetting SceneRow::*which, bool isBounded) {
+                    MeasuredSetting SceneRow::* which, bool isBounded) {
     const auto worst =
         std::ranges::max_element(rows, {}, [&](const SceneRow& each) { return (each.*which).off; });
     const auto kept =

@@ -184,9 +184,7 @@ Result<Figure> sobelFigure(Bench& bench, const gpu::Capabilities& capabilities) 
         const double scale = isFloat ? 1 : 1. / 5, bias = isFloat ? 0 : 1. / 5;
         methods.push_back(
             {fmt::format("separable, {} between", each.name),
-             [=](int) {
-                 return std::vector<std::string>{sobelColumns(scale, bias), sobelRows(scale, bias)};
-             },
+             [=](int) { return std::vector<std::string>{sobelColumns(scale, bias), sobelRows(scale, bias)}; },
              each.format});
     }
     const std::vector<int> sides =

@@ -219,7 +219,7 @@ std::vector<Piece> cut(std::string_view text, std::size_t pieceBytes, std::strin
 
 /// Joins the values of one kind from all pieces.
 template <class Value>
-std::vector<Value> joined(std::vector<Piece>& pieces, std::vector<Value> Piece::*member) {
+std::vector<Value> joined(std::vector<Piece>& pieces, std::vector<Value> Piece::* member) {
     std::size_t count = 0;
     for (const Piece& piece : pieces) count += (piece.*member).size();
     std::vector<Value> all;

@@ -59,9 +59,6 @@ constexpr PrimitiveSpec kXarrowRow{
     .make = [](Numbers n) { return xarrow(countAt(n, 0), countAt(n, 1)); },
     .isClosed = true,
     .deviation = xarrowDeviation,
-    .extent =
-        [](Numbers) {
-            return boxExtent({-1, -.1, -.1}, {1, .1, .1});
-        }};
+    .extent = [](Numbers) { return boxExtent({-1, -.1, -.1}, {1, .1, .1}); }};
 
 }  // namespace glibra::geometry

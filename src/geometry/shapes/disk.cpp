@@ -34,9 +34,6 @@ constexpr PrimitiveSpec kDiskXYRow{
     .make = [](Numbers n) { return diskXY(n[0], n[1], countAt(n, 2), countAt(n, 3)); },
     // s and t are linear in x and y, so only the rim is off.
     .deviation = [](Numbers n, Fidelity) { return chordDeviation(n[1], n[2]); },
-    .extent =
-        [](Numbers n) {
-            return boxExtent({-n[1], -n[1], n[0]}, {n[1], n[1], n[0]});
-        }};
+    .extent = [](Numbers n) { return boxExtent({-n[1], -n[1], n[0]}, {n[1], n[1], n[0]}); }};
 
 }  // namespace glibra::geometry

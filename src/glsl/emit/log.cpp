@@ -110,8 +110,8 @@ class Consequences {
             if (place && places_.size() < kMostPlaces) places_.push_back(offsetOf(*place));
             return !names_.emplace(name).second;
         }
-        return isConsequence(line.text) && (lines_.contains({line.source, line.line}) ||
-                                            (place && isInStatement(offsetOf(*place))));
+        return isConsequence(line.text) &&
+               (lines_.contains({line.source, line.line}) || (place && isInStatement(offsetOf(*place))));
     }
 
   private:

@@ -178,7 +178,7 @@ class MemoryReader {
         block.isRowMajor = defaults.isRowMajor;
         block.binding = binding(qualifiers);
         block.members = membersOf(declaration);
-        const auto all = [&](bool MemoryMember::*word) {
+        const auto all = [&](bool MemoryMember::* word) {
             return !block.members.empty() &&
                    std::all_of(block.members.begin(), block.members.end(),
                                [&](const MemoryMember& each) { return each.*word; });

@@ -18,8 +18,8 @@ using Step = std::conditional_t<std::is_same_v<Value, std::uint8_t>, std::int16_
                                 std::conditional_t<std::is_integral_v<Value>, std::int32_t, double>>;
 
 template <class Value>
-constexpr double kFull = std::is_integral_v<Value> ? static_cast<double>(std::numeric_limits<Value>::max())
-                                                   : 1;
+constexpr double kFull =
+    std::is_integral_v<Value> ? static_cast<double>(std::numeric_limits<Value>::max()) : 1;
 
 template <class Value>
 Step<Value> limitOf(const ExcessLimits& limits) {

@@ -161,9 +161,7 @@ std::vector<float> errorsOf(const Image& a, const Image& b, const FlipOptions& o
     };
     base::forEachIndex(
         static_cast<std::size_t>(tiles), options.threads,
-        [&] {
-            return Tiles{FilteredTile(filters), FilteredTile(filters)};
-        },
+        [&] { return Tiles{FilteredTile(filters), FilteredTile(filters)}; },
         [&](std::size_t index, Tiles& buffers) {
             auto& [first, second, rowErrors] = buffers;
             const int tile = static_cast<int>(index);

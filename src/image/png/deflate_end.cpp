@@ -127,9 +127,8 @@ class Steps {
             for (std::size_t i = bits; i < kCount; i += std::size_t{1} << length) put(i);
         };
         literals.forEach(kBits, [&](std::uint16_t symbol, unsigned length, std::uint32_t bits) {
-            fill(bits, length, [&](std::size_t i) {
-                words[i] = {symbol, static_cast<std::uint8_t>(length)};
-            });
+            fill(bits, length,
+                 [&](std::size_t i) { words[i] = {symbol, static_cast<std::uint8_t>(length)}; });
         });
         for (std::size_t i = 0; i < kCount; ++i) {
             unsigned used = 0;

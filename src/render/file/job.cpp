@@ -189,8 +189,8 @@ class JobRun {
         const image::WriteOptions options =
             image::writtenAs(job_.frames > 1 ? image::NamedBy::program : image::NamedBy::user);
         for (std::size_t i = 0; i < contents.size(); ++i)
-            append(problems,
-                   image::writeImage(contents[i], frameFile(job_.saves[i].file, index, job_.frames), options));
+            append(problems, image::writeImage(contents[i], frameFile(job_.saves[i].file, index, job_.frames),
+                                               options));
         return problems;
     }
 

@@ -138,7 +138,7 @@ void readExceptions(const Context& in, const TomlValue& value) {
             in.to.exceptions.push_back({each, in.reader.placeOf(value)});
 }
 
-template <std::optional<PlacedText> ShotTemplate::*field>
+template <std::optional<PlacedText> ShotTemplate::* field>
 void readName(const Context& in, const TomlValue& value) {
     constexpr std::string_view kWord = field == &ShotTemplate::name    ? "name"
                                        : field == &ShotTemplate::match ? "match"

@@ -32,7 +32,7 @@ Shot& in(Shot& shot, const Shot*) {
 
 template <auto kMember>
 struct MemberOf;
-template <class Owner, class T, T Owner::*kMember>
+template <class Owner, class T, T Owner::* kMember>
 struct MemberOf<kMember> {
     static const T& get(const Shot& shot) { return in(shot, static_cast<const Owner*>(nullptr)).*kMember; }
     static T& edit(Shot& shot) { return in(shot, static_cast<const Owner*>(nullptr)).*kMember; }

@@ -227,7 +227,7 @@ std::string firstErrorOf(const Diagnostics& remarks) {
 }
 
 /// The values of a member in all runs, each once.
-std::string joined(std::span<const MergedRun> runs, std::string RunResult::*member,
+std::string joined(std::span<const MergedRun> runs, std::string RunResult::* member,
                    std::string_view between) {
     std::vector<std::string_view> values;
     for (const MergedRun& run : runs) {

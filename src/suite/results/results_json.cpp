@@ -205,7 +205,7 @@ struct Reader {
         for (const Json& each : json) read(each, to.emplace_back());
     }
     template <class Value>
-    requires std::is_class_v<Value>
+        requires std::is_class_v<Value>
     static void read(const Json& json, Value& to) {
         if (!json.is_object()) fail("expected an object");
         Reader inner{json};

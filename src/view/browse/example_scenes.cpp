@@ -40,8 +40,9 @@ bool isExercise(const std::string& word) {
     if (at == 0 || at > 2) return false;
     if (word.substr(0, 2) == "Gx") at = 2;
     return at < word.size() && kDigits.find(word[at]) != std::string_view::npos &&
-           std::all_of(word.begin() + static_cast<std::ptrdiff_t>(at), word.end(),
-                       [](char c) { return c == '.' || std::isalnum(static_cast<unsigned char>(c)) != 0; });
+           std::all_of(
+               word.begin() + static_cast<std::ptrdiff_t>(at), word.end(),
+               [](char c) { return c == '.' || std::isalnum(static_cast<unsigned char>(c)) != 0; });
 }
 
 /// The last column of the table of scenes, by the file that its first column links to.

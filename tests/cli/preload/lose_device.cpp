@@ -56,7 +56,7 @@ int drawsSoFar = 0;
 
 long resets() {
     const char* file = std::getenv("GLIBRA_DEVICE");
-    struct stat found {};
+    struct stat found{};
     return file != nullptr && stat(file, &found) == 0 ? static_cast<long>(found.st_size) : 0;
 }
 

@@ -164,8 +164,8 @@ void mark(Ui& ui, std::string_view name);
 void markField(Ui& ui, std::string_view name, std::string_view label);
 /// The same as mark(); the name is only formatted if it is needed.
 template <class... Arguments>
-requires(sizeof...(Arguments) > 0) void mark(Ui& ui, fmt::format_string<Arguments...> format,
-                                             Arguments&&... arguments) {
+    requires(sizeof...(Arguments) > 0)
+void mark(Ui& ui, fmt::format_string<Arguments...> format, Arguments&&... arguments) {
     if (ui.shared.marksWidgets) mark(ui, fmt::format(format, std::forward<Arguments>(arguments)...));
 }
 

@@ -60,15 +60,13 @@ void Display::listen(GLFWwindow* window, Events& events) {
     glfwSetWindowRefreshCallback(window, [](GLFWwindow* at) { eventsOf(at).active = true; });
     glfwSetFramebufferSizeCallback(window, [](GLFWwindow* at, int, int) { eventsOf(at).active = true; });
     using Kind = InputEvent::Kind;
-    glfwSetCursorPosCallback(window, [](GLFWwindow* at, double x, double y) {
-        note(at, {Kind::move, 0, false, {x, y}});
-    });
+    glfwSetCursorPosCallback(
+        window, [](GLFWwindow* at, double x, double y) { note(at, {Kind::move, 0, false, {x, y}}); });
     glfwSetMouseButtonCallback(window, [](GLFWwindow* at, int button, int action, int) {
         note(at, {Kind::button, button, action == GLFW_PRESS, {}});
     });
-    glfwSetScrollCallback(window, [](GLFWwindow* at, double x, double y) {
-        note(at, {Kind::wheel, 0, false, {x, y}});
-    });
+    glfwSetScrollCallback(
+        window, [](GLFWwindow* at, double x, double y) { note(at, {Kind::wheel, 0, false, {x, y}}); });
     glfwSetWindowContentScaleCallback(window,
                                       [](GLFWwindow* at, float, float) { eventsOf(at).active = true; });
     glfwSetWindowFocusCallback(window, [](GLFWwindow* at, int) { eventsOf(at).active = true; });
