@@ -158,7 +158,7 @@ class Parser {
                       {[](std::string_view) { return false; }, [](std::string_view) { return false; }},
                       command, unused);
         if (unused.errorCount() > 0 || command.values.empty()) return false;
-        takeUniforms(command);
+        takeUniforms(command, true);
         if (!command.tags.empty() || ++programs_ > kMostPrograms) return false;
         setText(command);
         command.values.clear();

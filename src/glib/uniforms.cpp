@@ -206,13 +206,22 @@ class ProgramReader {
     std::unordered_map<std::string, std::size_t> indexOfTag_;
 };
 
-/// The tag as a UniformSpec; nothing if it has parts, or its value is not made of plain numbers.
-std::optional<UniformSpec> uniformOf(const KeyedValues& tag) {
+bool hasComputedSubscript(const KeyedValues& tag) {
+    return std::any_of(tag.path.begin(), tag.path.end(), [](const NamePart& part) {
+        return std::any_of(part.index.begin(), part.index.end(),
+                           [](const Value& index) { return index.kind != Value::Kind::number; });
+    });
+}
+
+/// The tag as a UniformSpec; nothing if its value is not made of plain numbers, or if it has parts. With
+/// `takesParts` only parts whose subscripts are computed are refused.
+std::optional<UniformSpec> uniformOf(const KeyedValues& tag, bool takesParts) {
     const Value& value = tag.values.front();
     UniformSpec spec{tag.key, UniformForm::number, {}, tag.position, value.position};
     const bool isPlain = std::all_of(value.items.begin(), value.items.end(),
                                      [](const Value& each) { return each.kind == Value::Kind::number; });
-    if (!tag.path.empty() || !isPlain || !value.count.empty()) return std::nullopt;
+    if ((takesParts ? hasComputedSubscript(tag) : !tag.path.empty()) || !isPlain || !value.count.empty())
+        return std::nullopt;
     switch (value.kind) {
         case Value::Kind::number:
             break;
@@ -238,10 +247,10 @@ std::optional<UniformSpec> uniformOf(const KeyedValues& tag) {
 
 }  // namespace
 
-void takeUniforms(Command& command) {
+void takeUniforms(Command& command, bool takesParts) {
     std::vector<KeyedValues> rest;
     for (KeyedValues& tag : command.tags) {
-        if (std::optional<UniformSpec> spec = uniformOf(tag))
+        if (std::optional<UniformSpec> spec = uniformOf(tag, takesParts))
             command.uniforms.push_back(std::move(*spec));
         else
             rest.push_back(std::move(tag));

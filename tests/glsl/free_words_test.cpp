@@ -193,7 +193,9 @@ TEST(LayoutWords, AreNamesInEveryVersion) {
         EXPECT_EQ("", glslangErrors(translated)) << version;
         const std::string source = sourceOf(translated, Stage::fragment);
         EXPECT_EQ(std::string::npos, source.find("float row_major")) << version;  // some drivers refuse it
-        if (!isOld) EXPECT_NE(std::string::npos, source.find("layout(std140, row_major)")) << version;
+        if (!isOld) {
+            EXPECT_NE(std::string::npos, source.find("layout(std140, row_major)")) << version;
+        }
     }
 }
 

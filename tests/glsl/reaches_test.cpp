@@ -32,7 +32,7 @@ TEST(Patches, AreReadUpToTheGreatestSubscript) {
 }
 
 /// The vertices that a geometry stage surely emits.
-double emitted(const std::string& body, const std::string& functions = "") {
+double mostEmitted(const std::string& body, const std::string& functions = "") {
     const TranslatedProgram translated =
         translateStages({{Stage::vertex, kPlainVertex},
                          {Stage::geometry,
@@ -51,20 +51,20 @@ double emitted(const std::string& body, const std::string& functions = "") {
 }
 
 TEST(Emission, CountsWhatIsSure) {
-    EXPECT_EQ(emitted("EmitVertex(); EmitVertex(); EndPrimitive();"), 2);
-    EXPECT_EQ(emitted("for (int i = 0; i < 5; ++i) { gl_Position = vec4(i); EmitVertex(); }"), 5);
-    EXPECT_EQ(emitted("for (int i = 0; i < 3; ++i) for (int k = 0; k <= 1; ++k) EmitVertex();"), 6);
-    EXPECT_EQ(emitted("for (int i = 0; i < uN; ++i) EmitVertex();"), 10);
-    EXPECT_EQ(emitted("corner(); corner(); EmitVertex();", "void corner() { EmitVertex(); }\n"), 3);
-    EXPECT_EQ(emitted("EmitVertex(); int i = 0; do { EmitVertex(); i++; } while (i < 4);"), 5);
-    EXPECT_EQ(emitted("float x = uN > 1 ? 1. : 2.; gl_Position = vec4(x); EmitVertex();"), 1);
+    EXPECT_EQ(mostEmitted("EmitVertex(); EmitVertex(); EndPrimitive();"), 2);
+    EXPECT_EQ(mostEmitted("for (int i = 0; i < 5; ++i) { gl_Position = vec4(i); EmitVertex(); }"), 5);
+    EXPECT_EQ(mostEmitted("for (int i = 0; i < 3; ++i) for (int k = 0; k <= 1; ++k) EmitVertex();"), 6);
+    EXPECT_EQ(mostEmitted("for (int i = 0; i < uN; ++i) EmitVertex();"), 10);
+    EXPECT_EQ(mostEmitted("corner(); corner(); EmitVertex();", "void corner() { EmitVertex(); }\n"), 3);
+    EXPECT_EQ(mostEmitted("EmitVertex(); int i = 0; do { EmitVertex(); i++; } while (i < 4);"), 5);
+    EXPECT_EQ(mostEmitted("float x = uN > 1 ? 1. : 2.; gl_Position = vec4(x); EmitVertex();"), 1);
 }
 TEST(Emission, LeavesOutWhatDepends) {
-    EXPECT_EQ(emitted("if (uN > 3) { EmitVertex(); } else EmitVertex(); EmitVertex();"), 1);
-    EXPECT_EQ(emitted("for (int i = 0; i < 9; ++i) { if (i > uN) break; EmitVertex(); }"), 0);
-    EXPECT_EQ(emitted("if (uN > 1) for (int i = 0; i < 9; ++i) EmitVertex();"), 0);
-    EXPECT_EQ(emitted("for (int i = 0; i < 9; ++i) { if (i == 2) EmitVertex(); EmitVertex(); }"), 9);
-    EXPECT_EQ(emitted("for (int i = 0; i < int(gl_in[0].gl_Position.x); ++i) for (int k = 0; k < 9; ++k) "
+    EXPECT_EQ(mostEmitted("if (uN > 3) { EmitVertex(); } else EmitVertex(); EmitVertex();"), 1);
+    EXPECT_EQ(mostEmitted("for (int i = 0; i < 9; ++i) { if (i > uN) break; EmitVertex(); }"), 0);
+    EXPECT_EQ(mostEmitted("if (uN > 1) for (int i = 0; i < 9; ++i) EmitVertex();"), 0);
+    EXPECT_EQ(mostEmitted("for (int i = 0; i < 9; ++i) { if (i == 2) EmitVertex(); EmitVertex(); }"), 9);
+    EXPECT_EQ(mostEmitted("for (int i = 0; i < int(gl_in[0].gl_Position.x); ++i) for (int k = 0; k < 9; ++k) "
                       "EmitVertex();"),
               0);
 }

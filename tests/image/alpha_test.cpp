@@ -106,7 +106,9 @@ TEST_F(Alpha, ThatAFormatLacksIsReportedWhenItIsLost) {
         const auto read = readImage(path, {}, testing::withModule());
         ASSERT_TRUE(read) << suffix;
         EXPECT_FALSE(isTransparent(*read)) << suffix;
-        if (std::string_view(suffix) == ".bmp") EXPECT_EQ(read->data, opaque.data);
+        if (std::string_view(suffix) == ".bmp") {
+            EXPECT_EQ(read->data, opaque.data);
+        }
     }
 }
 
