@@ -97,22 +97,20 @@ TEST_P(LostDeviceCommand, NothingElseThatRenderWritesIsOfALostDevice) {
         "Fragment inline\n#version 330 core\nuniform sampler2D uShown;\nin vec2 vST;\nout vec4 f;\n"
         "void main() { f = texture(uShown, vST); }\nEndFragment\nProgram S uShown shown\nFill window with "
         "S\n");
-}\nEndFragment\nProgram S uShown "
-        "shown\nFill\n");
-for (const char* arguments :
-     {"render hangs.glib -o -", "render hangs.glib -o out.exr", "render hangs.glib -o out/",
-      "render hangs.glib --frames 3 -o frame.png", "render hangs.glib --frames 20 --jobs 2 -o frame.png",
-      "render hangs.glib --check-nan -o out.png", "render hangs.glib --max-error .5 -o out.png",
-      "render hangs.glib --tile 16 -o out.png", "render hangs.glib --stats stats.json -o out.png",
-      "render hangs.glib --incomplete -o out.png", "render m.glib -o out.png --save shown=saved.png"}) {
-    const Finished end = run(arguments);
-    EXPECT_EQ(end.status, 3) << arguments << end.err;
-    EXPECT_TRUE(contains(end.err, kHangs)) << arguments << end.err;
-    EXPECT_EQ(end.out, "") << arguments;
-    const std::string listing = folder.listing();
-    for (const char* kind : {".png", ".exr", ".gif", ".tmp"})
-        EXPECT_FALSE(contains(listing, kind)) << arguments << "\n" << listing;
-}
+    for (const char* arguments :
+         {"render hangs.glib -o -", "render hangs.glib -o out.exr", "render hangs.glib -o out/",
+          "render hangs.glib --frames 3 -o frame.png", "render hangs.glib --frames 20 --jobs 2 -o frame.png",
+          "render hangs.glib --check-nan -o out.png", "render hangs.glib --max-error .5 -o out.png",
+          "render hangs.glib --tile 16 -o out.png", "render hangs.glib --stats stats.json -o out.png",
+          "render hangs.glib --incomplete -o out.png", "render m.glib -o out.png --save shown=saved.png"}) {
+        const Finished end = run(arguments);
+        EXPECT_EQ(end.status, 3) << arguments << end.err;
+        EXPECT_TRUE(contains(end.err, kHangs)) << arguments << end.err;
+        EXPECT_EQ(end.out, "") << arguments;
+        const std::string listing = folder.listing();
+        for (const char* kind : {".png", ".exr", ".gif", ".tmp"})
+            EXPECT_FALSE(contains(listing, kind)) << arguments << "\n" << listing;
+    }
 }
 
 TEST_P(LostDeviceCommand, AnInnocentAnimationOnStandardOutputHasEachFrameOnce) {
