@@ -77,7 +77,7 @@ class Readable {
             found_.insert(std::move(reach));
         } else if (linked_.insert(*link).second) {
             problems_.push_back(diagnose(
-                "file-W24", fmt::format("--untrusted: '{}' is a link, which is not followed; name the "
+                "file-W18", fmt::format("--untrusted: '{}' is a link, which is not followed; name the "
                                         "folder that it leads to, as with --library",
                                         link->string())));
         }

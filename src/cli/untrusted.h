@@ -26,7 +26,7 @@ bool prepareUntrusted();
 
 /// What workers need that draw these scenes: the scenes' folders, the library folders that the file look-up
 /// searches, the image module, and the graphics devices unless the driver draws by software. A folder of the
-/// library that is reached through a link, below a root, is left out, and file-W24 is printed.
+/// library that is reached through a link, below a root, is left out, and file-W18 is printed.
 base::Sandbox sandboxOf(const std::vector<std::string>& scenes, const RenderOptions& options, Driver driver);
 
 /// The same for suites; their workers write only into `folders`. A suite may have been written by a stranger

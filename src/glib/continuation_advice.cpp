@@ -79,7 +79,15 @@ void ContinuationAdvice::follow(const Statement& statement) {
 
 void ContinuationAdvice::advise(std::string_view text, const Statement& statement, MessageLog& log) {
     Diagnostic* message = log.last();
-    if (message == nullptr || !endsTooEarly(*message)) return;
+    if (message == nullptr) return;
+    const Token& first = statement.word;
+    if (row_ != nullptr && first.position.line == lastLine_ + 1 && first.kind == TokenKind::word &&
+        lower(first.text.front()) == first.text.front() && isKeyOf(*row_, first.text)) {
+        message->text += fmt::format("; if {} (line {}) goes on here, end line {} with a backslash", name_,
+                                     firstLine_, lastLine_);
+        return;
+    }
+    if (!endsTooEarly(*message)) return;
     const std::string_view word = wordOfNextLine(text, statement.end);
     if (!isMissing(message->text, word)) return;
     message->text += fmt::format("; end line {} with a backslash if the statement goes on in the next one",

@@ -14,8 +14,9 @@ class ContinuationAdvice {
     /// Remembers the statement as the one that the next line may go on with.
     void follow(const Statement& statement);
 
-    /// Adds advice to the last message if that says that the statement ends too early and the next line
-    /// begins with what is missing. Statements of that line are then skipped.
+    /// Adds advice to the last message, which is about the statement: if it ends too early and the next line
+    /// begins with what is missing, whose statements are then skipped; or if it begins with a key of the
+    /// statement on the line before.
     void advise(std::string_view text, const Statement& statement, MessageLog& log);
 
     /// True for a statement on a line that belongs to an earlier one, which has been reported.

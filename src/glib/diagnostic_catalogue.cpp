@@ -34,7 +34,7 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"glib-E27", "no group 'tre' is declared before this line; did you mean 'tree'?"},
     {"glib-E28", "group 'tree' draws itself"},
     {"glib-E29", "Camera: Perspective needs an angle between 0 and 180, and 0 < near < far"},
-    {"glib-E32", "'uTint' is a vec3, but its value has 16 numbers, as a mat4"},
+    {"glib-E30", "'uTint' is a vec3, but its value has 16 numbers, as a mat4"},
     {"glib-W01", "a single '/' starts a comment here; use '//' or '#', or quote the path"},
     {"glib-W02", "text after the continuation backslash ignored"},
     {"glib-W03", "',' at the end of '.60,' dropped; blanks separate values"},
@@ -133,13 +133,13 @@ constexpr CatalogueRow kCatalogueRows[] = {
      "'cube' has 6 faces, but only face 0 is drawn into: name one, such as 'cube.face(0)', or write gl_Layer "
      "in a geometry stage"},
     {"draw-W15", "Attribute: program 'Lit' has no vertex input 'ofset'; did you mean 'offset'?"},
-    {"draw-W17",
+    {"draw-W16",
      "Vertex (line 4) and Fragment (line 8) belong to no Program, so nothing is drawn with them; write "
      "'Program NAME' after them"},
-    {"draw-W18",
+    {"draw-W17",
      "Vertices: a patch has 3 vertices, but the control stage reads gl_in[3] (quad.tesc:7); write "
      "'NumPatchVertices 4'"},
-    {"draw-W25",
+    {"draw-W18",
      "Dispatch: 281,462,092,005,375 groups in all; this driver counts at most 2,147,483,647, and does not "
      "run "
      "the others; dispatch fewer groups, or divide them with tiles"},
@@ -177,7 +177,7 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"memory-E14",
      "atomic counters 'red' and 'all' of program 'Count' have the same binding, so they lie in one buffer, "
      "but two are given, 'red' and 'all'; give each counter a binding of its own"},
-    {"memory-E17", "Vertices from a buffer: 5,000,000 indices are more than the 6 elements of 'square'"},
+    {"memory-E15", "Vertices from a buffer: 5,000,000 indices are more than the 6 elements of 'square'"},
     {"memory-W01",
      "Step reads 'shadow', which only the frame writes (line 20), so the result depends on the pictures that "
      "were drawn before; write 'shadow' in Step"},
@@ -234,13 +234,13 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"glsl-W21", "uniform 'uKa' declared again on line 12, ignored"},
     {"glsl-W22", "input 'vST' is written to; a local copy is used"},
     {"glsl-W23", "pow(vec2, float): the scalar is widened to vec2"},
-    {"glsl-W30",
-     "max_vertices is 3, but the stage emits 4 vertices, of which the last one is lost; write max_vertices = "
-     "4"},
-    {"glsl-W31", "'sum' is read before it has a value; give it one where it is declared"},
     {"glsl-W24", "'SHADOWS' is not defined, so it counts as 0 here"},
     {"glsl-W25", "'##' came with GLSL 1.30, accepted"},
     {"glsl-W26", "the backslash at the end of this comment makes the next line part of it"},
+    {"glsl-W27",
+     "max_vertices is 3, but the stage emits 4 vertices, of which the last one is lost; write max_vertices = "
+     "4"},
+    {"glsl-W28", "'sum' is read before it has a value; give it one where it is declared"},
     // Files
     {"file-E01", "cannot find 'cow.obj'; nearest: 'cows.obj'"},
     {"file-E02", "'dots.frag' is empty"},
@@ -276,8 +276,8 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"file-W15",
      "'a.jpg' is to be turned by its EXIF data (orientation 6), which are ignored; save the picture upright"},
     {"file-W16", "'a.bmp': 3 pixels have colours that the palette lacks; they are black"},
-    {"file-W23", "1 concave face of many corners drawn as a fan from the first corner"},
-    {"file-W24",
+    {"file-W17", "1 concave face of many corners drawn as a fan from the first corner"},
+    {"file-W18",
      "--untrusted: 'scenes/shaders' is a link, which is not followed; name the folder that it leads to, as "
      "with --library"},
     {"file-N01", "noise is read from 'noise3d.064.tex' beside the scene"},

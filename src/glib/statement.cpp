@@ -221,7 +221,7 @@ void StatementReader::readBody(Statement& statement) {
     }
     statement.body = text_.substr(body.first, body.last - body.first);
     statement.bodyPosition = {body.firstLine, 1};
-    statement.end = body.line.end;
+    statement.end = body.end == ShaderBody::End::otherStatement ? body.last : body.line.end;
     if (body.end == ShaderBody::End::itsWord) return;
     // The shader is whole, so what follows is read as if its end were there.
     const bool isWord = body.end == ShaderBody::End::otherWord;

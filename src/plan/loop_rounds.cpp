@@ -49,7 +49,7 @@ Diagnostics reportLostVertices(const PlannedProgram& program, const Measure& mea
         constexpr double kMost = 1e9;
         if (emitted <= facts.maxVertices || emitted > kMost) continue;
         const auto count = static_cast<long long>(emitted);
-        return {diagnose("glsl-W30",
+        return {diagnose("glsl-W27",
                          fmt::format("max_vertices is {}, but the stage emits {} vertices, of which the last "
                                      "{} lost; write max_vertices = {}",
                                      facts.maxVertices, glib::groupedText(count),

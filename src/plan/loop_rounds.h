@@ -1,6 +1,6 @@
 #pragma once
 // What the rounds of a shader's loops lead to: a driver may end them too early (draw-W08), and a geometry
-// stage may emit more vertices than it declares (glsl-W30).
+// stage may emit more vertices than it declares (glsl-W27).
 
 #include <functional>
 #include <optional>
@@ -29,7 +29,7 @@ Measure measureOf(const scene::Scene& scene, const PlannedProgram& program, std:
 Diagnostics reportLongLoops(const PlannedProgram& program, const std::function<int()>& limit,
                             const Measure& measure = {});
 
-/// Returns glsl-W30 if the geometry stage emits more vertices than its layout allows, as far as the number is
+/// Returns glsl-W27 if the geometry stage emits more vertices than its layout allows, as far as the number is
 /// sure.
 Diagnostics reportLostVertices(const PlannedProgram& program, const Measure& measure = {});
 

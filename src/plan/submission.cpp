@@ -65,7 +65,7 @@ Result<Submission> asPatches(const scene::Shape& shape, const scene::Draw& draw,
     return Submission{Topology::patches, wanted};
 }
 
-/// Returns draw-W18 if the first tessellation stage reads vertices that the patches do not have.
+/// Returns draw-W17 if the first tessellation stage reads vertices that the patches do not have.
 Diagnostics patchProblems(const scene::Shape& shape, const scene::Draw& draw, const scene::Program& program,
                           const ProgramInterface& interface, int patchVertices) {
     const glsl::TranslatedProgram& facts = interface.facts;
@@ -78,7 +78,7 @@ Diagnostics patchProblems(const scene::Shape& shape, const scene::Draw& draw, co
     const bool isList = shape.list != nullptr;
     const bool isSized = topologyOf(shape) == Topology::patches && !isList;
     return {diagnose(
-        "draw-W18",
+        "draw-W17",
         fmt::format("{}: a patch has {} {}, but the {} ({}:{}){}", draw.word, patchVertices,
                     patchVertices == 1 ? "vertex" : "vertices", reads,
                     facts.patchReadPlace.file.substr(facts.patchReadPlace.file.find_last_of("/\\") + 1),

@@ -371,7 +371,7 @@ class Resolver {
         if (drawn_.scene != nullptr && isMatrixInstead(given, target, named)) {
             touched_[named.uniform] = true;
             result_.badBindings.push_back(
-                diagnose("glib-E32",
+                diagnose("glib-E30",
                          fmt::format("'{}' is a {}, but its value has {} numbers, as a mat{}", given.tag,
                                      target.type.word, given.values.size(), given.values.size() == 9 ? 3 : 4),
                          given.valuePlace));

@@ -83,7 +83,7 @@ std::string listOfStages(const std::vector<PendingStage>& stages) {
     return text;
 }
 
-/// Reports draw-W17 for shaders that no Program takes before others take their place or the script ends. An
+/// Reports draw-W16 for shaders that no Program takes before others take their place or the script ends. An
 /// included file may have the Program.
 void reportStagesWithoutProgram(Interpreter& in) {
     std::map<CommandId, PendingStage> pending;
@@ -94,7 +94,7 @@ void reportStagesWithoutProgram(Interpreter& in) {
             return a.command->position.line < b.command->position.line;
         });
         in.reportAt(
-            *lost.front().command, "draw-W17",
+            *lost.front().command, "draw-W16",
             fmt::format(
                 "{} belong{} to no Program, so nothing is drawn with {}; write 'Program NAME' "
                 "after {}{}",

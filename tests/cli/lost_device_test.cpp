@@ -132,8 +132,9 @@ TEST_P(LostDeviceCommand, CheckDoesNotBelieveAnExpectOfALostDevice) {
                  "WindowSize 40 40\nVertex a.vert\nFragment hangs.frag\nProgram H\nQuadXY 0 1 1 1\n"
                  "Expect pixel 20 20 [0 0 0]\n");
     folder.write("black.glib",
-                 "WindowSize 40 40\nVertex a.vert\nFragment inline\n#version 330 core\nout vec4 f;\n"
-                 "void main() { f = vec4(0., 0., 0., 1.); }\nEndFragment\nProgram B\nQuadXY 0 1 1 1\n"
+                 "WindowSize 40 40\nLookAt 0 0 5  0 0 0  0 1 0\nVertex a.vert\nFragment inline\n#version 330 "
+                 "core\nout vec4 f;\nvoid main() { f = vec4(0., 0., 0., 1.); }\nEndFragment\nProgram "
+                 "B\nQuadXY 0 1 1 1\n"
                  "Expect pixel 20 20 [0 0 0]\n");
     EXPECT_EQ(run("check e.glib").status, 0) << "nothing is drawn";
     const Finished end = run("check --run black.glib e.glib black.glib a.glib --jobs 1");

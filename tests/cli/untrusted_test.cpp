@@ -148,7 +148,7 @@ TEST_F(Untrusted, LinksThatAreFoldersOfALibraryAreNotFollowed) {
         for (const char* command : {"render", "check"}) {
             const Finished confined = run(std::string(command) + " in/b.glib --untrusted" + each.options);
             EXPECT_EQ(confined.status, 3) << command << each.link << confined.err;
-            EXPECT_TRUE(contains(confined.err, "file-W24")) << confined.err;
+            EXPECT_TRUE(contains(confined.err, "file-W18")) << confined.err;
             EXPECT_TRUE(contains(confined.err, each.link.string())) << confined.err;
         }
         // As a library that the user names, the place is one that may be read.

@@ -340,7 +340,7 @@ TEST(ConcaveFaces, WhatTakesTooLongIsAFanWithAMessage) {
     const auto model = parseObj(text, "a.obj");
     ASSERT_TRUE(model);
     ASSERT_EQ(model.diagnostics.size(), 1U);
-    EXPECT_EQ(model.diagnostics[0].id, "file-W23");
+    EXPECT_EQ(model.diagnostics[0].id, "file-W17");
     EXPECT_EQ(model->splitTriangles.size(), 3U * (kCorners - 2));
     EXPECT_EQ(obj(*model, false).indices.size(), 3U * (kCorners - 2));
 }

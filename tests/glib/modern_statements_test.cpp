@@ -190,7 +190,7 @@ TEST(ModernShaders, AreTakenRawUpToTheEndWord) {
     EXPECT_EQ(script.commands[0].bodyPosition, (Position{2, 1}));
     EXPECT_EQ(script.commands[1].position.line, 5);
     EXPECT_EQ(placedMessageOf("Compute inline\nEndVertex\n"),
-              "1:1 glib-E22 'Compute inline' is not closed by a line 'EndCompute'");
+              "1:1 glib-E22 'Compute inline' is closed by 'EndVertex' (line 2); write EndCompute");
     EXPECT_EQ(only("Compute inline\nEndCompute").body, "");
     EXPECT_EQ(only("Compute a.comp").text, "a.comp");
 }

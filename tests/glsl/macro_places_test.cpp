@@ -89,7 +89,7 @@ TEST(MacroPlaces, ArgumentsKeepTheirPlace) {
 
 TEST(MacroPlaces, ArgumentsInTheLineOfTheCallHaveNoNote) {
     EXPECT_EQ("6:17", messagesAbout(kMiddle + "float f = WRONG(misspelt);\n", "misspelt"));
-    EXPECT_EQ("8:10", messagesAbout(kMiddle + "float f = WRONG(\n1.\n) + WRONG(misspelt);\n", "misspelt"));
+    EXPECT_EQ("8:11", messagesAbout(kMiddle + "float f = WRONG(\n1.\n) + WRONG(misspelt);\n", "misspelt"));
     EXPECT_EQ("6:21", messagesAbout(kMiddle + "float f = MIDDLE(1.,misspelt);\n", "misspelt"));
 }
 

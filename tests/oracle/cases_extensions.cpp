@@ -104,7 +104,7 @@ void main() {
         {.name = "commas_in_constants", .stages = {.vertex = kPointVertex, .fragment = R"glsl(#version 120
 varying vec3 vPoint;
 const float kHalf = (1., .5);
-float weights[(2, 3)];
+float weights[3];
 void main() {
     float i = 0.;
     weights[0] = kHalf, weights[1] = (i += .25, i), weights[2] = 1.;

@@ -143,12 +143,7 @@ void main() {
             TWICE
             ,
             gl_Vertex.y
-        )
-#if defined EMPTY && __VERSION__ == 130
-        * SELF
-#else
-        * 9.
-#endif
+        ) * SELF
     ), FIRST(EMPTY .3, EMPTY));
     gl_Position = ftransform();
 }

@@ -33,7 +33,7 @@ TEST(DispatchLimit, SoftwareDriversCountTheGroupsOfAllAxesTogether) {
                     EXPECT_EQ(!checked.diagnostics.empty(), isSoftware && isTooMany)
                         << x << " " << y << " " << z;
                     if (!checked.diagnostics.empty()) {
-                        EXPECT_EQ(checked.diagnostics.front().id, "draw-W25");
+                        EXPECT_EQ(checked.diagnostics.front().id, "draw-W18");
                         EXPECT_EQ(checked.diagnostics.front().place.line, 3);
                         ++reported;
                     }

@@ -104,7 +104,9 @@ TEST(ScriptAnswers, ChecksOfASceneThatFailsAsExpectedAreReported) {
     EXPECT_EQ(countOf(problems, "check-E02"), 2U) << problems;
     EXPECT_NE(problems.find("there is no picture to look at, because of glsl-E01"), std::string::npos)
         << problems;
-    EXPECT_EQ(countOf(problemsOf("Fragment missing.frag\n" + wrong + "Expect pixel 0 0 [1]\n"), "check-E02"),
+    EXPECT_EQ(countOf(problemsOf("Fragment missing.frag\nProgram Q\nFill window with Q\n" + wrong +
+                                 "Expect pixel 0 0 [1]\n"),
+                      "check-E02"),
               0U)
         << "other errors say enough";
     // The scene fails at another time than the first.

@@ -88,7 +88,7 @@ TEST(ScriptFills, AnInputOfALeftOutStageIsExplained) {
     const std::string reads = fragment("in vec2 vUv;\n", "vec4(vUv, 0., 1.)");
     const std::string problems =
         problemsOf(kBegin + vertex + reads + "Program First\n" + reads +
-                   "Program Second\nFill picture with First\nFill picture with Second\n");
+                   "Program Second\nFill picture with First\nFill window with Second\n");
     EXPECT_NE(problems.find("glsl-W11"), std::string::npos) << problems;
     EXPECT_NE(problems.find("write them again before this one"), std::string::npos) << problems;
     EXPECT_EQ(problems.find("glsl-W11"), problems.rfind("glsl-W11")) << problems;

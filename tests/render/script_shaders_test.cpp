@@ -395,6 +395,7 @@ Dispatch Outside 1 1 1
 Expect buffer Small [1 2 3 4]
 Expect buffer Other [7 8 9]
 Expect buffer Result [2]
+Expect error memory-W05
 )"),
               "");
 }

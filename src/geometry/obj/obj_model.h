@@ -72,7 +72,7 @@ enum class ObjElements { faces, edges };
 /// the last element above the face; positive ones may also refer to elements further down. Faces with fewer
 /// than three corners or with an index out of range are dropped (file-W05), and so are such lines and points.
 /// A malformed number is replaced by its longest numeric prefix, or by 0 (file-W06). file-W05 and file-W06
-/// are given at most a hundred times each, then once with the number of the rest. file-W23: faces that are
+/// are given at most a hundred times each, then once with the number of the rest. file-W17: faces that are
 /// fans although they are concave, because cutting them takes too long. Errors: file-E07 nothing that is
 /// wanted, file-E08 a compiler's object file, file-E09 too large.
 ///

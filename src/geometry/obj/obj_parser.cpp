@@ -364,7 +364,7 @@ Result<ObjModel> parseObj(std::string_view text, std::string path, ObjElements w
     if (!model) return model;
     if (const std::size_t uncut = splitConcaveFaces(*model); uncut > 0)
         model.diagnostics.push_back(diagnose(
-            "file-W23",
+            "file-W17",
             fmt::format("{} concave {} of many corners drawn as {} from the first corner", grouped(uncut),
                         uncut == 1 ? "face" : "faces", uncut == 1 ? "a fan" : "fans"),
             {path, 1, 1}));

@@ -33,7 +33,7 @@ bool looksLikeExpression(std::string_view word) {
     const std::size_t at = word.find_first_of("*/%+-");
     const auto isOperand = [](char c) { return isLetter(c) || (c >= '0' && c <= '9') || c == '_'; };
     return at != std::string_view::npos && at + 1 < word.size() &&
-           (isOperand(word[at + 1]) || word[at + 1] == '.' || word[at + 1] == '-') &&
+           (isOperand(word[at + 1]) || word[at + 1] == '.' || word[at + 1] == '-' || word[at + 1] == '(') &&
            std::any_of(word.begin(), word.end(), isOperand);
 }
 

@@ -76,7 +76,7 @@ void reportUnassigned(const Unit& unit, Report& report) {
         const bool isLength = unit.text(at + 1) == "." && unit.text(at + 2) == "length";
         if (!isGiven && !isLength)
             report.report(
-                "glsl-W31",
+                "glsl-W28",
                 "'" + std::string(name) + "' is read before it has a value; give it one where it is declared",
                 unit.place(at));
     }

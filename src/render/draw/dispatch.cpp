@@ -72,7 +72,7 @@ Result<std::array<unsigned, 3>> checkedGroups(const GroupCounts& groups, const g
     if (all <= kMostOfSoftware) return checked;
     return {
         checked,
-        {diagnose("draw-W25",
+        {diagnose("draw-W18",
                   fmt::format("Dispatch: {} groups in all; this driver counts at most {}, and may not run "
                               "the others; dispatch fewer groups, or divide them with tiles",
                               glib::groupedText(static_cast<long long>(all)),

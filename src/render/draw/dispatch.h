@@ -19,7 +19,7 @@ using GroupCounts = std::array<std::uint64_t, 3>;
 
 /// The counts as GL takes them. Error memory-E06 names the driver's limit for counts beyond it. GL has no
 /// limit for their product, but software drivers count the groups with 32 bits and leave the others undone
-/// without an error: warning draw-W25.
+/// without an error: warning draw-W18.
 Result<std::array<unsigned, 3>> checkedGroups(const GroupCounts& groups, const gpu::Capabilities& driver,
                                               const Place& place);
 

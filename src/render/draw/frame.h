@@ -178,7 +178,7 @@ class FrameDrawer {
     void submitDirect(const plan::PlannedDraw& planned, const Elements& elements, GLenum mode) const;
     /// The word of that number of a buffer; 0 if the buffer has not been made. Waits for the device.
     [[nodiscard]] std::uint32_t countIn(const scene::BufferView& from, std::size_t word) const;
-    /// memory-E06 if a buffer gives the draw more vertices or instances than a scene may state, memory-E17 if
+    /// memory-E06 if a buffer gives the draw more vertices or instances than a scene may state, memory-E15 if
     /// more indices than there are.
     [[nodiscard]] Diagnostics checkCounts(const scene::Draw& draw) const;
     /// Draws with counts that buffers hold.

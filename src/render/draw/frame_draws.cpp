@@ -180,7 +180,7 @@ Diagnostics FrameDrawer::checkCounts(const scene::Draw& draw) const {
     const auto indices = device_.indicesOf(draw);
     if (diagnostics.empty() && indices && count > static_cast<std::uint32_t>(indices->count))
         diagnostics.push_back(
-            diagnose("memory-E17",
+            diagnose("memory-E15",
                      fmt::format("Vertices from a buffer: {} indices are more than the {} elements of '{}'",
                                  glib::groupedText(count), glib::groupedText(indices->count),
                                  device_.nameOfIndices(draw)),

@@ -199,6 +199,14 @@ std::shared_ptr<const ConditionNames> namesOfCondition(Interpreter& in, const gl
         name.why = environment.whyMissing(each.symbol.slot, 0);
         names->add(std::move(name));
     }
+    // A path is read name by name: "ramps.size" needs "ramps".
+    for (const expression::Use& each : entry.expression->uses())
+        for (std::size_t end = each.path.find('.'); end != std::string::npos;
+             end = each.path.find('.', end + 1)) {
+            const std::string path = each.path.substr(0, end);
+            const auto symbol = names->find(path) ? std::nullopt : environment.find(path);
+            if (symbol) names->add({path, *symbol, {}});
+        }
     return names;
 }
 

@@ -110,7 +110,6 @@ Rendering ShotRenderer::tryRender(const Shot& shot, std::span<const Shot* const>
         if (rendering.hasChecks || loaded_->renderer.hasIdleChecks())
             rendering.failedChecks =
                 loaded_->renderer.answerChecks(shot.options.time, rendering.diagnostics, *loaded_->stats);
-        append(rendering.failedChecks, render::takeMisspellings(rendering.diagnostics));
     }
     return rendering;
 }
@@ -146,6 +145,8 @@ Rendering ShotRenderer::render(const Shot& shot, std::span<const Shot* const> co
     try {
         rendering = tryRender(shot, coming);
         if (!shot.expectedError) reportUnknownUniforms(shot, rendering.diagnostics);
+        if (rendering.picture)
+            append(rendering.failedChecks, render::takeMisspellings(rendering.diagnostics));
         if (hasError(rendering.diagnostics)) rendering.picture.reset();
     } catch (const base::DeviceLost&) {
         throw;  // the worker must not be used any more
