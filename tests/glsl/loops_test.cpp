@@ -183,7 +183,7 @@ TEST(Loops, WithoutAConditionEndAtTheirBreak) {
     EXPECT_EQ(rounds("int i = 0; do { i++; } while (i < uN);"), 1000);
     EXPECT_EQ(rounds("int i = 0; do { n++; i += 4; if (uM > 2.) n = 3; } while (i != uN);"), 250);
     EXPECT_EQ(rounds("int i = 0; while (i != uN) i++;"), 1000);
-    EXPECT_EQ(rounds("while (true) { if (n > 7) break; n++; }"), 8);
+    EXPECT_EQ(rounds("while (true) { if (n > 77) break; n++; }"), 78);
     EXPECT_EQ(rounds("do n++; while (n < uN);"), 1000);
     EXPECT_EQ(rounds("while (true) { if (uM > 2.) break; }"), 0);
 }

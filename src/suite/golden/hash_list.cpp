@@ -74,7 +74,10 @@ Result<AcceptedHash> parseLine(std::string_view line, const Place& place) {
 Result<HashList> HashList::read(const fs::path& file) {
     Result<HashList> list{HashList()};
     std::error_code failure;
-    if (fs::status(file, failure).type() == fs::file_type::not_found) return list;
+    const fs::file_type type = fs::status(file, failure).type();
+    // All lines may have been deleted.
+    if (type == fs::file_type::not_found || (type == fs::file_type::regular && fs::is_empty(file, failure)))
+        return list;
     const Place place{file.string(), 1, 1};
     const auto bytes = image::readFile(file, {file.string(), place}, kLargestHashList);
     if (!bytes) {
