@@ -111,7 +111,6 @@ void applyRules(ProgramUnits& program) {
     placeInTile(program);
     runInPieces(program);
     connectBuiltinVaryings(program, walks);
-    makePositionsInvariant(program);
     placeFragmentOutputs(program);
     for (std::size_t i = 0; i < walks.size(); ++i) modernizeGeometry(program.units[i], walks[i], report);
     checkTessellation(program);
@@ -133,6 +132,7 @@ void applyRules(ProgramUnits& program) {
         recordUserNames(unit, *program.result);
     }
     program.result->placement = findPlacement(program);
+    makePositionsInvariant(program);
     program.result->isOpaque = findOpacity(program);
 }
 

@@ -115,7 +115,7 @@ void modernizeQualifiers(ProgramUnits& program) {
 
 void makePositionsInvariant(ProgramUnits& program) {
     Unit* const vertex = program.find(Stage::vertex);
-    if (vertex == nullptr || !vertex->isWritten("gl_Position") || getenv("GLIBRA_NO_INVARIANT")) return;
+    if (vertex == nullptr || program.result->placement == Placement::unknown) return;
     const bool isDeclared = std::any_of(
         vertex->syntax.declarations.begin(), vertex->syntax.declarations.end(), [&](const Declaration& each) {
             if (each.kind == DeclarationKind::block) return vertex->text(each.name) == "gl_PerVertex";

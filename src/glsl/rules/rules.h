@@ -21,8 +21,9 @@ void refuse(ProgramUnits& program);
 void resolveSubroutines(ProgramUnits& program);
 /// Turns int and float uniforms that are used as textures into samplers (language, 7.9).
 void retypeSamplers(ProgramUnits& program);
-/// Declares gl_Position invariant in vertex stages, so that stages that compute it alike draw the same depth
-/// on every driver, whatever else they compute (language, 7.5).
+/// Declares gl_Position invariant in vertex stages of a known placement, so that two passes draw the same
+/// depth on every driver, whatever else they compute and however they spell it (language, 7.5). Call it after
+/// findPlacement.
 void makePositionsInvariant(ProgramUnits& program);
 /// Replaces functions of older versions and supplies the noise functions (language, 7.5).
 void modernizeFunctions(Unit& unit, const TokenWalk& walk);
