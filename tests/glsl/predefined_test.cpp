@@ -4,6 +4,8 @@
 
 #include <array>
 #include <deque>
+#include <string>
+#include <vector>
 
 #include "glsl/read/source.h"
 #include "preprocessed.h"
@@ -40,28 +42,35 @@ constexpr std::array<const char*, 27> kVersions = {"100",
                                                    "320 es",
                                                    "430 compatibility"};
 
-std::string tested(const std::string& version, const std::string& name) {
-    return "#version " + version + "\n#ifdef " + name + "\ndefined_ " + name + "\n#endif\n#if defined(" +
-           name + ") && !defined " + name + "x\nagain_\n#endif\n";
+std::string tested(const std::string& version, const std::vector<std::string>& names) {
+    std::string text = "#version " + version + "\n";
+    for (const std::string& name : names)
+        text += "#ifdef " + name + "\ndefined_ " + name + "\n#endif\n#if defined(" + name + ") && !defined " +
+                name + "x\nagain_\n#endif\n";
+    return text;
 }
 
 TEST(Predefined, MacrosAreThoseOfTheVersion) {
-    for (const std::string version : kVersions)
-        for (const std::string name :
-             {"__VERSION__", "__LINE__", "GL_ES", "GL_core_profile", "GL_compatibility_profile",
-              "GL_es_profile", "GL_FRAGMENT_PRECISION_HIGH", "GL_NO_SUCH_macro"}) {
-            const std::string text = tested(version, name);
-            // Language, 7.2: without a profile the names of the compatibility profile are there.
-            const bool isOwnRule = name == "GL_compatibility_profile" &&
-                                   version.find("es") == std::string::npos && version >= "150" &&
-                                   version.find(' ') == std::string::npos;
-            Tokens expected = isOwnRule ? Tokens{"defined_", "1", "again_"} : glslangTokens(text);
-            // glslang knows the values of these, but #ifdef and defined() do not find them there.
-            if (name.starts_with("__"))
-                expected = {"defined_", glslangTokens("#version " + version + "\n\n" + name + "\n").at(0),
-                            "again_"};
-            EXPECT_EQ(expected, preprocessed(text).tokens) << text;
-        }
+    for (const std::string version : kVersions) {
+        std::vector<std::string> names{"GL_ES", "GL_core_profile", "GL_es_profile",
+                                       "GL_FRAGMENT_PRECISION_HIGH", "GL_NO_SUCH_macro"};
+        // Language, 7.2: without a profile the names of the compatibility profile are there.
+        const bool isOwnRule = version.find("es") == std::string::npos && version >= "150" &&
+                               version.find(' ') == std::string::npos;
+        if (isOwnRule)
+            EXPECT_EQ((Tokens{"defined_", "1", "again_"}),
+                      preprocessed(tested(version, {"GL_compatibility_profile"})).tokens);
+        else
+            names.emplace_back("GL_compatibility_profile");
+        const std::string text = tested(version, names);
+        EXPECT_EQ(glslangTokens(text), preprocessed(text).tokens) << text;
+        // glslang knows the values of these, but #ifdef and defined() do not find them there.
+        const Tokens values = glslangTokens("#version " + version + "\n\n__VERSION__\n__LINE__\n");
+        EXPECT_EQ((Tokens{"defined_", values.at(0), "again_"}),
+                  preprocessed(tested(version, {"__VERSION__"})).tokens);
+        EXPECT_EQ((Tokens{"defined_", "3", "again_"}), preprocessed(tested(version, {"__LINE__"})).tokens);
+        EXPECT_EQ("4", values.at(1));
+    }
 }
 
 TEST(Predefined, WithoutVersionAllProfilesAreThere) {
