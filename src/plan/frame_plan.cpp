@@ -464,8 +464,10 @@ class FramePlanner {
             // What a draw would set is not known.
             const PlannedProgramIndex undrawn = programs_.of(ProgramVariant{i, false, 1, isFullScreen});
             if (scene_.isModern)
-                std::erase_if(programs_.state(undrawn).diagnostics,
-                              [](const Diagnostic& each) { return each.id == "glib-W37"; });
+                std::erase_if(programs_.state(undrawn).diagnostics, [](const Diagnostic& each) {
+                    return each.id == "glib-W37" || each.id == "memory-E02" ||
+                           (each.id == "glsl-W11" && each.text.starts_with("'vST' "));  // Fill gives it
+                });
             announce(undrawn);
         }
     }

@@ -80,11 +80,12 @@ TEST(DeviceLostText, NamesTheSceneOnlyIfItIsToBlame) {
 class LostPieces : public testing::TestWithParam<std::tuple<int, ResetCause>> {};
 
 TEST_P(LostPieces, ThePieceThatResetsTheDeviceIsToBlameAndAllOthersAreDone) {
-    const auto [workers, told] = GetParam();
+    const int workers = std::get<0>(GetParam());
+    const ResetCause told = std::get<1>(GetParam());
     const Device device;
     // Every worker opens the device with its first piece.
     std::uintmax_t opened = 0;
-    const auto work = [&, told = told](std::size_t index, const Step&) mutable {
+    const auto work = [&](std::size_t index, const Step&) {
         if (opened == 0) opened = device.resets();
         if (index == 2) {
             ::usleep(30'000);

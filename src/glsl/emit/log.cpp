@@ -13,6 +13,7 @@
 #include "glsl/emit/log_advice.h"
 #include "glsl/emit/log_line.h"
 #include "glsl/emit/log_phrases.h"
+#include "glsl/emit/other_stage.h"
 #include "glsl/read/token.h"
 
 namespace glibra::glsl {
@@ -110,6 +111,9 @@ class Consequences {
             if (place && places_.size() < kMostPlaces) places_.push_back(offsetOf(*place));
             return !names_.emplace(name).second;
         }
+        // Mesa repeats in these words what it has said about a call before.
+        const bool isFirst = reported_.emplace(line.source, line.line).second;
+        if (!isFirst && line.text == "type mismatch") return true;
         return isConsequence(line.text) &&
                (lines_.contains({line.source, line.line}) || (place && isInStatement(offsetOf(*place))));
     }
@@ -134,7 +138,7 @@ class Consequences {
     std::string_view source_;
     std::vector<std::size_t> places_;  ///< of undeclared names, in the source
     std::set<std::string> names_;
-    std::set<std::pair<std::string, int>> lines_;
+    std::set<std::pair<std::string, int>> lines_, reported_;
 };
 
 Diagnostic programNote(const TranslatedProgram& program, std::string id) {
@@ -183,6 +187,10 @@ Diagnostics explainCompileLog(const TranslatedProgram& program, const Translated
         result.push_back(diagnose("glsl-E01", rest, {stage.path, stage.firstLine, 1}));
         failed = true;
     }
+    if (failed)
+        if (const std::optional<OtherStage> other = findOtherStage(stage))
+            result = {
+                diagnose("glsl-E01", other->text, placeOf(stage, other->place.line, other->place.column))};
     if (failed) result.push_back(programNote(program, "glsl-E01"));
     return result;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <span>
 #include <string_view>
 #include <tuple>
 
@@ -41,25 +42,48 @@ Result<std::string> readScene(const std::filesystem::path& path) {
                     place);
 }
 
-/// While the script has errors, what it lacks is often what a faulty statement would have given. What nothing
-/// writes may also be the work of a program that does not compile, or of a dispatch that the driver cannot
-/// do.
+bool hasId(const Diagnostics& diagnostics, std::string_view id) {
+    return std::any_of(diagnostics.begin(), diagnostics.end(),
+                       [&](const Diagnostic& each) { return each.id == id; });
+}
+
+/// Removes what only follows from another mistake.
 void removeConsequences(Diagnostics& diagnostics) {
-    if (!hasError(diagnostics)) return;
-    std::erase_if(diagnostics, [](const Diagnostic& each) {
-        return each.severity != Severity::error && (each.id == "draw-W11" || each.id == "draw-W13");
+    const auto removeWarnings = [&](std::span<const std::string_view> ids) {
+        std::erase_if(diagnostics, [&](const Diagnostic& each) {
+            return each.severity != Severity::error &&
+                   std::find(ids.begin(), ids.end(), each.id) != ids.end();
+        });
+    };
+    // A sampler that is not set reads unit 0; that this unit is empty, too, is no second mistake.
+    std::set<std::string> unset;
+    for (const Diagnostic& each : diagnostics)
+        if (each.id == "glib-W37" && each.text.ends_with("it reads unit 0"))
+            unset.insert("sampler " + each.text.substr(8, each.text.find("' of ") - 7) + " reads unit 0 ");
+    std::erase_if(diagnostics, [&](const Diagnostic& each) {
+        return each.id == "draw-W02" &&
+               std::any_of(unset.begin(), unset.end(),
+                           [&](const std::string& start) { return each.text.starts_with(start); });
     });
+    // A compiler removes what is computed from an input that no stage writes.
+    const bool hasMisspeltInput =
+        std::any_of(diagnostics.begin(), diagnostics.end(), [](const Diagnostic& each) {
+            return each.id == "glsl-W11" && each.text.find("did you mean") != std::string::npos;
+        });
+    if (hasMisspeltInput) removeWarnings(std::array<std::string_view, 1>{"glib-W24"});
+    if (!hasError(diagnostics)) return;
+    // What nothing writes may be the work of a program that does not compile, or of a dispatch that the
+    // driver cannot do.
+    removeWarnings(std::array<std::string_view, 2>{"draw-W11", "draw-W13"});
+    if (hasId(diagnostics, "memory-E03")) removeWarnings(std::array<std::string_view, 1>{"memory-W05"});
     const auto isOfScript = [](const Diagnostic& each) {
         return each.id.starts_with("glib-E") || each.id.starts_with("expr-E") ||
                each.id.starts_with("file-E");
     };
-    if (std::none_of(diagnostics.begin(), diagnostics.end(), isOfScript)) return;
-    constexpr std::array<std::string_view, 7> kConsequences{"glib-W23", "glib-W37", "glib-W38", "glib-W39",
-                                                            "draw-N04", "draw-W01", "draw-W02"};
-    std::erase_if(diagnostics, [&](const Diagnostic& each) {
-        return each.severity != Severity::error &&
-               std::find(kConsequences.begin(), kConsequences.end(), each.id) != kConsequences.end();
-    });
+    // What the scene lacks is often what a faulty statement would have given.
+    if (std::any_of(diagnostics.begin(), diagnostics.end(), isOfScript))
+        removeWarnings(std::array<std::string_view, 8>{"glib-W23", "glib-W37", "glib-W38", "glib-W39",
+                                                       "draw-N04", "draw-W01", "draw-W02", "draw-W16"});
 }
 
 /// The parser and the plan may both report a mistake. The first of equal ids at one place is kept.
