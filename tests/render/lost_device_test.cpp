@@ -2,6 +2,7 @@
 #include <glibra/render.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <filesystem>
 
 #include "gpu/context/debug.h"
@@ -24,7 +25,7 @@ TEST(LostDevice, TheLibraryReportsItAndOpensAnotherContext) {
     ASSERT_TRUE(renderer);
     const Result<Picture> before = renderer->render(scene);
     ASSERT_TRUE(before);
-    for (const GLenum status : {GL_GUILTY_CONTEXT_RESET, GL_INNOCENT_CONTEXT_RESET}) {
+    for (const auto status : std::array<GLenum, 2>{GL_GUILTY_CONTEXT_RESET, GL_INNOCENT_CONTEXT_RESET}) {
         gpu::DebugLog log;
         glad_glGetGraphicsResetStatus = tell;
         gpu::watchDevice(log);

@@ -38,7 +38,7 @@ struct Work {
 };
 
 TEST(WorkShare, DoesEveryRowOnce) {
-    for (const std::size_t rows : {1, 2, 15, 16, 17, 100, 127, 128, 129, 1000, 4096})
+    for (const std::size_t rows : {1U, 2U, 15U, 16U, 17U, 100U, 127U, 128U, 129U, 1000U, 4096U})
         for (const double each : {0., 1e-9, 1e-3, .05, 1., 100.})
             for (const double own : {0., 1e-4, .01, 5.}) {
                 Work work{std::vector<double>(rows, each), own};
