@@ -20,6 +20,7 @@
 #include "glib/modern/items.h"
 #include "glib/modern/match.h"
 #include "glib/modern/pieces.h"
+#include "glib/modern/read_values.h"
 #include "glib/modern/statement_table.h"
 #include "glib/number.h"
 #include "glib/script.h"
@@ -185,12 +186,29 @@ class Parser {
         if (!isRead) continuation_.advise(text_, statement, log_);
         if (isRead) blocks_.checkPlace(row, command);
         finishModern(row, command);
-        const bool faulty = statement.faulty || log_.errorCount() > errors || losesStage(row.id);
+        const bool hasStages = !losesStage(row.id);
+        const bool faulty = statement.faulty || log_.errorCount() > errors || !hasStages;
         if (row.id == CommandId::compute || (statement.faulty && statement.row != nullptr &&
                                              row.syntax.find("inline") != std::string_view::npos))
             isStageLost_ = faulty;
-        if (!faulty) commands_.push_back(std::move(command));
+        if (!faulty)
+            commands_.push_back(std::move(command));
+        else if (row.id == CommandId::program && hasStages)
+            keepWithoutTags(statement);
         blocks_.follow(row, statement.word.position, faulty, commands_);
+    }
+
+    /// A program whose tags are faulty takes its shaders all the same: the next program does not inherit
+    /// them.
+    void keepWithoutTags(const Statement& statement) {
+        if (statement.arguments.empty() || programs_ > kMostPrograms) return;
+        const Token& name = statement.arguments.front();
+        if (!isIdentifier(name.text)) return;
+        Command program = start(statement, CommandId::program);
+        program.isModern = true;
+        program.text = name.text;
+        program.textPosition = name.position;
+        commands_.push_back(std::move(program));
     }
 
     bool mayBeDeclared(std::string_view name) const {

@@ -13,7 +13,7 @@ namespace {
 const std::string kScene = R"(WindowSize 16 16
 Camera eye LookAt 0 0 5  0 0 0  0 1 0  Perspective 40 .1 100
 Texture2D glow 8 8 rgba8
-Buffer places vec4 [[0 0 0 1] [.5 0 0 1]]
+Buffer places vec4 [0 0 0 1  .5 0 0 1]
 Vertex inline
 #version 430
 in vec3 vertPos;
@@ -103,19 +103,19 @@ TEST(OneMessage, OfASceneWithoutMistakeIsNone) {
 }
 
 TEST(OneMessage, ForAPassThatIsNotRead) {
-    expectOne(with("Pass window clear {0 0 0} depth 1", "Pass window clear 0 0 0 depth 1"), "57:19",
+    expectOne(with("Pass window clear {0 0 0} depth 1", "Pass window clear 0 0 0 depth 1"), "49:19",
               "write {0 0 0}");
-    expectOne(with("EndPass\n", ""), "57:1", "write EndPass");
-    expectOne(with("Vertices points 2", "Vertices points from plcaes"), "62:26", "did you mean 'places'");
+    expectOne(with("EndPass\n", ""), "49:1", "write EndPass");
+    expectOne(with("Vertices points 2", "Vertices points from plcaes"), "54:26", "did you mean 'places'");
 }
 
 TEST(OneMessage, ForAFillThatIsMissingOrNotRead) {
-    expectOne(with("Fill glow with Ramp", "Fill glow Ramp"), "56:11", "expected 'with'");
+    expectOne(with("Fill glow with Ramp", "Fill glow Ramp"), "48:11", "expected 'with'");
     const std::string shown = kScene + "Fill window with Show\n";
     EXPECT_EQ(messagesOf(shown), "");
     std::string forgotten = shown;
     forgotten.erase(forgotten.find("Fill glow with Ramp\n"), 20);
-    expectOne(forgotten, "63:1", "nothing draws or writes into it");
+    expectOne(forgotten, "55:1", "nothing draws or writes into it");
 }
 
 TEST(OneMessage, ForAShaderUnderTheWordOfAnotherStage) {
@@ -128,13 +128,14 @@ TEST(OneMessage, ForAShaderUnderTheWordOfAnotherStage) {
     expectOne(with(vertex, geometry), "26:51", "'EmitVertex' belongs to a geometry stage");
     expectOne(with("void main() { fColor = vec4(1.); }", "void main() { EmitVertex(); }"), "30:15",
               "write 'Geometry' before it");
-    expectOne(with("void main() { vNormal = vertNormal;", "void main() { if (gl_FragCoord.x > 4.) discard;"),
-              "11:19", "'gl_FragCoord' belongs to a fragment stage");
+    expectOne(with("void main() { vNormal = vertNormal;",
+                   "void main() { vNormal = vertNormal; if (gl_FragCoord.x > 4.) discard;"),
+              "11:41", "'gl_FragCoord' belongs to a fragment stage");
 }
 
 TEST(OneMessage, ForACallThatNoFunctionTakes) {
     expectOne(with("texture(uGlow, vST)", "texture(uGlow, vec3(vST, 0.))") + "Fill window with Show\n",
-              "53:24", "no matching function");
+              "45:24", "no matching function");
 }
 
 TEST(OneMessage, ForAMisspeltInput) {
@@ -144,7 +145,11 @@ TEST(OneMessage, ForAMisspeltInput) {
 }
 
 TEST(OneMessage, ForAProgramStatementThatIsNotRead) {
-    expectOne(with("uBright 1\n", "uBright 2*max(1, 2)\n"), "21:39", "write (2*max(1, 2))");
+    expectOne(with("uBright 1\n", "uBright 2*max(1, 2)\n"), "21:40", "write (2*max(1, 2))");
+}
+
+TEST(OneMessage, ForABufferThatIsNotRead) {
+    expectOne(with("[0 0 0 1  .5 0 0 1]", "[[0 0 0 1] [.5 0 0 1]]"), "4:21", "brackets cannot be nested");
 }
 
 TEST(OneMessage, ForBlocksThatLayOutABufferDifferently) {
@@ -157,7 +162,7 @@ TEST(OneMessage, ForBlocksThatLayOutABufferDifferently) {
 }
 
 TEST(OneMessage, ForASamplerWithoutTexture) {
-    expectOne(with("Program Show  uGlow glow", "Program Show") + "Fill window with Show\n", "55:1",
+    expectOne(with("Program Show  uGlow glow", "Program Show") + "Fill window with Show\n", "47:1",
               "'uGlow' of 'Show' is not set");
 }
 

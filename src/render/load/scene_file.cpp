@@ -6,6 +6,7 @@
 #include <span>
 #include <string_view>
 #include <tuple>
+#include <utility>
 
 #include "glib/limits.h"
 #include "glib/text.h"
@@ -80,10 +81,18 @@ void removeConsequences(Diagnostics& diagnostics) {
         return each.id.starts_with("glib-E") || each.id.starts_with("expr-E") ||
                each.id.starts_with("file-E");
     };
+    if (std::none_of(diagnostics.begin(), diagnostics.end(), isOfScript)) return;
     // What the scene lacks is often what a faulty statement would have given.
-    if (std::any_of(diagnostics.begin(), diagnostics.end(), isOfScript))
-        removeWarnings(std::array<std::string_view, 8>{"glib-W23", "glib-W37", "glib-W38", "glib-W39",
-                                                       "draw-N04", "draw-W01", "draw-W02", "draw-W16"});
+    removeWarnings(std::array<std::string_view, 8>{"glib-W23", "glib-W37", "glib-W38", "glib-W39", "draw-N04",
+                                                   "draw-W01", "draw-W02", "draw-W16"});
+    std::erase_if(diagnostics, [](const Diagnostic& each) { return each.id == "memory-E02"; });
+    // Commas of an expression without parentheses.
+    std::set<std::pair<std::string, int>> faultyLines;
+    for (const Diagnostic& each : diagnostics)
+        if (isOfScript(each)) faultyLines.emplace(each.place.file, each.place.line);
+    std::erase_if(diagnostics, [&](const Diagnostic& each) {
+        return each.id == "glib-W03" && faultyLines.contains({each.place.file, each.place.line});
+    });
 }
 
 /// The parser and the plan may both report a mistake. The first of equal ids at one place is kept.
