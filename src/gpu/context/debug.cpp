@@ -55,7 +55,8 @@ void DebugLog::detach() {
 void DebugLog::setPlace(const Place& place) {
     place_ = place;
     if (std::exchange(isFinished_, false) || unfinished_.first.file != place.file) {
-        unfinished_ = {place, place.line};
+        unfinished_.first = place;  // keeps its memory: a frame of a moving scene allocates nothing
+        unfinished_.lastLine = place.line;
     } else if (place.line < unfinished_.first.line) {
         unfinished_.first = place;
     } else {
@@ -93,6 +94,8 @@ std::vector<DebugMessage> DebugLog::take() {
 
 Diagnostics DebugLog::takeDiagnostics() {
     expectDevice();
+    // A driver that cannot tell of a reset makes calls fail. Errors of other kinds have called back.
+    if (resetIsOnlyAnError()) callsBack_ ? clearErrors() : check("a call");
     Diagnostics diagnostics;
     for (DebugMessage& each : take()) {
         if (each.severity != Severity::error) continue;

@@ -129,6 +129,10 @@ void unwatchDevice(const DebugLog& log) {
     if (watched.log == &log) watched = {};
 }
 
+bool resetIsOnlyAnError() {
+    return watched.log != nullptr && watched.status == nullptr;
+}
+
 void expectDevice() {
     if (watched.cause) return refuse(*watched.cause);
     const GLenum status = watched.status != nullptr ? watched.status() : GL_NO_ERROR;

@@ -20,5 +20,7 @@ void unwatchDevice(const DebugLog& log);
 /// GL that delivers content, counts, logs or errors calls it afterwards, as does glFinish. Without the
 /// extension KHR_robustness a reset is noticed by the error GL_CONTEXT_LOST alone.
 void expectDevice();
+/// True if the driver of the watched context tells of a reset by that error alone.
+bool resetIsOnlyAnError();
 
 }  // namespace glibra::gpu

@@ -24,6 +24,7 @@
 #include <set>
 #include <string>
 #include <type_traits>
+#include <vector>
 
 namespace {
 
@@ -195,11 +196,28 @@ void* createEgl(void* display, void* config, void* shared, const int* attributes
     return context;
 }
 
+// Not every driver for X can tell of a reset; ours can.
+constexpr const char* kRobustness = "GLX_ARB_create_context_robustness";
+bool isOwnRobust = false;
+using QueryExtensions = const char* (*)(void*, int);
+QueryExtensions ownExtensions = nullptr;
+const char* extensions(void* display, int screen) {
+    static std::string all;
+    all = ownExtensions(display, screen);
+    isOwnRobust = all.find(kRobustness) != std::string::npos;
+    if (!isOwnRobust) all += std::string(" ") + kRobustness;
+    return all.c_str();
+}
+
 using CreateGlx = void* (*)(void*, void*, void*, int, const int*);
 CreateGlx ownCreateGlx = nullptr;
 void* createGlx(void* display, void* config, void* shared, int direct, const int* attributes) {
     isNotified = asks(attributes, 0, 0x8256, 0x8252);
-    void* context = ownCreateGlx(display, config, shared, direct, attributes);
+    std::vector<int> known;
+    for (const int* each = attributes; each != nullptr && each[0] != 0; each += 2)
+        if (isOwnRobust || each[0] != 0x8256) known.insert(known.end(), {each[0], each[1]});
+    known.push_back(0);
+    void* context = ownCreateGlx(display, config, shared, direct, known.data());
     if (context != nullptr) beginContext();
     return context;
 }
@@ -238,6 +256,7 @@ extern "C" void* dlsym(void* handle, const char* name) noexcept {
     if (std::strcmp(name, "OSMesaGetProcAddress") == 0) return put(osmesaAddress, &getByOsmesa);
     if (std::strcmp(name, "glXGetProcAddress") == 0) return put(glxAddress, &getByGlxPlain);
     if (std::strcmp(name, "glXGetProcAddressARB") == 0) return put(glxAddressArb, &getByGlxArb);
+    if (std::strcmp(name, "glXQueryExtensionsString") == 0) return put(ownExtensions, &extensions);
     if (std::strcmp(name, "eglCreateContext") == 0) return put(ownCreateEgl, &createEgl);
     return found;
 }

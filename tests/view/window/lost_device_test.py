@@ -35,11 +35,12 @@ class LostDevice(WindowTest):
         return self.open(*arguments, variables=dict(LD_PRELOAD=str(self.files / "lose.so"),
                                                     GLIBRA_DEVICE=str(self.device), **variables))
 
-    def drag(self, window, widget):
-        window.move(*window.point(widget, 0.5))
-        window.press()
-        window.move(*window.point(widget, 0.9))
-        window.release()
+    @staticmethod
+    def follow(window):
+        """The window after the reset is another one of the desktop."""
+        window.id = window.xdotool("search", "--sync", "--onlyvisible", "--pid", str(window.process.pid)).split()[-1]
+        window.xdotool("windowfocus", "--sync", window.id)
+        window.move(20, 60)
         window.settle()
 
     def test_a_scene_that_hangs_is_stopped_and_the_other_tab_goes_on_with_its_values(self):
@@ -49,16 +50,15 @@ class LostDevice(WindowTest):
                 window = self.open_on_device(self.files / "kinds.glib", str(self.files / "hangs.glib"),
                                              "--set", "uFloat=.75", GLIBRA_RESET_AS=way)
                 window.settle()
-                window.key("ctrl+Tab")
+                window.key("ctrl+Next")
                 state = window.wait(lambda s: any(m["id"] == "view-E04" for m in s["messages"]))
                 self.assertIn("hangs.glib", state["notice"])
                 self.assertIn("line 6", next(m["text"] for m in state["messages"] if m["id"] == "view-E04"))
                 self.assertEqual([tab["label"] for tab in state["tabs"]], ["kinds", "hangs"])
                 self.assertEqual(self.device.stat().st_size, 1, "it is not drawn again by itself")
-                window.id = window.xdotool("search", "--sync", "--onlyvisible", "--pid",
-                                           str(window.process.pid)).split()[-1]
-                window.xdotool("windowfocus", "--sync", window.id)
-                window.key("ctrl+Tab")
+                self.follow(window)
+                window.click("tab/0", across=0.3)
+                window.move(20, 250)
                 window.wait(lambda s: s["shownTab"] == 0)
                 state = window.settle()
                 self.assertEqual(next(k["current"] for k in state["knobs"] if k["tag"] == "uFloat"), [0.75])
@@ -71,8 +71,7 @@ class LostDevice(WindowTest):
         window.wait(lambda s: any(m["id"] == "view-E04" for m in s["messages"]))
         (self.files / "hangs.frag").write_text(HANGS_FRAGMENT.replace("hang(", "calm("))
         window.wait(lambda s: not any(m["id"] == "view-E04" for m in s["messages"]))
-        window.id = window.xdotool("search", "--sync", "--onlyvisible", "--pid", str(window.process.pid)).split()[-1]
-        window.settle()
+        self.follow(window)
         self.assertShows(window, self.files / "hangs.glib")
 
     def test_a_reset_by_another_program_stops_nothing(self):
@@ -82,8 +81,7 @@ class LostDevice(WindowTest):
         window.move(50, 50)
         state = window.wait(lambda s: "another program" in s["notice"])
         self.assertFalse(any(m["id"] == "view-E04" for m in state["messages"]))
-        window.id = window.xdotool("search", "--sync", "--onlyvisible", "--pid", str(window.process.pid)).split()[-1]
-        window.settle()
+        self.follow(window)
         self.assertShows(window, self.files / "kinds.glib", "--set", "uFloat=.75")
 
 
