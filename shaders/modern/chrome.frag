@@ -10,5 +10,9 @@ out vec4 fColor;
 
 void main() {
     vec3 direction = reflect(vPlace - cameraPosition, normalize(vNormal));
-    fColor = vec4(uTint * texture(uSky, direction).rgb, 1.);
+    // The level of detail: how many texels of a face lie between this pixel and its neighbours.
+    vec3 toSky = normalize(direction) * .5 * float(textureSize(uSky, 0).x);
+    vec3 across = dFdx(toSky), up = dFdy(toSky);
+    float level = .5 * log2(max(max(dot(across, across), dot(up, up)), 1e-12));
+    fColor = vec4(uTint * textureLod(uSky, direction, level).rgb, 1.);
 }

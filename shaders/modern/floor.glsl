@@ -3,13 +3,12 @@
 uniform float uTiles;  // tiles along 256 units
 uniform vec3 uSun, cameraPosition;
 
-/// Dark and light tiles; they fade to their mean where they are smaller than a pixel.
+/// Dark and light tiles: the mean over a pixel, so that edges are smooth, and distant tiles fade.
 vec3 tileColor(vec2 place) {
-    vec2 p = place * uTiles / 256.;
-    vec2 cell = floor(p);
-    float light = mod(cell.x + cell.y, 2.);
-    vec2 size = fwidth(p);
-    light = mix(light, .5, smoothstep(.4, 1.2, max(size.x, size.y)));
+    vec2 p = place * uTiles / 256., size = fwidth(p) + 1e-6;
+    // The integral of a stripe, 1 or -1, from one side of the pixel to the other.
+    vec2 stripe = 2. * (abs(fract((p + .5 * size) / 2.) - .5) - abs(fract((p - .5 * size) / 2.) - .5)) / size;
+    float light = .5 - .5 * stripe.x * stripe.y;
     return mix(vec3(.02, .10, .42), vec3(.62, .74, .95), light);
 }
 

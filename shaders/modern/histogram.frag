@@ -12,7 +12,12 @@ out vec4 fColor;
 void main() {
     vec3 color = texture(uImage, vST).rgb;
     float brightness = dot(color, vec3(.299, .587, .114));
-    if (vST.x > uSplit) color *= shares[int(255. * brightness + .5)] / max(brightness, 1. / 255.);
+    if (vST.x > uSplit) {
+        // Between two brightnesses the share grows evenly.
+        float step = 255. * brightness;
+        int below = clamp(int(step), 0, 254);
+        color *= mix(shares[below], shares[below + 1], step - float(below)) / max(brightness, 1. / 255.);
+    }
     int bar = int(256. * vST.x);
     ivec2 size = textureSize(uImage, 0);
     float height = 10. * float(counts[bar]) / float(size.x * size.y);

@@ -11,7 +11,7 @@ uniform float uMirror, uOffset;
 
 const vec3 kBall = vec3(1.1, .3, -2.), kBoxSides = vec3(.6, .9, .6);
 const float kBallRadius = 1.7;
-const vec3 kTable = vec3(0., -2.1, -2.);
+const vec3 kTable = vec3(0., -2.11, -2.);
 
 const int kNothing = 0, kIsBall = 1, kIsBox = 2, kIsTable = 3;
 

@@ -1,5 +1,6 @@
 // G10.2 G10.3 G10.f15 Normal mapping: the normal comes from a texture, relative to the axes of the surface.
 #version 430 core
+#include "level_of_detail.glsl"
 
 uniform sampler2D colorMap, normalMap;
 uniform vec3 uLight, cameraPosition;
@@ -15,10 +16,11 @@ void main() {
     vec3 up = normalize(vNormal);
     vec3 north = normalize(vNorth - dot(vNorth, up) * up);
     mat3 surface = mat3(cross(north, up), north, up);  // columns: east, north, up
-    vec3 normal = normalize(surface * (2. * texture(normalMap, vST).rgb - 1.));
+    float level = levelOfDetail(vST * vec2(textureSize(normalMap, 0)));
+    vec3 normal = normalize(surface * (255. * textureLod(normalMap, vST, level).rgb - 128.));
 
     vec3 toLight = normalize(uLight - vPlace), toEye = normalize(cameraPosition - vPlace);
-    vec3 color = uColored ? texture(colorMap, vST).rgb : vec3(.6);
+    vec3 color = uColored ? textureLod(colorMap, vST, level).rgb : vec3(.6);
     float diffuse = max(dot(normal, toLight), 0.);
     // Where the sphere itself turns away from the light, bumps are dark, too.
     diffuse *= smoothstep(-.05, .1, dot(up, toLight));

@@ -1,4 +1,4 @@
-// G10.2 Normal map from a height map: (east, north, up), each mapped from -1..1 to 0..1.
+// G10.2 Normal map from a height map: (east, north, up), each mapped from -1..1 to the bytes 1..255.
 #version 430 core
 
 uniform sampler2D heightMap;
@@ -23,5 +23,5 @@ void main() {
     float east = heightAt(vec2(texel.x, 0.)) - heightAt(vec2(-texel.x, 0.));
     float north = heightAt(vec2(0., texel.y)) - heightAt(vec2(0., -texel.y));
     vec3 normal = normalize(vec3(-vec2(east, north) / (2. * texel * size), 1.));
-    fNormal = vec4(.5 * normal + .5, 1.);
+    fNormal = vec4((127. * normal + 128.) / 255., 1.);  // 0 is a byte, so that flat ground stays flat
 }

@@ -17,6 +17,7 @@ void main() {
     float value = texture(uTexUnit, stp).r;
     if (value < uMin || value > uMax) discard;
     float toContour = abs(value - 10. * floor(value / 10. + .5));   // floor, so that negative values work in the same way
-    float line = toContour < uTol ? .35 : 1.;
+    float wide = .5 * fwidth(value);   // the contour fades out within a pixel
+    float line = mix(.35, 1., smoothstep(uTol - wide, uTol + wide + 1e-6, toContour));
     fColor = vec4(line * rainbow(value / 100.), 1.);
 }
