@@ -21,4 +21,13 @@ void unwatchDevice(const DebugLog& log);
 /// extension KHR_robustness a reset is noticed by the error GL_CONTEXT_LOST alone.
 void expectDevice();
 
+/// While one lives, nothing is finished by functions that usually wait for all work: pixels go into a buffer.
+class NothingFinished {
+  public:
+    NothingFinished();
+    NothingFinished(const NothingFinished&) = delete;
+    NothingFinished& operator=(const NothingFinished&) = delete;
+    ~NothingFinished();
+};
+
 }  // namespace glibra::gpu
