@@ -74,7 +74,6 @@ class ClassRun {
   public:
     ClassRun(const ClassPlan& plan, const ClassOptions& options, const ClassEvents& events)
         : plan_(plan), options_(options), events_(events) {
-        jobs_ = options.jobs > 0 ? options.jobs : suite::defaultJobs();
         Classroom& room = end_.classroom;
         room.folder = plan.folder.string();
         room.moments = plan.moments;
@@ -150,7 +149,7 @@ class ClassRun {
         for (const std::size_t each : shots) open.push_back({0, each});
         suite::RunOptions options;
         options.driver = options_.driver;
-        options.jobs = jobs_;
+        options.jobs = options_.jobs;
         options.timeout = options_.timeout;
         options.memory = options_.memory;
         options.onlyRender = plan_.site / kPictures;
@@ -263,11 +262,12 @@ class ClassRun {
         std::vector<ReviewTask> tasks;
         for (std::size_t i = 0; i < end_.classroom.entries.size() + 2; ++i) tasks.push_back(taskOf(i));
         std::vector<SourceFile> given;
+        const int jobs = suite::readingJobs(options_.jobs);
         base::runInWorkers(
             tasks.size(),
-            {.workers = jobs_,
+            {.workers = jobs,
              .timeout = options_.timeout,
-             .memory = options_.memory.value_or(base::memoryShare(jobs_, tasks.size())),
+             .memory = options_.memory.value_or(base::memoryShare(jobs, tasks.size())),
              .stop = events_.stop,
              .sandbox = options_.reading},
             [&](std::size_t index, const base::Step&) -> std::string {
@@ -367,7 +367,6 @@ class ClassRun {
     const ClassEvents& events_;
     suite::Suite suite_;
     ClassEnd end_;
-    int jobs_ = 1;
 };
 
 }  // namespace

@@ -27,7 +27,7 @@ struct ClassPlan {
 
 struct ClassOptions {
     Driver driver = Driver::automatic;
-    int jobs = 0;                            ///< worker processes; 0: one per processor
+    int jobs = 0;                            ///< worker processes; 0: gpu::usualWorkers()
     double timeout = 20;                     ///< seconds per picture; 0: no limit
     std::optional<std::uint64_t> memory;     ///< bytes per worker; 0: no limit; nothing: a share
     const base::Sandbox* drawing = nullptr;  ///< if given, what confines the workers that draw

@@ -41,7 +41,7 @@ struct CheckArguments {
     Driver driver = Driver::automatic;
     bool json = false;
     std::string translated;
-    int jobs = 0;  ///< 0: one per processor
+    int jobs = 0;  ///< 0: gpu::usualWorkers()
     bool untrusted = false;
     bool run = false;
 };
@@ -163,7 +163,7 @@ int runCheckCommand(CheckArguments& arguments) {
     if (!acceptsSet(arguments.picture.options.set)) return kWrongUsage;
     std::vector<std::filesystem::path>& roots = arguments.picture.options.libraryRoots;
     for (std::filesystem::path& each : libraryRoots()) roots.push_back(std::move(each));
-    const int jobs = arguments.jobs > 0 ? arguments.jobs : suite::defaultJobs();
+    const int jobs = suite::drawingJobs(arguments.jobs, arguments.driver, arguments.scenes.size());
     std::optional<base::Sandbox> sandbox;
     if (arguments.untrusted) {
         if (!prepareUntrusted()) return kNoDriver;
@@ -175,7 +175,7 @@ int runCheckCommand(CheckArguments& arguments) {
     if (std::error_code failure; std::filesystem::is_directory(arguments.translated, failure))
         read = filesReadBy(
             arguments.scenes, arguments.standardInput, arguments.picture.options,
-            {.workers = jobs,
+            {.workers = suite::readingJobs(arguments.jobs),
              .timeout = arguments.picture.timeout,
              .memory = arguments.picture.memory.value_or(base::memoryShare(jobs, arguments.scenes.size())),
              .stop = [&] { return interruption.signal() != 0; },

@@ -307,7 +307,9 @@ Option CommandLine::driver(Driver& to) {
 }
 
 Option CommandLine::jobs(int& to) {
-    return option("--jobs", to, "number of worker processes; default one per processor").within(1, 256);
+    return option("--jobs", to,
+                  "number of worker processes; default one per processor, with a graphics card at most 4")
+        .within(1, 256);
 }
 
 Option CommandLine::find(const std::string& name) const {

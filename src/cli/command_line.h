@@ -93,7 +93,7 @@ class CommandLine {
 
     /// --driver
     Option driver(Driver& to);
-    /// --jobs; 0 means one worker per processor.
+    /// --jobs; 0 means the usual number (gpu::usualWorkers).
     Option jobs(int& to);
 
     /// An option that was added before: "--only".

@@ -81,8 +81,9 @@ std::vector<fs::path> outputFiles(const RenderArguments& arguments) {
 
 constexpr Deed kDrawing{"drew", "drawn"};
 
-int jobsOf(const RenderArguments& arguments) {
-    return arguments.jobs > 0 ? arguments.jobs : suite::defaultJobs();
+/// The number of workers that draw so many pieces.
+int jobsOf(const RenderArguments& arguments, std::size_t pieces) {
+    return suite::drawingJobs(arguments.jobs, arguments.driver, pieces);
 }
 
 /// True if all frames go into one file.
@@ -97,7 +98,7 @@ fs::path framesOf(fs::path film) {
 }
 
 std::uint64_t memoryOf(const RenderArguments& arguments, std::size_t pieces) {
-    return arguments.picture.memory.value_or(base::memoryShare(jobsOf(arguments), pieces));
+    return arguments.picture.memory.value_or(base::memoryShare(jobsOf(arguments, pieces), pieces));
 }
 
 /// A worker's count, at most `most`, whatever the text is.
@@ -116,7 +117,8 @@ std::optional<int> partsOf(const RenderArguments& arguments, const base::Sandbox
                            const std::function<bool()>& stop, Diagnostics& late) {
     constexpr int kLeastFrames = 8;  // what the start of a process costs
     constexpr int kMostParts = 8;    // each holds everything that the scene reads
-    const int most = std::min({arguments.frames / kLeastFrames, kMostParts, jobsOf(arguments)});
+    const int most =
+        std::min({arguments.frames / kLeastFrames, kMostParts, suite::readingJobs(arguments.jobs)});
     if (arguments.scenes.size() > 1 || arguments.output == "-" || arguments.explain ||
         !arguments.statsFile.empty() || most < 2 || gpu::mayUseHardware(arguments.driver))
         return 1;
@@ -161,7 +163,8 @@ class JobRunner {
     std::string operator()(std::size_t piece, const base::Step& step) {
         const std::size_t index = piece / parts_;
         if (!context_) {
-            suite::shareProcessors(jobsOf(arguments_), arguments_.scenes.size() * parts_);
+            const std::size_t pieces = arguments_.scenes.size() * parts_;
+            suite::shareProcessors(jobsOf(arguments_, pieces), pieces);
             Result<gpu::Context> opened = gpu::openContext({.driver = arguments_.driver});
             if (!opened) return pack({.status = kNoDriver, .remarks = {std::move(opened.diagnostics), {}}});
             context_.emplace(std::move(*opened));
@@ -264,7 +267,7 @@ class SceneBatch {
         JobRunner runner(arguments_, outputs_, parts_, staging_ ? &*staging_ : nullptr, framesWritten_);
         base::runInWorkers(
             framesWritten_.size(),
-            {.workers = jobsOf(arguments_),
+            {.workers = jobsOf(arguments_, framesWritten_.size()),
              .timeout = arguments_.picture.timeout,
              .memory = memoryOf(arguments_, framesWritten_.size()),
              .stop = [this] { return interruption_.signal() != 0; },
@@ -301,7 +304,7 @@ class SceneBatch {
             return {};
         const ReadFiles read =
             filesReadBy(arguments_.scenes, arguments_.standardInput, arguments_.picture.options,
-                        {.workers = jobsOf(arguments_),
+                        {.workers = suite::readingJobs(arguments_.jobs),
                          .timeout = arguments_.picture.timeout,
                          .memory = memoryOf(arguments_, arguments_.scenes.size()),
                          .stop = [this] { return interruption_.signal() != 0; },

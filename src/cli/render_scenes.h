@@ -24,7 +24,7 @@ struct RenderArguments {
     Driver driver = Driver::automatic;
     int frames = 1;
     double framesPerSecond = 30;
-    int jobs = 0;  ///< 0: one process per processor
+    int jobs = 0;  ///< 0: gpu::usualWorkers()
     SuiteArguments suite;
     std::vector<std::string> saves;  ///< --save, each NAME=FILE
     bool explain = false;

@@ -24,7 +24,7 @@ struct SuiteArguments {
     std::vector<std::string> only;
     std::string shard;
     Driver driver = Driver::automatic;
-    int jobs = 0;                         ///< 0: one per processor
+    int jobs = 0;                         ///< 0: gpu::usualWorkers()
     std::optional<double> timeout;        ///< seconds; nothing: what each shot states
     std::optional<std::uint64_t> memory;  ///< bytes; nothing: what each shot states
     bool resume = false;

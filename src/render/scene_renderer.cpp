@@ -11,6 +11,7 @@
 #include "render/draw/tiles.h"
 #include "render/file/incomplete_mark.h"
 #include "render/file/labels.h"
+#include "render/probe/gpu_times.h"
 #include "render/scene_state.h"
 
 namespace glibra::render {
@@ -19,6 +20,20 @@ namespace {
 /// Larger pictures are drawn in tiles, so that the use of device memory is bounded: 8192 x 8192.
 constexpr std::int64_t kMostPixelsAtOnce = std::int64_t{1} << 26;
 constexpr std::int64_t kMostPixels = std::int64_t{1} << 30;
+
+gpu::PixelLayout layoutOf(const image::Image& picture) {
+    return {picture.components,
+            picture.type == image::Component::f32 ? gpu::TexelType::f32 : gpu::TexelType::u8};
+}
+
+void makePixels(image::Image& picture) {
+    picture.data.resize(picture.rowBytes() * static_cast<std::size_t>(picture.height));
+}
+
+void finishPicture(image::Image& picture, const std::optional<LabelBlock>& labels, bool isIncomplete) {
+    if (labels) drawLabels(picture, *labels, labels->left, labels->top);
+    if (isIncomplete) markIncomplete(picture);
+}
 
 }  // namespace
 
@@ -55,6 +70,11 @@ void SceneRenderer::setShift(const glm::dvec2& window, std::vector<glm::dvec2> t
 void SceneRenderer::setView(const ViewMatrices& view) {
     state_->forgetDrawn();
     state_->view = view;
+}
+void SceneRenderer::measureGpu(GpuTimes& times) {
+    state_->gpuTimes = &times;
+    if (state_->drawer) times.watch(*state_->drawer, state_->scene, state_->plan);
+    if (state_->simulation) times.watch(*state_->simulation, state_->scene);
 }
 int SceneRenderer::height() const {
     return state_->height;
@@ -236,6 +256,7 @@ void SceneRenderer::State::makeDrawer(Stats& stats) {
     }
     if (options.skip && tiles.size() > 1) drawer->cullToTile(options.samples);
     if (options.skip && !options.floatPixels) drawer->skipOpaqueBlending();
+    if (gpuTimes) gpuTimes->watch(*drawer, scene, plan);
 }
 
 Diagnostics SceneRenderer::State::moveTo(double time, Stats& stats) {
@@ -278,64 +299,120 @@ void SceneRenderer::State::forgetDrawn() {
     drawnBefore.reset();
 }
 
+void SceneRenderer::State::resolve() {
+    const bool isTimed = gpuTimes != nullptr && window->samples() > 1;
+    if (isTimed) gpuTimes->beginWork({"means of the window's samples", 0});
+    window->resolve();
+    if (isTimed) gpuTimes->endWork();
+}
+
 Diagnostics SceneRenderer::State::drawTile(std::size_t index, double time, const plan::StillNodes& still,
-                                           image::Image& picture, Stats& stats) {
-    const Tile& tile = tiles[index];
-    const Tile& part = tileParts[index];
-    Diagnostics diagnostics;
-    {
-        const StageTimer timer(stats, "draw");
-        const bool textures = index == 0 || !drawer->texturesComeFirst();
-        append(diagnostics, drawer->draw(*window, {view, width, height, tile, time, textures, &still}));
-        if (axes) axes->draw(*window, scene, view, tile, width, height);
-        window->resolve();
-    }
-    const StageTimer timer(stats, "readback");
-    const gpu::PixelLayout layout{
-        picture.components, picture.type == image::Component::f32 ? gpu::TexelType::f32 : gpu::TexelType::u8};
-    const gpu::PixelRectangle rectangle{part.x - tile.x, part.y - tile.y, part.width, part.height};
-    if (tiles.size() == 1) {
-        append(diagnostics, gpu::readPixels(context.capabilities(), window->readable(), 0, rectangle, layout,
-                                            picture.data));
-        return diagnostics;
-    }
-    const auto pixels = gpu::readPixels(context.capabilities(), window->readable(), 0, rectangle, layout);
-    append(diagnostics, pixels.diagnostics);
-    if (pixels) pasteTile(*pixels, part, picture);
+                                           Stats& stats) {
+    const StageTimer timer(stats, "draw");
+    const bool textures = index == 0 || !drawer->texturesComeFirst();
+    Diagnostics diagnostics =
+        drawer->draw(*window, {view, width, height, tiles[index], time, textures, &still});
+    if (axes) axes->draw(*window, scene, view, tiles[index], width, height);
+    resolve();
     return diagnostics;
 }
 
-void SceneRenderer::State::addLabels(image::Image& picture) const {
-    if (options.labels == LabelCorner::none) return;
+Diagnostics SceneRenderer::State::readTile(std::size_t index, image::Image& picture, Stats& stats) {
+    const Tile& tile = tiles[index];
+    const Tile& part = tileParts[index];
+    const StageTimer timer(stats, "readback");
+    const gpu::PixelRectangle rectangle{part.x - tile.x, part.y - tile.y, part.width, part.height};
+    if (tiles.size() == 1)
+        return gpu::readPixels(context.capabilities(), window->readable(), 0, rectangle, layoutOf(picture),
+                               picture.data);
+    auto pixels =
+        gpu::readPixels(context.capabilities(), window->readable(), 0, rectangle, layoutOf(picture));
+    if (pixels) pasteTile(*pixels, part, picture);
+    return std::move(pixels.diagnostics);
+}
+
+std::optional<LabelBlock> SceneRenderer::State::labels() const {
+    if (options.labels == LabelCorner::none) return std::nullopt;
     std::vector<const plan::FramePlan*> plans{&plan};
     if (simulation)
         for (const plan::FramePlan* each : simulation->plans()) plans.push_back(each);
-    const LabelBlock block = labelBlock(width, height, labelsOf(scene, plans), options.labels);
-    drawLabels(picture, block, block.left, block.top);
+    return labelBlock(width, height, labelsOf(scene, plans), options.labels);
+}
+
+/// Without pixels.
+image::Image SceneRenderer::State::emptyPicture() const {
+    return {width,
+            height,
+            options.alpha ? 4 : 3,
+            options.floatPixels ? image::Component::f32 : image::Component::u8,
+            {}};
+}
+
+void SceneRenderer::State::endFrame(Diagnostics& diagnostics, Stats& stats) {
+    forgetDrawn();
+    isDrawn = drawer && drawer->drawsPlainly() && !hasError(diagnostics);
+    drawnChanges = simulation ? simulation->changes() : 0;
+    stats.add("frames", 1);
+    append(diagnostics, context.debugLog().takeDiagnostics());
+    applyStrict(diagnostics, options.strict);
 }
 
 Result<image::Image> SceneRenderer::draw(double time, Stats& stats) {
     State& state = *state_;
-    image::Image picture;
-    picture.width = state.width;
-    picture.height = state.height;
-    picture.components = state.options.alpha ? 4 : 3;
-    picture.type = state.options.floatPixels ? image::Component::f32 : image::Component::u8;
-    picture.data.resize(picture.rowBytes() * static_cast<std::size_t>(picture.height));
+    image::Image picture = state.emptyPicture();
+    makePixels(picture);
     Diagnostics diagnostics = state.moveTo(time, stats);
     const plan::StillNodes still = hasError(diagnostics) ? plan::StillNodes() : state.stillNodes();
-    for (std::size_t i = 0; i < state.tiles.size() && !state.isStopped(diagnostics); ++i)
-        append(diagnostics, state.drawTile(i, time, still, picture, stats));
-    state.forgetDrawn();
-    state.isDrawn = state.drawer && state.drawer->drawsPlainly() && !hasError(diagnostics);
-    state.drawnChanges = state.simulation ? state.simulation->changes() : 0;
-    stats.add("frames", 1);
-    append(diagnostics, state.context.debugLog().takeDiagnostics());
-    applyStrict(diagnostics, state.options.strict);
+    for (std::size_t i = 0; i < state.tiles.size() && !state.isStopped(diagnostics); ++i) {
+        append(diagnostics, state.drawTile(i, time, still, stats));
+        append(diagnostics, state.readTile(i, picture, stats));
+    }
+    state.endFrame(diagnostics, stats);
     if (state.isStopped(diagnostics)) return diagnostics;
-    state.addLabels(picture);
-    if (state.isIncomplete) markIncomplete(picture);
+    finishPicture(picture, state.labels(), state.isIncomplete);
     return {std::move(picture), std::move(diagnostics)};
+}
+
+bool SceneRenderer::gainsFromDrawingAhead() const {
+    return state_->tiles.size() == 1 && !state_->context.capabilities().isSoftware;
+}
+
+void SceneRenderer::drawAhead(double time, Stats& stats) {
+    State& state = *state_;
+    State::Ahead& ahead = state.ahead.emplace_back();
+    Diagnostics& diagnostics = ahead.diagnostics;
+    if (!state.stream) state.stream.emplace(state.context.capabilities());
+    append(diagnostics, state.moveTo(time, stats));
+    const plan::StillNodes still = hasError(diagnostics) ? plan::StillNodes() : state.stillNodes();
+    if (!state.isStopped(diagnostics)) {
+        append(diagnostics, state.drawTile(0, time, still, stats));
+        Diagnostics unread = state.stream->begin(
+            state.window->readable(), 0, {0, 0, state.width, state.height}, layoutOf(state.emptyPicture()));
+        ahead.isRead = unread.empty();
+        append(diagnostics, std::move(unread));
+    }
+    state.endFrame(diagnostics, stats);
+    ahead.isStopped = state.isStopped(diagnostics);
+    ahead.isIncomplete = state.isIncomplete;
+    if (!ahead.isStopped) ahead.labels = state.labels();
+}
+
+Result<image::Image> SceneRenderer::takeDrawn(Stats& stats) {
+    State& state = *state_;
+    State::Ahead ahead = std::move(state.ahead.front());
+    state.ahead.pop_front();
+    image::Image picture = state.emptyPicture();
+    makePixels(picture);
+    if (ahead.isRead) {
+        const StageTimer timer(stats, "readback");
+        Diagnostics unread = state.stream->take(picture.data);
+        ahead.isIncomplete = ahead.isIncomplete || hasError(unread);
+        ahead.isStopped = state.isStopped(unread) || ahead.isStopped;
+        append(ahead.diagnostics, std::move(unread));
+    }
+    if (ahead.isStopped) return std::move(ahead.diagnostics);
+    finishPicture(picture, ahead.labels, ahead.isIncomplete);
+    return {std::move(picture), std::move(ahead.diagnostics)};
 }
 
 Result<image::Image> SceneRenderer::drawFirst(std::size_t draws, std::size_t pass, int color, double time,

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "gpu/context/context.h"
+#include "gpu/object/pixel_stream.h"
 #include "image/image.h"
 #include "plan/frame_plan.h"
 #include "render/load/shared_parts.h"
@@ -23,6 +24,7 @@ namespace glibra::render {
 
 class DeviceScene;
 class FrameDrawer;
+class GpuTimes;
 class OpenChecks;
 class PreparedScene;
 class ViewMatrices;
@@ -58,6 +60,17 @@ class SceneRenderer {
     /// Draws the picture at `time` (seconds) as RGB, or RGBA with options.alpha, in bytes or floats.
     Result<image::Image> draw(double time, Stats& stats);
 
+    /// True if the driver draws while this process does other work, so that drawAhead() saves time. Pictures
+    /// in tiles, and those of a driver that draws on the processor, are read at once.
+    [[nodiscard]] bool gainsFromDrawingAhead() const;
+    /// Begins to draw the picture at `time`, which takeDrawn() gives. At most kMostAhead pictures may be
+    /// begun and not taken. Only for pictures of one tile.
+    void drawAhead(double time, Stats& stats);
+    /// The picture that was begun first, with its diagnostics, as draw() gives it. Plan, textures and what
+    /// else is seen of the renderer may already be those of a later one.
+    Result<image::Image> takeDrawn(Stats& stats);
+    static constexpr std::size_t kMostAhead = gpu::PixelStream::kMost;
+
     /// Draws only the first `draws` draws of the plan, counted over all passes, and returns colour output
     /// `color` of the target of plan().passes[pass]: for the window the picture as draw() returns it, for a
     /// texture RGBA floats. NanSearch uses it.
@@ -86,6 +99,9 @@ class SceneRenderer {
 
     /// Replaces the view of the pictures that follow.
     void setView(const ViewMatrices& view);
+
+    /// Measures the GPU time of all that is drawn from now on. `times` must outlive the renderer.
+    void measureGpu(GpuTimes& times);
 
     /// The parts of the renderer, for measurements between two draws.
     FrameDrawer& drawer();

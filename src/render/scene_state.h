@@ -1,6 +1,7 @@
 #pragma once
 // The state of a SceneRenderer, for the files that implement it.
 
+#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,12 +12,15 @@
 #include "render/draw/simulation.h"
 #include "render/draw/tile.h"
 #include "render/draw/view_matrices.h"
+#include "render/file/labels.h"
 #include "render/load/device_scene.h"
 #include "render/load/programs.h"
 #include "render/load/shared_parts.h"
 #include "render/scene_renderer.h"
 
 namespace glibra::render {
+
+class GpuTimes;
 
 /// Members refer to members above them, so the whole state lives on the heap and never moves.
 struct SceneRenderer::State {
@@ -66,12 +70,23 @@ struct SceneRenderer::State {
     std::vector<Tile> tileParts;  ///< the part of each tile that goes into the picture
     std::optional<gpu::Target> window;
     int width = 0, height = 0;
+    /// A picture that is drawn, and not yet read.
+    struct Ahead {
+        Diagnostics diagnostics;
+        std::optional<LabelBlock> labels;
+        bool isIncomplete = false;
+        bool isRead = false;     ///< by `stream`
+        bool isStopped = false;  ///< there is no picture
+    };
+    std::deque<Ahead> ahead;
+    std::optional<gpu::PixelStream> stream;
     ViewMatrices view;
-    double eyeDistance = 0;     ///< by which the view policy moved the eye back, at time 0
-    bool isIncomplete = false;  ///< an error has cost a part of the picture (options.incomplete)
-    bool isBroken = false;      ///< nothing can be drawn, in spite of options.incomplete
-    bool isMoving = false;      ///< the plan is made for another moment than the first
-    bool isStateful = false;    ///< remembersFrames()
+    double eyeDistance = 0;        ///< by which the view policy moved the eye back, at time 0
+    bool isIncomplete = false;     ///< an error has cost a part of the picture (options.incomplete)
+    bool isBroken = false;         ///< nothing can be drawn, in spite of options.incomplete
+    bool isMoving = false;         ///< the plan is made for another moment than the first
+    bool isStateful = false;       ///< remembersFrames()
+    GpuTimes* gpuTimes = nullptr;  ///< measureGpu()
 
     /// True if nothing can be drawn because of an error. With options.incomplete errors of single things are
     /// noted in isIncomplete instead.
@@ -100,10 +115,18 @@ struct SceneRenderer::State {
     /// are reported later.
     std::string outOfSight(const scene::Draw& draw, const scene::Pass& pass, Diagnostics* remarks);
     [[nodiscard]] bool mayShowEarlierFrames();
-    /// Writes the values of uniform variables over the picture (options.labels).
-    void addLabels(image::Image& picture) const;
-    Diagnostics drawTile(std::size_t index, double time, const plan::StillNodes& still, image::Image& picture,
-                         Stats& stats);
+    /// The values of uniform variables, which are written over the picture (options.labels).
+    [[nodiscard]] std::optional<LabelBlock> labels() const;
+    /// A picture of the right size and type.
+    [[nodiscard]] image::Image emptyPicture() const;
+    /// The means of the window's samples.
+    void resolve();
+    /// Draws a tile into `window`.
+    Diagnostics drawTile(std::size_t index, double time, const plan::StillNodes& still, Stats& stats);
+    /// Reads the tile that was drawn.
+    Diagnostics readTile(std::size_t index, image::Image& picture, Stats& stats);
+    /// What is true after a frame, whether it could be drawn or not.
+    void endFrame(Diagnostics& diagnostics, Stats& stats);
 };
 
 }  // namespace glibra::render

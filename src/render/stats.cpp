@@ -41,6 +41,14 @@ std::string toJson(const Stats& stats, std::string_view scene, int width, int he
     json["driver"] = driver;
     json["milliseconds"] = nlohmann::ordered_json::object();
     for (const Stats::Stage& each : stats.stages) json["milliseconds"][each.name] = each.milliseconds;
+    // null: not measured
+    json["gpuTime"] = nullptr;
+    if (stats.gpu) json["gpuTime"] = nlohmann::ordered_json::array();
+    for (const Stats::GpuTime& each : stats.gpu.value_or(std::vector<Stats::GpuTime>()))
+        json["gpuTime"].push_back({{"what", each.what},
+                                   {"line", each.line},
+                                   {"times", each.times},
+                                   {"milliseconds", each.milliseconds}});
     json["counts"] = nlohmann::ordered_json::object();
     for (const Stats::Count& each : stats.counts) json["counts"][each.name] = each.value;
     json["skipped"] = nlohmann::ordered_json::array();
@@ -85,6 +93,19 @@ std::string listed(std::span<const plan::Skipped> all) {
     return text;
 }
 
+std::string gpuTimes(const Stats& stats) {
+    if (!stats.gpu) return "GPU time: not measured, the driver has no timer\n";
+    std::string text = "GPU time\n";
+    double total = 0;
+    for (const Stats::GpuTime& each : *stats.gpu) {
+        text += fmt::format("  {:9.2f} ms  {}", each.milliseconds, each.what);
+        if (each.line > 0) text += fmt::format(", line {}", each.line);
+        text += each.times == 1 ? "\n" : fmt::format(" ({} times)\n", each.times);
+        total += each.milliseconds;
+    }
+    return text + fmt::format("  {:9.2f} ms  together\n", total);
+}
+
 }  // namespace
 
 std::string toText(const Stats& stats) {
@@ -94,7 +115,8 @@ std::string toText(const Stats& stats) {
         text += fmt::format("  {:<12} {:9.2f} ms\n", each.name, each.milliseconds);
         total += each.milliseconds;
     }
-    text += fmt::format("  {:<12} {:9.2f} ms\nmade and drawn\n", "together", total);
+    text += fmt::format("  {:<12} {:9.2f} ms\n", "together", total);
+    text += gpuTimes(stats) + "made and drawn\n";
     for (const Stats::Count& each : stats.counts)
         text += fmt::format("  {:<20} {:>12}\n", each.name, each.value);
     if (!stats.decisions.empty()) text += "chosen\n";

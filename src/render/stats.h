@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -28,12 +29,22 @@ struct Stats {
         std::string name;
         std::uint64_t value = 0;
     };
+    /// How long the device worked at a pass, a dispatch or a clear, all its executions together.
+    struct GpuTime {
+        std::string what;  ///< "pass into window"
+        int line = 0;      ///< of its statement; 0: none
+        std::uint64_t times = 0;
+        double milliseconds = 0;
+    };
     std::vector<Stage> stages;  ///< in the order of first use
     std::vector<Count> counts;
     std::vector<plan::Skipped> skipped;
     std::vector<budget::Decision> decisions;  ///< of RenderOptions::maxError
     /// Uniforms and inputs that read a variable or a value by their name alone.
     std::vector<plan::Skipped> foundByName;
+    /// In the order of first use. Nothing: it is not measured, because the driver has no timer, or nobody
+    /// asked for it.
+    std::optional<std::vector<GpuTime>> gpu;
 
     void addTime(std::string_view stage, double milliseconds);
     void add(std::string_view count, std::uint64_t value);

@@ -41,14 +41,14 @@ std::vector<std::string> cellsOf(const std::string& line) {
     return cells;
 }
 
-TEST(Csv, HasOneRowPerPointWithThirteenCells) {
+TEST(Csv, HasOneRowPerPointWithFourteenCells) {
     const std::vector<std::string> lines = linesOf(csvReport(sampleReport()));
     ASSERT_EQ(lines.size(), 6U);
-    for (const std::string& line : lines) EXPECT_EQ(cellsOf(line).size(), 13U) << line;
+    for (const std::string& line : lines) EXPECT_EQ(cellsOf(line).size(), 14U) << line;
     const std::vector<std::string> first = cellsOf(lines[1]);
     EXPECT_EQ(first, (std::vector<std::string>{"primitives", "position", "float, \"textbook\" <1>", "8", "8",
                                                "0.1", "radii", "0.001", "0.0009000000000000001", "0.0011",
-                                               "7", "4096", "0"}));
+                                               "7", "4096", "0", ""}));
     EXPECT_EQ(cellsOf(lines[4])[5], "") << "not measurable";
     EXPECT_EQ(cellsOf(lines[5])[5], "inf");
 }

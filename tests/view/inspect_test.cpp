@@ -209,7 +209,10 @@ TEST(FrameCost, CountsFramesDrawsAndVertices) {
     EXPECT_EQ(cost.nodes[1].what, "pass into window");
     EXPECT_EQ(cost.draws[0].node, 0U);
     EXPECT_EQ(cost.draws[1].node, 1U);
+    EXPECT_TRUE(cost.isTimed);
     EXPECT_GT(cost.nodes[0].milliseconds + cost.nodes[1].milliseconds, 0);
+    for (const view::DrawCost& each : cost.draws)
+        EXPECT_LE(each.milliseconds, cost.nodes[each.node].milliseconds) << "a draw is a part of its pass";
     EXPECT_TRUE(cost.blocks.empty());
     EXPECT_EQ(cost.draws[1].line, 12);
     if (cost.counts) {
@@ -219,6 +222,20 @@ TEST(FrameCost, CountsFramesDrawsAndVertices) {
     }
     session.drawIfNeeded();
     EXPECT_TRUE(pixelsOf(session) == before);
+}
+
+TEST(FrameCost, HasNoGpuTimesWithoutATimer) {
+    const SceneFolder folder(kTwoPasses, kPassFiles);
+    Session session(context(), {});
+    ASSERT_TRUE(session.open(folder.scene()));
+    gpu::Capabilities none = context().capabilities();
+    none.timerBits = 0;
+    const view::FrameCost cost = view::measureFrames(session, none, 3, 0);
+    EXPECT_FALSE(cost.isTimed);
+    EXPECT_GT(cost.millisecondsPerFrame, 0) << "real time needs no timer";
+    ASSERT_EQ(cost.draws.size(), 2U);
+    ASSERT_EQ(cost.nodes.size(), 2U);
+    EXPECT_EQ(cost.draws[0].milliseconds + cost.nodes[1].milliseconds, 0);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "render/draw/view_matrices.h"
 #include "scene_folder.h"
+#include "view/session/object_timer.h"
 
 namespace glibra::test {
 namespace {
@@ -415,6 +416,72 @@ TEST(Session, MeasuresObjectsAndNotClears) {
     const double cleared = measure("Clear\nClear\n");
     EXPECT_EQ(cleared, 0);
     EXPECT_LT(measure("QuadXY 0 .01\n"), drawn / 4);
+}
+
+/// Counts calls of glFinish while it lives.
+class FinishCount {
+  public:
+    FinishCount() : own_(glad_glFinish) {
+        calls = 0;
+        original = own_;
+        glad_glFinish = [] {
+            ++calls;
+            original();
+        };
+        gladUninstallGLDebug();  // what is called are copies of the table
+    }
+    FinishCount(const FinishCount&) = delete;
+    FinishCount& operator=(const FinishCount&) = delete;
+    ~FinishCount() {
+        glad_glFinish = own_;
+        gladUninstallGLDebug();
+    }
+    static inline int calls = 0;
+
+  private:
+    static inline void (*original)() = nullptr;
+    void (*own_)();
+};
+
+TEST(Session, MeasuresMovingObjectsWithoutWaitingForThem) {
+    const SceneFolder folder(
+        "WindowSize 64 64\nOrtho -1 1 -1 1\nTimer 10\nVertex a.vert\nFragment a.frag\n"
+        "Program P\nQuadXY 0 1\n",
+        {{"a.vert", kPlainVertex},
+         {"a.frag", "#version 330\nout vec4 c;\nvoid main() { c = vec4(Timer); }\n"}});
+    Session session(context(), {});
+    ASSERT_TRUE(session.open(folder.scene())) << text(session.diagnostics());
+    ASSERT_TRUE(session.canMeasureObjects());
+    session.drawIfNeeded();
+    session.setMeasuresObjects(true);
+    const FinishCount finish;
+    for (int i = 0; i < 40; ++i) {
+        session.advance(.01);
+        ASSERT_TRUE(session.drawIfNeeded());
+    }
+    EXPECT_EQ(FinishCount::calls, 0);
+    glFinish();
+    EXPECT_EQ(FinishCount::calls, 1) << "it would have been counted";
+    session.advance(.01);
+    session.drawIfNeeded();
+    EXPECT_GT(session.objectMilliseconds().value_or(0), 0);
+}
+
+TEST(ObjectTimer, MeasuresNothingWithoutATimer) {
+    const SceneFolder folder(kFlatScene, kFlatFiles);
+    Session session(context(), {});
+    ASSERT_TRUE(session.open(folder.scene()));
+    session.drawIfNeeded();
+    gpu::Capabilities none = context().capabilities();
+    none.timerBits = 0;
+    view::ObjectTimer timer(none);
+    EXPECT_FALSE(timer.measures());
+    timer.begin(session.live().drawer(), session.live().plan());
+    session.setNeedsFrame();
+    session.drawIfNeeded();
+    timer.end(session.live().drawer());
+    timer.finish();
+    EXPECT_FALSE(timer.milliseconds());
 }
 
 }  // namespace

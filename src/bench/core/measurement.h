@@ -25,6 +25,7 @@ struct Point {
     std::optional<Timing> time{};  ///< absent if the cost is too small to measure
     std::optional<double>
         memory{};  ///< bytes of the data that the method works on: vertices, texels, pixels, state
+    std::optional<double> gpuTime{};  ///< seconds that the device works for a picture; absent: not measured
     bool isOnFront =
         false;  ///< no other point of the figure is both as cheap and more accurate; set by the run
 };

@@ -10,6 +10,7 @@
 
 #include "gpu/context/call_counter.h"
 #include "image/compare/flip.h"
+#include "render/probe/gpu_times.h"
 #include "render/scene_renderer.h"
 
 namespace glibra::bench {
@@ -40,6 +41,21 @@ Result<image::Image> scenePicture(gpu::Context& context, const std::filesystem::
     picture.diagnostics.insert(picture.diagnostics.begin(), loaded.diagnostics.begin(),
                                loaded.diagnostics.end());
     return picture;
+}
+
+std::optional<std::vector<render::Stats::GpuTime>> sceneGpuTimes(gpu::Context& context,
+                                                                 const std::filesystem::path& scene,
+                                                                 const RenderOptions& options) {
+    render::GpuTimes times(context.capabilities());
+    if (!times.measures()) return std::nullopt;
+    RenderOptions whole = options;
+    whole.skip = false;  // nothing is kept from the first drawing
+    render::Stats stats;
+    Result<render::SceneRenderer> loaded = render::SceneRenderer::load(context, scene, whole, stats);
+    if (!loaded || !loaded->draw(0, stats)) return std::nullopt;
+    loaded->measureGpu(times);
+    if (!loaded->draw(0, stats)) return std::nullopt;
+    return times.finish();
 }
 
 double scenePictureBytes(gpu::Context& context, const std::filesystem::path& scene,

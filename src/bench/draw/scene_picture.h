@@ -5,15 +5,24 @@
 #include <glibra/result.h>
 
 #include <filesystem>
+#include <optional>
+#include <vector>
 
 #include "gpu/context/context.h"
 #include "image/image.h"
+#include "render/stats.h"
 
 namespace glibra::bench {
 
 /// The picture at time 0 as RGB bytes.
 Result<image::Image> scenePicture(gpu::Context& context, const std::filesystem::path& scene,
                                   const RenderOptions& options);
+
+/// The GPU time of each pass, dispatch and clear of the picture at time 0: of its second drawing, since
+/// drivers do more when something is drawn for the first time. Nothing if the driver has no timer.
+std::optional<std::vector<render::Stats::GpuTime>> sceneGpuTimes(gpu::Context& context,
+                                                                 const std::filesystem::path& scene,
+                                                                 const RenderOptions& options);
 
 /// Bytes of the picture: its data on the device, and its pixels with their depth.
 double scenePictureBytes(gpu::Context& context, const std::filesystem::path& scene,

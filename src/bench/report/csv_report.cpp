@@ -28,16 +28,16 @@ std::string timing(const std::optional<Timing>& time) {
 std::string csvReport(const Report& report) {
     std::string csv =
         "subject,figure,curve,setting,label,error,error_unit,time_median_s,time_low_s,time_high_s,repeats,"
-        "memory_bytes,front\n";
+        "memory_bytes,front,gpu_time_s\n";
     for (const SubjectRun& subject : report.subjects)
         for (const Figure& figure : subject.figures)
             for (const Curve& curve : figure.curves)
                 for (const Point& point : curve.points)
-                    csv += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", csvField(subject.name),
+                    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", csvField(subject.name),
                                        csvField(figure.name), csvField(curve.name), number(point.setting),
                                        csvField(point.label), number(point.error), csvField(figure.errorUnit),
                                        timing(point.time), point.memory ? number(*point.memory) : "",
-                                       point.isOnFront ? 1 : 0);
+                                       point.isOnFront ? 1 : 0, point.gpuTime ? number(*point.gpuTime) : "");
     return csv;
 }
 

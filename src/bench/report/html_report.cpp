@@ -80,13 +80,14 @@ std::string timeCell(const Timing& time) {
 
 std::string table(const Figure& figure) {
     std::size_t count = 0;
-    bool hasTime = false, hasMemory = false;
+    bool hasTime = false, hasMemory = false, hasGpuTime = false;
     std::string rows;
     for (const Curve& curve : figure.curves)
         for (const Point& point : curve.points) {
             ++count;
             hasTime |= point.time.has_value();
             hasMemory |= point.memory.has_value();
+            hasGpuTime |= point.gpuTime.has_value();
         }
     for (const Curve& curve : figure.curves)
         for (const Point& point : curve.points) {
@@ -94,6 +95,8 @@ std::string table(const Figure& figure) {
                                 point.isOnFront ? " class=\"on\"" : "", escapeHtml(curve.name),
                                 escapeHtml(point.label), numberText(point.error));
             if (hasTime) rows += point.time ? timeCell(*point.time) : "<td></td>";
+            if (hasGpuTime)
+                rows += fmt::format("<td>{}</td>", point.gpuTime ? secondsText(*point.gpuTime, true) : "");
             if (hasMemory) rows += fmt::format("<td>{}</td>", point.memory ? bytesText(*point.memory) : "");
             rows += fmt::format("<td class=\"mark\">{}</td></tr>\n", point.isOnFront ? "front" : "");
         }
@@ -101,10 +104,11 @@ std::string table(const Figure& figure) {
         figure.errorUnit.empty() ? "" : fmt::format(" ({})", escapeHtml(figure.errorUnit));
     return fmt::format(
         "<details><summary>{} points</summary><div class=\"table\"><table><thead><tr><th>curve</th>"
-        "<th>{}</th><th class=\"number\">{}{}</th>{}{}<th></th></tr></thead><tbody>\n{}</tbody></table>"
+        "<th>{}</th><th class=\"number\">{}{}</th>{}{}{}<th></th></tr></thead><tbody>\n{}</tbody></table>"
         "</div></details>\n",
         count, escapeHtml(figure.settingName), escapeHtml(figure.errorName), unit,
         hasTime ? "<th class=\"number\">median time</th>" : "",
+        hasGpuTime ? "<th class=\"number\">GPU time</th>" : "",
         hasMemory ? "<th class=\"number\">memory</th>" : "", rows);
 }
 

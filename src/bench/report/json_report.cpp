@@ -47,6 +47,7 @@ Json written(const Point& point) {
                         {"high", point.time->high},
                         {"repeats", point.time->repeats}};
     if (point.memory) json["memory"] = *point.memory;
+    if (point.gpuTime) json["gpuTime"] = *point.gpuTime;
     json["front"] = point.isOnFront;
     return json;
 }
@@ -120,6 +121,7 @@ Point readPoint(const Json& json) {
         readMember(*time, "repeats", point.time->repeats);
     }
     if (const auto memory = json.find("memory"); memory != json.end()) point.memory = memory->get<double>();
+    if (const auto time = json.find("gpuTime"); time != json.end()) point.gpuTime = time->get<double>();
     readMember(json, "front", point.isOnFront);
     return point;
 }

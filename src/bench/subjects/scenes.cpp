@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "bench/core/fit.h"
@@ -49,8 +51,27 @@ struct MeasuredScene {
     std::array<PictureError, kWays.size()> errors{};
     std::array<Timing, kWays.size()> times{};
     std::array<double, kWays.size()> bytes{};
+    std::array<std::optional<double>, kWays.size()> gpuTimes{};  ///< seconds
+    std::string slowestWork{};                                   ///< of the first way on the device
     int referenceSamples = 0;
 };
+
+constexpr double kSecondsInMillisecond = 1e-3;
+
+double secondsOf(const std::vector<render::Stats::GpuTime>& times) {
+    double sum = 0;
+    for (const render::Stats::GpuTime& each : times) sum += each.milliseconds * kSecondsInMillisecond;
+    return sum;
+}
+
+/// "pass into window (line 12) 0.31 ms"; empty if nothing is drawn.
+std::string slowestOf(const std::vector<render::Stats::GpuTime>& times) {
+    const auto slowest = std::ranges::max_element(times, {}, &render::Stats::GpuTime::milliseconds);
+    if (slowest == times.end()) return {};
+    const std::string line = slowest->line > 0 ? fmt::format(" (line {})", slowest->line) : "";
+    return fmt::format("{}{} {}", slowest->what, line,
+                       secondsText(slowest->milliseconds * kSecondsInMillisecond));
+}
 
 Result<MeasuredScene> measureScene(Bench& bench, gpu::Context& context, const ShippedScene& scene) {
     RenderOptions options;
@@ -66,6 +87,10 @@ Result<MeasuredScene> measureScene(Bench& bench, gpu::Context& context, const Sh
         if (!picture) return std::move(picture.diagnostics);
         pictures[i] = std::move(*picture);
         measured.bytes[i] = scenePictureBytes(context, scene.path, way);
+        if (const auto times = sceneGpuTimes(context, scene.path, way)) {
+            measured.gpuTimes[i] = secondsOf(*times);
+            if (i == kPlain) measured.slowestWork = slowestOf(*times);
+        }
         constexpr double kEnough = .15;  // seconds, for each of many scenes
         measured.times[i] = bench.time([&] { (void)scenePicture(context, scene.path, way); }, kEnough);
     }
@@ -100,7 +125,8 @@ Figure ranked(std::vector<MeasuredScene> all, Figure figure, double (*errorOf)(c
                                     .label = all[rank].scene->name,
                                     .error = errorOf(all[rank].errors[i]),
                                     .time = all[rank].times[i],
-                                    .memory = all[rank].bytes[i]});
+                                    .memory = all[rank].bytes[i],
+                                    .gpuTime = all[rank].gpuTimes[i]});
         figure.curves.push_back(std::move(curve));
     }
     constexpr std::size_t kNamed = 10;
@@ -149,6 +175,21 @@ std::vector<std::string> overall(const std::vector<MeasuredScene>& all) {
                     all.size(), secondsText(median(times)), secondsText(slowest->times[kPlain].median),
                     slowest->scene->name),
         comparison(all, kFourSamples), comparison(all, kBudget), comparison(all, kFreeBudget)};
+}
+
+/// The GPU time of the pictures, and what takes the most of it in the slowest ones.
+std::vector<std::string> onTheDevice(std::vector<MeasuredScene> all) {
+    std::erase_if(all, [](const MeasuredScene& each) { return !each.gpuTimes[kPlain]; });
+    if (all.empty()) return {"GPU time: not measured, the driver has no timer"};
+    std::ranges::sort(all, std::ranges::greater(),
+                      [](const MeasuredScene& each) { return *each.gpuTimes[kPlain]; });
+    std::vector<std::string> findings{fmt::format("GPU time: half of the pictures take less than {}",
+                                                  secondsText(*all[all.size() / 2].gpuTimes[kPlain]))};
+    constexpr std::size_t kNamed = 5;
+    for (std::size_t i = 0; i < std::min(kNamed, all.size()); ++i)
+        findings.push_back(fmt::format("{}: GPU time {}, of which {}", all[i].scene->name,
+                                       secondsText(*all[i].gpuTimes[kPlain]), all[i].slowestWork));
+    return findings;
 }
 
 /// Names the scenes whose reference has fewer samples than the others; empty if there are none.
@@ -217,7 +258,8 @@ Result<std::vector<Figure>> measureScenes(Bench& bench) {
                figure("flip", "Shipped scenes: difference that a person sees, largest first", "mean FLIP"),
                [](const PictureError& each) { return each.flip; })};
     std::vector<std::string>& first = figures.front().findings;
-    const std::vector<std::string> summary = overall(all);
+    std::vector<std::string> summary = overall(all);
+    std::ranges::move(onTheDevice(all), std::back_inserter(summary));
     first.insert(first.begin(), summary.begin(), summary.end());
     const std::string slow = slowOnes(all);
     if (!slow.empty()) first.push_back(slow);

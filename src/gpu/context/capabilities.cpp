@@ -170,6 +170,8 @@ Capabilities readCapabilities(bool throughOsmesa) {
     driver.packInvert = driver.hasExtension("GL_MESA_pack_invert");
     driver.parallelCompile = driver.hasExtension("GL_KHR_parallel_shader_compile");
     driver.debugOutput = driver.atLeast(4, 3) || driver.hasExtension("GL_KHR_debug");
+    driver.persistentMaps = driver.atLeast(4, 4);
+    glGetQueryiv(GL_TIMESTAMP, GL_QUERY_COUNTER_BITS, &driver.timerBits);
     return driver;
 }
 

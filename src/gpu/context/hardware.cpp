@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <cstdlib>
 #include <string>
 #include <string_view>
@@ -40,6 +41,15 @@ bool mayUseHardware(Driver driver, const fs::path& devices) {
          each.increment(failure))
         if (each->path().filename().string().starts_with("renderD") && canOpen(each->path())) return true;
     return false;
+}
+
+int usualWorkers(Driver driver, std::size_t pieces, int processors, const fs::path& devices) {
+    if (processors <= 1 || !mayUseHardware(driver, devices)) return std::max(1, processors);
+    // n workers take n contexts and pieces / n scenes, which is least where both take as long.
+    constexpr double kScenesPerContext = 4;
+    constexpr double kMost = 4;  // as measured: 131 scenes take 3.0 s with 1, 1.03 with 4, 1.57 with 16
+    const double best = std::round(std::sqrt(static_cast<double>(pieces) / kScenesPerContext));
+    return static_cast<int>(std::clamp(best, 1., std::min<double>(kMost, processors)));
 }
 
 }  // namespace glibra::gpu

@@ -16,6 +16,7 @@ struct Watched {
     DebugLog* log = nullptr;
     GLenum (*status)() = nullptr;           ///< null: the driver cannot tell
     std::optional<base::ResetCause> cause;  ///< of the reset; a driver may tell it only once
+    int notWaiting = 0;                     ///< NothingFinished that live
 };
 Watched watched;
 
@@ -43,7 +44,8 @@ enum class Waits { no, forAll };
 
 void endCall(Waits waits) {
     expectDevice();
-    if (waits == Waits::forAll && watched.log != nullptr) watched.log->finishPlaces();
+    if (waits == Waits::forAll && watched.notWaiting == 0 && watched.log != nullptr)
+        watched.log->finishPlaces();
 }
 
 /// A function of the table that asks for a reset before it returns.
@@ -120,7 +122,7 @@ void guardFunctions() {
 }  // namespace
 
 void watchDevice(DebugLog& log) {
-    watched = {&log, glad_glGetGraphicsResetStatus, std::nullopt};
+    watched = {&log, glad_glGetGraphicsResetStatus, std::nullopt, 0};
     if (watched.status == nullptr) watched.status = glad_glGetGraphicsResetStatusARB;
     guardFunctions();
 }
@@ -131,6 +133,14 @@ void unwatchDevice(const DebugLog& log) {
 
 bool resetIsOnlyAnError() {
     return watched.log != nullptr && watched.status == nullptr;
+}
+
+NothingFinished::NothingFinished() {
+    ++watched.notWaiting;
+}
+
+NothingFinished::~NothingFinished() {
+    --watched.notWaiting;
 }
 
 void expectDevice() {

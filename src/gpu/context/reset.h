@@ -23,4 +23,13 @@ void expectDevice();
 /// True if the driver of the watched context tells of a reset by that error alone.
 bool resetIsOnlyAnError();
 
+/// While one lives, nothing is finished by functions that usually wait for all work: pixels go into a buffer.
+class NothingFinished {
+  public:
+    NothingFinished();
+    NothingFinished(const NothingFinished&) = delete;
+    NothingFinished& operator=(const NothingFinished&) = delete;
+    ~NothingFinished();
+};
+
 }  // namespace glibra::gpu

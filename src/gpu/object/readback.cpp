@@ -28,23 +28,6 @@ void flipRows(std::span<std::byte> pixels, std::size_t rowBytes) {
     }
 }
 
-/// Copies the first three of the four bytes of every pixel.
-void dropFourth(std::span<const std::byte> rgba, std::byte* to) {
-    const std::byte* from = rgba.data();
-    const std::byte* const end = from + rgba.size();
-    if constexpr (std::endian::native == std::endian::little)
-        for (; from + 16 <= end; from += 16, to += 12) {
-            std::uint64_t a = 0, b = 0;  // two pixels each
-            std::memcpy(&a, from, sizeof a);
-            std::memcpy(&b, from + sizeof a, sizeof b);
-            const std::uint64_t first = (a & 0xffffffU) | (a >> 8U & 0xffffff000000U) | b << 48U;
-            const auto last = static_cast<std::uint32_t>((b >> 16U & 0xffU) | (b >> 24U & 0xffffff00U));
-            std::memcpy(to, &first, sizeof first);
-            std::memcpy(to + sizeof first, &last, sizeof last);
-        }
-    for (; from < end; from += 4, to += 3) std::memcpy(to, from, 3);
-}
-
 /// Reads RGB bytes as RGBA, the drivers' own format, and packs them here. Mesa converts to three components
 /// pixel by pixel, which takes five times as long. Reads parts of bounded size, from the top.
 void readRgb(const PixelRectangle& rectangle, bool topFirst, std::span<std::byte> pixels) {
@@ -66,6 +49,22 @@ void readRgb(const PixelRectangle& rectangle, bool topFirst, std::span<std::byte
 }
 
 }  // namespace
+
+void dropFourth(std::span<const std::byte> rgba, std::byte* to) {
+    const std::byte* from = rgba.data();
+    const std::byte* const end = from + rgba.size();
+    if constexpr (std::endian::native == std::endian::little)
+        for (; from + 16 <= end; from += 16, to += 12) {
+            std::uint64_t a = 0, b = 0;  // two pixels each
+            std::memcpy(&a, from, sizeof a);
+            std::memcpy(&b, from + sizeof a, sizeof b);
+            const std::uint64_t first = (a & 0xffffffU) | (a >> 8U & 0xffffff000000U) | b << 48U;
+            const auto last = static_cast<std::uint32_t>((b >> 16U & 0xffU) | (b >> 24U & 0xffffff00U));
+            std::memcpy(to, &first, sizeof first);
+            std::memcpy(to + sizeof first, &last, sizeof last);
+        }
+    for (; from < end; from += 4, to += 3) std::memcpy(to, from, 3);
+}
 
 std::size_t byteCount(const PixelRectangle& rectangle, const PixelLayout& layout) {
     if (rectangle.width <= 0 || rectangle.height <= 0) return 0;

@@ -24,6 +24,9 @@ struct PixelLayout {
     [[nodiscard]] std::size_t bytes() const { return static_cast<std::size_t>(components) * bytesOf(type); }
 };
 
+/// Copies the first three of the four bytes of every pixel.
+void dropFourth(std::span<const std::byte> rgba, std::byte* to);
+
 /// The bytes of such a rectangle with tightly packed rows.
 std::size_t byteCount(const PixelRectangle& rectangle, const PixelLayout& layout);
 

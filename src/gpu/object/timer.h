@@ -1,0 +1,57 @@
+#pragma once
+// Measures how long the device works at pieces of work, by timer queries that are read when they are ready.
+
+#include <glad/gl.h>
+
+#include <cstddef>
+#include <deque>
+#include <functional>
+#include <vector>
+
+#include "gpu/context/capabilities.h"
+#include "gpu/object/query.h"
+
+namespace glibra::gpu {
+
+/// The GPU time of a piece is what the device's clock counts from the end of all work before it until the end
+/// of its own. Pieces may contain others. What the driver does on the processor counts only where the device
+/// has to wait for it. On a software driver the processor is the device; there each piece is flushed, because
+/// llvmpipe would draw it later together with others. The calls of the timer are not among those that
+/// CallCounter counts.
+class Timer {
+  public:
+    /// Called for each piece that is measured, in the order of their ends.
+    using Take = std::function<void(std::size_t piece, double milliseconds)>;
+
+    Timer(const Capabilities& capabilities, Take take);
+
+    /// False if the driver has no timer. Then nothing is measured.
+    [[nodiscard]] bool measures() const { return bits_ > 0; }
+    void begin(std::size_t piece);
+    /// Ends the piece that was begun last.
+    void end();
+    /// Takes the pieces that are ready. Does not wait for the device.
+    void collect();
+    /// Takes all pieces that have ended; waits for the device.
+    void finish();
+
+  private:
+    using QueryName = Name<deleteQuery>;
+    struct Piece {
+        std::size_t piece = 0;
+        QueryName begin, end;
+    };
+    static constexpr std::size_t kMostPending = 1024;
+
+    QueryName stamp();
+    void takeFirst();
+
+    int bits_;
+    bool flushes_;
+    Take take_;
+    std::vector<Piece> open_;
+    std::deque<Piece> pending_;  ///< ended; at most kMostPending
+    std::vector<QueryName> free_;
+};
+
+}  // namespace glibra::gpu

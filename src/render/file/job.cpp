@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <deque>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "gpu/context/call_counter.h"
@@ -15,7 +18,9 @@
 #include "image/video/video_file.h"
 #include "image/write.h"
 #include "render/file/animation.h"
+#include "render/file/picture_stream.h"
 #include "render/file/picture_writer.h"
+#include "render/probe/gpu_times.h"
 #include "render/probe/nan_search.h"
 #include "render/scene_renderer.h"
 #include "render/stats.h"
@@ -49,13 +54,14 @@ bool isOfPixels(const Diagnostic& remark) {
 
 }  // namespace
 
+namespace {
+
 Diagnostics remarksOn(const image::Image& picture, const std::filesystem::path& scene,
-                      const plan::FramePlan& plan, bool isSearched) {
+                      const std::string& whyNothing, bool isSearched) {
     Diagnostics remarks;
     const Place place{scene.string(), 1, 1};
     if (image::isOneColor(picture))
-        remarks.push_back(
-            diagnose("draw-N02", "the picture has only one colour" + whyNothingIsSeen(plan), place));
+        remarks.push_back(diagnose("draw-N02", "the picture has only one colour" + whyNothing, place));
     const image::NonFinite bad = image::countNonFinite(picture);
     if (bad.nan + bad.infinite > 0 && !isSearched)
         remarks.push_back(diagnose(
@@ -64,6 +70,13 @@ Diagnostics remarksOn(const image::Image& picture, const std::filesystem::path& 
                         bad.nan, bad.infinite, bad.x, bad.y),
             place));
     return remarks;
+}
+
+}  // namespace
+
+Diagnostics remarksOn(const image::Image& picture, const std::filesystem::path& scene,
+                      const plan::FramePlan& plan, bool isSearched) {
+    return remarksOn(picture, scene, whyNothingIsSeen(plan), isSearched);
 }
 
 std::filesystem::path frameFile(const std::filesystem::path& output, int index, int frames) {
@@ -126,7 +139,10 @@ class JobRun {
     JobRun(gpu::Context& context, const Job& job) : context_(context), job_(job), options_(job.options) {
         options_.floatPixels = options_.floatPixels || image::holdsFloats(job.output);
         for (const Job::Save& each : job.saves) options_.wantedTextures.push_back(each.texture);
-        if (job.explain || job.stats) counter_.emplace();
+        if (job.explain || job.stats) {
+            counter_.emplace();
+            gpuTimes_.emplace(context.capabilities());
+        }
     }
 
     JobResult run(const std::function<void(int)>& frameWritten, SharedParts* shared) && {
@@ -141,6 +157,7 @@ class JobRun {
             result_.failed = true;
             return std::move(result_);
         }
+        if (gpuTimes_) loaded->measureGpu(*gpuTimes_);
         if (options_.checkNan) search_ = NanSearch::load(context_, job_.scene, options_);
         if (job_.frames == 1)
             drawPicture(*loaded);
@@ -150,6 +167,7 @@ class JobRun {
         result_.failed = hasErrors();
         explainTiles();
         countCalls();
+        if (gpuTimes_ && gpuTimes_->measures()) stats_.gpu = gpuTimes_->finish();
         if (job_.explain) result_.explanation = job_.scene.string() + "\n" + toText(stats_);
         if (job_.stats)
             result_.statsJson = toJson(stats_, job_.scene.string(), loaded->width(), loaded->height(),
@@ -160,11 +178,16 @@ class JobRun {
   private:
     /// Draws frame `index`; nothing if it must not be written.
     std::optional<image::Image> draw(SceneRenderer& scene, int index) {
-        const double time = timeOf(index);
-        Result<image::Image> picture = scene.draw(time, stats_);
+        Result<image::Image> picture = scene.draw(timeOf(index), stats_);
+        return take(scene, index, std::move(picture), whyNothingIsSeen(scene.plan()));
+    }
+
+    /// What remains to be done for the picture of frame `index`. `whyNothing`: of the frame's plan.
+    std::optional<image::Image> take(SceneRenderer& scene, int index, Result<image::Image> picture,
+                                     const std::string& whyNothing) {
         Diagnostics remarks = std::move(picture.diagnostics);
-        if (search_) append(remarks, search_->at(time));
-        if (picture) append(remarks, remarksOn(*picture, job_.scene, scene.plan(), options_.checkNan));
+        if (search_) append(remarks, search_->at(timeOf(index)));
+        if (picture) append(remarks, remarksOn(*picture, job_.scene, whyNothing, options_.checkNan));
         applyStrict(remarks, options_.strict);
         if (picture && (!hasError(remarks) || options_.incomplete)) append(remarks, save(scene, index));
         keepFirst(std::move(remarks), index);
@@ -252,26 +275,75 @@ class JobRun {
 
     [[nodiscard]] double timeOf(int frame) const { return options_.time + frame / job_.framesPerSecond; }
 
+    /// Draws frames. Where the device works beside this process, a frame is read while the next one is drawn,
+    /// unless something else is read between two frames.
+    class PicturesAhead {
+      public:
+        /// `give` gets the pictures in order, and returns false to stop.
+        PicturesAhead(JobRun& run, SceneRenderer& scene, std::function<bool(int, image::Image)> give)
+            : run_(run),
+              scene_(scene),
+              give_(std::move(give)),
+              isAhead_(scene.gainsFromDrawingAhead() && !run.search_ && run.job_.saves.empty()) {}
+
+        /// False if no more frames are to be drawn.
+        bool draw(int frame) {
+            if (!isAhead_) {
+                std::optional<image::Image> picture = run_.draw(scene_, frame);
+                return picture && give_(frame, std::move(*picture));
+            }
+            scene_.drawAhead(run_.timeOf(frame), run_.stats_);
+            begun_.push_back({frame, whyNothingIsSeen(scene_.plan())});
+            return begun_.size() < SceneRenderer::kMostAhead || finishFirst();
+        }
+        /// Gives the pictures that were begun.
+        bool finish() {
+            while (!begun_.empty())
+                if (!finishFirst()) return false;
+            return true;
+        }
+
+      private:
+        struct Begun {
+            int frame;
+            std::string whyNothing;
+        };
+        bool finishFirst() {
+            const Begun begun = std::move(begun_.front());
+            begun_.pop_front();
+            std::optional<image::Image> picture =
+                run_.take(scene_, begun.frame, scene_.takeDrawn(run_.stats_), begun.whyNothing);
+            return picture && give_(begun.frame, std::move(*picture));
+        }
+
+        JobRun& run_;
+        SceneRenderer& scene_;
+        std::function<bool(int, image::Image)> give_;
+        bool isAhead_;
+        std::deque<Begun> begun_;
+    };
+
     /// The pictures follow each other, as ffmpeg -f image2pipe reads them.
     void drawFramesToStandardOutput(SceneRenderer& scene, const std::function<void(int)>& frameWritten) {
         const std::vector<int> first = firstAlike(scene);
-        std::vector<std::byte> png;
-        int shown = -1;  // the frame that `png` is
-        for (int i = 0; i < job_.frames; ++i) {
+        PictureStream stream(writeToStandardOutput, [&](int frame) { frameWritten(frame + 1); });
+        PicturesAhead pictures(*this, scene, [&](int frame, image::Image picture) {
+            return frame < job_.written || stream.add(frame, std::move(picture));
+        });
+        int shown = -1;  // the first frame like the one before
+        bool goesOn = true;
+        for (int i = 0; i < job_.frames && goesOn; ++i) {
             const bool isWritten = i < job_.written;
             if (isWritten && !scene.remembersFrames()) continue;
-            if (first[static_cast<std::size_t>(i)] != shown) {
-                const std::optional<image::Image> picture = draw(scene, i);
-                if (!picture) return;
-                png = image::encodePng(*picture);
-                shown = first[static_cast<std::size_t>(i)];
-            }
-            if (isWritten) continue;
-            const StageTimer timer(stats_, "write");
-            if (const Diagnostics problems = writeToStandardOutput(png); !problems.empty())
-                return append(result_.diagnostics, problems);
-            frameWritten(i + 1);
+            if (std::exchange(shown, first[static_cast<std::size_t>(i)]) !=
+                first[static_cast<std::size_t>(i)])
+                goesOn = pictures.draw(i);
+            else if (!isWritten)
+                goesOn = pictures.finish() && stream.addAgain(i);
         }
+        if (goesOn) pictures.finish();
+        const StageTimer timer(stats_, "write");
+        append(result_.diagnostics, stream.finish());
     }
 
     void drawFrames(SceneRenderer& scene, const std::function<void(int)>& frameWritten) {
@@ -279,21 +351,25 @@ class JobRun {
         const std::vector<int> first = firstAlike(scene);
         const std::vector<bool> isOwn = ownFrames(scene, first);
         PictureWriter writer(frameWritten);
+        const auto fileOf = [this](int frame) { return frameFile(job_.output, frame, job_.frames); };
+        PicturesAhead pictures(*this, scene, [&](int frame, image::Image picture) {
+            return writer.add(std::move(picture), fileOf(frame));
+        });
         int drawn = 0, copies = 0;
-        for (int i = 0; i < job_.frames; ++i) {
+        bool goesOn = true;
+        for (int i = 0; i < job_.frames && goesOn; ++i) {
             const auto index = static_cast<std::size_t>(i);
             if (!isOwn[index]) continue;
-            const std::filesystem::path file = frameFile(job_.output, i, job_.frames);
-            if (first[index] < i) {
-                ++copies;
-                if (!writer.addCopy(frameFile(job_.output, first[index], job_.frames), file)) break;
-                copySaves(first[index], i);
+            if (first[index] == i) {
+                ++drawn;
+                goesOn = pictures.draw(i);
                 continue;
             }
-            ++drawn;
-            std::optional<image::Image> picture = draw(scene, i);
-            if (!picture || !writer.add(std::move(*picture), file)) break;
+            ++copies;
+            goesOn = pictures.finish() && writer.addCopy(fileOf(first[index]), fileOf(i));
+            if (goesOn) copySaves(first[index], i);
         }
+        if (goesOn) pictures.finish();
         append(result_.diagnostics, writer.finish());
         if (copies == 0) return;
         stats_.add("frames copied", static_cast<std::uint64_t>(copies));
@@ -335,6 +411,7 @@ class JobRun {
     RenderOptions options_;
     Stats stats_;
     std::optional<gpu::CallCounter> counter_;
+    std::optional<GpuTimes> gpuTimes_;
     Result<NanSearch> search_;
     JobResult result_;
     std::map<Subject, int> reported_;  ///< the first frame of each subject

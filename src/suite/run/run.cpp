@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <map>
 #include <set>
-#include <thread>
 
 #include "base/memory_limit.h"
+#include "base/parallel.h"
 #include "base/workers.h"
 #include "gpu/context/hardware.h"
 #include "image/file.h"
@@ -36,8 +36,6 @@ class Run {
           events_(events),
           plan_{suites, {}, options, {}, 1},
           sharesDevice_(gpu::mayUseHardware(options.driver)) {
-        jobs_ = options.jobs > 0 ? options.jobs : defaultJobs();
-        plan_.jobs = jobs_;
         accepted_.resize(suites.size());
         if (!options.onlyRender.empty()) return;
         for (const Suite& each : suites) {
@@ -50,6 +48,8 @@ class Run {
     RunEnd run(std::span<const ShotReference> shots) {
         std::vector<ShotReference> open(shots.begin(), shots.end());
         count_ = shots.size();
+        jobs_ = drawingJobs(options_.jobs, options_.driver, count_);
+        plan_.jobs = jobs_;
         while (!open.empty() && !stopped()) {
             // Shots that may be innocent of the end of their worker come last, each alone.
             std::vector<ShotReference> next = open;
@@ -304,13 +304,17 @@ RunEnd runShots(std::span<const Suite> suites, std::span<const ShotReference> sh
 void shareProcessors(int jobs, std::size_t pieces) {
     const auto workers = static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(jobs), pieces));
     if (workers <= 1) return;
-    const int threads = defaultJobs() / workers;
+    const int threads = readingJobs(0) / workers;
     // 0: the caller rasterises. With one thread it would only wait for that thread.
     ::setenv("LP_NUM_THREADS", std::to_string(threads > 1 ? threads : 0).c_str(), 0);
 }
 
-int defaultJobs() {
-    return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+int readingJobs(int wanted) {
+    return static_cast<int>(base::threadCount(wanted));
+}
+
+int drawingJobs(int wanted, Driver driver, std::size_t pieces) {
+    return wanted > 0 ? wanted : gpu::usualWorkers(driver, pieces, readingJobs(0));
 }
 
 fs::path pictureFile(const fs::path& folder, const Suite& suite, const Shot& shot, bool severalSuites) {

@@ -27,7 +27,7 @@ struct ShotReference {
 
 struct RunOptions {
     Driver driver = Driver::automatic;
-    int jobs = 0;                         ///< worker processes; 0: defaultJobs()
+    int jobs = 0;                         ///< worker processes; 0: gpu::usualWorkers()
     std::optional<double> timeout;        ///< seconds for every shot, instead of its own; 0: no limit
     std::optional<std::uint64_t> memory;  ///< bytes for every shot, instead of its own; 0: no limit
     bool update = false;                  ///< pictures that differ replace their goldens
@@ -63,8 +63,11 @@ struct RunEnd {
 RunEnd runShots(std::span<const Suite> suites, std::span<const ShotReference> shots,
                 const RunOptions& options, const RunEvents& events);
 
-/// The default number of workers: one per processor, because processes are faster than threads on llvmpipe.
-int defaultJobs();
+/// `wanted` workers that draw `pieces` scenes or shots; 0: as many as draw them soonest. Where the processor
+/// draws, that is one per processor, because processes are faster than threads on llvmpipe.
+int drawingJobs(int wanted, Driver driver, std::size_t pieces);
+/// `wanted` workers for work without a context; 0: one per processor.
+int readingJobs(int wanted);
 /// Call it in a worker before its context is opened. Divides the processors among the software rasterisers of
 /// `jobs` workers, of which at most `pieces` have work. A value that the user has set stays.
 void shareProcessors(int jobs, std::size_t pieces);

@@ -7,8 +7,8 @@
 #include <chrono>
 #include <utility>
 
-#include "gpu/object/name.h"
-#include "gpu/object/query.h"
+#include "gpu/object/timer.h"
+#include "render/probe/gpu_times.h"
 
 namespace glibra::view {
 namespace {
@@ -25,96 +25,56 @@ void drawOnce(Session& session) {
 }
 
 constexpr int kTimedFrames = 5;
-constexpr double kNanosecondsInMillisecond = 1e6;
 
-double milliseconds(const gpu::Query& timer) {
-    return static_cast<double>(timer.result()) / kNanosecondsInMillisecond;
+NodeCost costOf(const scene::Scene& scene, const plan::FramePlan& plan, std::size_t node) {
+    render::NodeName name = render::nameOf(scene, plan, node);
+    return {std::move(name.what), name.line, 0};
 }
 
-std::string textureName(const scene::Scene& scene, scene::TextureIndex index) {
-    const scene::Texture& texture = scene.textures[index];
-    return texture.name.empty() ? fmt::format("unit {}", texture.unit) : texture.name;
-}
-
-std::string targetsOf(const scene::Scene& scene, const scene::Pass& pass) {
-    if (pass.isWindow) return "window";
-    std::string targets;
-    for (std::size_t i = 0; i < pass.targets.size(); ++i) {
-        targets += (targets.empty() ? "" : ", ") + textureName(scene, pass.targets[i]);
-        if (i >= pass.parts.size()) continue;
-        if (pass.parts[i].level) targets += fmt::format(" level {}", *pass.parts[i].level);
-        if (pass.parts[i].layer) targets += fmt::format(" layer {}", *pass.parts[i].layer);
-    }
-    if (!pass.depth) return targets;
-    targets += (targets.empty() ? "" : ", ") + textureName(scene, pass.depth->texture);
-    if (pass.depth->layer) targets += fmt::format(" layer {}", *pass.depth->layer);
-    return targets;
-}
-
-NodeCost nodeOf(const scene::Scene& scene, const plan::FramePlan& plan, std::size_t node) {
-    const scene::NodeIndex& at = plan.order[node];
-    if (at.kind == scene::NodeIndex::Kind::pass) {
-        const scene::Pass& pass = plan.passOf(plan.passes[at.index]);
-        return {"pass into " + targetsOf(scene, pass), pass.place.line, 0};
-    }
-    if (at.kind == scene::NodeIndex::Kind::dispatch) {
-        const scene::Dispatch& dispatch = plan.dispatchOf(plan.dispatches[at.index]);
-        return {"dispatch of " + scene.programs[dispatch.program].name, dispatch.place.line, 0};
-    }
-    const scene::ClearObject& clear = plan.clearOf(plan.clears[at.index]);
-    const auto* buffer = std::get_if<scene::BufferIndex>(&clear.object);
-    return {
-        "clear of " + (buffer != nullptr ? scene.buffers[*buffer].name
-                                         : textureName(scene, std::get<scene::TextureIndex>(clear.object))),
-        clear.place.line, 0};
-}
-
-/// Draws frames with a timer around every draw, and others with a timer around every node: only one timer
-/// runs at a time.
-void timeFrame(Session& session, FrameCost& cost) {
+/// Draws frames with a timer around every node and, within it, around every draw.
+void timeFrame(Session& session, const gpu::Capabilities& capabilities, FrameCost& cost) {
     render::FrameDrawer& drawer = session.live().drawer();
     const plan::FramePlan& plan = session.live().plan();
-    for (std::size_t i = 0; i < plan.order.size(); ++i)
-        cost.nodes.push_back(nodeOf(session.live().scene(), plan, i));
+    const std::size_t nodes = plan.order.size();
+    for (std::size_t i = 0; i < nodes; ++i) cost.nodes.push_back(costOf(session.live().scene(), plan, i));
+    // Pieces are nodes, and after these draws.
+    gpu::Timer timer(capabilities, [&](std::size_t piece, double milliseconds) {
+        double& sum = piece < nodes ? cost.nodes[piece].milliseconds : cost.draws[piece - nodes].milliseconds;
+        sum += milliseconds / kTimedFrames;
+    });
+    cost.isTimed = timer.measures();
     for (int frame = 0; frame < kTimedFrames; ++frame) {
-        std::vector<gpu::Query> timers;
-        std::vector<DrawCost> found;
-        std::size_t node = 0;
-        drawer.setNodeHook([&](std::size_t index, bool) { node = index; });
-        drawer.setDrawHook([&](const plan::PlannedDraw& draw, bool, bool begins) {
-            if (!begins) return timers.back().end();
-            const scene::Draw& drawn = plan.drawOf(draw);
-            found.push_back({drawn.word, drawn.place.line, node, 0});
-            timers.emplace_back(GL_TIME_ELAPSED).begin();
-        });
-        drawOnce(session);
-        drawer.setDrawHook({});
-        if (cost.draws.empty()) cost.draws = std::move(found);
-        for (std::size_t i = 0; i < timers.size() && i < cost.draws.size(); ++i)
-            cost.draws[i].milliseconds += milliseconds(timers[i]) / kTimedFrames;
-
-        std::vector<std::pair<std::size_t, gpu::Query>> nodeTimers;
+        std::size_t node = 0, draws = 0;
         drawer.setNodeHook([&](std::size_t index, bool begins) {
-            if (!begins) return nodeTimers.back().second.end();
-            nodeTimers.emplace_back(index, gpu::Query(GL_TIME_ELAPSED)).second.begin();
+            node = index;
+            begins ? timer.begin(index) : timer.end();
+        });
+        drawer.setDrawHook([&](const plan::PlannedDraw& draw, bool, bool begins) {
+            if (!begins) return timer.end();
+            const scene::Draw& drawn = plan.drawOf(draw);
+            if (draws == cost.draws.size()) cost.draws.push_back({drawn.word, drawn.place.line, node, 0});
+            timer.begin(nodes + draws++);
         });
         drawOnce(session);
-        drawer.setNodeHook({});
-        for (const auto& [index, timer] : nodeTimers)
-            cost.nodes[index].milliseconds += milliseconds(timer) / kTimedFrames;
     }
+    drawer.setDrawHook({});
+    drawer.setNodeHook({});
+    timer.finish();
 }
 
 /// Runs all steps again and times the last ones of each block.
-void timeBlocks(Session& session, FrameCost& cost) {
+void timeBlocks(Session& session, const gpu::Capabilities& capabilities, FrameCost& cost) {
     const std::vector<render::Simulation::Progress> progress = session.live().steps();
     for (const render::Simulation::Progress& each : progress)
         cost.blocks.push_back({fmt::format("Step {:g}", each.rate), each.place.line, 0, 0, {}});
     struct Timed {
         std::size_t block = 0, node = 0;
-        gpu::Query timer;
+        double milliseconds = 0;
     };
-    std::vector<Timed> timers;
+    std::vector<Timed> timed;
+    gpu::Timer timer(capabilities, [&](std::size_t piece, double milliseconds) {
+        timed[piece].milliseconds = milliseconds;
+    });
     std::vector<std::int64_t> ran(cost.blocks.size(), 0);
     session.live().setRunHook([&](const render::Simulation::Run& run, bool begins) {
         if (!begins) return run.drawer.setNodeHook({});
@@ -128,20 +88,21 @@ void timeBlocks(Session& session, FrameCost& cost) {
         ++cost.blocks[block].runs;
         std::vector<NodeCost>& nodes = cost.blocks[block].nodes;
         for (std::size_t i = nodes.size(); i < run.plan.order.size(); ++i)
-            nodes.push_back(nodeOf(session.live().scene(), run.plan, i));
-        run.drawer.setNodeHook([&timers, block](std::size_t node, bool nodeBegins) {
-            if (!nodeBegins) return timers.back().timer.end();
-            timers.push_back({block, node, gpu::Query(GL_TIME_ELAPSED)});
-            timers.back().timer.begin();
+            nodes.push_back(costOf(session.live().scene(), run.plan, i));
+        run.drawer.setNodeHook([&timed, &timer, block](std::size_t node, bool nodeBegins) {
+            if (!nodeBegins) return timer.end();
+            timed.push_back({block, node});
+            timer.begin(timed.size() - 1);
         });
     });
     session.live().restart();
     session.setNeedsFrame();
     session.drawIfNeeded();
     session.live().setRunHook({});
-    for (const Timed& each : timers) {
+    timer.finish();
+    for (const Timed& each : timed) {
         BlockCost& block = cost.blocks[each.block];
-        const double time = milliseconds(each.timer) / block.runs;
+        const double time = each.milliseconds / block.runs;
         block.nodes[each.node].milliseconds += time;
         block.milliseconds += time;
     }
@@ -182,8 +143,8 @@ FrameCost measureFrames(Session& session, const gpu::Capabilities& capabilities,
     glFinish();
     constexpr double kMillisecondsInSecond = 1000;
     cost.millisecondsPerFrame = seconds(start) * kMillisecondsInSecond / cost.frames;
-    timeFrame(session, cost);
-    timeBlocks(session, cost);
+    timeFrame(session, capabilities, cost);
+    timeBlocks(session, capabilities, cost);
     cost.counts = countOnce(session, capabilities);
     session.setNeedsFrame();
     return cost;

@@ -16,14 +16,14 @@ struct DrawCost {
     std::string word;  ///< the command
     int line = 0;
     std::size_t node = 0;     ///< index into FrameCost::nodes
-    double milliseconds = 0;  ///< device time, mean of all repeats
+    double milliseconds = 0;  ///< GPU time (gpu/object/timer.h), mean of all repeats
 };
 
 /// A pass, dispatch or clear.
 struct NodeCost {
     std::string what;         ///< "pass into window", "dispatch of Move", "clear of hits"
     int line = 0;             ///< of its statement; 0: no statement begins the pass
-    double milliseconds = 0;  ///< device time with all that belongs to it, mean of all repeats
+    double milliseconds = 0;  ///< GPU time with all that belongs to it, mean of all repeats
 };
 
 /// A Once or Step block.
@@ -31,7 +31,7 @@ struct BlockCost {
     std::string what;  ///< "Once", "Step 60"
     int line = 0;
     int runs = 0;                 ///< that were measured: the last ones before the time of the picture
-    double milliseconds = 0;      ///< device time of one run
+    double milliseconds = 0;      ///< GPU time of one run
     std::vector<NodeCost> nodes;  ///< in one run
 };
 
@@ -45,6 +45,7 @@ struct PipelineCounts {
 struct FrameCost {
     int frames = 0;                   ///< measured; 0: there was no picture to draw
     double millisecondsPerFrame = 0;  ///< real time; the device is idle before and after
+    bool isTimed = false;             ///< false: the driver has no timer, and all GPU times below are 0
     std::vector<NodeCost> nodes;      ///< of the frame, in order
     std::vector<DrawCost> draws;
     std::vector<BlockCost> blocks;

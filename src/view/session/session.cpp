@@ -104,7 +104,7 @@ void Session::releaseDevice() {
     if (live_) kept_.keep(live_->scene(), knobs_);
     isReleased_ = isReleased_ || live_;
     debugRenderer_.reset();
-    objectTimer_.forget();
+    objectTimer_.reset();
     live_.reset();
     target_.reset();
     plain_.reset();
@@ -146,7 +146,7 @@ void Session::take(LiveScene::Loading loading, bool sameScene) {
             picked_.reset();
     }
     debugRenderer_.reset();
-    objectTimer_.forget();
+    if (objectTimer_) objectTimer_->forget();
     live_ = std::move(loading.scene);
     diagnostics_ = std::move(loading.diagnostics);
     knobs_ = live_->knobs();

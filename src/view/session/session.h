@@ -114,8 +114,13 @@ class Session {
     /// kept from the frame before.
     [[nodiscard]] bool measuresObjects() const { return measuresObjects_; }
     void setMeasuresObjects(bool on);
-    /// The result; nothing without a frame since it was turned on, and in debug views. See ObjectTimer.
-    [[nodiscard]] std::optional<double> objectMilliseconds() const { return objectTimer_.milliseconds(); }
+    /// False if the driver cannot measure it.
+    [[nodiscard]] bool canMeasureObjects() const { return context_.capabilities().timerBits > 0; }
+    /// The result, of frames that the device has done; nothing without one since it was turned on, and in
+    /// debug views. See ObjectTimer.
+    [[nodiscard]] std::optional<double> objectMilliseconds() const {
+        return objectTimer_ ? objectTimer_->milliseconds() : std::nullopt;
+    }
     /// Every texture keeps its content after a frame, for the inspector. See LiveScene::keepTextures.
     void keepTextures();
     /// What is shown in place of the picture. It affects neither `glibra render` nor hardcopies.
@@ -225,7 +230,7 @@ class Session {
     bool axes_ = false, wireframe_ = false, isVerbose_ = false, measuresObjects_ = false;
     LabelCorner labels_ = LabelCorner::none;
     std::vector<ChosenFile> chosenFiles_;
-    ObjectTimer objectTimer_;
+    std::optional<ObjectTimer> objectTimer_;  ///< made for the context
     DebugView debugView_ = DebugView::picture;
     double normalLength_ = kUsualNormalLength;
     std::optional<DebugRenderer> debugRenderer_;  ///< made for live_

@@ -27,7 +27,7 @@ void addOnce(Diagnostics& diagnostics, Diagnostic added) {
 void Session::setMeasuresObjects(bool on) {
     if (on == measuresObjects_) return;
     measuresObjects_ = on;
-    objectTimer_.forget();
+    objectTimer_.reset();
     isStale_ = isStale_ || on;
 }
 
@@ -101,13 +101,16 @@ Diagnostics Session::drawShown() {
     if (debugView_ == DebugView::picture) {
         if (!measuresObjects_) return live_->draw(*target_, shown, clock_.time(), axes_);
         live_->moveTo(width_, height_, clock_.time(), diagnostics);  // before the drawer is used
-        if (!isMoving()) objectTimer_.forget();                      // single frames have nothing in common
-        objectTimer_.begin(live_->drawer(), live_->plan());
+        if (!objectTimer_) objectTimer_.emplace(context_.capabilities());
+        if (!isMoving()) objectTimer_->forget();  // single frames have nothing in common
+        objectTimer_->begin(live_->drawer(), live_->plan());
         append(diagnostics, live_->draw(*target_, shown, clock_.time(), axes_));
-        objectTimer_.end(live_->drawer());
+        objectTimer_->end(live_->drawer());
+        // No later frame would tell it; where frames move, nothing waits.
+        if (!isMoving()) objectTimer_->finish();
         return diagnostics;
     }
-    objectTimer_.forget();
+    objectTimer_.reset();
     if (live_->moveTo(width_, height_, clock_.time(), diagnostics)) debugRenderer_.reset();
     if (!debugRenderer_) debugRenderer_.emplace(context_, *live_);
     append(diagnostics,

@@ -121,6 +121,7 @@ void addCost(Json& state, const FrameCost& cost) {
                           {"nodes", nodesJson(each.nodes)}});
     state["cost"] = {{"frames", cost.frames},
                      {"milliseconds", cost.millisecondsPerFrame},
+                     {"isTimed", cost.isTimed},
                      {"nodes", nodesJson(cost.nodes)},
                      {"blocks", blocks}};
 }

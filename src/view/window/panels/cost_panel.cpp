@@ -75,9 +75,9 @@ void costPanel(Ui& ui) {
     mark(ui, "cost/live");
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip(
-            "Every frame measures how long its draws and dispatches take, without clears, panels and the "
-            "wait "
-            "for the screen (F)");
+            "GPU time of the draws and dispatches of every frame, without clears, panels and the wait for "
+            "the "
+            "screen (F)");
     if (!ui.cost || ui.cost->frames == 0) return;
     const FrameCost& cost = *ui.cost;
     constexpr double kMillisecondsInSecond = 1000;
@@ -89,7 +89,8 @@ void costPanel(Ui& ui) {
                     static_cast<unsigned long long>(cost.counts->vertices),
                     static_cast<unsigned long long>(cost.counts->primitives),
                     static_cast<unsigned long long>(cost.counts->fragments));
-    bars(ui, cost);
+    if (cost.isTimed) return bars(ui, cost);
+    ImGui::TextDisabled("GPU time: not measured, the driver has no timer");
 }
 
 }  // namespace glibra::view

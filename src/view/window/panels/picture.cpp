@@ -91,16 +91,18 @@ void cursor(const Ui& ui, ImDrawList& list) {
           fmt::format("line {}: {}", picked.draw.line, excerpt(line, 1, kMostShown).text));
 }
 
-/// The time that the objects of a frame take, at the upper right corner.
+/// The GPU time of the objects of a frame, at the upper right corner.
 void frameRate(const Ui& ui, ImDrawList& list) {
     const std::optional<double> milliseconds = ui.session.objectMilliseconds();
-    if (!milliseconds) return;
+    const bool isMeasured = ui.session.canMeasureObjects();
+    if (!milliseconds && isMeasured) return;
     constexpr double kMillisecondsInSecond = 1000;
     // Nothing may be drawn in less time than the clock measures.
-    const std::string text =
-        *milliseconds > 0
-            ? fmt::format("{:.1f} frames/s  {:.2f} ms", kMillisecondsInSecond / *milliseconds, *milliseconds)
-            : "no objects";
+    const std::string text = !isMeasured ? "GPU time: not measured"
+                             : *milliseconds <= 0
+                                 ? "no objects"
+                                 : fmt::format("{:.1f} frames/s  {:.2f} ms GPU time",
+                                               kMillisecondsInSecond / *milliseconds, *milliseconds);
     const float width = ImGui::CalcTextSize(text.c_str()).x;
     label(ui, list, {ui.picture[0] + ui.picture[2] - width - 12 * ui.scale, ui.picture[1] + 8 * ui.scale},
           text);
