@@ -134,6 +134,8 @@ void applyRules(ProgramUnits& program) {
     program.result->placement = findPlacement(program);
     makePositionsInvariant(program);
     program.result->isOpaque = findOpacity(program);
+    for (const Unit& unit : program.units)
+        if (unit.stage == Stage::compute) program.result->wholeWrites = wholeWritesOf(unit);
 }
 
 std::vector<TypeMismatch> mismatchesOf(const Unit& unit) {

@@ -54,10 +54,6 @@ void addPass(const FramePlan& plan, const PlannedPass& planned, std::vector<Obje
         if (const auto* draw = std::get_if<PlannedDraw>(&step)) addDraw(plan, *draw, to);
 }
 
-bool isPrevious(const scene::ObjectView& view) {
-    return std::visit([](const auto& each) { return each.isPrevious; }, view);
-}
-
 }  // namespace
 
 std::vector<ObjectUse> shaderUses(const PlannedProgram& program, const std::vector<TextureUse>& textures) {
@@ -170,24 +166,6 @@ std::set<Object> overwritten(const scene::Scene& scene, const FramePlan& plan, s
     if (pass.depth && pass.clearDepth && isWhole(pass.depth->texture, {pass.depth->level, pass.depth->layer}))
         objects.insert(pass.depth->texture);
     return objects;
-}
-
-std::vector<std::vector<PlannedExchange>> exchangesOf(const scene::Scene& scene, const FramePlan& plan) {
-    std::vector<std::vector<PlannedExchange>> exchanges(plan.order.size());
-    bool isAny = false;
-    for (std::size_t node = 0; node < plan.order.size(); ++node) {
-        const std::set<Object> covered = overwritten(scene, plan, node);
-        std::set<Object> done;
-        for (const ObjectUse& each : usesOf(plan, node)) {
-            const Object object = objectOf(each.object);
-            if (!each.writes || isPrevious(each.object) || !hasHistory(scene, object)) continue;
-            if (!done.insert(object).second) continue;
-            exchanges[node].push_back({object, !covered.contains(object)});
-            isAny = true;
-        }
-    }
-    if (!isAny) exchanges.clear();
-    return exchanges;
 }
 
 void findBeginnings(const scene::Scene& scene, FramePlan& plan) {

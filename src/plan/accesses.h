@@ -37,8 +37,9 @@ bool hasHistory(const scene::Scene& scene, const Object& object);
 /// all of them first.
 std::set<Object> overwritten(const scene::Scene& scene, const FramePlan& plan, std::size_t node);
 
-/// FramePlan::exchanges.
-std::vector<std::vector<PlannedExchange>> exchangesOf(const scene::Scene& scene, const FramePlan& plan);
+/// FramePlan::exchanges. `everything`: what shaders write whole is kept nevertheless.
+std::vector<std::vector<PlannedExchange>> exchangesOf(const scene::Scene& scene, const FramePlan& plan,
+                                                      bool everything);
 /// Fills FramePlan::resets, reads and cleared.
 void findBeginnings(const scene::Scene& scene, FramePlan& plan);
 /// FramePlan::sharing.

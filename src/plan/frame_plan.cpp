@@ -51,7 +51,7 @@ class FramePlanner {
             for (const Diagnostic& each : reportNames(scene_, {&own, 1}, options_.overrides)) report(each);
         }
         if (scene_.isModern) {
-            plan_.exchanges = exchangesOf(scene_, plan_);
+            plan_.exchanges = exchangesOf(scene_, plan_, options_.everything);
             findBeginnings(scene_, plan_);
             if (options_.shareTargets && !options_.everything)
                 plan_.sharing = sharedTargets(scene_, plan_, options_.roots);

@@ -131,6 +131,14 @@ struct PlannedClearObject {
 struct PlannedExchange {
     std::variant<scene::TextureIndex, scene::BufferIndex> object;
     bool keepsContent = true;  ///< the node may leave parts as they were
+    /// The text of its shader shows that a dispatch writes all of the object, if it has an invocation for
+    /// each texel or element, and each of these sizes reaches as far.
+    struct Whole {
+        int axes = 1;  ///< components of the place of a texel, or 1 for elements
+        std::vector<scene::ObjectView> sizes{};
+    };
+    std::optional<Whole> whole{};  ///< only with keepsContent
+    bool isFilled = false;         ///< with keepsContent: a draw covers all, if it is drawn plainly
 };
 
 struct FramePlan {

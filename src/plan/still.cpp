@@ -88,6 +88,7 @@ bool isSameNode(const PlannedScene& before, const scene::NodeIndex& a, const Pla
     const PlannedDispatch &one = before.plan.dispatches.at(a.index), &other = now.plan.dispatches.at(b.index);
     const scene::Dispatch &first = before.plan.dispatchOf(one), &second = now.plan.dispatchOf(other);
     return one.textures == other.textures && first.groups == second.groups && first.tiles == second.tiles &&
+           first.discards == second.discards &&
            isSameProgram(before.plan.programs[one.program], now.plan.programs[other.program]);
 }
 

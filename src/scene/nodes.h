@@ -142,6 +142,7 @@ struct Dispatch {
     UniformSetIndex uniforms{};
     std::variant<std::array<std::uint64_t, 3>, Over, GroupsFrom> groups;  ///< the first: group counts
     int tiles = 1;  ///< parts that run one after the other, along the last dimension with several groups
+    bool discards = false;  ///< what it writes with history begins without a copy of the content before
     double timerPeriod = 10;
 };
 

@@ -55,6 +55,21 @@ TEST_F(ComputeTest, EveryInvocationRuns) {
     EXPECT_EQ(content(buffer), (std::vector<std::uint32_t>{20, 24, 32, 36, 100, 34}));
 }
 
+TEST_F(ComputeTest, BuffersOfAnySizeAreCleared) {
+    for (const bool isSoftware : {true, false}) {
+        Capabilities capabilities = driver();
+        capabilities.isSoftware = isSoftware;
+        for (std::size_t bytes = 1; bytes < 70; ++bytes) {
+            auto buffer = Buffer::create(std::vector<std::byte>(bytes, std::byte{7}), GL_DYNAMIC_COPY);
+            ASSERT_TRUE(buffer);
+            buffer->clear(capabilities);
+            std::vector<std::byte> content(bytes, std::byte{9});
+            buffer->read(0, content);
+            EXPECT_EQ(content, std::vector<std::byte>(bytes)) << bytes;
+        }
+    }
+}
+
 TEST_F(ComputeTest, GroupsAreRoundedUp) {
     EXPECT_EQ(groupsOver({512, 512, 1}, {8, 8, 1}), (std::array<std::uint64_t, 3>{64, 64, 1}));
     EXPECT_EQ(groupsOver({513, 1, 0}, {8, 8, 1}), (std::array<std::uint64_t, 3>{65, 1, 0}));

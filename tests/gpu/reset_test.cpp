@@ -146,7 +146,7 @@ TEST_F(ResetTest, ContextsAskToBeLostWithAReset) {
 
 TEST_F(ResetTest, AQueueKeepsTheDeviceNear) {
     WorkQueue queue;
-    for (int i = 0; i < 20; ++i) queue.endPiece();
+    for (int i = 0; i < 20; ++i) queue.endStep();
     EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 

@@ -5,6 +5,7 @@
 
 #include "fixture.h"
 #include "gpu/object/sampler.h"
+#include "gpu/object/texture_copy.h"
 #include "gpu/object/vertex_array.h"
 
 namespace glibra::gpu {
@@ -213,6 +214,80 @@ TEST_F(TexturePartTest, CopiesAreEqualThroughBothWays) {
     const Texture from = make({TextureShape::texture2D, TexelFormat::r32f, {4, 4}});
     Texture other = make({TextureShape::texture2D, TexelFormat::r32f, {4, 5}});
     EXPECT_FALSE(copyTexture(driver(), from, other).empty());
+}
+
+TEST_F(TexturePartTest, EveryWayOfCopyingKeepsEveryBit) {
+    int copies = 0;
+    for (const base::TexelFormatRow& row : base::texelFormats()) {
+        const FormatUse use = useOf(driver(), row.format);
+        if (hasDepth(row.format) || !use.color) continue;
+        for (const int levels : {1, 3}) {
+            const TextureSize size{37, 29, 1};
+            Texture from = make({TextureShape::texture2D, row.format, size, levels});
+            for (int level = 0; level < levels; ++level)
+                clearTo({&from, level}, {.3 + level, 9. - level, 200., .7});
+            const Texels texels{{}, 4, isInteger(row.format) ? TexelType::u8 : TexelType::f32};
+            std::vector<std::byte> content(37 * 29 * 4 * bytesOf(texels.type));
+            for (std::size_t i = 0; i < content.size(); ++i)
+                content[i] = std::byte(i * 2654435761U >> 8U & 63U);
+            EXPECT_TRUE(from.upload(0, {content, 4, texels.type}).empty());
+            TextureCopier copier;
+            for (const auto way :
+                 {TextureCopier::Way::asDriver, TextureCopier::Way::drawn, TextureCopier::Way::computed}) {
+                Texture to = make({TextureShape::texture2D, row.format, size, levels});
+                if (!copier.copyBy(way, driver(), from, to)) continue;
+                ++copies;
+                for (int level = 0; level < levels; ++level)
+                    EXPECT_EQ(*from.read(level, 4, texels.type), *to.read(level, 4, texels.type))
+                        << row.name << " level " << level << " way " << static_cast<int>(way);
+            }
+        }
+    }
+    EXPECT_GT(copies, driver().compute ? 40 : 0);
+}
+
+TEST_F(TexturePartTest, TheFastestWayIsMeasuredAndCopies) {
+    Capabilities hardware = driver();
+    hardware.isSoftware = false;
+    const TextureLayout layout{TextureShape::texture2D, TexelFormat::r8ui, {1024, 1024}};
+    Texture from = make(layout);
+    TextureCopier copier;
+    for (int i = 1; i < 12; ++i) {
+        clearTo({&from}, {i + 0., 0, 0, 0});
+        Texture to = make(layout);
+        Diagnostics problems;
+        copier.copy(hardware, from, to, problems);
+        EXPECT_TRUE(problems.empty()) << test::text(problems);
+        EXPECT_EQ(*from.read(0, 1, TexelType::u8), *to.read(0, 1, TexelType::u8)) << i;
+    }
+    Texture other = make({TextureShape::texture2D, TexelFormat::r8ui, {1024, 1023}});
+    Diagnostics problems;
+    copier.copy(hardware, from, other, problems);
+    EXPECT_FALSE(problems.empty());
+}
+
+/// Formats that cannot be drawn into are cleared without a framebuffer.
+TEST_F(TexturePartTest, EveryFormatAndShapeIsClearedToZero) {
+    for (const base::TexelFormatRow& row : base::texelFormats()) {
+        if (hasDepth(row.format)) continue;
+        for (const auto shape : {TextureShape::texture2D, TextureShape::array2D, TextureShape::texture3D,
+                                 TextureShape::cube, TextureShape::array1D}) {
+            const TexelType type = isInteger(row.format) ? TexelType::u32 : TexelType::f32;
+            for (const bool isOld : {false, true}) {
+                Capabilities capabilities = driver();
+                if (isOld) capabilities.minor = std::min(capabilities.minor, 3);
+                Texture texture = make({shape, row.format, {8, 8, 3}, 2});
+                std::vector<std::byte> content(texelCount(texture.shape(), texture.size()) * 4 *
+                                               bytesOf(type));
+                for (std::size_t i = 0; i < content.size(); ++i) content[i] = std::byte(i % 61);
+                EXPECT_TRUE(texture.upload(0, {content, 4, type}).empty()) << row.name;
+                texture.clear(capabilities);
+                const auto read = texture.read(0, row.components, type);
+                ASSERT_TRUE(read) << row.name;
+                EXPECT_EQ(*read, std::vector<std::byte>(read->size())) << row.name;
+            }
+        }
+    }
 }
 
 TEST_F(TexturePartTest, ADepthTextureIsComparedAndReadRaw) {

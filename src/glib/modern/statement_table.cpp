@@ -283,7 +283,7 @@ constexpr StatementRow kStatementRows[] = {
     {.id = CommandId::dispatch,
      .name = "Dispatch",
      .syntax = "program:program (over (size:number+3 | object:object) | from buffer:object | "
-               "groups:number+3) [tiles count:number] pairs",
+               "groups:number+3) [tiles count:number] [discard] pairs",
      .summary = "runs a compute program"},
     {.id = CommandId::once,
      .name = "Once",

@@ -17,6 +17,9 @@ void collectDeclarations(ProgramUnits& program);
 /// Fills memory and localSize of the result.
 void collectMemory(ProgramUnits& program);
 
+/// TranslatedProgram::wholeWrites of a compute stage.
+std::vector<WholeWrite> wholeWritesOf(const Unit& unit);
+
 /// True if the stage names a storage block that is not readonly.
 bool hasWritableStorage(const Unit& unit);
 

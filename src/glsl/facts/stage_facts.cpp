@@ -71,6 +71,8 @@ StageFacts factsOf(const Unit& unit) {
     // A highlight is a reflection too, but the light that it shows changes slowly.
     facts.magnifiesNormals = words.contains("refract") || (words.contains("reflect") && hasCubeMap(unit));
     facts.mayWriteDepth = words.contains("gl_FragDepth");
+    facts.mayLeaveFragments = words.contains("discard") || words.contains("gl_SampleMask") ||
+                              words.contains("demote") || words.contains("terminateInvocation");
     return facts;
 }
 

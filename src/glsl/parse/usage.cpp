@@ -70,6 +70,13 @@ bool isAssignment(std::string_view text) {
     return std::find(kAssignments.begin(), kAssignments.end(), text) != kAssignments.end();
 }
 
+std::set<std::string_view> functionsThatWriteArguments(const Unit& unit) {
+    std::set<std::string_view> functions;
+    for (const auto& [name, arguments] : outputArguments(unit))
+        if (arguments != 0) functions.insert(name);
+    return functions;
+}
+
 std::uint32_t afterSuffixes(const Unit& unit, std::uint32_t at) {
     const auto end = static_cast<std::uint32_t>(unit.view.size());
     ++at;

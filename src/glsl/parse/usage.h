@@ -11,6 +11,9 @@ void findUsage(Unit& unit);
 /// True for "=", "+=", "<<=", ...
 bool isAssignment(std::string_view text);
 
+/// The functions, of the stage and built in, that write to an argument in any of their overloads.
+std::set<std::string_view> functionsThatWriteArguments(const Unit& unit);
+
 /// True if the name at `at`, or a part of its value, is assigned to, incremented or decremented there.
 bool isWrittenAt(const Unit& unit, std::uint32_t at);
 

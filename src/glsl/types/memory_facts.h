@@ -76,6 +76,16 @@ struct AtomicCounter {
     ArraySizes sizes;
 };
 
+/// An image, or a storage block of a single array, of which the text shows that a compute stage writes all
+/// and reads nothing: each invocation writes the texel or element whose place is its gl_GlobalInvocationID,
+/// if that lies within the sizes of all of `sizes`.
+struct WholeWrite {
+    std::string name;                ///< of the image or block
+    bool isBlock = false;            ///< its array, not an image, is written
+    int axes = 1;                    ///< components of the place
+    std::vector<std::string> sizes;  ///< names of images, samplers and blocks; may be empty
+};
+
 struct MemoryFacts {
     std::map<std::string, ImageUniform> images;
     std::map<std::string, AtomicCounter> counters;

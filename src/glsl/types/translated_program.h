@@ -57,6 +57,8 @@ struct StageFacts {
     /// May write memory besides its outputs: names an image or storage block that is not readonly, or an
     /// atomic counter.
     bool writesMemory = false;
+    /// May leave a fragment as it is: names discard, gl_SampleMask, or what extensions call it.
+    bool mayLeaveFragments = false;
     /// Names texelFetch or texelFetchOffset, which may read any level, whatever the sampler says.
     bool fetchesTexels = false;
 };
@@ -118,6 +120,7 @@ struct TranslatedProgram {
     MemoryFacts memory;  ///< images, blocks and structures of all stages
     /// layout(local_size_x = ...) of a compute stage; 0: the text does not show the number.
     std::array<int, 3> localSize{};
+    std::vector<WholeWrite> wholeWrites;        ///< of a compute stage
     bool inPieces = false;                      ///< a compute program that may run in several dispatches
     std::map<std::string, Place> vertexInputs;  ///< the inputs that the user's vertex stage declares
     bool suppliesVertexStage = false;           ///< it is that of ProgramRequest::suppliesFullScreenVertex

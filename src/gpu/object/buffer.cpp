@@ -41,7 +41,7 @@ Result<Buffer> Buffer::create(std::size_t bytes, GLenum usage) {
 }
 
 void Buffer::update(std::size_t offset, std::span<const std::byte> content) {
-    if (offset >= size_) return;
+    if (offset >= size_ || content.empty()) return;
     const std::size_t bytes = std::min(content.size(), size_ - offset);
     glBindBuffer(kUploadTarget, id());
     glBufferSubData(kUploadTarget, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes),
@@ -52,7 +52,15 @@ void Buffer::clear(const Capabilities& capabilities) {
     if (size_ == 0) return;
     if (!capabilities.atLeast(4, 3)) return update(0, std::vector<std::byte>(size_));
     glBindBuffer(kUploadTarget, id());
-    glClearBufferData(kUploadTarget, GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE, nullptr);
+    // Words are what devices fill memory with; Mesa on the processor is faster with bytes.
+    const std::size_t words = capabilities.isSoftware ? 0 : size_ / sizeof(GLuint) * sizeof(GLuint);
+    const auto clear = [](std::size_t from, std::size_t bytes, GLenum format, GLenum type) {
+        if (bytes > 0)
+            glClearBufferSubData(kUploadTarget, format, static_cast<GLintptr>(from),
+                                 static_cast<GLsizeiptr>(bytes), GL_RED_INTEGER, type, nullptr);
+    };
+    clear(0, words, GL_R32UI, GL_UNSIGNED_INT);
+    clear(words, size_ - words, GL_R8UI, GL_UNSIGNED_BYTE);
 }
 
 void Buffer::copyFrom(const Buffer& other) {

@@ -91,9 +91,6 @@ class Texture {
     int levels_ = 1, samples_ = 1;
 };
 
-/// Copies all texels between textures with equal layouts. Reports gpu-E03 for unequal ones.
-Diagnostics copyTexture(const Capabilities& capabilities, const Texture& from, Texture& to);
-
 /// Averages the samples of a multisampled texture into a 2D texture or array of the same format and size. Not
 /// for integers and depth. The scissor test must be off.
 void resolveSamples(const Texture& from, const Texture& to);

@@ -1,11 +1,16 @@
-// Textures are cleared, copied and resolved by framebuffers that they are attached to.
+// Textures are cleared, copied and resolved, mostly by framebuffers that they are attached to.
 
+#include "gpu/object/texture_copy.h"
+
+#include <algorithm>
 #include <array>
+#include <chrono>
+#include <string>
 #include <utility>
 
 #include "gpu/context/errors.h"
+#include "gpu/object/compute.h"
 #include "gpu/object/framebuffer.h"
-#include "gpu/object/texture.h"
 #include "gpu/object/texture_storage.h"
 
 namespace glibra::gpu {
@@ -64,6 +69,51 @@ GLbitfield maskOf(TexelFormat format) {
     return hasDepth(format) ? GL_DEPTH_BUFFER_BIT : GL_COLOR_BUFFER_BIT;
 }
 
+bool haveOneLayout(const Texture& one, const Texture& other) {
+    return one.shape() == other.shape() && one.format() == other.format() && one.size() == other.size() &&
+           one.levels() == other.levels() && one.samples() == other.samples();
+}
+
+void copyAsDriver(const Texture& from, const Texture& to) {
+    const GLenum target = glTarget(from.shape());
+    for (int level = 0; level < from.levels(); ++level) {
+        const TextureSize size = sizeOfLevel(from.shape(), from.size(), level);
+        glCopyImageSubData(from.id(), target, level, 0, 0, 0, to.id(), target, level, 0, 0, 0, size.width,
+                           size.height, from.layers(level));
+    }
+}
+
+void copyDrawn(const Texture& from, const Texture& to) {
+    const FramebufferBindings bindings;
+    for (int level = 0; level < from.levels(); ++level) {
+        const TextureSize size = sizeOfLevel(from.shape(), from.size(), level);
+        for (int layer = 0; layer < from.layers(level); ++layer)
+            withAttached(GL_READ_FRAMEBUFFER, from, level, layer, [&] {
+                withAttached(GL_DRAW_FRAMEBUFFER, to, level, layer, [&] {
+                    glBlitFramebuffer(0, 0, size.width, size.height, 0, 0, size.width, size.height,
+                                      maskOf(from.format()), GL_NEAREST);
+                });
+            });
+    }
+}
+
+/// How shaders see texels of that many bytes as plain bits.
+struct BitsRow {
+    std::size_t bytes;
+    TexelFormat format;
+    const char* word;
+};
+constexpr std::array kBits = std::to_array<BitsRow>({{1, TexelFormat::r8ui, "r8ui"},
+                                                     {2, TexelFormat::r16ui, "r16ui"},
+                                                     {4, TexelFormat::r32ui, "r32ui"},
+                                                     {8, TexelFormat::rg32ui, "rg32ui"},
+                                                     {16, TexelFormat::rgba32ui, "rgba32ui"}});
+const BitsRow* rowOfBits(std::size_t bytes) {
+    const auto found =
+        std::find_if(kBits.begin(), kBits.end(), [&](const BitsRow& each) { return each.bytes == bytes; });
+    return found == kBits.end() ? nullptr : &*found;
+}
+
 }  // namespace
 
 void Texture::clear(const Capabilities& capabilities) {
@@ -80,6 +130,11 @@ void Texture::clear(const Capabilities& capabilities) {
         return;
     }
     if (isMultisampled(shape_)) return;
+    if (capabilities.atLeast(4, 4)) {
+        const auto [layout, type] = nativeTransfer(format_);
+        for (int level = 0; level < levels_; ++level) glClearTexImage(id(), level, layout, type, nullptr);
+        return;
+    }
     glActiveTexture(kWorkUnit);
     glBindTexture(glTarget(shape_), id());
     for (int level = 0; level < levels_; ++level) {
@@ -89,33 +144,118 @@ void Texture::clear(const Capabilities& capabilities) {
     }
 }
 
+std::uint64_t bytesOf(const Texture& texture) {
+    std::uint64_t texels = 0;
+    for (int level = 0; level < texture.levels(); ++level)
+        texels += texelCount(texture.shape(), sizeOfLevel(texture.shape(), texture.size(), level));
+    return texels * bytesPerTexel(texture.format()) * static_cast<std::uint64_t>(texture.samples());
+}
+
 Diagnostics copyTexture(const Capabilities& capabilities, const Texture& from, Texture& to) {
-    if (from.shape() != to.shape() || from.format() != to.format() || from.size() != to.size() ||
-        from.levels() != to.levels() || from.samples() != to.samples())
+    if (!haveOneLayout(from, to))
         return {diagnose("gpu-E03", describe(from.shape(), from.format(), from.size()) +
                                         " cannot be copied to " +
                                         describe(to.shape(), to.format(), to.size()))};
-    clearErrors();
-    const FramebufferBindings bindings;
-    for (int level = 0; level < from.levels(); ++level) {
-        const TextureSize size = sizeOfLevel(from.shape(), from.size(), level);
-        if (capabilities.atLeast(4, 3)) {
-            const GLenum target = glTarget(from.shape());
-            glCopyImageSubData(from.id(), target, level, 0, 0, 0, to.id(), target, level, 0, 0, 0, size.width,
-                               size.height, from.layers(level));
-            continue;
-        }
-        for (int layer = 0; layer < from.layers(level); ++layer)
-            withAttached(GL_READ_FRAMEBUFFER, from, level, layer, [&] {
-                withAttached(GL_DRAW_FRAMEBUFFER, to, level, layer, [&] {
-                    glBlitFramebuffer(0, 0, size.width, size.height, 0, 0, size.width, size.height,
-                                      maskOf(from.format()), GL_NEAREST);
-                });
-            });
+    if (capabilities.atLeast(4, 3)) {
+        copyAsDriver(from, to);
+        return {};
     }
+    clearErrors();
+    copyDrawn(from, to);
     if (const GLenum code = takeError(); code != GL_NO_ERROR)
         return {allocationError(code, "copying " + describe(from.shape(), from.format(), from.size()))};
     return {};
+}
+
+bool TextureCopier::copyBy(Way way, const Capabilities& capabilities, const Texture& from, Texture& to) {
+    if (way == Way::asDriver) {
+        if (capabilities.atLeast(4, 3)) copyAsDriver(from, to);
+        return capabilities.atLeast(4, 3);
+    }
+    const FormatUse use = useOf(capabilities, from.format());
+    if (way == Way::drawn) {
+        // Other numbers than integers may not arrive bit for bit.
+        if (!use.color || !isInteger(from.format())) return false;
+        const bool cuts = glIsEnabled(GL_SCISSOR_TEST) == GL_TRUE;
+        if (cuts) glDisable(GL_SCISSOR_TEST);
+        copyDrawn(from, to);
+        if (cuts) glEnable(GL_SCISSOR_TEST);
+        return true;
+    }
+    if (!capabilities.compute || !use.image || from.shape() != TextureShape::texture2D) return false;
+    const std::size_t bytes = bytesPerTexel(from.format());
+    const Program* program = programFor(capabilities, bytes);
+    if (program == nullptr) return false;
+    const TexelFormat bits = rowOfBits(bytes)->format;
+    program->use();
+    finishShaderWrites();
+    for (int level = 0; level < from.levels(); ++level) {
+        from.bindImage(0, level, {}, GL_READ_ONLY, bits);
+        to.bindImage(1, level, {}, GL_WRITE_ONLY, bits);
+        const TextureSize size = sizeOfLevel(from.shape(), from.size(), level);
+        dispatch(
+            {static_cast<GLuint>((size.width + 15) / 16), static_cast<GLuint>((size.height + 15) / 16), 1});
+    }
+    finishShaderWrites();
+    return true;
+}
+
+const Program* TextureCopier::programFor(const Capabilities& capabilities, std::size_t texelBytes) {
+    const BitsRow* row = rowOfBits(texelBytes);
+    if (row == nullptr) return nullptr;
+    const auto [known, isNew] = programs_.try_emplace(texelBytes);
+    if (isNew) {
+        const std::string text =
+            std::string("#version 430 core\nlayout(local_size_x = 16, local_size_y = 16) in;\n") +
+            "layout(binding = 0, " + row->word + ") readonly uniform uimage2D uFrom;\n" +
+            "layout(binding = 1, " + row->word + ") writeonly uniform uimage2D uTo;\n" +
+            "void main() {\n    ivec2 at = ivec2(gl_GlobalInvocationID.xy);\n" +
+            "    if (all(lessThan(at, imageSize(uTo)))) imageStore(uTo, at, imageLoad(uFrom, at));\n}\n";
+        const std::array<StageSource, 1> stages{{{GL_COMPUTE_SHADER, text}}};
+        known->second = buildProgram(capabilities, {.stages = stages}).program;
+    }
+    return known->second ? &*known->second : nullptr;
+}
+
+TextureCopier::Way TextureCopier::fastest(const Capabilities& capabilities, const Texture& from,
+                                          Texture& to) {
+    using Clock = std::chrono::steady_clock;
+    constexpr int kRounds = 3;
+    Way best = Way::asDriver;
+    Clock::duration least{};
+    for (const Way way : {Way::asDriver, Way::drawn, Way::computed}) {
+        if (!copyBy(way, capabilities, from, to)) continue;
+        glFinish();
+        const Clock::time_point start = Clock::now();
+        for (int i = 0; i < kRounds; ++i) copyBy(way, capabilities, from, to);
+        glFinish();
+        const Clock::duration taken = Clock::now() - start;
+        // The others bind more, so they have to be clearly faster.
+        if (way != Way::asDriver && taken * 5 > least * 4) continue;
+        best = way;
+        least = taken;
+    }
+    return best;
+}
+
+bool TextureCopier::copy(const Capabilities& capabilities, const Texture& from, Texture& to,
+                         Diagnostics& problems) {
+    constexpr std::uint64_t kLarge = 1 << 20;
+    constexpr int kUnmeasured = 8;  // large copies, which take less time than measuring
+    const bool isMeasured = !capabilities.isSoftware && capabilities.atLeast(4, 3) &&
+                            haveOneLayout(from, to) && from.samples() == 1 && bytesOf(from) >= kLarge &&
+                            ++large_[from.format()] > kUnmeasured;
+    if (!isMeasured) {
+        append(problems, copyTexture(capabilities, from, to));
+        return false;
+    }
+    const auto [known, isNew] = chosen_.try_emplace(from.format(), Way::asDriver);
+    if (isNew) {
+        known->second = fastest(capabilities, from, to);
+        return true;
+    }
+    if (!copyBy(known->second, capabilities, from, to)) copyAsDriver(from, to);
+    return known->second == Way::computed;
 }
 
 void resolveSamples(const Texture& from, const Texture& to) {

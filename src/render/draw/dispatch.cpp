@@ -108,7 +108,7 @@ Diagnostics FrameDrawer::dispatch(const plan::PlannedDispatch& planned) {
         remarks = dispatchPieces(*built, groupsOf(planned, *built), dispatch);
         if (hasError(remarks)) return remarks;
     }
-    finishWrites(planned.program, planned.textures);
+    noteStores(planned.program, planned.textures);
     stats_.add("dispatches", 1);
     return remarks;
 }
@@ -166,6 +166,32 @@ const GroupCounts& FrameDrawer::groupsOf(const plan::PlannedDispatch& planned, c
             gpu::localSizeOf(*built.program));
     }
     return groups;
+}
+
+bool FrameDrawer::coversWhole(const plan::PlannedDispatch& planned, const plan::PlannedExchange& exchange) {
+    const BuiltProgram* built = programs_.find(plan_.programs[planned.program].variant);
+    if (built == nullptr || !built->program) return false;
+    const GroupCounts& groups = groupsOf(planned, *built);
+    const std::array<int, 3> localSize = gpu::localSizeOf(*built->program);
+    scene::ObjectView whole;
+    if (const auto* buffer = std::get_if<scene::BufferIndex>(&exchange.object))
+        whole = scene::BufferView{*buffer};
+    else
+        whole = scene::TextureView{.texture = std::get<scene::TextureIndex>(exchange.object)};
+    const GroupCounts size = objectSizeOf(device_, whole);
+    const std::vector<scene::ObjectView>& limits = exchange.whole->sizes;
+    for (std::size_t axis = 0; axis < size.size(); ++axis) {
+        const bool isUsed = axis < static_cast<std::size_t>(exchange.whole->axes);
+        // The counts have at most 32 bits each.
+        if (groups.at(axis) * static_cast<std::uint64_t>(localSize.at(axis)) < (isUsed ? size.at(axis) : 1) ||
+            size.at(axis) == 0 || (!isUsed && size.at(axis) != 1))
+            return false;
+        if (isUsed && std::any_of(limits.begin(), limits.end(), [&](const scene::ObjectView& each) {
+                return objectSizeOf(device_, each).at(axis) < size.at(axis);
+            }))
+            return false;
+    }
+    return true;
 }
 
 void FrameDrawer::clearObject(const scene::ClearObject& clear) {

@@ -87,16 +87,23 @@ Diagnostics FrameDrawer::run(const Frame& frame) {
 
 Diagnostics FrameDrawer::execute(const gpu::Target* window, const Frame& frame) {
     frame_ = &frame;
-    forgetState();
-    if (plan_.passes.empty()) return drawNodes(window, frame);  // dispatches do not set raster state
+    if (!isOpen_) forgetState();
+    isOpen_ = true;
     Diagnostics diagnostics = drawNodes(window, frame);
+    if (!frame.staysOpen) close();
+    return diagnostics;
+}
+
+void FrameDrawer::close() {
+    if (!std::exchange(isOpen_, false)) return;
+    order_.finish();
+    if (plan_.passes.empty()) return;  // dispatches do not set raster state
     encodeSrgb(false);
     // Others that draw with this context expect the state in which a pass begins.
     raster_.limitTo({});
     raster_.apply({});
     raster_.limitTo(limit_);
     setTessellationLevels(kOneLevel);
-    return diagnostics;
 }
 
 void FrameDrawer::encodeSrgb(bool on) {
@@ -123,32 +130,62 @@ bool FrameDrawer::isStill(std::size_t node) {
     return true;
 }
 
-Diagnostics FrameDrawer::noteWrites(std::size_t node) {
-    if (!device_.isModern()) return {};
-    if (writes_.empty()) {
-        writes_.resize(plan_.order.size());
-        for (std::size_t i = 0; i < plan_.order.size(); ++i)
-            for (const plan::ObjectUse& each : plan::usesOf(plan_, i))
-                if (each.writes) writes_[i].insert(plan::objectOf(each.object));
+void FrameDrawer::noteNodes() {
+    if (!writes_.empty()) return;
+    writes_.resize(plan_.order.size());
+    bool isStored = false;
+    for (std::size_t i = 0; i < plan_.order.size(); ++i) {
+        for (const plan::ObjectUse& each : plan::usesOf(plan_, i))
+            if (each.writes) writes_[i].insert(plan::objectOf(each.object));
+        NodeMemory& memory = memory_.emplace_back(memoryOf(plan_, i));
+        isStored = isStored || !memory.stored.empty();
+        if (i >= plan_.exchanges.size()) continue;
+        for (const plan::PlannedExchange& each : plan_.exchanges[i])
+            if (each.isFilled || keepsContent(i, each)) memory.ways |= kWaysOfCopies;
     }
-    Diagnostics diagnostics;
-    for (const plan::Object& each : writes_[node]) append(diagnostics, device_.noteWritten(each, bindings_));
-    return diagnostics;
+    if (!isStored) memory_.clear();
 }
 
 Diagnostics FrameDrawer::exchangeCopies(std::size_t node) {
     Diagnostics diagnostics;
     if (node >= plan_.exchanges.size()) return diagnostics;
     for (const plan::PlannedExchange& each : plan_.exchanges[node]) {
+        const bool keeps = keepsContent(node, each);
         if (const auto* buffer = std::get_if<scene::BufferIndex>(&each.object)) {
-            device_.buffers().exchange(*buffer, each.keepsContent);
+            device_.buffers().exchange(*buffer, keeps);
             continue;
         }
         const scene::TextureIndex texture = std::get<scene::TextureIndex>(each.object);
         device_.exchange(texture);
-        if (each.keepsContent) append(diagnostics, device_.copyFromPrevious(texture));
+        if (keeps) append(diagnostics, device_.copyFromPrevious(texture, bindings_));
     }
     return diagnostics;
+}
+
+bool FrameDrawer::keepsContent(std::size_t node, const plan::PlannedExchange& exchange) {
+    if (!exchange.keepsContent) return false;
+    if (exchange.isFilled) return !drawsPlainly();
+    if (!exchange.whole) return true;
+    const auto [known, isNew] = covered_.try_emplace(&exchange, false);
+    if (isNew) known->second = coversWhole(plan_.dispatches[plan_.order[node].index], exchange);
+    return !known->second;
+}
+
+Diagnostics FrameDrawer::beginNode(std::size_t node) {
+    if (nodeHook_) nodeHook_(node, true);
+    if (!device_.isModern()) return {};
+    noteNodes();
+    if (!memory_.empty()) order_.before(memory_[node]);
+    Diagnostics diagnostics = exchangeCopies(node);
+    for (const plan::Object& each : writes_[node]) append(diagnostics, device_.noteWritten(each, bindings_));
+    return diagnostics;
+}
+
+void FrameDrawer::endNode(std::size_t node) {
+    if (!memory_.empty()) order_.after(memory_[node], plan_.order[node].kind == scene::NodeIndex::Kind::pass);
+    if (!nodeHook_) return;
+    order_.finish();  // the hook may look at everything
+    nodeHook_(node, false);
 }
 
 Diagnostics FrameDrawer::drawNodes(const gpu::Target* window, const Frame& frame) {
@@ -159,14 +196,12 @@ Diagnostics FrameDrawer::drawNodes(const gpu::Target* window, const Frame& frame
         const scene::NodeIndex& node = plan_.order[index];
         if (node.kind != scene::NodeIndex::Kind::pass) {
             if (!frame.texturePasses || isStill(index)) continue;
-            if (nodeHook_) nodeHook_(index, true);
-            append(diagnostics, exchangeCopies(index));
-            append(diagnostics, noteWrites(index));
+            append(diagnostics, beginNode(index));
             if (node.kind == scene::NodeIndex::Kind::dispatch)
                 append(diagnostics, dispatch(plan_.dispatches[node.index]));
             else
                 clearObject(plan_.clearOf(plan_.clears[node.index]));
-            if (nodeHook_) nodeHook_(index, false);
+            endNode(index);
             continue;
         }
         const plan::PlannedPass& pass = plan_.passes[node.index];
@@ -180,15 +215,13 @@ Diagnostics FrameDrawer::drawNodes(const gpu::Target* window, const Frame& frame
             ++texturePass;
             continue;
         }
-        if (nodeHook_) nodeHook_(index, true);
-        append(diagnostics, exchangeCopies(index));
-        append(diagnostics, noteWrites(index));
+        append(diagnostics, beginNode(index));
         const gpu::Target* target = window;
         if (!isWindow) {
             Result<const gpu::Target*> made = device_.target(plan_.passOf(pass));
             append(diagnostics, std::move(made.diagnostics));
             if (!made) {
-                if (nodeHook_) nodeHook_(index, false);
+                endNode(index);
                 return diagnostics;
             }
             target = *made;
@@ -198,7 +231,7 @@ Diagnostics FrameDrawer::drawNodes(const gpu::Target* window, const Frame& frame
             ++texturePass;
         }
         append(diagnostics, drawPass(pass, *target, begin));
-        if (nodeHook_) nodeHook_(index, false);
+        endNode(index);
     }
     return diagnostics;
 }

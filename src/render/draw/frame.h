@@ -18,6 +18,7 @@
 #include "plan/frame_plan.h"
 #include "plan/still.h"
 #include "render/draw/dispatch.h"
+#include "render/draw/memory_order.h"
 #include "render/draw/tile.h"
 #include "render/draw/view_matrices.h"
 #include "render/load/device_scene.h"
@@ -39,6 +40,9 @@ struct Frame {
     double time = 0;            ///< seconds since loading
     bool texturePasses = true;  ///< false: only the window's passes are drawn
     const plan::StillNodes* still = nullptr;  ///< what need not be drawn; null: all is drawn
+    /// The drawer may keep what it knows of the context's state for its next frame. Nothing else uses the
+    /// context until then, or until FrameDrawer::close().
+    bool staysOpen = false;
 };
 
 /// Draws the frames of one plan. A drawer is complete when it is constructed; the setters below are options
@@ -53,6 +57,9 @@ class FrameDrawer {
 
     /// Executes a plan without passes into the window. What it writes lasts.
     Diagnostics run(const Frame& frame);
+    /// Ends a row of frames with Frame::staysOpen: the context has the state that others expect, and what
+    /// shaders have stored is visible to everything.
+    void close();
 
     /// Draws and clears only these pixels of every target.
     void limitTo(const std::optional<gpu::PixelRectangle>& pixels) {
@@ -123,8 +130,15 @@ class FrameDrawer {
     Diagnostics drawNodes(const gpu::Target* window, const Frame& frame);
     /// Exchanges the copies of objects with history that the node (index into FramePlan::order) writes.
     Diagnostics exchangeCopies(std::size_t node);
-    /// Tells the device what the node of that number writes.
-    Diagnostics noteWrites(std::size_t node);
+    /// True if the node may leave parts of the object as they were.
+    bool keepsContent(std::size_t node, const plan::PlannedExchange& exchange);
+    /// True if the dispatch has an invocation for each texel or element of the object.
+    bool coversWhole(const plan::PlannedDispatch& planned, const plan::PlannedExchange& exchange);
+    /// Exchanges copies, makes the barrier and tells the device what is written.
+    Diagnostics beginNode(std::size_t node);
+    void endNode(std::size_t node);
+    /// Fills writes_ and memory_.
+    void noteNodes();
     /// True if the node of that number is still; counts it.
     bool isStill(std::size_t node);
     /// `begin`: the number of draws of the plan before those of the pass.
@@ -200,8 +214,8 @@ class FrameDrawer {
     Diagnostics dispatchInShares(
         const BuiltProgram& built, const GroupCounts& groups, std::size_t axis,
         const std::function<Diagnostics(std::uint64_t begin, std::uint64_t end)>& run);
-    /// After a draw or dispatch that may write by its shaders.
-    void finishWrites(plan::PlannedProgramIndex program, const std::vector<plan::TextureUse>& textures);
+    /// After a draw or dispatch: tells the device what its shaders may have stored to. False: nothing.
+    bool noteStores(plan::PlannedProgramIndex program, const std::vector<plan::TextureUse>& textures);
 
     const gpu::Context& context_;
     const plan::FramePlan& plan_;
@@ -211,7 +225,11 @@ class FrameDrawer {
     scene::List<ProgramState, plan::PlannedProgram> states_;
     std::map<const plan::PlannedDispatch*, GroupCounts> groups_;  ///< of groupsOf
     std::vector<std::set<plan::Object>> writes_;  ///< by node of FramePlan::order; made when it first runs
-    const Frame* frame_ = nullptr;                ///< while draw() runs
+    std::vector<NodeMemory> memory_;              ///< likewise; empty if no shader of the plan stores
+    std::map<const plan::PlannedExchange*, bool> covered_;  ///< of coversWhole
+    MemoryOrder order_;
+    bool isOpen_ = false;
+    const Frame* frame_ = nullptr;  ///< while draw() runs
     std::size_t drawLimit_ = std::numeric_limits<std::size_t>::max();
     bool wireframe_ = false;
     bool blendsOpaque_ = true;

@@ -268,12 +268,12 @@ void FrameDrawer::submitIndirect(const scene::Draw& draw, const Elements& elemen
         glDrawArraysIndirect(mode, nullptr);
 }
 
-void FrameDrawer::finishWrites(plan::PlannedProgramIndex program,
-                               const std::vector<plan::TextureUse>& textures) {
-    if (!plan::writesMemory(plan_.programs[program], textures)) return;
-    gpu::finishShaderWrites();
+bool FrameDrawer::noteStores(plan::PlannedProgramIndex program,
+                             const std::vector<plan::TextureUse>& textures) {
+    if (!plan::writesMemory(plan_.programs[program], textures)) return false;
     for (const plan::TextureUse& each : textures)
         if (each.isImage && each.view.texture) device_.wasWritten(each.view.texture);
+    return true;
 }
 
 Diagnostics FrameDrawer::drawOne(const plan::PlannedDraw& planned, const gpu::Target& target, bool isWindow) {
@@ -324,7 +324,7 @@ Diagnostics FrameDrawer::drawOne(const plan::PlannedDraw& planned, const gpu::Ta
         hook_(planned, isWindow, false);
         forgetState();
     }
-    finishWrites(planned.program, planned.textures);
+    if (noteStores(planned.program, planned.textures)) gpu::finishShaderWrites();
     stats_.add("draws", 1);
     stats_.add("vertices drawn", static_cast<std::uint64_t>(elementsOf(planned).count) *
                                      static_cast<std::uint64_t>(std::max(0, draw.instances)));

@@ -87,6 +87,7 @@ struct Simulation::Block {
     plan::FramePlan plan;
     std::optional<FrameDrawer> drawer;
     glm::dmat4 view{1.0};
+    std::optional<ViewMatrices> seen;  ///< by `view`; made when the block first runs
 };
 
 Simulation::Simulation(SimulationParts parts, std::int64_t mostSteps)
@@ -341,9 +342,10 @@ Diagnostics Simulation::advance(const scene::FrameInputs& inputs) {
             parts_.device.forgetShapes();
         }
         append(diagnostics, runStep(step, inputs));
-        if (!parts_.context.capabilities().isSoftware) queue_.endPiece();
+        if (!parts_.context.capabilities().isSoftware) queue_.endStep();
         return !hasError(diagnostics);
     });
+    closeDrawer();
     if (frame) {
         parts_.scene = std::move(*frame);
         parts_.device.forgetShapes();
@@ -361,7 +363,9 @@ Diagnostics Simulation::restart(bool plansAgain) {
     ++changes_;
     hasRun_ = true;
     done_.assign(steps_.size(), 0);
-    for (const Lasting& each : lasting_) append(diagnostics, parts_.device.reset(each.object));
+    for (const Lasting& each : lasting_)
+        if (parts_.device.hasBeenWritten(plan::objectOf(each.object)))
+            append(diagnostics, parts_.device.reset(each.object));
     for (const auto& block : once_) {
         if (plansAgain && block->index < parts_.scene.once.size())
             append(diagnostics, planAgain(*block, parts_.scene.once[block->index].nodes));
@@ -371,8 +375,10 @@ Diagnostics Simulation::restart(bool plansAgain) {
 }
 
 Diagnostics Simulation::planAgain(Block& block, const scene::NodeList& nodes) {
+    closeDrawer();
     parts_.device.beginMoment(block.plan);
     block.drawer.reset();
+    block.seen.reset();
     block.nodes = nodes;
     block.view = parts_.scene.view;
     block.plan = parts_.planList(block.nodes, roots_);
@@ -387,12 +393,21 @@ Diagnostics Simulation::run(Block& block, double time) {
     if (block.plan.order.empty()) return {};
     if (!block.drawer)
         block.drawer.emplace(parts_.context, block.plan, parts_.programs, parts_.device, parts_.stats);
-    const ViewMatrices view(ViewState(), block.view, 0);
+    if (!block.seen) block.seen.emplace(ViewState(), block.view, 0);
+    if (open_ != &*block.drawer) closeDrawer();
     const Run run{block.isOnce, block.rate, block.place, block.plan, *block.drawer};
     if (hook_) hook_(run, true);
-    Diagnostics diagnostics = block.drawer->run({view, 1, 1, {0, 0, 1, 1}, time, true});
+    // Steps of one block come one after the other, and nothing else uses the context between them.
+    const bool staysOpen = !hook_ && !block.isOnce;
+    if (staysOpen) open_ = &*block.drawer;
+    Diagnostics diagnostics =
+        block.drawer->run({*block.seen, 1, 1, {0, 0, 1, 1}, time, true, nullptr, staysOpen});
     if (hook_) hook_(run, false);
     return diagnostics;
+}
+
+void Simulation::closeDrawer() {
+    if (open_ != nullptr) std::exchange(open_, nullptr)->close();
 }
 
 Diagnostics Simulation::runStep(const StepNumber& step, scene::FrameInputs inputs) {

@@ -133,6 +133,8 @@ class Simulation {
     /// Plans a block of the scene as it is now.
     Diagnostics planAgain(Block& block, const scene::NodeList& nodes);
     Diagnostics run(Block& block, double time);
+    /// Closes the drawer that the last run has left open.
+    void closeDrawer();
     Diagnostics runStep(const StepNumber& step, scene::FrameInputs inputs);
     void noteWrites(const Block& block);
     [[nodiscard]] std::vector<double> rates() const;
@@ -148,7 +150,8 @@ class Simulation {
     std::vector<scene::ObjectView> roots_;  ///< what is read of what lasts
     bool hasRun_ = false;
     RunHook hook_;
-    gpu::WorkQueue queue_;  ///< of steps
+    FrameDrawer* open_ = nullptr;  ///< of the block that has run last, while advance() runs
+    gpu::WorkQueue queue_;         ///< of steps
     std::int64_t changes_ = 0;
 };
 

@@ -193,7 +193,10 @@ void DeviceBuffers::exchange(scene::BufferIndex buffer, bool keepsContent) {
     const auto found = made_.find(buffer);
     if (found == made_.end() || !found->second.previous) return;
     std::swap(found->second.current, *found->second.previous);
-    if (keepsContent) found->second.current.copyFrom(*found->second.previous);
+    if (!keepsContent) return;
+    found->second.current.copyFrom(*found->second.previous);
+    stats_.add("histories copied", 1);
+    stats_.add("bytes copied", found->second.current.size());
 }
 
 }  // namespace glibra::render

@@ -155,6 +155,7 @@ void DeviceScene::noteWrites(const plan::FramePlan& plan) {
 
 Diagnostics DeviceScene::noteWritten(const plan::Object& object, gpu::BindingTracker& bindings) {
     if (!lasting_.contains(object)) changed_.insert(object);
+    stored_.insert(object);
     const auto* texture = std::get_if<scene::TextureIndex>(&object);
     return texture != nullptr ? keepDeclared(*texture, bindings) : Diagnostics();
 }
@@ -167,6 +168,7 @@ void DeviceScene::setLasting(const plan::Object& object) {
 
 Diagnostics DeviceScene::reset(const scene::ObjectView& object) {
     changed_.erase(plan::objectOf(object));
+    stored_.erase(plan::objectOf(object));
     if (const auto* buffer = std::get_if<scene::BufferView>(&object)) return buffers_.reset(buffer->buffer);
     const scene::TextureIndex texture = std::get<scene::TextureView>(object).texture;
     if (!std::holds_alternative<scene::EmptySource>(scene_.textures[texture].source))

@@ -17,6 +17,7 @@
 #include "gpu/object/sampler.h"
 #include "gpu/object/target.h"
 #include "gpu/object/texture.h"
+#include "gpu/object/texture_copy.h"
 #include "gpu/object/vertex_array.h"
 #include "gpu/state/binding_tracker.h"
 #include "image/image.h"
@@ -120,7 +121,7 @@ class DeviceScene {
     /// The copies of a texture with history change their places: what was current is the previous one.
     void exchange(scene::TextureIndex texture);
     /// Gives the current copy the content of the previous one.
-    Diagnostics copyFromPrevious(scene::TextureIndex texture);
+    Diagnostics copyFromPrevious(scene::TextureIndex texture, gpu::BindingTracker& bindings);
     /// Sets a texture that nodes write to zero; with history only the current copy.
     void clear(scene::TextureIndex texture);
     /// Makes a buffer or texture as declared, in both copies of one with history.
@@ -132,6 +133,8 @@ class DeviceScene {
     Diagnostics noteWritten(const plan::Object& object, gpu::BindingTracker& bindings);
     /// True if the object is not as declared because a frame has written it.
     [[nodiscard]] bool isChanged(const plan::Object& object) const { return changed_.contains(object); }
+    /// False: the object is as it was made, or as reset() has made it.
+    [[nodiscard]] bool hasBeenWritten(const plan::Object& object) const { return stored_.contains(object); }
     /// What Once and Step write is not reset by frames.
     void setLasting(const plan::Object& object);
     /// Something has been drawn or stored into the current copy.
@@ -260,6 +263,7 @@ class DeviceScene {
     Stats& stats_;
     SharedParts* shared_;
     std::map<const BuiltProgram*, double> secondsPerPixel_;
+    gpu::TextureCopier copier_;
     bool sharesTextures_;
     DeviceScene* previous_ = nullptr;
     std::map<std::string, std::shared_ptr<const geometry::Mesh>> keptMeshes_;  ///< of the last moment, by key
@@ -285,6 +289,7 @@ class DeviceScene {
     std::map<scene::TextureIndex, Copies> copies_;
     std::map<scene::TextureIndex, scene::TextureIndex> sharing_;  ///< FramePlan::sharing, as made
     std::set<plan::Object> changed_, lasting_;
+    std::set<plan::Object> stored_;  ///< of hasBeenWritten
     /// Parts of textures as samplers read them: texture, level, layer.
     std::map<std::tuple<const gpu::Texture*, int, int>, gpu::Texture> views_;
     /// What decides the texels of a picture -> the texture that holds it.

@@ -157,6 +157,7 @@ const gpu::Texture* DeviceScene::completed(const scene::TextureView& view) {
 }
 
 void DeviceScene::takeOver(DeviceScene& previous, const scene::ObjectView& object) {
+    stored_.insert(plan::objectOf(object));
     if (const auto* buffer = std::get_if<scene::BufferView>(&object))
         return buffers_.takeOver(previous.buffers_, buffer->buffer);
     const scene::TextureIndex texture = std::get<scene::TextureView>(object).texture;
@@ -175,14 +176,19 @@ void DeviceScene::exchange(scene::TextureIndex texture) {
     textures_.insert_or_assign(texture, both.copies[both.current].texture);
 }
 
-Diagnostics DeviceScene::copyFromPrevious(scene::TextureIndex texture) {
+Diagnostics DeviceScene::copyFromPrevious(scene::TextureIndex texture, gpu::BindingTracker& bindings) {
     const auto found = copies_.find(texture);
     if (found == copies_.end() || !found->second.copies[1].texture) return {};
     Copies& both = found->second;
     both.copies[both.current].isResolved = both.copies[1 - both.current].isResolved;
     both.copies[both.current].hasMipmaps = both.copies[1 - both.current].hasMipmaps;
-    return gpu::copyTexture(context_.capabilities(), *both.copies[1 - both.current].texture,
-                            *both.copies[both.current].texture);
+    const gpu::Texture& from = *both.copies[1 - both.current].texture;
+    stats_.add("histories copied", 1);
+    stats_.add("bytes copied", gpu::bytesOf(from));
+    Diagnostics diagnostics;
+    if (copier_.copy(context_.capabilities(), from, *both.copies[both.current].texture, diagnostics))
+        bindings.forget();
+    return diagnostics;
 }
 
 void DeviceScene::clear(scene::TextureIndex texture) {

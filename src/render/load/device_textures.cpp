@@ -199,7 +199,10 @@ Diagnostics DeviceScene::makeTextures(const plan::FramePlan& plan) {
         const bool isCleared =
             std::find(plan.cleared.begin(), plan.cleared.end(), each) != plan.cleared.end();
         const bool isFilled = !isCleared || lasting_.contains(each);
-        if (!isFilled && !copies_.contains(each)) changed_.insert(each);
+        if (!isFilled && !copies_.contains(each)) {
+            changed_.insert(each);
+            stored_.insert(each);
+        }
         append(diagnostics, makeTexture(each, isFilled));
     }
     for (const scene::TextureIndex each : plan.textures) {

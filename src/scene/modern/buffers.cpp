@@ -279,6 +279,7 @@ void doDispatch(Interpreter& in, const Command& command) {
         }
         made.tiles = *count;
     }
+    made.discards = command.key("discard") != nullptr;
     made.place = in.place(command);
     made.id = nextDrawId(in, made.place);
     made.program = *program;
