@@ -331,6 +331,7 @@ Result<image::Image> SceneRenderer::draw(double time, Stats& stats) {
     state.drawnChanges = state.simulation ? state.simulation->changes() : 0;
     stats.add("frames", 1);
     append(diagnostics, state.context.debugLog().takeDiagnostics());
+    if (state.options.checkUndefined) append(diagnostics, state.programs.takeUndefined());
     applyStrict(diagnostics, state.options.strict);
     if (state.isStopped(diagnostics)) return diagnostics;
     state.addLabels(picture);

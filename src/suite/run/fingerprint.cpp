@@ -109,7 +109,7 @@ std::map<ShotReference, std::string> fingerprints(std::span<const Suite> suites,
                                                   const ShotInputs& inputs, const RunOptions& options) {
     const std::string ofRun =
         fmt::format("{}\n{}\n{} {} {} {} {} {}\n{} {}", contentOf("/proc/self/exe"),
-                    static_cast<int>(options.driver), options.skip, options.update, options.force,
+                    static_cast<int>(options.driver), options.skip + 2 * options.checkUndefined, options.update, options.force,
                     options.variant, options.allowOutside, options.sandbox != nullptr,
                     options.timeout.value_or(-1), options.memory ? std::to_string(*options.memory) : "-");
     GoldenNames goldens;
