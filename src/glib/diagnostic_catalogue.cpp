@@ -245,8 +245,7 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"glsl-W28", "'sum' is read before it has a value; give it one where it is declared"},
     {"glsl-W29", "the subscript in 'weights[i]' is outside of the 4 elements 320 times, the first time 7"},
     {"glsl-W30", "EmitVertex() exceeds max_vertices = 6 40 times; the surplus is lost"},
-    {"glsl-W31",
-     "'texelFetch(uMap, place, 0)' is outside 320 times, the first time at 64 of 64 texels"},
+    {"glsl-W31", "'texelFetch(uMap, place, 0)' is outside 320 times, the first time at 64 of 64 texels"},
     {"glsl-W32", "the divisor 'uCount' is 0 320 times"},
     // Files
     {"file-E01", "cannot find 'cow.obj'; nearest: 'cows.obj'"},

@@ -106,11 +106,11 @@ Diagnostics SceneRenderer::State::preparePlan(Stats& stats, bool everything) {
     planOptions.shareTargets = options.skip && !options.checkNan;  // the search looks into every target
     Diagnostics diagnostics;
     if (options.checkUndefined && !context.capabilities().compute)
-        diagnostics.push_back(diagnose(
-            "check-E03",
-            fmt::format("--check-undefined needs OpenGL 4.3; this driver has {}.{}",
-                        context.capabilities().major, context.capabilities().minor),
-            {scene.path, 1, 1}));
+        diagnostics.push_back(
+            diagnose("check-E03",
+                     fmt::format("--check-undefined needs OpenGL 4.3; this driver has {}.{}",
+                                 context.capabilities().major, context.capabilities().minor),
+                     {scene.path, 1, 1}));
     // A picture of another moment would need other counts.
     if (options.maxError > 0 && !everything && !changesWithTime)
         append(diagnostics, keepBudget(planOptions, stats));

@@ -114,18 +114,17 @@ TEST(PatchNumbers, InTheGeometryStageAreThoseOfTheWholeDraw) {
 TEST(PrimitiveNumbers, PassThroughAGeometryStageThatWritesNone) {
     // The fragment stage compares with the number that the geometry stage passes on itself.
     const std::string stage = geometry("triangles");
-    const std::string passing =
-        replaced(replaced(stage, "void main() {", "flat out float gOwn;\nvoid main() { gOwn = "
+    const std::string passing = replaced(replaced(stage, "void main() {",
+                                                  "flat out float gOwn;\nvoid main() { gOwn = "
                                                   "float(gl_PrimitiveIDIn);"),
-                 "max_vertices = 1", "max_vertices = 2");
-    const std::string twice = replaced(passing, "EmitVertex();", "EmitVertex(); gOwn = float(gl_PrimitiveIDIn); " +
-                                                                     toPixel("gl_PrimitiveIDIn") +
-                                                                     "; EmitVertex();");
-    const std::string fragment = addingFragment("gOwn == float(gl_PrimitiveID) ? 1. : 1000., 0., 0.",
-                                                "flat in float gOwn;\n");
-    const FloatPicture mesh =
-        draw(start("Geometry g.geom\n") + "Program P\nSphere 1 20 15\n",
-             {{"v.vert", kVertex}, {"g.geom", twice}, {"f.frag", fragment}});
+                                         "max_vertices = 1", "max_vertices = 2");
+    const std::string twice = replaced(
+        passing, "EmitVertex();",
+        "EmitVertex(); gOwn = float(gl_PrimitiveIDIn); " + toPixel("gl_PrimitiveIDIn") + "; EmitVertex();");
+    const std::string fragment =
+        addingFragment("gOwn == float(gl_PrimitiveID) ? 1. : 1000., 0., 0.", "flat in float gOwn;\n");
+    const FloatPicture mesh = draw(start("Geometry g.geom\n") + "Program P\nSphere 1 20 15\n",
+                                   {{"v.vert", kVertex}, {"g.geom", twice}, {"f.frag", fragment}});
     expectEachOnce(mesh, 2 * 14 * 20, 2);
     const FloatPicture tessellated =
         draw(start("TessControl c.tesc\nTessEvaluation e.tese\nGeometry g.geom\n") + patches(50, 1),

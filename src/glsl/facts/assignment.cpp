@@ -16,7 +16,7 @@
 namespace glibra::glsl {
 namespace {
 
-constexpr int kDeepest = 200;           // statements and brackets in each other
+constexpr int kDeepest = 200;                 // statements and brackets in each other
 constexpr std::size_t kMostVariables = 4096;  // of a function
 
 enum class Direction { in, out, inOut };
@@ -58,16 +58,15 @@ class AssignmentWalk {
 
     [[nodiscard]] std::string_view text(std::uint32_t at) const { return unit_.text(at); }
     [[nodiscard]] std::uint32_t match(std::uint32_t at) const { return search_.match(at); }
-    [[nodiscard]] bool isWord(std::uint32_t at) const {
-        return at < unit_.view.size() && search_.isWord(at);
-    }
+    [[nodiscard]] bool isWord(std::uint32_t at) const { return at < unit_.view.size() && search_.isWord(at); }
     [[nodiscard]] WordRole role(std::uint32_t at) const { return unit_.bodies.roles[at]; }
 
     // ---- Variables
 
     [[nodiscard]] std::vector<std::string_view> membersOfType(const std::string& type) const {
         const auto found = structures_.find(type);
-        return found == structures_.end() ? std::vector<std::string_view>() : membersOf(unit_, *found->second);
+        return found == structures_.end() ? std::vector<std::string_view>()
+                                          : membersOf(unit_, *found->second);
     }
 
     void output(const std::string& name, const std::string& type, std::vector<std::string> sizes) {
@@ -155,7 +154,8 @@ class AssignmentWalk {
 
     void declareLocal(const Declaration& declaration, const Declarator& name) {
         AssignedVariable variable;
-        variable.is = {Unassigned::Kind::local, std::string(text(name.name)),
+        variable.is = {Unassigned::Kind::local,
+                       std::string(text(name.name)),
                        std::string(declaration.type.name),
                        sizeTexts(unit_, name.dimensions, declaration.type.dimensions),
                        name.dimensionTokens.end > name.name + 1 ? name.dimensionTokens.end - 1 : name.name,
@@ -240,9 +240,12 @@ class AssignmentWalk {
                 continue;
             }
             AssignedVariable variable;
-            variable.is = {Unassigned::Kind::outParameter, std::string(text(each.name)),
+            variable.is = {Unassigned::Kind::outParameter,
+                           std::string(text(each.name)),
                            std::string(each.type.name),
-                           sizeTexts(unit_, each.dimensions, each.type.dimensions), open, kNone};
+                           sizeTexts(unit_, each.dimensions, each.type.dimensions),
+                           open,
+                           kNone};
             shapeOf(variable, static_cast<int>(variable.is.sizes.size()), membersOfType(variable.is.type));
             scopes_.back()[text(each.name)] = add(std::move(variable));
         }
@@ -318,7 +321,8 @@ class AssignmentWalk {
             return close + 1;
         }
         if (first == ";" || first == "}") return at + 1;
-        if (isWord(at) && role(at) == WordRole::none) {
+        const bool isName = isWord(at) && (role(at) == WordRole::local || role(at) == WordRole::global);
+        if (isWord(at) && !isName) {
             const bool isHeaded = text(at + 1) == "(" && match(at + 1) < end;
             if (first == "if" && isHeaded) return branch(at, end);
             if (first == "for" && isHeaded) return forLoop(at, end);
@@ -505,8 +509,8 @@ class AssignmentWalk {
             long long rounds = 0;
             const bool isOwnLength = limit.end == limit.first + 5 && text(limit.first) == text(i) &&
                                      text(limit.first + 2) == "length";
-            const bool coversAll = globalIntegerValue(unit_, limit, rounds) && variables_[*index].elements > 0 &&
-                                   rounds >= variables_[*index].elements;
+            const bool coversAll = globalIntegerValue(unit_, limit, rounds) &&
+                                   variables_[*index].elements > 0 && rounds >= variables_[*index].elements;
             if (isOwnLength || coversAll) assign(*index, {variables_[*index].all(), true});
         }
     }
@@ -633,8 +637,9 @@ class AssignmentWalk {
         std::vector<std::pair<std::size_t, AssignedPart>> results;
         for (std::size_t i = 0; i < arguments.size(); ++i) {
             const Range& each = arguments[i];
-            const Direction direction =
-                role(at) == WordRole::global && i < 31 ? directionOf(function, i, arguments.size()) : Direction::in;
+            const Direction direction = role(at) == WordRole::global && i < 31
+                                            ? directionOf(function, i, arguments.size())
+                                            : Direction::in;
             const std::optional<std::size_t> index =
                 isWord(each.first) && direction != Direction::in ? variableAt(each.first) : std::nullopt;
             if (!index || afterSuffixes(unit_, each.first) != each.end) {

@@ -20,8 +20,8 @@ Variable* Unit::variable(std::string_view name) {
 }
 
 const Declaration* Unit::function(std::string_view name) const {
-    const auto found = std::find_if(
-        syntax.declarations.begin(), syntax.declarations.end(), [&](const Declaration& each) {
+    const auto found =
+        std::find_if(syntax.declarations.begin(), syntax.declarations.end(), [&](const Declaration& each) {
             return each.kind == DeclarationKind::function && text(each.name) == name;
         });
     return found == syntax.declarations.end() ? nullptr : &*found;

@@ -65,9 +65,8 @@ bool isLiteral(std::span<const ViewToken> tokens) {
 }  // namespace
 
 unsigned builtinOutputs(std::string_view function) {
-    const auto* const found =
-        std::find_if(kWritingFunctions.begin(), kWritingFunctions.end(),
-                     [&](const Output& each) { return each.function == function; });
+    const auto* const found = std::find_if(kWritingFunctions.begin(), kWritingFunctions.end(),
+                                           [&](const Output& each) { return each.function == function; });
     return found == kWritingFunctions.end() ? 0U : found->arguments;
 }
 

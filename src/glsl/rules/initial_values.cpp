@@ -56,9 +56,8 @@ class InitialValues {
         const auto value = isDepth ? std::optional<std::string>("gl_FragCoord.z")
                                    : zeroValue(unit_, variable.type, variable.sizes, kMostListed);
         const std::size_t end = variable.name.find_first_of(".[");
-        const std::string name =
-            spelled(unit_, variable.name.substr(0, end)) +
-            (end == std::string::npos ? std::string() : variable.name.substr(end));
+        const std::string name = spelled(unit_, variable.name.substr(0, end)) +
+                                 (end == std::string::npos ? std::string() : variable.name.substr(end));
         const std::string text = value ? " " + name + " = " + *value + ";" : filling(variable);
         unit_.edits.after(unit_.view[variable.at].raw, text);
     }
@@ -69,8 +68,8 @@ class InitialValues {
         if (variable.storage != Storage::none || variable.removed || !variable.initializer.empty() ||
             !declarator.initializer.empty() || variable.name.starts_with("gl_"))
             return;
-        if (const auto value = zeroValue(unit_, variable.type,
-                                         sizeTexts(unit_, declarator.dimensions, declaration.type.dimensions)))
+        if (const auto value = zeroValue(
+                unit_, variable.type, sizeTexts(unit_, declarator.dimensions, declaration.type.dimensions)))
             variable.initializer = " = " + *value;
     }
 
@@ -93,14 +92,13 @@ void reportGlobals(const Unit& unit, Report& report) {
 void report(const Unit& unit, const Assignments& found, Report& report) {
     for (const FirstRead& each : found.reads)
         report.report("glsl-W28",
-                      "'" + each.name +
-                          "' is read before it has a value; give it one where it is declared",
+                      "'" + each.name + "' is read before it has a value; give it one where it is declared",
                       unit.place(each.at));
     for (const Declaration* each : found.withoutReturn)
-        report.report("glsl-W28",
-                      "'" + std::string(unit.text(each->name)) +
-                          "' may end without a 'return'; its value is 0 then",
-                      unit.place(each->name));
+        report.report(
+            "glsl-W28",
+            "'" + std::string(unit.text(each->name)) + "' may end without a 'return'; its value is 0 then",
+            unit.place(each->name));
     reportGlobals(unit, report);
 }
 

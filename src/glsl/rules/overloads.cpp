@@ -58,8 +58,7 @@ class OverloadChoice {
   public:
     OverloadChoice(Unit& unit, Report& report) : unit_(unit), report_(report) {
         for (const Declaration& each : unit.syntax.declarations)
-            if (each.kind == DeclarationKind::function || each.kind == DeclarationKind::prototype)
-                add(each);
+            if (each.kind == DeclarationKind::function || each.kind == DeclarationKind::prototype) add(each);
     }
 
     void run() {

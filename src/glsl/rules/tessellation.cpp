@@ -89,9 +89,9 @@ void numberPrimitives(ProgramUnits& program) {
     }
     if (!isSupplied) return;
     const auto emit = geometry->renames.find("EmitVertex");
-    geometry->declare("void glibra_emitNumbered() { gl_PrimitiveID = " +
-                      spelled(*geometry, "gl_PrimitiveIDIn") + "; " +
-                      (emit == geometry->renames.end() ? "EmitVertex" : emit->second) + "(); }");
+    geometry->declare(
+        "void glibra_emitNumbered() { gl_PrimitiveID = " + spelled(*geometry, "gl_PrimitiveIDIn") + "; " +
+        (emit == geometry->renames.end() ? "EmitVertex" : emit->second) + "(); }");
     geometry->renames["EmitVertex"] = "glibra_emitNumbered";
     program.result->userNames["glibra_emitNumbered"] = "EmitVertex";
     ++geometry->varyingComponents;

@@ -117,8 +117,8 @@ class UndefinedChecks {
     /// True if evaluating the range twice is like evaluating it once.
     [[nodiscard]] bool isIdle(Range range) const {
         for (std::uint32_t i = range.first; i < range.end; ++i) {
-            const bool isCall = unit_.view[i].kind == TokenKind::word && text(i + 1) == "(" &&
-                                !isTypeWord(text(i));
+            const bool isCall =
+                unit_.view[i].kind == TokenKind::word && text(i + 1) == "(" && !isTypeWord(text(i));
             if (isAssignment(text(i)) || text(i) == "++" || text(i) == "--" || isCall) return false;
         }
         return true;
@@ -189,7 +189,8 @@ class UndefinedChecks {
         if (isUsers || !isInFunction(each.name)) return;
         if (name == "EmitVertex") return vertex(each);
         if (name.starts_with("texelFetch")) return fetch(each, name.find("Offset") != std::string_view::npos);
-        if (name.starts_with("imageLoad") || name.starts_with("imageStore") || name.starts_with("imageAtomic"))
+        if (name.starts_with("imageLoad") || name.starts_with("imageStore") ||
+            name.starts_with("imageAtomic"))
             return image(each);
         if (name == "mod" && each.arguments.size() == 2 && isUniform(each.arguments[1]))
             divisor(each.arguments[1], false);
@@ -239,7 +240,8 @@ class UndefinedChecks {
         if (space.dimensions == 0) return;
         std::string size = "imageSize(" + emitted(each.arguments[0]) + ")";
         if (space.isCube)
-            size = each.types[0].word.ends_with("Array") ? size + " * ivec3(1, 1, 6)" : "ivec3(" + size + ", 6)";
+            size =
+                each.types[0].word.ends_with("Array") ? size + " * ivec3(1, 1, 6)" : "ivec3(" + size + ", 6)";
         texel(each, size, "");
     }
 
@@ -257,9 +259,9 @@ class UndefinedChecks {
                 continue;
             }
             const Variable* variable = unit_.variable(text(i));
-            const bool isOfUniform = variable != nullptr ? variable->storage == Storage::uniform
-                                                         : isUniformMember(text(i)) ||
-                                                               findBuiltinUniform(text(i)) != nullptr;
+            const bool isOfUniform = variable != nullptr
+                                         ? variable->storage == Storage::uniform
+                                         : isUniformMember(text(i)) || findBuiltinUniform(text(i)) != nullptr;
             if (!isOfUniform) return false;
             any = true;
         }
@@ -269,12 +271,11 @@ class UndefinedChecks {
     [[nodiscard]] bool isUniformMember(std::string_view name) const {
         const auto declared = unit_.declared.find(name);
         if (declared == unit_.declared.end()) return false;
-        return std::any_of(unit_.syntax.declarations.begin(), unit_.syntax.declarations.end(),
-                           [&](const Declaration& each) {
-                               return each.kind == DeclarationKind::block &&
-                                      each.qualifiers.storage == Storage::uniform &&
-                                      each.tokens.contains(declared->second);
-                           });
+        return std::any_of(
+            unit_.syntax.declarations.begin(), unit_.syntax.declarations.end(), [&](const Declaration& each) {
+                return each.kind == DeclarationKind::block && each.qualifiers.storage == Storage::uniform &&
+                       each.tokens.contains(declared->second);
+            });
     }
 
     /// The operand that begins at `at`.
@@ -355,8 +356,7 @@ class UndefinedChecks {
         unit_.declare(
             "int glibra_texel(int p, int n, int o, int site) { if (p + o < 0 || p + o >= n) "
             "glibra_note(site, p + o, n); return p; }");
-        unit_.declare(
-            "int glibra_texel(int p, int n, int site) { return glibra_texel(p, n, 0, site); }");
+        unit_.declare("int glibra_texel(int p, int n, int site) { return glibra_texel(p, n, 0, site); }");
         for (int size = 2; size <= 3; ++size) {
             const std::string type = "ivec" + std::to_string(size);
             unit_.declare(type + " glibra_texel(" + type + " p, " + type + " n, " + type +
@@ -371,13 +371,14 @@ class UndefinedChecks {
     void divisorFunctions() {
         const auto add = [&](const std::string& function, const std::string& type, const std::string& test) {
             unit_.declare(type + " " + function + "(" + type + " x, int site) { " +
-                          (test.empty() ? "" : "if (" + test + ") glibra_note(site, 0, 0); ") + "return x; }");
+                          (test.empty() ? "" : "if (" + test + ") glibra_note(site, 0, 0); ") +
+                          "return x; }");
         };
         for (const std::string function : {"glibra_divisor", "glibra_wholeDivisor"}) {
             const bool isWhole = function == "glibra_wholeDivisor";
             for (const std::string prefix : {"", "d", "i", "u"}) {
                 const bool isFloat = prefix.empty() || prefix == "d";
-                const std::string scalar = prefix.empty() ? "float"
+                const std::string scalar = prefix.empty()  ? "float"
                                            : prefix == "d" ? "double"
                                            : prefix == "i" ? "int"
                                                            : "uint";

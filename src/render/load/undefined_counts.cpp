@@ -32,10 +32,10 @@ Diagnostic reportOf(const glsl::UndefinedSite& site, std::int32_t count, std::in
                                         site.text, limit, times, first),
                             site.place);
         case Kind::vertices:
-            return diagnose("glsl-W30",
-                            fmt::format("EmitVertex() exceeds max_vertices = {} {}; the surplus is lost", limit,
-                                        times),
-                            site.place);
+            return diagnose(
+                "glsl-W30",
+                fmt::format("EmitVertex() exceeds max_vertices = {} {}; the surplus is lost", limit, times),
+                site.place);
         case Kind::texel:
             return diagnose("glsl-W31",
                             fmt::format("'{}' is outside {}, the first time at {} of {} texels", site.text,
@@ -68,8 +68,7 @@ void ProgramLibrary::countUndefined(const glsl::TranslatedProgram& translated, B
     built.undefinedBinding = static_cast<unsigned>(blocks.size());
     glShaderStorageBlockBinding(built.program->id(), index, built.undefinedBinding);
     const std::vector<std::int32_t> none(kNumbersPerSite * translated.undefinedSites.size());
-    Result<gpu::Buffer> made =
-        gpu::Buffer::create(std::as_bytes(std::span(none)), GL_DYNAMIC_READ);
+    Result<gpu::Buffer> made = gpu::Buffer::create(std::as_bytes(std::span(none)), GL_DYNAMIC_READ);
     append(diagnostics, std::move(made.diagnostics));
     if (made) built.undefined = std::move(*made);
 }
