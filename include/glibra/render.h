@@ -84,8 +84,11 @@ struct RenderOptions {
     /// picture. The result has the errors and the picture.
     bool incomplete = false;
     bool checkNan = false;  ///< finds the draws that put NaN or infinity into the picture
-    bool shim = true;       ///< false: shaders are compiled without translation
-    bool skip = true;       ///< false: reads, makes and draws even what the picture does not need
+    /// Finds what shaders do that GLSL leaves undefined: subscripts outside of arrays, fetches outside of
+    /// textures, vertices beyond max_vertices, divisions by uniforms that are 0. Needs OpenGL 4.3.
+    bool checkUndefined = false;
+    bool shim = true;  ///< false: shaders are compiled without translation
+    bool skip = true;  ///< false: reads, makes and draws even what the picture does not need
     std::vector<std::filesystem::path>
         libraryRoots{};  ///< searched for files besides the scene's own folders
     /// If it is not empty, the scene may read only files below this folder and below the library folders.

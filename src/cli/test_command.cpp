@@ -211,6 +211,7 @@ suite::RunOptions runOptions(const TestArguments& arguments, const std::optional
     options.timeout = arguments.suites.timeout;
     options.memory = arguments.suites.memory;
     options.skip = arguments.picture.options.skip;
+    options.checkUndefined = arguments.picture.options.checkUndefined;
     options.update = arguments.update;
     options.force = arguments.force;
     options.variant = arguments.variant;
@@ -415,6 +416,7 @@ void addTest(CommandLine& program, int& status) {
     addPictureOption(command, "timeout", to.picture);
     addPictureOption(command, "memory", to.picture);
     addPictureOption(command, "no-skip", to.picture);
+    addPictureOption(command, "check-undefined", to.picture);
     addUntrustedOption(command, to.suites.untrusted);
     for (const char* each : {"--force", "--variant", "--shard", "--resume", "--results", "--junit",
                              "--goldens", "--allow-outside", "--merge", "--root", "--driver", "--untrusted"})

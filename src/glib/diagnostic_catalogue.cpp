@@ -211,6 +211,8 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"glsl-E14", "'SIZE' is already defined with another text in line 3; write '#undef SIZE' first"},
     {"glsl-E15", "macro 'MIDDLE' takes 2 arguments, found 3"},
     {"glsl-E16", "this comment has no end; write '*/' after it"},
+    {"glsl-E17",
+     "the call mixed(int) is ambiguous: 'mixed(float)' and 'mixed(uint)' fit; convert an argument"},
     {"glsl-W01", "no #version, treated as 330 compatibility"},
     {"glsl-W02", "'#version 4.00' read as 400"},
     {"glsl-W03", "'#version 300 es' treated as 330"},
@@ -241,6 +243,10 @@ constexpr CatalogueRow kCatalogueRows[] = {
      "max_vertices is 3, but the stage emits 4 vertices, of which the last one is lost; write max_vertices = "
      "4"},
     {"glsl-W28", "'sum' is read before it has a value; give it one where it is declared"},
+    {"glsl-W29", "the subscript in 'weights[i]' is outside of the 4 elements 320 times, the first time 7"},
+    {"glsl-W30", "EmitVertex() exceeds max_vertices = 6 40 times; the surplus is lost"},
+    {"glsl-W31", "'texelFetch(uMap, place, 0)' is outside 320 times, the first time at 64 of 64 texels"},
+    {"glsl-W32", "the divisor 'uCount' is 0 320 times"},
     // Files
     {"file-E01", "cannot find 'cow.obj'; nearest: 'cows.obj'"},
     {"file-E02", "'dots.frag' is empty"},
@@ -343,6 +349,7 @@ constexpr CatalogueRow kCatalogueRows[] = {
     // Checks of scenes
     {"check-E01", "Expect pixel 10 20 [1 0 0]: expected 1 0 0, found 0.501960784 0 0"},
     {"check-E02", "Expect pixel 800 20 [1 0 0]: 'window' has 600 x 600 pixels"},
+    {"check-E03", "--check-undefined needs OpenGL 4.3; this driver has 4.1"},
     {"check-W01", "Expect pixel 10 20 [1 0 0] is not answered: group 'row' is not drawn"},
     {"check-N01",
      "Expect pixel 10 20 [1 0 0] is not answered: the condition of the When on line 12 is false"},

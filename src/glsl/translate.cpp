@@ -114,7 +114,7 @@ void applyRules(ProgramUnits& program) {
     placeFragmentOutputs(program);
     for (std::size_t i = 0; i < walks.size(); ++i) modernizeGeometry(program.units[i], walks[i], report);
     checkTessellation(program);
-    countPatchesInWhole(program);
+    numberPrimitives(program);
     completeGeometryLayout(program);
     collectDeclarations(program);
     collectMemory(program);
@@ -124,11 +124,14 @@ void applyRules(ProgramUnits& program) {
         repairDeclarations(program.units[i], walks[i], program.result->geometryInput, report);
     for (std::size_t i = 0; i < walks.size(); ++i) {
         Unit& unit = program.units[i];
+        giveInitialValues(unit, report);
         widenScalars(unit, report);
+        chooseOverloads(unit, report);
         adaptToTarget(unit);
         renderVariables(unit);
         limitSharedSubscripts(unit, walks[i], *program.result, report);
         applyRenames(unit, walks[i]);
+        if (program.request->checksUndefined) recordUndefined(unit, program.result->undefinedSites);
         recordUserNames(unit, *program.result);
     }
     program.result->placement = findPlacement(program);
@@ -161,7 +164,8 @@ void deliver(ProgramUnits& program) {
     result.mayReadTangents = mayReadTangents(program);
     result.levelUniforms = findLevelUniforms(program);
     collectReaches(program);
-    for (const Unit& unit : program.units) reportUnassigned(unit, program.report);
+    if (!program.request->shim)
+        for (const Unit& unit : program.units) reportUnassigned(unit, program.report);
     for (Unit& unit : program.units) {
         TranslatedStage& stage =
             result.stages.emplace_back(program.request->shim ? emit(unit) : emitAsIs(unit));

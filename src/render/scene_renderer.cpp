@@ -354,6 +354,7 @@ void SceneRenderer::State::endFrame(Diagnostics& diagnostics, Stats& stats) {
     drawnChanges = simulation ? simulation->changes() : 0;
     stats.add("frames", 1);
     append(diagnostics, context.debugLog().takeDiagnostics());
+    if (options.checkUndefined) append(diagnostics, programs.takeUndefined());
     applyStrict(diagnostics, options.strict);
 }
 

@@ -2,6 +2,8 @@
 
 #include "render/scene_state.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
 #include <set>
@@ -103,6 +105,12 @@ Diagnostics SceneRenderer::State::preparePlan(Stats& stats, bool everything) {
     planOptions.reportsNames = scene.once.empty() && scene.steps.empty();
     planOptions.shareTargets = options.skip && !options.checkNan;  // the search looks into every target
     Diagnostics diagnostics;
+    if (options.checkUndefined && !context.capabilities().compute)
+        diagnostics.push_back(
+            diagnose("check-E03",
+                     fmt::format("--check-undefined needs OpenGL 4.3; this driver has {}.{}",
+                                 context.capabilities().major, context.capabilities().minor),
+                     {scene.path, 1, 1}));
     // A picture of another moment would need other counts.
     if (options.maxError > 0 && !everything && !changesWithTime)
         append(diagnostics, keepBudget(planOptions, stats));

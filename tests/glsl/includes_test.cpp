@@ -122,12 +122,12 @@ TEST(Include, LimitsHold) {
 
 TEST(Line, MeaningFollowsTheDeclaredVersion) {
     const auto emitted = [](const std::string& version) {
-        return userPart(translateSingle(Stage::vertex, "#version " + version + "\n#line 40 3\nint x;\n"),
+        return userPart(translateSingle(Stage::vertex, "#version " + version + "\n#line 40 3\nint x = 1;\n"),
                         Stage::vertex);
     };
-    EXPECT_TRUE(hasTokens(emitted("120"), "#line 41 0 int x;"));
-    EXPECT_TRUE(hasTokens(emitted("150"), "#line 41 0 int x;"));
-    EXPECT_TRUE(hasTokens(emitted("330"), "#line 40 0 int x;"));
+    EXPECT_TRUE(hasTokens(emitted("120"), "#line 41 0 int x = 1;"));
+    EXPECT_TRUE(hasTokens(emitted("150"), "#line 41 0 int x = 1;"));
+    EXPECT_TRUE(hasTokens(emitted("330"), "#line 40 0 int x = 1;"));
 }
 
 TEST(Line, PlacesUseTheNewNumbers) {

@@ -145,6 +145,79 @@ TEST(FirstReads, AreNoAssignments) {
     EXPECT_EQ(unassigned("mat2 m; m[0] = vec2(1.); m[1] = vec2(0.); fColor = vec4(m[0], m[1]);"), "");
 }
 
+TEST(FirstReads, FollowThePathsOfTheProgram) {
+    // After branches, jumps and loops
+    EXPECT_EQ(
+        unassigned("float a; if (gl_FragCoord.x > 1.) { fColor = vec4(0.); return; } fColor = vec4(a);"),
+        "'a'");
+    EXPECT_EQ(unassigned("float a; for (int i = 0; i < 3; ++i) { if (i > 0) fColor = vec4(a); a = 1.; }"),
+              "");
+    EXPECT_EQ(unassigned("float a; for (int i = 0; i < 3; ++i) { fColor = vec4(a); a = 1.; }"), "'a'");
+    EXPECT_EQ(unassigned("vec4 c; c.xyz = vec3(1.); fColor = c;"), "'c.w'");
+    EXPECT_EQ(unassigned("S s; s.a = 1.; fColor = vec4(s.b);", "struct S { float a, b; };\n"), "'s.b'");
+    EXPECT_EQ(unassigned("float a[4]; fColor = vec4(a[2]);"), "'a'");
+}
+
+/// The body of main as emitted, after it is known to compile.
+std::string initialised(const std::string& body, const std::string& declarations = "") {
+    const TranslatedProgram translated = translateSingle(
+        Stage::fragment, "out vec4 fColor;\n" + declarations + "void main() {\n" + body + "\n}\n");
+    EXPECT_EQ("", glslangErrors(translated)) << body;
+    return userPart(translated, Stage::fragment);
+}
+
+TEST(InitialValues, AreGivenWhereNoAssignmentIsSure) {
+    const std::pair<const char*, const char*> kCases[] = {
+        {"float a; if (gl_FragCoord.x > 1.) a = 1.; fColor = vec4(a);", "float a = 0.;"},
+        {"float a; while (gl_FragCoord.x < a) a = 1.; fColor = vec4(a);", "float a = 0.;"},
+        {"int n; switch (int(gl_FragCoord.x)) { case 0: n = 1; break; } fColor = vec4(n);", "int n = 0;"},
+        {"vec4 c; c.rgb = vec3(1.); fColor = c;", "vec4 c = vec4(0.);"},
+        {"float a[3]; a[1] = 1.; fColor = vec4(a[int(gl_FragCoord.x)]);",
+         "float a[3] = float[3](0., 0., 0.);"},
+        {"if (gl_FragCoord.x > 1.) fColor = vec4(1.);", "fColor = vec4(0.);"},
+        {"bool b = gl_FragCoord.x > 1. && gl_FragCoord.y > 1.; float a; if (b) a = 1.; fColor = vec4(a);",
+         "float a = 0.;"},
+    };
+    for (const auto& [body, emitted] : kCases) EXPECT_TRUE(hasTokens(initialised(body), emitted)) << body;
+    const std::string all = initialised("float a; f(a); fColor = vec4(a + g + h(a));",
+                                        "float g;\nvoid f(out float x) { if (gl_FragCoord.x > 1.) x = 1.; }\n"
+                                        "float h(float x) { if (x > 1.) return 2.; }\n");
+    EXPECT_TRUE(hasTokens(all, "float g = 0.;")) << all;
+    EXPECT_TRUE(hasTokens(all, "{ x = 0.; if")) << all;
+    EXPECT_TRUE(hasTokens(all, "return 0.; }")) << all;
+    EXPECT_TRUE(hasTokens(all, "float a; f(a);")) << all;
+}
+
+TEST(InitialValues, AreNotGivenWhereOneIs) {
+    for (const char* body :
+         {"float a; if (gl_FragCoord.x > 1.) a = 1.; else a = 2.; fColor = vec4(a);",
+          "float a; do { a = 1.; } while (gl_FragCoord.x > a); fColor = vec4(a);",
+          "int a; switch (int(gl_FragCoord.x)) { case 0: a = 1; break; default: a = 2; } fColor = vec4(a);",
+          "float a; if (gl_FragCoord.x > 1.) discard; else a = 1.; fColor = vec4(a);",
+          "vec4 a; a.x = 1.; a.yz = vec2(0.); a[3] = 1.; fColor = a;",
+          "float a[3]; for (int i = 0; i < 3; ++i) a[i] = 1.; fColor = vec4(a[1]);",
+          "mat2 a; a[0] = vec2(1.); a[1] = vec2(0.); fColor = vec4(a[0], a[1]);"}) {
+        const std::string text = initialised(body);
+        EXPECT_FALSE(hasTokens(text, "a = ") && text.find("a = 0") != std::string::npos) << text;
+        EXPECT_EQ(text.find("(0., 0."), std::string::npos) << text;
+        EXPECT_EQ(text.find("fColor = vec4(0.)"), std::string::npos) << text;
+    }
+}
+
+TEST(Overloads, AreChosenByTheRulesOfGlsl) {
+    const auto call = [](const std::string& functions, const std::string& value) {
+        return translateSingle(Stage::fragment,
+                               "#version 450\nuniform int n; uniform uint m;\nout vec4 o;\n" + functions +
+                                   "void main() { o = vec4(" + value + "); }\n");
+    };
+    const std::string two = "float f(float x) { return x; }\nfloat f(double x) { return 2.; }\n";
+    EXPECT_TRUE(hasTokens(userPart(call(two, "f(n)"), Stage::fragment), "f(float(n))"));
+    const std::string mixed = "float f(float x) { return x; }\nfloat f(uint x) { return 2.; }\n";
+    EXPECT_TRUE(has(call(mixed, "f(n)").diagnostics, "glsl-E17"));
+    EXPECT_TRUE(hasTokens(userPart(call(mixed, "f(m)"), Stage::fragment), "f(m)"));
+    EXPECT_EQ("", glslangErrors(call(two, "f(n)")));
+}
+
 TEST(FirstLine, IsThatOfTheTextAfterBlankLines) {
     const TranslatedProgram translated = translateSingle(
         Stage::fragment, "\n\n\n\n#version 330\nout vec4 c;\nvoid main() { c = gl_Color; }\n");

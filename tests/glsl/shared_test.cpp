@@ -70,7 +70,8 @@ TEST(SharedArrays, OtherArraysStay) {
     EXPECT_EQ("float part[4]; part[i] = 1.;",
               emitted("shared float part[64];", "float part[4]; part[i] = 1.;"));
     EXPECT_EQ("all[i] = own[i];",
-              emitted("layout(std430) buffer B { float all[]; };\nfloat own[8];", "all[i] = own[i];"));
+              emitted("layout(std430) buffer B { float all[]; };\nfloat own[2] = float[2](1., 2.);",
+                      "all[i] = own[i];"));
 }
 
 TEST(SharedArrays, InMacros) {

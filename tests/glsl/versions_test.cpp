@@ -96,7 +96,8 @@ TEST(Version, MacroGivesTheUsersNumber) {
     };
     EXPECT_TRUE(hasTokens(emitted("#version 120\nint v = __VERSION__;\n"), "int v = 120;"));
     EXPECT_TRUE(hasTokens(emitted("int v = __VERSION__;\n"), "int v = 330;"));
-    EXPECT_TRUE(hasTokens(emitted("#version 120\n#if __VERSION__ == 120\nint v;\n#endif\n"), "int v;"));
+    EXPECT_TRUE(
+        hasTokens(emitted("#version 120\n#if __VERSION__ == 120\nint v = 1;\n#endif\n"), "int v = 1;"));
 }
 
 TEST(Version, CompatibilityMacroFollowsTheProfile) {

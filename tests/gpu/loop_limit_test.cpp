@@ -33,8 +33,11 @@ TEST_F(LoopLimitTest, IsWhereLoopsOfAnotherShapeEndToo) {
     EXPECT_LT(counted(limit / 2, limit)[1], static_cast<float>(limit)) << "the second loop has the rest";
 }
 
-TEST_F(LoopLimitTest, OfLlvmpipeIs65535) {
-    if (driver().family.find("llvmpipe") == std::string::npos) GTEST_SKIP() << driver().family;
+TEST_F(LoopLimitTest, OfLlvmpipeOfMesa22Is65535) {
+    const std::string version = reinterpret_cast<const char*>(glGetString(GL_VERSION));
+    const bool isKnown = driver().family.find("llvmpipe") != std::string::npos &&
+                         version.find("Mesa 22.") != std::string::npos;
+    if (!isKnown) GTEST_SKIP() << version << ": the test above compares what is measured with another loop";
     EXPECT_EQ(measureLoopLimit(context()), 65'535);
 }
 

@@ -25,10 +25,11 @@ class NanSearchTest : public testing::Test {
         folder = ::mkdtemp(name);
         write("p.vert",
               "#version 330 core\nvoid main() { gl_Position = uModelViewProjectionMatrix * aVertex; }\n");
-        // The square root of a negative number makes NaN in the left half of the picture.
+        // A negative number makes NaN in the left half of the picture. GLSL leaves its square root open.
         write("p.frag",
               "#version 330 core\nuniform float uLeft;\nout vec4 fColor;\n"
-              "void main() { fColor = vec4(sqrt((gl_FragCoord.x < 16. ? uLeft : 1.)), 0., 0., 1.); }\n");
+              "void main() {\n  float x = gl_FragCoord.x < 16. ? uLeft : 1.;\n"
+              "  fColor = vec4(x < 0. ? uintBitsToFloat(0x7fc00000u) : sqrt(x), 0., 0., 1.);\n}\n");
         write("tex.frag",
               "#version 330 core\nuniform sampler2D uTex;\nout vec4 fColor;\n"
               "void main() { fColor = texture(uTex, gl_FragCoord.xy / 32.); }\n");

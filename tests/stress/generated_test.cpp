@@ -171,7 +171,7 @@ struct Areas {
 Areas octantAreas(double radius, double level) {
     const FloatPicture picture = draw(
         fmt::format(
-            "WindowSize 64 64\nBackground 0\nLookAt 0 0 0 0 0 -1 0 1 0\nVertex v.vert\nTessControl "
+            "WindowSize 256 256\nBackground 0\nLookAt 0 0 0 0 0 -1 0 1 0\nVertex v.vert\nTessControl "
             "c.tesc\nTessEvaluation e.tese\nGeometry g.geom\nFragment f.frag\n"
             "Program P uRadius {0} uOuter0 {1} uOuter1 {1} uOuter2 {1} uInner {1}\nNumPatchVertices 3\n"
             "glBegin patches\nglVertex 0 0 1\nglVertex 1 0 0\nglVertex 0 1 0\nglEnd\n",
@@ -184,12 +184,13 @@ Areas octantAreas(double radius, double level) {
           "flat out float gArea;\nvoid main() {\n"
           "  vec3 a = gl_in[0].gl_Position.xyz, b = gl_in[1].gl_Position.xyz, c = gl_in[2].gl_Position.xyz;\n"
           "  gArea = .5 * length(cross(b - a, c - a));\n"
-          "  vec2 pixel = vec2(gl_PrimitiveIDIn % 64, gl_PrimitiveIDIn / 64);\n"
-          "  gl_Position = vec4((pixel + .5) / 32. - 1., 0., 1.);\n  EmitVertex();\n  EndPrimitive();\n}\n"},
+          "  vec3 centre = a + b + c;\n"
+          "  vec2 pixel = floor(255. * centre.xy / (centre.x + centre.y + centre.z));\n"
+          "  gl_Position = vec4((pixel + .5) / 128. - 1., 0., 1.);\n  EmitVertex();\n  EndPrimitive();\n}\n"},
          {"f.frag", addingFragment("gArea, 1., 0.", "flat in float gArea;\n")}});
     Areas areas;
-    for (int i = 0; i < 64 * 64 && picture.width == 64; ++i) {
-        const auto seen = picture.at(i % 64, i / 64);
+    for (int i = 0; i < 256 * 256 && picture.width == 256; ++i) {
+        const auto seen = picture.at(i % 256, i / 256);
         if (seen[1] == 0) continue;
         EXPECT_EQ(seen[1], 1.F) << "one triangle a pixel";
         const auto area = static_cast<double>(seen[0]);

@@ -26,11 +26,11 @@ std::string toPixel(const std::string& number) {
                        kNumbersSide, kNumbersSide / 2);
 }
 
-/// Expects that pixels 0 .. count - 1, in rows from the lower left, are 1 and all others 0.
-void expectEachOnce(const FloatPicture& picture, int count) {
+/// Expects that pixels 0 .. count - 1, in rows from the lower left, have the value and all others 0.
+void expectEachOnce(const FloatPicture& picture, int count, float value = 1) {
     int wrong = 0, first = -1;
     for (int i = 0; i < kNumbersSide * kNumbersSide; ++i) {
-        const float expected = i < count ? 1.F : 0.F;
+        const float expected = i < count ? value : 0.F;
         if (picture.at(i % kNumbersSide, kNumbersSide - 1 - i / kNumbersSide)[0] == expected) continue;
         if (wrong++ == 0) first = i;
     }
@@ -94,17 +94,46 @@ std::string geometry(const std::string& input) {
            "; EmitVertex(); }\n";
 }
 
-TEST(TriangleNumbers, AfterTessellationAreThoseOfTheWholeDraw) {
-    // 120 patches of 512 triangles.
-    const FloatPicture picture =
-        draw(start("TessControl c.tesc\nTessEvaluation e.tese\nGeometry g.geom\n") + patches(120, 1),
+const char* const kEvaluation =
+    "#version 400 core\nlayout(quads) in;\nvoid main() { gl_Position = gl_in[0].gl_Position; }\n";
+
+TEST(PatchNumbers, InTheGeometryStageAreThoseOfTheWholeDraw) {
+    // Patches of 512 triangles. Some drivers number the triangles there.
+    for (const int count : {120, 3000}) {
+        const FloatPicture picture =
+            draw(start("TessControl c.tesc\nTessEvaluation e.tese\nGeometry g.geom\n") + patches(count, 1),
+                 {{"v.vert", kVertex},
+                  {"c.tesc", kControl},
+                  {"e.tese", kEvaluation},
+                  {"g.geom", geometry("triangles")},
+                  {"f.frag", addingFragment("1., 0., 0.")}});
+        expectEachOnce(picture, count, 512);
+    }
+}
+
+TEST(PrimitiveNumbers, PassThroughAGeometryStageThatWritesNone) {
+    // The fragment stage compares with the number that the geometry stage passes on itself.
+    const std::string stage = geometry("triangles");
+    const std::string passing = replaced(replaced(stage, "void main() {",
+                                                  "flat out float gOwn;\nvoid main() { gOwn = "
+                                                  "float(gl_PrimitiveIDIn);"),
+                                         "max_vertices = 1", "max_vertices = 2");
+    const std::string twice = replaced(
+        passing, "EmitVertex();",
+        "EmitVertex(); gOwn = float(gl_PrimitiveIDIn); " + toPixel("gl_PrimitiveIDIn") + "; EmitVertex();");
+    const std::string fragment =
+        addingFragment("gOwn == float(gl_PrimitiveID) ? 1. : 1000., 0., 0.", "flat in float gOwn;\n");
+    const FloatPicture mesh = draw(start("Geometry g.geom\n") + "Program P\nSphere 1 20 15\n",
+                                   {{"v.vert", kVertex}, {"g.geom", twice}, {"f.frag", fragment}});
+    expectEachOnce(mesh, 2 * 14 * 20, 2);
+    const FloatPicture tessellated =
+        draw(start("TessControl c.tesc\nTessEvaluation e.tese\nGeometry g.geom\n") + patches(50, 1),
              {{"v.vert", kVertex},
               {"c.tesc", kControl},
-              {"e.tese",
-               "#version 400 core\nlayout(quads) in;\nvoid main() { gl_Position = gl_in[0].gl_Position; }\n"},
-              {"g.geom", geometry("triangles")},
-              {"f.frag", addingFragment("1., 0., 0.")}});
-    expectEachOnce(picture, 120 * 512);
+              {"e.tese", kEvaluation},
+              {"g.geom", twice},
+              {"f.frag", fragment}});
+    expectEachOnce(tessellated, 50, 1024);
 }
 
 TEST(TriangleNumbers, OfAMeshAreThoseOfTheWholeDraw) {

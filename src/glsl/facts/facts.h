@@ -57,7 +57,4 @@ void collectReaches(ProgramUnits& program);
 /// TranslatedStage::subscripts.
 std::vector<ElementSubscript> subscriptsOf(const Unit& unit);
 
-/// Reports glsl-W28 for local variables whose first use reads them.
-void reportUnassigned(const Unit& unit, Report& report);
-
 }  // namespace glibra::glsl

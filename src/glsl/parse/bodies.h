@@ -38,6 +38,13 @@ struct ReturnValue {
     Type wanted;
 };
 
+/// object[...] in an expression.
+struct Subscript {
+    Range object;
+    std::uint32_t open = 0;  ///< the '['
+    Type type;               ///< of the object
+};
+
 /// An operator between two types that it cannot join.
 struct OperandMismatch {
     std::uint32_t op = 0;
@@ -68,6 +75,7 @@ struct Bodies {
     std::vector<ReturnValue> returns;
     std::vector<ScalarSwizzle> scalarSwizzles;
     std::vector<OperandMismatch> mismatches;
+    std::vector<Subscript> subscripts;
     /// Names of local variables, parameters and local structs, with the view index of the first of each name.
     std::map<std::string, std::uint32_t, std::less<>> localNames;
     /// Names of members of structs and blocks, likewise.

@@ -163,6 +163,7 @@ Type Expressions::postfix() {
     Type type = primary();
     while (at_ < end_) {
         if (peek() == "[") {
+            if (type.known()) bodies_.subscripts.push_back({{first, at_}, at_, type});
             type = index(type);
         } else if (peek() == "." && at_ + 1 < end_) {
             const std::uint32_t dot = at_++;

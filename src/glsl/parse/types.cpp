@@ -228,7 +228,9 @@ Type callType(std::string_view function, std::span<const Type> arguments) {
     if (function == "outerProduct" && arguments.size() == 2)
         return {real, arguments[1].rows, first.rows, 0, -1, {}};
     if (!listed(kGeneric, function)) return {};
-    const bool keepsIntegers = listed(kIntegerToo, function) && (base == integer || base == unsignedInteger);
+    const bool isUnsignedToo = function != "abs" && function != "sign";
+    const bool keepsIntegers =
+        listed(kIntegerToo, function) && (base == integer || (base == unsignedInteger && isUnsignedToo));
     widest.base = keepsIntegers ? base : real;
     return widest;
 }

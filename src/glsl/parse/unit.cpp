@@ -19,6 +19,14 @@ Variable* Unit::variable(std::string_view name) {
     return found == variables.end() ? nullptr : &*found;
 }
 
+const Declaration* Unit::function(std::string_view name) const {
+    const auto found =
+        std::find_if(syntax.declarations.begin(), syntax.declarations.end(), [&](const Declaration& each) {
+            return each.kind == DeclarationKind::function && text(each.name) == name;
+        });
+    return found == syntax.declarations.end() ? nullptr : &*found;
+}
+
 Unit* ProgramUnits::find(Stage stage) {
     const auto found =
         std::find_if(units.begin(), units.end(), [&](const Unit& each) { return each.stage == stage; });

@@ -37,7 +37,8 @@ struct Unit : StageText {
     std::set<std::uint32_t> layoutWords;   ///< tokens of layout(...) that both leave alone
 
     std::vector<std::string> prologue;  ///< lines of GLSL before the user's text
-    int varyingComponents = 0;          ///< number of components of the output block glibra_Varyings
+    int mostVertices = 0;               ///< max_vertices of the emitted geometry stage; 0: not known
+    int varyingComponents = 0;          ///< number of components of the outputs that the translator adds
     /// Statements to be executed after the user's main. If there are any, that is renamed to glibra_main.
     std::vector<std::string> mainEnd;
 
@@ -49,6 +50,8 @@ struct Unit : StageText {
     /// True if the source declares the name anywhere: at file scope, as a local variable, parameter or macro.
     [[nodiscard]] bool isUserName(std::string_view name) const;
     [[nodiscard]] Variable* variable(std::string_view name);
+    /// The first definition of a function of that name, or null.
+    [[nodiscard]] const Declaration* function(std::string_view name) const;
     /// Adds a line to the prologue if it is not there yet.
     void declare(const std::string& line);
 };

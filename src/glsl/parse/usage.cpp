@@ -64,6 +64,12 @@ bool isLiteral(std::span<const ViewToken> tokens) {
 
 }  // namespace
 
+unsigned builtinOutputs(std::string_view function) {
+    const auto* const found = std::find_if(kWritingFunctions.begin(), kWritingFunctions.end(),
+                                           [&](const Output& each) { return each.function == function; });
+    return found == kWritingFunctions.end() ? 0U : found->arguments;
+}
+
 bool isAssignment(std::string_view text) {
     static constexpr std::array<std::string_view, 11> kAssignments = {
         "=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>="};

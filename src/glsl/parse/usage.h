@@ -8,6 +8,9 @@ namespace glibra::glsl {
 /// Fills `declared`, `uses` and `writes` of the unit.
 void findUsage(Unit& unit);
 
+/// The arguments that a built-in function writes, as bits: `modf(x, whole)`.
+unsigned builtinOutputs(std::string_view function);
+
 /// True for "=", "+=", "<<=", ...
 bool isAssignment(std::string_view text);
 

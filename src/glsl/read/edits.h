@@ -32,6 +32,10 @@ class Edits {
     /// Puts text after the token and after what is already there.
     void after(std::uint32_t token, std::string_view text) { of(token).after += text; }
 
+    /// The same inside of what is already there: for the smallest expression around a token.
+    void rightBefore(std::uint32_t token, std::string_view text) { of(token).before += text; }
+    void rightAfter(std::uint32_t token, std::string_view text) { of(token).after.insert(0, text); }
+
     /// The edit of a token, or null.
     [[nodiscard]] const Edit* find(std::uint32_t token) const {
         return index_[token] < 0 ? nullptr : &edits_[static_cast<std::size_t>(index_[token])];

@@ -9,6 +9,7 @@
 #include "base/suggest.h"
 #include "glsl/parse/types.h"
 #include "glsl/parse/usage.h"
+#include "glsl/parse/zero.h"
 #include "glsl/rules/rules.h"
 
 namespace glibra::glsl {
@@ -22,55 +23,6 @@ bool isPerVertex(Stage stage, Storage storage, bool patch) {
     if (stage == Stage::tessControl) return true;
     return storage == Storage::input && (stage == Stage::tessEvaluation || stage == Stage::geometry);
 }
-
-/// The zero of a type as an expression, also of structs and arrays; empty for types without a zero.
-class Zero {
-  public:
-    explicit Zero(const Unit& unit) : unit_(unit) {}
-
-    [[nodiscard]] std::optional<std::string> of(const std::string& type, std::span<const std::string> sizes,
-                                                int depth = 0) const {
-        if (depth > 6 || type.empty()) return std::nullopt;
-        if (sizes.empty()) return scalar(type, depth);
-        const auto element = of(type, sizes.subspan(1), depth + 1);
-        const int count = std::atoi(sizes.front().c_str());
-        if (!element || count < 1 || count > kMostElements) return std::nullopt;
-        std::string text = type;
-        for (const std::string& each : sizes) text += "[" + each + "]";
-        text += "(";
-        for (int i = 0; i < count && text.size() < kLongest; ++i) text += (i ? ", " : "") + *element;
-        if (text.size() >= kLongest) return std::nullopt;
-        return text + ")";
-    }
-
-  private:
-    static constexpr int kMostElements = 1024;
-    static constexpr std::size_t kLongest = 1U << 16;
-
-    [[nodiscard]] std::optional<std::string> scalar(const std::string& type, int depth) const {
-        for (const Declaration& each : unit_.syntax.declarations) {
-            if (!each.type.isStruct || each.type.name != type) continue;
-            std::string text = type + "(";
-            for (const Declaration& member : each.members)
-                for (const Declarator& name : member.declarators) {
-                    const auto value = of(std::string(member.type.name), sizesOf(member, name), depth + 1);
-                    if (!value) return std::nullopt;
-                    text += (text.back() == '(' ? "" : ", ") + *value;
-                }
-            return text + ")";
-        }
-        std::string zero = zeroOf(type);
-        return zero.empty() ? std::nullopt : std::optional(std::move(zero));
-    }
-    [[nodiscard]] std::vector<std::string> sizesOf(const Declaration& member, const Declarator& name) const {
-        std::vector<std::string> sizes;
-        for (const Range& each : name.dimensions) sizes.push_back(sizeText(unit_, each));
-        for (const Range& each : member.type.dimensions) sizes.push_back(sizeText(unit_, each));
-        return sizes;
-    }
-
-    const Unit& unit_;
-};
 
 class Interface {
   public:
@@ -198,8 +150,7 @@ class Interface {
         input.layout.clear();
         input.centroid = input.sample = input.patch = false;
         input.changed = true;
-        const Zero zero(reader_);
-        if (const auto value = zero.of(input.type, all)) input.initializer = " = " + *value;
+        if (const auto value = zeroValue(reader_, input.type, all)) input.initializer = " = " + *value;
     }
 
     /// Replaces the texts of sizes by their values, where these are known.
@@ -314,7 +265,7 @@ class Interface {
             sizes.push_back(each.empty() ? std::to_string(implicitSize(reader_.text(name.name)))
                                          : sizeText(reader_, each));
         for (const Range& each : member.type.dimensions) sizes.push_back(sizeText(reader_, each));
-        return Zero(reader_).of(std::string(member.type.name), sizes);
+        return zeroValue(reader_, std::string(member.type.name), sizes);
     }
     [[nodiscard]] std::string memberValues(const Declaration& input) const {
         std::string text;

@@ -165,13 +165,15 @@ class Completion {
         const int wanted = program_.request->geometryVerticesOut;
         if (!layout_.vertices) {
             if (wanted > most) lowered(wanted, most, components, program_.request->place);
+            unit_.mostVertices = wanted > 0 ? std::min(wanted, most) : most;
             output += (output.empty() ? "max_vertices = " : ", max_vertices = ") +
-                      std::to_string(wanted > 0 ? std::min(wanted, most) : most);
+                      std::to_string(unit_.mostVertices);
             return;
         }
         const Range range = layout_.vertices->value;
         long long value = 0;
         if (!integerValue(unit_, range, value)) return;
+        unit_.mostVertices = static_cast<int>(std::clamp(value, 0LL, static_cast<long long>(most)));
         if (wanted > 0)
             conflict("GeometryVerticesOut", std::to_string(wanted), std::to_string(value),
                      layout_.vertices->tokens.first);

@@ -49,11 +49,11 @@ void completeGeometryLayout(ProgramUnits& program);
 void readFactsAsIs(ProgramUnits& program);
 /// Checks the tessellation stages, and finds what the runtime has to know about them (language, 7.8).
 void checkTessellation(ProgramUnits& program);
-/// Some drivers get the patches of one draw in several draws. So gl_PrimitiveID of the tessellation stages,
-/// and of a fragment stage that directly follows them, is increased by glibra_FirstPatch, the number of
-/// patches in the earlier draws; and gl_PrimitiveIDIn of the geometry stage by glibra_FirstPrimitive, the
-/// number of primitives that it got from those draws.
-void countPatchesInWhole(ProgramUnits& program);
+/// Makes primitives have the same numbers on all drivers (language, 7.8). With tessellation stages they are
+/// those of the patches in all stages; where the driver gets the patches of one draw in several draws,
+/// glibra_FirstPatch is the number of patches in the earlier ones. A fragment stage after a geometry stage
+/// that writes no number gets that of the primitive that the geometry stage got.
+void numberPrimitives(ProgramUnits& program);
 /// Matches the user's own variables between stages (language, 7.9).
 void connectStages(ProgramUnits& program);
 /// Reports uniforms and uniform and storage blocks of one name that two stages declare differently.
@@ -61,12 +61,21 @@ void checkUniformTypes(ProgramUnits& program);
 /// Repairs mistakes in declarations: glsl-W09, W10, W20, W21, W22 (language, 7.10).
 void repairDeclarations(Unit& unit, const TokenWalk& walk, const std::string& geometryInput, Report& report);
 
+/// Gives variables that may be read before they have a value the value zero, and reports those that certainly
+/// are: glsl-W28 (language, 7.13). Call it after connectStages.
+void giveInitialValues(Unit& unit, Report& report);
+/// Only the reports, for a stage that is not translated.
+void reportUnassigned(const Unit& unit, Report& report);
+
 /// The number of vertices of a geometry stage's input primitive.
 int verticesOfPrimitive(std::string_view primitive);
 
 /// Widens scalar arguments of functions that want vectors: glsl-W23 (language, 7.10). Call it after all other
 /// edits of expressions.
 void widenScalars(Unit& unit, Report& report);
+/// Writes the conversions that choose among the overloads of the user's functions into their calls; an
+/// ambiguous call is glsl-E17 (language, 7.9).
+void chooseOverloads(Unit& unit, Report& report);
 /// Limits the subscripts of shared variables in a compute stage. Call it when `renames` are complete.
 void limitSharedSubscripts(Unit& unit, const TokenWalk& walk, TranslatedProgram& result, Report& report);
 /// The text of a vertex stage for ProgramRequest::suppliesFullScreenVertex, and for this fragment stage.
@@ -77,6 +86,10 @@ bool lacksPlace(const Unit& vertex, const Unit& fragment);
 void adaptToTarget(Unit& unit);
 /// Writes `renames` into the edits. Call it last.
 void applyRenames(Unit& unit, const TokenWalk& walk);
+
+/// Lets the stage record what is undefined where it happens (ProgramRequest::checksUndefined). Call it after
+/// applyRenames.
+void recordUndefined(Unit& unit, std::vector<UndefinedSite>& sites);
 
 /// What a texture function of an older version becomes.
 struct TextureFunction {

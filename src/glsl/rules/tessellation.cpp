@@ -58,19 +58,43 @@ int clipDistances(const Unit& unit) {
 
 }  // namespace
 
-void countPatchesInWhole(ProgramUnits& program) {
-    if (!program.find(Stage::tessEvaluation)) return;
-    const auto add = [](Unit& unit, const std::string& number, const std::string& first) {
-        if (!unit.isUsed(number) || unit.isUserName(number)) return;
-        unit.declare("uniform int " + first + ";");
-        unit.renames[number] = "(" + number + " + " + first + ")";
+void numberPrimitives(ProgramUnits& program) {
+    const auto uses = [](const Unit* unit, std::string_view number) {
+        return unit != nullptr && unit->isUsed(number) && !unit->isUserName(number);
     };
-    for (Unit& unit : program.units) {
-        const bool seesPatches = unit.stage == Stage::tessControl || unit.stage == Stage::tessEvaluation ||
-                                 (unit.stage == Stage::fragment && !program.find(Stage::geometry));
-        if (seesPatches) add(unit, "gl_PrimitiveID", "glibra_FirstPatch");
-        if (unit.stage == Stage::geometry) add(unit, "gl_PrimitiveIDIn", "glibra_FirstPrimitive");
+    Unit* const evaluation = program.find(Stage::tessEvaluation);
+    Unit* const geometry = program.find(Stage::geometry);
+    Unit* const fragment = program.find(Stage::fragment);
+    const bool isSupplied = geometry != nullptr && uses(fragment, "gl_PrimitiveID") &&
+                            !geometry->isWritten("gl_PrimitiveID") && geometry->isUsed("EmitVertex");
+    if (evaluation != nullptr) {
+        const std::string whole = "(gl_PrimitiveID + glibra_FirstPatch)";
+        for (Unit& unit : program.units) {
+            const bool seesPatches = unit.stage == Stage::tessControl ||
+                                     unit.stage == Stage::tessEvaluation ||
+                                     (unit.stage == Stage::fragment && geometry == nullptr);
+            if (!seesPatches || !uses(&unit, "gl_PrimitiveID")) continue;
+            unit.declare("uniform int glibra_FirstPatch;");
+            unit.renames["gl_PrimitiveID"] = whole;
+        }
+        if (isSupplied || uses(geometry, "gl_PrimitiveIDIn")) {
+            const Declaration* const main = evaluation->function("main");
+            if (main == nullptr) return;
+            evaluation->declare("uniform int glibra_FirstPatch;");
+            evaluation->declare("out int glibra_Patch;");
+            evaluation->edits.after(evaluation->view[main->body.first].raw, " glibra_Patch = " + whole + ";");
+            geometry->declare("in int glibra_Patch[];");
+            geometry->renames["gl_PrimitiveIDIn"] = "glibra_Patch[0]";
+        }
     }
+    if (!isSupplied) return;
+    const auto emit = geometry->renames.find("EmitVertex");
+    geometry->declare(
+        "void glibra_emitNumbered() { gl_PrimitiveID = " + spelled(*geometry, "gl_PrimitiveIDIn") + "; " +
+        (emit == geometry->renames.end() ? "EmitVertex" : emit->second) + "(); }");
+    geometry->renames["EmitVertex"] = "glibra_emitNumbered";
+    program.result->userNames["glibra_emitNumbered"] = "EmitVertex";
+    ++geometry->varyingComponents;
 }
 
 void checkTessellation(ProgramUnits& program) {

@@ -65,9 +65,12 @@ std::optional<Widening> wideningOf(const Function& function, const Call& call) {
 constexpr std::string_view kFloatOnly =
     " radians degrees sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh pow exp log exp2 log2 sqrt "
     "inversesqrt floor trunc truncate round roundEven ceil fract mod mix step smoothstep length distance dot "
-    "cross normalize faceforward reflect refract dFdx dFdy fwidth fma ";
+    "cross normalize faceforward reflect refract dFdx dFdy fwidth dFdxFine dFdyFine fwidthFine dFdxCoarse "
+    "dFdyCoarse fwidthCoarse fma isnan isinf ";
 /// Functions that exist for floats, ints and unsigned ints; all arguments have one of these types.
 constexpr std::string_view kForAll = " min max clamp ";
+/// Functions that exist for floats and ints, but not for unsigned ints.
+constexpr std::string_view kForSigned = " abs sign ";
 
 /// The type that the integers among the arguments are implicitly converted to; unknown: to none.
 BaseType conversionOf(std::string_view function, std::span<const Type> types) {
@@ -78,10 +81,14 @@ BaseType conversionOf(std::string_view function, std::span<const Type> types) {
         hasDouble = hasDouble || each.base == BaseType::doublePrecision;
         hasInt = hasInt || each.base == BaseType::integer;
         hasUnsigned = hasUnsigned || each.base == BaseType::unsignedInteger;
-        if (each.base == BaseType::boolean) return BaseType::unknown;  // mix(a, b, bool)
+        // mix(a, b, bool) takes all types; a and b get the same one.
+        if (each.base == BaseType::boolean && (function != "mix" || &each != &types.back()))
+            return BaseType::unknown;
     }
-    const bool isFloatOnly = listed(kFloatOnly, function);
-    if (!isFloatOnly && !listed(kForAll, function)) return BaseType::unknown;
+    const bool isSelection = types.back().base == BaseType::boolean;
+    const bool isFloatOnly =
+        (listed(kFloatOnly, function) && !isSelection) || (listed(kForSigned, function) && hasUnsigned);
+    if (!isFloatOnly && !isSelection && !listed(kForAll, function)) return BaseType::unknown;
     if (hasDouble) return BaseType::doublePrecision;
     if (hasFloat || isFloatOnly) return BaseType::floating;
     return hasInt && hasUnsigned ? BaseType::unsignedInteger : BaseType::unknown;
@@ -98,8 +105,9 @@ class Widener {
                 std::find_if(kFunctions.begin(), kFunctions.end(),
                              [&](const Function& each) { return each.name == name; });
             const bool isWidened = function != kFunctions.end();
-            if (unit_.isDeclared(name) || !(isWidened || listed(kFloatOnly, name) || listed(kForAll, name)))
-                continue;
+            const bool isConverted =
+                listed(kFloatOnly, name) || listed(kForAll, name) || listed(kForSigned, name);
+            if (unit_.isDeclared(name) || call.types.empty() || !(isWidened || isConverted)) continue;
             const auto widening = isWidened ? wideningOf(*function, call) : std::optional(Widening{});
             if (widening)
                 decide(call, *widening, conversionOf(name, call.types));

@@ -68,6 +68,8 @@ struct ProgramRequest {
     /// number of all groups: glibra_FirstGroup (groups before the dispatch along each axis),
     /// glibra_FirstInvocation (the same in invocations) and glibra_GroupCount (all groups) are uniforms.
     bool inPieces = false;
+    /// Records at run time what GLSL leaves undefined: TranslatedProgram::undefinedSites. Needs version 430.
+    bool checksUndefined = false;
     std::string geometryInput;             ///< from GeometryInput, a lower-case GLSL word, or empty
     std::string geometryOutput;            ///< from GeometryOutput, likewise
     int geometryVerticesOut = 0;           ///< 0: not given

@@ -101,6 +101,17 @@ struct DeclaredUniform {
     std::vector<std::string> subroutines{};
 };
 
+/// A place of a shader where something undefined may happen. The program counts how often it does, in the
+/// storage block `glibra_Undefined`, an array of numbers: for site i the count at 3 i; then the subscript,
+/// texel or number of vertices that was first found, and its limit.
+struct UndefinedSite {
+    enum class Kind { subscript, texel, level, vertices, divisor };
+    Kind kind = Kind::subscript;
+    std::string text;  ///< of the user: "weights[i]", "texelFetch(uMap, place, 0)", the divisor
+    Place place;
+};
+inline constexpr const char* kUndefinedBlock = "glibra_Undefined";
+
 /// How a program places its vertices, as far as its text proves it. A program with a known placement has only
 /// a vertex stage, or a vertex and a fragment stage, and has no effects except on the picture.
 enum class Placement {
@@ -149,6 +160,7 @@ struct TranslatedProgram {
     std::string geometryOutput;
     std::string tessellationOutput;  ///< "triangles", "lines" or "points" that the evaluation stage delivers
     int fragmentOutputs = 1;         ///< number of colour locations written; 0 without a fragment stage
+    std::vector<UndefinedSite> undefinedSites;  ///< of all stages (ProgramRequest::checksUndefined)
     Placement placement = Placement::unknown;
     bool isOpaque = false;  ///< the text proves that the only colour written always has alpha 1
 

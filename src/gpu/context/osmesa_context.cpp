@@ -3,7 +3,9 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdlib>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -104,6 +106,14 @@ std::variant<std::unique_ptr<Backend>, std::string> tryLibrary(const OsmesaLibra
 
 Attempt openOsmesa(const ContextOptions& options) {
     std::vector<std::string> failures;
+    // OSMesa has no other drivers, and ends the process if it is asked for one (Mesa 22.3).
+    const char* const asked = std::getenv("GALLIUM_DRIVER");
+    const std::string_view driver = asked != nullptr ? asked : "";
+    if (!driver.empty() && driver != "llvmpipe" && driver != "softpipe" && driver != "swrast") {
+        failures.push_back("OSMesa: draws with llvmpipe or softpipe, but GALLIUM_DRIVER is " +
+                           std::string(driver));
+        return failures;
+    }
     for (const std::string& name : options.osmesaLibraries) {
         const auto opened = openLibrary(name);
         if (const std::string* why = std::get_if<std::string>(&opened)) {

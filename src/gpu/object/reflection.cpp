@@ -207,9 +207,15 @@ std::vector<base::CounterBuffer> counterBuffersOf(GLuint program) {
             resource<3>(program, GL_ATOMIC_COUNTER_BUFFER, index,
                         {GL_BUFFER_BINDING, GL_BUFFER_DATA_SIZE, GL_NUM_ACTIVE_VARIABLES});
         base::CounterBuffer buffer{binding, bytes, {}};
-        for (const GLint each : activeVariables(program, GL_ATOMIC_COUNTER_BUFFER, index, counters))
-            buffer.counters.push_back(
-                withoutSubscript(resourceName(program, GL_UNIFORM, static_cast<GLuint>(each))));
+        // In the order in which they lie in the buffer; drivers list them in orders of their own.
+        std::vector<std::pair<GLint, std::string>> inOrder;
+        for (const GLint each : activeVariables(program, GL_ATOMIC_COUNTER_BUFFER, index, counters)) {
+            const auto counter = static_cast<GLuint>(each);
+            const auto [offset] = resource<1>(program, GL_UNIFORM, counter, {GL_OFFSET});
+            inOrder.emplace_back(offset, withoutSubscript(resourceName(program, GL_UNIFORM, counter)));
+        }
+        std::sort(inOrder.begin(), inOrder.end());
+        for (auto& [offset, name] : inOrder) buffer.counters.push_back(std::move(name));
         buffers.push_back(std::move(buffer));
     }
     return buffers;

@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <deque>
 #include <functional>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -49,7 +51,9 @@ std::string whyNothingIsSeen(const plan::FramePlan& plan) {
 
 /// True for diagnostics whose numbers differ from frame to frame.
 bool isOfPixels(const Diagnostic& remark) {
-    return remark.id == "draw-N02" || remark.id == "draw-W06" || remark.id == "draw-W09";
+    constexpr std::array<std::string_view, 7> kIds{"draw-N02", "draw-W06", "draw-W09", "glsl-W29",
+                                                   "glsl-W30", "glsl-W31", "glsl-W32"};
+    return std::find(kIds.begin(), kIds.end(), remark.id) != kIds.end();
 }
 
 }  // namespace

@@ -18,8 +18,8 @@ namespace {
 std::string requestKeyOf(const glsl::ProgramRequest& asked) {
     std::string key =
         fmt::format("{}\n{}:{}:{} {}{}{}{}{} {} {} {} {}{}\n", asked.name, asked.place.file, asked.place.line,
-                    asked.place.column, asked.shim, asked.flatColors, asked.tiled, asked.inPieces,
-                    asked.suppliesFullScreenVertex, asked.colorTargets, asked.geometryInput,
+                    asked.place.column, asked.shim + 2 * asked.checksUndefined, asked.flatColors, asked.tiled,
+                    asked.inPieces, asked.suppliesFullScreenVertex, asked.colorTargets, asked.geometryInput,
                     asked.geometryOutput, asked.geometryVerticesOut, asked.reportsGeometryConflicts);
     for (const glsl::StageSource& each : asked.stages)
         key += fmt::format("{} {}\n", static_cast<int>(each.stage), each.path) + each.text + '\0';
@@ -29,7 +29,7 @@ std::string requestKeyOf(const glsl::ProgramRequest& asked) {
 }  // namespace
 
 ProgramLibrary::~ProgramLibrary() {
-    if (!shared_) return;
+    if (!shared_ || options_.checkUndefined) return;
     for (auto& [variant, built] : programs_)
         if (built->program && !built->key.empty() && !built->isLastGood && built->initialValues.empty())
             shared_->programs.add(built->key,
@@ -39,7 +39,8 @@ ProgramLibrary::~ProgramLibrary() {
 }
 
 bool ProgramLibrary::borrow(const plan::ProgramVariant& variant, BuiltProgram& built) {
-    std::optional<SharedProgram> earlier = shared_ ? shared_->programs.take(built.key) : std::nullopt;
+    std::optional<SharedProgram> earlier =
+        shared_ && !options_.checkUndefined ? shared_->programs.take(built.key) : std::nullopt;
     if (!earlier) return false;
     built.program.emplace(std::move(earlier->program));
     static_cast<base::ActiveResources&>(built.interface) = std::move(earlier->resources);

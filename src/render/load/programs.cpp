@@ -222,6 +222,7 @@ glsl::ProgramRequest ProgramLibrary::request(const plan::ProgramVariant& variant
     request.name = program.name;
     request.place = program.place;
     request.shim = options_.shim;
+    request.checksUndefined = options_.checkUndefined;
     request.suppliesFullScreenVertex = variant.isFullScreen;
     request.acceptsStorage = scene_.isModern;
     request.geometryInput = program.geometryInput;
@@ -288,6 +289,7 @@ bool ProgramLibrary::compile(const plan::ProgramVariant& variant, const glsl::Tr
     if (!context_.capabilities().atLeast(4, 3))
         built.interface.outputs = declaredOutputs(translated, *outcome.program);
     built.program = std::move(outcome.program);
+    countUndefined(translated, built, diagnostics);
     return true;
 }
 

@@ -16,6 +16,7 @@
 #include "glsl/emit/wrapped_main.h"
 #include "glsl/types/request.h"
 #include "gpu/context/context.h"
+#include "gpu/object/buffer.h"
 #include "gpu/object/program.h"
 #include "plan/frame_plan.h"
 #include "render/load/shared_parts.h"
@@ -46,6 +47,9 @@ struct BuiltProgram {
         initialValues;  ///< if draws of the scene set values of their own; otherwise empty
     mutable const void* literalsOf =
         nullptr;  ///< the part of a FrameDrawer whose constants the uniforms have; null: none
+    /// With RenderOptions::checkUndefined: what facts.undefinedSites count, and where it is bound.
+    std::optional<gpu::Buffer> undefined;
+    unsigned undefinedBinding = 0;
     std::vector<glsl::TranslatedStage> refused;  ///< the stages, if the driver refused them
 };
 
@@ -86,6 +90,8 @@ class ProgramLibrary {
     void stopObserving() { observed_.reset(); }
     /// A source of the program whose text may not be shown, because it lies outside of the scene's folder and
     /// the library; empty if there is none. It is known after interfaceOf.
+    /// What the programs did since the last call that GLSL leaves undefined: glsl-W29 ... W32.
+    Diagnostics takeUndefined();
     [[nodiscard]] std::string hiddenSource(scene::ProgramIndex program) const;
     /// True if the program may write to an image, a storage block or an atomic counter. In a classic scene:
     /// if a source names an image function.
@@ -119,6 +125,9 @@ class ProgramLibrary {
                                     const glsl::TranslatedProgram& translated) const;
     /// The program's name, and its index among the programs of that name.
     [[nodiscard]] std::pair<int, std::string> identityOf(const plan::ProgramVariant& variant) const;
+    /// Separates the block that counts what is undefined from those of the scene.
+    void countUndefined(const glsl::TranslatedProgram& translated, BuiltProgram& built,
+                        Diagnostics& diagnostics) const;
     BuiltProgram* earlierByKey(const std::string& key);
     BuiltProgram* lastGoodOf(const plan::ProgramVariant& variant);
     bool compile(const plan::ProgramVariant& variant, const glsl::TranslatedProgram& translated,

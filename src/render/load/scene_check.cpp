@@ -73,12 +73,14 @@ std::vector<TranslatedShader> translatedShaders(const SceneRenderer::State& stat
 CheckResult checkScene(gpu::Context& context, const std::filesystem::path& path,
                        const RenderOptions& options) {
     Stats stats;
+    RenderOptions compiled = options;
+    compiled.checkUndefined = false;  // nothing is drawn
     CheckResult result;
     Result<InterpretedScene> interpreted = interpretFile(path, options, stats);
     result.diagnostics = std::move(interpreted.diagnostics);
     if (interpreted) {
         // A scene with errors in its text is checked further, because its shaders may have errors too.
-        SceneRenderer::State state(context, options, std::move(*interpreted), false, stats, nullptr);
+        SceneRenderer::State state(context, compiled, std::move(*interpreted), false, stats, nullptr);
         append(result.diagnostics, state.preparePlan(stats, true));
         result.shaders = translatedShaders(state);
     }

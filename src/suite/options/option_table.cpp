@@ -155,6 +155,9 @@ constexpr OptionRow kRows[] = {
      .isRare = true},
     {"check-nan", "", FlagValue{kTo<&Options::checkNan>},
      "name the draws that put NaN or infinity into the picture, or lose vertices by it"},
+    {"check-undefined", "", FlagValue{kTo<&Options::checkUndefined>},
+     "find subscripts outside of arrays, fetches outside of textures, vertices beyond max_vertices and "
+     "divisions by uniforms that are 0"},
     {.name = "no-skip",
      .key = "",
      .value = FlagValue{kTo<&Options::skip>, false},

@@ -107,11 +107,11 @@ std::string keyOfDriver(Driver driver, const base::WorkerOptions& workers) {
 std::map<ShotReference, std::string> fingerprints(std::span<const Suite> suites,
                                                   std::span<const ShotReference> shots,
                                                   const ShotInputs& inputs, const RunOptions& options) {
-    const std::string ofRun =
-        fmt::format("{}\n{}\n{} {} {} {} {} {}\n{} {}", contentOf("/proc/self/exe"),
-                    static_cast<int>(options.driver), options.skip, options.update, options.force,
-                    options.variant, options.allowOutside, options.sandbox != nullptr,
-                    options.timeout.value_or(-1), options.memory ? std::to_string(*options.memory) : "-");
+    const std::string ofRun = fmt::format(
+        "{}\n{}\n{} {} {} {} {} {}\n{} {}", contentOf("/proc/self/exe"), static_cast<int>(options.driver),
+        options.skip + 2 * options.checkUndefined, options.update, options.force, options.variant,
+        options.allowOutside, options.sandbox != nullptr, options.timeout.value_or(-1),
+        options.memory ? std::to_string(*options.memory) : "-");
     GoldenNames goldens;
     std::map<std::size_t, GoldenStore> stores;  // per suite
     const auto linesOf = [&](std::size_t suite, const Shot& shot) {

@@ -45,9 +45,9 @@ std::string portableSettingsOf(const Shot& shot) {
 std::string planDigest(std::span<const Suite> suites, std::span<const ShotReference> undivided,
                        const RunOptions& options) {
     std::string text =
-        fmt::format("{} {} {} {} {} {}\n{} {}", options.skip, options.update, options.force, options.variant,
-                    options.allowOutside, options.sandbox != nullptr, options.timeout.value_or(-1),
-                    options.memory ? std::to_string(*options.memory) : "-");
+        fmt::format("{} {} {} {} {} {}\n{} {}", options.skip + 2 * options.checkUndefined, options.update,
+                    options.force, options.variant, options.allowOutside, options.sandbox != nullptr,
+                    options.timeout.value_or(-1), options.memory ? std::to_string(*options.memory) : "-");
     for (const Suite& suite : suites) text += "\n" + suite.name;
     std::map<fs::path, std::string> contents;
     for (const ShotReference& each : undivided) {

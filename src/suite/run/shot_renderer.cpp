@@ -15,6 +15,7 @@ ShotRenderer::Source ShotRenderer::sourceOf(const Shot& shot) const {
     Source source{shot.script, shot.options};
     source.options.time = 0;
     source.options.skip = skip_;
+    source.options.checkUndefined = checksUndefined_;
     source.options.checks = true;
     return source;
 }

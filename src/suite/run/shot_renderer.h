@@ -27,10 +27,15 @@ inline constexpr std::size_t kShotsAhead = 2;
 
 class ShotRenderer {
   public:
-    /// The context must outlive the object. `skip` is RunOptions::skip. `awaits` is called before the
-    /// renderer waits for another shot that is being prepared, and with null after it.
-    ShotRenderer(gpu::Context& context, bool skip, std::function<void(const Shot*)> awaits = {})
-        : context_(context), skip_(skip), awaits_(std::move(awaits)), shared_(std::in_place) {}
+    /// The context must outlive the object. `skip` and `checksUndefined` are those of RunOptions. `awaits` is
+    /// called before the renderer waits for another shot that is being prepared, and with null after it.
+    ShotRenderer(gpu::Context& context, bool skip, std::function<void(const Shot*)> awaits = {},
+                 bool checksUndefined = false)
+        : context_(context),
+          skip_(skip),
+          checksUndefined_(checksUndefined),
+          awaits_(std::move(awaits)),
+          shared_(std::in_place) {}
 
     /// Errors are in the result, including draw-E05 if memory runs out. `coming`, at most kShotsAhead shots,
     /// are prepared meanwhile for the calls that render them. The picture does not depend on them.
@@ -71,7 +76,7 @@ class ShotRenderer {
     Result<image::Image> draw(double time);
 
     gpu::Context& context_;
-    bool skip_;
+    bool skip_, checksUndefined_;
     std::function<void(const Shot*)> awaits_;
     std::optional<render::SharedParts> shared_;
     std::optional<Loaded> loaded_;

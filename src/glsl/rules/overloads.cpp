@@ -1,0 +1,165 @@
+// Calls of the user's own functions that fit several overloads, or fit one by a conversion. Drivers choose
+// differently, so the choice is made here by the rules of GLSL 4.60, 6.1.1, and written into the call.
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "glsl/parse/types.h"
+#include "glsl/rules/rules.h"
+
+namespace glibra::glsl {
+namespace {
+
+/// How well an argument fits a parameter. Only some conversions are better than others.
+enum class Fit { none, exact, floatToDouble, integerToFloat, integerToDouble, integerToUnsigned };
+
+Fit fitOf(const Type& from, const Type& to) {
+    if (from == to) return Fit::exact;
+    if (from.columns != to.columns || from.rows != to.rows || from.arrayDepth != to.arrayDepth)
+        return Fit::none;
+    if (from.base == BaseType::floating && to.base == BaseType::doublePrecision) return Fit::floatToDouble;
+    if (!from.integral()) return Fit::none;
+    if (to.base == BaseType::floating) return Fit::integerToFloat;
+    if (to.base == BaseType::doublePrecision) return Fit::integerToDouble;
+    const bool isToUnsigned = from.base == BaseType::integer && to.base == BaseType::unsignedInteger;
+    return isToUnsigned ? Fit::integerToUnsigned : Fit::none;
+}
+
+bool isBetter(Fit a, Fit b) {
+    if (a == b) return false;
+    if (a == Fit::exact) return true;
+    if (b == Fit::exact) return false;
+    return a == Fit::floatToDouble || (a == Fit::integerToFloat && b == Fit::integerToDouble);
+}
+
+struct Overload {
+    const Declaration* declaration = nullptr;
+    std::vector<Type> types;
+    std::vector<Fit> fits{};
+
+    [[nodiscard]] bool operator==(const Overload& other) const { return types == other.types; }
+};
+
+/// True if one argument fits better and none worse.
+bool isBetter(const Overload& a, const Overload& b) {
+    bool anyBetter = false;
+    for (std::size_t i = 0; i < a.fits.size(); ++i) {
+        if (isBetter(b.fits[i], a.fits[i])) return false;
+        anyBetter = anyBetter || isBetter(a.fits[i], b.fits[i]);
+    }
+    return anyBetter;
+}
+
+class OverloadChoice {
+  public:
+    OverloadChoice(Unit& unit, Report& report) : unit_(unit), report_(report) {
+        for (const Declaration& each : unit.syntax.declarations)
+            if (each.kind == DeclarationKind::function || each.kind == DeclarationKind::prototype) add(each);
+    }
+
+    void run() {
+        for (const Call& each : unit_.bodies.calls)
+            if (unit_.bodies.roles[each.name] == WordRole::global) choose(each);
+    }
+
+  private:
+    void add(const Declaration& declaration) {
+        Overload overload{&declaration, {}};
+        for (const Parameter& each : declaration.parameters) {
+            Type type = typeOfWord(each.type.name);
+            type.arrayDepth =
+                static_cast<std::uint16_t>(each.type.dimensions.size() + each.dimensions.size());
+            overload.types.push_back(type);
+        }
+        std::vector<Overload>& known = functions_[unit_.text(declaration.name)];
+        if (std::find(known.begin(), known.end(), overload) == known.end())
+            known.push_back(std::move(overload));
+    }
+
+    static Storage storageOf(const Overload& overload, std::size_t argument) {
+        return overload.declaration->parameters[argument].qualifiers.storage;
+    }
+
+    /// How the arguments fit; false if one does not.
+    static bool fit(Overload& overload, const std::vector<Type>& types) {
+        for (std::size_t i = 0; i < types.size(); ++i) {
+            const Storage storage = storageOf(overload, i);
+            Fit found = Fit::none;
+            if (storage == Storage::output)
+                found = fitOf(overload.types[i], types[i]);
+            else if (storage != Storage::inputOutput || overload.types[i] == types[i])
+                found = fitOf(types[i], overload.types[i]);
+            if (found == Fit::none) return false;
+            overload.fits.push_back(found);
+        }
+        return true;
+    }
+
+    void choose(const Call& call) {
+        const auto known = functions_.find(unit_.text(call.name));
+        if (known == functions_.end()) return;
+        const auto isNumeric = [](const Type& each) { return each.numeric(); };
+        if (!std::all_of(call.types.begin(), call.types.end(), isNumeric)) return;
+        std::vector<Overload> all, fitting;
+        for (const Overload& each : known->second)
+            if (each.types.size() == call.types.size()) all.push_back(each);
+        if (all.size() < 2) return;
+        for (Overload& each : all) {
+            // A structure, or a type that is not known here, does not fit a number.
+            const bool isKnown = std::all_of(each.types.begin(), each.types.end(),
+                                             [](const Type& type) { return type.known(); });
+            if (isKnown && fit(each, call.types)) fitting.push_back(each);
+        }
+        if (fitting.empty()) return;
+        const auto best = std::find_if(fitting.begin(), fitting.end(), [&](const Overload& each) {
+            return std::all_of(fitting.begin(), fitting.end(), [&](const Overload& other) {
+                return &other == &each || isBetter(each, other);
+            });
+        });
+        if (best == fitting.end()) return ambiguous(call, fitting);
+        for (std::size_t i = 0; i < call.arguments.size(); ++i) {
+            if (best->fits[i] == Fit::exact || storageOf(*best, i) == Storage::output) continue;
+            const Range& argument = call.arguments[i];
+            unit_.edits.before(unit_.view[argument.first].raw, wordOf(best->types[i]) + "(");
+            unit_.edits.after(unit_.view[argument.end - 1].raw, ")");
+        }
+    }
+
+    static std::string listOf(std::string_view name, const std::vector<Type>& types) {
+        std::string text(name);
+        text += "(";
+        for (std::size_t i = 0; i < types.size(); ++i) text += (i ? ", " : "") + wordOf(types[i]);
+        return text + ")";
+    }
+
+    void ambiguous(const Call& call, const std::vector<Overload>& fitting) {
+        const std::string_view name = unit_.text(call.name);
+        // The first two of which neither is better
+        for (std::size_t i = 0; i < fitting.size(); ++i)
+            for (std::size_t k = i + 1; k < fitting.size(); ++k) {
+                if (isBetter(fitting[i], fitting[k]) || isBetter(fitting[k], fitting[i])) continue;
+                report_.report("glsl-E17",
+                               "the call " + listOf(name, call.types) + " is ambiguous: '" +
+                                   listOf(name, fitting[i].types) + "' and '" +
+                                   listOf(name, fitting[k].types) + "' fit; convert an argument",
+                               unit_.place(call.name));
+                return;
+            }
+    }
+
+    Unit& unit_;
+    Report& report_;
+    std::map<std::string_view, std::vector<Overload>> functions_;
+};
+
+}  // namespace
+
+void chooseOverloads(Unit& unit, Report& report) {
+    OverloadChoice(unit, report).run();
+}
+
+}  // namespace glibra::glsl

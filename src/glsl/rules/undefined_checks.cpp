@@ -1,0 +1,413 @@
+// The checks of --check-undefined (language, 7.13): subscripts, fetches, vertices and divisors whose effect
+// GLSL leaves open are counted where they happen, and the first one is recorded. The functions return what
+// they are given, except that subscripts are limited to the array, since some drivers would stop.
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "glsl/parse/types.h"
+#include "glsl/parse/usage.h"
+#include "glsl/read/words.h"
+#include "glsl/rules/rules.h"
+#include "glsl/types/builtins.h"
+
+namespace glibra::glsl {
+namespace {
+
+constexpr std::size_t kMostSites = 4096;  // of a program
+constexpr std::size_t kLongestText = 60;
+
+/// The coordinates of a texture or image by its type word.
+struct TexelSpace {
+    int dimensions = 0;
+    bool hasLevels = false;
+    bool isCube = false;  ///< of an image, whose size lacks the six faces
+};
+TexelSpace spaceOf(std::string_view word) {
+    const std::size_t at = std::min(word.find("sampler"), word.find("image"));
+    if (at == std::string_view::npos) return {};
+    const std::string_view rest = word.substr(at + (word.substr(at).starts_with("sampler") ? 7 : 5));
+    const bool isMultisampled = rest.find("MS") != std::string_view::npos;
+    const bool isArray = rest.ends_with("Array") || rest.ends_with("ArrayShadow");
+    if (rest.starts_with("Buffer")) return {1, false, false};
+    if (rest.starts_with("Cube")) return {3, false, true};
+    if (rest.starts_with("2DRect")) return {2, false, false};
+    const int plain = rest.starts_with('1') ? 1 : rest.starts_with('2') ? 2 : rest.starts_with('3') ? 3 : 0;
+    return {plain == 0 ? 0 : plain + (isArray ? 1 : 0), !isMultisampled, false};
+}
+
+class UndefinedChecks {
+  public:
+    UndefinedChecks(Unit& unit, std::vector<UndefinedSite>& sites) : unit_(unit), sites_(sites) {}
+
+    void run() {
+        // All texts are read before the first edit.
+        for (const Subscript& each : unit_.bodies.subscripts) subscript(each);
+        for (const Call& each : unit_.bodies.calls) call(each);
+        divisors();
+        // Smaller ranges first, so that brackets nest.
+        std::stable_sort(changes_.begin(), changes_.end(), [](const Change& a, const Change& b) {
+            return a.last - a.first < b.last - b.first;
+        });
+        for (const Change& each : changes_) {
+            if (each.isInside) {
+                unit_.edits.after(each.first, each.before);
+                unit_.edits.before(each.last, each.after);
+            } else if (each.isOperand) {
+                unit_.edits.rightBefore(each.first, each.before);
+                unit_.edits.rightAfter(each.last, each.after);
+            } else {
+                unit_.edits.before(each.first, each.before);
+                unit_.edits.after(each.last, each.after);
+            }
+        }
+        declare();
+    }
+
+  private:
+    using Kind = UndefinedSite::Kind;
+    struct Change {
+        std::uint32_t first, last;  ///< tokens
+        std::string before, after;
+        bool isInside = false;   ///< `before` comes after the first token, and `after` before the last one
+        bool isOperand = false;  ///< a divisor, which is smaller than all else that ends with it
+    };
+
+    [[nodiscard]] std::string_view text(std::uint32_t at) const { return unit_.text(at); }
+    [[nodiscard]] std::uint32_t match(std::uint32_t at) const { return unit_.bodies.matches[at]; }
+
+    [[nodiscard]] bool isInFunction(std::uint32_t at) const {
+        return std::any_of(unit_.syntax.declarations.begin(), unit_.syntax.declarations.end(),
+                           [&](const Declaration& each) {
+                               return each.kind == DeclarationKind::function && each.body.contains(at);
+                           });
+    }
+
+    /// The number of a new site as text; nothing if there are too many.
+    std::optional<std::string> site(Kind kind, Range range, std::uint32_t place) {
+        if (sites_.size() == kMostSites) return std::nullopt;
+        std::string shown = textOf(unit_, range);
+        if (shown.size() > kLongestText) shown = shown.substr(0, kLongestText - 3) + "...";
+        sites_.push_back({kind, std::move(shown), unit_.place(place)});
+        return std::to_string(sites_.size() - 1);
+    }
+
+    /// The range as it is emitted.
+    [[nodiscard]] std::string emitted(Range range) const {
+        std::string result;
+        for (std::uint32_t i = range.first; i < range.end; ++i) {
+            const Edit* edit = unit_.edits.find(unit_.view[i].raw);
+            if (!result.empty()) result += ' ';
+            if (edit == nullptr) {
+                result += text(i);
+                continue;
+            }
+            result += edit->before;
+            result += edit->replaced ? std::string_view(edit->text) : text(i);
+            result += edit->after;
+        }
+        return result;
+    }
+
+    /// True if evaluating the range twice is like evaluating it once.
+    [[nodiscard]] bool isIdle(Range range) const {
+        for (std::uint32_t i = range.first; i < range.end; ++i) {
+            const bool isCall =
+                unit_.view[i].kind == TokenKind::word && text(i + 1) == "(" && !isTypeWord(text(i));
+            if (isAssignment(text(i)) || text(i) == "++" || text(i) == "--" || isCall) return false;
+        }
+        return true;
+    }
+
+    /// True if all names in the range are constants.
+    [[nodiscard]] bool isConstant(Range range) const {
+        for (std::uint32_t i = range.first; i < range.end; ++i) {
+            const WordRole role = unit_.bodies.roles[i];
+            if (role != WordRole::local && role != WordRole::global) continue;
+            if (role == WordRole::local ? !constantLocals().contains(text(i)) : !isConstantName(text(i)))
+                return false;
+        }
+        return true;
+    }
+    [[nodiscard]] const std::set<std::string_view>& constantLocals() const {
+        if (!hasLocals_) {
+            std::set<std::string_view> others;
+            for (const LocalVariable& each : unit_.bodies.locals)
+                (each.constToken == kNone ? others : constants_).insert(text(each.name));
+            for (const std::string_view each : others) constants_.erase(each);
+            hasLocals_ = true;
+        }
+        return constants_;
+    }
+    [[nodiscard]] bool isConstantName(std::string_view name) const {
+        const Variable* variable = unit_.variable(name);
+        if (variable != nullptr) return variable->storage == Storage::constant;
+        if (findBuiltinUniform(name) != nullptr) return false;
+        return name.starts_with("gl_Max") || (!unit_.isDeclared(name) && !name.starts_with("gl_"));
+    }
+
+    void wrap(Range range, const std::string& function, const std::string& rest, bool isOperand = false) {
+        changes_.push_back({unit_.view[range.first].raw, unit_.view[range.end - 1].raw, function + "(",
+                            ", " + rest + ")", false, isOperand});
+    }
+
+    // ---- Subscripts
+
+    void subscript(const Subscript& each) {
+        const std::uint32_t close = match(each.open);
+        if (close >= unit_.view.size() || !isInFunction(each.open)) return;
+        const Range index{each.open + 1, close};
+        if (index.empty() || isConstant(index)) return;
+        std::string length;
+        if (each.type.arrayDepth > 0) {
+            if (!isIdle(each.object)) return;
+            length = emitted(each.object) + ".length()";
+        } else if (each.type.vector()) {
+            length = std::to_string(each.type.rows);
+        } else if (each.type.matrix()) {
+            length = std::to_string(each.type.columns);
+        } else {
+            return;
+        }
+        const auto number = site(Kind::subscript, {each.object.first, close + 1}, each.open);
+        if (!number) return;
+        changes_.push_back({unit_.view[each.open].raw, unit_.view[close].raw, "glibra_element(",
+                            ", " + length + ", " + *number + ")", true, false});
+        usesElements_ = true;
+    }
+
+    // ---- Fetches and vertices
+
+    void call(const Call& each) {
+        const std::string_view name = text(each.name);
+        const bool isUsers = unit_.isDeclared(name);
+        if (isUsers || !isInFunction(each.name)) return;
+        if (name == "EmitVertex") return vertex(each);
+        if (name.starts_with("texelFetch")) return fetch(each, name.find("Offset") != std::string_view::npos);
+        if (name.starts_with("imageLoad") || name.starts_with("imageStore") ||
+            name.starts_with("imageAtomic"))
+            return image(each);
+        if (name == "mod" && each.arguments.size() == 2 && isUniform(each.arguments[1]))
+            divisor(each.arguments[1], false);
+    }
+
+    void vertex(const Call& each) {
+        if (unit_.mostVertices <= 0 || text(each.name + 1) != "(") return;
+        const auto number = site(Kind::vertices, {each.name, each.name + 3}, each.name);
+        if (!number) return;
+        if (emitVertex_.empty()) emitVertex_ = emitted({each.name, each.name + 1});
+        unit_.edits.replace(unit_.view[each.name].raw, "glibra_vertex");
+        unit_.edits.after(unit_.view[each.name + 1].raw, *number);
+    }
+
+    [[nodiscard]] Range whole(const Call& each) const { return {each.name, match(each.name + 1) + 1}; }
+
+    void texel(const Call& each, const std::string& size, const std::string& offset) {
+        const auto number = site(Kind::texel, whole(each), each.name);
+        if (!number) return;
+        wrap(each.arguments[1], "glibra_texel", size + ", " + offset + *number);
+        usesTexels_ = true;
+    }
+
+    void fetch(const Call& each, bool hasOffset) {
+        if (each.arguments.size() < 2 || !isIdle(each.arguments[0])) return;
+        const TexelSpace space = spaceOf(each.types[0].word);
+        if (space.dimensions == 0) return;
+        const std::string map = emitted(each.arguments[0]);
+        const bool hasLevel = space.hasLevels && each.arguments.size() >= 3;
+        if (hasLevel && !isIdle(each.arguments[2])) return;
+        std::string offset;
+        if (hasOffset) offset = emitted(each.arguments.back()) + ", ";
+        texel(each, "textureSize(" + map + (hasLevel ? ", " + emitted(each.arguments[2]) : "") + ")", offset);
+        if (!hasLevel || isConstantZero(each.arguments[2])) return;
+        if (const auto number = site(Kind::level, whole(each), each.name)) {
+            wrap(each.arguments[2], "glibra_element", "textureQueryLevels(" + map + "), " + *number);
+            usesElements_ = true;
+        }
+    }
+    [[nodiscard]] bool isConstantZero(Range range) const {
+        return range.end == range.first + 1 && text(range.first) == "0";
+    }
+
+    void image(const Call& each) {
+        if (each.arguments.size() < 2 || !isIdle(each.arguments[0])) return;
+        const TexelSpace space = spaceOf(each.types[0].word);
+        if (space.dimensions == 0) return;
+        std::string size = "imageSize(" + emitted(each.arguments[0]) + ")";
+        if (space.isCube)
+            size =
+                each.types[0].word.ends_with("Array") ? size + " * ivec3(1, 1, 6)" : "ivec3(" + size + ", 6)";
+        texel(each, size, "");
+    }
+
+    // ---- Divisors
+
+    /// True for an expression of uniforms and constants, with a uniform.
+    [[nodiscard]] bool isUniform(Range range) const {
+        bool any = false;
+        for (std::uint32_t i = range.first; i < range.end; ++i) {
+            const WordRole role = unit_.bodies.roles[i];
+            if (role == WordRole::local && !constantLocals().contains(text(i))) return false;
+            if (role != WordRole::global || isConstantName(text(i))) {
+                const bool isCall = text(i + 1) == "(" && unit_.view[i].kind == TokenKind::word;
+                if (isCall && unit_.isDeclared(text(i))) return false;
+                continue;
+            }
+            const Variable* variable = unit_.variable(text(i));
+            const bool isOfUniform = variable != nullptr
+                                         ? variable->storage == Storage::uniform
+                                         : isUniformMember(text(i)) || findBuiltinUniform(text(i)) != nullptr;
+            if (!isOfUniform) return false;
+            any = true;
+        }
+        return any;
+    }
+    /// A member of a uniform block, or the block.
+    [[nodiscard]] bool isUniformMember(std::string_view name) const {
+        const auto declared = unit_.declared.find(name);
+        if (declared == unit_.declared.end()) return false;
+        return std::any_of(
+            unit_.syntax.declarations.begin(), unit_.syntax.declarations.end(), [&](const Declaration& each) {
+                return each.kind == DeclarationKind::block && each.qualifiers.storage == Storage::uniform &&
+                       each.tokens.contains(declared->second);
+            });
+    }
+
+    /// The operand that begins at `at`.
+    [[nodiscard]] Range operand(std::uint32_t at) const {
+        std::uint32_t i = at;
+        while (listed(" + - ! ~ ", text(i))) ++i;
+        if (i >= unit_.view.size()) return {at, at};
+        if (text(i) == "(")
+            i = match(i);
+        else if (unit_.view[i].kind != TokenKind::word && unit_.view[i].kind != TokenKind::number)
+            return {at, at};
+        ++i;
+        while (i < unit_.view.size()) {
+            if (text(i) == "(" || text(i) == "[")
+                i = match(i) + 1;
+            else if (text(i) == ".")
+                i += 2;
+            else
+                break;
+        }
+        return {at, std::min(i, static_cast<std::uint32_t>(unit_.view.size()))};
+    }
+
+    /// The rest of the assignment from `at` on.
+    [[nodiscard]] Range assigned(std::uint32_t at) const {
+        std::uint32_t i = at;
+        while (i < unit_.view.size() && !listed(" ; , ) ] } ", text(i)))
+            i = match(i) < unit_.view.size() && match(i) > i ? match(i) + 1 : i + 1;
+        return {at, i};
+    }
+
+    void divisors() {
+        for (const std::string_view each : {"dmat2", "dmat3", "dmat4"})
+            if (unit_.isUsed(each)) return;
+        for (const Declaration& each : unit_.syntax.declarations) {
+            if (each.kind != DeclarationKind::function) continue;
+            for (std::uint32_t i = each.body.first; i < each.body.end; ++i) {
+                const bool isAssigned = text(i) == "/=" || text(i) == "%=";
+                if (!isAssigned && text(i) != "/" && text(i) != "%") continue;
+                const Range range = isAssigned ? assigned(i + 1) : operand(i + 1);
+                if (!range.empty() && !isConstant(range)) divisor(range, !isAssigned);
+            }
+        }
+    }
+
+    void divisor(Range range, bool isOperand) {
+        const auto number = site(Kind::divisor, range, range.first);
+        if (!number) return;
+        // Float divisors that differ from pixel to pixel may be 0: the quotient is infinite then.
+        wrap(range, isUniform(range) ? "glibra_divisor" : "glibra_wholeDivisor", *number, isOperand);
+        usesDivisors_ = true;
+    }
+
+    // ---- Functions
+
+    void declare() {
+        if (!usesElements_ && !usesTexels_ && !usesDivisors_ && emitVertex_.empty()) return;
+        const auto add = [&](const std::string& line) { unit_.declare(line); };
+        add("layout(std430) buffer glibra_Undefined { int glibra_undefined[]; };");
+        add("void glibra_note(int site, int value, int limit) { if (atomicAdd(glibra_undefined[3 * site], 1) "
+            "== 0) { glibra_undefined[3 * site + 1] = value; glibra_undefined[3 * site + 2] = limit; } }");
+        if (usesElements_) {
+            add("int glibra_element(int i, int n, int site) { if (i < 0 || i >= n) glibra_note(site, i, n); "
+                "return clamp(i, 0, max(n - 1, 0)); }");
+            add("uint glibra_element(uint i, int n, int site) { return uint(glibra_element(int(min(i, "
+                "0x7fffffffu)), n, site)); }");
+        }
+        if (usesTexels_) texelFunctions();
+        if (usesDivisors_) divisorFunctions();
+        if (emitVertex_.empty()) return;
+        add("int glibra_vertices = 0;");
+        const std::string most = std::to_string(unit_.mostVertices);
+        add("void glibra_vertex(int site) { if (++glibra_vertices > " + most +
+            ") glibra_note(site, glibra_vertices, " + most + "); " + emitVertex_ + "(); }");
+    }
+
+    void texelFunctions() {
+        unit_.declare(
+            "int glibra_texel(int p, int n, int o, int site) { if (p + o < 0 || p + o >= n) "
+            "glibra_note(site, p + o, n); return p; }");
+        unit_.declare("int glibra_texel(int p, int n, int site) { return glibra_texel(p, n, 0, site); }");
+        for (int size = 2; size <= 3; ++size) {
+            const std::string type = "ivec" + std::to_string(size);
+            unit_.declare(type + " glibra_texel(" + type + " p, " + type + " n, " + type +
+                          " o, int site) { for (int i = 0; i < " + std::to_string(size) +
+                          "; ++i) if (p[i] + o[i] < 0 || p[i] + o[i] >= n[i]) { glibra_note(site, p[i] + "
+                          "o[i], n[i]); break; } return p; }");
+            unit_.declare(type + " glibra_texel(" + type + " p, " + type +
+                          " n, int site) { return glibra_texel(p, n, " + type + "(0), site); }");
+        }
+    }
+
+    void divisorFunctions() {
+        const auto add = [&](const std::string& function, const std::string& type, const std::string& test) {
+            unit_.declare(type + " " + function + "(" + type + " x, int site) { " +
+                          (test.empty() ? "" : "if (" + test + ") glibra_note(site, 0, 0); ") +
+                          "return x; }");
+        };
+        for (const std::string function : {"glibra_divisor", "glibra_wholeDivisor"}) {
+            const bool isWhole = function == "glibra_wholeDivisor";
+            for (const std::string prefix : {"", "d", "i", "u"}) {
+                const bool isFloat = prefix.empty() || prefix == "d";
+                const std::string scalar = prefix.empty()  ? "float"
+                                           : prefix == "d" ? "double"
+                                           : prefix == "i" ? "int"
+                                                           : "uint";
+                const bool isTested = !isFloat || !isWhole;
+                add(function, scalar, isTested ? "x == " + scalar + "(0)" : "");
+                for (const char size : {'2', '3', '4'}) {
+                    const std::string type = prefix + "vec" + size;
+                    add(function, type, isTested ? "any(equal(x, " + type + "(0)))" : "");
+                }
+            }
+            for (const char columns : {'2', '3', '4'})
+                for (const char rows : {'2', '3', '4'})
+                    add(function, std::string("mat") + columns + "x" + rows, "");
+        }
+    }
+
+    Unit& unit_;
+    std::vector<UndefinedSite>& sites_;
+    std::vector<Change> changes_;
+    std::string emitVertex_;  ///< the function as the stage calls it; empty: it does not
+    bool usesElements_ = false, usesTexels_ = false, usesDivisors_ = false;
+    mutable std::set<std::string_view> constants_;
+    mutable bool hasLocals_ = false;
+};
+
+}  // namespace
+
+void recordUndefined(Unit& unit, std::vector<UndefinedSite>& sites) {
+    if (unit.request->target.version >= 430) UndefinedChecks(unit, sites).run();
+}
+
+}  // namespace glibra::glsl
