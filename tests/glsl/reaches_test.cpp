@@ -153,6 +153,18 @@ TEST(FirstReads, FollowThePathsOfTheProgram) {
     EXPECT_EQ(unassigned("float a; for (int i = 0; i < 3; ++i) { if (i > 0) fColor = vec4(a); a = 1.; }"),
               "");
     EXPECT_EQ(unassigned("float a; for (int i = 0; i < 3; ++i) { fColor = vec4(a); a = 1.; }"), "'a'");
+    // A loop that may have no round reads what a later round of an outer one has written.
+    EXPECT_EQ(unassigned("float a[4]; int n = 0; for (int i = 0; i < 4; ++i) { int at = n++; "
+                         "for (; at > 0 && gl_FragCoord.x > 1.; --at) a[at] = a[at - 1]; a[at] = 1.; }"),
+              "");
+    EXPECT_EQ(
+        unassigned(
+            "float a; for (int i = 0; i < 3; ++i) { while (gl_FragCoord.x > float(i)) fColor = vec4(a); "
+            "a = 1.; }"),
+        "");
+    EXPECT_EQ(unassigned("float a; for (int i = 0; i < 3; ++i) for (int k = 0; k < 3; ++k) a += float(k);"),
+              "'a'");
+    EXPECT_EQ(unassigned("float a; while (gl_FragCoord.x > 1.) a += 1.; fColor = vec4(a);"), "'a'");
     EXPECT_EQ(unassigned("vec4 c; c.xyz = vec3(1.); fColor = c;"), "'c.w'");
     EXPECT_EQ(unassigned("S s; s.a = 1.; fColor = vec4(s.b);", "struct S { float a, b; };\n"), "'s.b'");
     EXPECT_EQ(unassigned("float a[4]; fColor = vec4(a[2]);"), "'a'");

@@ -18,14 +18,15 @@ class PixelStreamTest : public test::GpuTest,
     }
     /// A picture whose pixels all differ, other ones for each number.
     void draw(int number) const {
-        const float shift = static_cast<float>(number) * .125F;
+        const float shift = static_cast<float>(number) / 128;
         window.bind();
         glEnable(GL_SCISSOR_TEST);
         for (int y = 0; y < window.height(); ++y)
             for (int x = 0; x < window.width(); ++x) {
                 glScissor(x, y, 1, 1);
-                const std::array<float, 4> color{static_cast<float>(x) / 16, static_cast<float>(y) / 16,
-                                                 shift, static_cast<float>(x + y) / 32};
+                const std::array<float, 4> color{static_cast<float>(x) / 16 + shift,
+                                                 static_cast<float>(y) / 16 + shift, shift,
+                                                 static_cast<float>(x + y) / 32};
                 glClearBufferfv(GL_COLOR, 0, color.data());
             }
         glDisable(GL_SCISSOR_TEST);

@@ -167,6 +167,7 @@ TEST(ResetGuard, CoversEveryFunctionOfTheProgramThatReadsFromTheDevice) {
                                          "glGetString",
                                          "glGetStringi",
                                          "glGetInternalformativ",
+                                         "glGetQueryiv",
                                          "glGetShaderiv",
                                          "glGetProgramiv",
                                          "glGetUniformLocation",

@@ -18,7 +18,7 @@ namespace {
 using Png = PictureStream::Png;
 
 /// Pictures of very different sizes, so that threads finish in another order.
-image::Image picture(int number) {
+image::Image pictureOf(int number) {
     const int side = number % 3 == 0 ? 600 : 8;
     image::Image made{side, side, 3, image::Component::u8, {}};
     made.data.resize(made.rowBytes() * static_cast<std::size_t>(side));
@@ -39,8 +39,8 @@ TEST(PictureStream, WritesTheBytesOfEachPictureInOrder) {
     std::vector<Png> wanted;
     for (int i = 0; i < 40; ++i) {
         const bool isCopy = i % 5 == 4;
-        ASSERT_TRUE(isCopy ? stream.addAgain(i) : stream.add(i, picture(i)));
-        wanted.push_back(isCopy ? wanted.back() : image::encodePng(picture(i)));
+        ASSERT_TRUE(isCopy ? stream.addAgain(i) : stream.add(i, pictureOf(i)));
+        wanted.push_back(isCopy ? wanted.back() : image::encodePng(pictureOf(i)));
     }
     EXPECT_TRUE(stream.finish().empty());
     EXPECT_TRUE(written == wanted);
@@ -56,7 +56,7 @@ TEST(PictureStream, EndsWithTheFirstThatCannotBeWritten) {
         [&](const Png&) { return ++tried == 3 ? Diagnostics{diagnose("file-E10", "full")} : Diagnostics(); },
         [&](int number) { numbers.push_back(number); });
     int added = 0;
-    while (added < 1000 && stream.add(added, picture(1))) ++added;
+    while (added < 1000 && stream.add(added, pictureOf(1))) ++added;
     EXPECT_LT(added, 1000) << "adding tells it";
     const Diagnostics problems = stream.finish();
     ASSERT_EQ(problems.size(), 1U);
@@ -68,8 +68,12 @@ TEST(PictureStream, EndsWithTheFirstThatCannotBeWritten) {
 TEST(PictureStream, IsWrittenWhileTheNextPictureIsDrawn) {
     // The time limit of a frame begins again when the one before is written, not when a next one is added.
     std::atomic<int> last = -1;
-    PictureStream stream([](const Png&) { return Diagnostics(); }, [&](int number) { last = number; });
-    ASSERT_TRUE(stream.add(0, picture(1)));
+    PictureStream stream([](const Png&) { return Diagnostics(); },
+                         [&](int number) {
+                             last = number;
+                             last.notify_all();
+                         });
+    ASSERT_TRUE(stream.add(0, pictureOf(1)));
     last.wait(-1);
     EXPECT_EQ(last, 0);
 }
@@ -83,7 +87,7 @@ TEST(PictureStream, ThatIsLeftWritesNoMore) {
                 return Diagnostics();
             },
             [](int) {});
-        for (int i = 0; i < 3; ++i) ASSERT_TRUE(stream.add(3 * i, picture(3 * i)));
+        for (int i = 0; i < 3; ++i) ASSERT_TRUE(stream.add(3 * i, pictureOf(3 * i)));
     }
     const int before = tried;
     EXPECT_LE(before, 3);
@@ -91,7 +95,7 @@ TEST(PictureStream, ThatIsLeftWritesNoMore) {
 
 TEST(PictureStream, PassesOnWhatIsThrown) {
     PictureStream stream([](const Png&) -> Diagnostics { throw std::runtime_error("lost"); }, [](int) {});
-    ASSERT_TRUE(stream.add(0, picture(0)));
+    ASSERT_TRUE(stream.add(0, pictureOf(0)));
     EXPECT_THROW(stream.finish(), std::runtime_error);
 }
 

@@ -140,6 +140,7 @@ constexpr Specimen kSpecimens[] = {
     {"Compute inline", "void main() {}\nEndCompute\nProgram Other\nDispatch Other 1 1 1\n"},
     {"Dispatch Count 4 2 1 tiles 2", "Box\n"},
     {"Dispatch Count over 512 512", "Box\n"},
+    {"Dispatch Count over 512 512 discard", "Box\n"},
     {"Dispatch Count over points", "Box\n"},
     {"Dispatch Count from counts", "Box\n"},
     {"Once", "    Clear counts\nEndOnce\n"},

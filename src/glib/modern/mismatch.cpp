@@ -6,6 +6,7 @@
 
 #include "base/suggest.h"
 #include "glib/command_table.h"
+#include "glib/modern/grammar.h"
 #include "glib/text.h"
 
 namespace glibra::glib {
@@ -183,9 +184,17 @@ void Mismatch::report(const StatementRow& row, const Pieces& pieces, const Decla
         return reportAt("glib-E19", at - 1,
                         fmt::format("expected a number, found {0}; write ({1}) for its value",
                                     found(pieces, at - 1), pieces[at - 1].text));
-    if (matched && furthest_ == at)
+    if (matched && furthest_ == at) {
+        // `diqcard uColor {1 0 0}`: the misspelt word was read as a tag, and its value is the next tag.
+        const std::vector<std::string>& keys = syntaxOf(row).keys;
+        const std::vector<std::string_view> known(keys.begin(), keys.end());
+        for (std::size_t i = at - 2; i > 0 && i < at && isUnquoted(pieces[i + 1]); i -= 2)
+            if (const std::string meant = base::nearestName(pieces[i].text, known); !meant.empty())
+                return reportAt("glib-E16", i,
+                                fmt::format("unknown word {}; did you mean '{}'?", found(pieces, i), meant));
         return reportAt("glib-E18", furthest_,
                         fmt::format("surplus argument {}{}", text, surplusHint(pieces, furthest_)));
+    }
     reportAt("glib-E19", furthest_,
              fmt::format("expected {}, found {}{}", listOfExpected(), text,
                          hint.empty() ? bracketHint(pieces, furthest_) : hint));

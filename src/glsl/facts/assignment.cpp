@@ -389,11 +389,13 @@ class AssignmentWalk {
         return next;
     }
 
-    /// Notes what the body of a loop assigns: a read on a condition may be one of a later round.
-    void foresee(Range body) {
-        int level = branches_ + 1;
+    /// Notes what the body of a loop assigns: a read on a condition may be one of a later round. The body
+    /// itself counts as one more condition if it may have no round.
+    void foresee(Range body, bool mayBeEmpty) {
+        const int inBody = branches_ + (mayBeEmpty ? 1 : 0);
+        int level = inBody + 1;
         for (std::uint32_t i = body.first; i < body.end; ++i)
-            if (text(i) == "continue" || text(i) == "break" || text(i) == "return") level = branches_;
+            if (text(i) == "continue" || text(i) == "break" || text(i) == "return") level = inBody;
         for (std::uint32_t i = body.first; i < body.end && search_.spend(1); ++i) {
             const std::optional<std::size_t> index = isWord(i) ? variableAt(i) : std::nullopt;
             if (!index) continue;
@@ -408,12 +410,20 @@ class AssignmentWalk {
         return condition.empty() || (condition.end == condition.first + 1 && text(condition.first) == "true");
     }
 
+    [[nodiscard]] bool hasLogic(Range condition) const {
+        for (std::uint32_t i = condition.first; i < condition.end; ++i)
+            if (text(i) == "&&" || text(i) == "||") return true;
+        return false;
+    }
+
     /// The body of a loop whose condition has been evaluated. Gives the state after the loop; a `break`
     /// leaves it, too.
-    std::uint32_t loop(std::uint32_t body, std::uint32_t end, Range condition, Range step) {
+    std::uint32_t loop(std::uint32_t body, std::uint32_t end, Range condition, Range step, bool mayBeEmpty) {
         const AssignedState before = state_;
         const auto outer = std::exchange(breaks_, AssignedState{{}, {}, true});
+        branches_ += mayBeEmpty ? 1 : 0;
         const auto next = statement(body, end);
+        branches_ -= mayBeEmpty ? 1 : 0;
         state_.isDead = false;
         state_.join(before);  // after `continue`
         if (!step.empty()) expression(step);
@@ -433,9 +443,11 @@ class AssignmentWalk {
         if (gaveUp_) return close + 1;
         scopes_.emplace_back();
         header(parts[0]);
-        foresee({parts[1].first, bodyEnd(close + 1, end)});
+        // A counter that the loop itself sets and compares has a round as a rule.
+        const bool mayBeEmpty = !isAlwaysTrue(parts[1]) && (parts[0].empty() || hasLogic(parts[1]));
+        foresee({parts[1].first, bodyEnd(close + 1, end)}, mayBeEmpty);
         expression(parts[1]);
-        const std::uint32_t next = loop(close + 1, end, parts[1], parts[2]);
+        const std::uint32_t next = loop(close + 1, end, parts[1], parts[2], mayBeEmpty);
         fill(parts, {close + 1, next});
         scopes_.pop_back();
         return next;
@@ -451,15 +463,16 @@ class AssignmentWalk {
     std::uint32_t whileLoop(std::uint32_t at, std::uint32_t end) {
         const std::uint32_t close = match(at + 1);
         scopes_.emplace_back();
-        foresee({at + 2, bodyEnd(close + 1, end)});
+        const bool mayBeEmpty = !isAlwaysTrue({at + 2, close});
+        foresee({at + 2, bodyEnd(close + 1, end)}, mayBeEmpty);
         header({at + 2, close});
-        const std::uint32_t next = loop(close + 1, end, {at + 2, close}, {});
+        const std::uint32_t next = loop(close + 1, end, {at + 2, close}, {}, mayBeEmpty);
         scopes_.pop_back();
         return next;
     }
 
     std::uint32_t doLoop(std::uint32_t at, std::uint32_t end) {
-        foresee({at + 1, bodyEnd(at + 1, end)});
+        foresee({at + 1, bodyEnd(at + 1, end)}, false);
         const AssignedState before = state_;
         const auto outer = std::exchange(breaks_, AssignedState{{}, {}, true});
         const auto outerContinues = std::exchange(continues_, AssignedState{{}, {}, true});
