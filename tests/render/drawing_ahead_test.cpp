@@ -27,7 +27,7 @@ std::vector<Drawn> frames(const SceneFolder& folder, const RenderOptions& option
     EXPECT_TRUE(scene) << text(scene.diagnostics);
     std::vector<Drawn> all;
     if (!scene) return all;
-    const auto timeOf = [](int frame) { return frame * .25; };
+    const auto timeOf = [](int frame) { return frame * frame * .25; };
     for (int i = 0; i < count; ++i) {
         if (!isAhead) {
             all.push_back(drawnOf(scene->draw(timeOf(i), stats)));
@@ -86,11 +86,11 @@ std::vector<Case> cases() {
     all.push_back({"Labels", variable, options});
     all.push_back({"History",
                    "WindowSize 16 16\nTexture2D old 16 16 rgba8 history\nFragment old.frag\n"
-                   "Program P  uOld old.prev\nPass old\n    Fill old with P\nEndPass\n"
+                   "Program P  uOld old.prev\nStep 8\n    Fill old with P\nEndStep\n"
                    "Fragment old.frag\nProgram Q  uOld old\nFill window with Q\n"});
     all.push_back({"Steps",
-                   "WindowSize 8 8\nCompute count.comp\nProgram Count  Sums sums\nBuffer sums 8 float\n"
-                   "Fragment sum.frag\nProgram Show  Sums sums\nStep 8\n    Dispatch Count groups 2\n"
+                   "WindowSize 8 8\nCompute count.comp\nProgram Count\nBuffer Sums float 8\n"
+                   "Fragment sum.frag\nProgram Show\nStep 8\n    Dispatch Count 2\n"
                    "EndStep\nFill window with Show\n"});
     return all;
 }
@@ -108,7 +108,7 @@ TEST(DrawingAhead, GivesThePicturesOfDrawingAndReading) {
 }
 
 TEST(DrawingAhead, ReportsTheErrorsOfEachFrameWithThatFrame) {
-    // From .5 s on there are more steps than the limit.
+    // The third frame needs six steps more.
     const SceneFolder folder(cases().back().scene, kFiles);
     RenderOptions options;
     options.steps = 3;

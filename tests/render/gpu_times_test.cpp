@@ -64,23 +64,21 @@ class GpuTimesTest : public testing::Test {
 const std::string kSteps =
     "WindowSize 8 8\n"
     "Compute count.comp\n"
-    "Program Count  Sums sums\n"
+    "Program Count\n"
     "Fragment fill.frag\n"
     "Program Fill_\n"
     "Texture2D half 4 4 rgba8\n"
-    "Buffer sums 8 float\n"
+    "Buffer Sums float 8\n"
     "Step 10\n"
-    "    Dispatch Count groups 2\n"
+    "    Dispatch Count 2\n"
     "EndStep\n"
-    "Pass half\n"
-    "    Fill half with Fill_\n"
-    "EndPass\n"
+    "Fill half with Fill_\n"
     "Fill window with Fill_\n";
 
 TEST_F(GpuTimesTest, AreThoseOfEachNodeByItsLine) {
     const GpuTimesOf drawn(kSteps, {{"count.comp", kCount}, {"fill.frag", kFill}}, {.skip = false},
                            {0, .5, 1});
-    EXPECT_EQ(drawn.entries(), (std::vector<std::string>{"3: pass into half, 11", "3: pass into window, 0",
+    EXPECT_EQ(drawn.entries(), (std::vector<std::string>{"3: pass into half, 11", "3: pass into window, 12",
                                                          "10: dispatch of Count, 9"}))
         << drawn.measured.size();
 }
@@ -90,7 +88,7 @@ TEST_F(GpuTimesTest, ContainEveryTile) {
     options.tileSize = 4;
     const GpuTimesOf drawn("WindowSize 8 8\nFragment fill.frag\nProgram P\nFill window with P\n",
                            {{"fill.frag", kFill}}, options);
-    EXPECT_EQ(drawn.entries(), (std::vector<std::string>{"4: pass into window, 0"}));
+    EXPECT_EQ(drawn.entries(), (std::vector<std::string>{"4: pass into window, 4"}));
 }
 
 TEST_F(GpuTimesTest, NameTheMeansOfSamples) {
@@ -99,7 +97,7 @@ TEST_F(GpuTimesTest, NameTheMeansOfSamples) {
     const GpuTimesOf drawn("WindowSize 8 8\nFragment fill.frag\nProgram P\nFill window with P\n",
                            {{"fill.frag", kFill}}, options);
     EXPECT_EQ(drawn.entries(),
-              (std::vector<std::string>{"1: pass into window, 0", "1: means of the window's samples, 0"}));
+              (std::vector<std::string>{"1: pass into window, 4", "1: means of the window's samples, 0"}));
 }
 
 TEST_F(GpuTimesTest, DoNotChangeThePictureOrTheCalls) {

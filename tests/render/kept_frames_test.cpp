@@ -333,7 +333,7 @@ Fill window with Number
     };
     callsUntil(10);
     const std::uint64_t few = callsUntil(20), many = callsUntil(130);
-    EXPECT_EQ(many - few, 100U * 4U) << "program, buffer, dispatch, barrier";
+    EXPECT_EQ(many - few, 100U * 2U) << "dispatch, barrier";
 }
 
 TEST_F(KeptFrames, ADrawSetsNothingThatIsSet) {

@@ -185,10 +185,15 @@ void Mismatch::report(const StatementRow& row, const Pieces& pieces, const Decla
                         fmt::format("expected a number, found {0}; write ({1}) for its value",
                                     found(pieces, at - 1), pieces[at - 1].text));
     if (matched && furthest_ == at) {
-        // `diqcard uColor {1 0 0}`: the misspelt word was read as a tag, and its value is the next tag.
+        // The misspelt word was read as a tag: `diqcard uColor {1 0 0}`, whose value is the next tag, and
+        // `tiqes 2 discard`, after which a word of the statement is surplus.
         const std::vector<std::string>& keys = syntaxOf(row).keys;
         const std::vector<std::string_view> known(keys.begin(), keys.end());
-        for (std::size_t i = at - 2; i > 0 && i < at && isUnquoted(pieces[i + 1]); i -= 2)
+        const bool isKey =
+            isUnquoted(pieces[at]) && std::any_of(keys.begin(), keys.end(), [&](const std::string& each) {
+                return sameWord(each, pieces[at].text);
+            });
+        for (std::size_t i = at - 2; i > 0 && i < at && (isKey || isUnquoted(pieces[i + 1])); i -= 2)
             if (const std::string meant = base::nearestName(pieces[i].text, known); !meant.empty())
                 return reportAt("glib-E16", i,
                                 fmt::format("unknown word {}; did you mean '{}'?", found(pieces, i), meant));
