@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "gpu/context/context.h"
@@ -23,17 +24,27 @@ struct Work {
     std::vector<int> done{};
     double longest = 0;
 
+    int waits = 0;
+
     int run(double share) {
         done.assign(seconds.size(), 0);
-        return doInShares(static_cast<int>(seconds.size()), share, [&](int first, int end) {
-            double taken = own;
-            for (int i = first; i < end; ++i) {
-                ++done.at(static_cast<std::size_t>(i));
-                taken += seconds[static_cast<std::size_t>(i)];
-            }
-            longest = std::max(longest, taken);
-            return taken;
-        });
+        double unwaited = 0;
+        return doInShares(
+                   static_cast<int>(seconds.size()), share,
+                   [&](int first, int end) {
+                       double taken = own;
+                       for (int i = first; i < end; ++i) {
+                           ++done.at(static_cast<std::size_t>(i));
+                           taken += seconds[static_cast<std::size_t>(i)];
+                       }
+                       longest = std::max(longest, taken);
+                       unwaited += taken;
+                   },
+                   [&] {
+                       ++waits;
+                       return std::exchange(unwaited, 0);
+                   })
+            .parts;
     }
 };
 
@@ -58,6 +69,7 @@ TEST(WorkShare, NoPartTakesLongWhereRowsAreAlike) {
 TEST(WorkShare, QuickWorkIsHardlyCut) {
     Work work{std::vector<double>(1000, 1e-6)};
     EXPECT_LE(work.run(.1), 7);
+    EXPECT_EQ(work.waits, 2) << "for what each part costs, and for the probes";
 }
 
 TEST(WorkShare, WorkThatEveryPartRepeatsIsNotMultiplied) {

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <limits>
 #include <string_view>
+#include <utility>
 
 #include "gpu/object/compute.h"
 #include "plan/accesses.h"
@@ -23,6 +24,7 @@ constexpr std::array<int, 3> kProbes{1, 3, 5};  // sixths
 constexpr int kRowsOfProbe = 128;               ///< as a part of the height
 constexpr int kFewestRows = 16;                 ///< of a draw that is cut
 constexpr int kMostParts = 64;                  ///< that a draw is cut into because of what each costs
+constexpr double kQuick = .25;                  ///< of the share: what takes less is not waited for
 
 /// True if a stage has a loop, which alone can take seconds.
 bool hasLoop(const BuiltProgram& built) {
@@ -38,41 +40,44 @@ bool hasLoop(const BuiltProgram& built) {
 
 }  // namespace
 
-int doInShares(int rows, double share, const std::function<double(int first, int end)>& timed) {
-    if (rows < kFewestRows) {
-        timed(0, rows);
-        return 1;
-    }
-    const double own = timed(0, 0);
-    if (own > share) {  // what every part repeats is the longest of all
-        timed(0, rows);
-        return 1;
-    }
-    int parts = 0;
-    double slowest = 0;  // seconds of a row
-    const auto work = [&](int first, int end) {
-        slowest = std::max(slowest, (timed(first, end) - own) / (end - first));
-        ++parts;
+Shares doInShares(int rows, double share, const std::function<void(int first, int end)>& work,
+                  const std::function<double()>& wait) {
+    const auto whole = [&] {
+        work(0, rows);
+        return Shares{1, wait()};
     };
-    const int probed = std::max(1, rows / kRowsOfProbe);
+    if (rows < kFewestRows) return whole();
+    work(0, 0);
+    const double own = wait();
+    if (own > share) return whole();  // what every part repeats is the longest of all
+    const int height = std::max(1, rows / kRowsOfProbe);
     int done = 0;
     std::array<std::array<int, 2>, kProbes.size() + 1> gaps{};
     for (std::size_t i = 0; i < kProbes.size(); ++i) {
         const int first = rows * kProbes.at(i) / 6;
-        work(first, first + probed);
+        work(first, first + height);
         gaps.at(i) = {done, first};
-        done = first + probed;
+        done = first + height;
     }
     gaps.back() = {done, rows};
+    Shares shares{static_cast<int>(kProbes.size()), wait()};
+    // Of a row, as if one probe had taken all of the time.
+    double slowest = std::max(0., shares.seconds - own) / height;
+    const bool isQuick = slowest * rows < kQuick * share;
     const int fewest = own > share / kMostParts ? std::max(1, rows / kMostParts) : 1;
     for (const auto& [begin, end] : gaps)
-        for (int first = begin; first < end;) {
-            const double fitting = slowest > 0 ? share / slowest : rows;
-            const int count = static_cast<int>(std::clamp<double>(fitting, fewest, end - first));
-            work(first, first + std::max(1, count));
-            first += std::max(1, count);
+        for (int first = begin; first < end; ++shares.parts) {
+            const double fitting = isQuick || slowest <= 0 ? rows : share / slowest;
+            const int count = std::max(1, static_cast<int>(std::clamp<double>(fitting, fewest, end - first)));
+            work(first, first + count);
+            first += count;
+            if (isQuick) continue;
+            const double taken = wait();
+            shares.seconds += taken;
+            slowest = std::max(slowest, (taken - own) / count);
         }
-    return parts;
+    if (isQuick) shares.seconds = slowest * rows + own;
+    return shares;
 }
 
 bool FrameDrawer::mayTakeLong(const plan::PlannedDraw& planned, const BuiltProgram& built) {
@@ -86,7 +91,6 @@ bool FrameDrawer::mayTakeLong(const plan::PlannedDraw& planned, const BuiltProgr
 int FrameDrawer::workInShares(const BuiltProgram& built, int rows, double pixels,
                               const std::function<void(int first, int end)>& work) {
     // Programs that have been quick are not waited for again.
-    constexpr double kQuick = .25;
     double& perPixel = device_.secondsPerPixel(&built);
     if (timeShare_ <= 0 || (perPixel > 0 && perPixel * pixels < kQuick * timeShare_)) {
         work(0, rows);
@@ -94,15 +98,14 @@ int FrameDrawer::workInShares(const BuiltProgram& built, int rows, double pixels
     }
     using Clock = std::chrono::steady_clock;
     glFinish();
-    const Clock::time_point start = Clock::now();
-    const int parts = doInShares(rows, timeShare_, [&](int first, int end) {
-        const Clock::time_point begun = Clock::now();
-        work(first, end);
+    Clock::time_point last = Clock::now();
+    const Shares shares = doInShares(rows, timeShare_, work, [&last] {
         glFinish();
-        return std::chrono::duration<double>(Clock::now() - begun).count();
+        const Clock::time_point now = Clock::now();
+        return std::chrono::duration<double>(now - std::exchange(last, now)).count();
     });
-    if (pixels > 0) perPixel = std::chrono::duration<double>(Clock::now() - start).count() / pixels;
-    return parts;
+    if (pixels > 0) perPixel = shares.seconds / pixels;
+    return shares.parts;
 }
 
 void FrameDrawer::submitInShares(const plan::PlannedDraw& planned, const BuiltProgram& built) {

@@ -9,9 +9,17 @@ namespace glibra::render {
 /// The seconds that one part of a draw may take on a device that is not the processor.
 inline constexpr double kTimeShare = .1;
 
-/// Does the rows 0 to `rows` - 1 of a draw, each once, in parts that take about `share` seconds. `timed` does
-/// the rows from `first` to `end` - 1, waits for the device, and returns the seconds that this took; with
-/// equal numbers it does what every part costs besides its rows. Returns the number of parts.
-int doInShares(int rows, double share, const std::function<double(int first, int end)>& timed);
+/// How work was done in parts.
+struct Shares {
+    int parts = 1;
+    double seconds = 0;  ///< at most, that all took
+};
+
+/// Does the rows 0 to `rows` - 1 of a draw, each once, in parts that take about `share` seconds. `work` hands
+/// the rows from `first` to `end` - 1 to the device; with equal numbers, what every part costs besides its
+/// rows. `wait` waits for the device and returns the seconds since it returned last. The device idles
+/// meanwhile, so the last rows of work that is quick are not waited for.
+Shares doInShares(int rows, double share, const std::function<void(int first, int end)>& work,
+                  const std::function<double()>& wait);
 
 }  // namespace glibra::render
