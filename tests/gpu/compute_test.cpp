@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "fixture.h"
+#include "gpu/object/buffer_clear.h"
 #include "gpu/object/query.h"
 #include "gpu/object/vertex_array.h"
 
@@ -74,6 +75,36 @@ TEST_F(ComputeTest, GroupsAreRoundedUp) {
     EXPECT_EQ(groupsOver({512, 512, 1}, {8, 8, 1}), (std::array<std::uint64_t, 3>{64, 64, 1}));
     EXPECT_EQ(groupsOver({513, 1, 0}, {8, 8, 1}), (std::array<std::uint64_t, 3>{65, 1, 0}));
     EXPECT_EQ(groupsOver({0xffffffffU, 1, 1}, {2, 1, 1}), (std::array<std::uint64_t, 3>{0x80000000U, 1, 1}));
+}
+
+TEST_F(ComputeTest, AShaderClearsBuffersOfAnySizeAndLeavesTheState) {
+    BufferClearer clearer;
+    const std::optional<Program> program = compute(kDouble);
+    for (const std::size_t bytes :
+         {std::size_t{1}, std::size_t{15}, std::size_t{16}, std::size_t{4099}, std::size_t{(3 << 20) + 7}}) {
+        Result<Buffer> buffer = Buffer::create(std::vector<std::byte>(bytes, std::byte{0xa5}));
+        Result<Buffer> other = Buffer::create(16);
+        ASSERT_TRUE(buffer && other);
+        program->use();
+        other->bindBase(GL_SHADER_STORAGE_BUFFER, 0);
+        ASSERT_TRUE(clearer.clearByShader(driver(), *buffer));
+        GLint used = 0, bound = 0;
+        glGetIntegerv(GL_CURRENT_PROGRAM, &used);
+        glGetIntegeri_v(GL_SHADER_STORAGE_BUFFER_BINDING, 0, &bound);
+        EXPECT_EQ(used, static_cast<GLint>(program->id()));
+        EXPECT_EQ(bound, static_cast<GLint>(other->id()));
+        std::vector<std::byte> content(bytes, std::byte{1});
+        buffer->read(0, content);
+        EXPECT_EQ(content, std::vector<std::byte>(bytes)) << bytes;
+    }
+    Capabilities small = driver();
+    small.maxStorageBlockBytes = 16;
+    Result<Buffer> buffer = Buffer::create(std::vector<std::byte>(17, std::byte{3}));
+    EXPECT_FALSE(clearer.clearByShader(small, *buffer));
+    clearer.clear(small, *buffer);
+    std::vector<std::byte> content(17, std::byte{1});
+    buffer->read(0, content);
+    EXPECT_EQ(content, std::vector<std::byte>(17));
 }
 
 TEST_F(ComputeTest, GroupCountsComeFromABuffer) {

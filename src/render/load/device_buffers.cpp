@@ -85,7 +85,7 @@ Diagnostics DeviceBuffers::grow(Made& made, std::uint64_t bytes) {
 Result<gpu::Buffer> DeviceBuffers::filled(std::size_t bytes, std::span<const std::byte> content) {
     Result<gpu::Buffer> buffer = gpu::Buffer::create(bytes, GL_DYNAMIC_COPY);
     if (!buffer) return buffer;
-    if (content.size() < bytes) buffer->clear(context_.capabilities());
+    if (content.size() < bytes) setZero(*buffer);
     buffer->update(0, content);
     return buffer;
 }
@@ -160,8 +160,8 @@ Diagnostics DeviceBuffers::reset(scene::BufferIndex index) {
         append(diagnostics, content.diagnostics);
         if (!content) return diagnostics;
         if (content->empty()) {
-            made.current.clear(context_.capabilities());
-            if (made.previous) made.previous->clear(context_.capabilities());
+            setZero(made.current);
+            if (made.previous) setZero(*made.previous);
             return diagnostics;
         }
         Result<gpu::Buffer> declared = filled(made.current.size(), *content);
@@ -185,8 +185,7 @@ void DeviceBuffers::takeOver(DeviceBuffers& previous, scene::BufferIndex buffer)
 }
 
 void DeviceBuffers::clear(scene::BufferIndex buffer) {
-    if (const auto found = made_.find(buffer); found != made_.end())
-        found->second.current.clear(context_.capabilities());
+    if (const auto found = made_.find(buffer); found != made_.end()) setZero(found->second.current);
 }
 
 void DeviceBuffers::exchange(scene::BufferIndex buffer, bool keepsContent) {

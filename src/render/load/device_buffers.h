@@ -9,6 +9,7 @@
 
 #include "gpu/context/context.h"
 #include "gpu/object/buffer.h"
+#include "gpu/object/buffer_clear.h"
 #include "plan/buffers.h"
 #include "plan/frame_plan.h"
 #include "render/stats.h"
@@ -60,10 +61,13 @@ class DeviceBuffers {
     Result<std::vector<std::byte>> declaredBytes(scene::BufferIndex index);
     Result<gpu::Buffer> filled(std::size_t bytes, std::span<const std::byte> content);
 
+    void setZero(gpu::Buffer& buffer) { clearer_.clear(context_.capabilities(), buffer); }
+
     const gpu::Context& context_;
     const scene::Scene& scene_;
     Stats& stats_;
     plan::BufferLayouts layouts_;
+    gpu::BufferClearer clearer_;
     std::map<scene::BufferIndex, Made> made_;
     std::vector<gpu::Buffer> outgrown_;  ///< kept, since caches find buffers by their GL names
     std::set<scene::BufferIndex> lasting_;
