@@ -173,6 +173,13 @@ TEST(ModernProgram, NameIsOneWordOnlyAfterADeclaration) {
               "2:1 glib-E17 Program: expected a value of 'uA', found the end of the statement");
 }
 
+TEST(ModernProgram, MessagesAboutValuesOnSeveralLinesAreOnOne) {
+    EXPECT_EQ(placedMessageOf("Let a 1\nProgram P uA 5   \\\n      6"),
+              "3:7 glib-E18 Program: surplus argument '6'; write uA [5 6]");
+    EXPECT_EQ(placedMessageOf("Let a 1\nProgram P uA 5\t\\\r\n\t6  7"),
+              "3:2 glib-E18 Program: surplus argument '6'; write uA [5 6  7]");
+}
+
 TEST(ModernProgram, ExpressionAloneMakesItModern) {
     const Script script = read("Program P uA (2*time) uB 1");
     EXPECT_TRUE(script.isModern);

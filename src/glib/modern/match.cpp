@@ -328,7 +328,7 @@ class Matcher {
             const std::size_t end = anyEnd(tag);
             if (end == tag) {
                 if (key.empty())
-                    mismatch_.expect(tag, fmt::format("a value of '{}'", pieces_.written(at, tag)));
+                    mismatch_.expect(tag, fmt::format("a value of '{}'", pieces_.onOneLine(at, tag)));
                 else
                     mismatch_.expect(at, "a tag");
                 break;

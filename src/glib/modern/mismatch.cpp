@@ -87,7 +87,7 @@ std::string Mismatch::bracketHint(const Pieces& pieces, std::size_t at) const {
     const Value& found = pieces[at];
     if (at > 0 && isUnquoted(found) && found.text.size() == 1 &&
         std::string_view("+-*/%").find(found.text) != std::string_view::npos && at + 1 < pieces.size())
-        return fmt::format("; write ({}) for its value", pieces.written(at - 1, pieces.size()));
+        return fmt::format("; write ({}) for its value", pieces.onOneLine(at - 1, pieces.size()));
     const auto wants = [&](std::string_view what) {
         return std::any_of(expected_.begin(), expected_.end(),
                            [&](const Expectation& each) { return each.text.starts_with(what); });
@@ -97,7 +97,7 @@ std::string Mismatch::bracketHint(const Pieces& pieces, std::size_t at) const {
     constexpr std::size_t kMost = 4;
     while (end < pieces.size() && end - at < kMost && pieces[end].kind == Value::Kind::number) ++end;
     if ((!isColor && !isList) || end - at < (isColor ? 3 : 1)) return {};
-    const std::string numbers = pieces.written(at, end);
+    const std::string numbers = pieces.onOneLine(at, end);
     return isColor ? fmt::format("; write {{{}}}", numbers) : fmt::format("; write [{}]", numbers);
 }
 
@@ -142,7 +142,7 @@ std::string Mismatch::surplusHint(const Pieces& pieces, std::size_t at) const {
     if (!hint.empty() || !isOfTag) return hint;
     std::size_t end = at;
     while (isNumberAt(pieces, end)) ++end;
-    return fmt::format("; write {} [{}]", pieces[at - 2].text, pieces.written(at - 1, end));
+    return fmt::format("; write {} [{}]", pieces[at - 2].text, pieces.onOneLine(at - 1, end));
 }
 
 void Mismatch::report(const StatementRow& row, const Pieces& pieces, const DeclaredNames& names, bool matched,

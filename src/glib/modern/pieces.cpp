@@ -122,6 +122,23 @@ std::string Pieces::written(std::size_t begin, std::size_t end) const {
     return std::string(text_.substr((*this)[begin].begin, (*this)[end - 1].end - (*this)[begin].begin));
 }
 
+std::string Pieces::onOneLine(std::size_t begin, std::size_t end) const {
+    constexpr std::string_view kLineEnds = "\r\n", kBetween = " \t\r\n\\";
+    const std::string all = written(begin, end);
+    std::string line;
+    for (std::size_t at = 0; at < all.size();) {
+        const std::size_t next = std::min(all.find_first_not_of(kBetween, at), all.size());
+        const std::string_view space = std::string_view(all).substr(at, next - at);
+        if (space.find_first_of(kLineEnds) != std::string_view::npos)
+            line += ' ';
+        else
+            line += space;
+        at = std::min(all.find_first_of(kBetween, next), all.size());
+        line += std::string_view(all).substr(next, at - next);
+    }
+    return line;
+}
+
 std::string Pieces::expressionFrom(std::size_t at) const {
     std::size_t end = at + 1;
     while (end < size()) {
@@ -131,7 +148,7 @@ std::string Pieces::expressionFrom(std::size_t at) const {
         if (!isJoined(end) && !isOpen) break;
         ++end;
     }
-    return written(at, end);
+    return onOneLine(at, end);
 }
 
 Value Pieces::indexOf(const Value& subscript) const {

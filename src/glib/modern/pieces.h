@@ -57,7 +57,9 @@ class Pieces {
     [[nodiscard]] std::string_view source(const Value& value) const;
     /// The values from `begin` to `end`, without it, as they were written.
     [[nodiscard]] std::string written(std::size_t begin, std::size_t end) const;
-    /// What expressionAt() gives for tokens.
+    /// The same for a message: each line end with the space around it is one space.
+    [[nodiscard]] std::string onOneLine(std::size_t begin, std::size_t end) const;
+    /// What expressionAt() gives for tokens, on one line.
     [[nodiscard]] std::string expressionFrom(std::size_t at) const;
     /// The parts of the name that these values make.
     [[nodiscard]] std::vector<NamePart> pathOf(std::size_t begin, std::size_t end) const;
