@@ -163,6 +163,8 @@ class UndefinedChecks {
         if (close >= unit_.view.size() || !isInFunction(each.open)) return;
         const Range index{each.open + 1, close};
         if (index.empty() || isConstant(index)) return;
+        // Control stages may index their outputs with this name only; it is always inside.
+        if (index.end == index.first + 1 && text(index.first) == "gl_InvocationID") return;
         std::string length;
         if (each.type.arrayDepth > 0) {
             if (!isIdle(each.object)) return;
@@ -223,8 +225,11 @@ class UndefinedChecks {
         if (hasLevel && !isIdle(each.arguments[2])) return;
         std::string offset;
         if (hasOffset) offset = emitted(each.arguments.back()) + ", ";
-        texel(each, "textureSize(" + map + (hasLevel ? ", " + emitted(each.arguments[2]) : "") + ")", offset);
-        if (!hasLevel || isConstantZero(each.arguments[2])) return;
+        const bool mayMissLevel = hasLevel && !isConstantZero(each.arguments[2]);
+        std::string level = hasLevel ? emitted(each.arguments[2]) : "";
+        if (mayMissLevel) level = "clamp(" + level + ", 0, textureQueryLevels(" + map + ") - 1)";
+        texel(each, "textureSize(" + map + (hasLevel ? ", " + level : "") + ")", offset);
+        if (!mayMissLevel) return;
         if (const auto number = site(Kind::level, whole(each), each.name)) {
             wrap(each.arguments[2], "glibra_element", "textureQueryLevels(" + map + "), " + *number);
             usesElements_ = true;
