@@ -22,8 +22,8 @@ GLSL = {
     "types": set(),
     "read": {"types"},
     "parse": {"types", "read"},
-    "rules": {"types", "read", "parse"},
     "facts": {"types", "read", "parse"},
+    "rules": {"types", "read", "parse", "facts"},
     "emit": {"types", "read", "parse", "rules", "facts"},
     "": {"types", "read", "parse", "rules", "facts", "emit"},
 }
