@@ -15,7 +15,7 @@ void main() {
     // Stripes like those of a ball, from pole to pole.
     float around = uStripes * atan(vModelPlace.z, vModelPlace.x) / 6.2831853;
     vec3 color = mix(uFirst, uSecond, step(.5, fract(around))).rgb;
-    color *= .4 + .6 * max(dot(normal, normalize(uSun)), 0.);
+    color *= .5 + .5 * max(dot(normal, normalize(uSun)), 0.);
     if (vPlace.y < 0.) color += causticLight(vPlace.xz) * smoothstep(-.4, .6, normal.y);
     if (!isAbove) color = mix(color, uFog.rgb, 1. - pow(clamp((300. - distance(cameraPosition, vPlace)) / 290., 0., 1.), 5.));
     fColor = vec4(min(color, 1.), 1.);
