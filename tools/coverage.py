@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """Writes docs/coverage.md, the pages of docs/chapters, and glib/README.md: what answers each row of the five sources.
 
-tests/coverage/rows.csv lists every row: id, source, chapter, what it asks for, and, for a row without a scene, the answer:
-the tests, pages or commands that answer it (files in backquotes), `not yet`, `no picture: WHY`, or `not possible: WHY`.
-A scene answers the rows whose ids begin its first line, as in `# SH113 SH114 Compact disc: ...`. A starting scene of
-glib/exercises begins with `# Exercise ID: ...`. The D01 to D25 of scenes are pictures of "Graphics Shaders"; the defects of
-listings, D1 to D62 of the other sources, have no scenes.
+tests/coverage/rows.csv lists every row: id, source, chapter, what it asks for, and, for a row without a scene, the
+answer: the tests, pages or commands that answer it (files in backquotes; shots of suites as "shot `TOPIC/NAME`"),
+`not yet`, `no picture: WHY`, or `not possible: WHY`. A scene answers the rows whose ids begin its first line, as in
+`# SH113 SH114 Compact disc: ...`. A starting scene of glib/exercises begins with `# Exercise ID: ...`. The D01 to D25 of
+scenes are pictures of "Graphics Shaders"; the defects of listings, D1 to D62 of other sources, have no scenes.
 
 usage: tools/coverage.py             writes the pages, and clears the answer `not yet` of rows that have a scene
        tools/coverage.py --check     writes nothing; fails if something is wrong or a page is not current
@@ -54,7 +54,7 @@ class Scene:
     ids: list
     rows: list = field(default_factory=list)
     goldens: list = field(default_factory=list)  # paths from the root
-    shots: int = 0  # with and without goldens
+    shots: list = field(default_factory=list)  # "TOPIC/NAME", with and without goldens
 
     def name(self):
         return self.path[len("glib/"):-len(".glib")]
@@ -87,8 +87,8 @@ def rows_text(rows):
 
 
 def read_scene(path):
-    """Ids are the words at the beginning of the first line with a capital letter and a digit; then comes the sentence: the
-    rest of the line, or of the first comment up to its first full stop."""
+    """Ids are the words at the beginning of the first line that look like one. The sentence is the rest of the line; if
+    that does not end with a full stop, it goes on up to the first one of the comment."""
     comment = []
     for line in text_of(path).splitlines():
         if not line.startswith("#"):
@@ -105,7 +105,7 @@ def read_scene(path):
 
 
 def read_suite(path):
-    """(scene, name of a shot) for every shot that scenes/TOPIC.toml draws of a scene, and the folder of the goldens."""
+    """(scene, name of the shot, golden without its extension) of every shot of scenes/TOPIC.toml."""
     suite = tomllib.loads(text_of(path))
     folder = os.path.dirname(path)
     patterns = lambda value: [value] if isinstance(value, str) else value or []
@@ -119,16 +119,17 @@ def read_suite(path):
             stem = os.path.splitext(os.path.basename(scene))[0]
             name = shot.get("name", stem) if len(scenes) == 1 else f"{shot['name']}/{stem}" if "name" in shot else stem
             goldens = os.path.normpath(os.path.join(folder, suite.get("goldens", "")))
-            yield scene, f"{goldens}/{name}"
+            yield scene, name, f"{goldens}/{name}"
 
 
 def read_scenes():
     scenes = {path: read_scene(path) for path in files("glib/*/*.glib")}
     for suite in files("scenes/*.toml"):
-        for path, golden in read_suite(suite):
+        topic = os.path.splitext(os.path.basename(suite))[0]
+        for path, name, golden in read_suite(suite):
             if path not in scenes:
                 continue
-            scenes[path].shots += 1
+            scenes[path].shots.append(f"{topic}/{name}")
             for each in files(glob.escape(golden) + ".png") + files(glob.escape(golden) + "@*.png"):
                 if each not in scenes[path].goldens:
                     scenes[path].goldens.append(each)
@@ -164,12 +165,15 @@ def connect(rows, scenes):
             known[found.group(1)].task = path
 
 
-def wrong_answers(rows):
+def wrong_answers(rows, scenes):
+    shots = {shot for scene in scenes for shot in scene.shots}
     for row in rows:
         if not row.scenes and not row.answer:
             yield f"{ROWS}: {row.id} has no scene; name what answers it, or write `not yet`"
-        for word in re.findall(r"`([^`\s]+/[^`\s]+)`", row.answer):
-            if not files(word):
+        for kind, word in re.findall(r"(shot )?`([^`\s]+/[^`\s]+)`", row.answer):
+            if kind and word not in shots:
+                yield f"{ROWS}: {row.id} names a shot that no suite has: {word}"
+            elif not kind and not files(word):
                 yield f"{ROWS}: {row.id} names a file that does not exist: {word}"
 
 
@@ -179,7 +183,7 @@ def main():
     for row in rows:
         if row.scenes and UNANSWERED.match(row.answer):
             row.answer = ""
-    problems += wrong_answers(rows)
+    problems += wrong_answers(rows, scenes)
     if "--missing" in sys.argv:
         for row in rows:
             if row.state() == "not yet":

@@ -3,10 +3,10 @@ import os
 import re
 
 BOOKS = {
-    "Graphics Shaders": '"Graphics Shaders: Theory and Practice" (Bailey, Cunningham, second edition, 2012). The shaders\n'
-                        "  were written anew from the behaviour that the book describes.",
-    "OpenGL Shading Language": '"OpenGL Shading Language" (Rost, Licea-Kane, third edition): its bricks, and the techniques\n'
-                               "  that it names.",
+    "Graphics Shaders": '"Graphics Shaders: Theory and Practice" (Bailey, Cunningham, second edition, 2012).\n'
+                        "  The shaders were written anew from the behaviour that the book describes.",
+    "OpenGL Shading Language": '"OpenGL Shading Language" (Rost, Licea-Kane, third edition): its bricks, and the\n'
+                               "  techniques that it names.",
     "OpenGL with Java": '"Computer Graphics Programming in OpenGL with Java" (Gordon, Clevenger, third edition).',
     "GLSL slides": "a set of lecture slides about GLSL.",
     "Vertex arrays": "two chapters of a course, about vertex arrays and about GLSL.",
@@ -87,10 +87,12 @@ def unanswered(rows):
 def coverage_page(rows):
     page = "docs/coverage.md"
     lines = ["# What answers each row of the sources", "",
-             "glibra was made for readers of five sources, which [the list of scenes](../glib/README.md) names. Every program,",
-             "picture, technique and exercise of theirs is a row of this page, with the scene, test, page or command that answers",
-             "it, and the goldens: the pictures that the tests compare with. *Task* is the scene that an exercise begins with.", "",
-             "`tools/coverage.py` writes this page from the first lines of the scenes and from `tests/coverage/rows.csv`.", "",
+             "glibra was made for readers of five sources, which [the list of scenes](../glib/README.md) names. Every",
+             "program, picture, technique and exercise of theirs is a row of this page, with the scene, test, page or",
+             "command that answers it, and the goldens: the pictures that the tests compare with. *Task* is the scene that",
+             "an exercise begins with.", "",
+             "`tools/coverage.py` writes this page from the first lines of the scenes and from",
+             "`tests/coverage/rows.csv`.", "",
              *counts_table(rows), "", *unanswered(rows), "", "## Chapters by pictures", ""]
     chapters = by_chapter(rows)
     for key, own in chapters.items():
@@ -101,7 +103,8 @@ def coverage_page(rows):
         if scenes_of(own):
             lines += [f"[The scenes by pictures]({os.path.relpath(page_of(*key), 'docs')})", ""]
         lines += ["| id | what | scene, suite shot or test | golden |", "|---|---|---|---|"]
-        lines += [f"| {row.id} | {cell(row.what)} | {answer_cell(row, page)} | {golden_cell(row, page)} |" for row in own]
+        lines += [f"| {row.id} | {cell(row.what)} | {answer_cell(row, page)} | {golden_cell(row, page)} |"
+                  for row in own]
     return "\n".join(lines + footer("[The example scenes](../glib/README.md) · [README](../README.md)")) + "\n"
 
 
@@ -125,7 +128,8 @@ def chapter_page(key, rows):
     tasks = [row for row in rows if row.task]
     if tasks:
         lines += ["", "## Tasks to begin with", "", "| exercise | task | scene to begin with |", "|---|---|---|"]
-        lines += [f"| {row.id} | {cell(row.what)} | {link(os.path.basename(row.task), row.task, page)} |" for row in tasks]
+        lines += [f"| {row.id} | {cell(row.what)} | {link(os.path.basename(row.task), row.task, page)} |"
+                  for row in tasks]
     others = [row for row in rows if not row.scenes]
     if others:
         lines += ["", "## Rows without a scene", "", "| id | what | answer |", "|---|---|---|"]
@@ -156,13 +160,13 @@ def scenes_page(scenes):
     page = "glib/README.md"
     lines = ["# The example scenes", "",
              "There is one folder per topic. Shaders are in `shaders/TOPIC`, pictures and volumes in",
-             "[textures](../textures/README.md), models in [scenes/models](../scenes/models/README.md). Scenes that exercises begin",
-             "with are in `glib/exercises`.", "",
+             "[textures](../textures/README.md), models in [scenes/models](../scenes/models/README.md). Scenes that",
+             "exercises begin with are in `glib/exercises`.", "",
              "The last column says which source and chapter a scene is about, as the window does in its examples:", ""]
     lines += [f"- {source}: {what}" for source, what in BOOKS.items()]
-    lines += ["", "[docs/coverage.md](../docs/coverage.md) lists what answers each row of these sources, and has a page of",
-              "pictures for every chapter. `tools/coverage.py` writes these pages from the ids (such as SH033) in the first lines",
-              "of the scenes.", "", "| scene | what it shows | source |", "|---|---|---|"]
+    lines += ["", "[docs/coverage.md](../docs/coverage.md) lists what answers each row of these sources, and has a page",
+              "of pictures for every chapter. `tools/coverage.py` writes these pages from the ids (such as SH033) in the",
+              "first lines of the scenes.", "", "| scene | what it shows | source |", "|---|---|---|"]
     lines += [f"| {scene_link(each, page)} | {cell(each.sentence)} | {source_column(each)} |" for each in scenes]
     links = "[README](../README.md) · [Tutorial](../docs/tutorial.md) · [The scene language](../docs/language.md)"
     return "\n".join(lines + footer(links)) + "\n"
