@@ -4,8 +4,9 @@
 tests/coverage/rows.csv lists every row: id, source, chapter, what it asks for, and, for a row without a scene, the
 answer: the tests, pages or commands that answer it (files in backquotes; shots of suites as "shot `TOPIC/NAME`"),
 `not yet`, `no picture: WHY`, or `not possible: WHY`. A scene answers the rows whose ids begin its first line, as in
-`# SH113 SH114 Compact disc: ...`. A starting scene of glib/exercises begins with `# Exercise ID: ...`. The D01 to D25 of
-scenes are pictures of "Graphics Shaders"; the defects of listings, D1 to D62 of other sources, have no scenes.
+`# SH113 SH114 Compact disc: ...`. A starting scene of glib/exercises begins with `# Exercise ID: ...`, and NAME.toml
+beside it names the solution. The D01 to D25 of scenes are pictures of "Graphics Shaders"; the defects of listings, D1 to
+D62 of other sources, have no scenes.
 
 usage: tools/coverage.py             writes the pages, and clears the answer `not yet` of rows that have a scene
        tools/coverage.py --check     writes nothing; fails if something is wrong or a page is not current
@@ -163,6 +164,11 @@ def connect(rows, scenes):
             yield f"{path}: the first line is not '# Exercise ID: ...' with an id of {ROWS}"
         else:
             known[found.group(1)].task = path
+        grading = path.removesuffix(".glib") + ".toml"
+        if not os.path.exists(full(grading)):
+            yield f"{path}: {grading} is missing"
+        elif not os.path.exists(os.path.join(full(os.path.dirname(path)), tomllib.loads(text_of(grading))["solution"])):
+            yield f"{grading}: the solution does not exist"
 
 
 def wrong_answers(rows, scenes):
