@@ -1,124 +1,216 @@
 #!/usr/bin/env python3
-"""Writes glib/README.md: every scene with what it shows and where it comes from.
+"""Writes docs/coverage.md, the pages of docs/chapters, and glib/README.md: what answers each row of the five sources.
 
-The first line of a scene and of each of its shaders begins with the ids of the exercises that it answers, for example
-`SH033`. This program turns the ids into the book and its chapters; the window reads them from the page.
+tests/coverage/rows.csv lists every row: id, source, chapter, what it asks for, and, for a row without a scene, the
+answer: the tests, pages or commands that answer it (files in backquotes; shots of suites as "shot `TOPIC/NAME`"),
+`not yet`, `no picture: WHY`, or `not possible: WHY`. A scene answers the rows whose ids begin its first line, as in
+`# SH113 SH114 Compact disc: ...`. A starting scene of glib/exercises begins with `# Exercise ID: ...`, and NAME.toml
+beside it names the solution. The D01 to D25 of scenes are pictures of "Graphics Shaders"; the defects of listings, D1 to
+D62 of other sources, have no scenes.
 
-usage: tools/coverage.py [--check]     --check writes nothing and fails if the file is not current
+usage: tools/coverage.py             writes the pages, and clears the answer `not yet` of rows that have a scene
+       tools/coverage.py --check     writes nothing; fails if something is wrong or a page is not current
+       tools/coverage.py --missing   lists the rows that are not answered yet
 """
+import csv
+import fnmatch
+import glob
+import io
 import os
 import re
 import sys
+import tomllib
+from dataclasses import dataclass, field
+
+import coverage_pages
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-IDENTIFIER = re.compile(r"\b(?:(?:GX|SH|EX|PF|NM|D|B|X)\d{2,3}(?:\.\d+)?|Gx?\d{1,2}(?:\.\w+)?|S\d{2})\b")
-STAGE = re.compile(r"^\s*(?:Vertex|TessControl|TessEvaluation|Geometry|Fragment|Compute)\s+(\S+)", re.IGNORECASE)
-
-# The chapters of "Graphics Shaders". GX: scenes, SH: shaders, D: pictures. An entry holds from its number on, up to the
-# next one. The ids of "OpenGL with Java" (G, Gx) begin with the chapter, and those of the slides (S) have none.
-CHAPTERS = {
-    "GX": {1: 3, 3: 4, 7: 7, 8: 9, 10: 11, 13: 12, 14: 13, 18: 15},
-    "SH": {1: 3, 8: 4, 10: 6, 16: 7, 20: 8, 27: 9, 36: 10, 45: 11, 74: 12, 78: 13, 94: 14, 95: 15, 113: 16},
-    "D": {1: 9, 3: 6, 6: 7, 8: 8, 9: 9, 13: 10, 15: 11, 17: 13, 18: 15, 23: 16},
-}
+ROWS = "tests/coverage/rows.csv"
+TOTAL = 969  # rows of all sources; none may get lost
+DEFECTS = "Defects of listings"
+UNANSWERED = re.compile(r"not yet$|no picture: |not possible: ")
 
 
-def first_line(path):
-    with open(path, encoding="utf-8") as file:
-        return file.readline().strip().lstrip("#/ ")
+@dataclass
+class Row:
+    id: str
+    source: str
+    chapter: str
+    what: str
+    answer: str
+    scenes: list = field(default_factory=list)
+    task: str = ""  # the starting scene of an exercise
+
+    def state(self):
+        if self.scenes:
+            return "scene"
+        found = UNANSWERED.match(self.answer)
+        return found.group(0).rstrip(": ") if found else "elsewhere"
 
 
-def summary(path):
-    """The first line, or the first sentence if the line ends within it."""
+@dataclass
+class Scene:
+    path: str  # from the root: glib/TOPIC/NAME.glib
+    sentence: str
+    ids: list
+    rows: list = field(default_factory=list)
+    goldens: list = field(default_factory=list)  # paths from the root
+    shots: list = field(default_factory=list)  # "TOPIC/NAME", with and without goldens
+
+    def name(self):
+        return self.path[len("glib/"):-len(".glib")]
+
+
+def full(path):
+    return os.path.join(ROOT, path)
+
+
+def text_of(path):
+    with open(full(path), encoding="utf-8") as file:
+        return file.read()
+
+
+def files(pattern):
+    return sorted(os.path.relpath(each, ROOT) for each in glob.glob(full(pattern)))
+
+
+def read_rows():
+    with open(full(ROWS), encoding="utf-8", newline="") as file:
+        return [Row(**each) for each in csv.DictReader(file)]
+
+
+def rows_text(rows):
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(["id", "source", "chapter", "what", "answer"])
+    writer.writerows([row.id, row.source, row.chapter, row.what, row.answer] for row in rows)
+    return text.getvalue()
+
+
+def read_scene(path):
+    """Ids are the words at the beginning of the first line that look like one. The sentence is the rest of the line; if
+    that does not end with a full stop, it goes on up to the first one of the comment."""
     comment = []
-    with open(path, encoding="utf-8") as file:
-        for line in file:
-            if not re.match(r"#|//", line):
-                break
-            comment.append(line.strip().lstrip("#/ "))
-    if not comment or comment[0].endswith("."):
-        return comment[0] if comment else ""
-    return re.split(r"(?<=\.) ", " ".join(comment), maxsplit=1)[0]
+    for line in text_of(path).splitlines():
+        if not line.startswith("#"):
+            break
+        comment.append(line.lstrip("# ").rstrip())
+    words = comment[0].split() if comment else []
+    ids = []
+    while words and re.fullmatch(r"[A-Z]{1,2}x?\d[\w.]*,?", words[0]):
+        ids.append(words.pop(0).rstrip(","))
+    sentence = " ".join(words)
+    if sentence and not sentence.endswith("."):
+        sentence = re.split(r"(?<=\.) ", " ".join([sentence, *comment[1:]]), maxsplit=1)[0]
+    return Scene(path, sentence, ids)
 
 
-def identifiers(scene, topic):
-    texts = [first_line(scene)]
-    with open(scene, encoding="utf-8") as file:
-        for line in file:
-            match = STAGE.match(line)
-            if match and match.group(1) != "inline":
-                texts.append(first_line(os.path.join(ROOT, "shaders", topic, match.group(1))))
-    found = []
-    for text in texts:
-        for each in IDENTIFIER.findall(text):
-            if each not in found:
-                found.append(each)
-    return found
-
-
-def place(identifier):
-    """The source and the chapter; 0 for slides, which have none."""
-    if match := re.match(r"Gx?(\d+)", identifier):
-        return "OpenGL with Java", int(match.group(1))
-    if re.match(r"S\d", identifier):
-        return "GLSL slides", 0
-    family = identifier.rstrip("0123456789.")
-    number = int(re.sub(r"\D", "", identifier.split(".")[0]))
-    starts = [start for start in CHAPTERS[family] if start <= number]
-    return "Graphics Shaders", CHAPTERS[family][max(starts)]
-
-
-def source(ids):
-    """For example "Graphics Shaders, chapters 4 and 9; OpenGL with Java, chapter 14"."""
-    chapters = {}
-    for title, chapter in sorted({place(each) for each in ids}):
-        chapters.setdefault(title, []).append(str(chapter))
-    texts = []
-    for title, numbers in chapters.items():
-        if numbers == ["0"]:
-            texts.append(title)
-        elif len(numbers) == 1:
-            texts.append(f"{title}, chapter {numbers[0]}")
-        else:
-            texts.append(f"{title}, chapters {', '.join(numbers[:-1])} and {numbers[-1]}")
-    return "; ".join(texts) if texts else "-"
-
-
-def table():
-    lines = ["# The example scenes", "",
-             "There is one folder per topic. Shaders are in `shaders/TOPIC`, pictures and volumes in",
-             "[textures](../textures/README.md), models in [scenes/models](../scenes/models/README.md).", "",
-             "The last column says which book and chapter a scene is about, as the window does in its examples:", "",
-             "- Graphics Shaders: \"Graphics Shaders: Theory and Practice\" (Bailey, Cunningham, second edition, 2012). The shaders",
-             "  were written anew from the behaviour that the book describes.",
-             "- OpenGL with Java: \"Computer Graphics Programming in OpenGL with Java\" (Gordon, Clevenger, third edition).",
-             "- GLSL slides: a set of lecture slides about GLSL.", "",
-             "`tools/coverage.py` writes this page from the numbers of exercises (such as SH033) in the first lines of the scenes and",
-             "their shaders.", "",
-             "| scene | what it shows | source |", "|---|---|---|"]
-    folder = os.path.join(ROOT, "glib")
-    for topic in sorted(os.listdir(folder)):
-        if not os.path.isdir(os.path.join(folder, topic)):
-            continue
-        for name in sorted(os.listdir(os.path.join(folder, topic))):
-            if not name.endswith(".glib"):
+def read_suite(path):
+    """(scene, name of the shot, golden without its extension) of every shot of scenes/TOPIC.toml."""
+    suite = tomllib.loads(text_of(path))
+    folder = os.path.dirname(path)
+    patterns = lambda value: [value] if isinstance(value, str) else value or []
+    for shot in suite.get("shot", []):
+        shot = suite.get("defaults", {}) | shot
+        inside = lambda key: [os.path.normpath(os.path.join(folder, each)) for each in patterns(shot.get(key))]
+        scenes = [scene for each in inside("script") for scene in files(each)]
+        for scene in scenes:
+            if any(fnmatch.fnmatch(scene, each) for each in inside("except")):
                 continue
-            path = os.path.join(folder, topic, name)
-            text = re.sub(r"^(?:" + IDENTIFIER.pattern + r"[\s,/()–-]*)+", "", summary(path)).replace("|", "\\|")
-            lines.append(f"| [{topic}/{name[:-5]}]({topic}/{name}) | {text} | {source(identifiers(path, topic))} |")
-    lines += ["", "---", "", "[README](../README.md) · [Tutorial](../docs/tutorial.md) · "
-              "[The scene language](../docs/language.md)"]
-    return "\n".join(lines) + "\n"
+            stem = os.path.splitext(os.path.basename(scene))[0]
+            name = shot.get("name", stem) if len(scenes) == 1 else f"{shot['name']}/{stem}" if "name" in shot else stem
+            goldens = os.path.normpath(os.path.join(folder, suite.get("goldens", "")))
+            yield scene, name, f"{goldens}/{name}"
+
+
+def read_scenes():
+    scenes = {path: read_scene(path) for path in files("glib/*/*.glib")}
+    for suite in files("scenes/*.toml"):
+        topic = os.path.splitext(os.path.basename(suite))[0]
+        for path, name, golden in read_suite(suite):
+            if path not in scenes:
+                continue
+            scenes[path].shots.append(f"{topic}/{name}")
+            for each in files(glob.escape(golden) + ".png") + files(glob.escape(golden) + "@*.png"):
+                if each not in scenes[path].goldens:
+                    scenes[path].goldens.append(each)
+    return list(scenes.values())
+
+
+def connect(rows, scenes):
+    """Gives rows their scenes and tasks, and scenes their rows. Yields what is wrong."""
+    known = {}
+    for row in rows:
+        if row.source != DEFECTS:
+            if row.id in known:
+                yield f"{ROWS}: {row.id} stands there twice"
+            known[row.id] = row
+    if len(rows) != TOTAL:
+        yield f"{ROWS}: {len(rows)} rows in place of {TOTAL}"
+    for scene in scenes:
+        for each in scene.ids:
+            if each not in known:
+                yield f"{scene.path}: {ROWS} has no row {each}"
+            else:
+                known[each].scenes.append(scene)
+                scene.rows.append(known[each])
+        if not scene.shots:
+            yield f"{scene.path}: no suite of scenes/*.toml draws it"
+        elif not scene.goldens and not re.search(r"^\s*Expect\b", text_of(scene.path), re.MULTILINE | re.IGNORECASE):
+            yield f"{scene.path}: no golden, and no Expect"
+    for path in files("glib/exercises/*/*.glib"):
+        found = re.match(r"#\s*Exercise ([\w.]+\w)", text_of(path))
+        if not found or found.group(1) not in known:
+            yield f"{path}: the first line is not '# Exercise ID: ...' with an id of {ROWS}"
+        else:
+            known[found.group(1)].task = path
+        grading = path.removesuffix(".glib") + ".toml"
+        if not os.path.exists(full(grading)):
+            yield f"{path}: {grading} is missing"
+        elif not os.path.exists(os.path.join(full(os.path.dirname(path)), tomllib.loads(text_of(grading))["solution"])):
+            yield f"{grading}: the solution does not exist"
+
+
+def wrong_answers(rows, scenes):
+    shots = {shot for scene in scenes for shot in scene.shots}
+    for row in rows:
+        if not row.scenes and not row.answer:
+            yield f"{ROWS}: {row.id} has no scene; name what answers it, or write `not yet`"
+        for kind, word in re.findall(r"(shot )?`([^`\s]+/[^`\s]+)`", row.answer):
+            if kind and word not in shots:
+                yield f"{ROWS}: {row.id} names a shot that no suite has: {word}"
+            elif not kind and not files(word):
+                yield f"{ROWS}: {row.id} names a file that does not exist: {word}"
 
 
 def main():
-    path = os.path.join(ROOT, "glib", "README.md")
-    text = table()
+    rows, scenes = read_rows(), read_scenes()
+    problems = [*connect(rows, scenes)]
+    for row in rows:
+        if row.scenes and UNANSWERED.match(row.answer):
+            row.answer = ""
+    problems += wrong_answers(rows, scenes)
+    if "--missing" in sys.argv:
+        for row in rows:
+            if row.state() == "not yet":
+                print(f"{row.id:8} {row.source}{', ' + row.chapter if row.chapter else ''}: {row.what}")
+        return
+    pages = {ROWS: rows_text(rows), **coverage_pages.pages(rows, scenes)}
+    old = [path for path in files("docs/chapters/*.md") if path not in pages]
     if "--check" in sys.argv:
-        with open(path, encoding="utf-8") as file:
-            sys.exit(0 if file.read() == text else "glib/README.md is not current: run tools/coverage.py")
-    with open(path, "w", encoding="utf-8") as file:
-        file.write(text)
+        for path, text in pages.items():
+            if not os.path.exists(full(path)) or text_of(path) != text:
+                problems.append(f"{path} is not current: run tools/coverage.py")
+        problems += [f"{path} is of no chapter: run tools/coverage.py" for path in old]
+    else:
+        os.makedirs(full("docs/chapters"), exist_ok=True)
+        for path, text in pages.items():
+            with open(full(path), "w", encoding="utf-8") as file:
+                file.write(text)
+        for path in old:
+            os.remove(full(path))
+    if problems:
+        sys.exit("\n".join(problems))
 
 
 if __name__ == "__main__":

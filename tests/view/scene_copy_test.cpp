@@ -122,7 +122,7 @@ TEST(Examples, HaveTheirBookAndChapter) {
                                         [&](const view::ExampleScene& each) { return each.name == name; });
         return found == scenes.end() ? std::string("missing") : found->source;
     };
-    EXPECT_EQ(of("ovalnoise"), "Graphics Shaders, chapters 4 and 9");
+    EXPECT_EQ(of("ovalnoise"), "Graphics Shaders, chapters 4, 8 and 9");
     EXPECT_EQ(of("planets"), "OpenGL with Java, chapter 4");
     EXPECT_EQ(of("cloth"), "");
     for (const view::ExampleScene& each : scenes) {
