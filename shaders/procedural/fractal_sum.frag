@@ -25,11 +25,11 @@ void main() {
             weight = clamp(2. * ridge, 0., 1.);
             sum += amplitude * ridge * .6;
         } else {
-            product *= 1. + amplitude * value;
+            product *= 1. + 2. * amplitude * value;
         }
         place = place * uLacunarity + 17.;
         amplitude *= uGain;
     }
-    float grey = uKind == 0 ? .5 + .5 * sum : uKind == 1 ? sum : uKind == 2 ? sum - .1 : .5 * product;
+    float grey = uKind == 0 ? .5 + .9 * sum : uKind == 1 ? 1.2 * sum : uKind == 2 ? sum - .1 : .5 * product;
     fColor = vec4(vec3(clamp(grey, 0., 1.)), 1.);
 }
