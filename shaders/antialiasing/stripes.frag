@@ -3,7 +3,8 @@
 #include "pulse.glsl"
 
 uniform int uQuality;       // sharp, smoothstep, adaptive, integrated
-uniform float uFrequency;   // stripes per unit
+uniform float uFrequency;   // stripes along the lower edge
+uniform float uGrowth;      // how many times their number doubles up to the upper edge
 uniform float uDuty;        // share of a period that is light
 uniform float uFuzz;        // width of the edge of smoothstep, in periods
 
@@ -18,7 +19,7 @@ float smoothPulse(float x, float w) {
 }
 
 void main() {
-    float x = vPlace.s * uFrequency;
+    float x = (vPlace.s - .5) * uFrequency * exp2(uGrowth * vPlace.t);
     // How much x changes from pixel to pixel.
     float w = max(length(vec2(dFdx(x), dFdy(x))), 1e-5);
     float light;

@@ -21,7 +21,7 @@ void main() {
         color = fract(uTime) < .5 ? uOn : uOff;
     } else if (uKind == 1) {
         // The threshold rises and falls; what is below it is gone, and its edge glows.
-        float threshold = .5 - .35 * cos(6.2831853 * uTime / 4.);
+        float threshold = .5 - .25 * cos(6.2831853 * uTime / 4.);
         float left = noise(.2 * vPlace) - threshold;
         if (left < 0.) discard;
         color = mix(vec3(1., .55, .1), uOn, smoothstep(0., .08, left));
