@@ -1,4 +1,4 @@
-// R58 Colour spaces: one matrix per pixel gives the coordinates of a colour in another space, shown as three strips or as grey.
+// R58 Colour spaces: one matrix per pixel gives the coordinates of a colour in another space, shown as a colour or one of them as grey.
 #version 330 core
 
 uniform mat3 uMatrix;
