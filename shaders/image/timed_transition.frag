@@ -21,7 +21,7 @@ vec3 transition(float t) {
 }
 
 void main() {
-    // Up in the first two fifths of the period, down in the next but one two.
+    // Up between .1 and .4 of the period, down between .6 and .9.
     float t = smoothstep(.1, .4, Timer) - smoothstep(.6, .9, Timer);
     fColor = vec4(transition(t), 1.);
 }
