@@ -39,7 +39,7 @@ void main() {
         sum += bright * bright * color;
         all += color;
     }
-    vec3 glow = sqrt(sum / all);   // the eye sees ratios: the square root shows the faint rings
+    vec3 glow = pow(sum / all, vec3(.4));   // a film shows ratios: the power makes the faint rings visible
 
     vec4 octaves = texture(Noise3, vec3(.55 * vST + .1, .4));
     float cloud = mix(1., clamp(.62 + 1.1 * (octaves.r + octaves.g + octaves.b + octaves.a - 2.), .15, 1.), uCloud);
