@@ -1,7 +1,7 @@
-// EX16.10 EX16.12 Circles with other powers, in integers: x and y are odd multiples of uSixteenths / 32, so that every driver agrees.
+// EX16.10 EX16.12 Circles with other powers, in integers: x and y are odd multiples of uFractions / 128, so that every driver agrees.
 #version 330 core
 
-uniform int uSixteenths;   // side of a pixel
+uniform int uFractions;   // side of a pixel
 uniform int uPower;
 uniform int uRamp;
 
@@ -15,10 +15,10 @@ vec3 ramp(float t) {
 }
 
 void main() {
-    uvec2 place = uint(uSixteenths) * (2u * uvec2(gl_FragCoord.xy) + 1u);   // in 1/32
+    uvec2 place = uint(uFractions) * (2u * uvec2(gl_FragCoord.xy) + 1u);   // in 1/128
     uvec2 power = uvec2(1u);
     for (int i = 0; i < uPower; ++i) power *= place;   // modulo 2^32
-    uint c = (power.x + power.y) >> uint(5 * uPower);
+    uint c = (power.x + power.y) >> uint(7 * uPower);
     if ((c & 1u) == 1u) discard;
     fColor = vec4(ramp(float(c % 360u) / 359.), 1.);
 }
