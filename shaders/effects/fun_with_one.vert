@@ -4,6 +4,6 @@
 out vec2 vXY;
 
 void main() {
-    vXY = aVertex.xy;
+    vXY = vec2(4., 3.) * aVertex.xy;
     gl_Position = uModelViewProjectionMatrix * aVertex;
 }
