@@ -5,7 +5,6 @@ uniform int uShow;   // needles, isobars, plain
 
 in float vPressure;
 in vec3 vNormal;
-in float vAlong;
 
 out vec4 fColor;
 

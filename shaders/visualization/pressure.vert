@@ -5,11 +5,9 @@ in float aPressure;
 
 out float vPressure;
 out vec3 vNormal;
-out float vAlong;
 
 void main() {
     vPressure = aPressure;
     vNormal = uNormalMatrix * aNormal;
-    vAlong = aVertex.z;
     gl_Position = uModelViewProjectionMatrix * aVertex;
 }

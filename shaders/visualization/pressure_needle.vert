@@ -8,12 +8,10 @@ in float aTip;
 
 out float vPressure;
 out vec3 vNormal;
-out float vAlong;
 
 void main() {
     vPressure = aPressure;
     vNormal = uNormalMatrix * aNormal;
-    vAlong = aVertex.z;
     vec3 tip = aVertex.xyz + aTip * uStretch * abs(aPressure) * aNormal;
     gl_Position = uModelViewProjectionMatrix * vec4(tip, 1.);
 }
