@@ -41,6 +41,9 @@ void main() {
     }
     vec3 glow = pow(sum / all, vec3(.4));   // a film shows ratios: the power makes the faint rings visible
 
+    float mean = dot(glow, vec3(1. / 3.));
+    glow = max(mix(vec3(mean), glow, 1.9), 0.);   // deeper colours than in the sky
+
     vec4 octaves = texture(Noise3, vec3(.55 * vST + .1, .4));
     float cloud = mix(1., clamp(.62 + 1.1 * (octaves.r + octaves.g + octaves.b + octaves.a - 2.), .15, 1.), uCloud);
     vec3 sky = mix(vec3(.02, .03, .06), vec3(.10, .11, .14), cloud);

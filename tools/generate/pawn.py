@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Writes scenes/models/pawn_coarse.obj: a chess pawn of few triangles with normals, for PN triangles (EX13.6)."""
+"""pawn.py FOLDER: writes pawn_coarse.obj, a chess pawn of few triangles with normals, for PN triangles (EX13.6)."""
+import sys
 from math import cos, hypot, pi, sin
 
 SIDES = 7
@@ -9,7 +10,7 @@ PROFILE = [(.62, 0, 1, 0), (.60, .22, .8, .6), (.34, .42, .6, .8), (.22, .80, 1,
 TOP = 1.70
 
 
-def main():
+def main(folder):
     lines = ["# A coarse chess pawn with normals, made by tools/generate/pawn.py"]
     for radius, height, _, _ in PROFILE:
         for k in range(SIDES):
@@ -34,8 +35,8 @@ def main():
     top = len(PROFILE) * SIDES + 1
     for k in range(SIDES):
         lines.append(f"f {corner(len(PROFILE) - 1, k)} {top}//{top} {corner(len(PROFILE) - 1, k + 1)}")
-    with open("scenes/models/pawn_coarse.obj", "w", encoding="ascii") as file:
+    with open(folder + "/pawn_coarse.obj", "w", encoding="ascii") as file:
         file.write("\n".join(lines) + "\n")
 
 
-main()
+main(sys.argv[1])
