@@ -4,7 +4,7 @@
 uniform float uIndex;      // of ice, for yellow light
 uniform float uView;       // from the middle of the picture to its edge, degrees
 uniform float uStrength;
-uniform bool uHand;        // a hand's breadth: the scale
+uniform bool uHand;        // an outstretched arm, for scale
 
 in vec2 vST;
 in vec2 vXY;
@@ -29,7 +29,7 @@ void main() {
     vec3 color = sky - .06 * veil * (1. - smoothstep(edge.g - 3., edge.g + 1., angle)) + .42 * uStrength * veil * ring;
     color += .9 * exp(-angle * angle / 14.) + .25 * exp(-angle / 6.);
 
-    // A post whose top hides the sun's glare: an arm with a fist of 10 degrees.
+    // An arm that hides the light below the sun; its fist is 5 degrees wide.
     if (uHand) {
         vec2 fist = degrees(atan(vXY * tan(radians(uView)))) - vec2(0., -1.);
         float arm = abs(fist.x + .04 * fist.y) - 2.6 - .03 * max(-fist.y, 0.);
