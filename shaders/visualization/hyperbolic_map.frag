@@ -23,7 +23,7 @@ void main() {
     vec2 p = vPlace;
     float pixel = max(fwidth(p.x), fwidth(p.y));
     ivec2 block = ivec2(floor(p * 4.));
-    float tone = float(mixed(uint(block.x + 64) * 131u + uint(block.y + 64)) >> 8) / 16777216.;
+    float tone = float(mixed(uint(block.x + 128) * 257u + uint(block.y + 128)) >> 8) / 16777216.;
     vec3 color = mix(vec3(.93, .90, .84), vec3(.86, .83, .78), mix(tone, .5, smoothstep(.1, .3, pixel)));
     float park = max(abs(p.x + 1.5) - .72, abs(p.y - 1.25) - .47);
     color = mix(vec3(.66, .82, .56), color, smoothstep(-pixel, pixel, park));
