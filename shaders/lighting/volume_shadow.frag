@@ -17,7 +17,8 @@ void main() {
     float ahead = dot(toBall, toSun);
     float beside = length(toBall - ahead * toSun);
     // The half-shadow grows with the distance from the ball.
-    float half_ = max(uSoft * ahead, 1e-3);
-    float free = ahead > 0. ? smoothstep(uRadius - half_, uRadius + half_, beside) : 1.;
+    float blur = max(uSoft * ahead, 1e-3);
+    float free = smoothstep(uRadius - blur, uRadius + blur, beside);
+    free = mix(1., free, smoothstep(0., 1.5 * uRadius, ahead));   // the ball itself has its own dark side
     fColor = vec4(vec3(mix(1. - uDark, 1., free)) * (uShowVolume ? vec3(1., .85, .6) : vec3(1.)), 1.);
 }
