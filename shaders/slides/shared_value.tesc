@@ -13,13 +13,13 @@ void main() {
 
     barrier();   // in main, outside of any condition
 
-    // What all corners have written is known here, also to the invocation that sets the value of the patch.
-    float longest = max(tSide[0], max(tSide[1], tSide[2]));
+    // What all corners have written is known here, also to the invocation that sets the values of the patch.
     if (gl_InvocationID == 0) {
+        float longest = max(tSide[0], max(tSide[1], tSide[2]));
         vec4 sum = gl_out[0].gl_Position + gl_out[1].gl_Position + gl_out[2].gl_Position;
         tCentre = vec4(sum.xyz / 3., longest);
+        float level = max(uLevel * longest, 1.);
+        for (int i = 0; i < 3; ++i) gl_TessLevelOuter[i] = level;
+        gl_TessLevelInner[0] = level;
     }
-    float level = max(uLevel * longest, 1.);
-    gl_TessLevelOuter[gl_InvocationID] = level;
-    gl_TessLevelInner[0] = level;
 }
