@@ -16,7 +16,7 @@ void main() {
     float clouds = uClouds * texture(uNight, vST + vec2(uDrift, 0.)).a;
     float sun = dot(normal, toSun);
     float shine = uGloss * day.a * (1. - clouds) * pow(max(dot(reflect(-toSun, normal), normalize(-vPosition)), 0.), 30.);
-    vec3 lit = max(sun, 0.) * mix(day.rgb, vec3(1.), clouds) + shine * vec3(1., .95, .8);
+    vec3 lit = 1.35 * max(sun, 0.) * mix(day.rgb, vec3(1.), clouds) + shine * vec3(1., .95, .8);
     vec3 dark = uTowns * texture(uNight, vST).rgb * (1. - clouds);
     fColor = vec4(mix(dark, lit, smoothstep(-.1, .12, sun)), 1.);
 }
