@@ -1,0 +1,4 @@
+// S22 The model's own coordinates.
+#version 400
+
+void main() { gl_Position = aVertex; }
