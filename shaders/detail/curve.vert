@@ -1,4 +1,4 @@
-// G11.f3 Gx11.2 A Bezier curve of degree 1, 2 or 3 as a band of constant width: two vertices per step, evaluated with Bernstein's sums.
+// G11.f3 Gx11.2 A Bezier curve of degree 1, 2 or 3 as a band of constant width, by Bernstein's sums.
 #version 410 core
 
 uniform mat4 mvp_matrix;

@@ -1,4 +1,4 @@
-// Gx9.2 A face of a cube map with its name, to be read from inside: X, Y or Z with its sign, and a dot in the lower right corner.
+// Gx9.2 A face of a cube map with its name, to be read from inside, and a dot in the lower right corner.
 #version 410 core
 
 uniform int uFace;      // +x -x +y -y +z -z
@@ -28,7 +28,11 @@ bool dot5x7(int symbol, vec2 place) {
     ivec2 p = ivec2(floor(place));
     if (p.x < 0 || p.x > 4 || p.y < 0 || p.y > 6) return false;
     int row = 6 - p.y;
-    int bits = symbol == 0 ? kX[row] : symbol == 1 ? kY[row] : symbol == 2 ? kZ[row] : symbol == 3 ? kPlus[row] : kMinus[row];
+    int bits = kMinus[row];
+    if (symbol == 0) bits = kX[row];
+    if (symbol == 1) bits = kY[row];
+    if (symbol == 2) bits = kZ[row];
+    if (symbol == 3) bits = kPlus[row];
     return ((bits >> (4 - p.x)) & 1) == 1;
 }
 

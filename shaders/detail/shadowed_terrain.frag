@@ -1,4 +1,4 @@
-// Gx10.4 Hills in the light of the sun: the slope of the height map gives the normal, the shadow map says what the sun reaches.
+// Gx10.4 Hills in the sun: the slope of the height map gives the normal, the shadow map says what the sun reaches.
 #version 410 core
 
 uniform sampler2D uHeights;
@@ -19,7 +19,8 @@ void main() {
     // The map is two units wide; t grows toward -z.
     vec3 normal = normalize(vec3(-uHeight * east / (4. * texel.x), 1., uHeight * north / (4. * texel.y)));
     float lit = 0., step = 1. / float(textureSize(uShadow, 0).x);
-    for (int i = 0; i < 9; ++i) lit += texture(uShadow, vSunPlace.xyz + vec3(step * (vec2(i % 3, i / 3) - 1.), 0.)) / 9.;
+    for (int i = 0; i < 9; ++i)
+        lit += texture(uShadow, vSunPlace.xyz + vec3(step * (vec2(i % 3, i / 3) - 1.), 0.)) / 9.;
     if (!uShadows) lit = 1.;
     vec3 color = mix(vec3(.26, .44, .18), vec3(.60, .50, .36), smoothstep(.05, .5, height));
     color = mix(color, vec3(.95), smoothstep(.6, .85, height));

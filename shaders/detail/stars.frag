@@ -1,4 +1,4 @@
-// G9.S Stars on a map of the sky: one at most in each cell of a grid that is narrower near the poles, and a milky band on the equator.
+// G9.S Stars on a map of the sky, at most one in each cell of a grid, and a milky band on the equator.
 #version 410 core
 #include "../modern/noise.glsl"
 

@@ -1,4 +1,4 @@
-// Gx8.5 Penumbra by the distance of the blocker (Fernando 2005): a first search finds what is in the way, a second one softens.
+// Gx8.5 Penumbra by the distance of the blocker (Fernando 2005): one search finds what is in the way, the next softens.
 #version 410 core
 #include "../modern/lighting.glsl"
 
@@ -31,8 +31,8 @@ float litShare() {
     // How the depth of this surface changes across the map, so that a flat receiver does not block itself.
     vec3 right = dFdx(place), up = dFdy(place);
     float area = right.x * up.y - right.y * up.x;
-    vec2 slope = vec2(up.y * right.z - right.y * up.z, right.x * up.z - up.x * right.z) / (abs(area) < 1e-12 ? 1e-12 : area);
-    slope = clamp(slope, -2., 2.);
+    vec2 slope = vec2(up.y * right.z - right.y * up.z, right.x * up.z - up.x * right.z);
+    slope = clamp(slope / (abs(area) < 1e-12 ? 1e-12 : area), -2., 2.);
 
     // The mean distance of what is nearer to the lamp, where the lamp as seen from here crosses the map's plane.
     float search = uLampSize / uWindow / receiver * (receiver - uNear) / uNear;

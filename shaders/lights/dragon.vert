@@ -33,7 +33,8 @@ vec3 skin(vec2 st) {
 
 void main() {
     const float h = .0006;
-    vec3 alongS = skin(tc + vec2(h, 0.)) - skin(tc - vec2(h, 0.)), alongT = skin(tc + vec2(0., 2. * h)) - skin(tc - vec2(0., 2. * h));
+    vec3 alongS = skin(tc + vec2(h, 0.)) - skin(tc - vec2(h, 0.));
+    vec3 alongT = skin(tc + vec2(0., 2. * h)) - skin(tc - vec2(0., 2. * h));
     vec4 place = m_matrix * vec4(skin(tc), 1.);
     vPlace = place.xyz;
     vNormal = mat3(norm_matrix) * cross(alongT, alongS);

@@ -14,7 +14,10 @@ out vec4 fColor;
 
 float lit(sampler2DShadow map, vec4 place) {
     float sum = 0., texel = 1. / float(textureSize(map, 0).x);
-    for (int i = 0; i < 9; ++i) sum += textureProj(map, place + vec4(1.2 * texel * (vec2(i % 3, i / 3) - 1.) * place.w, 0., 0.));
+    for (int i = 0; i < 9; ++i) {
+        vec2 offset = 1.2 * texel * (vec2(i % 3, i / 3) - 1.);
+        sum += textureProj(map, place + vec4(offset * place.w, 0., 0.));
+    }
     return sum / 9.;
 }
 

@@ -20,6 +20,7 @@ float craters(vec2 place, ivec2 cells, uint seed) {
 
 void main() {
     float plains = .5 + .16 * fractalNoise(vec3(4. * vST, 1.), 4);
-    float relief = craters(vST, ivec2(8, 4), 1u) + .7 * craters(vST, ivec2(16, 8), 2u) + .5 * craters(vST, ivec2(32, 16), 3u);
+    float relief = craters(vST, ivec2(8, 4), 1u) + .7 * craters(vST, ivec2(16, 8), 2u) +
+                   .5 * craters(vST, ivec2(32, 16), 3u);
     fColor = vec4((plains + relief) * vec3(1., .98, .94), 1.);
 }

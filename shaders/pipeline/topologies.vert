@@ -12,8 +12,10 @@ void main() {
     float number = float(gl_VertexID), last = max(float(uCount) - 1., 1.), part = number / last;
     bool even = gl_VertexID % 2 == 0;
     vec2 place = vec2(1.5 * part - .75, (even ? -.5 : .5) + .12 * sin(2.4 * number));
-    if (uLayout == 1)
-        place = vec2(0., -.6) + (gl_VertexID == 0 ? vec2(0.) : around(3.14159265 * (number - 1.) / max(last - 1., 1.), vec2(.82, 1.1)));
+    if (uLayout == 1) {
+        float angle = 3.14159265 * (number - 1.) / max(last - 1., 1.);
+        place = vec2(0., -.6) + (gl_VertexID == 0 ? vec2(0.) : around(angle, vec2(.82, 1.1)));
+    }
     if (uLayout == 2) {
         // Six around a centre: a triangle and the three far corners of its neighbours.
         float center = floor(number / 6.);
