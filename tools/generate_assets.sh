@@ -16,5 +16,6 @@ $compile "$source/pictures.cpp" "$source/march.cpp" "$source/png.cpp" "$source/f
 mkdir -p "$root/textures" "$root/scenes/models"
 "$work/model" "$root/scenes/models"
 python3 "$source/pawn.py" "$root/scenes/models"
+python3 "$source/shuttle.py" "$root/scenes/models"
 python3 "$source/fields.py" "$root/textures"
 "$work/pictures" "$root/textures" "$@"

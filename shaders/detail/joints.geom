@@ -1,0 +1,36 @@
+// G11.f7 The places where the straight pieces of a curve meet, as points.
+#version 410 core
+#include "subdivide.glsl"
+
+layout(points) in;
+layout(points, max_vertices = 65) out;
+
+uniform mat4 mvp_matrix;
+
+flat out int vLevel;
+
+void emit(vec2 place, int level) {
+    gl_Position = mvp_matrix * vec4(place, 0., 1.);
+    gl_PointSize = 5.;
+    vLevel = level;
+    EmitVertex();
+    EndPrimitive();
+}
+
+void main() {
+    Curve stack[kLevels + 1];
+    int top = 0;
+    stack[0] = Curve(uPoints[0], uPoints[1], uPoints[2], uPoints[3], 0);
+    emit(uPoints[0], 0);
+    while (top >= 0) {
+        Curve c = stack[top--];
+        if (isStraight(c)) {
+            emit(c.p3, c.level);
+        } else {
+            Curve left, right;
+            halves(c, left, right);
+            stack[++top] = right;
+            stack[++top] = left;
+        }
+    }
+}
