@@ -102,7 +102,7 @@ TEST_F(Histories, AreCopiedUnlessTheInvocationsReachAll) {
                                             {"Next over 40 32 1", true},
                                             {"Next over 33 29", true},
                                             {"Next over 32 29", false},
-                                            {"Next over 37 28", true},
+                                            {"Next over 37 28", false},
                                             {"Next over 37 24", false},
                                             {"Next over 37", false},
                                             {"Next 5 8", true},
