@@ -295,7 +295,7 @@ image::Image mapOf(const std::string& scene) {
 
 TEST(ModernState, OffsetsDepthByItsSlopeAndItsUnits) {
     // OpenGL 4.6, 14.6.5: factor times the largest slope, plus units times the least resolvable difference,
-    // which is a step of 24 bits, and for floats depends on the exponent of the depth.
+    // which depends on the driver, and for floats on the exponent of the depth.
     const auto depthAt = [](const std::string& format, const std::string& state, const std::string& depth,
                             int x, int y) {
         const image::Image map = mapOf(coveringScene(format, state, depth));
@@ -309,23 +309,19 @@ TEST(ModernState, OffsetsDepthByItsSlopeAndItsUnits) {
             EXPECT_NEAR(depthAt(format, "offset 2 0", slanted, x, 2), plain + 2 / 64., 1e-6) << format;
             EXPECT_NEAR(depthAt(format, "offset -3 0", slanted, x, 2), plain - 3 / 64., 1e-6) << format;
         }
-    // The difference that is certainly resolved may be more than one step.
-    constexpr double kStep = 1 / 16'777'215.;
+    // A unit is the driver's to choose. It is at least the difference of two depths, and not much more.
+    constexpr double kStep = 1 / 16'777'215., kMost = 8;
     const double flat = depthAt("depth24", "offset 0 0", ".5", 1, 1);
     const double unit = (depthAt("depth24", "offset 0 400", ".5", 1, 1) - flat) / 400 / kStep;
-    EXPECT_NEAR(unit, std::round(unit), .01);
     EXPECT_GE(unit, .99);
-    EXPECT_LE(unit, 2.01);
+    EXPECT_LE(unit, kMost);
     EXPECT_NEAR((depthAt("depth24", "offset 0 -400", ".5", 1, 1) - flat) / 400 / kStep, -unit, .01);
-    // The same for floats, in steps of the exponent of the depth. Vulkan, on which zink draws, may count in
-    // steps of 24 bits.
     for (const double depth : {.5, .125}) {
-        const double step = depth * 0x1p-23;
+        const double step = depth * 0x1p-23;  // between two floats
         const std::string at = std::to_string(depth);
-        const double floatUnit = (depthAt("depth32f", "offset 0 400", at, 1, 1) - depth) / 400 / step;
-        EXPECT_NEAR(floatUnit, std::round(floatUnit), .01) << depth;
-        EXPECT_GE(floatUnit, .99) << depth;
-        EXPECT_LE(floatUnit, 2.01) << depth;
+        const double floatUnit = (depthAt("depth32f", "offset 0 400", at, 1, 1) - depth) / 400;
+        EXPECT_GE(floatUnit, .99 * step) << depth;
+        EXPECT_LE(floatUnit, kMost * kStep) << depth;
     }
 }
 
