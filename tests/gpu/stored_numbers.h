@@ -11,7 +11,8 @@ namespace glibra::test {
 /// one is only preferred (OpenGL 4.6, 2.3.5.2). NVIDIA's driver makes 127 of .5. `exact`: in units of the
 /// stored integer; `error`: of what the device computed, in the same unit.
 inline bool mayBeStored(double stored, double exact, double error = 1e-4) {
-    return stored >= std::floor(exact - error) && stored <= std::ceil(exact + error);
+    const double integer = std::round(stored);  // it may have been read as a float
+    return integer >= std::floor(exact - error) && integer <= std::ceil(exact + error);
 }
 
 /// The same as an assertion that shows the numbers.

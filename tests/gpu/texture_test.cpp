@@ -64,7 +64,7 @@ void expectKept(TexelFormat format, double stored, double given) {
         case TexelFormat::rgba8:
             return glibra::test::expectStored(stored * 255, given * 255);
         case TexelFormat::rgba16:
-            return glibra::test::expectStored(stored * 65535, given * 65535, .01);  // read as floats
+            return glibra::test::expectStored(stored * 65535, given * 65535);
         case TexelFormat::rgba16f:
             EXPECT_NEAR(stored, given, 1. / 2048);  // 11 bits of mantissa, values up to 1
             return;
