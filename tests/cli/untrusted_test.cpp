@@ -48,7 +48,8 @@ class Untrusted : public testing::Test {
 
 TEST_F(Untrusted, ScenesDrawTheSameBytesWithEveryDriver) {
     for (const std::string driver : {"egl", "osmesa"}) {
-        // OSMesa is missing in newer Mesa, and draws only where the environment names none of its other drivers.
+        // OSMesa is missing in newer Mesa, and draws only where the environment names none of its other
+        // drivers.
         if (driver == "osmesa" && run("info --driver osmesa").status != 0) continue;
         const std::string scenes = "in/a.glib '" GLIBRA_SOURCE_DIR
                                    "/glib/start/teapot.glib' '" GLIBRA_SOURCE_DIR
