@@ -160,7 +160,7 @@ class ValueReader {
     void setList(std::size_t wanted, bool countMatters) {
         const std::size_t given = given_.values.size();
         const std::size_t declared = array_ ? std::max(wanted, declared_ * components()) : wanted;
-        if (countMatters && given < wanted)
+        if (countMatters && given < declared)  // whatever the driver calls active
             warnCount(fmt::format("{} takes {}, so the rest is 0", typeName_, declared));
         if (countMatters && given > declared)
             warnCount(fmt::format("{} takes {}, so the surplus is ignored", typeName_, declared));

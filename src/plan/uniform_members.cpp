@@ -81,6 +81,41 @@ std::string subscriptProblem(const TagPart& part, std::string_view path, const D
     return {};
 }
 
+/// Structures contain no others deeper than any scene needs; faulty text may contain itself.
+constexpr int kDeepest = 16;
+
+/// True if the text shows the size of every array of structures in it.
+bool hasKnownSizes(const glsl::MemoryFacts& memory, const glsl::MemoryMember& member, int depth) {
+    const Declared declared = declaredBy(memory, member);
+    if (declared.members == nullptr) return true;
+    return depth < kDeepest &&
+           std::all_of(
+               member.sizes.begin(), member.sizes.end(), [](long long size) { return size > 0; }) &&
+           std::all_of(
+               declared.members->begin(), declared.members->end(),
+               [&](const glsl::MemoryMember& each) { return hasKnownSizes(memory, each, depth + 1); });
+}
+
+using VisitMember = std::function<bool(const MemberValue&)>;
+
+/// `path`: with the subscripts of the first `axis` sizes.
+bool visitAll(const glsl::MemoryFacts& memory, const glsl::MemoryMember& member, const std::string& path,
+              std::size_t axis, const VisitMember& visit) {
+    const Declared declared = declaredBy(memory, member);
+    if (declared.members == nullptr) {
+        // Of an array of arrays of a basic type, only the innermost is one value.
+        if (axis + 1 >= member.sizes.size()) return visit({path, member.type, axis < member.sizes.size()});
+    } else if (axis == member.sizes.size()) {
+        return std::all_of(declared.members->begin(), declared.members->end(),
+                           [&](const glsl::MemoryMember& each) {
+                               return visitAll(memory, each, path + "." + each.name, 0, visit);
+                           });
+    }
+    for (long long i = 0; i < std::max(member.sizes[axis], 1LL); ++i)
+        if (!visitAll(memory, member, fmt::format("{}[{}]", path, i), axis + 1, visit)) return false;
+    return true;
+}
+
 }  // namespace
 
 std::optional<MemberSearch> searchMember(const glsl::MemoryFacts& memory, std::string_view tag) {
@@ -117,6 +152,13 @@ std::optional<MemberSearch> searchMember(const glsl::MemoryFacts& memory, std::s
     const bool isElement = parts.back().subscripts.size() >= here->sizes->size();
     return MemberSearch{false, fmt::format("; did you mean '{}{}.{}'?", tag, isElement ? "" : "[0]",
                                            here->members->front().name)};
+}
+
+bool visitMembers(const glsl::MemoryFacts& memory, std::string_view root, const VisitMember& visit) {
+    const auto record = memory.records.find(root);
+    if (record == memory.records.end() || !hasKnownSizes(memory, record->second, 0)) return false;
+    visitAll(memory, record->second, std::string(root), 0, visit);
+    return true;
 }
 
 }  // namespace glibra::plan

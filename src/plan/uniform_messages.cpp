@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <functional>
 #include <map>
 #include <set>
@@ -84,6 +85,7 @@ void UniformMessages::misspelt(std::string_view tag, std::string_view key, const
 void UniformMessages::unknown(const GivenValue& given, std::string_view resembles) {
     const std::string_view tag = given.tag;
     if (isSuppliedName(tag)) return supplied(given);
+    if (isUnreadPart(tag)) return;
     const std::string members = std::string(tag) + ".";
     const std::string elements = std::string(tag) + "[";
     std::string member;
@@ -108,8 +110,18 @@ void UniformMessages::unknown(const GivenValue& given, std::string_view resemble
 
 const std::vector<std::string>& UniformMessages::knownNames() {
     if (knownNames_.empty()) {
+        const glsl::MemoryFacts& memory = interface_.facts.memory;
+        std::set<std::string_view> listed;
+        for (const auto& [root, record] : memory.records)
+            if (visitMembers(memory, root, [this](const MemberValue& each) {
+                    knownNames_.push_back(each.name);
+                    return true;
+                }))
+                listed.insert(root);
         for (const ActiveUniform& each : interface_.uniforms)
-            if (!isInternalName(each.name) && suppliedBy(each) == nullptr) knownNames_.push_back(each.name);
+            if (!isInternalName(each.name) && suppliedBy(each) == nullptr &&
+                !listed.contains(rootName(each.name)))
+                knownNames_.push_back(each.name);
         for (const auto& [name, declared] : interface_.facts.uniforms)
             if (!isInternalName(name)) knownNames_.push_back(name);
     }
@@ -123,12 +135,28 @@ void UniformMessages::oneUnset(const ActiveUniform& each) {
         program_.place);
 }
 
-void UniformMessages::unset(std::span<const UniformIndex> uniforms) {
+bool UniformMessages::isUnreadPart(std::string_view tag) const {
+    const std::string_view root = rootName(tag);
+    const bool isRead =
+        std::any_of(interface_.uniforms.begin(), interface_.uniforms.end(),
+                    [&](const ActiveUniform& each) { return each.block < 0 && rootName(each.name) == root; });
+    if (!isRead || root == tag) return false;
+    if (interface_.facts.memory.records.contains(root))
+        return searchMember(interface_.facts.memory, tag).value_or(MemberSearch{}).isDeclared;
+    const auto declared = interface_.facts.uniforms.find(std::string(root));
+    int element = 0;
+    const std::string_view rest = tag.substr(root.size());
+    const auto [end, problem] = std::from_chars(rest.data() + 1, rest.data() + rest.size(), element);
+    return declared != interface_.facts.uniforms.end() && rest.starts_with('[') && problem == std::errc() &&
+           std::string_view(end, rest.data() + rest.size()) == "]" && element >= 0 &&
+           element < declared->second.arraySize;
+}
+
+void UniformMessages::unset(std::span<const ActiveUniform> uniforms) {
     constexpr std::size_t kMostNamed = 3;
     std::map<std::string_view, std::size_t> members;  // of each variable or block
-    for (const UniformIndex each : uniforms) ++members[groupOf(at(interface_.uniforms, each))];
-    for (const UniformIndex index : uniforms) {
-        const ActiveUniform& each = at(interface_.uniforms, index);
+    for (const ActiveUniform& each : uniforms) ++members[groupOf(each)];
+    for (const ActiveUniform& each : uniforms) {
         std::size_t& count = members[groupOf(each)];
         if (count > 0 && count <= kMostNamed) oneUnset(each);
         if (count <= kMostNamed) continue;

@@ -33,8 +33,12 @@ class UniformMessages {
     /// misspelt key `resembles` (glib-E16), or unknown (glib-W23).
     void unknown(const GivenValue& given, std::string_view resembles = {});
 
+    /// True for a tag that names an element or member that is declared in an array or structure of which
+    /// the program reads some other part. Drivers differ in which of these they call active.
+    [[nodiscard]] bool isUnreadPart(std::string_view tag) const;
+
     /// glib-W37: the uniforms have no value. Many members of a variable or block are reported as one.
-    void unset(std::span<const UniformIndex> uniforms);
+    void unset(std::span<const ActiveUniform> uniforms);
 
   private:
     void warn(const char* id, std::string text, const Place& place);

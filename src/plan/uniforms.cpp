@@ -12,6 +12,7 @@
 
 #include "plan/texture_binding.h"
 #include "plan/type_table.h"
+#include "plan/uniform_members.h"
 #include "plan/uniform_messages.h"
 #include "plan/uniform_names.h"
 
@@ -191,7 +192,7 @@ class Resolver {
             std::vector<NamedUniform> named = names_.find(each.name);
             if (!each.word.empty())
                 std::erase_if(named, [&](const NamedUniform& one) { return !functionsOf(one.uniform); });
-            if (!named.empty()) used[i] = true;
+            if (!named.empty() || messages_.isUnreadPart(each.name)) used[i] = true;
             if (named.empty() && isSuppliedName(each.name)) {
                 used[i] = true;
                 messages_.supplied(given);
@@ -416,16 +417,19 @@ class Resolver {
         result_.controls.push_back(control);
     }
 
-    /// Reports glib-W37 for active uniforms without a value.
+    /// Reports glib-W37 for active uniforms without a value, and for all members of a structure of which one
+    /// is active.
     void reportUnset() {
         if (interface_.isBuiltin) return;
-        std::vector<UniformIndex> unset;
+        std::vector<ActiveUniform> unset;
+        std::set<std::string_view> structures;
         for (const UniformIndex i : rows_.indices()) {
             const ActiveUniform& each = uniform(i);
-            if (touched_[i] || rows_[i] != nullptr || isInternalName(each.name)) continue;
+            const bool isMember = interface_.facts.memory.records.contains(rootName(each.name));
+            if ((touched_[i] && !isMember) || rows_[i] != nullptr || isInternalName(each.name)) continue;
             if (drawn_.isInBuffer && drawn_.isInBuffer(each)) continue;
             if (isOpaque(each)) {
-                if (!interface_.facts.textureBindings.contains(each.name))
+                if (!touched_[i] && !interface_.facts.textureBindings.contains(each.name))
                     warn("glib-W37",
                          fmt::format("uniform '{}' of '{}' is not set; it reads unit 0", each.name,
                                      program_.name),
@@ -441,9 +445,50 @@ class Resolver {
                      declared.place);
                 continue;
             }
-            unset.push_back(i);
+            if (each.block < 0 && isMember) {
+                const std::string_view root = rootName(each.name);
+                if (structures.contains(root)) continue;
+                if (addUnsetMembers(root, unset)) {
+                    structures.insert(root);
+                    continue;
+                }
+            }
+            if (!touched_[i]) unset.push_back(each);
         }
         messages_.unset(unset);
+    }
+
+    /// Adds the members that have no value. False if the text does not show which there are.
+    bool addUnsetMembers(std::string_view root, std::vector<ActiveUniform>& unset) const {
+        return visitMembers(interface_.facts.memory, root, [&](const MemberValue& member) {
+            ActiveUniform value{.name = member.name, .type = {.word = std::string(member.type)}};
+            value.isArray = member.isArray;
+            const bool isUnit = member.type.find("sampler") != std::string_view::npos ||
+                                member.type.find("image") != std::string_view::npos;
+            if (!isUnit && !hasValue(value)) unset.push_back(std::move(value));
+            return true;
+        });
+    }
+
+    /// The same for a member that the driver may not call active.
+    bool hasValue(const ActiveUniform& member) const {
+        const std::vector<NamedUniform> active = names_.find(member.name);
+        if (!active.empty()) return touched_[active.front().uniform];
+        const auto isOf = [&](std::string_view tag) {
+            return tag.starts_with(member.name) &&
+                   (tag.size() == member.name.size() || (member.isArray && tag[member.name.size()] == '['));
+        };
+        const auto isGiven = [&](const glib::UniformSpec& each) { return isOf(each.tag); };
+        if (std::ranges::any_of(program_.uniforms, isGiven)) return true;
+        if (std::ranges::any_of(
+                overrides_, [&](const Override& each) { return isFor(each, program_) && isOf(each.name); }))
+            return true;
+        if (drawn_.scene == nullptr) return false;
+        const auto isUniform = [this](std::string_view name) { return names_.hasUniform(name); };
+        return std::ranges::any_of(drawn_.ownValues, isGiven) ||
+               std::ranges::any_of(drawn_.scene->namedValues, isGiven) ||
+               (!member.isArray &&
+                glsl::findWellKnownUniform(member.name, member.type.word, isUniform) != nullptr);
     }
 
     void listSamplers() {

@@ -67,6 +67,7 @@ class Antialiasing : public testing::Test {
         Result<std::vector<Figure>> measured = measureAntialiasing(bench);
         ASSERT_TRUE(measured) << toString(measured.diagnostics.front());
         figures = std::move(*measured);
+        isSoftware = (*bench.context())->capabilities().isSoftware;
     }
     static const Curve& curve(std::string_view figure, std::string_view name) {
         for (const Figure& each : figures)
@@ -76,6 +77,7 @@ class Antialiasing : public testing::Test {
         throw std::out_of_range(std::string(name));
     }
     static inline std::vector<Figure> figures;
+    static inline bool isSoftware = false;
 };
 
 TEST_F(Antialiasing, ErrorOnEdgesFallsAsTheGridsDistanceTimesItsRoot) {
@@ -95,7 +97,12 @@ TEST_F(Antialiasing, MultisamplingHelpsEdgesAndNothingElse) {
         if (each.name == "edges") {
             EXPECT_LT(left, .6);
         } else {
-            EXPECT_NEAR(left, 1, .02) << each.name;
+            // OpenGL allows more than one run of the shader per pixel (4.6, 14.3.1); NVIDIA's driver does
+            // that.
+            EXPECT_LT(left, 1.02) << each.name;
+            if (isSoftware) {
+                EXPECT_GT(left, .98) << each.name;
+            }
         }
     }
 }

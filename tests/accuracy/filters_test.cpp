@@ -104,12 +104,12 @@ TEST_F(FiltersOnTheDevice, OfOneDirectionAreNotABlur) {
 }
 
 TEST_F(FiltersOnTheDevice, RoundToBytesBetweenTheirPasses) {
-    // At most half a step for the pixel of each row, averaged by the second pass; and more than the error of
-    // floats.
+    // Less than a step for the pixel of each row (half of one where the driver rounds to nearest), averaged
+    // by the second pass; and more than the error of floats.
     const std::vector<double> weights = gaussianWeights(4);
     const double most = largest({blurAlong(weights, false), blurAlong(weights, true)},
                                 gpu::TexelFormat::rgba8, blurred(picture, weights));
-    EXPECT_LT(most, .51);
+    EXPECT_LT(most, 1);
     EXPECT_GT(most, .05);
 }
 

@@ -337,8 +337,11 @@ void main() { fColor = texture(uMap, vec2(2., .5)); }
     const Sampler sampler(state);
     texture.bind(0);
     sampler.bind(0);
-    EXPECT_EQ(shade(*outside).at(0), (Rgba{.25F, .5F, .75F, 1}));
+    const Rgba read = shade(*outside).at(0);
     glBindSampler(0, 0);
+    // The border is stored as the texture stores numbers, or more exactly.
+    for (std::size_t c = 0; c < 4; ++c)
+        EXPECT_LT(std::abs(read[c] - state.border[c]) * 255, 1) << "component " << c;
 }
 
 TEST_F(TexturePartTest, SamplesOfAMultisampledTextureAreReadOneByOne) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "../gpu/stored_numbers.h"
 #include "scene_text.h"
 
 namespace glibra::test {
@@ -51,8 +52,8 @@ TEST(FullScreen, TextureCoordinatesAreThoseOfThePixels) {
     for (int y = 0; y < 32; ++y)
         for (int x = 0; x < 64; ++x) {
             const std::array<int, 3> color = pixel(seen, x, y);
-            EXPECT_NEAR(color[0], (x + .5) / 64 * 255, .51);
-            EXPECT_NEAR(color[1], (31 - y + .5) / 32 * 255, .51);
+            expectStored(color[0], (x + .5) / 64 * 255, .01);
+            expectStored(color[1], (31 - y + .5) / 32 * 255, .01);
         }
 }
 
@@ -68,9 +69,9 @@ TEST(SkyBox, EachPixelReadsTheDirectionInWhichItLies) {
                 const double right = (x - 20) / 15.5 * tangent, up = (15 - y) / 15.5 * tangent;
                 const double length = std::sqrt(1 + right * right + up * up);
                 const std::array<int, 3> color = pixel(seen, x, y);
-                EXPECT_NEAR(color[0], (.5 + .5 / length) * 255, .52);
-                EXPECT_NEAR(color[1], (.5 + .5 * up / length) * 255, .52);
-                EXPECT_NEAR(color[2], (.5 + .5 * right / length) * 255, .52);
+                expectStored(color[0], (.5 + .5 / length) * 255, .02);
+                expectStored(color[1], (.5 + .5 * up / length) * 255, .02);
+                expectStored(color[2], (.5 + .5 * right / length) * 255, .02);
             }
     }
 }

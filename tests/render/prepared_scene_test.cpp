@@ -33,7 +33,9 @@ Seen seenOf(Result<render::SceneRenderer> loaded, render::Stats& stats) {
         if (picture) run.pixels = std::move(picture->data);
     }
     for (const render::Stats::Count& each : stats.counts)
-        run.counts += each.name + " " + std::to_string(each.value) + "\n";
+        if (!each.name.starts_with(
+                "parts of "))  // on a graphics card, as many as the time of a part asks for
+            run.counts += each.name + " " + std::to_string(each.value) + "\n";
     for (const plan::Skipped& each : stats.skipped) run.skipped += each.what + ": " + each.why + "\n";
     for (const render::Stats::Stage& each : stats.stages) run.stages.push_back(each.name);
     return run;

@@ -95,6 +95,8 @@ void count(const char* /*name*/, GLADapiproc called, int argumentCount, ...) {
         active->bytesUploaded += static_cast<std::uint64_t>(va_arg(arguments, GLsizeiptr));
     } else if (is(called, glad_glReadPixels)) {
         active->pixelsRead += pixelsOf(arguments);
+    } else if (is(called, glad_glFenceSync)) {
+        ++active->fences;
     }
     va_end(arguments);
 }

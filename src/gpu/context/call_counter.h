@@ -14,6 +14,7 @@ struct CallCounts {
     std::uint64_t buffersFilled = 0;   ///< glBufferData with content, glBufferSubData
     std::uint64_t bytesUploaded = 0;   ///< of both, as they lie in the caller's memory
     std::uint64_t pixelsRead = 0;      ///< glReadPixels
+    std::uint64_t fences = 0;          ///< glFenceSync
 };
 
 /// Counts every GL call of the process while it lives. Without a counter, calls cost nothing extra. Only the

@@ -32,6 +32,9 @@ GroupCounts objectSizeOf(const DeviceScene& device, const scene::ObjectView& obj
 /// Sets what a piece of a dispatch knows of the whole.
 void setPiece(const BuiltProgram& built, const GroupCounts& first, const GroupCounts& all,
               const std::array<int, 3>& localSize) {
+    const std::array piece{first, all};
+    if (built.piece == piece) return;
+    built.piece = piece;
     const auto set = [&](const char* name, auto&& valueOf) {
         for (const base::ActiveUniform& uniform : built.interface.uniforms)
             if (uniform.emittedName == name)
@@ -136,6 +139,7 @@ Diagnostics FrameDrawer::dispatchPieces(const BuiltProgram& built, const GroupCo
         if (!checked) return checked.diagnostics;
         if (remarks.empty()) remarks = checked.diagnostics;  // once for all pieces
         setPiece(built, first, groups, localSize);
+        context_.debugLog().setPlace(dispatch.place);  // waiting has ended what was dispatched before
         gpu::dispatch(*checked);
         return {};
     };

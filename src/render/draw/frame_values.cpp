@@ -22,6 +22,7 @@ void FrameDrawer::forgetLiterals(plan::PlannedProgramIndex program) {
 
 void FrameDrawer::resetUniforms(plan::PlannedProgramIndex program, const BuiltProgram& built) {
     if (built.initialValues.empty()) return;
+    built.piece.reset();
     std::set<std::pair<plan::UniformIndex, int>> given;
     for (const plan::UniformBinding& each : plan_.programs[program].values)
         given.emplace(each.uniform, each.firstElement);

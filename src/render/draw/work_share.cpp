@@ -114,6 +114,8 @@ void FrameDrawer::submitInShares(const plan::PlannedDraw& planned, const BuiltPr
     const int parts =
         workInShares(built, all.height, static_cast<double>(all.width) * all.height, [&](int first, int end) {
             raster_.narrowTo({all.x, all.y + first, all.width, end - first});
+            // Waiting has ended what was drawn before.
+            context_.debugLog().setPlace(plan_.drawOf(planned).place);
             submit(planned, true);
         });
     raster_.narrowTo(all);

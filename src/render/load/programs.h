@@ -4,6 +4,7 @@
 
 #include <glibra/render.h>
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -47,6 +48,8 @@ struct BuiltProgram {
         initialValues;  ///< if draws of the scene set values of their own; otherwise empty
     mutable const void* literalsOf =
         nullptr;  ///< the part of a FrameDrawer whose constants the uniforms have; null: none
+    /// The first group of the piece of a dispatch and the groups of the whole, as the uniforms say them.
+    mutable std::optional<std::array<std::array<std::uint64_t, 3>, 2>> piece;
     /// With RenderOptions::checkUndefined: what facts.undefinedSites count, and where it is bound.
     std::optional<gpu::Buffer> undefined;
     unsigned undefinedBinding = 0;
