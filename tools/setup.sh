@@ -11,10 +11,12 @@ core_packages="g++ cmake ninja-build ccache pkg-config python3-glad libglm-dev l
 window_packages="libglfw3-dev libimgui-dev libstb-dev fonts-dejavu-core"
 images_packages="libopenimageio-dev libopenexr-dev libwebp-dev"
 bench_packages="libboost-dev"
+# What tools/package-portable needs besides.
+portable_packages="patchelf xz-utils"
 # What the tests need besides all of these.
 test_packages="clang-19 libclang-rt-19-dev clang-format-19 clang-tidy libgtest-dev libtinyobjloader-dev libpng-dev libegl-dev
  glslang-tools mesa-vulkan-drivers python3 python3-pil chromium chromium-driver imagemagick procps xvfb x11-utils xdotool openbox
- libx11-dev shellcheck"
+ libx11-dev shellcheck $portable_packages"
 
 # ccache takes precompiled headers only with these.
 export CCACHE_SLOPPINESS=pch_defines,time_macros
