@@ -4,7 +4,8 @@
 # shellcheck shell=sh disable=SC2034
 
 # What every build needs, then what each part needs besides (parts: window, images, bench; see CMakeLists.txt). A name that
-# ends with a question mark is installed where the system has it: Mesa 25.1 and later have no OSMesa, and Ubuntu has Chromium as a snap.
+# ends with a question mark is installed where the system has it: Mesa 25.1 and later have no OSMesa, and Chromium is a snap
+# on Ubuntu.
 core_packages="g++ cmake ninja-build ccache pkg-config python3-glad libglm-dev libfmt-dev libcli11-dev
  nlohmann-json3-dev libtomlplusplus-dev libdeflate-dev libspng-dev libxxhash-dev libegl1 libegl-mesa0 libgl1-mesa-dri
  libosmesa6?"
