@@ -203,9 +203,7 @@ TEST_F(Verdicts, TheGoldenForAllDriversIsRightForAFamilyToo) {
     const ShotResult general = decide(shot, gradient(), {}, {}, "nvidia").result;
     EXPECT_EQ(general.verdict, Verdict::passed);
     EXPECT_EQ(general.goldenVariant, "");
-    const ShotResult neither = decide(shot, gradient(80), {}, {}, "nvidia").result;
-    EXPECT_EQ(neither.verdict, Verdict::failed);
-    EXPECT_TRUE(neither.expected.string().ends_with("a.nvidia.png")) << neither.expected;
+    EXPECT_EQ(decide(shot, gradient(80), {}, {}, "nvidia").result.verdict, Verdict::failed);
 }
 
 class Failures : public Verdicts {
