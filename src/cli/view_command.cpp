@@ -1,3 +1,4 @@
+#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -65,6 +66,13 @@ int openWindow(const std::vector<std::string>& arguments) {
         printError(fmt::format(
             "there is no display to open a window on; `glibra render {}` draws a picture without one",
             firstScene.empty() ? "SCENE" : firstScene));
+        return kNoDriver;
+    }
+    // GLFW needs it, in some builds before the window can say a word of its own.
+    if (!asksForHelp && !isSet("WAYLAND_DISPLAY") && !::dlopen("libX11.so.6", RTLD_LAZY | RTLD_LOCAL)) {
+        printError(
+            fmt::format("the window needs the library libX11.so.6, which this system does not have; {}",
+                        kWindow.missing));
         return kNoDriver;
     }
     return becomeProgram(kWindow, words);

@@ -9,6 +9,7 @@
 #include <memory>
 #include <new>
 #include <system_error>
+#include <variant>
 
 #include "base/workers.h"
 #include "image/convert.h"
@@ -30,29 +31,37 @@ Function functionOf(void* library, const char* name) {
 }
 
 /// Loading a library that is already loaded takes microseconds, so nothing is cached here. The library is
-/// never unloaded: OpenImageIO does not survive that.
-std::optional<Module> loadModule(std::span<const fs::path> folders) {
+/// never unloaded: OpenImageIO does not survive that. A text says why there is no module: "is not installed",
+/// or what keeps the first one that is there from being loaded, such as a library of the system that it
+/// needs.
+std::variant<Module, std::string> loadModule(std::span<const fs::path> folders) {
+    std::string why;
     for (const fs::path& folder : folders) {
         const fs::path file = folder / "glibra_openimageio.so";
         std::error_code failed;
         if (!fs::exists(file, failed)) continue;
         void* library = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
-        if (library == nullptr) continue;
+        if (library == nullptr) {
+            const char* problem = ::dlerror();
+            if (why.empty() && problem != nullptr) why = fmt::format("cannot be loaded: {}", problem);
+            continue;
+        }
         const auto version = functionOf<GlibraModuleVersion>(library, "glibraModuleVersion");
         const Module module{functionOf<GlibraReadPicture>(library, "glibraReadPicture"),
                             functionOf<GlibraWritePicture>(library, "glibraWritePicture")};
         if (version != nullptr && version() == kGlibraModuleVersion && module.read != nullptr &&
             module.write != nullptr)
             return module;
+        if (why.empty()) why = fmt::format("is of another version of glibra: {}", file.string());
     }
-    return std::nullopt;
+    return why.empty() ? "is not installed" : why;
 }
 
-Diagnostic notInstalled(Format format, const FileLabel& label) {
-    return diagnose("file-E03",
-                    fmt::format("'{}' is {}, but the image module that reads it is not installed", label.name,
-                                describe(format)),
-                    label.place);
+Diagnostic noModule(Format format, const FileLabel& label, const std::string& why) {
+    return diagnose(
+        "file-E03",
+        fmt::format("'{}' is {}, but the image module that reads it {}", label.name, describe(format), why),
+        label.place);
 }
 
 using Message = std::array<char, 500>;
@@ -279,16 +288,18 @@ std::vector<fs::path> defaultModuleFolders() {
 Result<Image> readByModule(Format format, std::span<const std::byte> file, const fs::path& path,
                            const FileLabel& label, const Limits& limits,
                            std::span<const fs::path> moduleFolders, const base::CallLimits& decoder) {
-    const auto module = loadModule(moduleFolders);
-    if (!module) return notInstalled(format, label);
+    const auto loaded = loadModule(moduleFolders);
+    const auto* module = std::get_if<Module>(&loaded);
+    if (module == nullptr) return noModule(format, label, std::get<std::string>(loaded));
     const ReadingJob job{module->read, format, file, path, label, limits};
     return readContained(job, inTime(decoder));
 }
 
 Diagnostics writeByModule(const Image& image, Format format, const fs::path& path, const FileLabel& label,
                           const std::string& comment, std::span<const fs::path> moduleFolders) {
-    const auto module = loadModule(moduleFolders);
-    if (!module) return {notInstalled(format, label)};
+    const auto loaded = loadModule(moduleFolders);
+    const auto* module = std::get_if<Module>(&loaded);
+    if (module == nullptr) return {noModule(format, label, std::get<std::string>(loaded))};
 
     const bool grey = image.components < 3;
     const Image colors = grey ? withComponents(image, image.components == 2 ? 4 : 3) : Image();

@@ -24,8 +24,8 @@ std::vector<std::filesystem::path> defaultModuleFolders();
 /// another file. The decoders are foreign code, so they run in a process of their own within the limits of
 /// `decoder`; in a worker (base::isWorker) also within the time that its step has left. A worker that may
 /// start no process runs them in a thread, since it has limits itself. Errors: file-E03 the module is not
-/// installed, naming the format; file-E04 damaged; file-E09 exceeds the limits; file-E11 the decoder crashed
-/// or took too long.
+/// installed or cannot be loaded, naming the format; file-E04 damaged; file-E09 exceeds the limits; file-E11
+/// the decoder crashed or took too long.
 Result<Image> readByModule(Format format, std::span<const std::byte> file, const std::filesystem::path& path,
                            const FileLabel& label, const Limits& limits,
                            std::span<const std::filesystem::path> moduleFolders,
@@ -33,8 +33,8 @@ Result<Image> readByModule(Format format, std::span<const std::byte> file, const
 
 /// Writes a picture with the module to exactly this path; not atomic. EXR and HDR become float, JPEG has
 /// quality 95; alpha and `comment` are dropped if the format has none. The encoder runs in a process of its
-/// own as decoders do, but without limits. Errors: file-E03 the module is not installed; file-E10 not
-/// written. Both name `label`.
+/// own as decoders do, but without limits. Errors: file-E03 as for reading; file-E10 not written. Both name
+/// `label`.
 Diagnostics writeByModule(const Image& image, Format format, const std::filesystem::path& path,
                           const FileLabel& label, const std::string& comment,
                           std::span<const std::filesystem::path> moduleFolders);

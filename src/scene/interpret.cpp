@@ -292,7 +292,7 @@ Scene Interpretation::State::run(const FrameInputs& inputs) {
                    .scene = {},
                    .modern = {},
                    .state = {},
-                   .folders = folders,
+                   .folders = {},
                    .listings = {},
                    .list = {},
                    .shapes = {},
@@ -303,6 +303,7 @@ Scene Interpretation::State::run(const FrameInputs& inputs) {
                    .implicitPass = {},
                    .depthBuffers = {},
                    .windowSize = {}};
+    in.folders = folders;
     in.modern.lostNames = script.lostNames;
     in.nodes = &in.scene.frame;
     in.scene.files = shared.files;  // the indices of files are those of earlier frames

@@ -240,9 +240,10 @@ TEST(SurfaceModel, DoesNotRiseWithAnyCount) {
         for (const Fidelity fidelity : {Fidelity::shape, Fidelity::pattern}) {
             const SurfaceModel& row = *surfaceModel(command);
             for (const CountArgument& count : row.usedCounts()) {
-                std::vector<double> numbers{1, .5, 12, 12};
-                if (command == glib::commandOf("Sphere")) numbers = {1, 12, 12};
-                if (command == glib::commandOf("Xarrow")) numbers = {12, 12};
+                std::vector<double> numbers =
+                    command == glib::commandOf("Sphere")   ? std::vector<double>{1, 12, 12}
+                    : command == glib::commandOf("Xarrow") ? std::vector<double>{12, 12}
+                                                           : std::vector<double>{1, .5, 12, 12};
                 double last = 1e9;
                 for (int n = std::max(count.least, 2); n < 200; ++n) {
                     numbers[count.index] = n;

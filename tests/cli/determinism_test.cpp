@@ -50,6 +50,7 @@ TEST_F(Determinism, RunTwice) {
 }
 
 TEST_F(Determinism, EglAndOsmesa) {
+    if (!hasOsmesa()) GTEST_SKIP() << kNoOsmesa;
     EXPECT_EQ(picture("--driver egl"), picture("--driver osmesa"));
 }
 

@@ -33,6 +33,11 @@ Finished glibra(const fs::path& folder, const std::string& arguments, const std:
     return shell(folder, environment + " '" GLIBRA_PROGRAM "' " + arguments);
 }
 
+bool hasOsmesa() {
+    static const bool has = glibra("/", "info --driver osmesa").status == 0;
+    return has;
+}
+
 Folder::Folder() {
     char name[] = "/tmp/glibra-test-XXXXXX";
     if (!::mkdtemp(name)) throw std::runtime_error("mkdtemp");

@@ -17,6 +17,11 @@ struct Finished {
 Finished glibra(const std::filesystem::path& folder, const std::string& arguments,
                 const std::string& environment = {});
 
+/// True if the system has OSMesa, which Mesa has dropped in version 25.1, and this driver may be had through
+/// it.
+bool hasOsmesa();
+inline constexpr const char* kNoOsmesa = "no OSMesa here; all other ways to the driver were tried";
+
 /// Runs `command` through the shell in `folder`.
 Finished shell(const std::filesystem::path& folder, const std::string& command);
 

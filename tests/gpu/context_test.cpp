@@ -128,8 +128,18 @@ TEST(OpenContext, WithoutAnyLibraryEveryWayTriedIsNamed) {
         openContext({.eglLibrary = "libnosuchthing.so.1", .osmesaLibraries = {"libnosuchmesa.so.8"}});
     ASSERT_FALSE(context);
     ASSERT_EQ(context.diagnostics.size(), 1U);
-    for (const char* part : {"EGL without a surface", "EGL device", "OSMesa", "libnosuchmesa.so.8"})
+    for (const char* part : {"EGL without a surface", "EGL device", "OSMesa", "libnosuchmesa.so.8",
+                             ". Mesa draws without a graphics card"})
         EXPECT_NE(context.diagnostics[0].text.find(part), std::string::npos) << context.diagnostics[0].text;
+}
+
+TEST(OpenContext, WithoutOsmesaTheMessageSaysWhatDrawsInstead) {
+    const auto context = openContext({.driver = Driver::osmesa, .osmesaLibraries = {"libnosuchmesa.so.8"}});
+    ASSERT_FALSE(context);
+    EXPECT_NE(context.diagnostics[0].text.find("OSMesa: libnosuchmesa.so.8: "), std::string::npos);
+    EXPECT_NE(context.diagnostics[0].text.find("from version 25.1 on; --driver egl draws the same pictures"),
+              std::string::npos)
+        << context.diagnostics[0].text;
 }
 
 TEST(OpenContext, ALibraryThatIsSomethingElseIsRefused) {

@@ -99,11 +99,18 @@ TEST_F(ReadImage, WithoutTheModuleTheFormatIsNamed) {
     EXPECT_EQ(read.diagnostics[0].place, kReadPlace);
 }
 
-TEST_F(ReadImage, AFileThatIsNotAModuleIsIgnored) {
-    put("glibra_openimageio.so", testing::bytesOf({'n', 'o'}));
+TEST_F(ReadImage, AModuleThatCannotBeLoadedIsNamedWithTheReason) {
+    const auto module = put("glibra_openimageio.so", testing::bytesOf({'n', 'o'}));
     ReadOptions options;
-    options.moduleFolders = {folder};
-    EXPECT_EQ(idsOf(readImage(put("a.tif", smallestTiff()), kReadPlace, options).diagnostics), "file-E03");
+    options.moduleFolders = {folder / "empty", folder};
+    const auto read = readImage(put("a.tif", smallestTiff()), kReadPlace, options);
+    ASSERT_EQ(idsOf(read.diagnostics), "file-E03");
+    EXPECT_EQ(read.diagnostics[0].text.find(
+                  "'a.tif' is a TIFF picture, but the image module that reads it cannot be "
+                  "loaded: " +
+                  module.string() + ": "),
+              0U)
+        << read.diagnostics[0].text;
 }
 
 TEST_F(ReadImage, TextIsNotAPicture) {

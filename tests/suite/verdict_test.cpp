@@ -196,6 +196,16 @@ TEST_F(Verdicts, AVariantIsForOneFamilyOnly) {
     EXPECT_EQ(there.goldenVariant, "nvidia");
 }
 
+TEST_F(Verdicts, TheGoldenForAllDriversIsRightForAFamilyToo) {
+    accept(shot, gradient());
+    const JudgeOptions variant{.update = true, .variant = true};
+    ASSERT_EQ(decide(shot, gradient(40), variant, {}, "nvidia").result.verdict, Verdict::updated);
+    const ShotResult general = decide(shot, gradient(), {}, {}, "nvidia").result;
+    EXPECT_EQ(general.verdict, Verdict::passed);
+    EXPECT_EQ(general.goldenVariant, "");
+    EXPECT_EQ(decide(shot, gradient(80), {}, {}, "nvidia").result.verdict, Verdict::failed);
+}
+
 class Failures : public Verdicts {
   protected:
     ShotResult fails(const Diagnostics& diagnostics) {

@@ -86,6 +86,13 @@ std::string joined(const std::vector<std::string>& phrases) {
     return text;
 }
 
+/// What a user can do who has no driver of this kind.
+std::string adviceFor(Driver driver) {
+    if (driver == Driver::osmesa)
+        return ". Mesa has no OSMesa from version 25.1 on; --driver egl draws the same pictures";
+    return ". Mesa draws without a graphics card (on Debian and Ubuntu: libegl1 libgl1-mesa-dri)";
+}
+
 }  // namespace
 
 void prepareEnvironment(const ContextOptions& options) {
@@ -149,8 +156,8 @@ Result<Context> openContext(const ContextOptions& options) {
         setInitialState();
         return Context(std::move(state));
     }
-    return diagnose("gpu-E01",
-                    "no usable OpenGL driver (4.1 core or later is needed); tried: " + joined(failures));
+    return diagnose("gpu-E01", "no usable OpenGL driver (4.1 core or later is needed); tried: " +
+                                   joined(failures) + adviceFor(options.driver));
 }
 
 Diagnostics Context::State::useAdopted() {

@@ -28,12 +28,11 @@ class Plane {
         for (int y = -1; y <= image.height; ++y)
             for (int x = -1; x <= image.width; ++x) {
                 const auto row = pixels.row(std::clamp(y, 0, image.height - 1));
-                Lanes pixel{};
                 const auto column = static_cast<std::size_t>(std::clamp(x, 0, image.width - 1));
-                std::memcpy(&pixel, row.data() + column * sizeof pixel, sizeof pixel);
+                float* pixel = values_.data() + at(x, y);
+                std::memcpy(pixel, row.data() + column * sizeof(Lanes), sizeof(Lanes));
                 for (std::size_t c = 0; c < kLanes; ++c)
                     pixel[c] = std::isnan(pixel[c]) ? kNan : std::clamp(pixel[c], 0.F, 1.F) * 255;
-                store(pixel, values_.data() + at(x, y));
             }
     }
 

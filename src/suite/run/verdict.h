@@ -64,6 +64,8 @@ class ShotJudge {
     /// False for a picture that nothing is compared with, neither here nor as the partner of another shot.
     [[nodiscard]] bool isCompared(const Attempt& attempt) const;
     [[nodiscard]] Findings look(const Attempt& attempt, bool everything) const;
+    /// Says in `found` whether the picture equals `found.golden`.
+    void compare(const Attempt& attempt, bool everything, Findings& found) const;
     [[nodiscard]] Judged passed(const Attempt& attempt, Findings found) const;
     void fail(const Attempt& attempt, const Findings& found, ShotResult& result) const;
     void update(const Attempt& attempt, const Findings& found, Judged& judged) const;
