@@ -97,6 +97,17 @@ TEST_F(ComputeTest, AShaderClearsBuffersOfAnySizeAndLeavesTheState) {
         buffer->read(0, content);
         EXPECT_EQ(content, std::vector<std::byte>(bytes)) << bytes;
     }
+    // A program that is deleted lives only as long as it is used.
+    {
+        const std::optional<Program> deleted = compute(kDouble);
+        deleted->use();
+    }
+    Buffer words = bufferOf({1, 2, 3, 4});
+    ASSERT_TRUE(clearer.clearByShader(driver(), words));
+    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+    GLint used = -1;
+    glGetIntegerv(GL_CURRENT_PROGRAM, &used);
+    EXPECT_EQ(used, 0);
     Capabilities small = driver();
     small.maxStorageBlockBytes = 16;
     Result<Buffer> buffer = Buffer::create(std::vector<std::byte>(17, std::byte{3}));

@@ -23,7 +23,8 @@ void main() {
 }
 )";
 
-/// Puts back the program in use and the first storage buffer.
+/// Puts back the program in use and the first storage buffer, unless they had been deleted and lived only as
+/// long as they were bound.
 class ComputeState {
   public:
     ComputeState() {
@@ -34,9 +35,12 @@ class ComputeState {
     ComputeState(const ComputeState&) = delete;
     ComputeState& operator=(const ComputeState&) = delete;
     ~ComputeState() {
-        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, static_cast<GLuint>(first_));
-        glBindBuffer(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(generic_));
-        glUseProgram(static_cast<GLuint>(program_));
+        const auto name = [](GLint kept, auto exists) {
+            return exists(static_cast<GLuint>(kept)) == GL_TRUE ? static_cast<GLuint>(kept) : 0U;
+        };
+        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, name(first_, glIsBuffer));
+        glBindBuffer(GL_SHADER_STORAGE_BUFFER, name(generic_, glIsBuffer));
+        glUseProgram(name(program_, glIsProgram));
     }
 
   private:
