@@ -394,7 +394,7 @@ class WholeClass : public ClassCommand {
         const fs::path shaders = kRoot / "shaders" / from.parent_path().filename();
         for (const fs::directory_entry& each : fs::directory_iterator(shaders)) {
             const std::string name = each.path().filename().string();
-            if (!contains(text, name)) continue;
+            if (!contains(text, name) && each.path().extension() != ".glsl") continue;
             std::string source = replaced(readFile(each.path()), "../common/", "common/");
             if (each.path().extension() == ".frag" && change > 0)
                 source =

@@ -348,7 +348,9 @@ TEST(ShippedSuites, ShowEveryScene) {
     EXPECT_GE(suites, 13);
     int scenes = 0;
     for (const auto& each : fs::recursive_directory_iterator(GLIBRA_SOURCE_DIR "/glib")) {
-        if (each.path().extension() != ".glib") continue;
+        // Students complete the exercises, and `glibra class` compares them with a scene that is shown.
+        const bool isExercise = each.path().parent_path().parent_path().filename() == "exercises";
+        if (each.path().extension() != ".glib" || isExercise) continue;
         ++scenes;
         EXPECT_TRUE(shown.contains(fs::weakly_canonical(each.path()))) << each.path() << " is in no suite";
     }
