@@ -71,8 +71,14 @@ void expectTheSame(const fs::path& scene, const RenderOptions& options) {
 std::vector<fs::path> shippedScenes() {
     std::vector<fs::path> scenes;
     for (const auto& each : fs::recursive_directory_iterator(fs::path(GLIBRA_SOURCE_DIR) / "glib"))
-        if (each.path().extension() == ".glib") scenes.push_back(each.path());
+        if (each.path().extension() == ".glib" &&
+            each.path().string().find("/exercises/") == std::string::npos)
+            scenes.push_back(each.path());
     std::sort(scenes.begin(), scenes.end());
+#if GLIBRA_SANITIZED
+    for (std::size_t i = 0; 3 * i < scenes.size(); ++i) scenes[i] = scenes[3 * i];
+    scenes.resize((scenes.size() + 2) / 3);
+#endif
     return scenes;
 }
 
