@@ -1,6 +1,6 @@
 // R26 A light probe: a court with a sun many times brighter than white; or the same light from everywhere, to check the maps.
 #version 330 core
-#include "direction.glsl"
+#include "../common/direction.glsl"
 
 uniform samplerCube uSky;
 uniform int uProbe;       // 0 court, 1 uniform

@@ -1,6 +1,6 @@
 // R26 The light that comes about each direction: the mean of the probe, weighed by a power of the cosine.
 #version 330 core
-#include "direction.glsl"
+#include "../common/direction.glsl"
 
 uniform sampler2D uProbeMap;
 uniform float uPower;     // 1 diffuse, more for glossy surfaces

@@ -1,6 +1,6 @@
 // R26 A surface lit by a photograph of its surroundings: the diffuse map at its normal, the glossy one at the mirrored view.
 #version 330 core
-#include "direction.glsl"
+#include "../common/direction.glsl"
 
 uniform sampler2D uDiffuseMap, uGlossyMap, uSharpMap;
 uniform mat4 inverseView;

@@ -1,6 +1,6 @@
 // R26 The probe as surroundings.
 #version 330 core
-#include "direction.glsl"
+#include "../common/direction.glsl"
 
 uniform sampler2D uSharpMap;
 uniform float uExposure;

@@ -1,6 +1,6 @@
 // R19 A panorama of a sky box: all directions in one picture, twice as wide as high.
 #version 330 core
-#include "direction.glsl"
+#include "../common/direction.glsl"
 
 uniform samplerCube uSky;
 

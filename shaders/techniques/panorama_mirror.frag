@@ -1,6 +1,6 @@
 // R19 A mirror that reads a panorama. Levels of detail would show the seam, where s jumps from 1 to 0: level 0 only.
 #version 330 core
-#include "direction.glsl"
+#include "../common/direction.glsl"
 
 uniform sampler2D uPanorama;
 uniform mat4 inverseView;

@@ -1,6 +1,6 @@
 // R19 The surroundings, from the same panorama.
 #version 330 core
-#include "direction.glsl"
+#include "../common/direction.glsl"
 
 uniform sampler2D uPanorama;
 

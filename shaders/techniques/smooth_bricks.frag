@@ -24,7 +24,7 @@ vec2 isBrick(vec2 place, vec2 width, vec2 part) {
 }
 
 void main() {
-    vec2 place = vModel.xz / uBrickSize;
+    vec2 place = vModel.xz / uBrickSize + vec2(.37, 0.);  // no edge of a brick is in the middle
     vec2 width = max(fwidth(place), 1e-4);
     if (fract(.5 * place.y) > .5) place.x += .5;
     vec2 brick = clamp(isBrick(place, width, uBrickPct), 0., 1.);

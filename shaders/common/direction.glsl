@@ -1,4 +1,4 @@
-// R26 From a place in a panorama to a direction, and back: s = 1/2 + atan(z, x) / 2 pi, t = acos(y) / pi.
+// From a place in a panorama to a direction, and back: s = 1/2 + atan(z, x) / 2 pi, t = acos(y) / pi.
 const float kPi = 3.14159265;
 
 vec3 directionAt(vec2 st) {
