@@ -24,22 +24,6 @@ Place placeAt(std::string_view text, std::size_t offset, const Place& origin) {
     return place;
 }
 
-std::string underlined(std::string_view text, Range range) {
-    std::size_t first = std::min<std::size_t>(range.begin, text.size());
-    while (first > 0 && !isLineEnd(text[first - 1])) --first;
-    std::size_t last = std::min<std::size_t>(range.begin, text.size());
-    while (last < text.size() && !isLineEnd(text[last])) ++last;
-    std::string result(text.substr(first, last - first));
-    result += '\n';
-    for (std::size_t i = first; i < range.begin; ++i)
-        if (i >= text.size() || !isContinuationByte(text[i]))
-            result += i < text.size() && text[i] == '\t' ? '\t' : ' ';
-    result += '^';
-    for (std::size_t i = std::size_t{range.begin} + 1; i < std::min<std::size_t>(range.end, last); ++i)
-        if (!isContinuationByte(text[i])) result += '~';
-    return result;
-}
-
 std::string quoted(std::string_view text, Range range) {
     constexpr std::size_t kShown = 60;
     constexpr std::size_t kHalf = 28;

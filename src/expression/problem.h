@@ -50,10 +50,6 @@ struct Checked {
 /// The place of a byte of `text`, whose first byte is at `origin`. Lines end as in scenes: LF, CR LF or CR.
 Place placeAt(std::string_view text, std::size_t offset, const Place& origin);
 
-/// The line of `text` in which the range begins, and below it a line with ^ under the first byte of the range
-/// and ~ under its other bytes. Tabs keep their width.
-std::string underlined(std::string_view text, Range range);
-
 /// The bytes of a range in single quotes. A long text is cut in its middle.
 std::string quoted(std::string_view text, Range range);
 

@@ -44,24 +44,6 @@ glm::dmat3 normalMatrix(const glm::dmat4& modelView) {
     return timesWithinFloats(cofactors / determinant, 1 / unit);
 }
 
-MatrixFamily familyOf(const glm::dmat4& matrix) {
-    MatrixFamily family;
-    family.matrix = matrix;
-    family.inverse = inverseOrZero(matrix);
-    family.transpose = glm::transpose(matrix);
-    family.inverseTranspose = glm::transpose(family.inverse);
-    return family;
-}
-
-DrawMatrices drawMatrices(const glm::dmat4& modelView, const glm::dmat4& projection) {
-    DrawMatrices matrices;
-    matrices.modelView = familyOf(modelView);
-    matrices.projection = familyOf(projection);
-    matrices.modelViewProjection = familyOf(projection * modelView);
-    matrices.normal = normalMatrix(modelView);
-    return matrices;
-}
-
 bool isFinite(const glm::dmat4& matrix) {
     for (int i = 0; i < 4; ++i)
         for (int j = 0; j < 4; ++j)

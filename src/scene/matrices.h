@@ -23,22 +23,6 @@ using base::viewingMatrix;
 /// too small for a float, they are divided by the largest, which keeps directions.
 glm::dmat3 normalMatrix(const glm::dmat4& modelView);
 
-/// A matrix with its inverse, its transpose, and its inverse transpose.
-struct MatrixFamily {
-    glm::dmat4 matrix{1.0};
-    glm::dmat4 inverse{1.0};
-    glm::dmat4 transpose{1.0};
-    glm::dmat4 inverseTranspose{1.0};
-};
-MatrixFamily familyOf(const glm::dmat4& matrix);
-
-/// All matrices of one draw.
-struct DrawMatrices {
-    MatrixFamily modelView, projection, modelViewProjection;
-    glm::dmat3 normal{1.0};
-};
-DrawMatrices drawMatrices(const glm::dmat4& modelView, const glm::dmat4& projection);
-
 /// True if all elements are finite as 32-bit floats.
 bool isFinite(const glm::dmat4& matrix);
 

@@ -167,13 +167,6 @@ TEST(ExpressionSyntax, PlacesCountFromTheOrigin) {
     EXPECT_EQ(problem("a \\\r + nothing"), (Place{"scene.glib", 8, 4}));
 }
 
-TEST(ExpressionSyntax, UnderlinesARange) {
-    EXPECT_EQ(underlined("a + nothing", {4, 11}), "a + nothing\n    ^~~~~~~");
-    EXPECT_EQ(underlined("a \\\n\t+ b", {5, 8}), "\t+ b\n\t^~~");
-    EXPECT_EQ(underlined("\xc3\xa4 + b", {5, 6}), "\xc3\xa4 + b\n    ^");
-    EXPECT_EQ(underlined("a +", {3, 3}), "a +\n   ^");
-}
-
 TEST(ExpressionSyntax, EqualTextsWithEqualNamesAreEqual) {
     EXPECT_EQ(parsed("a + b"), parsed("a + b"));
     EXPECT_FALSE(parsed("a + b") == parsed("b + a"));

@@ -106,21 +106,6 @@ TEST_F(ProgramTest, SourceTextThatIsEmptyOrBinaryOnlyFails) {
     }
 }
 
-TEST_F(ProgramTest, ValidatingNamesWhatDoesNotFit) {
-    const auto program = build(test::kCoverAll, R"(#version 410 core
-uniform sampler2D uFlat;
-uniform sampler3D uSolid;
-out vec4 fColor;
-void main() { fColor = texture(uFlat, vec2(0)) + texture(uSolid, vec3(0)); }
-)");
-    ASSERT_TRUE(program);
-    program->use();
-    // Both samplers read unit 0, with different targets.
-    EXPECT_FALSE(validate(*program).first);
-    glUniform1i(glGetUniformLocation(program->id(), "uSolid"), 1);
-    EXPECT_TRUE(validate(*program).first) << validate(*program).second;
-}
-
 TEST_F(ProgramTest, NamesAreGivenBack) {
     GLuint id = 0;
     {

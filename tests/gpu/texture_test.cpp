@@ -291,28 +291,6 @@ void main() {
     EXPECT_LT(worst, inFloat ? 1e-5 : 2. / 256);
 }
 
-TEST_F(TextureTest, SwizzleChangesWhatIsRead) {
-    const std::vector<std::byte> grey{std::byte{51}};
-    auto texture = Texture::create(driver(), TextureShape::texture2D, TexelFormat::rgba8, {1, 1},
-                                   {grey, 1, TexelType::u8});
-    ASSERT_TRUE(texture);
-    texture->setSwizzle({GL_RED, GL_RED, GL_ZERO, GL_ONE});
-    const auto program = build(test::kCoverAll, R"(#version 410 core
-uniform sampler2D uTexture;
-out vec4 fColor;
-void main() { fColor = texture(uTexture, vec2(.5)); }
-)");
-    ASSERT_TRUE(program);
-    const Sampler sampler;
-    texture->bind(0);
-    sampler.bind(0);
-    const Rgba read = shade(*program).at(0);
-    EXPECT_NEAR(read[0], .2, 1e-6);
-    EXPECT_NEAR(read[1], .2, 1e-6);
-    EXPECT_EQ(read[2], 0.F);
-    EXPECT_EQ(read[3], 1.F);
-}
-
 TEST_F(TextureTest, SizesBeyondTheDriverAreErrorsThatNameTheLimit) {
     const int beyond = driver().max3DTextureSide + 1;
     const auto texture =

@@ -172,7 +172,7 @@ class Drawing {
         CompatibilityProgram& program = *programs_[draw.program];
         program.use();
         program.setTags(tags);
-        program.setRuntimeValues(scene::drawMatrices(draw.modelView, projection), 0);
+        program.setRuntimeValues(draw.modelView, projection, 0);
         bindTextures(program, draw, tags);
 
         gl_.ShadeModel(draw.flatColors ? GL_FLAT : GL_SMOOTH);

@@ -273,18 +273,19 @@ void CompatibilityProgram::setTags(const std::vector<glib::UniformSpec>& tags) {
     }
 }
 
-void CompatibilityProgram::setRuntimeValues(const scene::DrawMatrices& matrices, double timer) const {
+void CompatibilityProgram::setRuntimeValues(const glm::dmat4& modelView, const glm::dmat4& projection,
+                                            double timer) const {
     for (const Uniform& uniform : uniforms()) {
         if (uniform.name == "uModelViewMatrix")
-            setUniform(uniform, numbers(matrices.modelView.matrix));
+            setUniform(uniform, numbers(modelView));
         else if (uniform.name == "uProjectionMatrix")
-            setUniform(uniform, numbers(matrices.projection.matrix));
+            setUniform(uniform, numbers(projection));
         else if (uniform.name == "uModelViewProjectionMatrix")
-            setUniform(uniform, numbers(matrices.modelViewProjection.matrix));
+            setUniform(uniform, numbers(projection * modelView));
         else if (uniform.name == "uModelViewMatrixInverse")
-            setUniform(uniform, numbers(matrices.modelView.inverse));
+            setUniform(uniform, numbers(scene::inverseOrZero(modelView)));
         else if (uniform.name == "uNormalMatrix")
-            setUniform(uniform, numbers(matrices.normal));
+            setUniform(uniform, numbers(scene::normalMatrix(modelView)));
         else if (uniform.name == "Timer")
             setUniform(uniform, {timer});
     }

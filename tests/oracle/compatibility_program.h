@@ -31,7 +31,7 @@ class CompatibilityProgram {
     /// Sets every uniform that a tag names, also in uniform blocks.
     void setTags(const std::vector<glib::UniformSpec>& tags);
     /// Sets the uniforms that language, 6 names: uModelViewMatrix and so on, and Timer.
-    void setRuntimeValues(const scene::DrawMatrices& matrices, double timer) const;
+    void setRuntimeValues(const glm::dmat4& modelView, const glm::dmat4& projection, double timer) const;
 
     /// An active sampler: its location, its texture unit, and the target of its type. The unit is that of the
     /// tag; without a tag that of the declaration, else 0. It is 2 for Noise2 and 3 for Noise3.

@@ -98,6 +98,32 @@ TEST_F(Undefined, VerticesBeyondTheMostAreCounted) {
         (std::vector<std::string>{"9: EmitVertex() exceeds max_vertices = 4 2 times; the surplus is lost"}));
 }
 
+TEST_F(Undefined, InvocationsOfControlStagesHaveTheirOwnVertex) {
+    const auto scene = [](const char* statement) {
+        return std::string(
+                   "WindowSize 4 4\nVertex a.vert\nTessControl inline\n#version 430 core\n"
+                   "layout(vertices = 3) out;\nout float vSize[];\nvoid main() {\n") +
+               statement +
+               "\n  vSize[gl_InvocationID] = 1.;\n"
+               "  gl_out[gl_InvocationID].gl_Position = gl_in[gl_InvocationID].gl_Position;\n"
+               "  gl_TessLevelOuter[0] = gl_TessLevelOuter[1] = gl_TessLevelOuter[2] = gl_TessLevelInner[0] "
+               "= 1.;\n"
+               "}\nEndTessControl\nTessEvaluation inline\n#version 430 core\nlayout(triangles) in;\n"
+               "in float vSize[];\nvoid main() { gl_Position = gl_in[0].gl_Position * gl_TessCoord.x * "
+               "vSize[0]; }\n"
+               "EndTessEvaluation\nFragment inline\n#version 430 core\nout vec4 f;\nvoid main() { f = "
+               "vec4(.5); }\n"
+               "EndFragment\nLet n 6\nProgram P\nglBegin patches 3\nglVertex 0 0 0\nglVertex 1 0 0\n"
+               "glVertex 0 1 0\nglEnd\n";
+    };
+    EXPECT_EQ(found(scene("  float own = 1.;")), std::vector<std::string>());
+    // An array of the invocation's own is another matter.
+    EXPECT_EQ(
+        found(scene("  float a[2] = float[2](1., 2.); gl_TessLevelInner[1] = a[gl_InvocationID];")),
+        (std::vector<std::string>{"8: the subscript in 'a[gl_InvocationID]' is outside of the 2 elements "
+                                  "once, the first time 2"}));
+}
+
 /// Shipped scenes do nothing undefined, and are drawn as without the option.
 TEST_F(Undefined, ShippedScenesAreFreeOfItAndKeepTheirPictures) {
     int drawn = 0;

@@ -159,20 +159,5 @@ TEST(Matrices, TheNormalMatrixOfASingularMatrixIsItsCofactorMatrix) {
     EXPECT_EQ(normalMatrix(scaling({0, 0, 0})), glm::dmat3(0.0));
 }
 
-TEST(Matrices, AFamilyBelongsTogether) {
-    const glm::dmat4 matrix = spreadMatrix(1);
-    const MatrixFamily family = familyOf(matrix);
-    EXPECT_EQ(family.matrix, matrix);
-    EXPECT_EQ(family.inverse, inverseOrZero(matrix));
-    for (int i = 0; i < 4; ++i)
-        for (int j = 0; j < 4; ++j) {
-            EXPECT_EQ(family.transpose[i][j], matrix[j][i]);
-            EXPECT_EQ(family.inverseTranspose[i][j], family.inverse[j][i]);
-        }
-    const DrawMatrices matrices = drawMatrices(spreadMatrix(2), spreadMatrix(3));
-    EXPECT_EQ(matrices.modelViewProjection.matrix, spreadMatrix(3) * spreadMatrix(2));
-    EXPECT_EQ(matrices.normal, normalMatrix(spreadMatrix(2)));
-}
-
 }  // namespace
 }  // namespace glibra::scene

@@ -59,6 +59,24 @@ Shot parsed(const std::string& command) {
     return shot;
 }
 
+template <class... Fs>
+struct Overloaded : Fs... {
+    using Fs::operator()...;
+};
+template <class... Fs>
+Overloaded(Fs...) -> Overloaded<Fs...>;
+
+/// Gives `to` the value that `from` has.
+void copyOption(const OptionRow& row, const Shot& from, Shot& to) {
+    std::visit(Overloaded{[&](const SizeValue& size) {
+                              size.width.edit(to) = size.width.get(from);
+                              size.height.edit(to) = size.height.get(from);
+                          },
+                          [&](const WordValue& word) { word.set(to, word.get(from)); },
+                          [&](const auto& value) { value.member.edit(to) = value.member.get(from); }},
+               row.value);
+}
+
 void expectSurvives(Shot before, const std::string& what) {
     const test::SceneFolder folder({"a.glib", "lib one/x", "lib two/x"});
     for (std::filesystem::path& each : before.options.libraryRoots) each = folder.path() / each;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 
 #include "folder.h"
 #include "pictures.h"
@@ -204,6 +205,9 @@ TEST_F(Verdicts, TheGoldenForAllDriversIsRightForAFamilyToo) {
     EXPECT_EQ(general.verdict, Verdict::passed);
     EXPECT_EQ(general.goldenVariant, "");
     EXPECT_EQ(decide(shot, gradient(80), {}, {}, "nvidia").result.verdict, Verdict::failed);
+    // But a golden that cannot be read is a fault, whatever the other says.
+    std::ofstream(folder / "goldens/a.nvidia.png") << "no picture";
+    EXPECT_NE(decide(shot, gradient(), {}, {}, "nvidia").result.verdict, Verdict::passed);
 }
 
 class Failures : public Verdicts {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "contrast.h"
+
 namespace glibra::view {
 namespace {
 

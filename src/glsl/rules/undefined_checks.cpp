@@ -158,13 +158,22 @@ class UndefinedChecks {
 
     // ---- Subscripts
 
+    /// True for the vertex of the invocation in an array that a control stage writes or reads for each
+    /// vertex. The invocation's outputs may be indexed by this name alone, and it lies inside.
+    [[nodiscard]] bool isOwnVertex(std::uint32_t object, Range index) const {
+        if (unit_.stage != Stage::tessControl || index.end != index.first + 1 ||
+            text(index.first) != "gl_InvocationID" || unit_.bodies.roles[object] == WordRole::local)
+            return false;
+        const Variable* variable = unit_.variable(text(object));
+        return variable == nullptr || (variable->storage == Storage::output && !variable->patch);
+    }
+
     void subscript(const Subscript& each) {
         const std::uint32_t close = match(each.open);
         if (close >= unit_.view.size() || !isInFunction(each.open)) return;
         const Range index{each.open + 1, close};
         if (index.empty() || isConstant(index)) return;
-        // Control stages may index their outputs with this name only; it is always inside.
-        if (index.end == index.first + 1 && text(index.first) == "gl_InvocationID") return;
+        if (isOwnVertex(each.object.first, index)) return;
         std::string length;
         if (each.type.arrayDepth > 0) {
             if (!isIdle(each.object)) return;

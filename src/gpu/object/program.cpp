@@ -103,11 +103,4 @@ BuildOutcome buildProgram(const Capabilities& capabilities, const ProgramSource&
     return ProgramBuild(capabilities, source).finish();
 }
 
-std::pair<bool, std::string> validate(const Program& program) {
-    glValidateProgram(program.id());
-    GLint valid = GL_FALSE;
-    glGetProgramiv(program.id(), GL_VALIDATE_STATUS, &valid);
-    return {valid != GL_FALSE, programLog(program.id())};
-}
-
 }  // namespace glibra::gpu

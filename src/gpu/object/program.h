@@ -95,7 +95,4 @@ class ProgramBuild {
 /// Does both steps.
 BuildOutcome buildProgram(const Capabilities& capabilities, const ProgramSource& source);
 
-/// Whether the program can run with the current state (glValidateProgram); the log says why not.
-std::pair<bool, std::string> validate(const Program& program);
-
 }  // namespace glibra::gpu

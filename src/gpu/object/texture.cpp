@@ -165,12 +165,6 @@ int Texture::layers(int level) const {
     return sizeOfLevel(shape_, size_, level).depth;
 }
 
-void Texture::setSwizzle(const std::array<GLint, 4>& components) {
-    glActiveTexture(kWorkUnit);
-    glBindTexture(glTarget(shape_), id());
-    glTexParameteriv(glTarget(shape_), GL_TEXTURE_SWIZZLE_RGBA, components.data());
-}
-
 Result<Texture> Texture::view(std::optional<int> level, std::optional<int> layer) const {
     const std::string what = "a part of " + describe(shape_, format_, size_);
     if ((layer && shape_ == TextureShape::texture3D) || level.value_or(0) >= levels_ ||

@@ -61,11 +61,8 @@ class Texture {
     /// Samplers read these levels only; the first counts from 0.
     void showLevels(int first, int count) const;
 
-    /// Sets what each component reads when sampled: GL_RED, GL_GREEN, GL_BLUE, GL_ALPHA, GL_ZERO, GL_ONE.
-    void setSwizzle(const std::array<GLint, 4>& components);
-
     /// Binds the texture to a texture image unit of the context (not a unit of the scene language). create()
-    /// and setSwizzle() use unit 0 and leave their texture bound there.
+    /// uses unit 0 and leaves its texture bound there.
     void bind(int unit) const;
     /// Binds a level to an image unit (GL 4.2), with all layers or faces or only one of them. `access` is
     /// GL_READ_ONLY, GL_WRITE_ONLY or GL_READ_WRITE. `as`: the format that the shader sees, whose texels have

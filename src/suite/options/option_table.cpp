@@ -205,16 +205,6 @@ bool isDefault(const OptionRow& row, const Shot& shot) {
         row.value);
 }
 
-void copyOption(const OptionRow& row, const Shot& from, Shot& to) {
-    std::visit(Overloaded{[&](const SizeValue& size) {
-                              size.width.edit(to) = size.width.get(from);
-                              size.height.edit(to) = size.height.get(from);
-                          },
-                          [&](const WordValue& word) { word.set(to, word.get(from)); },
-                          [&](const auto& value) { value.member.edit(to) = value.member.get(from); }},
-               row.value);
-}
-
 std::string placeholder(const OptionRow& row) {
     return std::visit(
         Overloaded{[](const FlagValue&) { return std::string(); },

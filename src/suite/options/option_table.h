@@ -109,9 +109,6 @@ const OptionRow* findOptionKey(std::string_view key);
 
 /// True if the shot has the value that a new Shot has.
 bool isDefault(const OptionRow& row, const Shot& shot);
-/// Gives `to` the value that `from` has.
-void copyOption(const OptionRow& row, const Shot& from, Shot& to);
-
 /// The form of the value on the command line, as "WxH"; empty for flags.
 std::string placeholder(const OptionRow& row);
 /// Which values are allowed, as "1 to 64"; empty if the form says it all.

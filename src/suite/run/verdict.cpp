@@ -157,13 +157,14 @@ ShotJudge::Findings ShotJudge::look(const Attempt& attempt, bool everything) con
         found.pixels = hashOf(got);
         compare(attempt, everything, found);
         // The golden for all drivers is right on each of them, so that a family may draw either picture,
-        // perhaps in another version.
-        if (!found.goldenHolds && !found.golden->variant.empty())
+        // perhaps in another version. A golden that cannot be read is an error all the same.
+        if (!found.goldenHolds && found.picture && !found.golden->variant.empty())
             if (Result<Golden> general = goldens_.find(shot, ""); general && general->variant.empty()) {
                 Findings other;
                 other.golden = std::move(general.value);
                 other.pixels = found.pixels;
                 compare(attempt, everything, other);
+                other.problems.insert(other.problems.begin(), found.problems.begin(), found.problems.end());
                 if (other.goldenHolds) found = std::move(other);
             }
     }

@@ -65,69 +65,10 @@ constexpr Palette kLight{.well = colorOf(0xDDE0E4),
                          .directive = colorOf(0x6B5010),
                          .builtin = colorOf(0x006A6A)};
 
-/// Relative luminance (WCAG 2.1).
-double luminance(const Color& color) {
-    const auto linear = [](float component) {
-        const auto c = static_cast<double>(component);
-        return c <= .04045 ? c / 12.92 : std::pow((c + .055) / 1.055, 2.4);
-    };
-    return .2126 * linear(color.r) + .7152 * linear(color.g) + .0722 * linear(color.b);
-}
-
 }  // namespace
 
 const Palette& paletteOf(bool isLight) {
     return isLight ? kLight : kDark;
-}
-
-double contrast(const Color& a, const Color& b) {
-    const auto [darker, lighter] = std::minmax({luminance(a), luminance(b)});
-    return (lighter + .05) / (darker + .05);
-}
-
-std::vector<TextPair> textPairs(const Palette& p) {
-    return {{"text on the panel", p.text, p.panel},
-            {"text in a popup", p.text, p.popup},
-            {"text around the picture", p.text, p.well},
-            {"text in a field", p.text, p.frame},
-            {"text in a hovered field", p.text, p.frameHovered},
-            {"text in an active field", p.text, p.frameActive},
-            {"text on a button", p.text, p.button},
-            {"text on a hovered button", p.text, p.buttonHovered},
-            {"text on a pressed button", p.text, p.buttonActive},
-            {"text on a section", p.text, p.section},
-            {"text on a hovered section", p.text, p.sectionHovered},
-            {"text on a pressed section", p.text, p.sectionActive},
-            {"text on the filled part of a slider", p.text, p.fill},
-            {"selected text", p.text, p.selection},
-            {"dim text on the panel", p.dim, p.panel},
-            {"dim text in a popup", p.dim, p.popup},
-            {"dim text around the picture", p.dim, p.well},
-            {"dim text in a field", p.dim, p.frame},
-            {"dim text in a hovered field", p.dim, p.frameHovered},
-            {"dim text in an active field", p.dim, p.frameActive},
-            {"dim text on a section", p.dim, p.section},
-            {"dim text on a hovered section", p.dim, p.sectionHovered},
-            {"an error on the panel", p.error, p.panel},
-            {"an error in a popup", p.error, p.popup},
-            {"an error on a hovered section", p.error, p.sectionHovered},
-            {"an error on a tab", p.error, p.button},
-            {"the first error over the picture", p.bannerText, p.banner},
-            {"a keyword", p.keyword, p.panel},
-            {"a type", p.type, p.panel},
-            {"a number", p.number, p.panel},
-            {"a comment", p.comment, p.panel},
-            {"a directive", p.directive, p.panel},
-            {"a built-in name", p.builtin, p.panel},
-            {"a selected keyword", p.keyword, p.selection},
-            {"a selected type", p.type, p.selection},
-            {"a selected number", p.number, p.selection},
-            {"a selected comment", p.comment, p.selection},
-            {"a selected directive", p.directive, p.selection},
-            {"a selected built-in name", p.builtin, p.selection},
-            {"a warning on the panel", p.warning, p.panel},
-            {"a warning in a popup", p.warning, p.popup},
-            {"a warning on a hovered section", p.warning, p.sectionHovered}};
 }
 
 }  // namespace glibra::view

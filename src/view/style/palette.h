@@ -41,16 +41,4 @@ struct Palette {
 
 const Palette& paletteOf(bool isLight);
 
-/// The contrast ratio of WCAG 2.1 (1.4.3), 1 to 21.
-double contrast(const Color& a, const Color& b);
-inline constexpr double kReadable = 4.5;  ///< contrast that WCAG 2.1 (1.4.3) demands for text of this size
-
-/// A colour of text and one behind it that occur together in the window.
-struct TextPair {
-    const char* name;
-    Color text, background;
-};
-/// All of them. Disabled widgets are not listed: their text is faded on purpose.
-std::vector<TextPair> textPairs(const Palette& palette);
-
 }  // namespace glibra::view
