@@ -32,7 +32,8 @@ std::string crash(const std::string&) {
 class ApartFromTheStart : public testing::Test {
   protected:
     void SetUp() override {
-        ASSERT_TRUE(Apart().run(settingOf, "GLIBRA_TEST_SETTING")) << "does this process have a driver already?";
+        ASSERT_TRUE(Apart().run(settingOf, "GLIBRA_TEST_SETTING"))
+            << "does this process have a driver already?";
     }
 };
 
