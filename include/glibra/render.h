@@ -4,6 +4,7 @@
 #include <glibra/diagnostic.h>
 #include <glibra/draw_id.h>
 #include <glibra/driver.h>
+#include <glibra/export.h>
 #include <glibra/result.h>
 
 #include <array>
@@ -120,13 +121,14 @@ struct Picture {
 
 /// A GL context and the parts that pictures share. Use it on the thread that made it; a process can have one
 /// at a time.
-class Renderer {
+class GLIBRA_API Renderer {
   public:
     /// Opens a context. The error names each way that was tried.
-    static Result<Renderer> open(Driver driver = Driver::automatic);
+    [[nodiscard]] static Result<Renderer> open(Driver driver = Driver::automatic);
 
     /// Reads and draws one scene file. Errors in the scene are diagnostics with file, line and column.
-    Result<Picture> render(const std::filesystem::path& scene, const RenderOptions& options = {});
+    [[nodiscard]] Result<Picture> render(const std::filesystem::path& scene,
+                                         const RenderOptions& options = {});
 
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;
