@@ -5,18 +5,24 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "base/suggest.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
+#include "image/file.h"
 
 namespace glibra::cli {
 namespace {
+
+namespace fs = std::filesystem;
 
 /// Text of a page: a backslash, a dash and a dot or quote at the start of a line mean something to troff.
 std::string escaped(std::string_view text) {
@@ -118,6 +124,21 @@ std::string commandPage(const CommandDescription& command) {
     return text + examplesOf(command) + statuses() + ".SH SEE ALSO\n\\fBglibra\\fR(1)\n";
 }
 
+int writePages(const std::vector<CommandDescription>& commands, const fs::path& folder) {
+    std::error_code failed;
+    fs::create_directories(folder, failed);
+    for (const CommandDescription& each : commands) {
+        const bool isWhole = &each == &commands.front();
+        const fs::path file = folder / (isWhole ? "glibra.1" : "glibra-" + each.name + ".1");
+        const std::string page = isWhole ? programPage(commands) : commandPage(each);
+        const Diagnostics problems = image::writeFileAtomically(file, std::as_bytes(std::span(page)));
+        if (problems.empty()) continue;
+        print(problems);
+        return kSceneIsWrong;
+    }
+    return kDone;
+}
+
 }  // namespace
 
 void addManual(CommandLine& line, const Program& whole, int& status) {
@@ -125,9 +146,19 @@ void addManual(CommandLine& line, const Program& whole, int& status) {
                                           "glibra manual | man -l -             # of the program\n"
                                           "glibra manual render | man -l -      # of a subcommand");
     const auto name = std::make_shared<std::string>();
+    const auto folder = std::make_shared<fs::path>();
     command.option("command", *name, "the subcommand; without one, the program");
-    command.onRun([name, &whole, &status] {
+    command
+        .option("--all", *folder,
+                "writes the pages of all commands into this folder: glibra.1, glibra-render.1, ...")
+        .placeholder("FOLDER")
+        .written();
+    command.onRun([name, folder, &whole, &status] {
         const std::vector<CommandDescription> commands = whole.describe();
+        if (!folder->empty()) {
+            status = writePages(commands, *folder);
+            return;
+        }
         std::string page;
         if (name->empty()) page = programPage(commands);
         std::vector<std::string_view> names;
