@@ -300,6 +300,12 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"gpu-E07",
      "another program made the graphics driver reset the device, again and again; the scene is not to blame, "
      "but there is no picture of it"},
+    {"gpu-E08", "the renderer was opened on another thread; use it and its scenes there"},
+    // The library
+    {"library-E01", "width: 70000 is not between 0 and 65536"},
+    {"library-E02", "the scene has no value 'uShinines'; did you mean 'uShininess'?"},
+    {"library-E03", "'uColor' takes 3 numbers, found 1"},
+    {"library-E04", "no picture has been drawn yet"},
     // Suites
     {"suite-E01",
      "not TOML: value: expected digit, saw '.'; a number needs a digit before its point, as 0.5"},

@@ -6,12 +6,10 @@
 
 include(CMakePackageConfigHelpers)
 
-# The library: what include/glibra declares is defined in one file. The linker takes from the rooms what that file uses.
-# In a unity build that file stays an object of its own in its room, or the linker would take it from there as well.
+# The library: the linker takes from the rooms what the files of src/library use.
 # The number of the binary interface is increased by a release whose library cannot take the place of the one before.
 set(GLIBRA_ABI 1)
-add_library(glibra SHARED ${PROJECT_SOURCE_DIR}/src/render/renderer.cpp)
-set_source_files_properties(${PROJECT_SOURCE_DIR}/src/render/renderer.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+add_library(glibra SHARED)
 add_library(glibra::glibra ALIAS glibra)
 add_executable(glibra::program ALIAS glibra_program)
 glibra_compile_options(glibra)
@@ -23,7 +21,7 @@ target_compile_features(glibra PUBLIC cxx_std_20)
 target_include_directories(glibra PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
                                          $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>
                                          $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
-target_link_libraries(glibra PRIVATE $<BUILD_INTERFACE:glibra_render>)
+target_link_libraries(glibra PRIVATE $<BUILD_INTERFACE:$<LINK_LIBRARY:WHOLE_ARCHIVE,glibra_library>>)
 
 set(program ${PROJECT_BINARY_DIR}/glibra)
 set(share ${CMAKE_INSTALL_DATADIR}/glibra)

@@ -245,6 +245,9 @@ const gpu::Texture* LiveScene::texture(scene::TextureIndex index) const {
 const gpu::Texture* LiveScene::completed(scene::TextureIndex index, bool isPrevious) {
     return state_->device.completed({.texture = index, .isPrevious = isPrevious});
 }
+Result<image::Image> LiveScene::imageOf(const scene::TextureView& view) {
+    return state_->device.imageOf(view);
+}
 const render::DeviceScene& LiveScene::device() const {
     return state_->device;
 }
