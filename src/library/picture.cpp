@@ -71,7 +71,7 @@ Comparison compared(const image::Image& got, const image::Image& expected, const
 }
 
 Result<image::Image> readPicture(const std::filesystem::path& file) {
-    return image::readImage(file, {file.string(), {file.string(), 1, 1}});
+    return image::readImage(file, {file.string(), 1, 1});
 }
 
 }  // namespace
