@@ -12,10 +12,10 @@
 #include "gpu/object/readback.h"
 #include "image/image.h"
 #include "library/renderer_state.h"
+#include "plan/buffer_table.h"
 #include "render/load/device_scene.h"
 #include "render/scene_renderer.h"
 #include "scene/texture_name.h"
-#include "view/debug_view/buffer_table.h"
 
 namespace glibra {
 namespace {
@@ -76,7 +76,7 @@ std::string whyNot(const view::Knob& knob, std::span<const double> values) {
 }
 
 /// A column of the library's table; the kinds of its numbers are those of the memory.
-BufferContent::Column columnOf(const view::BufferColumn& from, const std::vector<plan::MemoryNumber>& kinds) {
+BufferContent::Column columnOf(const plan::BufferColumn& from, const std::vector<plan::MemoryNumber>& kinds) {
     BufferContent::Column to;
     to.name = from.name;
     to.count = from.count;
@@ -367,7 +367,7 @@ Result<Picture> Scene::State::textureNamed(std::string_view name) {
     wanted.set = settings();
     wanted.width = window->width;
     wanted.height = window->height;
-    wanted.wantedTextures = {std::string(name)};
+    wanted.wantedObjects = {std::string(name)};
     render::Stats stats;
     Result<render::SceneRenderer> loaded =
         render::SceneRenderer::load(*renderer->context, path, wanted, stats);
@@ -413,10 +413,11 @@ Result<BufferContent> Scene::buffer(std::string_view name) {
             BufferContent content;
             content.bytes.resize(static_cast<std::size_t>(layout->bytes));
             buffer->read(0, content.bytes);
-            const view::BufferTable table = view::tableOf(*layout, state_->live->blockOf(index));
-            for (const view::BufferColumn& each : table.head)
+            const plan::BufferTable table =
+                plan::tableOf(*layout, state_->live->blockOf(index), std::numeric_limits<std::size_t>::max());
+            for (const plan::BufferColumn& each : table.head)
                 content.head.push_back(columnOf(each, layout->pattern.head));
-            for (const view::BufferColumn& each : table.columns)
+            for (const plan::BufferColumn& each : table.columns)
                 content.columns.push_back(columnOf(each, layout->pattern.element));
             content.headBytes = static_cast<std::size_t>(layout->pattern.elementsAt);
             content.stride = static_cast<std::size_t>(layout->pattern.stride);
