@@ -18,7 +18,7 @@ namespace glibra::cli {
 namespace {
 
 /// The text in single quotes of a shell.
-std::string quoted(std::string_view text) {
+std::string shellQuoted(std::string_view text) {
     std::string to = "'";
     for (const char each : text)
         if (each == '\'')
@@ -67,7 +67,7 @@ std::string bashCompletion(const std::vector<CommandDescription>& commands) {
             if (!option.shortName.empty()) pattern += "|" + command.name + ":" + option.shortName;
             if (!option.words.empty())
                 values += fmt::format("        {}) COMPREPLY=($(compgen -W {} -- \"$word\")); return ;;\n",
-                                      pattern, quoted(fmt::format("{}", fmt::join(option.words, " "))));
+                                      pattern, shellQuoted(fmt::format("{}", fmt::join(option.words, " "))));
             else if (namesFolder(option))
                 values +=
                     fmt::format("        {}) COMPREPLY=($(compgen -d -- \"$word\")); return ;;\n", pattern);
@@ -76,7 +76,7 @@ std::string bashCompletion(const std::vector<CommandDescription>& commands) {
                     fmt::format("        {}) COMPREPLY=($(compgen -f -- \"$word\")); return ;;\n", pattern);
         }
         cases += fmt::format("        {}) options={} ;;\n", command.name,
-                             quoted(options.empty() ? options : options.substr(1)));
+                             shellQuoted(options.empty() ? options : options.substr(1)));
         if (&command != &commands.front()) all += (all.empty() ? "" : " ") + command.name;
     }
     return fmt::format(R"(# bash completion of glibra, written by `glibra completion bash`
@@ -107,7 +107,7 @@ std::string zshCompletion(const std::vector<CommandDescription>& commands) {
     std::string cases;
     for (const CommandDescription& command : commands) {
         if (&command == &commands.front()) continue;
-        list += "        " + quoted(forZsh(command.name) + ":" + command.summary) + "\n";
+        list += "        " + shellQuoted(forZsh(command.name) + ":" + command.summary) + "\n";
         std::string arguments;
         for (const OptionDescription& option : command.options) {
             if (option.isPositional) continue;
@@ -119,7 +119,7 @@ std::string zshCompletion(const std::vector<CommandDescription>& commands) {
                                     namesFolder(option) ? "_files -/" : "_files");
             const std::string help = "[" + forZsh(option.help) + "]" + value;
             for (const std::string& name : {option.shortName, option.longName})
-                if (!name.empty()) arguments += " \\\n                " + quoted("*" + name + help);
+                if (!name.empty()) arguments += " \\\n                " + shellQuoted("*" + name + help);
         }
         cases += fmt::format("        {}) _arguments{} \\\n                '*:file:_files' ;;\n",
                              command.name, arguments);
@@ -155,7 +155,7 @@ std::string fishCompletion(const std::vector<CommandDescription>& commands) {
         if (&command == &commands.front()) continue;
         all += (all.empty() ? "" : " ") + command.name;
         lines += fmt::format("complete -c glibra -n __fish_use_subcommand -a {} -d {}\n", command.name,
-                             quoted(command.summary));
+                             shellQuoted(command.summary));
         for (const OptionDescription& option : command.options) {
             if (option.isPositional) continue;
             std::string line =
@@ -163,16 +163,17 @@ std::string fishCompletion(const std::vector<CommandDescription>& commands) {
             if (!option.shortName.empty()) line += " -s " + option.shortName.substr(1);
             if (!option.longName.empty()) line += " -l " + option.longName.substr(2);
             if (!option.words.empty())
-                line += fmt::format(" -x -a {}", quoted(fmt::format("{}", fmt::join(option.words, " "))));
+                line +=
+                    fmt::format(" -x -a {}", shellQuoted(fmt::format("{}", fmt::join(option.words, " "))));
             else if (namesFolder(option))
                 line += " -x -a '(__fish_complete_directories)'";
             else if (takesValue(option))
                 line += " -r";
-            lines += line + " -d " + quoted(option.help) + "\n";
+            lines += line + " -d " + shellQuoted(option.help) + "\n";
         }
     }
-    return lines +
-           fmt::format("complete -c glibra -n '__fish_seen_subcommand_from help' -x -a {}\n", quoted(all));
+    return lines + fmt::format("complete -c glibra -n '__fish_seen_subcommand_from help' -x -a {}\n",
+                               shellQuoted(all));
 }
 
 using Completion = std::string (*)(const std::vector<CommandDescription>&);

@@ -6,6 +6,7 @@
 #include <ctime>
 #include <nlohmann/json.hpp>
 
+#include "plan/buffer_table.h"
 #include "view/session/state_json.h"
 
 namespace glibra::view {

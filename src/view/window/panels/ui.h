@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "gpu/context/context.h"
+#include "plan/buffer_table.h"
 #include "view/debug_view/texels.h"
 #include "view/session/frame_cost.h"
 #include "view/session/history.h"
