@@ -149,8 +149,8 @@ class GLIBRA_API Renderer {
     /// nothing and open() says so.
     static CurrentContext current();
 
-    /// Reads and draws one scene file. Errors in the scene are diagnostics with file, line and column. To
-    /// draw a scene more than once, load() it.
+    /// Reads and draws one scene file; library-E01 for options that no picture can have. Errors in the scene
+    /// are diagnostics with file, line and column. To draw a scene more than once, load() it.
     Result<Picture> render(const std::filesystem::path& scene, const RenderOptions& options = {});
 
     /// Reads a scene that is to be drawn many times. Faulty statements are errors. Of the options, those that

@@ -1,7 +1,9 @@
 #include <glibra/render.h>
 
 #include <dlfcn.h>
+#include <fmt/format.h>
 
+#include <cmath>
 #include <utility>
 
 #include "base/device_lost.h"
@@ -16,6 +18,28 @@ Result<gpu::Context> openFor(Driver driver) {
     gpu::ContextOptions options;
     options.driver = driver;
     return gpu::openContext(options);
+}
+
+/// library-E01 for each option that no picture can have.
+Diagnostics problemsOf(const RenderOptions& options) {
+    Diagnostics found;
+    const auto wrong = [&](std::string text) { found.push_back(diagnose("library-E01", std::move(text))); };
+    const auto check = [&](const char* name, int value, int most) {
+        if (value < 0 || value > most)
+            wrong(fmt::format("{}: {} is not between 0 and {}", name, value, most));
+    };
+    check("width", options.width, kLargestPictureSide);
+    check("height", options.height, kLargestPictureSide);
+    check("samples", options.samples, kMostSamples);
+    check("tileSize", options.tileSize, kLargestPictureSide);
+    if (options.steps < 0) wrong(fmt::format("steps: {} is below 0", options.steps));
+    if (!std::isfinite(options.time))
+        wrong(fmt::format("time: {} is not a finite number of seconds", options.time));
+    if (options.maxError != 0 &&
+        !(options.maxError >= kLeastMaxError && options.maxError <= kLargestMaxError))
+        wrong(fmt::format("maxError: {} is not between {:g} and {:g} pixels", options.maxError,
+                          kLeastMaxError, kLargestMaxError));
+    return found;
 }
 
 /// A function that this process has, whichever library it comes from; null if no library has it.
@@ -102,6 +126,7 @@ void Renderer::State::lose() {
 }
 
 Result<Picture> Renderer::render(const std::filesystem::path& scene, const RenderOptions& options) {
+    if (Diagnostics problems = problemsOf(options); !problems.empty()) return problems;
     if (Diagnostics problems = state_->begin(); !problems.empty()) return problems;
     try {
         return state_->render(scene, options);
@@ -126,6 +151,7 @@ Result<Picture> Renderer::State::render(const std::filesystem::path& scene, cons
 }
 
 Result<Scene> Renderer::load(const std::filesystem::path& scene, const RenderOptions& options) {
+    if (Diagnostics problems = problemsOf(options); !problems.empty()) return problems;
     if (Diagnostics problems = state_->begin(); !problems.empty()) return problems;
     auto state = std::make_unique<Scene::State>(state_, scene, options);
     Result<void> loaded = state->load();

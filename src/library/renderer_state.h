@@ -15,6 +15,8 @@
 
 namespace glibra {
 
+inline constexpr int kMostSamples = 64;  ///< per pixel
+
 struct Renderer::State {
     State(Driver asked, gpu::Context opened) : driver(asked), context(std::move(opened)) {}
 

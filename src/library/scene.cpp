@@ -20,8 +20,6 @@
 namespace glibra {
 namespace {
 
-constexpr int kMostSamples = 64;
-
 Diagnostic wrongOption(std::string text) {
     return diagnose("library-E01", std::move(text));
 }
@@ -231,7 +229,10 @@ std::vector<view::Knob> Scene::State::knobs() const {
     std::vector<view::Knob> all = live->knobs();
     for (view::Knob& each : all)
         for (const view::Knob& set : changed)
-            if (each.tag == set.tag && each.program == set.program) each.current = set.current;
+            if (each.tag == set.tag && each.program == set.program) {
+                each.current = set.current;
+                each.initial = set.initial;  // a plan knows only the present value
+            }
     return all;
 }
 
