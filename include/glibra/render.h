@@ -4,15 +4,18 @@
 #include <glibra/diagnostic.h>
 #include <glibra/draw_id.h>
 #include <glibra/driver.h>
+#include <glibra/export.h>
 #include <glibra/result.h>
 
 #include <array>
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace glibra {
@@ -102,40 +105,72 @@ struct RenderOptions {
     std::map<std::filesystem::path, std::string> texts{};
     int tileSize = 0;  ///< pixels per side of the tiles of a large picture; 0: as large as the driver allows
     ViewState viewState{};
-    /// Textures of a modern scene, or parts of them, that are drawn even if the picture does not show them:
-    /// "shadow", "glow.level(2)", "sky.face(0)", "slices.layer(3)".
-    std::vector<std::string> wantedTextures{};
+    /// Textures of a modern scene, or parts of them, and buffers that are made even if the picture does not
+    /// show them: "shadow", "glow.level(2)", "sky.face(0)", "slices.layer(3)", "Particles".
+    std::vector<std::string> wantedObjects{};
 
     friend bool operator==(const RenderOptions&, const RenderOptions&) = default;
 };
 
-/// Pixels, top row first, tightly packed: 3 (opaque) or 4 components, bytes or 32-bit floats.
+/// Pixels, top row first, tightly packed: 3 (opaque) or 4 components, bytes or 32-bit floats. Textures may
+/// also have 1 or 2 components, and 16-bit numbers (two bytes each).
 struct Picture {
     int width = 0;
     int height = 0;
     int components = 3;
     bool isFloat = false;
-    std::vector<std::byte> data;
+    int bits = 8;  ///< of a component: 8, 16 or 32 (floats)
+    std::vector<std::byte> data{};
+
+    /// Writes a file of the format that its name says: .png, .exr, .jpg, .tif and others. A file of that name
+    /// is replaced when the new one is complete.
+    GLIBRA_API Result<void> save(const std::filesystem::path& file) const;
 };
 
-/// A GL context and the parts that pictures share. Use it on the thread that made it; a process can have one
-/// at a time.
-class Renderer {
+class Scene;
+
+/// A GL context that is current on this thread and belongs to the calling program.
+struct CurrentContext {
+    /// Returns the address of a GL function, or null.
+    std::function<void*(const char* name)> loader;
+};
+
+/// A GL context and the parts that pictures share. Use it, and the scenes that it loads, on the thread that
+/// opened it: calls from another one return gpu-E08. Several renderers, each on its own thread, may exist if
+/// they use the same driver.
+class GLIBRA_API Renderer {
   public:
     /// Opens a context. The error names each way that was tried.
     static Result<Renderer> open(Driver driver = Driver::automatic);
+    /// Adopts a context, at least OpenGL 4.1 core, which must outlive the renderer. It must be current in
+    /// each call, and calls leave its state changed.
+    static Result<Renderer> open(const CurrentContext& context);
+    /// The context that is current on this thread, by EGL, GLX or OSMesa; without one, its loader finds
+    /// nothing and open() says so.
+    static CurrentContext current();
 
-    /// Reads and draws one scene file. Errors in the scene are diagnostics with file, line and column.
+    /// Reads and draws one scene file; library-E01 for options that no picture can have. Errors in the scene
+    /// are diagnostics with file, line and column. To draw a scene more than once, load() it.
     Result<Picture> render(const std::filesystem::path& scene, const RenderOptions& options = {});
+
+    /// Reads a scene that is to be drawn many times. Faulty statements are errors. Of the options, those that
+    /// draw() has are not used; library-E01 for wrong ones.
+    Result<Scene> load(const std::filesystem::path& scene, const RenderOptions& options = {});
+    /// The same for a scene in memory. `name` is its name in messages, and files are looked for beside it.
+    /// `files` are texts in place of files that the scene and its shaders read, by their names.
+    Result<Scene> loadText(std::string_view text, const std::string& name = "scene.glib",
+                           const std::map<std::string, std::string>& files = {},
+                           const RenderOptions& options = {});
 
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;
     ~Renderer();
 
   private:
+    friend class Scene;
     struct State;
-    explicit Renderer(std::unique_ptr<State> state);
-    std::unique_ptr<State> state_;
+    explicit Renderer(std::shared_ptr<State> state);
+    std::shared_ptr<State> state_;  ///< shared with its scenes
 };
 
 }  // namespace glibra

@@ -70,9 +70,67 @@ class ExamplesFirst : public CLI::Formatter {
         return text;
     }
 
+    [[nodiscard]] const std::string& examples() const { return examples_; }
+
   private:
     std::string examples_;
 };
+
+/// The name of the validator that keeps the words of a choice, for describe(): "words\nauto\negl".
+constexpr std::string_view kWords = "words";
+
+CLI::Validator keepingWords(const std::vector<std::string>& words) {
+    const std::string name = fmt::format("{}\n{}", kWords, fmt::join(words, "\n"));
+    return CLI::Validator([](std::string&) { return std::string(); }, "", name);
+}
+
+std::vector<std::string> linesOf(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream from(text);
+    for (std::string line; std::getline(from, line);) lines.push_back(line);
+    return lines;
+}
+
+/// The words of keepingWords().
+std::vector<std::string> wordsOf(CLI::Option& option) {
+    try {
+        for (int i = 0;; ++i) {
+            std::vector<std::string> lines = linesOf(option.get_validator(i)->get_name());
+            if (lines.empty() || lines.front() != kWords) continue;
+            lines.erase(lines.begin());
+            return lines;
+        }
+    } catch (const CLI::OptionNotFound&) {  // the option has no more validators
+        return {};
+    }
+}
+
+OptionDescription describedOption(CLI::Option& option) {
+    OptionDescription to;
+    to.isPositional = !option.nonpositional();
+    to.isRare = option.get_group() == kRare;
+    if (to.isPositional)
+        to.longName = option.get_name();
+    else if (!option.get_lnames().empty())
+        to.longName = "--" + option.get_lnames().front();
+    if (!option.get_snames().empty()) to.shortName = "-" + option.get_snames().front();
+    if (option.get_type_size() != 0) to.placeholder = option.get_type_name();
+    to.help = option.get_description();
+    to.words = wordsOf(option);
+    return to;
+}
+
+CommandDescription describedCommand(CLI::App& app) {
+    CommandDescription to;
+    to.name = app.get_name();
+    to.summary = app.get_description();
+    if (const auto* formatter = dynamic_cast<const ExamplesFirst*>(app.get_formatter().get()))
+        to.examples = linesOf(formatter->examples());
+    to.isProgram = app.get_prefix_command();
+    for (CLI::Option* each : app.get_options({}))
+        if (!each->get_group().empty()) to.options.push_back(describedOption(*each));
+    return to;
+}
 
 /// The first long name, which messages show; former names are after it.
 std::string shownName(const std::string& name) {
@@ -298,7 +356,9 @@ Option CommandLine::choice(const std::string& name, std::vector<std::string> wor
         take(static_cast<std::size_t>(found - words.begin()));
         return {};
     };
-    return option(name, read, help).placeholder("WORD");
+    CLI::Option* added = addReader(*app_, name, read, help);
+    added->check(keepingWords(words));
+    return Option(*added).placeholder("WORD");
 }
 
 Option CommandLine::driver(Driver& to) {
@@ -364,6 +424,12 @@ std::vector<std::string> Program::subcommands() const {
     std::vector<std::string> names;
     for (const CLI::App* each : app_->get_subcommands({})) names.push_back(each->get_name());
     return names;
+}
+
+std::vector<CommandDescription> Program::describe() const {
+    std::vector<CommandDescription> all{describedCommand(*app_)};
+    for (CLI::App* each : app_->get_subcommands({})) all.push_back(describedCommand(*each));
+    return all;
 }
 
 std::optional<int> Program::parse(int argc, char** argv) {

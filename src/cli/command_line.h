@@ -116,6 +116,26 @@ class CommandLine {
     CLI::App* app_;
 };
 
+/// An option as manual pages and completions show it. Names of what does not exist are empty.
+struct OptionDescription {
+    std::string longName;            ///< "--size"; of a positional argument its name, "scenes"
+    std::string shortName;           ///< "-o"
+    std::string placeholder;         ///< "FOLDER"; empty: takes no value
+    std::string help;                ///< "a number of pixels"
+    std::vector<std::string> words;  ///< the values that it can have, if these are few
+    bool isPositional = false;
+    bool isRare = false;  ///< only --help-all lists it
+};
+
+/// A program or one of its subcommands.
+struct CommandDescription {
+    std::string name;     ///< "render"
+    std::string summary;  ///< "renders scenes to pictures"
+    std::vector<std::string> examples;
+    std::vector<OptionDescription> options;
+    bool isProgram = false;  ///< a program of its own reads its options, which are not listed here
+};
+
 /// The command line of a program.
 class Program {
   public:
@@ -131,6 +151,8 @@ class Program {
     void requireSubcommand();
     /// The names of the subcommands, in their order.
     [[nodiscard]] std::vector<std::string> subcommands() const;
+    /// The program itself, then its subcommands in their order, without what --help-all leaves out.
+    [[nodiscard]] std::vector<CommandDescription> describe() const;
     /// Reads the arguments and runs the subcommand. Returns nothing, or the exit status of a command line
     /// that is wrong or asked for help only; what it asked for has been printed.
     std::optional<int> parse(int argc, char** argv);

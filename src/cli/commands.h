@@ -15,6 +15,7 @@
 namespace glibra::cli {
 
 class CommandLine;
+class Program;
 
 // Exit statuses. If several apply, the largest is used.
 inline constexpr int kDone = 0;
@@ -33,6 +34,10 @@ void addNoise(CommandLine& program, int& status);
 void addBench(CommandLine& program, int& status);
 void addInfo(CommandLine& program, int& status);
 void addLanguage(CommandLine& program, int& status);
+/// `whole` is the program that `line` belongs to, which the pages describe. It must live until the line has
+/// been read.
+void addCompletion(CommandLine& line, const Program& whole, int& status);
+void addManual(CommandLine& line, const Program& whole, int& status);
 
 // Names, messages and text of scenes go to a terminal or a log only through these: what a terminal would
 // obey is written out (base::printableText).

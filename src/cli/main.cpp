@@ -68,11 +68,20 @@ int run(int argc, char** argv) {
     glibra::cli::addBench(line, status);
     glibra::cli::addInfo(line, status);
     glibra::cli::addLanguage(line, status);
+    glibra::cli::addManual(line, program, status);
+    glibra::cli::addCompletion(line, program, status);
+    line.subcommand("help", "prints the options of a subcommand", [](const std::vector<std::string>&) {});
     const std::vector<std::string> commands = program.subcommands();
-    const std::string first = argv[1];
+    std::vector<char*> words(argv, argv + argc);
+    char asked[] = "--help";
+    if (words[1] == std::string_view("help")) {  // `glibra help render` is `glibra render --help`
+        words.erase(words.begin() + 1);
+        words.push_back(asked);
+    }
+    const std::string first = words[1];
     if (!first.starts_with('-') && std::find(commands.begin(), commands.end(), first) == commands.end())
-        return openOrRefuse({argv + 1, argv + argc}, commands);
-    return program.parse(argc, argv).value_or(status);
+        return openOrRefuse({words.begin() + 1, words.end()}, commands);
+    return program.parse(static_cast<int>(words.size()), words.data()).value_or(status);
 }
 
 }  // namespace

@@ -178,6 +178,7 @@ constexpr CatalogueRow kCatalogueRows[] = {
      "atomic counters 'red' and 'all' of program 'Count' have the same binding, so they lie in one buffer, "
      "but two are given, 'red' and 'all'; give each counter a binding of its own"},
     {"memory-E15", "Vertices from a buffer: 5,000,000 indices are more than the 6 elements of 'square'"},
+    {"memory-E16", "buffer 'marks' is not used, so it has no content to save"},
     {"memory-W01",
      "Step reads 'shadow', which only the frame writes (line 20), so the result depends on the pictures that "
      "were drawn before; write 'shadow' in Step"},
@@ -300,6 +301,12 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"gpu-E07",
      "another program made the graphics driver reset the device, again and again; the scene is not to blame, "
      "but there is no picture of it"},
+    {"gpu-E08", "the renderer was opened on another thread; use it and its scenes there"},
+    // The library
+    {"library-E01", "width: 70000 is not between 0 and 65536"},
+    {"library-E02", "the scene has no value 'uShinines'; did you mean 'uShininess'?"},
+    {"library-E03", "'uColor' takes 3 numbers, found 1"},
+    {"library-E04", "no picture has been drawn yet"},
     // Suites
     {"suite-E01",
      "not TOML: value: expected digit, saw '.'; a number needs a digit before its point, as 0.5"},

@@ -257,6 +257,12 @@ Writing writePixels(GlibraWritePicture write, GlibraWriteRequest request) {
     return here;
 }
 
+#ifdef GLIBRA_MODULE_BUILD_DIR
+bool isBelow(const fs::path& file, const fs::path& folder) {
+    return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first == folder.end();
+}
+#endif
+
 }  // namespace
 
 std::vector<fs::path> defaultModuleFolders() {
@@ -274,13 +280,17 @@ std::vector<fs::path> defaultModuleFolders() {
     // A program of somebody else uses the library, which may have moved. Nothing is loaded from the current
     // folder: the name of a program may be relative.
     Dl_info self{};
+    fs::path library;
     if (::dladdr(reinterpret_cast<const void*>(&defaultModuleFolders), &self) != 0 &&
         self.dli_fname != nullptr)
-        if (const fs::path file(self.dli_fname); file.is_absolute())
-            folders.push_back(file.parent_path() / "glibra");
+        library = self.dli_fname;
+    if (library.is_absolute()) folders.push_back(library.parent_path() / "glibra");
 #ifdef GLIBRA_MODULE_BUILD_DIR  // the build defines both if it builds the module
     folders.emplace_back(GLIBRA_MODULE_INSTALL_DIR);
-    folders.emplace_back(GLIBRA_MODULE_BUILD_DIR);
+    // Only for the programs and the library of the build tree: whoever may write to the folder in which an
+    // installed program was built is not to choose what it loads.
+    if (isBelow(program, GLIBRA_MODULE_BUILD_DIR) || isBelow(library, GLIBRA_MODULE_BUILD_DIR))
+        folders.emplace_back(GLIBRA_MODULE_BUILD_DIR);
 #endif
     return folders;
 }

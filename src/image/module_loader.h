@@ -17,7 +17,8 @@
 namespace glibra::image {
 
 /// The places of the module, in this order: beside the program (a build tree), ../lib/glibra relative to it
-/// (an unpacked archive), where this program was installed, where it was built.
+/// (an unpacked archive), beside the library that has this code, where this program was installed, and, for
+/// programs of a build tree only, that tree.
 std::vector<std::filesystem::path> defaultModuleFolders();
 
 /// Reads a picture with the module: RGBA, u8, u16 or f32. `path` may be empty if the bytes come from inside

@@ -110,15 +110,15 @@ class CaselessSearch {
 /// for a path that differs only in case.
 class FolderSearch {
   public:
-    FolderSearch(FileReference& reference, FolderListings& listings)
-        : reference_(reference), listings_(listings) {}
+    FolderSearch(FileReference& reference, const std::set<fs::path>& inMemory, FolderListings& listings)
+        : reference_(reference), inMemory_(inMemory), listings_(listings) {}
 
     bool find(const std::vector<fs::path>& folders, const std::vector<std::string>& parts) {
         if (parts.empty()) return false;
         for (const fs::path& folder : folders) {
             fs::path path = folder;
             for (const std::string& part : parts) path /= part;
-            if (!isOrdinaryFile(path)) continue;
+            if (!inMemory_.contains(path) && !isOrdinaryFile(path)) continue;
             reference_.path = std::move(path);
             return true;
         }
@@ -152,6 +152,7 @@ class FolderSearch {
     }
 
     FileReference& reference_;
+    const std::set<fs::path>& inMemory_;
     FolderListings& listings_;
 };
 
@@ -331,6 +332,7 @@ base::Roots shownRoots(const SearchFolders& folders) {
 
 SearchFolders searchFolders(const fs::path& scenePath, const InterpretOptions& options) {
     SearchFolders folders;
+    for (const auto& [path, text] : options.texts) folders.inMemory.insert(path);
     folders.beside.push_back(scenePath.parent_path());
     std::error_code failure;
     const fs::path absolute = fs::absolute(scenePath, failure).lexically_normal();
@@ -366,12 +368,12 @@ static FileReference lookUp(std::string_view written, const Place& place, const 
         return reference;
     }
     const CleanName name = clean(written);
-    FolderSearch search(reference, listings);
+    FolderSearch search(reference, folders.inMemory, listings);
     if (name.isAbsolute && !name.isNetwork && search.find({"/"}, name.parts)) return reference;
     if (!name.isAbsolute && search.find(folders.beside, name.parts)) return reference;
     if (name.hasFolders && !name.last.empty()) {
         FileReference beside = reference;
-        if (FolderSearch(beside, listings).find(folders.beside, {name.last})) {
+        if (FolderSearch(beside, folders.inMemory, listings).find(folders.beside, {name.last})) {
             reference.path = beside.path;
             reference.remarks.push_back(diagnose(
                 "file-W02",

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -59,6 +60,7 @@ struct SearchFolders {
     std::vector<std::filesystem::path> roots;  ///< for each of `library` the library root that it belongs to
     /// If given, the folders whose files may be read (InterpretOptions::within).
     std::optional<base::Roots> readable{};
+    std::set<std::filesystem::path> inMemory{};  ///< those of InterpretOptions::texts, which need not exist
 
     [[nodiscard]] bool mayRead(const std::filesystem::path& file) const {
         return !readable || readable->contains(file);

@@ -24,6 +24,53 @@ set = { uColor = [1, 0, 0] }
 END
 
 cmake --install "$build" --prefix "$place/prefix" >"$place/log"
+
+# What the library exports: what include/glibra marks, and nothing of the libraries inside.
+library=$(find "$place/prefix" -name 'libglibra.so')
+nm -D --defined-only -C "$library" | sed 's/^[0-9a-f]* . //' >"$place/exported"
+grep -v '^\(typeinfo\( name\)\? for \|vtable for \)\?glibra::' "$place/exported" >"$place/log" && fail "exported by mistake"
+grep -q '^glibra::Renderer::open' "$place/exported" || fail "not exported: glibra::Renderer::open"
+[ "$(wc -l <"$place/exported")" -lt 200 ] || fail "the library exports $(wc -l <"$place/exported") symbols"
+
+# The components: a library without the program is a whole package, and one asked for that there is not is refused.
+for each in library devel; do cmake --install "$build" --prefix "$place/split" --component "$each" >>"$place/log"; done
+find_glibra() { # FOLDER ARGUMENT...: configures a project that calls find_package(glibra ARGUMENT...)
+    mkdir -p "$place/find"
+    printf 'cmake_minimum_required(VERSION 3.25)\nproject(find LANGUAGES CXX)\nfind_package(glibra %s)\n' "$2" >"$place/find/CMakeLists.txt"
+    # shellcheck disable=SC2016
+    echo 'file(WRITE ${CMAKE_BINARY_DIR}/found "${glibra_FOUND}")
+          if(TARGET glibra::program)
+              file(APPEND ${CMAKE_BINARY_DIR}/found program)
+          endif()' >>"$place/find/CMakeLists.txt"
+    rm -rf "$place/found"
+    cmake -S "$place/find" -B "$place/found" "$1" >"$place/log" 2>&1
+}
+find_glibra "-DCMAKE_PREFIX_PATH=$place/split" 'REQUIRED COMPONENTS library' || fail "the library alone is not found"
+find_glibra "-DCMAKE_PREFIX_PATH=$place/split" 'REQUIRED COMPONENTS program' && fail "a program that is not there is found"
+find_glibra "-DCMAKE_PREFIX_PATH=$place/prefix" 'REQUIRED COMPONENTS library program' || fail "the program is not found"
+grep -q program "$place/found/found" || fail "no target glibra::program"
+find_glibra "-DCMAKE_PREFIX_PATH=$place/prefix" 'REQUIRED COMPONENTS python3' && fail "an unknown component is found"
+grep -q "no 'python3'" "$place/log" || fail "no word about the component"
+find_glibra "-Dglibra_DIR=$build" 'REQUIRED COMPONENTS library program' || fail "a build tree is not found"
+find_glibra "-DCMAKE_PREFIX_PATH=$place/prefix" '99.0 REQUIRED' && fail "version 99 is found"
+
+# pkg-config, also where the installation has moved.
+mv "$place/split" "$place/moved"
+pc=$(dirname "$(find "$place/moved" -name glibra.pc)")
+# shellcheck disable=SC2046
+${CXX:-c++} -std=c++20 "$source/tests/install/consumer.cpp" -o "$place/by_pkg_config" \
+    $(PKG_CONFIG_PATH=$pc pkg-config --cflags --libs glibra) >"$place/log" 2>&1 || fail "pkg-config's flags do not build"
+rm -r "$place/moved"
+
+# Pages for shells and manuals are those of the program, and none is missing.
+for each in $("$place/prefix/bin/glibra" manual | sed -n 's/^\\fBglibra\\-\([a-z]*\).*/\1/p'); do
+    test -s "$place/prefix/share/man/man1/glibra-$each.1" || fail "no manual page of $each"
+done
+for each in man/man1/glibra.1 bash-completion/completions/glibra zsh/vendor-completions/_glibra \
+    fish/vendor_completions.d/glibra.fish applications/glibra.desktop mime/packages/glibra.xml \
+    thumbnailers/glibra.thumbnailer icons/hicolor/256x256/apps/glibra.png; do
+    [ -s "$place/prefix/share/$each" ] || [ ! -f "$build/glibra-view" ] || fail "not installed: $each"
+done
 cmake -S "$source/tests/install" -B "$place/consumer" -DCMAKE_PREFIX_PATH="$place/prefix" \
     -DSCENES="$place/scenes" >>"$place/log" || fail "the consumer cannot be configured"
 cmake --build "$place/consumer" >>"$place/log" || fail "the consumer cannot be built"
@@ -37,6 +84,14 @@ test -s teapot.jpg
 test -f "$place/prefix/share/glibra/shaders/builtin/flat.vert"
 # The examples are whole where they are installed.
 "$place/prefix/bin/glibra" check "$place/prefix"/share/glibra/glib/*/*.glib >>"$place/log" 2>&1 || fail "an example lacks a file"
+
+# An installed program loads nothing from the folder in which it was built: without its own module it has none.
+mkdir "$place/aside"
+find "$place/prefix" -name glibra_openimageio.so -exec mv {} "$place/aside" \;
+"$place/prefix/bin/glibra" render "$source/glib/start/teapot.glib" --size 64x48 -o built.jpg 2>"$place/log" &&
+    fail "the module of the build tree"
+grep -q 'is not installed' "$place/log" || fail "no word about the module"
+mv "$place/aside/glibra_openimageio.so" "$(dirname "$(find "$place/prefix" -name glibra-view -o -name glibra-bench | head -n 1)")"
 
 # An installation that has moved is whole: it finds its module, its programs and its library beside itself.
 mv "$place/prefix" "$place/elsewhere"

@@ -18,4 +18,3 @@ set_target_properties(glibra_bench_program PROPERTIES OUTPUT_NAME glibra-bench R
 glibra_compile_options(glibra_bench_program)
 glibra_quick_to_compile(glibra_bench_program -O1)
 target_link_libraries(glibra_bench_program PRIVATE glibra_bench glibra_cli)
-install(TARGETS glibra_bench_program RUNTIME DESTINATION ${CMAKE_INSTALL_LIBDIR}/glibra)

@@ -1,41 +1,106 @@
-# cmake --install: the program, the library with its headers and CMake package, the module for picture formats, the
-# example scenes, and the shaders that glibra itself draws with (the program has them inside; these are for reading).
+# cmake --install, in components:
+#   runtime  the programs, the module for picture formats, example scenes with all that they read, manual pages, what shells
+#            complete with, and the window's entry for desktops
+#   library  the shared library
+#   devel    its headers, CMake package and pkg-config file
 
 include(CMakePackageConfigHelpers)
 
-# The library: what include/glibra declares is defined in one file. The linker takes from the rooms what that file uses.
-# In a unity build that file stays an object of its own in its room, or the linker would take it from there as well.
-add_library(glibra SHARED ${PROJECT_SOURCE_DIR}/src/render/renderer.cpp)
-set_source_files_properties(${PROJECT_SOURCE_DIR}/src/render/renderer.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+# The library: the files of src/library, and what the linker takes for them from the rooms.
+# The number of the binary interface is increased by a release whose library cannot take the place of the one before.
+set(GLIBRA_ABI 1)
+file(GLOB library_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/library/*.cpp)
+add_library(glibra SHARED ${library_sources})
 add_library(glibra::glibra ALIAS glibra)
+add_executable(glibra::program ALIAS glibra_program)
 glibra_compile_options(glibra)
-set_target_properties(glibra PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})
+set_target_properties(glibra PROPERTIES VERSION ${GLIBRA_ABI}.${PROJECT_VERSION} SOVERSION ${GLIBRA_ABI})
+# Templates of the standard library and functions of static libraries stay inside, too.
+target_link_options(glibra PRIVATE LINKER:--version-script=${PROJECT_SOURCE_DIR}/tools/cmake/glibra.map)
+set_property(TARGET glibra APPEND PROPERTY LINK_DEPENDS ${PROJECT_SOURCE_DIR}/tools/cmake/glibra.map)
 target_compile_features(glibra PUBLIC cxx_std_20)
 target_include_directories(glibra PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
+                                         $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>
                                          $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
-target_link_libraries(glibra PRIVATE $<BUILD_INTERFACE:glibra_render>)
+target_link_libraries(glibra PRIVATE $<BUILD_INTERFACE:glibra_view>)
 
+set(program ${PROJECT_BINARY_DIR}/glibra)
+set(share ${CMAKE_INSTALL_DATADIR}/glibra)
 # The program is part of the package: glibra_add_golden_test() runs it as glibra::program.
 set_target_properties(glibra_program PROPERTIES EXPORT_NAME program)
-install(TARGETS glibra_program EXPORT glibraTargets RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(TARGETS glibra EXPORT glibraTargets)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/glibra DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-# The example scenes with all they read, as a library root.
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/glib ${PROJECT_SOURCE_DIR}/shaders ${PROJECT_SOURCE_DIR}/textures
-        DESTINATION ${CMAKE_INSTALL_DATADIR}/glibra)
-# The samples of README.md and of the pages.
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/glibra)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenes/models DESTINATION ${CMAKE_INSTALL_DATADIR}/glibra/scenes)
+install(TARGETS glibra_program EXPORT glibraProgramTargets RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT runtime)
+foreach(target glibra_window glibra_bench_program)
+    if(TARGET ${target})
+        install(TARGETS ${target} RUNTIME DESTINATION ${CMAKE_INSTALL_LIBDIR}/glibra COMPONENT runtime)
+    endif()
+endforeach()
 if(TARGET glibra_openimageio)
-    install(TARGETS glibra_openimageio LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/glibra)
+    install(TARGETS glibra_openimageio LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/glibra COMPONENT runtime)
+endif()
+# The example scenes with all they read, as a library root; the shaders that glibra itself draws with, for reading; and the
+# samples of README.md and of the pages.
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/glib ${PROJECT_SOURCE_DIR}/shaders ${PROJECT_SOURCE_DIR}/textures
+                  ${PROJECT_SOURCE_DIR}/docs/examples
+        DESTINATION ${share} COMPONENT runtime)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenes/models DESTINATION ${share}/scenes COMPONENT runtime)
+
+# The program writes its own pages for shells and man.
+if(NOT CMAKE_CROSSCOMPILING)
+    set(manual ${PROJECT_BINARY_DIR}/man/glibra.1)  # and the pages of the subcommands beside it
+    add_custom_command(OUTPUT ${manual} COMMAND glibra_program manual --all ${PROJECT_BINARY_DIR}/man DEPENDS glibra_program
+                       VERBATIM)
+    install(DIRECTORY ${PROJECT_BINARY_DIR}/man/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT runtime)
+    set(bash_place bash-completion/completions/glibra)
+    set(zsh_place zsh/vendor-completions/_glibra)
+    set(fish_place fish/vendor_completions.d/glibra.fish)
+    set(completions)
+    foreach(shell bash zsh fish)
+        set(file ${PROJECT_BINARY_DIR}/completion/glibra.${shell})
+        add_custom_command(OUTPUT ${file} COMMAND glibra_program completion ${shell} >${file} DEPENDS glibra_program VERBATIM)
+        list(APPEND completions ${file})
+        get_filename_component(folder ${${shell}_place} DIRECTORY)
+        get_filename_component(name ${${shell}_place} NAME)
+        install(FILES ${file} DESTINATION ${CMAKE_INSTALL_DATADIR}/${folder} RENAME ${name} COMPONENT runtime)
+    endforeach()
+    file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/man ${PROJECT_BINARY_DIR}/completion)
+    add_custom_target(glibra_pages ALL DEPENDS ${manual} ${completions})
 endif()
 
+# What desktops and file managers show: the window's entry, its icon, the type of .glib files and their thumbnails.
+if(TARGET glibra_window)
+    set(desktop ${PROJECT_SOURCE_DIR}/src/view/desktop)
+    install(FILES ${desktop}/glibra.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications COMPONENT runtime)
+    install(FILES ${desktop}/glibra.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages COMPONENT runtime)
+    install(FILES ${desktop}/glibra.thumbnailer DESTINATION ${CMAKE_INSTALL_DATADIR}/thumbnailers COMPONENT runtime)
+    install(FILES ${desktop}/glibra.png DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/256x256/apps COMPONENT runtime)
+endif()
+
+install(TARGETS glibra EXPORT glibraLibraryTargets
+        LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library NAMELINK_COMPONENT devel)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/glibra ${PROJECT_BINARY_DIR}/include/glibra
+        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT devel)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/glibra)
-install(EXPORT glibraTargets NAMESPACE glibra:: DESTINATION ${package_dir})
-file(WRITE ${PROJECT_BINARY_DIR}/glibraConfig.cmake
-     "include(\${CMAKE_CURRENT_LIST_DIR}/glibraTargets.cmake)\n"
-     "include(\${CMAKE_CURRENT_LIST_DIR}/glibra_golden_test.cmake)\n")
+foreach(set Library Program)
+    install(EXPORT glibra${set}Targets NAMESPACE glibra:: DESTINATION ${package_dir} COMPONENT devel)
+endforeach()
+# The package works in the build tree as well: cmake -Dglibra_DIR=BUILD.
+export(EXPORT glibraLibraryTargets NAMESPACE glibra:: FILE ${PROJECT_BINARY_DIR}/glibraLibraryTargets.cmake)
+export(EXPORT glibraProgramTargets NAMESPACE glibra:: FILE ${PROJECT_BINARY_DIR}/glibraProgramTargets.cmake)
+configure_file(${PROJECT_SOURCE_DIR}/tools/cmake/glibra_golden_test.cmake ${PROJECT_BINARY_DIR}/glibra_golden_test.cmake
+               COPYONLY)
+set(glibra_program ${program})
+configure_package_config_file(${PROJECT_SOURCE_DIR}/tools/cmake/glibraConfig.cmake.in ${PROJECT_BINARY_DIR}/glibraConfig.cmake
+                              INSTALL_DESTINATION ${PROJECT_BINARY_DIR} INSTALL_PREFIX ${PROJECT_BINARY_DIR}
+                              PATH_VARS glibra_program)
+set(glibra_program ${CMAKE_INSTALL_BINDIR}/glibra)
+configure_package_config_file(${PROJECT_SOURCE_DIR}/tools/cmake/glibraConfig.cmake.in
+                              ${PROJECT_BINARY_DIR}/install/glibraConfig.cmake INSTALL_DESTINATION ${package_dir}
+                              PATH_VARS glibra_program)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/glibraConfigVersion.cmake COMPATIBILITY SameMinorVersion)
-install(FILES ${PROJECT_BINARY_DIR}/glibraConfig.cmake ${PROJECT_BINARY_DIR}/glibraConfigVersion.cmake
+install(FILES ${PROJECT_BINARY_DIR}/install/glibraConfig.cmake ${PROJECT_BINARY_DIR}/glibraConfigVersion.cmake
               ${PROJECT_SOURCE_DIR}/tools/cmake/glibra_golden_test.cmake
-        DESTINATION ${package_dir})
+        DESTINATION ${package_dir} COMPONENT devel)
+file(RELATIVE_PATH glibra_prefix_from_pc /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+string(REGEX REPLACE "/$" "" glibra_prefix_from_pc "${glibra_prefix_from_pc}")
+configure_file(${PROJECT_SOURCE_DIR}/tools/cmake/glibra.pc.in ${PROJECT_BINARY_DIR}/glibra.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/glibra.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT devel)

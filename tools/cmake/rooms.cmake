@@ -19,6 +19,11 @@ endif()
 function(glibra_compile_options target)
     # No fused multiply-add: geometry and noise are the same bits on every processor.
     target_compile_options(${target} PRIVATE ${GLIBRA_WARNINGS} -ffp-contract=off)
+    # A library exports what include/glibra marks, and nothing else. Modules are found by their names.
+    get_target_property(type ${target} TYPE)
+    if(NOT type STREQUAL "MODULE_LIBRARY")
+        set_target_properties(${target} PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+    endif()
     if(GLIBRA_SANITIZE)
         target_compile_options(${target} PRIVATE -fsanitize=${GLIBRA_SANITIZE} -fno-sanitize-recover=all
                                                  -fno-omit-frame-pointer)

@@ -3,6 +3,7 @@
 #include <glad/gl.h>
 
 #include <cstdlib>
+#include <mutex>
 #include <string>
 #include <utility>
 #include <vector>
@@ -61,15 +62,27 @@ std::vector<Opener> openers(Driver driver) {
     return {openEglSurfaceless, openEglDevice, openOsmesa};
 }
 
-/// Fills glad's table of functions from the current context. False if functions are missing or the context is
-/// older than 4.1.
-bool loadFunctions(Backend& backend) {
-    const auto address = [](void* from, const char* function) {
-        return reinterpret_cast<GLADapiproc>(static_cast<Backend*>(from)->address(function));
-    };
-    const bool isLoaded = gladLoadGLUserPtr(address, &backend) != 0 && GLAD_GL_VERSION_4_1 != 0;
-    if (!isCounting()) gladUninstallGLDebug();  // glad installs its wrappers by itself
-    return isLoaded;
+/// The table of GL functions is one for the process. A second context of the same driver, on whatever thread,
+/// has the same functions, so that the table is not written while another thread draws.
+std::mutex tableMutex;
+const void* tableSource = nullptr;  ///< a function as the driver gave it that the table is from
+
+/// Fills glad's table of functions from the current context, and has it watched by `log`. False if functions
+/// are missing or the context is older than 4.1.
+bool loadFunctions(Backend& backend, DebugLog& log) {
+    const std::lock_guard<std::mutex> lock(tableMutex);
+    const void* source = backend.address("glDrawArrays");
+    if (source == nullptr || source != tableSource || isCounting()) {
+        const auto address = [](void* from, const char* function) {
+            return reinterpret_cast<GLADapiproc>(static_cast<Backend*>(from)->address(function));
+        };
+        const bool isLoaded = gladLoadGLUserPtr(address, &backend) != 0 && GLAD_GL_VERSION_4_1 != 0;
+        if (!isCounting()) gladUninstallGLDebug();  // glad installs its wrappers by itself
+        tableSource = isLoaded ? source : nullptr;
+        if (!isLoaded) return false;
+    }
+    watchDevice(log);
+    return true;
 }
 
 /// The state that every picture starts from, where it differs from GL's own.
@@ -122,9 +135,7 @@ const std::vector<std::string>& Context::failedWays() const {
 }
 
 bool Context::makeCurrent() {
-    if (!state_->backend->makeCurrent() || !loadFunctions(*state_->backend)) return false;
-    watchDevice(state_->log);
-    return true;
+    return state_->backend->makeCurrent() && loadFunctions(*state_->backend, state_->log);
 }
 
 Diagnostics Context::adoptAgain(const std::function<void*(const char*)>& loader) {
@@ -142,17 +153,16 @@ Result<Context> openContext(const ContextOptions& options) {
             continue;
         }
         auto& backend = std::get<std::unique_ptr<Backend>>(attempt);
-        if (!loadFunctions(*backend)) {
+        auto state = std::make_unique<Context::State>();
+        if (!loadFunctions(*backend, state->log)) {
             failures.push_back(backend->description() + ": no OpenGL 4.1");
             continue;
         }
-        auto state = std::make_unique<Context::State>();
         state->capabilities = readCapabilities(backend->driver() == Driver::osmesa);
         state->howOpened = backend->description();
         state->failedWays = std::move(failures);
         state->backend = std::move(backend);
         state->log.attach(state->capabilities.debugOutput);
-        watchDevice(state->log);
         setInitialState();
         return Context(std::move(state));
     }
@@ -161,13 +171,12 @@ Result<Context> openContext(const ContextOptions& options) {
 }
 
 Diagnostics Context::State::useAdopted() {
-    if (!loadFunctions(*backend))
+    if (!loadFunctions(*backend, log))
         return {
             diagnose("gpu-E01", "no usable OpenGL driver: the window's context is older than OpenGL 4.1")};
     capabilities = readCapabilities(false);
     howOpened = backend->description();
     log.attach(capabilities.debugOutput);
-    watchDevice(log);
     setInitialState();
     return {};
 }

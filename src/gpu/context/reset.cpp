@@ -11,14 +11,14 @@
 namespace glibra::gpu {
 namespace {
 
-/// There is one for the process, like the table of GL functions that it belongs to.
+/// There is one for each thread, which has one context at a time.
 struct Watched {
     DebugLog* log = nullptr;
     GLenum (*status)() = nullptr;           ///< null: the driver cannot tell
     std::optional<base::ResetCause> cause;  ///< of the reset; a driver may tell it only once
     int notWaiting = 0;                     ///< NothingFinished that live
 };
-Watched watched;
+thread_local Watched watched;
 
 base::ResetCause causeOf(GLenum status) {
     if (status == GL_GUILTY_CONTEXT_RESET) return base::ResetCause::own;

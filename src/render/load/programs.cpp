@@ -238,8 +238,8 @@ glsl::ProgramRequest ProgramLibrary::request(const plan::ProgramVariant& variant
     }
     request.include = [this, program = variant.program](
                           std::string_view name, std::string_view from) -> std::optional<glsl::IncludedFile> {
-        const scene::FileReference found =
-            scene::findInclude(name, from, scene_.path, {options_.libraryRoots, options_.within}, listings_);
+        const scene::FileReference found = scene::findInclude(
+            name, from, scene_.path, {options_.libraryRoots, options_.within, options_.texts}, listings_);
         if (found.path.empty()) return std::nullopt;
         stats_.add("files read", 1);
         noteIfHidden(program, found.path.string());

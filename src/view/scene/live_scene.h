@@ -13,6 +13,7 @@
 #include "glsl/emit/wrapped_main.h"
 #include "gpu/context/context.h"
 #include "gpu/object/target.h"
+#include "image/image.h"
 #include "plan/frame_plan.h"
 #include "render/draw/frame.h"
 #include "render/draw/simulation.h"
@@ -112,6 +113,8 @@ class LiveScene {
     /// What samplers read of the texture: with its samples resolved and its mipmaps made. Null if it is not
     /// on the device. `isPrevious`: the other copy of a texture with history.
     const gpu::Texture* completed(scene::TextureIndex index, bool isPrevious);
+    /// SceneRenderer::textureImage.
+    Result<image::Image> imageOf(const scene::TextureView& view);
     [[nodiscard]] const render::DeviceBuffers& buffers() const;
     [[nodiscard]] const render::DeviceScene& device() const;
     /// The block through which a program uses the buffer, as a storage block; null if none does. Valid until

@@ -1,0 +1,130 @@
+#pragma once
+// A scene that stays loaded: its values can be set and its picture drawn again, at the cost of drawing and
+// reading pixels.
+
+#include <glibra/diagnostic.h>
+#include <glibra/export.h>
+#include <glibra/render.h>
+#include <glibra/result.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <initializer_list>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace glibra {
+
+/// A value of a scene that can be set: a uniform variable of one of its programs, or a variable of the scene
+/// (Let).
+struct Value {
+    std::string name;     ///< "uShininess", "lights[1].color"
+    std::string program;  ///< the program that has the uniform; empty: a variable of the scene
+    std::string type;     ///< GLSL's word: "float", "vec3", "int", "bool", "mat4"; of a variable likewise
+    std::vector<double>
+        value;  ///< all components of the first array element, then of the next; matrices by columns
+    std::vector<double> initial;      ///< as the scene has it
+    bool hasRange = false;            ///< the scene states one, as <0 .5 1>
+    double minimum = 0, maximum = 1;  ///< of the range. Values outside of it can be set
+    std::vector<std::string> words;   ///< of a choice; the value counts them from 0
+    Place place;                      ///< of the value in the scene
+};
+
+/// How one picture of a loaded scene is drawn. What is 0 is chosen by the scene.
+struct DrawOptions {
+    int width = 0, height = 0;  ///< pixels, 1 to 65536 and what the driver allows; 0: the scene's WindowSize
+    double time = 0;            ///< seconds since loading, finite
+    int samples = 0;            ///< per pixel, 1 to 64, limited to the driver's maximum; 0: one
+    bool alpha = false;         ///< keeps the window's alpha; otherwise pictures are opaque
+    bool floatPixels = false;   ///< 32-bit float pixels, not limited to 0..1
+    ViewState view{};           ///< transforms in addition to the scene's
+};
+
+/// The content of a buffer of the scene.
+struct BufferContent {
+    /// Numbers of one member of the head or of an element, one after the other.
+    struct Column {
+        std::string name;        ///< "position"; empty if no program names it
+        std::string type;        ///< of its numbers: "float", "int", "uint", "bool", "double"
+        std::size_t offset = 0;  ///< bytes from the begin of the head or of the element
+        std::size_t count = 1;   ///< numbers
+    };
+    std::vector<std::byte> bytes;  ///< all of it, as on the device
+    std::vector<Column> head;      ///< members before the array
+    std::vector<Column> columns;   ///< of an element of the array
+    std::size_t headBytes = 0;     ///< where the array begins
+    std::size_t stride = 0;        ///< bytes from element to element; 0: there is no array
+    std::uint64_t elements = 0;    ///< of the array
+
+    /// The element of that number as a T, which must have the layout of an element (std430).
+    template <class T>
+    [[nodiscard]] T element(std::uint64_t number) const {
+        T to{};
+        const std::size_t at = headBytes + static_cast<std::size_t>(number) * stride;
+        if (at < bytes.size()) std::memcpy(&to, bytes.data() + at, std::min(sizeof to, bytes.size() - at));
+        return to;
+    }
+};
+
+/// A loaded scene. Use it on the thread of its Renderer, which it keeps alive.
+class GLIBRA_API Scene {
+  public:
+    Scene(Scene&&) noexcept;
+    Scene& operator=(Scene&&) noexcept;
+    ~Scene();
+
+    /// Draws the picture at a time. The first picture of a size makes what it is drawn into; all others cost
+    /// drawing and reading. Errors: library-E01 for wrong options, gpu-E08 on a wrong thread, gpu-E06 or E07
+    /// after a reset of the device (the next call opens a new context and reads the scene again), and those
+    /// of drawing.
+    Result<Picture> draw(const DrawOptions& options = {});
+
+    /// All values that can be set, in the order of the scene.
+    [[nodiscard]] std::vector<Value> values() const;
+    /// Sets a value for the pictures that follow, in all programs that have it. "Glaze.uShininess" and, by
+    /// the line of its Program statement, "24:uShininess" name that of one program. A text is a word of a
+    /// choice, or numbers separated by commas or blanks. Errors: library-E02 if there is no such value, with
+    /// the nearest name; library-E03 for numbers that do not fit its type.
+    Result<void> set(std::string_view name, double value);
+    Result<void> set(std::string_view name, int value);
+    Result<void> set(std::string_view name, bool value);
+    Result<void> set(std::string_view name, std::initializer_list<double> values);
+    Result<void> set(std::string_view name, std::span<const double> values);
+    Result<void> set(std::string_view name, std::string_view text);
+    Result<void> set(std::string_view name, const char* text) { return set(name, std::string_view(text)); }
+
+    /// Answers the Expect statements with the present values; those without a time of their own at `time`.
+    /// Returns an error for each that does not hold. Draws with a copy of the scene of its own.
+    [[nodiscard]] Diagnostics check(double time = 0);
+
+    /// "window": the last picture, in floats. Otherwise a texture or a part of one, as "shadow",
+    /// "glow.level(2)", "sky.face(0)", "slices.layer(3)", after the last picture, top row first, in the
+    /// components and the type that lose least. Errors: library-E04 if nothing has been drawn, file-E01 and
+    /// others for names that there are not.
+    Result<Picture> target(std::string_view name);
+    /// The content of a buffer after the last picture. Error library-E02 if there is no such buffer.
+    Result<BufferContent> buffer(std::string_view name);
+
+    /// What was reported when the scene was read.
+    [[nodiscard]] const Diagnostics& diagnostics() const;
+    /// Every file that was read for it, the scene first.
+    [[nodiscard]] std::vector<std::filesystem::path> files() const;
+    /// Counts of all pictures since loading, as "frames" and "draws".
+    [[nodiscard]] std::map<std::string, std::uint64_t> stats() const;
+    /// Reads the scene and its files again. Values that were set stay. On an error the scene stays as it was.
+    Result<void> reload();
+
+  private:
+    friend class Renderer;
+    struct State;
+    explicit Scene(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace glibra

@@ -1,0 +1,200 @@
+// `glibra completion`: what the shells bash, zsh and fish need to complete the command line.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "cli/command_line.h"
+#include "cli/commands.h"
+
+namespace glibra::cli {
+namespace {
+
+/// The text in single quotes of a shell.
+std::string shellQuoted(std::string_view text) {
+    std::string to = "'";
+    for (const char each : text)
+        if (each == '\'')
+            to += "'\\''";
+        else
+            to += each;
+    return to + "'";
+}
+
+/// A text of zsh's _arguments, which gives a meaning to colons and brackets.
+std::string forZsh(std::string_view text) {
+    std::string to;
+    for (const char each : text) {
+        if (each == ':' || each == '[' || each == ']' || each == '\\') to += '\\';
+        to += each;
+    }
+    return to;
+}
+
+bool takesValue(const OptionDescription& option) {
+    return !option.placeholder.empty();
+}
+
+bool namesFolder(const OptionDescription& option) {
+    return option.placeholder == "FOLDER";
+}
+
+/// "-o --output"
+std::string names(const OptionDescription& option) {
+    if (option.shortName.empty()) return option.longName;
+    return option.longName.empty() ? option.shortName : option.shortName + " " + option.longName;
+}
+
+/// In bash an option is completed after a dash, a word of a choice after its option, everything else as a
+/// file.
+std::string bashCompletion(const std::vector<CommandDescription>& commands) {
+    std::string cases;
+    std::string values;
+    std::string all;
+    for (const CommandDescription& command : commands) {
+        std::string options;
+        for (const OptionDescription& option : command.options) {
+            if (option.isPositional) continue;
+            options += " " + names(option);
+            std::string pattern = command.name + ":" + option.longName;
+            if (!option.shortName.empty()) pattern += "|" + command.name + ":" + option.shortName;
+            if (!option.words.empty())
+                values += fmt::format("        {}) COMPREPLY=($(compgen -W {} -- \"$word\")); return ;;\n",
+                                      pattern, shellQuoted(fmt::format("{}", fmt::join(option.words, " "))));
+            else if (namesFolder(option))
+                values +=
+                    fmt::format("        {}) COMPREPLY=($(compgen -d -- \"$word\")); return ;;\n", pattern);
+            else if (takesValue(option))
+                values +=
+                    fmt::format("        {}) COMPREPLY=($(compgen -f -- \"$word\")); return ;;\n", pattern);
+        }
+        cases += fmt::format("        {}) options={} ;;\n", command.name,
+                             shellQuoted(options.empty() ? options : options.substr(1)));
+        if (&command != &commands.front()) all += (all.empty() ? "" : " ") + command.name;
+    }
+    return fmt::format(R"(# bash completion of glibra, written by `glibra completion bash`
+_glibra() {{
+    local word=${{COMP_WORDS[COMP_CWORD]}} before=${{COMP_WORDS[COMP_CWORD-1]}} command=glibra options=
+    [ "$COMP_CWORD" -lt 2 ] || command=${{COMP_WORDS[1]}}
+    COMPREPLY=()
+    case $command:$before in
+{}    esac
+    case $command in
+{}    esac
+    case $word in
+        -*) COMPREPLY=($(compgen -W "$options" -- "$word")); return ;;
+    esac
+    if [ "$COMP_CWORD" -eq 1 ] || [ "$command" = help ]; then
+        COMPREPLY=($(compgen -W '{}' -- "$word"))
+        [ "$command" != help ] || return
+    fi
+    COMPREPLY+=($(compgen -f -- "$word"))
+}}
+complete -o filenames -F _glibra glibra
+)",
+                       values, cases, all);
+}
+
+std::string zshCompletion(const std::vector<CommandDescription>& commands) {
+    std::string list;
+    std::string cases;
+    for (const CommandDescription& command : commands) {
+        if (&command == &commands.front()) continue;
+        list += "        " + shellQuoted(forZsh(command.name) + ":" + command.summary) + "\n";
+        std::string arguments;
+        for (const OptionDescription& option : command.options) {
+            if (option.isPositional) continue;
+            std::string value;
+            if (!option.words.empty())
+                value = fmt::format(":{}:({})", forZsh(option.placeholder), fmt::join(option.words, " "));
+            else if (takesValue(option))
+                value = fmt::format(":{}:{}", forZsh(option.placeholder),
+                                    namesFolder(option) ? "_files -/" : "_files");
+            const std::string help = "[" + forZsh(option.help) + "]" + value;
+            for (const std::string& name : {option.shortName, option.longName})
+                if (!name.empty()) arguments += " \\\n                " + shellQuoted("*" + name + help);
+        }
+        cases += fmt::format("        {}) _arguments{} \\\n                '*:file:_files' ;;\n",
+                             command.name, arguments);
+    }
+    return fmt::format(R"(#compdef glibra
+# zsh completion of glibra, written by `glibra completion zsh`
+_glibra() {{
+    local -a commands
+    commands=(
+{}    )
+    if (( CURRENT == 2 )); then
+        _describe command commands
+        _files
+        return
+    fi
+    local command=$words[2]
+    shift words
+    (( CURRENT-- ))
+    case $command in
+        help) _describe command commands ;;
+{}        *) _files ;;
+    esac
+}}
+if [ "$funcstack[1]" = _glibra ]; then _glibra "$@"; else compdef _glibra glibra; fi
+)",
+                       list, cases);
+}
+
+std::string fishCompletion(const std::vector<CommandDescription>& commands) {
+    std::string lines = "# fish completion of glibra, written by `glibra completion fish`\n";
+    std::string all;
+    for (const CommandDescription& command : commands) {
+        if (&command == &commands.front()) continue;
+        all += (all.empty() ? "" : " ") + command.name;
+        lines += fmt::format("complete -c glibra -n __fish_use_subcommand -a {} -d {}\n", command.name,
+                             shellQuoted(command.summary));
+        for (const OptionDescription& option : command.options) {
+            if (option.isPositional) continue;
+            std::string line =
+                fmt::format("complete -c glibra -n '__fish_seen_subcommand_from {}'", command.name);
+            if (!option.shortName.empty()) line += " -s " + option.shortName.substr(1);
+            if (!option.longName.empty()) line += " -l " + option.longName.substr(2);
+            if (!option.words.empty())
+                line +=
+                    fmt::format(" -x -a {}", shellQuoted(fmt::format("{}", fmt::join(option.words, " "))));
+            else if (namesFolder(option))
+                line += " -x -a '(__fish_complete_directories)'";
+            else if (takesValue(option))
+                line += " -r";
+            lines += line + " -d " + shellQuoted(option.help) + "\n";
+        }
+    }
+    return lines + fmt::format("complete -c glibra -n '__fish_seen_subcommand_from help' -x -a {}\n",
+                               shellQuoted(all));
+}
+
+using Completion = std::string (*)(const std::vector<CommandDescription>&);
+constexpr std::array<std::pair<std::string_view, Completion>, 3> kShells{
+    {{"bash", bashCompletion}, {"zsh", zshCompletion}, {"fish", fishCompletion}}};
+
+}  // namespace
+
+void addCompletion(CommandLine& line, const Program& whole, int& status) {
+    CommandLine command =
+        line.subcommand("completion", "prints what a shell needs to complete the command line",
+                        "source <(glibra completion bash)\n"
+                        "glibra completion zsh > ~/.zfunc/_glibra\n"
+                        "glibra completion fish > ~/.config/fish/completions/glibra.fish");
+    const auto chosen = std::make_shared<Completion>(nullptr);
+    command.choice("shell", *chosen, kShells, "bash, zsh or fish").required();
+    command.onRun([chosen, &whole, &status] {
+        const std::string text = (*chosen)(whole.describe());
+        std::fwrite(text.data(), 1, text.size(), stdout);
+        status = kDone;
+    });
+}
+
+}  // namespace glibra::cli

@@ -1,0 +1,172 @@
+#include <glibra/render.h>
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "base/device_lost.h"
+#include "library/renderer_state.h"
+#include "render/probe/nan_search.h"
+#include "render/scene_renderer.h"
+
+namespace glibra {
+namespace {
+
+Result<gpu::Context> openFor(Driver driver) {
+    gpu::ContextOptions options;
+    options.driver = driver;
+    return gpu::openContext(options);
+}
+
+/// library-E01 for each option that no picture can have.
+Diagnostics problemsOf(const RenderOptions& options) {
+    Diagnostics found;
+    const auto wrong = [&](std::string text) { found.push_back(diagnose("library-E01", std::move(text))); };
+    const auto check = [&](const char* name, int value, int most) {
+        if (value < 0 || value > most)
+            wrong(fmt::format("{}: {} is not between 0 and {}", name, value, most));
+    };
+    check("width", options.width, kLargestPictureSide);
+    check("height", options.height, kLargestPictureSide);
+    check("samples", options.samples, kMostSamples);
+    check("tileSize", options.tileSize, kLargestPictureSide);
+    if (options.steps < 0) wrong(fmt::format("steps: {} is below 0", options.steps));
+    if (!std::isfinite(options.time))
+        wrong(fmt::format("time: {} is not a finite number of seconds", options.time));
+    if (options.maxError != 0 &&
+        !(options.maxError >= kLeastMaxError && options.maxError <= kLargestMaxError))
+        wrong(fmt::format("maxError: {} is not between {:g} and {:g} pixels", options.maxError,
+                          kLeastMaxError, kLargestMaxError));
+    return found;
+}
+
+/// A function that this process has, whichever library it comes from; null if no library has it.
+void* functionHere(const char* name) {
+    return ::dlsym(RTLD_DEFAULT, name);
+}
+
+/// A function of a library that this process has loaded, in whatever scope.
+void* functionOf(const char* library, const char* name) {
+    if (void* here = functionHere(name)) return here;
+    void* loaded = ::dlopen(library, RTLD_NOW | RTLD_NOLOAD);
+    if (loaded == nullptr) return nullptr;
+    void* function = ::dlsym(loaded, name);
+    ::dlclose(loaded);
+    return function;
+}
+
+/// The functions by which a library says which context is current, and finds functions of GL.
+struct Way {
+    const char* library;
+    const char* current;
+    const char* address;
+};
+constexpr Way kWays[] = {{"libEGL.so.1", "eglGetCurrentContext", "eglGetProcAddress"},
+                         {"libGLX.so.0", "glXGetCurrentContext", "glXGetProcAddressARB"},
+                         {"libGL.so.1", "glXGetCurrentContext", "glXGetProcAddressARB"},
+                         {"libOSMesa.so.8", "OSMesaGetCurrentContext", "OSMesaGetProcAddress"}};
+
+}  // namespace
+
+Renderer::Renderer(std::shared_ptr<State> state) : state_(std::move(state)) {}
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+Renderer::~Renderer() = default;
+
+Result<Renderer> Renderer::open(Driver driver) {
+    Result<gpu::Context> context = openFor(driver);
+    if (!context) return std::move(context.diagnostics);
+    return {Renderer(std::make_shared<State>(driver, std::move(*context))), std::move(context.diagnostics)};
+}
+
+Result<Renderer> Renderer::open(const CurrentContext& current) {
+    if (!current.loader)
+        return diagnose("gpu-E01", "no usable OpenGL driver: no context is current on this thread");
+    Result<gpu::Context> context = gpu::adopt(current.loader);
+    if (!context) return std::move(context.diagnostics);
+    auto state = std::make_shared<State>(Driver::automatic, std::move(*context));
+    state->isAdopted = true;
+    return {Renderer(std::move(state)), std::move(context.diagnostics)};
+}
+
+CurrentContext Renderer::current() {
+    for (const Way& way : kWays) {
+        const auto isCurrent = reinterpret_cast<void* (*)()>(functionOf(way.library, way.current));
+        const auto address = reinterpret_cast<void* (*)(const char*)>(functionOf(way.library, way.address));
+        if (isCurrent != nullptr && address != nullptr && isCurrent() != nullptr) return {address};
+    }
+    return {};
+}
+
+Diagnostics Renderer::State::begin() {
+    if (std::this_thread::get_id() != thread)
+        return {
+            diagnose("gpu-E08", "the renderer was opened on another thread; use it and its scenes there")};
+    if (context) return {};
+    if (isAdopted)
+        return {diagnose("gpu-E06",
+                         "the graphics driver has reset the device of the context that was adopted; open a "
+                         "renderer with another one")};
+    Result<gpu::Context> opened = openFor(driver);
+    if (!opened) return std::move(opened.diagnostics);
+    context = std::move(opened.value);
+    return {};
+}
+
+void Renderer::State::lose() {
+    for (Scene::State* each : scenes) {
+        each->window.reset();
+        each->isDrawn = false;
+        each->live.reset();
+    }
+    scenes.clear();
+    context.reset();
+}
+
+Result<Picture> Renderer::render(const std::filesystem::path& scene, const RenderOptions& options) {
+    if (Diagnostics problems = problemsOf(options); !problems.empty()) return problems;
+    if (Diagnostics problems = state_->begin(); !problems.empty()) return problems;
+    try {
+        return state_->render(scene, options);
+    } catch (const base::DeviceLost& lost) {
+        state_->lose();
+        return base::diagnosticOf(lost, scene.string());
+    }
+}
+
+Result<Picture> Renderer::State::render(const std::filesystem::path& scene, const RenderOptions& from) {
+    render::Stats stats;
+    Result<render::SceneRenderer> loaded = render::SceneRenderer::load(*context, scene, from, stats);
+    Diagnostics found = std::move(loaded.diagnostics);
+    if (!loaded) return found;
+    Result<image::Image> image = loaded->draw(from.time, stats);
+    append(found, std::move(image.diagnostics));
+    if (from.checkNan)
+        if (Result<render::NanSearch> search = render::NanSearch::load(*context, scene, from))
+            append(found, search->at(from.time));
+    if (!image || (hasError(found) && !from.incomplete)) return found;
+    return {pictureOf(std::move(*image)), std::move(found)};
+}
+
+Result<Scene> Renderer::load(const std::filesystem::path& scene, const RenderOptions& options) {
+    if (Diagnostics problems = problemsOf(options); !problems.empty()) return problems;
+    if (Diagnostics problems = state_->begin(); !problems.empty()) return problems;
+    auto state = std::make_unique<Scene::State>(state_, scene, options);
+    Result<void> loaded = state->load();
+    if (!loaded) return std::move(loaded.diagnostics);
+    Diagnostics remarks = state->diagnostics;
+    return {Scene(std::move(state)), std::move(remarks)};
+}
+
+Result<Scene> Renderer::loadText(std::string_view text, const std::string& name,
+                                 const std::map<std::string, std::string>& files, const RenderOptions& from) {
+    RenderOptions options = from;
+    options.sceneText = std::string(text);
+    const std::filesystem::path path = name;
+    for (const auto& [file, content] : files) options.texts[path.parent_path() / file] = content;
+    return load(path, options);
+}
+
+}  // namespace glibra

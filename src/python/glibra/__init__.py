@@ -1,0 +1,204 @@
+"""Renders GLIB shader scenes to NumPy arrays.
+
+    import glibra
+    scene = glibra.Scene("teapot.glib")
+    scene.uShininess = 20
+    picture = scene.draw(320, 240, time=2.5)      # numpy uint8, (240, 320, 3)
+
+A scene belongs to the thread that made it.
+"""
+import base64
+import numbers
+import os
+import subprocess
+import tempfile
+import threading
+
+import numpy
+
+from . import _core
+from ._core import Comparison, Diagnostic, SceneError, Value, __version__
+
+__all__ = ["Comparison", "Diagnostic", "Scene", "SceneError", "Value", "compare", "save", "__version__"]
+
+_thread = threading.local()
+
+
+def _renderer():
+    """The renderer of this thread, which its scenes share."""
+    if not hasattr(_thread, "renderer"):
+        _thread.renderer = _core.Renderer(os.environ.get("GLIBRA_DRIVER", "auto"))
+    return _thread.renderer
+
+
+def save(picture, file):
+    """Writes an array as a picture file: .png, .exr, .jpg and others, by the name."""
+    _core.save(numpy.asarray(picture), os.fspath(file))
+
+
+def compare(got, expected, *, largest=3.0, fraction=0.0003, cluster=8, line=16, bias=1.0, flip=None, structure=None,
+            exact=False):
+    """Compares two pictures, arrays or names of files, as golden-image tests do. The result is true if they are the same
+    within the tolerance; `reason` says which figure decided."""
+    as_picture = lambda one: one if isinstance(one, numpy.ndarray) else os.fspath(one)
+    return _core.compare(as_picture(got), as_picture(expected), largest, fraction, cluster, line, bias, flip, structure, exact)
+
+
+class Scene:
+    """A loaded scene. Its values are attributes: ``scene.uShininess = 20``, ``scene.uColor = 1, 0, 0``,
+    ``scene.method = "linear"``. Names that are no Python names, or are those of methods: ``scene["lights[0].color"] = ...``.
+    """
+
+    def __init__(self, path=None, *, text=None, name="scene.glib", files=None):
+        """Reads a scene file, or with ``text`` a scene in memory; ``files`` are texts in place of files that it reads."""
+        if (path is None) == (text is None):
+            raise TypeError("Scene takes a path or a text")
+        made = (_renderer().load(os.fspath(path)) if text is None
+                else _renderer().load_text(text, name, dict(files or {})))
+        object.__setattr__(self, "_scene", made)
+        object.__setattr__(self, "_names", {each.name for each in made.values()})
+
+    def draw(self, width=0, height=0, *, time=0.0, samples=0, alpha=False, dtype="uint8"):
+        """The picture at a time in seconds: an array of height x width x 3 (4 with ``alpha``) numbers, top row first; uint8,
+        or float32, which is not limited to 0..1. A size of 0 is the scene's."""
+        kind = numpy.dtype(dtype)
+        if kind not in (numpy.dtype("uint8"), numpy.dtype("float32")):
+            raise ValueError("dtype is uint8 or float32")
+        return self._scene.draw(width, height, time, samples, alpha, kind == numpy.dtype("float32"))
+
+    @property
+    def values(self):
+        """All values that can be set, in the order of the scene, with types and ranges."""
+        return self._scene.values()
+
+    def __getitem__(self, name):
+        for each in self._scene.values():
+            if each.name == name:
+                if each.words:
+                    return each.words[int(each.value[0])]
+                if each.type == "bool":
+                    return each.value[0] != 0
+                return each.value[0] if len(each.value) == 1 else tuple(each.value)
+        raise KeyError(name)
+
+    def __setitem__(self, name, value):
+        if isinstance(value, str):
+            self._scene.set(name, value)
+        elif isinstance(value, numbers.Number):  # bool too
+            self._scene.set_numbers(name, [float(value)])
+        else:
+            # Matrices as NumPy writes them have their rows first, OpenGL its columns.
+            array = numpy.asarray(value, dtype=float)
+            self._scene.set_numbers(name, (array.T if array.ndim == 2 else array).ravel().tolist())
+
+    def __getattr__(self, name):
+        if name.startswith("_"):
+            raise AttributeError(name)
+        try:
+            return self[name]
+        except KeyError:
+            raise AttributeError(f"the scene has no value '{name}'") from None
+
+    def __setattr__(self, name, value):
+        if name.startswith("_") or hasattr(type(self), name):
+            object.__setattr__(self, name, value)
+        else:
+            self[name] = value
+
+    def __dir__(self):
+        return sorted(set(super().__dir__()) | {each for each in self._names if each.isidentifier()})
+
+    def buffer(self, name):
+        """The content of a buffer after the last picture: a structured array with a record for each element."""
+        return self._scene.buffer(name)
+
+    def target(self, name="window"):
+        """A texture or a part of one after the last picture, as "shadow" or "glow.level(2)"; "window" is the picture in
+        floats."""
+        return self._scene.target(name)
+
+    def check(self, time=0.0):
+        """The messages of the Expect statements that do not hold; an empty list if all do."""
+        return self._scene.check(time)
+
+    def reload(self):
+        """Reads the files again. Values that were set stay."""
+        self._scene.reload()
+
+    @property
+    def diagnostics(self):
+        """What was reported when the scene was read."""
+        return self._scene.diagnostics()
+
+    @property
+    def files(self):
+        return self._scene.files()
+
+    @property
+    def stats(self):
+        return self._scene.stats()
+
+    def _repr_png_(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "picture.png")
+            save(self.draw(), file)
+            with open(file, "rb") as png:
+                return png.read()
+
+    def interact(self, width=0, height=0):
+        """In a notebook: the picture with a slider for every value that has a range (needs ipywidgets)."""
+        import ipywidgets
+        controls = {"time": ipywidgets.FloatSlider(min=0, max=10, step=.05, description="time")}
+        for each in self.values:
+            if each.words:
+                controls[each.name] = ipywidgets.Dropdown(options=each.words, value=each.words[int(each.value[0])],
+                                                          description=each.name)
+            elif each.type == "bool":
+                controls[each.name] = ipywidgets.Checkbox(value=each.value[0] != 0, description=each.name)
+            elif each.range and len(each.value) == 1:
+                low, high = each.range
+                controls[each.name] = ipywidgets.FloatSlider(value=each.value[0], min=low, max=high, step=(high - low) / 200,
+                                                             description=each.name)
+
+        picture = ipywidgets.Image(format="png")
+
+        def redraw(_=None):
+            for name, control in controls.items():
+                if name != "time":
+                    self[name] = control.value
+            with tempfile.TemporaryDirectory() as folder:
+                file = os.path.join(folder, "picture.png")
+                save(self.draw(width, height, time=controls["time"].value), file)
+                with open(file, "rb") as png:
+                    picture.value = png.read()
+
+        for control in controls.values():
+            control.observe(redraw, names="value")
+        redraw()
+        return ipywidgets.HBox([picture, ipywidgets.VBox(list(controls.values()))])
+
+    def film(self, seconds=4.0, *, rate=25, width=0, height=0):
+        """In a notebook: a film of the scene (needs ffmpeg). Returns an object that shows itself as a video."""
+        first = self.draw(width, height)
+        rows, columns = first.shape[0] // 2 * 2, first.shape[1] // 2 * 2  # what the codec takes
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "film.mp4")
+            command = ["ffmpeg", "-v", "error", "-f", "rawvideo", "-pix_fmt", "rgb24", "-s", f"{columns}x{rows}", "-r",
+                       str(rate), "-i", "-", "-pix_fmt", "yuv420p", "-movflags", "faststart", file]
+            writer = subprocess.Popen(command, stdin=subprocess.PIPE)
+            for frame in range(round(seconds * rate)):
+                picture = self.draw(width, height, time=frame / rate)
+                writer.stdin.write(picture[:rows, :columns].tobytes())
+            writer.stdin.close()
+            if writer.wait() != 0:
+                raise RuntimeError("ffmpeg cannot write the film")
+            with open(file, "rb") as film:
+                return _Film(film.read())
+
+
+class _Film:
+    def __init__(self, mp4):
+        self.mp4 = mp4
+
+    def _repr_html_(self):
+        return f'<video controls loop src="data:video/mp4;base64,{base64.b64encode(self.mp4).decode()}"></video>'

@@ -1,0 +1,91 @@
+"""Golden pictures in pytest.
+
+    def test_teapot(golden):
+        golden.check("teapot.glib", time=2)
+
+compares the picture with ``golden/TEST.png`` beside the test. ``--glibra-update`` accepts what is drawn;
+``--glibra-report FOLDER`` writes a page with the pictures that differ.
+"""
+import html
+import os
+import pathlib
+import re
+
+import pytest
+
+import glibra
+
+
+def pytest_addoption(parser):
+    group = parser.getgroup("glibra")
+    group.addoption("--glibra-update", action="store_true", help="accept the pictures as the new golden ones")
+    group.addoption("--glibra-report", metavar="FOLDER", help="write a page with the pictures that differ")
+
+
+class Golden:
+    """Compares pictures with accepted ones; see golden.check."""
+
+    def __init__(self, request):
+        self._request = request
+        self._count = 0
+        self._folder = pathlib.Path(request.node.path).parent
+
+    def check(self, scene, *, name=None, width=0, height=0, time=0.0, set=None, **tolerance):
+        """Draws a scene (a path beside the test, or a glibra.Scene) and compares it with its golden picture. ``tolerance``
+        as for glibra.compare."""
+        if not isinstance(scene, glibra.Scene):
+            scene = glibra.Scene(self._folder / scene)
+        for each, value in (set or {}).items():
+            scene[each] = value
+        self.check_picture(scene.draw(width, height, time=time), name=name, **tolerance)
+
+    def check_picture(self, picture, *, name=None, **tolerance):
+        """The same for a picture: an array of height x width x 3 or 4 numbers."""
+        self._count += 1
+        if name is None:
+            name = re.sub(r"[^\w.-]+", "_", self._request.node.name) + (f"-{self._count}" if self._count > 1 else "")
+        golden = self._folder / "golden" / f"{name}.png"
+        if self._request.config.getoption("--glibra-update"):
+            if not golden.exists() or not glibra.compare(picture, golden, **tolerance):
+                golden.parent.mkdir(exist_ok=True)
+                glibra.save(picture, golden)
+            return
+        if not golden.exists():
+            pytest.fail(f"there is no golden picture {golden}; --glibra-update makes it", pytrace=False)
+        found = glibra.compare(picture, golden, **tolerance)
+        if not found:
+            self._note(name, picture, golden, found)
+            pytest.fail(f"{name}: {found.reason}", pytrace=False)
+
+    def _note(self, name, picture, golden, found):
+        folder = self._request.config.getoption("--glibra-report")
+        if not folder:
+            return
+        folder = pathlib.Path(folder)
+        folder.mkdir(parents=True, exist_ok=True)
+        glibra.save(picture, folder / f"{name}.got.png")
+        (folder / f"{name}.expected.png").write_bytes(golden.read_bytes())
+        self._request.config.stash.setdefault(_DIFFERENCES, []).append((name, found.reason))
+
+
+_DIFFERENCES = pytest.StashKey()
+
+
+@pytest.fixture
+def golden(request):
+    return Golden(request)
+
+
+def pytest_sessionfinish(session):
+    folder = session.config.getoption("--glibra-report")
+    if not folder:
+        return
+    os.makedirs(folder, exist_ok=True)
+    rows = "".join(
+        f'<section><h2>{html.escape(name)}</h2><p>{html.escape(reason)}</p><img src="{html.escape(name)}.expected.png" '
+        f'alt="expected"><img src="{html.escape(name)}.got.png" alt="got"></section>'
+        for name, reason in session.config.stash.get(_DIFFERENCES, []))
+    page = ('<!doctype html><meta charset="utf-8"><title>Pictures that differ</title>'
+            "<style>body{font:16px sans-serif;margin:2em}img{margin-right:1em;image-rendering:pixelated}</style>"
+            f"<h1>Pictures that differ: expected, got</h1>{rows or '<p>None.</p>'}")
+    pathlib.Path(folder, "index.html").write_text(page, encoding="utf-8")

@@ -1,0 +1,168 @@
+"""The Python package as its users use it: scenes as objects, arrays, notebooks, pytest. Run by CTest with the package of the
+build tree on PYTHONPATH."""
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import threading
+import unittest
+
+import numpy
+
+import glibra
+
+SOURCE = pathlib.Path(__file__).resolve().parents[2]
+TEAPOT = SOURCE / "glib/start/teapot.glib"
+SQUARE = ("WindowSize 8 6\nBackground 0 0 0\nVertex square.vert\nFragment square.frag\n"
+          "Program Square uColor {.2 .4 .6} uLevel <0 1 2> uOn <true>\nQuadXY 0 10\n")
+FILES = {
+    "square.vert": "#version 330\nin vec4 aVertex;\nvoid main() { gl_Position = vec4(aVertex.xy, 0, 1); }\n",
+    "square.frag": "#version 330\nuniform vec3 uColor; uniform float uLevel; uniform bool uOn;\nout vec4 color;\n"
+                   "void main() { color = vec4(uOn ? uLevel * uColor : vec3(1), 1); }\n"}
+
+
+def square():
+    return glibra.Scene(text=SQUARE, name="square.glib", files=FILES)
+
+
+class Drawing(unittest.TestCase):
+    def test_gives_arrays_of_the_size_and_type_asked_for(self):
+        scene = glibra.Scene(TEAPOT)
+        picture = scene.draw(32, 24, time=2.5)
+        self.assertEqual((picture.shape, picture.dtype), ((24, 32, 3), numpy.uint8))
+        self.assertEqual(scene.draw(32, 24, alpha=True).shape, (24, 32, 4))
+        floats = scene.draw(32, 24, time=2.5, dtype="float32")
+        self.assertEqual(floats.dtype, numpy.float32)
+        self.assertLess(abs(floats * 255 - picture).max(), 1)
+        with self.assertRaises(ValueError):
+            scene.draw(dtype="int32")
+
+    def test_is_the_picture_of_the_program(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "teapot.png")
+            subprocess.run([os.environ["GLIBRA"], "render", str(TEAPOT), "-o", file, "--size", "64x48", "--time", "1"],
+                           check=True, capture_output=True)
+            found = glibra.compare(glibra.Scene(TEAPOT).draw(64, 48, time=1), file, exact=True)
+            self.assertTrue(found, found.reason)
+
+    def test_takes_values_as_attributes(self):
+        scene = square()
+        scene.uColor = 1, 0, .2
+        self.assertEqual(scene.draw()[0, 0].tolist(), [255, 0, 51])
+        scene.uColor = numpy.array([0, 1, 0])
+        scene.uLevel = .5
+        self.assertEqual(scene.draw()[0, 0].tolist(), [0, 128, 0])
+        scene.uOn = False
+        self.assertEqual(scene.draw()[0, 0].tolist(), [255, 255, 255])
+        self.assertEqual(scene.uLevel, .5)
+        self.assertIs(scene.uOn, False)
+        self.assertEqual(scene["uColor"], (0, 1, 0))
+        self.assertIn("uLevel", dir(scene))
+        level = next(each for each in scene.values if each.name == "uLevel")
+        self.assertEqual((level.type, level.range, level.initial), ("float", (0, 2), [1]))
+
+    def test_reports_what_is_wrong(self):
+        scene = square()
+        with self.assertRaisesRegex(glibra.SceneError, "did you mean 'uLevel'"):
+            scene.uLevle = 1
+        with self.assertRaisesRegex(glibra.SceneError, "takes 3 numbers"):
+            scene.uColor = 1
+        with self.assertRaises(AttributeError):
+            scene.uNothing
+        with self.assertRaisesRegex(glibra.SceneError, r"mine.glib:1:1: error"):
+            glibra.Scene(text="Spere 1\n", name="mine.glib")
+        try:
+            glibra.Scene("no/such.glib")
+            self.fail("a file that is missing")
+        except glibra.SceneError as error:
+            self.assertEqual(error.diagnostics[0].severity, "error")
+        with self.assertRaisesRegex(glibra.SceneError, "width"):
+            scene.draw(-1, 5)
+        with self.assertRaises(TypeError):
+            glibra.Scene()
+
+    def test_gives_buffers_as_records(self):
+        scene = glibra.Scene(name="buffer.glib", text="Buffer numbers vec4 3 values [1 2 3 4  5 6 7 8]\n"
+                             "Compute fill inline {\n#version 430\nlayout(local_size_x = 1) in;\n"
+                             "layout(std430) buffer numbers { vec4 all[]; };\nvoid main() { all[2] = all[0] + all[1]; }\n}\n"
+                             "Program Fill\nDispatch 1 1 1\n")
+        scene.draw(8, 8)
+        numbers = scene.buffer("numbers")
+        self.assertEqual(len(numbers), 3)
+        self.assertEqual(numbers[2][numbers.dtype.names[0]].tolist(), [6, 8, 10, 12])
+
+    def test_answers_checks(self):
+        scene = glibra.Scene(text=SQUARE + "Expect pixel 1 1 [.2 .4 .6] within .01\n", name="square.glib", files=FILES)
+        self.assertEqual(scene.check(), [])
+        scene.uLevel = 2
+        self.assertEqual([each.id for each in scene.check()], ["check-E01"])
+
+    def test_belongs_to_its_thread(self):
+        scene = square()
+        messages = []
+
+        def draw():
+            try:
+                scene.draw()
+            except glibra.SceneError as error:
+                messages.append(str(error))
+            messages.append(square().draw().tolist())  # a thread has scenes of its own
+
+        thread = threading.Thread(target=draw)
+        thread.start()
+        thread.join()
+        self.assertIn("another thread", messages[0])
+        self.assertEqual(messages[1], square().draw().tolist())
+
+
+class Pictures(unittest.TestCase):
+    def test_are_compared_and_saved(self):
+        scene = square()
+        one = scene.draw()
+        self.assertTrue(glibra.compare(one, one).same)
+        scene.uLevel = 2
+        found = glibra.compare(scene.draw(), one)
+        self.assertFalse(found)
+        self.assertEqual(found.differing_pixels, 48)
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder, "a.png")
+            glibra.save(one, file)
+            self.assertTrue(glibra.compare(file, one, exact=True))
+            glibra.save(one[::-1], file)  # not contiguous
+            self.assertTrue(glibra.compare(one[::-1].copy(), file))
+        with self.assertRaises(glibra.SceneError):
+            glibra.compare("no.png", "such.png")
+        with self.assertRaises(ValueError):
+            glibra.save(numpy.zeros(5), "a.png")
+
+    def test_show_themselves_in_notebooks(self):
+        self.assertEqual(square()._repr_png_()[:8], b"\x89PNG\r\n\x1a\n")
+
+
+class Pytest(unittest.TestCase):
+    def run_pytest(self, folder, *words):
+        command = [sys.executable, "-m", "pytest", "-q", "-p", "glibra.pytest_plugin", *words]
+        return subprocess.run(command, cwd=folder, capture_output=True, text=True)
+
+    def test_compares_golden_pictures(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            (folder / "test_it.py").write_text(
+                f"def test_teapot(golden):\n    golden.check({str(TEAPOT)!r}, width=48, height=36, time=2)\n")
+            missing = self.run_pytest(folder)
+            self.assertEqual(missing.returncode, 1)
+            self.assertIn("--glibra-update", missing.stdout)
+            self.assertEqual(self.run_pytest(folder, "--glibra-update").returncode, 0)
+            self.assertTrue((folder / "golden/test_teapot.png").exists())
+            self.assertEqual(self.run_pytest(folder).returncode, 0)
+            (folder / "test_it.py").write_text(
+                f"def test_teapot(golden):\n    golden.check({str(TEAPOT)!r}, width=48, height=36, "
+                "set={'uGlazeColor': (1, 0, 0)})\n")
+            failed = self.run_pytest(folder, "--glibra-report", "report")
+            self.assertEqual(failed.returncode, 1, failed.stdout)
+            self.assertIn("test_teapot.got.png", (folder / "report/index.html").read_text())
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,22 @@
+# The Python package: a module on top of the library's rooms, which are inside of it, and the files of src/python/glibra.
+# In the build tree it is a whole package: PYTHONPATH=BUILD/python.
+if(NOT GLIBRA_PYTHON)
+    return()
+endif()
+find_package(Python3 REQUIRED COMPONENTS Interpreter Development.Module)
+find_package(pybind11 REQUIRED)
+pybind11_add_module(glibra_python NO_EXTRAS ${PROJECT_SOURCE_DIR}/src/python/core.cpp)
+target_compile_options(glibra_python PRIVATE -Wall -Wextra -ffp-contract=off)
+target_link_libraries(glibra_python PRIVATE glibra_library)
+set(python_package ${PROJECT_BINARY_DIR}/python/glibra)
+set_target_properties(glibra_python PROPERTIES OUTPUT_NAME _core LIBRARY_OUTPUT_DIRECTORY ${python_package})
+file(GLOB python_files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/python/glibra/*)
+list(FILTER python_files EXCLUDE REGEX "__pycache__")
+foreach(file ${python_files})
+    get_filename_component(name ${file} NAME)
+    configure_file(${file} ${python_package}/${name} COPYONLY)
+endforeach()
+set(GLIBRA_PYTHON_DIR "lib/python${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}/site-packages"
+    CACHE STRING "Where the Python package is installed, below the prefix; Debian's packages use lib/python3/dist-packages")
+install(TARGETS glibra_python LIBRARY DESTINATION ${GLIBRA_PYTHON_DIR}/glibra COMPONENT python)
+install(FILES ${python_files} DESTINATION ${GLIBRA_PYTHON_DIR}/glibra COMPONENT python)
