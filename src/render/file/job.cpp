@@ -142,6 +142,7 @@ class JobRun {
   public:
     JobRun(gpu::Context& context, const Job& job) : context_(context), job_(job), options_(job.options) {
         options_.floatPixels = options_.floatPixels || image::holdsFloats(job.output);
+        if (job.frames > 1) options_.lastTime = timeOf(job.frames - 1);
         for (const Job::Save& each : job.saves) options_.wantedTextures.push_back(each.texture);
         if (job.explain || job.stats) {
             counter_.emplace();
