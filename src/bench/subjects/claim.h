@@ -40,7 +40,7 @@ struct ClaimSetup {
     Bench& bench;
     gpu::Context& context;
     [[nodiscard]] const gpu::Capabilities& capabilities() const { return context.capabilities(); }
-    [[nodiscard]] int pairs() const { return bench.isQuick() ? 5 : 21; }
+    [[nodiscard]] int pairs() const { return bench.isQuick() ? 5 : 11; }
     /// Draws both in turn and waits each time.
     [[nodiscard]] PairedTiming time(const std::function<void()>& slower,
                                     const std::function<void()>& faster) const;
