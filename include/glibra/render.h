@@ -77,6 +77,9 @@ struct RenderOptions {
     /// scene leaves open, so that nothing is drawn further from its place, at the least cost. 0: the
     /// language's defaults.
     double maxError = 0;
+    /// The time of the last picture of an animation that begins at `time`; up to `time` there is none. Values
+    /// of Bound variables are measured at its beginning, middle and end.
+    double lastTime = 0;
     bool overrideCounts = false;             ///< with maxError: also chooses numbers that the scene states
     bool axes = false;                       ///< draws axes 1.5 units long at the origin of world space
     LabelCorner labels = LabelCorner::none;  ///< writes the values of uniform variables over the picture

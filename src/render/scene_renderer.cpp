@@ -13,6 +13,7 @@
 #include "render/file/buffer_file.h"
 #include "render/file/incomplete_mark.h"
 #include "render/file/labels.h"
+#include "render/probe/bound_probe.h"
 #include "render/probe/gpu_times.h"
 #include "render/scene_state.h"
 
@@ -188,10 +189,32 @@ Result<std::unique_ptr<SceneRenderer::State>> SceneRenderer::State::of(gpu::Cont
     return {std::move(state), std::move(diagnostics)};
 }
 
+/// Chooses the values of what the scene declares with Bound. Its state is then made anew.
+Result<std::unique_ptr<SceneRenderer::State>> SceneRenderer::chooseValues(std::unique_ptr<State> state,
+                                                                          Stats& stats) {
+    const StageTimer timer(stats, "budget");
+    InterpretedScene interpreted{std::move(state->scene), state->source, state->inputs};
+    RenderOptions options = state->options;
+    budget::ChosenBounds chosen =
+        chooseBounds(state->context, interpreted, options, state->width, state->height);
+    stats.decisions.insert(stats.decisions.end(), chosen.decisions.begin(), chosen.decisions.end());
+    Result<std::unique_ptr<State>> made = State::of(state->context, std::move(interpreted), options, stats,
+                                                    state->ownParts ? nullptr : state->parts);
+    if (made) (*made)->isIncomplete = state->isIncomplete;
+    made.diagnostics.insert(made.diagnostics.begin(), chosen.diagnostics.begin(), chosen.diagnostics.end());
+    return made;
+}
+
 Result<SceneRenderer> SceneRenderer::finish(Result<std::unique_ptr<State>> prepared, Stats& stats) {
     Diagnostics diagnostics = std::move(prepared.diagnostics);
     if (!prepared) return diagnostics;
     std::unique_ptr<State> state = std::move(*prepared);
+    if (state->options.maxError > 0 && hasBounds(state->scene)) {
+        Result<std::unique_ptr<State>> chosen = chooseValues(std::move(state), stats);
+        append(diagnostics, std::move(chosen.diagnostics));
+        if (!chosen) return diagnostics;
+        state = std::move(*chosen);
+    }
     gpu::Context& context = state->context;
     const gpu::Capabilities& capabilities = context.capabilities();
     const RenderOptions& options = state->options;

@@ -134,6 +134,7 @@ class SceneRenderer {
     Diagnostics answerAt(double moment, OpenChecks& open, Stats& stats);
     static PreparedScene begin(gpu::Context& context, const std::filesystem::path& scene,
                                const RenderOptions& options, Stats& stats, SharedParts* shared);
+    static Result<std::unique_ptr<State>> chooseValues(std::unique_ptr<State> state, Stats& stats);
     static Result<SceneRenderer> finish(Result<std::unique_ptr<State>> prepared, Stats& stats);
     std::unique_ptr<State> state_;
 };

@@ -70,7 +70,10 @@ Diagnostics SceneRenderer::State::keepBudget(plan::PlanOptions& planOptions, Sta
     if (options.samples == 0) options.samples = choice.samples;
     for (const scene::ShapeIndex shape : budget::apply(choice, scene)) device.forgetMesh(shape);
     planOptions.overrides.insert(planOptions.overrides.end(), choice.levels.begin(), choice.levels.end());
-    stats.decisions = std::move(choice.decisions);
+    stats.decisions.insert(stats.decisions.end(), choice.decisions.begin(), choice.decisions.end());
+    std::stable_sort(
+        stats.decisions.begin(), stats.decisions.end(),
+        [](const budget::Decision& a, const budget::Decision& b) { return a.place.line < b.place.line; });
     return std::move(choice.diagnostics);
 }
 
@@ -114,6 +117,9 @@ Diagnostics SceneRenderer::State::preparePlan(Stats& stats, bool everything) {
     // A picture of another moment would need other counts.
     if (options.maxError > 0 && !everything && !changesWithTime)
         append(diagnostics, keepBudget(planOptions, stats));
+    else if (options.maxError > 0 && !everything && !isMoving)
+        stats.decisions.push_back(
+            {"scene", "counts, samples and noise kept: it changes with time", {scene.path, 1, 1}});
     options.samples = std::max(1, options.samples);
     Diagnostics meshDiagnostics;
     // Primitives out of sight count, too.

@@ -7,6 +7,7 @@
 #include <functional>
 #include <glm/mat4x4.hpp>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -33,6 +34,12 @@ struct Variable {
     std::vector<double> current;     ///< the components that the frame has
     std::vector<std::string> words;  ///< of a choice, which is a range that counts them from 0
     Place place;                     ///< of the value
+    /// What Bound says of a range: its end with the finest picture is not always its largest number.
+    struct Fineness {
+        double coarsest = 0, finest = 0;  ///< above 0 and different
+        bool isWhole = false;             ///< all its values are whole numbers
+    };
+    std::optional<Fineness> bound{};
 };
 
 struct Scene : Declarations {

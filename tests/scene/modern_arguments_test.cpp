@@ -53,6 +53,7 @@ struct Specimen {
 
 constexpr Specimen kSpecimens[] = {
     {"Let size <0 1 2>", "Box (size)\n"},
+    {"Bound steps <8 64 512>", "Box (steps)\n"},
     {"Let kind <red green blue>", "Translate (kind) 0 0\nBox\n"},
     {"Let twice (2 * speed)", "Box (twice)\n"},
     {"Let pose[4] (i == 0 ? 1 : 2 * pose[i - 1])", "Box (pose[3])\n"},

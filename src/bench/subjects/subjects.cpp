@@ -3,8 +3,10 @@
 #include <vector>
 
 #include "bench/subjects/antialiasing.h"
+#include "bench/subjects/bounds.h"
 #include "bench/subjects/budget.h"
 #include "bench/subjects/builtins.h"
+#include "bench/subjects/claims.h"
 #include "bench/subjects/curves.h"
 #include "bench/subjects/depth.h"
 #include "bench/subjects/filters.h"
@@ -41,7 +43,9 @@ std::span<const Subject> subjects() {
         {"filters", "Image filters: direct and separable, through bytes and floats", measureFilters},
         {"builtins", "GLSL functions: their errors, and the errors that the specification allows",
          measureBuiltins},
+        {"claims", "Claims of books about the speed of shaders: true here or not", measureClaims},
         {"scenes", "Shipped scenes: time and error of each, largest first", measureScenes},
+        {"bounds", "--max-error on the scenes that declare values with Bound", measureBounds},
         {"budget", "--max-error on the shipped scenes: a bound instead of counts", measureBudget},
     };
     return table;

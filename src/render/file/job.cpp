@@ -144,6 +144,7 @@ class JobRun {
   public:
     JobRun(gpu::Context& context, const Job& job) : context_(context), job_(job), options_(job.options) {
         options_.floatPixels = options_.floatPixels || image::holdsFloats(job.output);
+        if (job.frames > 1) options_.lastTime = timeOf(job.frames - 1);
         for (const Job::Save& each : job.saves) options_.wantedObjects.push_back(each.object);
         if (job.explain || job.stats) {
             counter_.emplace();

@@ -289,7 +289,8 @@ const glib::Script* includedScript(Interpreter& in, const Command& command, cons
 bool declares(const Command& command) {
     const glib::StatementRow* row = command.isModern ? glib::statementOf(command.id) : nullptr;
     if (row != nullptr && row->standing != glib::Standing::notInPass)
-        return row->standing != glib::Standing::anywhere && command.id != CommandId::let;
+        return row->standing != glib::Standing::anywhere && command.id != CommandId::let &&
+               command.id != CommandId::bound;
     switch (command.id) {
         case CommandId::program:
         case CommandId::texture:
@@ -308,7 +309,7 @@ std::optional<GivenVariables> givenVariables(Interpreter& in, const Command& com
                                              const glib::Script& script) {
     std::vector<std::string_view> names;
     for (const Command& each : script.commands) {
-        if (each.id != CommandId::let || each.values.empty()) continue;
+        if ((each.id != CommandId::let && each.id != CommandId::bound) || each.values.empty()) continue;
         const glib::Value& name = each.values.front();
         if (name.path.empty())
             names.push_back(name.text);

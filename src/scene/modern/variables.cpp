@@ -111,6 +111,34 @@ void checkCurrent(Interpreter& in, const Variable& variable) {
         variable.place));
 }
 
+/// The range of Bound: three numbers above 0, from the one that costs least to the one with the finest
+/// picture. Makes it the range of a slider. Reports what is wrong and returns false.
+bool makeBound(Interpreter& in, const Value& value, Variable& made) {
+    std::vector<double>& numbers = made.written;
+    const auto isWord = [](const Value& each) { return each.kind == Value::Kind::word; };
+    if (value.kind != Value::Kind::range || std::any_of(value.items.begin(), value.items.end(), isWord) ||
+        numbers.size() != 3) {
+        in.report(diagnose("glib-E26",
+                           fmt::format("'{}' needs <cheapest current finest>: three numbers", made.name),
+                           in.place(value)));
+        return false;
+    }
+    const double coarsest = numbers[0], finest = numbers[2];
+    if (coarsest <= 0 || finest <= 0 || coarsest == finest) {
+        in.report(diagnose("glib-E26",
+                           fmt::format("'{}' goes from {} to {}; both ends of a Bound must be above 0, and "
+                                       "different",
+                                       made.name, glib::numberText(coarsest), glib::numberText(finest)),
+                           in.place(value)));
+        return false;
+    }
+    const bool isWhole =
+        std::all_of(numbers.begin(), numbers.end(), [](double each) { return each == std::round(each); });
+    made.bound = Variable::Fineness{coarsest, finest, isWhole};
+    if (coarsest > finest) std::swap(numbers[0], numbers[2]);
+    return true;
+}
+
 /// A variable with a control: <min cur max>, <word word ...>, <true> or {r g b}.
 void declareControl(Interpreter& in, const Command& command, const std::string& name, const Value& value) {
     Variable made;
@@ -120,7 +148,12 @@ void declareControl(Interpreter& in, const Command& command, const std::string& 
     if (!numbers) return;
     made.written = *numbers;
     expression::Symbol symbol;
-    if (value.kind == Value::Kind::color) {
+    if (command.id == CommandId::bound) {
+        if (!makeBound(in, value, made)) return;
+        made.form = glib::UniformForm::range;
+        symbol = variable(expression::Type::number());
+        checkCurrent(in, made);
+    } else if (value.kind == Value::Kind::color) {
         if (made.written.size() < 3 || made.written.size() > 4) {
             in.report(diagnose(
                 "glib-E26",
@@ -251,6 +284,7 @@ void runLet(Interpreter& in, const Command& command) {
     if (std::none_of(in.modern.variables.begin(), in.modern.variables.end(), isSame))
         in.modern.variables.emplace_back(name, command.position);
     if (isGiven) return declare(in, command, name, variable(given->type), given->all());
+    if (command.id == CommandId::bound) return declareControl(in, command, name, value);
     if (isArray && isRule) {
         in.report(diagnose(
             "glib-E26",
@@ -343,6 +377,7 @@ void doFps(Interpreter& in, const Command& command) {
 
 constexpr CommandAction kVariableActions[] = {
     {CommandId::let, doLet, InList::isPart},
+    {CommandId::bound, doLet, InList::isPart},
     {CommandId::use, doUse},
     {CommandId::fps, doFps},
 };

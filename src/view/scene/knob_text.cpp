@@ -38,6 +38,9 @@ std::string valueText(const Knob& knob) {
     switch (knob.form) {
         case glib::UniformForm::range:
             if (knob.widget == Widget::checkBox) return knob.current.front() != 0 ? "<true>" : "<false>";
+            if (knob.bound)  // its finest value may be the smaller one
+                return fmt::format("<{} {} {}>", exact(knob.bound->coarsest), exact(knob.current.front()),
+                                   exact(knob.bound->finest));
             if (sameValues(knob.current))
                 return fmt::format("<{} {} {}>", exact(knob.minimum), exact(knob.current.front()),
                                    exact(knob.maximum));
@@ -63,7 +66,7 @@ std::string programLine(const scene::Scene& scene, scene::ProgramIndex program, 
     std::string text;
     if (!program) {
         for (const Knob& each : knobs)
-            if (!each.program) text += "Let " + pairText(each) + "\n";
+            if (!each.program) text += (each.bound ? "Bound " : "Let ") + pairText(each) + "\n";
         return text;
     }
     text = "Program " + scene.programs[program].name;

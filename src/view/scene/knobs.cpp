@@ -123,6 +123,7 @@ Knob knobOf(const scene::Variable& variable) {
     knob.type.rows = static_cast<int>(knob.initial.size());
     knob.declaration = "variable " + variable.name;
     knob.words = variable.words;
+    knob.bound = variable.bound;
     if (isRange) {
         knob.widget = Widget::slider;
         knob.minimum = variable.written[0];

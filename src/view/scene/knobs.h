@@ -3,6 +3,7 @@
 // uniform.
 
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <tuple>
@@ -36,6 +37,7 @@ struct Knob {
     std::string declaration;  ///< type and name for the tooltip: "vec3 uColor"
 
     std::vector<std::string> words;  ///< of a variable that is a choice; the value counts them from 0
+    std::optional<scene::Variable::Fineness> bound{};  ///< of a variable that Bound declares
 
     [[nodiscard]] bool isInteger() const {
         return type.base == plan::BaseType::integer || type.base == plan::BaseType::unsignedInteger;

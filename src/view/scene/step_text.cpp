@@ -53,9 +53,9 @@ bool isControl(Value::Kind kind) {
 }
 
 void add(const Command& command, std::string& text) {
-    const bool isLetOfControl =
-        command.id == CommandId::let && std::any_of(command.values.begin(), command.values.end(),
-                                                    [](const Value& each) { return isControl(each.kind); });
+    const bool isLetOfControl = (command.id == CommandId::let || command.id == CommandId::bound) &&
+                                std::any_of(command.values.begin(), command.values.end(),
+                                            [](const Value& each) { return isControl(each.kind); });
     if (isLetOfControl) {
         text += "Let";
         for (const Value& each : command.values) text += " " + (isControl(each.kind) ? "?" : written(each));
