@@ -102,9 +102,9 @@ struct RenderOptions {
     std::map<std::filesystem::path, std::string> texts{};
     int tileSize = 0;  ///< pixels per side of the tiles of a large picture; 0: as large as the driver allows
     ViewState viewState{};
-    /// Textures of a modern scene, or parts of them, that are drawn even if the picture does not show them:
-    /// "shadow", "glow.level(2)", "sky.face(0)", "slices.layer(3)".
-    std::vector<std::string> wantedTextures{};
+    /// Textures of a modern scene, or parts of them, and buffers that are made even if the picture does not
+    /// show them: "shadow", "glow.level(2)", "sky.face(0)", "slices.layer(3)", "Particles".
+    std::vector<std::string> wantedObjects{};
 
     friend bool operator==(const RenderOptions&, const RenderOptions&) = default;
 };

@@ -81,7 +81,7 @@ int runRenderCommand(RenderArguments& arguments) {
         }
     }
     if (!arguments.saves.empty() && arguments.scenes.size() > 1) {
-        printError("--save writes the textures of one scene, not of several");
+        printError("--save writes the textures and buffers of one scene, not of several");
         return kWrongUsage;
     }
     if (arguments.untrusted && !prepareUntrusted()) return kNoDriver;
@@ -134,9 +134,10 @@ void addRender(CommandLine& program, int& status) {
     addSelectionOptions(command, to.suite);
     for (const char* each : {"--only", "--shard", "--resume"}) command.find(each).needs(suite).rare();
     command
-        .repeated("--save", to.saves,
-                  "write a texture of the scene, or a part of it, to a file as well: shadow=shadow.exr, "
-                  "glow.level(2)=glow.png, sky.face(0)=px.png")
+        .repeated(
+            "--save", to.saves,
+            "write a texture of the scene, a part of it, or a buffer to a file as well: shadow=shadow.exr, "
+            "glow.level(2)=glow.png, sky.face(0)=px.png, Particles=particles.csv (or .npy)")
         .placeholder("NAME=FILE");
     command.flag("--explain", to.explain, "print what was made, what was skipped and why");
     addUntrustedOption(command, to.untrusted);

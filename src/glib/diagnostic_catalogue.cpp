@@ -178,6 +178,7 @@ constexpr CatalogueRow kCatalogueRows[] = {
      "atomic counters 'red' and 'all' of program 'Count' have the same binding, so they lie in one buffer, "
      "but two are given, 'red' and 'all'; give each counter a binding of its own"},
     {"memory-E15", "Vertices from a buffer: 5,000,000 indices are more than the 6 elements of 'square'"},
+    {"memory-E16", "buffer 'marks' is not used, so it has no content to save"},
     {"memory-W01",
      "Step reads 'shadow', which only the frame writes (line 20), so the result depends on the pictures that "
      "were drawn before; write 'shadow' in Step"},

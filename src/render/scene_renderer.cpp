@@ -8,7 +8,9 @@
 
 #include "gpu/object/readback.h"
 #include "plan/accesses.h"
+#include "plan/buffer_table.h"
 #include "render/draw/tiles.h"
+#include "render/file/buffer_file.h"
 #include "render/file/incomplete_mark.h"
 #include "render/file/labels.h"
 #include "render/probe/gpu_times.h"
@@ -436,6 +438,29 @@ Result<image::Image> SceneRenderer::drawFirst(std::size_t draws, std::size_t pas
 
 Result<image::Image> SceneRenderer::textureImage(const scene::TextureView& view) {
     return state_->device.imageOf(view);
+}
+
+Result<BufferContent> SceneRenderer::bufferContent(const scene::BufferView& view) {
+    const DeviceBuffers& buffers = state_->device.buffers();
+    const gpu::Buffer* buffer = buffers.buffer(view);
+    const plan::BufferLayout* layout = buffers.layout(view.buffer);
+    if (buffer == nullptr || layout == nullptr) {
+        const scene::Buffer& declared = state_->scene.buffers[view.buffer];
+        return diagnose("memory-E16",
+                        fmt::format("buffer '{}' is not used, so it has no content to save", declared.name),
+                        declared.place);
+    }
+    std::vector<const plan::FramePlan*> plans{&state_->plan};
+    if (state_->simulation)
+        for (const plan::FramePlan* each : state_->simulation->plans()) plans.push_back(each);
+    std::optional<base::StorageBlock> block;
+    for (const plan::FramePlan* each : plans)
+        if (!block) block = plan::blockOf(*each, view.buffer);
+    BufferContent content{*layout, {}, std::vector<std::byte>(buffer->size())};
+    content.table =
+        plan::tableOf(*layout, block ? &*block : nullptr, std::numeric_limits<std::size_t>::max());
+    buffer->read(0, content.bytes);
+    return content;
 }
 
 }  // namespace glibra::render

@@ -28,6 +28,7 @@ class GpuTimes;
 class OpenChecks;
 class PreparedScene;
 class ViewMatrices;
+struct BufferContent;
 struct InterpretedScene;
 
 /// What a picture depends on besides its scene: the values of Timer that its programs read, one per period,
@@ -79,8 +80,12 @@ class SceneRenderer {
     /// The content of a texture with a name after the last picture, top row first, in the components and the
     /// type that lose the least: bytes, 16 bits, or floats, also for integers and depth. A texture with
     /// layers needs one (`view.layer`); the rows of a face of a cube map are those of its files. The texture
-    /// must be among options.wantedTextures or seen in the picture.
+    /// must be among options.wantedObjects or seen in the picture.
     Result<image::Image> textureImage(const scene::TextureView& view);
+
+    /// The content of a buffer after the last picture, with the members that the first program which uses it
+    /// declares. The buffer must be among options.wantedObjects or seen in the picture. Waits for the device.
+    Result<BufferContent> bufferContent(const scene::BufferView& view);
 
     /// True if the scene has Expect statements that run, or may do so at a time that they name.
     [[nodiscard]] bool hasChecks() const;

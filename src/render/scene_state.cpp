@@ -83,10 +83,10 @@ Diagnostics SceneRenderer::State::preparePlan(Stats& stats, bool everything) {
     std::erase_if(planOptions.overrides, [&](const plan::Override& each) {
         return each.program.empty() && scene.usedVariables.contains(each.name);
     });
-    for (const std::string& each : options.wantedTextures) {
-        const Result<scene::TextureView> wanted = scene::textureNamed(scene, each);
+    for (const std::string& each : options.wantedObjects) {
+        const Result<scene::ObjectView> wanted = scene::objectNamed(scene, each);
         if (!wanted) return wanted.diagnostics;
-        planOptions.roots.emplace_back(*wanted);
+        planOptions.roots.push_back(*wanted);
     }
     if (options.checks)
         for (const scene::Check& each : scene.checks)

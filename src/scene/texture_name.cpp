@@ -32,24 +32,30 @@ bool takePart(std::string_view& text, std::string_view& word, std::optional<int>
     return true;
 }
 
+Diagnostic badName(std::string_view text, const std::string& why) {
+    return withoutId(Severity::error, fmt::format("'{}': {}", text, why));
+}
+
+std::vector<std::string_view> namesOfTextures(const Scene& scene) {
+    std::vector<std::string_view> names;
+    for (const TextureIndex each : scene.textures.indices())
+        if (!scene.textures[each].name.empty()) names.push_back(scene.textures[each].name);
+    return names;
+}
+
 }  // namespace
 
 Result<TextureView> textureNamed(const Scene& scene, std::string_view text) {
-    const auto bad = [&](const std::string& why) {
-        return withoutId(Severity::error, fmt::format("'{}': {}", text, why));
-    };
+    const auto bad = [&](const std::string& why) { return badName(text, why); };
     std::string_view rest = text;
     const std::string_view name = rest.substr(0, rest.find('.'));
     rest.remove_prefix(name.size());
     TextureView view;
-    std::vector<std::string_view> names;
-    for (const TextureIndex each : scene.textures.indices()) {
-        const Texture& texture = scene.textures[each];
-        if (!texture.name.empty()) names.push_back(texture.name);
-        if (!name.empty() && texture.name == name) view.texture = each;
-    }
+    for (const TextureIndex each : scene.textures.indices())
+        if (!name.empty() && scene.textures[each].name == name) view.texture = each;
     if (!view.texture)
-        return bad(fmt::format("the scene has no texture of that name{}", base::suggestion(name, names)));
+        return bad(fmt::format("the scene has no texture of that name{}",
+                               base::suggestion(name, namesOfTextures(scene))));
     const Texture& texture = scene.textures[view.texture];
     std::optional<int> layer, face;
     while (!rest.empty()) {
@@ -81,6 +87,28 @@ Result<TextureView> textureNamed(const Scene& scene, std::string_view text) {
     if (view.isPrevious && !texture.hasHistory)
         return bad(fmt::format("'{}' is declared without history", name));
     return view;
+}
+
+Result<ObjectView> objectNamed(const Scene& scene, std::string_view text) {
+    const std::string_view name = text.substr(0, text.find('.'));
+    const std::string_view part = text.substr(name.size());
+    std::vector<std::string_view> names = namesOfTextures(scene);
+    const bool isTexture = std::find(names.begin(), names.end(), name) != names.end();
+    for (const BufferIndex each : scene.buffers.indices()) {
+        const Buffer& buffer = scene.buffers[each];
+        names.push_back(buffer.name);
+        if (isTexture || name.empty() || buffer.name != name) continue;
+        if (part.empty()) return ObjectView(BufferView{each});
+        if (part != ".prev") return badName(text, "after the name of a buffer only .prev may stand");
+        if (!buffer.hasHistory) return badName(text, fmt::format("'{}' is declared without history", name));
+        return ObjectView(BufferView{each, true});
+    }
+    if (!isTexture)
+        return badName(text, fmt::format("the scene has no texture or buffer of that name{}",
+                                         base::suggestion(name, names)));
+    Result<TextureView> view = textureNamed(scene, text);
+    if (!view) return std::move(view.diagnostics);
+    return ObjectView(*view);
 }
 
 }  // namespace glibra::scene

@@ -159,7 +159,7 @@ TEST(ModernFormats, HoldTheExactQuantisationOfWhatIsWritten) {
             for (std::size_t i = 8; i < values.size(); i += 3) values[i] *= 1000;
         for (double& each : values) each = static_cast<double>(static_cast<float>(each));
         RenderOptions options;
-        options.wantedTextures = {"map"};
+        options.wantedObjects = {"map"};
         const SceneFolder folder(writeScene(row, values));
         render::Stats stats;
         auto loaded = render::SceneRenderer::load(sharedContext(), folder / "scene.glib", options, stats);
@@ -287,7 +287,7 @@ std::string coveringScene(const std::string& target, const std::string& state, c
 
 image::Image mapOf(const std::string& scene) {
     RenderOptions options;
-    options.wantedTextures = {"map"};
+    options.wantedObjects = {"map"};
     TextScene drawn(scene, {}, options);
     drawn.draw();
     return drawn.texture("map");

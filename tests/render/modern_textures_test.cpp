@@ -257,7 +257,7 @@ TEST(ModernTextures, AreSavedInTheTypeOfTheirFormat) {
     modern.window();
 
     RenderOptions options;
-    options.wantedTextures = {"bytes", "shorts", "floats", "integers", "depth", "slices.layer(2)"};
+    options.wantedObjects = {"bytes", "shorts", "floats", "integers", "depth", "slices.layer(2)"};
     render::InterpretedScene interpreted;
     interpreted.scene = modern.scene;
     render::Stats stats;

@@ -384,7 +384,7 @@ TEST(ModernTruths, TwoEyesWithoutADistanceSeeOnePicture) {
                        "Pass window from right keep color\nState write gb\nDraw world\nEndPass\n");
     EXPECT_EQ(anaglyph.draw().data, one.data);
     RenderOptions both;
-    both.wantedTextures = {"one", "two"};
+    both.wantedObjects = {"one", "two"};
     TextScene pair(
         "WindowSize 160 160\nLet iod 0\nTexture2D one 160 160 rgba8\nTexture2D two 160 160 rgba8\n" + world +
             "Camera left Shift eye (-iod/2) 0 0\nCamera right Shift eye (iod/2) 0 0\n"

@@ -1,10 +1,10 @@
 // Modern scenes in a window: steps and sliders, reloading, keys, cameras, the mouse, buffers, costs.
 
 #include "image/image.h"
+#include "plan/buffer_table.h"
 #include "render/draw/simulation.h"
 #include "render/scene_renderer.h"
 #include "scene_folder.h"
-#include "view/debug_view/buffer_table.h"
 #include "view/session/frame_cost.h"
 
 namespace glibra::test {
@@ -256,11 +256,11 @@ TEST(BufferTable, HasAColumnForEachMember) {
     const render::DeviceBuffers& buffers = session.live().buffers();
     const plan::BufferLayout* layout = buffers.layout(buffer);
     ASSERT_TRUE(layout);
-    const view::BufferTable table = view::tableOf(*layout, session.live().blockOf(buffer));
+    const plan::BufferTable table = plan::tableOf(*layout, session.live().blockOf(buffer), 60);
     std::string names;
-    for (const view::BufferColumn& each : table.head) names += each.name + " ";
+    for (const plan::BufferColumn& each : table.head) names += each.name + " ";
     names += "| ";
-    for (const view::BufferColumn& each : table.columns) names += each.name + " ";
+    for (const plan::BufferColumn& each : table.columns) names += each.name + " ";
     EXPECT_EQ(names, "count size | place id turn trail[0] trail[1] ");
     EXPECT_EQ(table.elements, 300U);
     const std::size_t size = layout->pattern.element.size();
@@ -268,12 +268,12 @@ TEST(BufferTable, HasAColumnForEachMember) {
     const std::vector<double> values = buffers.read({buffer}, layout->pattern.head.size() + 299 * size, size);
     ASSERT_EQ(values.size(), size);
     std::string cells;
-    for (const view::BufferColumn& each : table.columns)
-        cells += view::cellText(std::span(layout->pattern.element).subspan(each.first, each.count),
+    for (const plan::BufferColumn& each : table.columns)
+        cells += plan::cellText(std::span(layout->pattern.element).subspan(each.first, each.count),
                                 std::span(values).subspan(each.first, each.count)) +
                  " | ";
     EXPECT_EQ(cells, "299 0.5 -1 | 4000000299 | 1 2 3 4 | 8 | 9 | ");
-    const view::BufferTable plain = view::tableOf(*layout, nullptr);
+    const plan::BufferTable plain = plan::tableOf(*layout, nullptr, 60);
     ASSERT_EQ(plain.columns.size(), 3U) << "four numbers each without names";
     EXPECT_EQ(plain.columns[2].count, 2U);
 }
@@ -293,10 +293,10 @@ TEST(BufferTable, NamesTheMembersOfUniformBlocks) {
     const scene::BufferIndex buffer(0);
     const plan::BufferLayout* layout = session.live().buffers().layout(buffer);
     ASSERT_TRUE(layout);
-    const view::BufferTable table = view::tableOf(*layout, session.live().blockOf(buffer));
+    const plan::BufferTable table = plan::tableOf(*layout, session.live().blockOf(buffer), 60);
     std::string names;
-    for (const view::BufferColumn& each : table.head) names += each.name + " ";
-    for (const view::BufferColumn& each : table.columns) names += each.name + " ";
+    for (const plan::BufferColumn& each : table.head) names += each.name + " ";
+    for (const plan::BufferColumn& each : table.columns) names += each.name + " ";
     EXPECT_EQ(names, "place power color ");
 }
 

@@ -3,17 +3,13 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <string_view>
+
+#include "base/csv.h"
 
 namespace glibra::bench {
 namespace {
 
-std::string csvField(std::string_view text) {
-    if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
-    std::string cell = "\"";
-    for (const char each : text) cell.append(each == '"' ? 2 : 1, each);
-    return cell + '"';
-}
+using base::csvField;
 
 std::string number(double value) {
     return std::isnan(value) ? "" : fmt::format("{}", value);

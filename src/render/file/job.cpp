@@ -12,6 +12,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "gpu/context/call_counter.h"
@@ -20,6 +21,7 @@
 #include "image/video/video_file.h"
 #include "image/write.h"
 #include "render/file/animation.h"
+#include "render/file/buffer_file.h"
 #include "render/file/picture_stream.h"
 #include "render/file/picture_writer.h"
 #include "render/probe/gpu_times.h"
@@ -142,7 +144,7 @@ class JobRun {
   public:
     JobRun(gpu::Context& context, const Job& job) : context_(context), job_(job), options_(job.options) {
         options_.floatPixels = options_.floatPixels || image::holdsFloats(job.output);
-        for (const Job::Save& each : job.saves) options_.wantedTextures.push_back(each.texture);
+        for (const Job::Save& each : job.saves) options_.wantedObjects.push_back(each.object);
         if (job.explain || job.stats) {
             counter_.emplace();
             gpuTimes_.emplace(context.capabilities());
@@ -199,25 +201,35 @@ class JobRun {
         return hasErrors() && !options_.incomplete ? std::nullopt : std::move(picture.value);
     }
 
-    /// Writes the textures of Job::saves.
+    /// Writes the textures and buffers of Job::saves.
     Diagnostics save(SceneRenderer& scene, int index) {
         Diagnostics problems;
-        std::vector<image::Image> contents;  // no file appears unless all can be read
-        for (const Job::Save& each : job_.saves) {
-            const Result<scene::TextureView> view = scene::textureNamed(scene.scene(), each.texture);
-            if (!view) return view.diagnostics;
-            Result<image::Image> content = scene.textureImage(*view);
+        // No file appears unless all can be read.
+        std::vector<std::variant<image::Image, BufferContent>> contents;
+        const auto keep = [&](auto&& content) {
             append(problems, std::move(content.diagnostics));
-            if (!content) return problems;
-            contents.push_back(std::move(*content));
+            if (content) contents.emplace_back(std::move(*content));
+            return content.value.has_value();
+        };
+        for (const Job::Save& each : job_.saves) {
+            const Result<scene::ObjectView> view = scene::objectNamed(scene.scene(), each.object);
+            if (!view) return view.diagnostics;
+            const auto* buffer = std::get_if<scene::BufferView>(&*view);
+            const bool isRead = buffer != nullptr
+                                    ? keep(scene.bufferContent(*buffer))
+                                    : keep(scene.textureImage(std::get<scene::TextureView>(*view)));
+            if (!isRead) return problems;
         }
         const StageTimer timer(stats_, "write");
         // The names of frames are this program's.
-        const image::WriteOptions options =
-            image::writtenAs(job_.frames > 1 ? image::NamedBy::program : image::NamedBy::user);
-        for (std::size_t i = 0; i < contents.size(); ++i)
-            append(problems, image::writeImage(contents[i], frameFile(job_.saves[i].file, index, job_.frames),
-                                               options));
+        const image::NamedBy named = job_.frames > 1 ? image::NamedBy::program : image::NamedBy::user;
+        for (std::size_t i = 0; i < contents.size(); ++i) {
+            const std::filesystem::path file = frameFile(job_.saves[i].file, index, job_.frames);
+            const auto* picture = std::get_if<image::Image>(&contents[i]);
+            append(problems, picture != nullptr
+                                 ? image::writeImage(*picture, file, image::writtenAs(named))
+                                 : writeBuffer(std::get<BufferContent>(contents[i]), file, named));
+        }
         return problems;
     }
 

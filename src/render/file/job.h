@@ -31,9 +31,10 @@ struct Job {
     int part = 0, parts = 1;
     bool explain = false;
     bool stats = false;
-    /// The content of a texture, which goes into a file after each picture (RenderOptions::wantedTextures).
+    /// The content of a texture or buffer, which goes into a file after each picture
+    /// (RenderOptions::wantedObjects).
     struct Save {
-        std::string texture;
+        std::string object;
         std::filesystem::path file;
     };
     std::vector<Save> saves{};

@@ -13,7 +13,7 @@ ProbeOptions probeOptions(const RenderOptions& options, int width, int height, i
     small.maxError = 0;
     small.samples = 1;
     small.tileSize = 0;
-    small.wantedTextures.clear();
+    small.wantedObjects.clear();
     small.labels = LabelCorner::none;
     small.axes = small.checkNan = small.strict = false;
     return probe;

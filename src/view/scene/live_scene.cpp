@@ -7,42 +7,13 @@
 #include <set>
 #include <utility>
 
+#include "plan/buffer_table.h"
 #include "plan/loop_rounds.h"
 #include "render/file/labels.h"
 #include "view/scene/live_state.h"
 #include "view/scene/step_text.h"
 
 namespace glibra::view {
-namespace {
-
-/// A uniform block and counters are described as a storage block with the same members.
-base::StorageBlock blockOf(const plan::BlockUse& use, const plan::ProgramInterface& interface) {
-    if (use.kind == plan::BlockUse::Kind::storage) return interface.storageBlocks.at(use.index);
-    base::StorageBlock block;
-    const auto add = [&](std::string name, int offset) -> base::StorageMember& {
-        base::StorageMember& member = block.members.emplace_back();
-        member.name = std::move(name);
-        member.offset = offset;
-        return member;
-    };
-    if (use.kind == plan::BlockUse::Kind::counters) {
-        constexpr int kCounterBytes = 4;
-        for (const std::string& each : interface.counterBuffers.at(use.index).counters)
-            add(each, static_cast<int>(block.members.size()) * kCounterBytes);
-        return block;
-    }
-    block.name = interface.blocks.at(use.index).name;
-    for (const base::ActiveUniform& each : interface.uniforms) {
-        if (each.block != static_cast<int>(use.index)) continue;
-        base::StorageMember& member = add(each.isArray ? each.name + "[0]" : each.name, each.offset);
-        member.arraySize = each.arraySize;
-        member.arrayStride = each.arrayStride;
-    }
-    return block;
-}
-
-}  // namespace
-
 /// What decides the content of what lasts, besides values that the window changes.
 std::string LiveScene::State::sourceOfSteps() const {
     if (!simulation || isSimulationWrong || !source) return {};
@@ -253,13 +224,9 @@ const render::DeviceBuffers& LiveScene::buffers() const {
 }
 
 const base::StorageBlock* LiveScene::blockOf(scene::BufferIndex buffer) const {
-    for (const plan::FramePlan* plan : state_->plans())
-        for (const plan::PlannedProgram& program : plan->programs)
-            for (const plan::BlockUse& each : program.blocks)
-                if (each.buffer.buffer == buffer)
-                    return &state_->askedBlocks
-                                .insert_or_assign(buffer, view::blockOf(each, *program.interface))
-                                .first->second;
+    for (const plan::FramePlan* each : state_->plans())
+        if (std::optional<base::StorageBlock> found = plan::blockOf(*each, buffer))
+            return &state_->askedBlocks.insert_or_assign(buffer, std::move(*found)).first->second;
     return nullptr;
 }
 

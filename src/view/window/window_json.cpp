@@ -129,7 +129,7 @@ void addCost(Json& state, const FrameCost& cost) {
 void addInspector(Json& state, const Inspector& inspector) {
     if (!inspector.isOpen) return;
     Json columns = Json::array();
-    for (const BufferColumn& each : inspector.table.columns) columns.push_back(each.name);
+    for (const plan::BufferColumn& each : inspector.table.columns) columns.push_back(each.name);
     Json head = Json::array();
     for (std::size_t i = 0; i < inspector.head.size(); ++i)
         head.push_back({inspector.table.head[i].name, inspector.head[i]});

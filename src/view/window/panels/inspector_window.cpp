@@ -137,14 +137,16 @@ void readTexture(Ui& ui, scene::TextureIndex index) {
     inspector.content = std::move(content.value);
 }
 
+constexpr std::size_t kMostColumns = 60;  // ImGui has 64
+
 /// The texts of a row of cells; `first` is the number of the buffer at which it begins.
-std::vector<std::string> cells(const std::vector<BufferColumn>& columns,
+std::vector<std::string> cells(const std::vector<plan::BufferColumn>& columns,
                                const std::vector<plan::MemoryNumber>& kinds, std::span<const double> values) {
     std::vector<std::string> texts;
-    for (const BufferColumn& each : columns)
+    for (const plan::BufferColumn& each : columns)
         texts.push_back(each.first + each.count <= values.size()
-                            ? cellText(std::span(kinds).subspan(each.first, each.count),
-                                       values.subspan(each.first, each.count))
+                            ? plan::cellText(std::span(kinds).subspan(each.first, each.count),
+                                             values.subspan(each.first, each.count))
                             : "");
     return texts;
 }
@@ -155,7 +157,7 @@ void readBuffer(Ui& ui, scene::BufferIndex index) {
     const plan::BufferLayout& layout = *buffers.layout(index);
     const plan::MemoryPattern& pattern = layout.pattern;
     const scene::BufferView view{index, inspector.isPrevious};
-    inspector.table = tableOf(layout, ui.session.live().blockOf(index));
+    inspector.table = plan::tableOf(layout, ui.session.live().blockOf(index), kMostColumns);
     inspector.head.clear();
     inspector.rows.clear();
     const std::vector<double> head = buffers.read(view, 0, pattern.head.size());
@@ -364,7 +366,7 @@ void bufferTable(Ui& ui) {
     if (!ImGui::BeginTable("elements", columns, kFlags)) return;
     ImGui::TableSetupScrollFreeze(1, 1);
     ImGui::TableSetupColumn("index");
-    for (const BufferColumn& each : inspector.table.columns) ImGui::TableSetupColumn(each.name.c_str());
+    for (const plan::BufferColumn& each : inspector.table.columns) ImGui::TableSetupColumn(each.name.c_str());
     ImGui::TableHeadersRow();
     for (std::size_t row = 0; row < inspector.rows.size(); ++row) {
         ImGui::TableNextRow();

@@ -17,7 +17,6 @@
 #include <vector>
 
 #include "gpu/context/context.h"
-#include "view/debug_view/buffer_table.h"
 #include "view/debug_view/texels.h"
 #include "view/session/frame_cost.h"
 #include "view/session/history.h"
@@ -83,7 +82,7 @@ struct Inspector {
     std::string hovered;  ///< the texel under the mouse: "12, 40: 0.5 0.25 0 1"
     // Of a buffer:
     std::uint64_t firstRow = 0;
-    BufferTable table;
+    plan::BufferTable table;
     std::vector<std::string> head;               ///< the cells before the array
     std::vector<std::vector<std::string>> rows;  ///< the cells of the shown elements
 };

@@ -1,14 +1,13 @@
-#include "view/debug_view/buffer_table.h"
+#include "plan/buffer_table.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
 
-namespace glibra::view {
+namespace glibra::plan {
 namespace {
 
-constexpr std::size_t kMostColumns = 60;    // ImGui has 64
 constexpr std::uint64_t kMostNames = 4096;  // of one member
 
 /// Replaces the first or last [0] of a name by another index.
@@ -49,13 +48,14 @@ std::string nameInElement(const std::string& name) {
 }
 
 /// A column begins where a member begins.
-std::vector<BufferColumn> columnsOf(const std::vector<plan::MemoryNumber>& numbers, std::uint64_t from,
-                                    const std::map<std::uint64_t, std::string>& names, bool isElement) {
+std::vector<BufferColumn> columnsOf(const std::vector<MemoryNumber>& numbers, std::uint64_t from,
+                                    const std::map<std::uint64_t, std::string>& names, bool isElement,
+                                    std::size_t most) {
     std::vector<BufferColumn> columns;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         const auto name = names.find(from + numbers[i].offset);
         const bool begins = name != names.end() || columns.empty() || (names.empty() && i % 4 == 0);
-        if (!begins || (isElement && columns.size() == kMostColumns)) {
+        if (!begins || (isElement && columns.size() == most)) {
             ++columns.back().count;
             continue;
         }
@@ -68,26 +68,58 @@ std::vector<BufferColumn> columnsOf(const std::vector<plan::MemoryNumber>& numbe
 
 }  // namespace
 
-BufferTable tableOf(const plan::BufferLayout& layout, const base::StorageBlock* block) {
+base::StorageBlock blockOf(const BlockUse& use, const ProgramInterface& interface) {
+    if (use.kind == BlockUse::Kind::storage) return interface.storageBlocks.at(use.index);
+    base::StorageBlock block;
+    const auto add = [&](std::string name, int offset) -> base::StorageMember& {
+        base::StorageMember& member = block.members.emplace_back();
+        member.name = std::move(name);
+        member.offset = offset;
+        return member;
+    };
+    if (use.kind == BlockUse::Kind::counters) {
+        constexpr int kCounterBytes = 4;
+        for (const std::string& each : interface.counterBuffers.at(use.index).counters)
+            add(each, static_cast<int>(block.members.size()) * kCounterBytes);
+        return block;
+    }
+    block.name = interface.blocks.at(use.index).name;
+    for (const base::ActiveUniform& each : interface.uniforms) {
+        if (each.block != static_cast<int>(use.index)) continue;
+        base::StorageMember& member = add(each.isArray ? each.name + "[0]" : each.name, each.offset);
+        member.arraySize = each.arraySize;
+        member.arrayStride = each.arrayStride;
+    }
+    return block;
+}
+
+std::optional<base::StorageBlock> blockOf(const FramePlan& plan, scene::BufferIndex buffer) {
+    for (const PlannedProgram& program : plan.programs)
+        for (const BlockUse& each : program.blocks)
+            if (each.buffer.buffer == buffer) return blockOf(each, *program.interface);
+    return std::nullopt;
+}
+
+BufferTable tableOf(const BufferLayout& layout, const base::StorageBlock* block, std::size_t most) {
     std::map<std::uint64_t, std::string> names;
     if (block != nullptr) names = namesOf(*block);
-    const plan::MemoryPattern& pattern = layout.pattern;
+    const MemoryPattern& pattern = layout.pattern;
     BufferTable table;
-    table.head = columnsOf(pattern.head, 0, names, false);
-    table.columns = columnsOf(pattern.element, pattern.elementsAt, names, true);
+    table.head = columnsOf(pattern.head, 0, names, false, most);
+    table.columns = columnsOf(pattern.element, pattern.elementsAt, names, true, most);
     table.elements = pattern.element.empty() ? 0 : layout.elements;
     return table;
 }
 
-std::string cellText(std::span<const plan::MemoryNumber> kinds, std::span<const double> values) {
+std::string cellText(std::span<const MemoryNumber> kinds, std::span<const double> values) {
     std::string text;
     for (std::size_t i = 0; i < std::min(kinds.size(), values.size()); ++i) {
         if (i > 0) text += ' ';
-        const plan::NumberKind kind = kinds[i].kind;
-        const bool isFloat = kind == plan::NumberKind::floating || kind == plan::NumberKind::doublePrecision;
+        const NumberKind kind = kinds[i].kind;
+        const bool isFloat = kind == NumberKind::floating || kind == NumberKind::doublePrecision;
         if (isFloat)
             text += fmt::format("{:.6g}", values[i]);
-        else if (kind == plan::NumberKind::boolean)
+        else if (kind == NumberKind::boolean)
             text += values[i] != 0 ? "true" : "false";
         else
             text += fmt::format("{:.0f}", values[i]);
@@ -95,4 +127,4 @@ std::string cellText(std::span<const plan::MemoryNumber> kinds, std::span<const 
     return text;
 }
 
-}  // namespace glibra::view
+}  // namespace glibra::plan
