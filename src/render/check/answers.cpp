@@ -189,10 +189,10 @@ class Answerer {
         const Numbers found =
             std::span(content.values).subspan(static_cast<std::size_t>(begin), check_.wanted.size());
         Examples differing;
-        std::size_t first = 0;
+        std::size_t wrongAt = 0;
         for (std::size_t i = 0; i < found.size(); ++i) {
             if (equal(check_.wanted[i], found[i], content)) continue;
-            if (differing.count() == 0) first = i;
+            if (differing.count() == 0) wrongAt = i;
             differing.add([&] {
                 return fmt::format("value {} is {}, not {}", i, shownNumber(found[i]),
                                    shownNumber(check_.wanted[i]));
@@ -201,8 +201,8 @@ class Answerer {
         if (differing.count() == 0) return std::nullopt;
         if (found.size() <= kMostShown) return wrong(wantedText(), numbersText(found));
         if (differing.count() == 1)
-            return wrong(fmt::format("{} as value {}", shownNumber(check_.wanted[first]), first),
-                         shownNumber(found[first]));
+            return wrong(fmt::format("{} as value {}", shownNumber(check_.wanted[wrongAt]), wrongAt),
+                         shownNumber(found[wrongAt]));
         return wrong(glib::counted(found.size(), "value"),
                      fmt::format("{} that differ: {}", differing.count(), differing.text()));
     }

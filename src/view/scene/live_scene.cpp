@@ -14,6 +14,7 @@
 #include "view/scene/step_text.h"
 
 namespace glibra::view {
+
 /// What decides the content of what lasts, besides values that the window changes.
 std::string LiveScene::State::sourceOfSteps() const {
     if (!simulation || isSimulationWrong || !source) return {};
