@@ -21,6 +21,32 @@ std::string labelOf(std::string_view suffix) {
     return label;
 }
 
+/// The text of a --sweep as TOML has it, where a number has digits on both sides of its point: "[0.5, 1.0]"
+/// for
+/// "[.5, 1.]", which scenes and --set know. Words in quotes and the name stay.
+std::string asToml(std::string_view sweep) {
+    const auto isDigitAt = [&](std::size_t at) {
+        return at < sweep.size() && sweep[at] >= '0' && sweep[at] <= '9';
+    };
+    std::string text;
+    char quote = 0;
+    bool isValue = false;
+    for (std::size_t i = 0; i < sweep.size(); ++i) {
+        const char c = sweep[i];
+        if (quote != 0)
+            quote = c == quote ? '\0' : quote;
+        else if (c == '"' || c == '\'')
+            quote = c;
+        isValue = isValue || (c == '=' && quote == 0);
+        const bool isPoint = isValue && quote == 0 && c == '.';
+        const bool hasBefore = i > 0 && isDigitAt(i - 1), hasAfter = isDigitAt(i + 1);
+        if (isPoint && !hasBefore && hasAfter) text += '0';
+        text += c;
+        if (isPoint && hasBefore && !hasAfter) text += '0';
+    }
+    return text;
+}
+
 Diagnostic tooMany(std::uint64_t count) {
     return withoutId(
         Severity::error,
@@ -32,7 +58,7 @@ Diagnostic tooMany(std::uint64_t count) {
 Result<std::vector<Moment>> momentsOf(const suite::Shot& picture, std::span<const double> times,
                                       std::span<const std::string> sweeps) {
     std::string text;
-    for (const std::string& each : sweeps) text += each + "\n";
+    for (const std::string& each : sweeps) text += asToml(each) + "\n";
     suite::TomlReader reader("--sweep", text);
     std::vector<suite::UniformValues> values;
     if (const suite::TomlValue* root = reader.root())

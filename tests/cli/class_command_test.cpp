@@ -149,6 +149,16 @@ TEST_F(ClassCommand, SweepsAndTimesMakeAPictureEach) {
     EXPECT_EQ(grade("ana", "worst flip"), "0.00000");
 }
 
+TEST_F(ClassCommand, SweepsHaveNumbersAsScenesHaveThem) {
+    hand("ana", fragment("uTone"));
+    const Finished done = run("--sweep 'uTone = [.5, 1., +.25, 1.e-1, \".75\"]'");
+    ASSERT_EQ(done.status, 0) << done.err;
+    EXPECT_EQ(grade("ana", "drawn"), "5");
+    for (const char* each : {"0.5", "1", "0.25", "0.1", "0.75"})
+        EXPECT_EQ(grade("ana", fmt::format("flip uTone={}", each)), "0.00000");
+    EXPECT_EQ(run("--sweep 'uTone = [.]'").status, 2);
+}
+
 TEST_F(ClassCommand, AReferenceMayBeASuite) {
     hand("ana", fragment("uTone"));
     folder.write("class.toml",

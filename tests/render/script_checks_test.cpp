@@ -108,6 +108,29 @@ TEST(ScriptChecks, EqualContentsMayDifferWithinATolerance) {
         std::string::npos);
 }
 
+TEST(ScriptChecks, SeveralDifferencesAreCountedAndTheFirstOnesAreShown) {
+    const auto foundBy = [](const std::string& check) {
+        return problemsOf("Buffer a float [0 1 2 3 4 5 6 7 8 9]\nBuffer b float 10\nExpect " + check + "\n");
+    };
+    const auto expectText = [&](const std::string& check, const std::string& part) {
+        const std::string problems = foundBy(check);
+        EXPECT_NE(problems.find(part), std::string::npos) << problems;
+    };
+    expectText("buffer a [0 1 2 3 4 5 6 7 8 8]", "expected 8 as value 9, found 9 [");
+    expectText("buffer a [1 1 2 3 4 5 6 7 7 9]",
+               "expected 10 values, found 2 that differ: value 0 is 0, not 1, value 8 is 8, not 7 [");
+    expectText(
+        "buffer b [0 1 2 3 4 5 6 7 8 9]",
+        "found 9 that differ: value 1 is 0, not 1, value 2 is 0, not 2, value 3 is 0, not 3, value 4 is "
+        "0, not 4, ... [");
+    expectText("range a 0 8", "expected 0 to 8, found 9 at 9 [");
+    expectText("range a 0 7", "expected 0 to 7, found 2 others: 8 at 8, 9 at 9 [");
+    expectText("range a 0 1", "found 8 others: 2 at 2, 3 at 3, 4 at 4, 5 at 5, ... [");
+    expectText("same a b",
+               "found 9 differing values, by up to 9: 1 and 0 at 1, 2 and 0 at 2, 3 and 0 at 3, 4 "
+               "and 0 at 4, ... [");
+}
+
 TEST(ScriptChecks, AMisspeltSetIsReported) {
     const auto found = [](const std::string& set, const std::string& after = "FullScreen\n") {
         return problemsOf(

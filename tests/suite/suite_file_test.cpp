@@ -300,6 +300,20 @@ TEST(SuiteFile, PairsSweepsValueByValue) {
     EXPECT_EQ(good->shots[4].differ, "a@uT=2");
 }
 
+TEST(SuiteFile, SeveralShotsMayNameOneOfThem) {
+    const SceneFolder folder{"a.glib", "b.glib", "c.glib"};
+    const auto pattern = folder.read("[[shot]]\nscript = '*.glib'\ndiffer = 'b'\n");
+    ASSERT_TRUE(pattern) << folder.shown(pattern);
+    EXPECT_EQ(pattern->shots[0].differ, "b");
+    EXPECT_EQ(pattern->shots[1].differ, "");
+    EXPECT_EQ(pattern->shots[2].differ, "b");
+    const auto sweep =
+        folder.read("[[shot]]\nscript = 'a.glib'\nsweep = { uT = [1, 2] }\nmatch = 'a@uT=1'\n");
+    ASSERT_TRUE(sweep) << folder.shown(sweep);
+    EXPECT_EQ(sweep->shots[0].match, "");
+    EXPECT_EQ(sweep->shots[1].match, "a@uT=1");
+}
+
 TEST(SuiteFile, MakesASuiteOfAFolder) {
     const SceneFolder folder{"b.glib",      "a/x y.GLIB", "a/x.glib", "M\xc3\xbcller.glib",
                              ".git/c.glib", "notes.txt"};

@@ -189,6 +189,9 @@ INSTANTIATE_TEST_SUITE_P(
                 "7:10 suite-E07 differ: there is no shot 'teapot'; there is 'teapot@uA=1', one of several\n"},
         Mistake{"Itself", shot("match = 'teapot'"),
                 "3:9 suite-E08 match: the shots name each other in a cycle: teapot, teapot\n"},
+        Mistake{"ItselfInEveryShotOfASweep", shot("sweep = { uA = [1, 2] }\nmatch = 'teapot'"),
+                "4:9 suite-E08 match: the shots name each other in a cycle: teapot@uA=1, teapot@uA=1\n"
+                "4:9 suite-E08 match: the shots name each other in a cycle: teapot@uA=2, teapot@uA=2\n"},
         Mistake{"Ring",
                 shot("name = 'a'\nmatch = 'b'") + shot("name = 'b'\ndiffer = 'c'") +
                     shot("name = 'c'\nmatch = 'a'"),

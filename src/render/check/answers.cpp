@@ -20,6 +20,8 @@ using Numbers = std::span<const double>;
 /// Half of the distance of stored values, and what the conversion to float may add.
 constexpr double kHalfStep = .5 + 1e-4;
 
+constexpr std::size_t kMostShown = 8;  // numbers in a message
+
 /// A number with as many digits as tell it from its neighbours: all of a whole number, nine of others.
 std::string shownNumber(double number) {
     constexpr double kWhole = 0x1p53;  // below it, every whole number is a double
@@ -28,12 +30,30 @@ std::string shownNumber(double number) {
 }
 
 std::string numbersText(Numbers numbers) {
-    constexpr std::size_t kMost = 8;
     std::vector<std::string> shown;
-    for (const double each : numbers.first(std::min(numbers.size(), kMost)))
+    for (const double each : numbers.first(std::min(numbers.size(), kMostShown)))
         shown.push_back(shownNumber(each));
     return fmt::format("{}{}", fmt::join(shown, " "), shown.size() < numbers.size() ? " ..." : "");
 }
+
+/// Counts what fails, and keeps texts of the first few.
+class Examples {
+  public:
+    template <class Text>
+    void add(const Text& text) {
+        constexpr std::size_t kKept = 4;
+        if (++count_ <= kKept) texts_.push_back(text());
+    }
+    [[nodiscard]] std::size_t count() const { return count_; }
+    /// "1 at 0, 2 at 3, ...": with dots if there are more.
+    [[nodiscard]] std::string text() const {
+        return fmt::format("{}{}", fmt::join(texts_, ", "), texts_.size() < count_ ? ", ..." : "");
+    }
+
+  private:
+    std::size_t count_ = 0;
+    std::vector<std::string> texts_;
+};
 
 class Answerer {
   public:
@@ -168,27 +188,46 @@ class Answerer {
                                        content.values.size(), content.size()));
         const Numbers found =
             std::span(content.values).subspan(static_cast<std::size_t>(begin), check_.wanted.size());
+        Examples differing;
+        std::size_t wrongAt = 0;
         for (std::size_t i = 0; i < found.size(); ++i) {
             if (equal(check_.wanted[i], found[i], content)) continue;
-            if (found.size() <= 8) return wrong(wantedText(), numbersText(found));
-            return wrong(fmt::format("{} as value {}", shownNumber(check_.wanted[i]), i),
-                         shownNumber(found[i]));
+            if (differing.count() == 0) wrongAt = i;
+            differing.add([&] {
+                return fmt::format("value {} is {}, not {}", i, shownNumber(found[i]),
+                                   shownNumber(check_.wanted[i]));
+            });
         }
-        return std::nullopt;
+        if (differing.count() == 0) return std::nullopt;
+        if (found.size() <= kMostShown) return wrong(wantedText(), numbersText(found));
+        if (differing.count() == 1)
+            return wrong(fmt::format("{} as value {}", shownNumber(check_.wanted[wrongAt]), wrongAt),
+                         shownNumber(found[wrongAt]));
+        return wrong(glib::counted(found.size(), "value"),
+                     fmt::format("{} that differ: {}", differing.count(), differing.text()));
     }
 
-    /// Reports the first value that fails.
-    template <class Holds>
-    [[nodiscard]] Answer each(const Content& content, const std::string& wanted, const Holds& holds) const {
-        const auto found = std::find_if_not(content.values.begin(), content.values.end(), holds);
-        if (found == content.values.end()) return std::nullopt;
-        const auto index = static_cast<std::size_t>(found - content.values.begin()) /
-                           static_cast<std::size_t>(content.components);
+    /// Where value number `index` of a content lies: "3 4" of a texture, "3" of a buffer.
+    [[nodiscard]] static std::string positionOf(const Content& content, std::size_t index) {
+        index /= static_cast<std::size_t>(content.components);
         const std::size_t row = index / static_cast<std::size_t>(content.width);
         const std::size_t column = index % static_cast<std::size_t>(content.width);
-        return wrong(wanted, content.height * content.depth > 1
-                                 ? fmt::format("{} at {} {}", shownNumber(*found), column, row)
-                                 : fmt::format("{} at {}", shownNumber(*found), column));
+        return content.height * content.depth > 1 ? fmt::format("{} {}", column, row)
+                                                  : fmt::format("{}", column);
+    }
+
+    /// Reports the values that fail.
+    template <class Holds>
+    [[nodiscard]] Answer each(const Content& content, const std::string& wanted, const Holds& holds) const {
+        Examples failing;
+        for (std::size_t i = 0; i < content.values.size(); ++i)
+            if (!holds(content.values[i]))
+                failing.add([&] {
+                    return fmt::format("{} at {}", shownNumber(content.values[i]), positionOf(content, i));
+                });
+        if (failing.count() == 0) return std::nullopt;
+        if (failing.count() == 1) return wrong(wanted, failing.text());
+        return wrong(wanted, fmt::format("{} others: {}", failing.count(), failing.text()));
     }
     [[nodiscard]] Answer range(const Content& content) const {
         const double least = check_.numbers.at(0), most = check_.numbers.at(1);
@@ -235,20 +274,23 @@ class Answerer {
                                      content.height, content.depth, content.components, other->width,
                                      other->height, other->depth, other->components));
         }
-        std::size_t differing = 0;
+        Examples differing;
         double largest = 0;
         for (std::size_t i = 0; i < content.values.size(); ++i) {
             const double a = content.values[i], b = other->values[i];
             if (a == b || (std::isnan(a) && std::isnan(b)) || std::abs(a - b) <= check_.tolerance) continue;
-            ++differing;
+            differing.add([&] {
+                return fmt::format("{} and {} at {}", shownNumber(a), shownNumber(b), positionOf(content, i));
+            });
             largest = std::max(largest, std::abs(a - b));
         }
-        if (wantsSame == (differing == 0)) return std::nullopt;
+        if (wantsSame == (differing.count() == 0)) return std::nullopt;
         const std::string within =
             check_.tolerance > 0 ? " within " + shownNumber(check_.tolerance) : std::string();
         return wantsSame ? wrong("the same content" + within,
-                                 fmt::format("{}, by up to {}", glib::counted(differing, "differing value"),
-                                             shownNumber(largest)))
+                                 fmt::format("{}, by up to {}: {}",
+                                             glib::counted(differing.count(), "differing value"),
+                                             shownNumber(largest), differing.text()))
                          : wrong("different content", "the same" + within);
     }
 

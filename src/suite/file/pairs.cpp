@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <string_view>
+#include <tuple>
 #include <unordered_map>
 #include <vector>
 
@@ -87,10 +89,18 @@ void reportCycles(TomlReader& reader, const Suite& suite, const Edges& edges) {
 void resolvePairs(TomlReader& reader, std::span<const PairRequest> requests, Suite& suite) {
     Names names;
     for (std::size_t i = 0; i < suite.shots.size(); ++i) names.emplace(suite.shots[i].name, i);
+    // One entry of the suite may make several shots and name one of them, with which the others are compared.
+    std::set<std::tuple<int, int, std::size_t>> namedByOthers;
+    for (const PairRequest& request : requests)
+        if (const auto other = find(names, request); other && *other != request.shot)
+            namedByOthers.emplace(request.name.place.line, request.name.place.column, *other);
     Edges edges(suite.shots.size());
     for (const PairRequest& request : requests) {
         const char* word = request.isMatch ? "match" : "differ";
         const auto other = find(names, request);
+        if (other == request.shot &&
+            namedByOthers.contains({request.name.place.line, request.name.place.column, *other}))
+            continue;
         if (!other) {
             reader.report("suite-E07",
                           fmt::format("{}: there is no shot {}{}", word, glib::inQuotes(request.name.text),

@@ -137,7 +137,7 @@ void readTexture(Ui& ui, scene::TextureIndex index) {
     inspector.content = std::move(content.value);
 }
 
-constexpr std::size_t kMostColumns = 60;  // ImGui has 64
+constexpr std::size_t kMostTableColumns = 60;  // ImGui has 64
 
 /// The texts of a row of cells; `first` is the number of the buffer at which it begins.
 std::vector<std::string> cells(const std::vector<plan::BufferColumn>& columns,
@@ -157,7 +157,7 @@ void readBuffer(Ui& ui, scene::BufferIndex index) {
     const plan::BufferLayout& layout = *buffers.layout(index);
     const plan::MemoryPattern& pattern = layout.pattern;
     const scene::BufferView view{index, inspector.isPrevious};
-    inspector.table = plan::tableOf(layout, ui.session.live().blockOf(index), kMostColumns);
+    inspector.table = plan::tableOf(layout, ui.session.live().blockOf(index), kMostTableColumns);
     inspector.head.clear();
     inspector.rows.clear();
     const std::vector<double> head = buffers.read(view, 0, pattern.head.size());
