@@ -7,6 +7,7 @@
 
 #include "glib/text.h"
 #include "view/browse/file_use.h"
+#include "view/debug_view/texels.h"
 
 namespace glibra::view {
 namespace {
@@ -21,9 +22,7 @@ std::string showUse(Ui& ui, const FileUse& use, const std::string& name) {
             showSource(ui, use.place);
             return {};
         case FileUse::Kind::texture:
-            ui.inspector.isOpen = true;
-            ui.inspector.chosen = textureKey(ui.session.live().scene(), use.texture);
-            ui.inspector.level = ui.inspector.layer = 0;
+            ui.wanted.inspected = textureKey(ui.session.live().scene(), use.texture);
             return {};
         case FileUse::Kind::data:
             break;
@@ -38,9 +37,7 @@ Dropped takeDroppedFile(Tabs& tabs, const fs::path& file) {
     const std::string name = file.filename().string();
     std::error_code failure;
     if (fs::is_directory(file, failure)) {
-        Shared& shared = tabs.shown().ui.shared;
-        shared.dialog.isWanted = shared.dialog.inNewTab = true;
-        shared.dialog.folder = file;
+        tabs.shown().ui.wanted.file = FileRequest{std::nullopt, true, file};
         return {};
     }
     if (!fs::exists(file, failure)) return {false, {}, fmt::format("{}: no such file", file.string())};

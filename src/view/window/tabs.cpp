@@ -36,23 +36,12 @@ std::size_t Tabs::find(const fs::path& scene) const {
 }
 
 void Tabs::add() {
-    tabs_.push_back(std::make_unique<Tab>(context_, options_, shared_, nextId_++));
-    tabs_.back()->ui.scale = scale_;
+    tabs_.push_back(std::make_unique<Tab>(context_, options_, shared_, sharedPanels_, nextId_++));
     show(tabs_.size() - 1);
-}
-
-void Tabs::setScale(float scale) {
-    scale_ = scale;
-    for (const std::unique_ptr<Tab>& each : tabs_) each->ui.scale = scale;
 }
 
 void Tabs::show(std::size_t tab) {
     if (tab >= tabs_.size()) return;
-    Ui& from = tabs_[std::min(shown_, tabs_.size() - 1)]->ui;
-    Ui& to = tabs_[tab]->ui;
-    to.showPanel = from.showPanel;
-    to.showHelp = from.showHelp;
-    to.showLabels = from.showLabels;
     shown_ = tab;
     shared_.tabChanged = true;
 }
@@ -60,7 +49,7 @@ void Tabs::show(std::size_t tab) {
 void Tabs::close(std::size_t tab) {
     if (tab >= tabs_.size()) return;
     std::vector<fs::path> gone;
-    for (const SourceFile& each : tabs_[tab]->ui.source.files) gone.push_back(each.path);
+    for (const SourceFile& each : tabs_[tab]->ui.files) gone.push_back(each.path);
     if (tabs_.size() == 1) add();
     if (shown_ == tab) show(tab + 1 < tabs_.size() ? tab + 1 : tab - 1);
     tabs_.erase(tabs_.begin() + static_cast<std::ptrdiff_t>(tab));
@@ -74,13 +63,8 @@ void Tabs::close(std::size_t tab) {
 void Tabs::releaseDevice() {
     for (const std::unique_ptr<Tab>& each : tabs_) {
         each->session.releaseDevice();
-        each->ui.hardcopy.job.reset();
-        each->ui.labels = {};
-        each->ui.inspector.shown.reset();
-        each->ui.inspector.readFor.clear();
+        for (const PanelUse& panel : each->ui.panels) panel.panel->releaseDevice();
     }
-    shared_.noise.picture.reset();
-    for (ExampleBrowser::Tile& each : shared_.examples.tiles) each.picture.reset();
 }
 
 void Tabs::restoreDevice() {
@@ -88,7 +72,7 @@ void Tabs::restoreDevice() {
 }
 
 bool Tabs::uses(const Tab& tab, const fs::path& file) const {
-    const std::vector<SourceFile>& files = tab.ui.source.files;
+    const std::vector<SourceFile>& files = tab.ui.files;
     return std::any_of(files.begin(), files.end(), [&](const SourceFile& each) { return each.path == file; });
 }
 

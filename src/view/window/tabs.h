@@ -16,11 +16,15 @@
 namespace glibra::view {
 
 struct Tab {
-    Tab(gpu::Context& context, const RenderOptions& options, Shared& shared, int number)
-        : session(context, options), ui(context, session, shared), id(number) {}
+    Tab(gpu::Context& context, const RenderOptions& options, Shared& shared, const PanelSet& sharedPanels,
+        int number)
+        : session(context, options), ui(context, session, shared), panels(makePanels(false)), id(number) {
+        ui.panels = panelsOf(sharedPanels, panels);
+    }
 
     Session session;
     Ui ui;
+    PanelSet panels;  ///< its own ones
     int id = 0;
     bool isOutdated = false;  ///< its files have changed while it was not shown
 };
@@ -31,14 +35,14 @@ class Tabs {
     Tabs(gpu::Context& context, RenderOptions options, Shared& shared);
 
     Tab& shown() { return *tabs_[shown_]; }
+    [[nodiscard]] const Tab& shown() const { return *tabs_[shown_]; }
     Tab& at(std::size_t tab) { return *tabs_[tab]; }
+    [[nodiscard]] const Tab& at(std::size_t tab) const { return *tabs_[tab]; }
     [[nodiscard]] std::size_t count() const { return tabs_.size(); }
     [[nodiscard]] std::size_t shownIndex() const { return shown_; }
 
     /// The index of the tab with that scene; count() if there is none.
     [[nodiscard]] std::size_t find(const std::filesystem::path& scene) const;
-    /// Sets the scale of texts and widgets.
-    void setScale(float scale);
     /// Adds an empty tab and shows it.
     void add();
     void show(std::size_t tab);
@@ -67,7 +71,7 @@ class Tabs {
     gpu::Context& context_;
     RenderOptions options_;
     Shared& shared_;
-    float scale_ = 1;
+    PanelSet sharedPanels_ = makePanels(true);
     int nextId_ = 0;
     std::vector<std::unique_ptr<Tab>> tabs_;
     std::size_t shown_ = 0;

@@ -1,127 +1,21 @@
 #include "view/window/window.h"
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
-#include <backends/imgui_impl_glfw.h>
-#include <backends/imgui_impl_opengl3.h>
-#include <glad/gl.h>
 #include <imgui.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <optional>
-#include <thread>
 
 #include "base/device_lost.h"
 #include "gpu/context/context.h"
 #include "gpu/context/reset.h"
-#include "image/file.h"
-#include "view/browse/example_scenes.h"
-#include "view/edit/save_values.h"
-#include "view/scene/file_watch.h"
-#include "view/session/frame_pacer.h"
-
+#include "view/window/before_leaving.h"
 #include "view/window/dropped.h"
-#include "view/window/panels/ui.h"
-#include "view/window/platform/display.h"
-#include "view/window/platform/gui.h"
-#include "view/window/platform/input_queue.h"
-#include "view/window/platform/input_script.h"
-#include "view/window/platform/keys.h"
+#include "view/window/panels/layout.h"
 #include "view/window/platform/theme.h"
-#include "view/window/tabs.h"
-#include "view/window/window_json.h"
+#include "view/window/window_loop.h"
 
 namespace glibra::view {
-namespace {
-
-using RealClock = std::chrono::steady_clock;
-
-/// ImGui needs the frame of an event and some more for its consequences.
-constexpr int kFramesAfterEvent = 3;
-constexpr double kMilliseconds = 1000;  ///< per second
-constexpr double kLongestStep = .25;    ///< seconds by which one frame may advance the scene's time
-constexpr double kReplayedSeconds = 1. / 60;
-
-double secondsSince(RealClock::time_point start) {
-    return std::chrono::duration<double>(RealClock::now() - start).count();
-}
-
-double now() {
-    return std::chrono::duration<double>(RealClock::now().time_since_epoch()).count();
-}
-
-std::vector<UnsavedValues> unsavedValues(const Session& session) {
-    if (!session.hasScene() || !hasChangedValues(session.knobs())) return {};
-    return {{session.path(), session.knobs(), session.chosenFiles()}};
-}
-
-/// The same without those of an example, which cannot be saved into it.
-std::vector<UnsavedValues> ownUnsavedValues(const Session& session) {
-    return isExample(session.path()) ? std::vector<UnsavedValues>() : unsavedValues(session);
-}
-
-class Window {
-  public:
-    Window(const WindowArguments& arguments, Display& display, gpu::Context& context);
-    Diagnostics run();
-
-  private:
-    Ui& ui() { return tabs_.shown().ui; }
-    Session& session() { return tabs_.shown().session; }
-    void openInitialScenes();
-    void setSize();
-    void openScene(const std::filesystem::path& path, bool inNewTab);
-    void showScene(const std::filesystem::path& path);
-    void closeTab(std::size_t tab);
-    void updateForShownScene();
-    void reloadIfNeeded();
-    void handleDropped();
-    void handleRequests();
-    void handleAnswer();
-    void quit();
-    bool hasWork();
-    void waitForWork();
-    bool nextInput(FrameInput& input);
-    void record(FrameInput frame);
-    int samplesOfFrame();
-    bool isPassedOver();
-    void drawFrame();
-    void present();
-    void writeState();
-    void saveSettings();
-    void followScale();
-    Diagnostics recover(const base::DeviceLost& lost);
-
-    const WindowArguments& arguments_;
-    Display& display_;
-    gpu::Context& context_;
-    Shared shared_;
-    Tabs tabs_;
-    std::optional<Gui> gui_;
-    FileWatch watch_;
-    std::optional<InputRecorder> recorder_;
-    std::vector<FrameInput> replay_;
-    std::size_t replayed_ = 0;
-    std::vector<int> replayedKeys_;
-    std::vector<std::string> dropped_, recordedDrops_;
-    std::pair<int, int> recordedSize_;
-    InputQueue input_;
-    int framesWanted_ = kFramesAfterEvent;
-    LoopState loop_;
-    bool lightTheme_ = false;
-    RealClock::time_point lastFrame_ = RealClock::now();
-    FramePacer pacer_;
-    std::optional<RealClock::time_point> changeSaved_;
-    bool isReloaded_ = false;  ///< the shown scene, since the last frame
-    const bool isSoftware_;    ///< the processor draws
-    bool quits_ = false;       ///< the user has agreed to what is lost
-    std::string writtenState_;
-    std::size_t drawn_ = 0;  ///< the tab that draws now
-    float scale_ = 1;
-    Diagnostics setProblems_;
-};
 
 Window::Window(const WindowArguments& arguments, Display& display, gpu::Context& context)
     : arguments_(arguments),
@@ -134,15 +28,15 @@ Window::Window(const WindowArguments& arguments, Display& display, gpu::Context&
     shared_.settings = readSettings(settingsFile());
     lightTheme_ = shared_.settings.lightTheme;
     scale_ = scaleOf(display, shared_.settings);
-    tabs_.setScale(scale_);
+    shared_.scale = scale_;
     shared_.settings.scaleSizes(scale_);
     gui_.emplace(display, scale_, shared_.settings);
     shared_.samples = arguments.samples;
     if (arguments.options.width > 0)
         shared_.shape = static_cast<double>(arguments.options.width) / arguments.options.height;
     shared_.marksWidgets = !arguments.stateFile.empty();
-    if (!arguments.recordFile.empty()) recorder_.emplace(arguments.recordFile);
-    if (!arguments.replayFile.empty()) replay_ = readInput(arguments.replayFile);
+    if (!arguments.recordFile.empty()) record_.emplace(arguments.recordFile);
+    if (!arguments.replayFile.empty()) replay_ = InputReplay(readInput(arguments.replayFile));
 }
 
 /// Updates the title and the watched files after another scene is shown.
@@ -171,41 +65,30 @@ void Window::openScene(const std::filesystem::path& path, bool inNewTab) {
     if (inNewTab && session().hasScene()) {
         tabs_.add();
     } else {
-        std::vector<std::filesystem::path> files = tabs_.unsaved(tabs_.shownIndex());
-        std::vector<UnsavedValues> values = unsavedValues(session());
-        if (!files.empty() || !values.empty()) {
-            shared_.question =
-                Question{Question::About::openScene, path, 0, std::move(files), std::move(values), {}};
-            framesWanted_ = kFramesAfterEvent;
-            return;
-        }
+        if (ask(beforeOpening(tabs_, path))) return;
     }
     showScene(path);
 }
 
 void Window::closeTab(std::size_t tab) {
-    std::vector<std::filesystem::path> files = tabs_.unsaved(tab);
-    std::vector<UnsavedValues> values;
-    if (tab < tabs_.count()) values = ownUnsavedValues(tabs_.at(tab).session);
-    if (!files.empty() || !values.empty()) {
-        shared_.question =
-            Question{Question::About::closeTab, {}, tab, std::move(files), std::move(values), {}};
-        framesWanted_ = kFramesAfterEvent;
-        return;
-    }
+    if (ask(beforeClosing(tabs_, tab))) return;
     tabs_.close(tab);
     updateForShownScene();
 }
 
 void Window::quit() {
-    std::vector<std::filesystem::path> files = tabs_.unsaved();
-    std::vector<UnsavedValues> values;
-    for (std::size_t i = 0; i < tabs_.count(); ++i)
-        for (UnsavedValues& each : ownUnsavedValues(tabs_.at(i).session)) values.push_back(std::move(each));
-    if (files.empty() && values.empty()) return display_.close();
-    display_.keepOpen();
-    shared_.question = Question{Question::About::quit, {}, 0, std::move(files), std::move(values), {}};
+    if (ask(beforeQuitting(tabs_)))
+        display_.keepOpen();
+    else
+        display_.close();
+}
+
+/// Asks the user first, if there is something to ask.
+bool Window::ask(std::optional<Question> question) {
+    if (!question) return false;
+    shared_.question = std::move(question);
     framesWanted_ = kFramesAfterEvent;
+    return true;
 }
 
 void Window::handleAnswer() {
@@ -255,7 +138,7 @@ void Window::handleDropped() {
         notice += (notice.empty() || dropped.notice.empty() ? "" : "\n") + dropped.notice;
     }
     if (!dropped_.empty()) ui().notice = std::move(notice);
-    if (recorder_) recordedDrops_.insert(recordedDrops_.end(), dropped_.begin(), dropped_.end());
+    if (record_) record_->addDropped(dropped_);
     dropped_.clear();
 }
 
@@ -272,10 +155,10 @@ void Window::handleRequests() {
     if (requests.open) openScene(*requests.open, requests.inNewTab);
     if (requests.closeTab) closeTab(*requests.closeTab);
     if (!quits_ && (requests.close || !display_.isOpen())) quit();
-    if (shared_.examples.maker && shared_.examples.maker->hasFinished()) framesWanted_ = kFramesAfterEvent;
+    if (isAny(ui(), &Panel::needsFrames)) framesWanted_ = kFramesAfterEvent;
     if (shared_.settings.lightTheme != lightTheme_) {
         lightTheme_ = shared_.settings.lightTheme;
-        applyTheme(lightTheme_, ui().scale);
+        applyTheme(lightTheme_, scale_);
         framesWanted_ = kFramesAfterEvent;
     }
 }
@@ -287,164 +170,8 @@ void Window::followScale() {
     gui_->rescale(display_, scale_, wanted, shared_.settings);
     shared_.settings.scaleSizes(wanted / scale_);
     scale_ = wanted;
-    tabs_.setScale(wanted);
+    shared_.scale = wanted;
     framesWanted_ = kFramesAfterEvent;
-}
-
-bool Window::hasWork() {
-    for (std::size_t i = 0; i < tabs_.count(); ++i)
-        if (tabs_.at(i).ui.hardcopy.job) return true;
-    return framesWanted_ > 0 || ui().needsFrames || session().isMoving() || replayed_ < replay_.size();
-}
-
-void Window::waitForWork() {
-    if (!hasWork()) {
-        display_.takeEvents(-1);
-        lastFrame_ = RealClock::now();
-    } else if (replayed_ < replay_.size()) {
-        display_.takeEvents(0);
-    } else {
-        display_.takeEvents(pacer_.secondsToNext(now()));
-        // Events must not make a moving scene run faster.
-        while (session().isMoving() && pacer_.secondsToNext(now()) > 0)
-            std::this_thread::sleep_for(std::chrono::duration<double>(pacer_.secondsToNext(now())));
-    }
-    if (!display_.takeActivity()) return;
-    framesWanted_ = kFramesAfterEvent;
-    pacer_.setRate(display_.refreshRate());
-}
-
-bool Window::nextInput(FrameInput& input) {
-    if (replayed_ >= replay_.size()) return false;
-    const FrameInput& frame = replay_[replayed_++];
-    input = frame;
-    ImGui::GetIO().DeltaTime = static_cast<float>(kReplayedSeconds);
-    ui().way = frame.way;
-    if (frame.windowSize) display_.setSize(frame.windowSize->first, frame.windowSize->second);
-    if (frame.open) ui().requests.open = *frame.open;
-    dropped_ = frame.dropped;
-    const auto isDown = [&](int left, int right) {
-        return std::any_of(frame.keys.begin(), frame.keys.end(),
-                           [&](int key) { return key == left || key == right; });
-    };
-    const bool control = isDown(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
-    const bool shift = isDown(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
-    for (const int key : frame.keys)
-        if (std::find(replayedKeys_.begin(), replayedKeys_.end(), key) == replayedKeys_.end())
-            ui().pressed.push_back({key, control, shift});
-    replayedKeys_ = frame.keys;
-    framesWanted_ = kFramesAfterEvent;
-    return true;
-}
-
-void Window::record(FrameInput frame) {
-    if (ui().way.size() > 1) frame.way = ui().way;
-    if (const auto size = display_.size(); size != recordedSize_) frame.windowSize = recordedSize_ = size;
-    frame.dropped = std::exchange(recordedDrops_, {});
-    recorder_->add(frame);
-}
-
-/// Samples per pixel of this frame. A software rasteriser compiles a program once for one sample and once for
-/// several, which takes twice as long; so there the first picture after an edit has one sample, and the next
-/// frame is smooth again.
-int Window::samplesOfFrame() {
-    if (std::exchange(isReloaded_, false) && isSoftware_) return 1;
-    return shared_.samples.value_or(shared_.settings.samples);
-}
-
-/// True if more input is waiting, so that this frame of a slow scene need not be drawn: the next one will be.
-bool Window::isPassedOver() {
-    return input_.isWaiting() && session().hasScene() && session().picture() != nullptr &&
-           !session().live().readsMouse();
-}
-
-void Window::drawFrame() {
-    const double passed = std::min(kLongestStep, secondsSince(lastFrame_));
-    lastFrame_ = RealClock::now();
-    pacer_.begin(now());
-    ImGui_ImplOpenGL3_NewFrame();
-    ImGui_ImplGlfw_NewFrame();
-    input_.add(display_.takeInput());
-    InputQueue::Frame queued = input_.next();
-    FrameInput input = inputOf(input_, queued);
-    ui().pressed = std::move(queued.pressed);
-    ui().way = std::move(queued.way);
-    const bool isReplayed = nextInput(input);
-    giveToImGui(input);
-    if (recorder_) record(std::move(input));
-    for (drawn_ = 0; drawn_ < tabs_.count(); ++drawn_) continueHardcopy(tabs_.at(drawn_).ui);
-    drawn_ = tabs_.shownIndex();
-    Ui& ui = tabs_.shown().ui;
-    ui.session.advance(isReplayed ? kReplayedSeconds : passed);
-    tabs_.updateTitles();
-    // Outside of text fields, Tab chooses sliders (value_slider.h).
-    keepTabFromFocus();
-    ImGui::NewFrame();
-    showAll(ui);
-    if (!ImGui::IsAnyItemActive() && ui.dragButton < 0 && ui.session.hasScene())
-        ui.history.record(ui.session);
-
-    const auto [windowWidth, windowHeight] = display_.size();
-    const auto [width, height] = display_.framebufferSize();
-    if (windowWidth < 1 || windowHeight < 1 || width < 1 || height < 1) {
-        ImGui::EndFrame();
-        return;
-    }
-    const float perUnit = static_cast<float>(width) / static_cast<float>(windowWidth);
-    ui.session.resize(static_cast<int>(ui.picture[2] * perUnit), static_cast<int>(ui.picture[3] * perUnit));
-    ui.session.setSamples(samplesOfFrame());
-    ui.session.setWholeShape(shared_.settings.pictureShape == PictureShape::fill ? shapeOf(ui) : 0);
-    const RealClock::time_point start = RealClock::now();
-    if (!isPassedOver()) ui.session.drawIfNeeded();
-    if (changeSaved_) {
-        // Drivers compile a program at its first draw; this measures how long that takes.
-        glFinish();
-        loop_.firstDrawMilliseconds = secondsSince(start) * kMilliseconds;
-    }
-    pictureOverlay(ui);
-    present();
-    framesWanted_ = input_.isWaiting() ? kFramesAfterEvent : framesWanted_ - 1;
-}
-
-void Window::present() {
-    const auto [width, height] = display_.framebufferSize();
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    glDisable(GL_SCISSOR_TEST);
-    const Color& well = palette().well;
-    glClearColor(well.r, well.g, well.b, 1);
-    glClear(GL_COLOR_BUFFER_BIT);
-    const float perUnit = static_cast<float>(width) / static_cast<float>(std::max(1, display_.size().first));
-    if (const gpu::Target* picture = session().picture()) {
-        const int left = static_cast<int>(std::lround(ui().picture[0] * perUnit));
-        const int top = height - static_cast<int>(std::lround(ui().picture[1] * perUnit));
-        picture->readable().bindForReading();
-        glBlitFramebuffer(0, 0, picture->width(), picture->height(), left, top - picture->height(),
-                          left + picture->width(), top, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    }
-    glViewport(0, 0, width, height);
-    // ImGui restores the bound program afterwards, which a reload may have deleted.
-    glUseProgram(0);
-    ImGui::Render();
-    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-    display_.present();
-    gpu::expectDevice();
-    ++loop_.framesPresented;
-    if (const auto saved = std::exchange(changeSaved_, std::nullopt)) {
-        glFinish();
-        loop_.editToPictureMilliseconds = secondsSince(*saved) * kMilliseconds;
-    }
-}
-
-void Window::writeState() {
-    if (arguments_.stateFile.empty()) return;
-    loop_.windowSize = display_.size();
-    loop_.refreshRate = display_.refreshRate();
-    loop_.hasSwapControl = Display::hasSwapControl();
-    loop_.isWaiting = !hasWork();
-    std::string text = windowJson(ui(), loop_);
-    if (text != writtenState_)
-        image::writeFileAtomically(arguments_.stateFile, std::as_bytes(std::span(text)));
-    writtenState_ = std::move(text);
 }
 
 void Window::saveSettings() {
@@ -460,7 +187,7 @@ void Window::openInitialScenes() {
     for (const std::filesystem::path& each : arguments_.scenes) openScene(each, true);
     tabs_.show(0);
     updateForShownScene();
-    shared_.examples.isOpen = arguments_.scenes.empty() && replay_.empty();
+    toolWindow(ui(), "examples").isOpen = arguments_.scenes.empty() && replay_.isDone();
     if (!session().hasScene()) return;
     for (const std::string& each : arguments_.set) append(setProblems_, session().setByText(each));
     Clock clock = session().clock();
@@ -528,13 +255,11 @@ Diagnostics Window::run() {
             if (Diagnostics problems = recover(lost); !problems.empty()) return problems;
         }
         writeState();
-        if (!replay_.empty() && replayed_ >= replay_.size()) break;
+        if (!arguments_.replayFile.empty() && replay_.isDone()) break;
     }
     saveSettings();
     return std::move(setProblems_);
 }
-
-}  // namespace
 
 Diagnostics runWindow(const WindowArguments& arguments) {
     gpu::prepareEnvironment();

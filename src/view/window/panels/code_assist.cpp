@@ -130,10 +130,10 @@ void wordList(Ui& ui, CodeAssist& state, EditedFile& file, CodeView& view) {
     float wordWidth = 0;
     for (std::size_t i = first; i < first + rows; ++i)
         wordWidth = std::max(wordWidth, ImGui::CalcTextSize(state.words[i].word.c_str()).x);
-    wordWidth += 16 * ui.scale;
+    wordWidth += 16 * ui.shared.scale;
     const ImGuiStyle& style = ImGui::GetStyle();
     const float line = ImGui::GetTextLineHeight();
-    const float width = std::min(ImGui::GetIO().DisplaySize.x, 460 * ui.scale);
+    const float width = std::min(ImGui::GetIO().DisplaySize.x, 460 * ui.shared.scale);
     const float inside = width - 2 * style.WindowPadding.x;
     const std::string& what = state.words[state.chosen].what;
     const float whatHeight =
@@ -201,12 +201,13 @@ void hover(Ui& ui, CodeAssist& state, const EditedFile& file, const CodeView& vi
     const ReferenceEntry& entry = state.hoveredEntry;
     if (messages.empty() && entry.word.empty()) return;
     if (now - state.hoveredSince < kHoverSeconds) {
-        ui.needsFrames = true;
+        ui.frame.isFollowed = true;
         return;
     }
-    ui.hoverText = messages;
-    for (const std::string& each : entry.code) ui.hoverText += (ui.hoverText.empty() ? "" : "\n") + each;
-    if (!entry.value.empty()) ui.hoverText += "\nnow: " + entry.value;
+    ui.frame.hoverText = messages;
+    for (const std::string& each : entry.code)
+        ui.frame.hoverText += (ui.frame.hoverText.empty() ? "" : "\n") + each;
+    if (!entry.value.empty()) ui.frame.hoverText += "\nnow: " + entry.value;
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * 32);
     if (!messages.empty()) {
@@ -219,18 +220,10 @@ void hover(Ui& ui, CodeAssist& state, const EditedFile& file, const CodeView& vi
     ImGui::EndTooltip();
 }
 
-EditedFile* activeFile(Ui& ui) {
-    if (!ui.sourceState.isActive) return nullptr;
-    const auto found = ui.shared.sources.find(ui.source.chosen);
-    return found == ui.shared.sources.end() ? nullptr : &found->second;
-}
-
 /// What is known about the typed word: its entry, or the words that begin with it.
-void lookUp(Ui& ui) {
-    CodeAssist& state = ui.source.assist;
+void lookUp(const Ui& ui, CodeAssist& state, const EditedFile* file) {
     CodeContext context;
-    const auto file = ui.shared.sources.find(ui.source.chosen);
-    if (ui.session.hasScene() && file != ui.shared.sources.end()) context = contextOf(ui, file->second);
+    if (ui.session.hasScene() && file) context = contextOf(ui, *file);
     const std::string_view word = state.word.data();
     const CodeLanguage other = state.language == CodeLanguage::glib ? CodeLanguage::glsl : CodeLanguage::glib;
     state.entry = referenceOf(word, state.language, context);
@@ -247,9 +240,8 @@ void lookUp(Ui& ui) {
 }
 
 /// The words to choose from. Returns the one that was clicked; empty if none was.
-std::string overviewList(Ui& ui) {
+std::string overviewList(Ui& ui, const std::vector<Completion>& words) {
     std::string clicked;
-    const std::vector<Completion>& words = ui.source.assist.overview;
     ImGui::BeginChild("overview");
     ImGui::PushFont(codeFont());
     ImGuiListClipper clipper;
@@ -271,8 +263,7 @@ std::string overviewList(Ui& ui) {
 
 }  // namespace
 
-void assistKeys(Ui& ui, EditedFile& file, CodeView& view) {
-    CodeAssist& state = ui.source.assist;
+void assistKeys(CodeAssist& state, EditedFile& file, CodeView& view) {
     view.leavesListKeys = state.isOpen;
     // Undo, replacing and comments change the text without typing.
     state.hasAccepted = state.hasAccepted || view.newText;
@@ -284,8 +275,7 @@ void assistKeys(Ui& ui, EditedFile& file, CodeView& view) {
         accept(state, file, view);
 }
 
-void assist(Ui& ui, EditedFile& file, CodeView& view, bool isChanged) {
-    CodeAssist& state = ui.source.assist;
+void assist(Ui& ui, CodeAssist& state, EditedFile& file, CodeView& view, bool isChanged) {
     const bool mayEdit = file.whyReadOnly().empty();
     const bool hasAccepted = std::exchange(state.hasAccepted, false);
     if (std::exchange(state.isAsked, false) && mayEdit) {
@@ -306,8 +296,7 @@ void assist(Ui& ui, EditedFile& file, CodeView& view, bool isChanged) {
     hover(ui, state, file, view, isChanged);
 }
 
-void referenceWindow(Ui& ui) {
-    CodeAssist& state = ui.source.assist;
+void referenceWindow(Ui& ui, CodeAssist& state, const EditedFile* file) {
     if (!state.showsReference) return;
     placeFloating(ui, 60, 60, 460, 260);
     if (ImGui::Begin("Reference", &state.showsReference, ImGuiWindowFlags_NoCollapse)) {
@@ -315,27 +304,23 @@ void referenceWindow(Ui& ui) {
         if (std::exchange(state.focusEntry, false)) ImGui::SetKeyboardFocusHere();
         if (ImGui::InputTextWithHint("##word", "a word of the scene language, of GLSL or of this scene",
                                      state.word.data(), state.word.size(), ImGuiInputTextFlags_AutoSelectAll))
-            lookUp(ui);
+            lookUp(ui, state, file);
         mark(ui, "reference/word");
         ImGui::Separator();
         entryText(state.entry);
         if (!state.overview.empty())
-            if (const std::string word = overviewList(ui); !word.empty()) {
+            if (const std::string word = overviewList(ui, state.overview); !word.empty()) {
                 state.word[word.copy(state.word.data(), state.word.size() - 1)] = 0;
-                lookUp(ui);
+                lookUp(ui, state, file);
             }
     }
     ImGui::End();
 }
 
-void completeWord(Ui& ui) {
-    if (activeFile(ui)) ui.source.assist.isAsked = true;
-}
-
-void commentLines(Ui& ui) {
-    EditedFile* file = activeFile(ui);
+void commentLines(const Ui& ui, const ShownText& active) {
+    EditedFile* file = active.file;
     if (!file || !file->whyReadOnly().empty()) return;
-    CodeView& view = ui.source.views[ui.source.chosen];
+    CodeView& view = *active.view;
     const LanguageAt at = languageAt(file->text(), view.selection.begin, contextOf(ui, *file));
     EditedText edited =
         toggledComments(file->text(), view.selection, at.language == CodeLanguage::glsl ? "//" : "#");
@@ -344,19 +329,19 @@ void commentLines(Ui& ui) {
     view.select = edited.selection;
 }
 
-void showReference(Ui& ui) {
-    CodeAssist& state = ui.source.assist;
+void showReference(const Ui& ui, CodeAssist& state, const ShownText& active, const EditedFile* file) {
     state.showsReference = true;
     state.isOpen = false;
     state.word[0] = 0;
-    if (const EditedFile* file = activeFile(ui)) {
-        const CodeContext context = contextOf(ui, *file);
-        const auto cursor = static_cast<std::size_t>(ui.source.views[ui.source.chosen].cursor);
-        const TextRange range = nameNear(file->text(), cursor);
-        const std::string word = file->text().substr(range.begin, range.end - range.begin);
-        state.language = languageAt(file->text(), cursor, context).language;
+    if (active.file) {
+        const std::string& text = active.file->text();
+        const CodeContext context = contextOf(ui, *active.file);
+        const auto cursor = static_cast<std::size_t>(active.view->cursor);
+        const TextRange range = nameNear(text, cursor);
+        const std::string word = text.substr(range.begin, range.end - range.begin);
+        state.language = languageAt(text, cursor, context).language;
         if (!word.empty()) {
-            state.entry = referenceAt(file->text(), range.begin, context);
+            state.entry = referenceAt(text, range.begin, context);
             state.word[word.copy(state.word.data(), state.word.size() - 1)] = 0;
             state.overview.clear();
             if (!state.entry.word.empty()) return;
@@ -364,11 +349,10 @@ void showReference(Ui& ui) {
     }
     // There is nothing to show an entry of: the user types a word or chooses one.
     state.focusEntry = state.word[0] == 0;
-    lookUp(ui);
+    lookUp(ui, state, file);
 }
 
-bool closeAssist(Ui& ui) {
-    CodeAssist& state = ui.source.assist;
+bool closeAssist(CodeAssist& state) {
     if (state.isOpen) {
         state.isOpen = false;
         return true;

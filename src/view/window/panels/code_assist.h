@@ -9,12 +9,12 @@
 
 #include "view/edit/completion.h"
 #include "view/edit/reference.h"
-#include "view/window/panels/code_editor.h"
+#include "view/edit/syntax.h"
+#include "view/window/panels/code_view.h"
 
 namespace glibra::view {
 
 struct Ui;
-class EditedFile;
 
 struct CodeAssist {
     // The list of words.
@@ -38,19 +38,19 @@ struct CodeAssist {
 };
 
 /// Handles the keys of the list. Call it before the text is drawn.
-void assistKeys(Ui& ui, EditedFile& file, CodeView& view);
+void assistKeys(CodeAssist& state, EditedFile& file, CodeView& view);
 /// Updates and draws the list and the text about the name under the mouse. `isChanged`: the text has changed
 /// in this frame. Call it after the text was drawn.
-void assist(Ui& ui, EditedFile& file, CodeView& view, bool isChanged);
-/// The window with the entry of a word.
-void referenceWindow(Ui& ui);
+void assist(Ui& ui, CodeAssist& state, EditedFile& file, CodeView& view, bool isChanged);
+/// The window with the entry of a word. `file`: the one that the source panel shows or showed last; may be
+/// null.
+void referenceWindow(Ui& ui, CodeAssist& state, const EditedFile* file);
 
-// Shortcuts; they do nothing unless the text has the keyboard focus.
-void completeWord(Ui& ui);
-void commentLines(Ui& ui);
+// Shortcuts. `active`: the text that has the keyboard focus.
+void commentLines(const Ui& ui, const ShownText& active);
 /// Opens the entry of the word at the cursor or before it; without one a list of words.
-void showReference(Ui& ui);
+void showReference(const Ui& ui, CodeAssist& state, const ShownText& active, const EditedFile* file);
 /// Closes the list of words or the reference. Returns false if neither was open.
-bool closeAssist(Ui& ui);
+bool closeAssist(CodeAssist& state);
 
 }  // namespace glibra::view

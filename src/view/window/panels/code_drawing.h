@@ -6,7 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "view/window/panels/code_editor.h"
+#include "view/edit/syntax.h"
+#include "view/window/panels/code_view.h"
 
 namespace glibra::view {
 

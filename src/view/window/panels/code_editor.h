@@ -1,59 +1,12 @@
 #pragma once
 // A widget that edits code, with line numbers, syntax colours and marked lines.
 
-#include <glibra/diagnostic.h>
-
-#include <optional>
-#include <span>
 #include <string>
 
 #include "view/edit/syntax.h"
-#include "view/edit/text_search.h"
+#include "view/window/panels/code_view.h"
 
 namespace glibra::view {
-
-/// A message about a place; lines and columns are counted from 1, columns in bytes.
-struct CodeMark {
-    int line = 1, column = 1;
-    Severity severity = Severity::error;
-    std::string text;
-};
-
-/// The widget's state for one text, kept between frames.
-struct CodeView {
-    int line = 1, column = 1;  ///< of the cursor; columns count characters
-    bool isActive = false;     ///< the widget has the keyboard focus
-    // Requests for the next frame:
-    std::optional<int> goTo;             ///< scroll to this line and put the cursor there
-    bool leavesListKeys = false;         ///< Up, Down, Enter and Tab are for a list beside the text
-    std::optional<TextRange> select;     ///< scroll to this range, select it and take the keyboard focus
-    std::optional<std::size_t> reveal;   ///< scroll to this byte, without taking the keyboard focus
-    std::optional<std::string> newText;  ///< replace the text by this one
-    // State:
-    std::optional<std::size_t> hovered;  ///< the byte under the mouse; nothing if the mouse is elsewhere
-    std::optional<int> hoveredLine;      ///< the line under the mouse, also beside the text
-    struct Corner {
-        float x = 0, top = 0, bottom = 0;
-    };
-    Corner cursorOnScreen;  ///< screen coordinates
-    TextRange selection;    ///< empty, at the cursor, if nothing is selected
-    int generation = 0;     ///< increase it whenever other code changes the text
-    int cursor = 0;         ///< byte offset
-    int previousSize = 0;   ///< bytes of the text in the frame before
-    float height = 0;       ///< of the visible part, pixels
-    struct Scroll {
-        float x = 0, y = 0;
-    };
-    Scroll scroll;         ///< pixels
-    int framesToHold = 0;  ///< frames in which `scroll` stays, whatever else scrolls
-};
-
-/// What is marked in a text.
-struct CodeMarks {
-    std::span<const CodeMark> lines;
-    std::span<const TextRange> found;
-    std::size_t shown = 0;  ///< index in `found` of the match to emphasise
-};
 
 /// Draws the widget in the rest of the current window, except for `below` pixels at its lower edge. `name`
 /// must be unique in the window. Returns true if the text has changed.

@@ -1,11 +1,17 @@
 // The section "Frame rate": measures the time per frame, pass, dispatch, draw and step.
 
 #include <fmt/format.h>
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
+#include "view/session/frame_cost.h"
 #include "view/window/panels/ui.h"
 
 namespace glibra::view {
@@ -60,14 +66,12 @@ void bars(Ui& ui, const FrameCost& cost) {
     }
 }
 
-}  // namespace
-
-void costPanel(Ui& ui) {
+void costPanel(Ui& ui, std::optional<FrameCost>& measured) {
     if (!section(ui, "Frame rate", "cost", false)) return;
     constexpr int kLeastFrames = 20;
     constexpr double kLeastSeconds = .5;
     if (ImGui::Button("Measure"))
-        ui.cost = measureFrames(ui.session, ui.context.capabilities(), kLeastFrames, kLeastSeconds);
+        measured = measureFrames(ui.session, ui.context.capabilities(), kLeastFrames, kLeastSeconds);
     mark(ui, "cost/measure");
     ImGui::SameLine();
     bool isLive = ui.session.measuresObjects();
@@ -78,8 +82,8 @@ void costPanel(Ui& ui) {
             "GPU time of the draws and dispatches of every frame, without clears, panels and the wait for "
             "the "
             "screen (F)");
-    if (!ui.cost || ui.cost->frames == 0) return;
-    const FrameCost& cost = *ui.cost;
+    if (!measured || measured->frames == 0) return;
+    const FrameCost& cost = *measured;
     constexpr double kMillisecondsInSecond = 1000;
     ImGui::Text("%.1f frames per second, %.3f ms per frame",
                 kMillisecondsInSecond / cost.millisecondsPerFrame, cost.millisecondsPerFrame);
@@ -92,5 +96,47 @@ void costPanel(Ui& ui) {
     if (cost.isTimed) return bars(ui, cost);
     ImGui::TextDisabled("GPU time: not measured, the driver has no timer");
 }
+
+nlohmann::ordered_json nodesJson(const std::vector<NodeCost>& nodes) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+    for (const NodeCost& each : nodes)
+        json.push_back({{"what", each.what}, {"line", each.line}, {"milliseconds", each.milliseconds}});
+    return json;
+}
+
+nlohmann::ordered_json costJson(const FrameCost& cost) {
+    nlohmann::ordered_json blocks = nlohmann::ordered_json::array();
+    for (const BlockCost& each : cost.blocks)
+        blocks.push_back({{"what", each.what},
+                          {"line", each.line},
+                          {"runs", each.runs},
+                          {"milliseconds", each.milliseconds},
+                          {"nodes", nodesJson(each.nodes)}});
+    return {{"frames", cost.frames},
+            {"milliseconds", cost.millisecondsPerFrame},
+            {"isTimed", cost.isTimed},
+            {"nodes", nodesJson(cost.nodes)},
+            {"blocks", blocks}};
+}
+
+class CostPanel final : public Panel {
+  public:
+    void show(Ui& ui) override { costPanel(ui, measured_); }
+    void addTo(nlohmann::ordered_json& state, const Ui& /*ui*/) const override {
+        if (measured_) state["cost"] = costJson(*measured_);
+    }
+
+  private:
+    std::optional<FrameCost> measured_;
+};
+
+constexpr auto kCostKeys = std::to_array<Shortcut>(
+    {{KeyGroup::pipeline, GLFW_KEY_F, false, "F", "show on the picture how long its objects take",
+      [](Ui& ui, Panel&) { ui.session.setMeasuresObjects(!ui.session.measuresObjects()); }}});
+
+}  // namespace
+
+const PanelRow kCostRow{
+    .name = "cost", .place = PanelPlace::section, .make = make<CostPanel>, .keys = kCostKeys};
 
 }  // namespace glibra::view

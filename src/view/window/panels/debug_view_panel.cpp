@@ -1,9 +1,13 @@
-// The choice of a debug view ("Show"), and the legend of its colours.
+#include "view/window/panels/debug_view_panel.h"
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "view/window/panels/ui.h"
@@ -61,6 +65,46 @@ void legend(const Ui& ui) {
     }
 }
 
+/// The debug view's numbers of the pixel under the mouse.
+void debugViewUnderMouse(const Ui& ui, std::string& text) {
+    text.clear();
+    const TexelImage& numbers = ui.session.debugNumbers();
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    if (numbers.rgba.empty() || ImGui::GetIO().WantCaptureMouse || ui.frame.isDragging ||
+        ui.frame.picture[2] <= 0)
+        return;
+    const float perUnit = static_cast<float>(numbers.width) / ui.frame.picture[2];
+    const int x = static_cast<int>((mouse.x - ui.frame.picture[0]) * perUnit);
+    const int y = numbers.height - 1 - static_cast<int>((mouse.y - ui.frame.picture[1]) * perUnit);
+    if (mouse.x < ui.frame.picture[0] || mouse.y < ui.frame.picture[1] || x >= numbers.width || y < 0) return;
+    const std::size_t at = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(numbers.width) +
+                                static_cast<std::size_t>(x));
+    text = wordsOf(ui.session.debugView(), numbers.rgba.data() + at);
+    ImGui::SetTooltip("%s", text.c_str());
+}
+
+class DebugViewPanel final : public Panel {
+  public:
+    void show(Ui& ui) override { debugViewUnderMouse(ui, text_); }
+    void addTo(nlohmann::ordered_json& state, const Ui& /*ui*/) const override {
+        state["debugViewText"] = text_;
+    }
+
+  private:
+    std::string text_;
+};
+
+void showNextDebugView(Ui& ui, Panel& /*panel*/) {
+    Session& session = ui.session;
+    session.setDebugView(
+        static_cast<DebugView>((static_cast<int>(session.debugView()) + 1) % kDebugViewCount));
+    ui.notice = "Show: " + std::string(nameOf(session.debugView()));
+}
+
+constexpr auto kDebugViewKeys = std::to_array<Shortcut>(
+    {{KeyGroup::pipeline, GLFW_KEY_V, false, "V",
+      "show normals, facing, overdraw, depth ... in place of the picture", showNextDebugView}});
+
 }  // namespace
 
 void debugViewControls(Ui& ui) {
@@ -90,28 +134,13 @@ void debugViewControls(Ui& ui) {
         markField(ui, "view/normalLength", "Length");
     }
     legend(ui);
-    probeSwitch(ui);
+    ImGui::Checkbox("Probe a pixel", &toolWindow(ui, "probe").isOpen);
+    mark(ui, "view/probe");
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("Click the picture to see the inputs, outputs and uniforms of the fragment (D)");
 }
 
-void nextDebugView(Ui& ui) {
-    ui.session.setDebugView(
-        static_cast<DebugView>((static_cast<int>(ui.session.debugView()) + 1) % kDebugViewCount));
-}
-
-void debugViewUnderMouse(Ui& ui) {
-    ui.debugViewText.clear();
-    const TexelImage& numbers = ui.session.debugNumbers();
-    const ImVec2 mouse = ImGui::GetIO().MousePos;
-    if (numbers.rgba.empty() || ImGui::GetIO().WantCaptureMouse || ui.dragButton >= 0 || ui.picture[2] <= 0)
-        return;
-    const float perUnit = static_cast<float>(numbers.width) / ui.picture[2];
-    const int x = static_cast<int>((mouse.x - ui.picture[0]) * perUnit);
-    const int y = numbers.height - 1 - static_cast<int>((mouse.y - ui.picture[1]) * perUnit);
-    if (mouse.x < ui.picture[0] || mouse.y < ui.picture[1] || x >= numbers.width || y < 0) return;
-    const std::size_t at = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(numbers.width) +
-                                static_cast<std::size_t>(x));
-    ui.debugViewText = wordsOf(ui.session.debugView(), numbers.rgba.data() + at);
-    ImGui::SetTooltip("%s", ui.debugViewText.c_str());
-}
+const PanelRow kDebugViewRow{
+    .name = "debugView", .place = PanelPlace::picture, .make = make<DebugViewPanel>, .keys = kDebugViewKeys};
 
 }  // namespace glibra::view

@@ -1,11 +1,17 @@
-#include "view/window/panels/example_browser.h"
+// The window with the example scenes and their pictures.
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <fmt/format.h>
 #include <glad/gl.h>
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <span>
 #include <sstream>
 #include <string>
@@ -13,22 +19,41 @@
 #include <utility>
 
 #include "glib/text.h"
+#include "gpu/object/texture.h"
 #include "image/read.h"
+#include "view/browse/example_scenes.h"
+#include "view/browse/thumbnail_maker.h"
+#include "view/browse/thumbnails.h"
 #include "view/window/panels/ui.h"
 
 namespace glibra::view {
 namespace {
 
+struct ExampleBrowser {
+    struct Tile {
+        ExampleScene scene;
+        Thumbnail thumbnail;
+        std::optional<gpu::Texture> picture;  ///< loaded when the tile is first visible
+    };
+
+    bool isListed = false;  ///< `tiles` is up to date
+    std::filesystem::path root;
+    std::vector<Tile> tiles;
+    std::array<char, 128> search{};
+    std::size_t found = 0;  ///< number of tiles that the search finds
+    std::unique_ptr<ThumbnailMaker> maker;
+    std::size_t wanted = 0, finished = 0;  ///< numbers of pictures that the maker has to make, and has made
+};
+
 constexpr float kTileWidth = 168;
 constexpr float kTileHeight = kTileWidth * kThumbnailHeight / kThumbnailWidth;
 
 /// Lists the examples on the disk, and starts making the missing pictures.
-void listExamples(Ui& ui) {
-    ExampleBrowser& browser = ui.shared.examples;
+void listExamples(const Session& session, ExampleBrowser& browser) {
     browser.isListed = true;
     browser.maker.reset();
     browser.tiles.clear();
-    browser.root = exampleRoot(ui.session.renderOptions().libraryRoots, ui.session.path(), programFile());
+    browser.root = exampleRoot(session.renderOptions().libraryRoots, session.path(), programFile());
     if (browser.root.empty()) return;
     const std::filesystem::path cache = thumbnailFolder();
     std::vector<std::filesystem::path> missing;
@@ -87,11 +112,11 @@ bool isFound(const ExampleScene& scene, std::string_view search) {
 void open(Ui& ui, const ExampleScene& scene, bool staysOpen) {
     ui.requests.open = scene.file;
     ui.requests.inNewTab = true;
-    ui.shared.examples.isOpen = staysOpen;
+    toolWindow(ui, kExamplesRow.name).isOpen = staysOpen;
 }
 
-void tile(Ui& ui, ExampleBrowser::Tile& each) {
-    const ImVec2 size(kTileWidth * ui.scale, kTileHeight * ui.scale);
+void tile(Ui& ui, ExampleBrowser::Tile& each, bool areComing) {
+    const ImVec2 size(kTileWidth * ui.shared.scale, kTileHeight * ui.shared.scale);
     const std::string name = each.scene.topic + "/" + each.scene.name;
     ImGui::PushID(name.c_str());
     ImGui::BeginGroup();
@@ -106,23 +131,24 @@ void tile(Ui& ui, ExampleBrowser::Tile& each) {
     if (ImGui::IsRectVisible(at, end)) loadPicture(ui.context.capabilities(), each);
     if (each.picture) {
         draw.AddImageRounded(std::bit_cast<ImTextureID>(static_cast<std::uintptr_t>(each.picture->id())), at,
-                             end, {0, 0}, {1, 1}, IM_COL32_WHITE, 4 * ui.scale);
+                             end, {0, 0}, {1, 1}, IM_COL32_WHITE, 4 * ui.shared.scale);
     } else {
-        draw.AddRectFilled(at, end, ImGui::GetColorU32(ImGuiCol_FrameBg), 4 * ui.scale);
-        const bool isComing = each.thumbnail.state == Thumbnail::State::missing && ui.shared.examples.maker;
+        draw.AddRectFilled(at, end, ImGui::GetColorU32(ImGuiCol_FrameBg), 4 * ui.shared.scale);
+        const bool isComing = each.thumbnail.state == Thumbnail::State::missing && areComing;
         const char* text = isComing ? "..." : "no picture";
         const ImVec2 width = ImGui::CalcTextSize(text);
         draw.AddText({at.x + (size.x - width.x) / 2, at.y + (size.y - width.y) / 2},
                      ImGui::GetColorU32(ImGuiCol_TextDisabled), text);
     }
-    if (isHovered) draw.AddRect(at, end, ImGui::GetColorU32(ImGuiCol_ButtonActive), 4 * ui.scale, 0, 2);
+    if (isHovered)
+        draw.AddRect(at, end, ImGui::GetColorU32(ImGuiCol_ButtonActive), 4 * ui.shared.scale, 0, 2);
     draw.PushClipRect(at, {end.x, end.y + ImGui::GetTextLineHeightWithSpacing() * 2}, true);
     ImGui::TextUnformatted(each.scene.name.c_str());
     draw.PopClipRect();
     ImGui::EndGroup();
     if (isHovered) {
         ImGui::BeginTooltip();
-        ImGui::PushTextWrapPos(320 * ui.scale);
+        ImGui::PushTextWrapPos(320 * ui.shared.scale);
         ImGui::TextUnformatted(each.scene.summary.empty() ? name.c_str() : each.scene.summary.c_str());
         if (!each.scene.source.empty()) ImGui::TextDisabled("%s", each.scene.source.c_str());
         if (!each.thumbnail.problem.empty()) ImGui::TextDisabled("%s", each.thumbnail.problem.c_str());
@@ -150,9 +176,8 @@ void countLine(ExampleBrowser& browser) {
     ImGui::TextDisabled("drawing pictures: %zu of %zu", browser.finished, browser.wanted);
 }
 
-void tiles(Ui& ui) {
-    ExampleBrowser& browser = ui.shared.examples;
-    const float width = kTileWidth * ui.scale + ImGui::GetStyle().ItemSpacing.x;
+void tiles(Ui& ui, ExampleBrowser& browser) {
+    const float width = kTileWidth * ui.shared.scale + ImGui::GetStyle().ItemSpacing.x;
     const int columns = std::max(
         1, static_cast<int>((ImGui::GetContentRegionAvail().x + ImGui::GetStyle().ItemSpacing.x) / width));
     const std::string* topic = nullptr;
@@ -168,34 +193,32 @@ void tiles(Ui& ui) {
         } else if (column % columns != 0) {
             ImGui::SameLine();
         }
-        tile(ui, each);
+        tile(ui, each, browser.maker != nullptr);
         ++column;
     }
     if (!topic) ImGui::TextDisabled("No name or description contains this text.");
 }
 
-}  // namespace
-
-void exampleWindow(Ui& ui) {
-    ExampleBrowser& browser = ui.shared.examples;
+void exampleWindow(Ui& ui, ExampleBrowser& browser, bool& isOpen) {
     takeFinished(browser);
-    if (!browser.isOpen) {
+    if (!isOpen) {
         browser.isListed = false;
         browser.maker.reset();
         return;
     }
-    if (!browser.isListed) listExamples(ui);
+    if (!browser.isListed) listExamples(ui.session, browser);
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowSize({std::min(screen.x - 40 * ui.scale, 940 * ui.scale), screen.y * .86F},
-                             ImGuiCond_Appearing);
+    ImGui::SetNextWindowSize(
+        {std::min(screen.x - 40 * ui.shared.scale, 940 * ui.shared.scale), screen.y * .86F},
+        ImGuiCond_Appearing);
     ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Appearing, {.5F, .5F});
-    if (ImGui::Begin("Example scenes", &browser.isOpen, ImGuiWindowFlags_NoCollapse)) {
+    if (ImGui::Begin(kExamplesRow.title, &isOpen, ImGuiWindowFlags_NoCollapse)) {
         if (browser.root.empty()) {
             ImGui::TextWrapped(
                 "No example scenes were found. They are in the folder 'glib' of glibra's sources. Set the "
                 "environment variable GLIBRA_PATH to the folder that contains 'glib'.");
         } else {
-            ImGui::SetNextItemWidth(260 * ui.scale);
+            ImGui::SetNextItemWidth(260 * ui.shared.scale);
             if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
             const bool isEntered =
                 ImGui::InputTextWithHint("##search", "search", browser.search.data(), browser.search.size(),
@@ -207,11 +230,51 @@ void exampleWindow(Ui& ui) {
                 for (const ExampleBrowser::Tile& each : browser.tiles)
                     if (isFound(each.scene, browser.search.data())) open(ui, each.scene, false);
             ImGui::BeginChild("tiles");
-            tiles(ui);
+            tiles(ui, browser);
             ImGui::EndChild();
         }
     }
     ImGui::End();
 }
+
+nlohmann::ordered_json examplesJson(const ExampleBrowser& examples, bool isOpen) {
+    const auto pictures = std::count_if(
+        examples.tiles.begin(), examples.tiles.end(),
+        [](const ExampleBrowser::Tile& each) { return each.thumbnail.state == Thumbnail::State::ready; });
+    return {{"open", isOpen},
+            {"scenes", examples.tiles.size()},
+            {"found", examples.found},
+            {"pictures", pictures},
+            {"drawing", examples.maker != nullptr}};
+}
+
+class ExampleWindow final : public Panel {
+  public:
+    void show(Ui& ui) override { exampleWindow(ui, browser_, isOpen); }
+    [[nodiscard]] bool needsFrames() const override {
+        return browser_.maker && browser_.maker->hasFinished();
+    }
+    void addTo(nlohmann::ordered_json& state, const Ui& /*ui*/) const override {
+        state["examples"] = examplesJson(browser_, isOpen);
+    }
+    void releaseDevice() override {
+        for (ExampleBrowser::Tile& each : browser_.tiles) each.picture.reset();
+    }
+
+  private:
+    ExampleBrowser browser_;
+};
+
+constexpr auto kExampleKeys =
+    std::to_array<Shortcut>({{KeyGroup::scenes, GLFW_KEY_X, false, "X", "example scenes", toggleOpen}});
+
+}  // namespace
+
+const PanelRow kExamplesRow{.name = "examples",
+                            .place = PanelPlace::floating,
+                            .make = make<ExampleWindow>,
+                            .isShared = true,
+                            .keys = kExampleKeys,
+                            .title = "Example scenes"};
 
 }  // namespace glibra::view

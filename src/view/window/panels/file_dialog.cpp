@@ -1,16 +1,17 @@
 // The dialog that opens a scene, or asks for another file or folder.
 
-#include "view/window/panels/file_dialog.h"
-
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 
+#include "view/browse/folder_list.h"
 #include "view/window/panels/ui.h"
 #include "view/window/platform/keys.h"
 #include "view/window/platform/theme.h"
@@ -20,6 +21,18 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr const char* kId = "###file dialog";
+
+struct FileDialog {
+    bool isWanted = false;  ///< opens in this frame
+    bool inNewTab = false;  ///< the chosen scene gets its own tab
+    bool focusEntry = false;
+    fs::path folder;  ///< where to begin; empty: the scene's folder
+    FolderList list;
+    std::array<char, 4096> entry{};
+    std::optional<FileQuestion> question;  ///< nothing: a scene to open
+    std::string existing;                  ///< the entry for which the dialog offers to replace the file
+    std::string problem;                   ///< why the last entry was refused
+};
 
 FileQuestion::Kind kindOf(const FileDialog& dialog) {
     return dialog.question ? dialog.question->kind : FileQuestion::Kind::open;
@@ -45,15 +58,14 @@ fs::path homeFolder() {
     return home ? fs::path(home) : fs::path();
 }
 
-void openAndClose(Ui& ui, const fs::path& file) {
+void openAndClose(Ui& ui, const FileDialog& dialog, const fs::path& file) {
     ui.requests.open = file;
-    ui.requests.inNewTab = ui.shared.dialog.inNewTab || ImGui::GetIO().KeyCtrl;
+    ui.requests.inNewTab = dialog.inNewTab || ImGui::GetIO().KeyCtrl;
     ImGui::CloseCurrentPopup();
 }
 
-void answer(Ui& ui, const fs::path& path) {
-    FileDialog& dialog = ui.shared.dialog;
-    if (!dialog.question) return openAndClose(ui, path);
+void answer(Ui& ui, FileDialog& dialog, const fs::path& path) {
+    if (!dialog.question) return openAndClose(ui, dialog, path);
     std::error_code failure;
     if (kindOf(dialog) == FileQuestion::Kind::save && fs::exists(path, failure) && dialog.existing != path) {
         dialog.existing = path.string();
@@ -70,8 +82,7 @@ void answer(Ui& ui, const fs::path& path) {
 }
 
 /// Shows the typed folder or takes the typed file. Paths are relative to the shown folder.
-void takeEntry(Ui& ui, bool isEntered) {
-    FileDialog& dialog = ui.shared.dialog;
+void takeEntry(Ui& ui, FileDialog& dialog, bool isEntered) {
     const std::string text = dialog.entry.data();
     if (text.empty() && kindOf(dialog) != FileQuestion::Kind::folder) return;
     fs::path path = dialog.list.folder / text;
@@ -82,23 +93,23 @@ void takeEntry(Ui& ui, bool isEntered) {
     const bool isFolder = fs::is_directory(path, failure);
     if (isFolder && (kindOf(dialog) != FileQuestion::Kind::folder || (isEntered && !text.empty())))
         return showFolder(dialog, path);
-    answer(ui, path.lexically_normal());
+    answer(ui, dialog, path.lexically_normal());
 }
 
-void folderLink(Ui& ui, const char* label, const fs::path& folder) {
+void folderLink(FileDialog& dialog, const char* label, const fs::path& folder) {
     if (folder.empty()) return;
-    if (ImGui::Selectable(label, false, ImGuiSelectableFlags_DontClosePopups))
-        showFolder(ui.shared.dialog, folder);
+    if (ImGui::Selectable(label, false, ImGuiSelectableFlags_DontClosePopups)) showFolder(dialog, folder);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", folder.c_str());
 }
 
-void places(Ui& ui) {
+void places(Ui& ui, FileDialog& dialog) {
     ImGui::TextDisabled("Folders");
-    folderLink(ui, "Home", homeFolder());
+    folderLink(dialog, "Home", homeFolder());
     std::error_code failure;
-    folderLink(ui, "Current folder", fs::current_path(failure));
-    if (ui.session.hasScene()) folderLink(ui, "Folder of this scene", ui.session.path().parent_path() / ".");
-    if (ui.shared.dialog.question) return;
+    folderLink(dialog, "Current folder", fs::current_path(failure));
+    if (ui.session.hasScene())
+        folderLink(dialog, "Folder of this scene", ui.session.path().parent_path() / ".");
+    if (dialog.question) return;
     ImGui::Spacing();
     ImGui::TextDisabled("Recent scenes");
     int index = 0;
@@ -111,7 +122,7 @@ void places(Ui& ui) {
             return fs::path(other).filename() == path.filename();
         });
         if (equal > 1) label = (path.parent_path().filename() / label).string();
-        if (ImGui::Selectable(label.c_str())) openAndClose(ui, path);
+        if (ImGui::Selectable(label.c_str())) openAndClose(ui, dialog, path);
         mark(ui, "dialog/recent/" + std::to_string(index));
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", each.c_str());
         ImGui::PopID();
@@ -119,8 +130,7 @@ void places(Ui& ui) {
     }
 }
 
-void folderList(Ui& ui) {
-    FileDialog& dialog = ui.shared.dialog;
+void folderList(Ui& ui, FileDialog& dialog) {
     if (!dialog.list.problem.empty()) ImGui::TextWrapped("%s", dialog.list.problem.c_str());
     fs::path next, taken;
     if (dialog.list.folder.has_relative_path()) {
@@ -147,12 +157,11 @@ void folderList(Ui& ui) {
         ImGui::TextDisabled(dialog.question ? "This folder has no such files and no folders."
                                             : "This folder has no scenes (.glib) and no folders.");
     if (!next.empty()) showFolder(dialog, next);
-    if (!taken.empty()) answer(ui, taken);
+    if (!taken.empty()) answer(ui, dialog, taken);
 }
 
 /// The buttons right of the entry. Returns true if the user takes the entry.
-bool dialogButtons(Ui& ui) {
-    FileDialog& dialog = ui.shared.dialog;
+bool dialogButtons(Ui& ui, FileDialog& dialog) {
     ImGui::SameLine();
     ImGui::BeginDisabled(dialog.entry[0] == 0 && kindOf(dialog) != FileQuestion::Kind::folder);
     const char* label = !dialog.existing.empty() ? "Replace" : nullptr;
@@ -168,14 +177,13 @@ bool dialogButtons(Ui& ui) {
     return isTaken;
 }
 
-void pathEntry(Ui& ui) {
-    FileDialog& dialog = ui.shared.dialog;
+void pathEntry(Ui& ui, FileDialog& dialog) {
     const ImGuiStyle& style = ImGui::GetStyle();
     const std::string words =
         dialog.question ? dialog.question->button + "ReplaceCancel" : "OpenOpen in new tabCancel";
     const float width =
         ImGui::CalcTextSize(words.c_str()).x + 6 * style.FramePadding.x + 3 * style.ItemSpacing.x;
-    ImGui::SetNextItemWidth(std::max(120 * ui.scale, ImGui::GetContentRegionAvail().x - width));
+    ImGui::SetNextItemWidth(std::max(120 * ui.shared.scale, ImGui::GetContentRegionAvail().x - width));
     if (std::exchange(dialog.focusEntry, false)) ImGui::SetKeyboardFocusHere();
     const std::string before = dialog.entry.data();
     const bool isEntered =
@@ -186,8 +194,8 @@ void pathEntry(Ui& ui) {
         dialog.existing.clear();
         dialog.problem.clear();
     }
-    const bool isPressed = dialogButtons(ui);
-    if (isEntered || isPressed) takeEntry(ui, isEntered && !isPressed);
+    const bool isPressed = dialogButtons(ui, dialog);
+    if (isEntered || isPressed) takeEntry(ui, dialog, isEntered && !isPressed);
     ImGui::SameLine();
     if (ImGui::Button("Cancel") || isKeyPressed(GLFW_KEY_ESCAPE)) {
         dialog.question.reset();
@@ -197,8 +205,7 @@ void pathEntry(Ui& ui) {
 }
 
 /// Sets the dialog up for what is wanted.
-void beginDialog(Ui& ui) {
-    FileDialog& dialog = ui.shared.dialog;
+void beginDialog(const Ui& ui, FileDialog& dialog) {
     const fs::path usual = ui.session.hasScene()        ? ui.session.path().parent_path()
                            : ui.settings.recent.empty() ? fs::path(".")
                                                         : fs::path(ui.settings.recent.front()).parent_path();
@@ -209,8 +216,7 @@ void beginDialog(Ui& ui) {
 }
 
 /// The sentence above the list: why the entry was refused, that a file exists, or what to choose.
-void hint(Ui& ui) {
-    const FileDialog& dialog = ui.shared.dialog;
+void hint(Ui& ui, const FileDialog& dialog) {
     if (!dialog.problem.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, asVector(palette().error));
         ImGui::TextWrapped("%s", dialog.problem.c_str());
@@ -223,11 +229,8 @@ void hint(Ui& ui) {
         ImGui::TextWrapped("%s", dialog.question->hint.c_str());
 }
 
-}  // namespace
-
-void fileDialog(Ui& ui) {
-    FileDialog& dialog = ui.shared.dialog;
-    if (std::exchange(dialog.isWanted, false) && !ImGui::IsPopupOpen(kId)) beginDialog(ui);
+void fileDialog(Ui& ui, FileDialog& dialog) {
+    if (std::exchange(dialog.isWanted, false) && !ImGui::IsPopupOpen(kId)) beginDialog(ui, dialog);
     if (!ImGui::IsPopupOpen(kId)) {
         dialog.question.reset();
         return;
@@ -235,25 +238,50 @@ void fileDialog(Ui& ui) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Appearing, {.5F, .5F});
     ImGui::SetNextWindowSize(
-        {std::min(760 * ui.scale, screen.x - 30), std::min(520 * ui.scale, screen.y - 30)},
+        {std::min(760 * ui.shared.scale, screen.x - 30), std::min(520 * ui.shared.scale, screen.y - 30)},
         ImGuiCond_Appearing);
     bool stays = true;
     const std::string title = (dialog.question ? dialog.question->title : "Open a scene") + kId;
     if (!ImGui::BeginPopupModal(title.c_str(), &stays, ImGuiWindowFlags_NoScrollbar)) return;
-    hint(ui);
+    hint(ui, dialog);
     const float below = ImGui::GetFrameHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;
-    ImGui::BeginChild("places", {std::min(200 * ui.scale, ImGui::GetContentRegionAvail().x * .35F), -below});
-    places(ui);
+    ImGui::BeginChild("places",
+                      {std::min(200 * ui.shared.scale, ImGui::GetContentRegionAvail().x * .35F), -below});
+    places(ui, dialog);
     ImGui::EndChild();
     ImGui::SameLine();
     ImGui::BeginGroup();
     ImGui::TextWrapped("%s", dialog.list.folder.c_str());
     ImGui::BeginChild("files", {0, -below}, true);
-    folderList(ui);
+    folderList(ui, dialog);
     ImGui::EndChild();
     ImGui::EndGroup();
-    pathEntry(ui);
+    pathEntry(ui, dialog);
     ImGui::EndPopup();
 }
+
+class FileDialogPanel final : public Panel {
+  public:
+    void update(Ui& ui) override {
+        if (!ui.wanted.file || ImGui::IsPopupOpen(kId)) return;
+        dialog_.isWanted = true;
+        dialog_.inNewTab = ui.wanted.file->inNewTab;
+        dialog_.question = std::move(ui.wanted.file->question);
+        dialog_.folder = std::move(ui.wanted.file->folder);
+    }
+    void show(Ui& ui) override { fileDialog(ui, dialog_); }
+    void addTo(nlohmann::ordered_json& state, const Ui& /*ui*/) const override {
+        state["folder"] = dialog_.list.folder.string();
+        state["dialog"] = dialog_.question ? dialog_.question->title : std::string();
+    }
+
+  private:
+    FileDialog dialog_;
+};
+
+}  // namespace
+
+const PanelRow kFileDialogRow{
+    .name = "fileDialog", .place = PanelPlace::floating, .make = make<FileDialogPanel>, .isShared = true};
 
 }  // namespace glibra::view

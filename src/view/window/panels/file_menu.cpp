@@ -1,10 +1,9 @@
-// The menu "File": new scenes from templates, opening, saving, copies of examples, hardcopies.
+#include "view/window/panels/file_menu.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -13,58 +12,13 @@
 #include "view/browse/example_scenes.h"
 #include "view/edit/save_values.h"
 #include "view/edit/scene_copy.h"
+#include "view/window/panels/save_scene.h"
 #include "view/window/panels/ui.h"
 
 namespace glibra::view {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The text of the session's scene as it would be saved: with unsaved edits, or else with the values.
-Result<std::string> textToSave(const Ui& ui) {
-    const auto edited = ui.shared.sources.find(ui.session.path());
-    if (edited != ui.shared.sources.end() && edited->second.isChanged()) return edited->second.text();
-    const fs::path& path = ui.session.path();
-    const auto bytes = image::readFile(path, {path.string(), {path.string(), 1, 1}});
-    if (!bytes) return bytes.diagnostics;
-    return withValues(
-        withFiles({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, ui.session.chosenFiles()),
-        ui.session.knobs());
-}
-
-/// Where users keep their own scenes: beside this one, unless it is an example.
-fs::path ownFolder(const Ui& ui) {
-    if (ui.session.hasScene() && !isExample(ui.session.path())) return ui.session.path().parent_path();
-    for (const std::string& each : ui.settings.recent)
-        if (!isExample(each)) return fs::path(each).parent_path();
-    const char* home = std::getenv("HOME");
-    return home ? home : ".";
-}
-
-/// Returns the problem; empty on success.
-std::string save(Ui& ui, fs::path target) {
-    if (!target.has_extension()) target += ".glib";
-    const Session& session = ui.session;
-    const Result<std::string> text = textToSave(ui);
-    Diagnostics problems = text.diagnostics;
-    std::vector<CopiedFile> files;
-    if (isExample(target)) {
-        problems.push_back(
-            diagnose("view-E03", "the folder of the examples is not written to; choose another one"));
-    } else if (text) {
-        files = filesOfCopy(session.live(), target, isExample(session.path()),
-                            session.renderOptions().libraryRoots);
-        problems = writeCopy(*text, target, files);
-    }
-    if (!problems.empty()) return problems.front().text;
-    ui.notice = fmt::format("saved {}", target.string());
-    if (!files.empty())
-        ui.notice.text +=
-            fmt::format(" and {} file{} that it reads", files.size(), files.size() == 1 ? "" : "s");
-    ui.requests.open = target;
-    ui.requests.inNewTab = true;
-    return {};
-}
 
 /// Makes a scene from a template, which is an example, and opens it. Returns the problem; empty on success.
 std::string copyTemplate(Ui& ui, const fs::path& from, fs::path target) {
@@ -84,8 +38,7 @@ std::string copyTemplate(Ui& ui, const fs::path& from, fs::path target) {
 }
 
 /// The templates are the scenes in the folder "start" of the examples.
-void newMenu(Ui& ui) {
-    std::optional<std::vector<ExampleScene>>& templates = ui.shared.examples.templates;
+void newMenu(Ui& ui, std::optional<std::vector<ExampleScene>>& templates) {
     if (!templates) {
         const fs::path root = exampleRoot({}, {}, programFile());
         templates = root.empty() ? std::vector<ExampleScene>() : exampleScenes(root);
@@ -94,21 +47,22 @@ void newMenu(Ui& ui) {
     for (const ExampleScene& each : *templates) {
         const std::string label = each.summary.substr(0, each.summary.find(':'));
         if (ImGui::MenuItem((label + "##" + each.name).c_str()))
-            ui.shared.dialog.ask({.kind = FileQuestion::Kind::save,
-                                  .title = "A new scene like " + each.name,
-                                  .button = "Save",
-                                  .hint = "The scene and its shaders are written into this folder.",
-                                  .endings = ".glib",
-                                  .entry = each.name + ".glib",
-                                  .chosen =
-                                      [from = each.file](Ui& chosenIn, const fs::path& target) {
-                                          return copyTemplate(chosenIn, from, target);
-                                      }},
-                                 ownFolder(ui));
+            ui.wanted.file =
+                FileRequest{FileQuestion{.kind = FileQuestion::Kind::save,
+                                         .title = "A new scene like " + each.name,
+                                         .button = "Save",
+                                         .hint = "The scene and its shaders are written into this folder.",
+                                         .endings = ".glib",
+                                         .entry = each.name + ".glib",
+                                         .chosen =
+                                             [from = each.file](Ui& chosenIn, const fs::path& target) {
+                                                 return copyTemplate(chosenIn, from, target);
+                                             }},
+                            false, ownFolder(ui)};
         mark(ui, "file/new/" + each.name);
         if (ImGui::IsItemHovered() && !each.summary.empty()) {
             ImGui::BeginTooltip();
-            ImGui::PushTextWrapPos(320 * ui.scale);
+            ImGui::PushTextWrapPos(320 * ui.shared.scale);
             ImGui::TextUnformatted(each.summary.c_str());
             ImGui::PopTextWrapPos();
             ImGui::EndTooltip();
@@ -126,36 +80,7 @@ bool item(Ui& ui, const char* label, const char* key, const char* name, bool isE
 
 }  // namespace
 
-void saveScene(Ui& ui) {
-    if (!ui.session.hasScene()) return;
-    if (isExample(ui.session.path())) return saveSceneAs(ui);
-    const Diagnostics problems = saveValues(ui.session.path(), ui.session.knobs(), ui.session.chosenFiles());
-    if (!problems.empty()) {
-        ui.notice = problems.front();
-        return;
-    }
-    ui.notice = "saved the values in " + ui.session.path().filename().string();
-    ui.session.forgetChosenFiles();
-}
-
-void saveSceneAs(Ui& ui) {
-    if (!ui.session.hasScene()) return;
-    const bool isCopy = isExample(ui.session.path());
-    const std::string name = ui.session.path().filename().string();
-    ui.shared.dialog.ask(
-        {.kind = FileQuestion::Kind::save,
-         .title = (isCopy ? "Save a copy of " : "Save as: ") + name,
-         .button = "Save",
-         .hint = isCopy ? "Examples stay as they are. The copy gets your values, and the shaders and other "
-                          "files of the scene are copied into its folder."
-                        : "The scene with its values. Files that it would not find there are copied, too.",
-         .endings = ".glib",
-         .entry = name,
-         .chosen = [](Ui& chosenIn, const fs::path& target) { return save(chosenIn, target); }},
-        ownFolder(ui));
-}
-
-void fileMenu(Ui& ui) {
+void fileMenu(Ui& ui, FileMenu& menu) {
     if (ImGui::Button("File")) ImGui::OpenPopup("file menu");
     mark(ui, "file");
     ImGui::SetNextWindowPos({ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y}, ImGuiCond_Appearing);
@@ -163,14 +88,11 @@ void fileMenu(Ui& ui) {
     const bool isOpen = ImGui::BeginMenu("New");
     mark(ui, "file/new");
     if (isOpen) {
-        newMenu(ui);
+        newMenu(ui, menu.templates);
         ImGui::EndMenu();
     }
-    if (item(ui, "Open...", "Ctrl+O", "file/open")) {
-        ui.shared.dialog.isWanted = true;
-        ui.shared.dialog.inNewTab = false;
-    }
-    if (item(ui, "Examples", "X", "file/examples")) ui.shared.examples.isOpen = true;
+    if (item(ui, "Open...", "Ctrl+O", "file/open")) openDialog(ui, false);
+    if (item(ui, "Examples", "X", "file/examples")) toolWindow(ui, "examples").isOpen = true;
     ImGui::Separator();
     const bool hasScene = ui.session.hasScene();
     const bool isShipped = hasScene && isExample(ui.session.path());
@@ -180,10 +102,10 @@ void fileMenu(Ui& ui) {
     if (item(ui, isShipped ? "Save a copy..." : "Save as...", "Ctrl+Shift+S", "file/saveAs", hasScene))
         saveSceneAs(ui);
     ImGui::Separator();
-    if (item(ui, "Write a hardcopy", "H", "file/hardcopy", hasScene)) writeHardcopy(ui);
-    ImGui::MenuItem("Verbose", nullptr, &ui.shared.isVerbose);
+    if (item(ui, "Write a hardcopy", "H", "file/hardcopy", hasScene)) ui.wanted.hardcopy = true;
+    ImGui::MenuItem("Verbose", nullptr, &toolWindow(ui, "verbose").isOpen);
     mark(ui, "file/verbose");
-    if (item(ui, "Noise functions", "N", "file/noise")) ui.shared.noise.isOpen = true;
+    if (item(ui, "Noise functions", "N", "file/noise")) toolWindow(ui, "noise").isOpen = true;
     ImGui::Separator();
     if (item(ui, "Quit", "Ctrl+Q", "file/quit")) ui.requests.close = true;
     ImGui::EndPopup();

@@ -14,17 +14,6 @@
 namespace glibra::view {
 namespace {
 
-/// The file that the shortcuts act on; null if no text is shown.
-EditedFile* shownFile(Ui& ui) {
-    if (ui.sourceState.file.empty()) return nullptr;
-    const auto found = ui.shared.sources.find(ui.source.chosen);
-    return found == ui.shared.sources.end() ? nullptr : &found->second;
-}
-
-CodeView& shownView(Ui& ui) {
-    return ui.source.views[ui.source.chosen];
-}
-
 /// Scrolls to the current match; selects it if the text has the keyboard focus.
 void showMatch(FindBar& bar, CodeView& view) {
     if (bar.shown >= bar.found.size()) return;
@@ -105,7 +94,7 @@ float widthWithout(const Ui& ui, const char* buttons, int count) {
     const ImGuiStyle& style = ImGui::GetStyle();
     const float used = ImGui::CalcTextSize(buttons).x +
                        static_cast<float>(count) * (2 * style.FramePadding.x + style.ItemSpacing.x);
-    return std::max(70 * ui.scale, ImGui::GetContentRegionAvail().x - used);
+    return std::max(70 * ui.shared.scale, ImGui::GetContentRegionAvail().x - used);
 }
 
 void findRow(Ui& ui, FindBar& bar, CodeView& view) {
@@ -152,7 +141,7 @@ void replaceRow(Ui& ui, FindBar& bar, EditedFile& file, CodeView& view) {
 
 void lineRow(Ui& ui, FindBar& bar, CodeView& view) {
     if (std::exchange(bar.focus, false)) ImGui::SetKeyboardFocusHere();
-    ImGui::SetNextItemWidth(90 * ui.scale);
+    ImGui::SetNextItemWidth(90 * ui.shared.scale);
     ImGui::InputInt("go to line", &bar.line, 0, 0, ImGuiInputTextFlags_AutoSelectAll);
     const bool isEntered =
         ImGui::IsItemDeactivated() && (isKeyPressed(GLFW_KEY_ENTER) || isKeyPressed(GLFW_KEY_KP_ENTER));
@@ -164,8 +153,7 @@ void lineRow(Ui& ui, FindBar& bar, CodeView& view) {
 
 }  // namespace
 
-void findBar(Ui& ui, EditedFile& file, CodeView& view) {
-    FindBar& bar = ui.source.find;
+void findBar(Ui& ui, FindBar& bar, EditedFile& file, CodeView& view) {
     if (bar.asksLine) return lineRow(ui, bar, view);
     if (!bar.isOpen) {
         bar.found.clear();
@@ -176,15 +164,13 @@ void findBar(Ui& ui, EditedFile& file, CodeView& view) {
     if (bar.replaces) replaceRow(ui, bar, file, view);
 }
 
-void openFind(Ui& ui, bool replaces) {
-    ui.settings.showSource = true;
-    FindBar& bar = ui.source.find;
+void openFind(FindBar& bar, const ShownText& shown, bool replaces) {
     bar.isOpen = bar.focus = true;
     bar.asksLine = false;
     bar.replaces = replaces;
-    const EditedFile* file = shownFile(ui);
+    const EditedFile* file = shown.file;
     if (!file) return;
-    const CodeView& view = shownView(ui);
+    const CodeView& view = *shown.view;
     const TextRange& selected = view.selection;
     bar.from = selected.begin;
     if (!view.isActive || selected.begin == selected.end || selected.end > file->text().size()) return;
@@ -193,30 +179,26 @@ void openFind(Ui& ui, bool replaces) {
         bar.words[words.copy(bar.words.data(), bar.words.size() - 1)] = 0;
 }
 
-void askLine(Ui& ui) {
-    if (!shownFile(ui)) return;
-    FindBar& bar = ui.source.find;
+void askLine(FindBar& bar, const ShownText& shown) {
+    if (!shown.file) return;
     bar.asksLine = bar.focus = true;
-    bar.line = shownView(ui).line;
+    bar.line = shown.view->line;
 }
 
-void findAgain(Ui& ui, bool backwards) {
-    const EditedFile* file = shownFile(ui);
-    if (!file) return;
-    FindBar& bar = ui.source.find;
-    if (bar.words[0] == 0) return openFind(ui, false);
-    CodeView& view = shownView(ui);
+void findAgain(FindBar& bar, const ShownText& shown, bool backwards) {
+    if (!shown.file) return;
+    if (bar.words[0] == 0) return openFind(bar, shown, false);
+    CodeView& view = *shown.view;
     bar.isOpen = true;
     bar.search = {bar.words.data(), bar.matchesCase, bar.wholeWords};
-    bar.found = findAll(file->text(), bar.search);
+    bar.found = findAll(shown.file->text(), bar.search);
     stepToMatch(bar, view, backwards);
 }
 
-bool closeFind(Ui& ui) {
-    FindBar& bar = ui.source.find;
-    if (!shownFile(ui) || (!bar.isOpen && !bar.asksLine)) return false;
+bool closeFind(FindBar& bar, const ShownText& shown) {
+    if (!shown.file || (!bar.isOpen && !bar.asksLine)) return false;
     const bool isSearch = bar.isOpen && !bar.asksLine;
-    CodeView& view = shownView(ui);
+    CodeView& view = *shown.view;
     if (bar.asksLine)
         bar.asksLine = false;
     else
@@ -226,15 +208,13 @@ bool closeFind(Ui& ui) {
     return true;
 }
 
-void undoTyping(Ui& ui, bool again) {
-    EditedFile* file = shownFile(ui);
-    if (!file || !ui.sourceState.isActive || !file->whyReadOnly().empty()) return;
-    TextHistory& history = file->history();
+void undoTyping(const ShownText& shown, bool again) {
+    if (!shown.file || !shown.file->whyReadOnly().empty()) return;
+    TextHistory& history = shown.file->history();
     if (again ? !history.canRedo() : !history.canUndo()) return;
     const TextHistory::State state = again ? history.redo() : history.undo();
-    CodeView& view = shownView(ui);
-    view.newText = state.text;
-    view.select = TextRange{state.cursor, state.cursor};
+    shown.view->newText = state.text;
+    shown.view->select = TextRange{state.cursor, state.cursor};
 }
 
 }  // namespace glibra::view

@@ -6,12 +6,11 @@
 #include <vector>
 
 #include "view/edit/text_search.h"
-#include "view/window/panels/code_editor.h"
+#include "view/window/panels/code_view.h"
 
 namespace glibra::view {
 
 struct Ui;
-class EditedFile;
 
 struct FindBar {
     bool isOpen = false, replaces = false, asksLine = false;
@@ -26,16 +25,16 @@ struct FindBar {
 };
 
 /// Searches the text for the words in the bar, and draws the bar.
-void findBar(Ui& ui, EditedFile& file, CodeView& view);
+void findBar(Ui& ui, FindBar& bar, EditedFile& file, CodeView& view);
 
-// Shortcuts. If the source panel is hidden, openFind() shows it, and the others do nothing.
-void openFind(Ui& ui, bool replaces);
-void askLine(Ui& ui);
+// Shortcuts. While no text is shown, openFind() opens the bar, and the others do nothing.
+void openFind(FindBar& bar, const ShownText& shown, bool replaces);
+void askLine(FindBar& bar, const ShownText& shown);
 /// Goes to the next or previous match; opens the bar if there was no search yet.
-void findAgain(Ui& ui, bool backwards);
+void findAgain(FindBar& bar, const ShownText& shown, bool backwards);
 /// Closes the bar. Returns false if it was not open.
-bool closeFind(Ui& ui);
-/// Undo (or redo, with `again`) in the text, while it has the keyboard focus.
-void undoTyping(Ui& ui, bool again);
+bool closeFind(FindBar& bar, const ShownText& shown);
+/// Undo (or redo, with `again`) in the text.
+void undoTyping(const ShownText& shown, bool again);
 
 }  // namespace glibra::view

@@ -1,7 +1,5 @@
 // The section "Hardcopy": writes the picture, frames or a film.
 
-#include "view/window/panels/hardcopy_panel.h"
-
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
@@ -13,6 +11,8 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -20,6 +20,7 @@
 #include "image/video/video_file.h"
 #include "view/edit/detached_process.h"
 #include "view/export/hardcopy.h"
+#include "view/export/hardcopy_job.h"
 #include "view/window/panels/icons.h"
 #include "view/window/panels/ui.h"
 #include "view/window/platform/keys.h"
@@ -28,6 +29,26 @@ namespace glibra::view {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// The entries of the section.
+struct HardcopyEntries {
+    std::array<char, 1024> file{};    ///< a name in the folder of the settings, or a path
+    std::string proposed;             ///< what `file` had when a free name was proposed last
+    std::string stem;                 ///< of the proposed name, without the number that makes it free
+    fs::path scene;                   ///< the scene that the name was proposed for
+    int preset = 0;                   ///< of the sizes in the menu
+    int width = 1920, height = 1080;  ///< of the preset "other"
+    int frames = 1;
+    float framesPerSecond = 30;
+    std::optional<HardcopyJob> job;  ///< running now
+    std::string message;             ///< the result of the last hardcopy
+    std::string note;                ///< what the running one leaves out
+    bool failed = false;
+    fs::path last;      ///< the first file of the last hardcopy
+    bool asks = false;  ///< whether to replace a file
+    /// The folder of the settings when the user was asked for another one.
+    std::optional<std::string> folderBefore;
+};
 
 /// The sizes in the menu; 0 x 0 are those of the window and of the scene, and the last one is typed.
 struct Preset {
@@ -40,11 +61,11 @@ constexpr std::array kPresets{Preset{"as on the screen", 0, 0, 1}, Preset{"twice
                               Preset{"1280 x 720", 1280, 720},     Preset{"1920 x 1080", 1920, 1080},
                               Preset{"3840 x 2160", 3840, 2160},   Preset{"other", 0, 0, -1}};
 
-std::pair<int, int> sizeOf(const Ui& ui, std::size_t index) {
+std::pair<int, int> sizeOf(const Ui& ui, const HardcopyEntries& entries, std::size_t index) {
     const Preset& preset = kPresets.at(index);
     if (preset.width > 0) return {preset.width, preset.height};
     if (preset.times > 0) return {ui.session.width() * preset.times, ui.session.height() * preset.times};
-    if (preset.times < 0) return {ui.hardcopy.width, ui.hardcopy.height};
+    if (preset.times < 0) return {entries.width, entries.height};
     const scene::Scene& scene = ui.session.live().scene();
     return {scene.width, scene.height};
 }
@@ -61,48 +82,49 @@ constexpr std::array kEndings{Ending{".png", "PNG"},         Ending{".bmp", "BMP
 
 /// The folder of hardcopies: the one that was chosen, else the current one, or the user's own if that must
 /// not be written to.
-fs::path folderOf(const Ui& ui) {
+fs::path folderOf(const Settings& settings) {
     std::error_code failure;
-    if (const fs::path chosen = ui.settings.hardcopyFolder; fs::is_directory(chosen, failure)) return chosen;
+    if (const fs::path chosen = settings.hardcopyFolder; fs::is_directory(chosen, failure)) return chosen;
     const fs::path current = fs::current_path(failure);
     if (::access(current.c_str(), W_OK) == 0) return current;
     const char* home = std::getenv("HOME");
     return home ? fs::path(home) : current;
 }
 
-Hardcopy wanted(const Ui& ui) {
-    const HardcopyEntries& entries = ui.hardcopy;
-    const auto [width, height] = sizeOf(ui, static_cast<std::size_t>(entries.preset));
-    return {folderOf(ui) / entries.file.data(), width, height, entries.frames,
+Hardcopy wanted(const Ui& ui, const HardcopyEntries& entries) {
+    const auto [width, height] = sizeOf(ui, entries, static_cast<std::size_t>(entries.preset));
+    return {folderOf(ui.settings) / entries.file.data(), width, height, entries.frames,
             static_cast<double>(entries.framesPerSecond)};
 }
 
 /// Puts the path of a free name into the entry: the name alone if it is in the folder of hardcopies.
-void proposeFile(Ui& ui, const fs::path& file) {
-    HardcopyEntries& entries = ui.hardcopy;
-    const bool isHere = file.parent_path() == folderOf(ui);
+void proposeFile(Ui& ui, HardcopyEntries& entries, const fs::path& file) {
+    const bool isHere = file.parent_path() == folderOf(ui.settings);
     entries.proposed = isHere ? file.filename().string() : file.string();
     entries.file[entries.proposed.copy(entries.file.data(), entries.file.size() - 1)] = 0;
 }
 
 /// Proposes a name for a new scene, and another one if a file has got the proposed name meanwhile.
-void proposeIfNeeded(Ui& ui) {
-    HardcopyEntries& entries = ui.hardcopy;
+void proposeIfNeeded(Ui& ui, HardcopyEntries& entries) {
+    if (entries.folderBefore && *entries.folderBefore != ui.settings.hardcopyFolder) {
+        entries.folderBefore.reset();
+        entries.scene.clear();
+    }
     if (entries.scene != ui.session.path()) {
         const fs::path ending =
             entries.proposed.empty() ? fs::path(".png") : fs::path(entries.proposed).extension();
         entries.scene = ui.session.path();
         entries.stem = ui.session.path().stem().string();
-        Hardcopy first = wanted(ui);
-        first.file = folderOf(ui) / (entries.stem + ending.string());
-        return proposeFile(ui, freeName(first));
+        Hardcopy first = wanted(ui, entries);
+        first.file = folderOf(ui.settings) / (entries.stem + ending.string());
+        return proposeFile(ui, entries, freeName(first));
     }
     if (entries.proposed != entries.file.data() || entries.job) return;
-    if (const Hardcopy next = wanted(ui); replacesFile(next)) proposeFile(ui, freeName(next));
+    if (const Hardcopy next = wanted(ui, entries); replacesFile(next))
+        proposeFile(ui, entries, freeName(next));
 }
 
-void end(Ui& ui, const Diagnostics& problems, const std::string& message) {
-    HardcopyEntries& entries = ui.hardcopy;
+void endHardcopy(Ui& ui, HardcopyEntries& entries, const Diagnostics& problems, const std::string& message) {
     const auto error = std::find_if(problems.begin(), problems.end(),
                                     [](const Diagnostic& each) { return each.severity == Severity::error; });
     entries.failed = error != problems.end();
@@ -111,16 +133,15 @@ void end(Ui& ui, const Diagnostics& problems, const std::string& message) {
     entries.job.reset();
     ui.notice = {entries.message, entries.failed};
     if (entries.proposed != entries.file.data()) entries.stem = fs::path(entries.file.data()).stem().string();
-    proposeFile(ui, freeName(wanted(ui)));
+    proposeFile(ui, entries, freeName(wanted(ui, entries)));
 }
 
-void beginHardcopy(Ui& ui, const Hardcopy& hardcopy) {
-    HardcopyEntries& entries = ui.hardcopy;
+void beginHardcopy(Ui& ui, HardcopyEntries& entries, const Hardcopy& hardcopy) {
     entries.last.clear();
     ui.notice = {};
     entries.note = ui.session.onlyOnScreen();
     Result<HardcopyJob> job = HardcopyJob::begin(ui.context, ui.session, hardcopy);
-    if (!job) return end(ui, job.diagnostics, {});
+    if (!job) return endHardcopy(ui, entries, job.diagnostics, {});
     entries.job = std::move(job.value);
     entries.failed = false;
 }
@@ -133,8 +154,7 @@ std::string outcome(const HardcopyEntries& entries) {
 }
 
 /// The progress of a running hardcopy, with a button to stop it.
-void progress(Ui& ui) {
-    HardcopyEntries& entries = ui.hardcopy;
+void progress(Ui& ui, HardcopyEntries& entries) {
     const int written = entries.job->framesWritten();
     const int frames = entries.job->wanted().frames;
     const bool isStopped = ImGui::Button("Stop");
@@ -143,14 +163,14 @@ void progress(Ui& ui) {
     ImGui::ProgressBar(static_cast<float>(written) / static_cast<float>(frames), {-1, 0},
                        fmt::format("{} of {}", written, frames).c_str());
     if (isStopped)
-        end(ui, {}, fmt::format("stopped after {} of {} frames; {}", written, frames, outcome(entries)));
+        endHardcopy(ui, entries, {},
+                    fmt::format("stopped after {} of {} frames; {}", written, frames, outcome(entries)));
 }
 
 /// Changes the ending of the name. A film gets the frames of one period of Timer; a picture is one frame.
-void setEnding(Ui& ui, const char* ending) {
-    HardcopyEntries& entries = ui.hardcopy;
+void setEnding(Ui& ui, HardcopyEntries& entries, const char* ending) {
     const bool wasFilm = image::holdsAnimation(entries.file.data());
-    Hardcopy next = wanted(ui);
+    Hardcopy next = wanted(ui, entries);
     // A proposed name may need no number with the other ending.
     if (entries.proposed == entries.file.data() && !entries.stem.empty())
         next.file.replace_filename(entries.stem + ending);
@@ -163,43 +183,42 @@ void setEnding(Ui& ui, const char* ending) {
             static_cast<int>(std::lround(kSeconds * static_cast<double>(entries.framesPerSecond)));
     if (wasFilm && !isFilm) entries.frames = 1;
     next.frames = entries.frames;
-    proposeFile(ui, freeName(next));
+    proposeFile(ui, entries, freeName(next));
 }
 
-void fileEntry(Ui& ui) {
-    HardcopyEntries& entries = ui.hardcopy;
+void fileEntry(Ui& ui, HardcopyEntries& entries) {
     ImGui::InputTextWithHint("File", "picture.png", entries.file.data(), entries.file.size(),
                              ImGuiInputTextFlags_AutoSelectAll);
     markField(ui, "hardcopy/file", "File");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", wanted(ui).file.c_str());
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", wanted(ui, entries).file.c_str());
     const std::string ending = fs::path(entries.file.data()).extension().string();
     const auto known = std::find_if(kEndings.begin(), kEndings.end(),
                                     [&](const Ending& each) { return ending == each.ending; });
     if (ImGui::BeginCombo("Format", known == kEndings.end() ? ending.c_str() : known->name)) {
         for (const Ending& each : kEndings) {
-            if (ImGui::Selectable(each.name, ending == each.ending)) setEnding(ui, each.ending);
+            if (ImGui::Selectable(each.name, ending == each.ending)) setEnding(ui, entries, each.ending);
             mark(ui, "hardcopy/format/{}", each.ending + 1);
         }
         ImGui::EndCombo();
     }
     markField(ui, "hardcopy/format", "Format");
-    const fs::path folder = folderOf(ui);
+    const fs::path folder = folderOf(ui.settings);
     if (ImGui::Button("Folder...")) {
-        ui.shared.dialog.ask({.kind = FileQuestion::Kind::folder,
-                              .title = "The folder of hardcopies",
-                              .button = "Use this folder",
-                              .hint = {},
-                              .endings = {},
-                              .entry = {},
-                              .chosen =
-                                  [](Ui& chosenIn, const fs::path& chosen) {
-                                      std::error_code failure;
-                                      fs::create_directories(chosen, failure);
-                                      chosenIn.settings.hardcopyFolder = chosen.string();
-                                      chosenIn.hardcopy.scene.clear();  // propose a name there
-                                      return std::string();
-                                  }},
-                             folder);
+        entries.folderBefore = ui.settings.hardcopyFolder;
+        ui.wanted.file = FileRequest{FileQuestion{.kind = FileQuestion::Kind::folder,
+                                                  .title = "The folder of hardcopies",
+                                                  .button = "Use this folder",
+                                                  .hint = {},
+                                                  .endings = {},
+                                                  .entry = {},
+                                                  .chosen =
+                                                      [](Ui& chosenIn, const fs::path& chosen) {
+                                                          std::error_code failure;
+                                                          fs::create_directories(chosen, failure);
+                                                          chosenIn.settings.hardcopyFolder = chosen.string();
+                                                          return std::string();
+                                                      }},
+                                     false, folder};
     }
     mark(ui, "hardcopy/folder");
     ImGui::SameLine();
@@ -208,10 +227,9 @@ void fileEntry(Ui& ui) {
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", folder.c_str());
 }
 
-void sizeEntry(Ui& ui) {
-    HardcopyEntries& entries = ui.hardcopy;
+void sizeEntry(Ui& ui, HardcopyEntries& entries) {
     const auto labelOf = [&](std::size_t index) {
-        const auto [width, height] = sizeOf(ui, index);
+        const auto [width, height] = sizeOf(ui, entries, index);
         const Preset& preset = kPresets.at(index);
         if (preset.times < 0) return std::string("another size");
         return preset.width > 0 ? std::string(preset.name)
@@ -235,8 +253,7 @@ void sizeEntry(Ui& ui) {
     mark(ui, "hardcopy/pixels");
 }
 
-void framesEntry(Ui& ui) {
-    HardcopyEntries& entries = ui.hardcopy;
+void framesEntry(Ui& ui, HardcopyEntries& entries) {
     ImGui::InputInt("Frames", &entries.frames, 0);
     entries.frames = std::clamp(entries.frames, 1, 1'000'000);
     markField(ui, "hardcopy/frames", "Frames");
@@ -255,13 +272,13 @@ void labelsEntry(Ui& ui) {
                                   std::pair{LabelCorner::topRight, "top right"}};
     const auto chosen = std::find_if(kCorners.begin(), kCorners.end(),
                                      [&](const auto& each) { return each.first == ui.settings.labelCorner; });
-    const char* label = !ui.showLabels ? "none" : chosen == kCorners.end() ? "" : chosen->second;
+    const char* label = !ui.shared.showLabels ? "none" : chosen == kCorners.end() ? "" : chosen->second;
     if (ImGui::BeginCombo("Labels##hardcopy", label)) {
-        if (ImGui::Selectable("none", !ui.showLabels)) ui.showLabels = false;
+        if (ImGui::Selectable("none", !ui.shared.showLabels)) ui.shared.showLabels = false;
         mark(ui, "hardcopy/labels/none");
         for (const auto& [corner, name] : kCorners) {
-            if (ImGui::Selectable(name, ui.showLabels && corner == ui.settings.labelCorner)) {
-                ui.showLabels = true;
+            if (ImGui::Selectable(name, ui.shared.showLabels && corner == ui.settings.labelCorner)) {
+                ui.shared.showLabels = true;
                 ui.settings.labelCorner = corner;
             }
             mark(ui, "hardcopy/labels/{}", name);
@@ -274,25 +291,24 @@ void labelsEntry(Ui& ui) {
 }
 
 /// Asks whether to replace a file.
-void replaceDialog(Ui& ui) {
+void replaceDialog(Ui& ui, HardcopyEntries& entries) {
     constexpr const char* kTitle = "Replace the file?";
-    HardcopyEntries& entries = ui.hardcopy;
     if (std::exchange(entries.asks, false)) ImGui::OpenPopup(kTitle);
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {.5F, .5F});
     if (!ImGui::BeginPopupModal(kTitle, nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove))
         return;
-    const Hardcopy next = wanted(ui);
+    const Hardcopy next = wanted(ui, entries);
     const fs::path other = freeName(next);
     ImGui::Text("%s exists.", firstFile(next).filename().c_str());
     ImGui::Spacing();
     bool isDone = ImGui::Button("Replace");
     mark(ui, "hardcopy/replace");
-    if (isDone) beginHardcopy(ui, next);
+    if (isDone) beginHardcopy(ui, entries, next);
     ImGui::SameLine();
     if (ImGui::Button(("Write " + other.filename().string()).c_str())) {
-        proposeFile(ui, other);
-        beginHardcopy(ui, wanted(ui));
+        proposeFile(ui, entries, other);
+        beginHardcopy(ui, entries, wanted(ui, entries));
         isDone = true;
     }
     mark(ui, "hardcopy/other");
@@ -304,8 +320,7 @@ void replaceDialog(Ui& ui) {
 }
 
 /// A button for what was written last; the status line names it.
-void showLast(Ui& ui) {
-    HardcopyEntries& entries = ui.hardcopy;
+void showLast(Ui& ui, HardcopyEntries& entries) {
     if (entries.failed || entries.last.empty()) return;
     continueRowForButton("Show the file");
     if (ImGui::Button("Show the file"))
@@ -314,18 +329,17 @@ void showLast(Ui& ui) {
     mark(ui, "hardcopy/show");
 }
 
-}  // namespace
-
-void writeHardcopy(Ui& ui) {
-    if (!ui.session.hasScene() || ui.hardcopy.job) return;
-    if (ui.hardcopy.file[0] == 0) ui.hardcopy.scene.clear();
-    proposeIfNeeded(ui);
-    proposeFile(ui, freeName(wanted(ui)));
-    beginHardcopy(ui, wanted(ui));
+/// Begins a hardcopy with the entries, to the next name that is free.
+void writeHardcopy(Ui& ui, HardcopyEntries& entries) {
+    if (!ui.session.hasScene() || entries.job) return;
+    if (entries.file[0] == 0) entries.scene.clear();
+    proposeIfNeeded(ui, entries);
+    proposeFile(ui, entries, freeName(wanted(ui, entries)));
+    beginHardcopy(ui, entries, wanted(ui, entries));
 }
 
-void continueHardcopy(Ui& ui) {
-    HardcopyEntries& entries = ui.hardcopy;
+/// Writes the next frames of a running hardcopy.
+void continueHardcopy(Ui& ui, HardcopyEntries& entries) {
     if (!entries.job) return;
     // Write several small frames at once, but never so many that the window seems to hang.
     constexpr std::chrono::milliseconds kAtOnce{30};
@@ -334,26 +348,25 @@ void continueHardcopy(Ui& ui) {
     while (!entries.job->isDone() && std::chrono::steady_clock::now() - start < kAtOnce)
         append(problems, entries.job->step());
     if (!entries.job->isDone()) return;
-    end(ui, problems, outcome(entries));
+    endHardcopy(ui, entries, problems, outcome(entries));
 }
 
-void hardcopyPanel(Ui& ui) {
-    replaceDialog(ui);
+void hardcopyPanel(Ui& ui, HardcopyEntries& entries) {
+    replaceDialog(ui, entries);
     if (!section(ui, "Hardcopy", "hardcopy", false)) return;
-    HardcopyEntries& entries = ui.hardcopy;
-    proposeIfNeeded(ui);
+    proposeIfNeeded(ui, entries);
     ImGui::PushItemWidth(-ImGui::CalcTextSize("Per second ").x);
-    fileEntry(ui);
-    sizeEntry(ui);
-    framesEntry(ui);
+    fileEntry(ui, entries);
+    sizeEntry(ui, entries);
+    framesEntry(ui, entries);
     labelsEntry(ui);
     ImGui::PopItemWidth();
-    if (entries.job) return progress(ui);
-    const Hardcopy next = wanted(ui);
+    if (entries.job) return progress(ui, entries);
+    const Hardcopy next = wanted(ui, entries);
     ImGui::BeginDisabled(entries.file[0] == 0);
     if (ImGui::Button("Write")) {
         entries.asks = replacesFile(next);
-        if (!entries.asks) beginHardcopy(ui, next);
+        if (!entries.asks) beginHardcopy(ui, entries, next);
     }
     ImGui::EndDisabled();
     mark(ui, "hardcopy/write");
@@ -362,7 +375,35 @@ void hardcopyPanel(Ui& ui) {
     ImGui::SameLine();
     if (ImGui::Button("Copy command")) ImGui::SetClipboardText(renderCommand(ui.session, next).c_str());
     mark(ui, "hardcopy/copy");
-    showLast(ui);
+    showLast(ui, entries);
 }
+
+class HardcopyPanel final : public Panel {
+  public:
+    void work(Ui& ui) override { continueHardcopy(ui, entries_); }
+    [[nodiscard]] bool isWorking() const override { return entries_.job.has_value(); }
+    void update(Ui& ui) override {
+        if (ui.wanted.hardcopy) writeNow(ui);
+    }
+    void show(Ui& ui) override { hardcopyPanel(ui, entries_); }
+    void writeNow(Ui& ui) { writeHardcopy(ui, entries_); }
+    void addTo(nlohmann::ordered_json& state, const Ui& /*ui*/) const override {
+        state["hardcopyMessage"] = entries_.job ? std::string() : entries_.message;
+        state["hardcopyFile"] = entries_.file.data();
+    }
+    void releaseDevice() override { entries_.job.reset(); }
+
+  private:
+    HardcopyEntries entries_;
+};
+
+constexpr auto kHardcopyKeys =
+    std::to_array<Shortcut>({{KeyGroup::values, GLFW_KEY_H, false, "H",
+                              "write a hardcopy, to the next free name", call<&HardcopyPanel::writeNow>}});
+
+}  // namespace
+
+const PanelRow kHardcopyRow{
+    .name = "hardcopy", .place = PanelPlace::section, .make = make<HardcopyPanel>, .keys = kHardcopyKeys};
 
 }  // namespace glibra::view

@@ -1,23 +1,28 @@
-// The window that shows the texels of textures, targets and the picture, and the content of buffers.
+// The window that shows the texels of textures, targets and the picture.
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <fmt/format.h>
 #include <glad/gl.h>
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <span>
 #include <string>
 
 #include "render/check/object_content.h"
+#include "view/window/panels/inspector.h"
 #include "view/window/panels/ui.h"
 #include "view/window/panels/value_slider.h"
 
 namespace glibra::view {
 namespace {
 
-constexpr std::uint64_t kRowsPerPage = 100;
 constexpr float kNearest = 64, kFarthest = .02F;  // zoom
 
 /// The object that the user has chosen. Without one it is the picture.
@@ -28,8 +33,7 @@ struct Chosen {
 };
 
 /// What the key names now; the picture if that no longer exists.
-Chosen chosenOf(Ui& ui) {
-    Inspector& inspector = ui.inspector;
+Chosen chosenOf(Ui& ui, Inspector& inspector) {
     const LiveScene& live = ui.session.live();
     if (inspector.chosen == "depth") return {{}, {}, true};
     for (const scene::TextureIndex each : live.scene().textures.indices())
@@ -65,9 +69,8 @@ bool needsRange(const LiveScene& live, const Chosen& chosen) {
     return texture && (base::isInteger(texture->format()) || base::hasDepth(texture->format()));
 }
 
-Chosen choose(Ui& ui) {
-    Inspector& inspector = ui.inspector;
-    Chosen chosen = chosenOf(ui);
+Chosen choose(Ui& ui, Inspector& inspector) {
+    Chosen chosen = chosenOf(ui, inspector);
     ImGui::SetNextItemWidth(-1);
     const bool isOpen = ImGui::BeginCombo("##what", titleOf(ui, chosen).c_str(), ImGuiComboFlags_HeightLarge);
     mark(ui, "inspector/what");
@@ -99,8 +102,7 @@ Chosen choose(Ui& ui) {
 }
 
 /// Which level, layer and copy of the object is shown.
-void part(Ui& ui, const Chosen& chosen) {
-    Inspector& inspector = ui.inspector;
+void part(Ui& ui, Inspector& inspector, const Chosen& chosen) {
     if (hasHistory(ui.session.live().scene(), chosen)) {
         ImGui::Checkbox("previous copy (.prev)", &inspector.isPrevious);
         mark(ui, "inspector/previous");
@@ -111,7 +113,7 @@ void part(Ui& ui, const Chosen& chosen) {
     const auto slider = [&](const char* label, const char* name, int& value, int count) {
         value = std::clamp(value, 0, count - 1);
         if (count < 2) return;
-        ImGui::SetNextItemWidth(160 * ui.scale);
+        ImGui::SetNextItemWidth(160 * ui.shared.scale);
         double number = value;
         labelledSlider(ui, label, name, {0, static_cast<double>(count - 1), true}, number);
         value = static_cast<int>(std::lround(number));
@@ -123,8 +125,7 @@ void part(Ui& ui, const Chosen& chosen) {
            texture->layers(inspector.level));
 }
 
-void readTexture(Ui& ui, scene::TextureIndex index) {
-    Inspector& inspector = ui.inspector;
+void readTexture(Ui& ui, Inspector& inspector, scene::TextureIndex index) {
     const gpu::Texture* texture = ui.session.live().completed(index, inspector.isPrevious);
     if (!texture || texture->samples() > 1) {
         inspector.problem = "The samples of this texture cannot be resolved.";
@@ -137,45 +138,8 @@ void readTexture(Ui& ui, scene::TextureIndex index) {
     inspector.content = std::move(content.value);
 }
 
-constexpr std::size_t kMostTableColumns = 60;  // ImGui has 64
-
-/// The texts of a row of cells; `first` is the number of the buffer at which it begins.
-std::vector<std::string> cells(const std::vector<plan::BufferColumn>& columns,
-                               const std::vector<plan::MemoryNumber>& kinds, std::span<const double> values) {
-    std::vector<std::string> texts;
-    for (const plan::BufferColumn& each : columns)
-        texts.push_back(each.first + each.count <= values.size()
-                            ? plan::cellText(std::span(kinds).subspan(each.first, each.count),
-                                             values.subspan(each.first, each.count))
-                            : "");
-    return texts;
-}
-
-void readBuffer(Ui& ui, scene::BufferIndex index) {
-    Inspector& inspector = ui.inspector;
-    const render::DeviceBuffers& buffers = ui.session.live().buffers();
-    const plan::BufferLayout& layout = *buffers.layout(index);
-    const plan::MemoryPattern& pattern = layout.pattern;
-    const scene::BufferView view{index, inspector.isPrevious};
-    inspector.table = plan::tableOf(layout, ui.session.live().blockOf(index), kMostTableColumns);
-    inspector.head.clear();
-    inspector.rows.clear();
-    const std::vector<double> head = buffers.read(view, 0, pattern.head.size());
-    if (!head.empty()) inspector.head = cells(inspector.table.head, pattern.head, head);
-    const std::uint64_t elements = inspector.table.elements;
-    if (elements == 0) return;
-    inspector.firstRow = std::min(inspector.firstRow, elements - 1);
-    const std::size_t size = pattern.element.size();
-    const std::vector<double> values =
-        buffers.read(view, pattern.head.size() + inspector.firstRow * size, kRowsPerPage * size);
-    for (std::size_t i = 0; i + size <= values.size(); i += size)
-        inspector.rows.push_back(
-            cells(inspector.table.columns, pattern.element, std::span(values).subspan(i, size)));
-}
-
 /// Reads the content again after each frame of the scene, and after another choice.
-void read(Ui& ui, const Chosen& chosen) {
-    Inspector& inspector = ui.inspector;
+void read(Ui& ui, Inspector& inspector, const Chosen& chosen) {
     const gpu::Target* picture = ui.session.plainPicture();
     if (!picture) return;
     std::string wanted =
@@ -188,9 +152,9 @@ void read(Ui& ui, const Chosen& chosen) {
         inspector.shown.reset();
         inspector.problem.clear();
         if (chosen.buffer)
-            readBuffer(ui, chosen.buffer);
+            readBuffer(ui, inspector, chosen.buffer);
         else if (chosen.texture)
-            readTexture(ui, chosen.texture);
+            readTexture(ui, inspector, chosen.texture);
         else
             inspector.content = contentOf(*picture, chosen.isDepth);
     }
@@ -211,9 +175,8 @@ void read(Ui& ui, const Chosen& chosen) {
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }
 
-void settings(Ui& ui) {
-    Inspector& inspector = ui.inspector;
-    ImGui::PushItemWidth(90 * ui.scale);
+void displaySettings(Ui& ui, Inspector& inspector) {
+    ImGui::PushItemWidth(90 * ui.shared.scale);
     int channels = static_cast<int>(inspector.display.channels);
     if (ImGui::Combo("##channels", &channels, "RGB\0red\0green\0blue\0alpha\0"))
         inspector.display.channels = static_cast<Channels>(channels);
@@ -247,11 +210,11 @@ std::string texelText(const render::Content& content, std::size_t column, std::s
 
 /// The wheel zooms about the texel under the mouse. Call it before the image, whose size limits how far the
 /// next frame can be scrolled.
-void zoomImage(Ui& ui, const ImVec2& at) {
+void zoomImage(Inspector& inspector, const ImVec2& at) {
     const ImGuiIO& io = ImGui::GetIO();
     if (io.MouseWheel == 0 || !ImGui::IsWindowHovered()) return;
-    float& zoom = ui.inspector.zoom;
-    ui.inspector.fits = false;
+    float& zoom = inspector.zoom;
+    inspector.fits = false;
     const float before = zoom;
     zoom = std::clamp(zoom * std::pow(1.2F, io.MouseWheel), kFarthest, kNearest);
     const float more = zoom / before - 1;
@@ -266,11 +229,10 @@ void panImage() {
     ImGui::SetScrollY(ImGui::GetScrollY() - ImGui::GetIO().MouseDelta.y);
 }
 
-void image(Ui& ui) {
-    Inspector& inspector = ui.inspector;
+void image(Ui& ui, Inspector& inspector) {
     if (!inspector.content || !inspector.shown) return ImGui::TextDisabled("%s", inspector.problem.c_str());
     const render::Content& content = *inspector.content;
-    settings(ui);
+    displaySettings(ui, inspector);
     const auto width = static_cast<float>(content.width), height = static_cast<float>(content.height);
     if (ImGui::Button("Fit")) inspector.fits = true;
     mark(ui, "inspector/fit");
@@ -278,7 +240,7 @@ void image(Ui& ui) {
     if (ImGui::Button("1:1")) inspector.fits = false, inspector.zoom = 1;
     mark(ui, "inspector/actualSize");
     ImGui::SameLine();
-    ImGui::SetNextItemWidth(110 * ui.scale);
+    ImGui::SetNextItemWidth(110 * ui.shared.scale);
     double zoom = static_cast<double>(inspector.zoom);
     if (labelledSlider(ui, "zoom", "inspector/zoom", {kFarthest, kNearest, false, true}, zoom)) {
         inspector.fits = false;
@@ -299,7 +261,7 @@ void image(Ui& ui) {
     ImGui::BeginChild("image", {0, 0}, true,
                       ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    zoomImage(ui, at);
+    zoomImage(inspector, at);
     const ImVec2 size(std::max(1.F, width * inspector.zoom), std::max(1.F, height * inspector.zoom));
     ImGui::InvisibleButton("texels", size);
     mark(ui, "inspector/image");
@@ -319,84 +281,77 @@ void image(Ui& ui) {
     ImGui::EndChild();
 }
 
-/// The members before the array, one per line.
-void headTable(const Inspector& inspector) {
-    if (inspector.head.empty() || !ImGui::BeginTable("head", 2, ImGuiTableFlags_RowBg)) return;
-    constexpr std::size_t kMostShown = 200;
-    for (std::size_t i = 0; i < std::min(inspector.head.size(), kMostShown); ++i) {
-        ImGui::TableNextColumn();
-        ImGui::TextUnformatted(inspector.table.head[i].name.c_str());
-        ImGui::TableNextColumn();
-        ImGui::TextUnformatted(inspector.head[i].c_str());
-    }
-    ImGui::EndTable();
-    if (inspector.head.size() > kMostShown)
-        ImGui::TextDisabled("and %zu more members", inspector.head.size() - kMostShown);
-}
-
-void pages(Ui& ui) {
-    Inspector& inspector = ui.inspector;
-    const std::uint64_t elements = inspector.table.elements;
-    ImGui::BeginDisabled(inspector.firstRow == 0);
-    if (ImGui::Button("< Page")) inspector.firstRow -= std::min(inspector.firstRow, kRowsPerPage);
-    ImGui::EndDisabled();
-    mark(ui, "inspector/pageBack");
-    ImGui::SameLine();
-    ImGui::BeginDisabled(inspector.firstRow + kRowsPerPage >= elements);
-    if (ImGui::Button("Page >")) inspector.firstRow += kRowsPerPage;
-    ImGui::EndDisabled();
-    mark(ui, "inspector/pageForward");
-    ImGui::SameLine();
-    ImGui::SetNextItemWidth(110 * ui.scale);
-    ImGui::InputScalar("first", ImGuiDataType_U64, &inspector.firstRow);
-    markField(ui, "inspector/first", "first");
-    ImGui::SameLine();
-    ImGui::Text("of %llu elements", static_cast<unsigned long long>(elements));
-}
-
-void bufferTable(Ui& ui) {
-    const Inspector& inspector = ui.inspector;
-    headTable(inspector);
-    if (inspector.table.elements == 0) return;
-    pages(ui);
-    constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_ScrollX | ImGuiTableFlags_ScrollY |
-                                       ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV |
-                                       ImGuiTableFlags_Resizable | ImGuiTableFlags_SizingFixedFit;
-    const int columns = static_cast<int>(inspector.table.columns.size()) + 1;
-    if (!ImGui::BeginTable("elements", columns, kFlags)) return;
-    ImGui::TableSetupScrollFreeze(1, 1);
-    ImGui::TableSetupColumn("index");
-    for (const plan::BufferColumn& each : inspector.table.columns) ImGui::TableSetupColumn(each.name.c_str());
-    ImGui::TableHeadersRow();
-    for (std::size_t row = 0; row < inspector.rows.size(); ++row) {
-        ImGui::TableNextRow();
-        ImGui::TableNextColumn();
-        ImGui::TextDisabled("%llu", static_cast<unsigned long long>(inspector.firstRow + row));
-        for (const std::string& cell : inspector.rows[row]) {
-            ImGui::TableNextColumn();
-            ImGui::TextUnformatted(cell.c_str());
-        }
-    }
-    ImGui::EndTable();
-}
-
-}  // namespace
-
-void inspectorWindow(Ui& ui) {
-    if (!ui.inspector.isOpen) ui.inspector.fits = true;
-    if (!ui.inspector.isOpen || !ui.session.hasScene()) return;
+void inspectorWindow(Ui& ui, Inspector& inspector, bool& isOpen) {
+    if (!isOpen) inspector.fits = true;
+    if (!isOpen || !ui.session.hasScene()) return;
     ui.session.keepTextures();
     placeFloating(ui, 20, 20, 560, 480);
-    if (ImGui::Begin("Textures, targets, buffers", &ui.inspector.isOpen, ImGuiWindowFlags_NoCollapse)) {
-        const Chosen chosen = choose(ui);
-        part(ui, chosen);
-        read(ui, chosen);
+    if (ImGui::Begin(kInspectorRow.title, &isOpen, ImGuiWindowFlags_NoCollapse)) {
+        const Chosen chosen = choose(ui, inspector);
+        part(ui, inspector, chosen);
+        read(ui, inspector, chosen);
         if (chosen.buffer)
-            bufferTable(ui);
+            bufferTable(ui, inspector);
         else
-            image(ui);
+            image(ui, inspector);
     }
     ImGui::End();
 }
+
+nlohmann::ordered_json inspectorJson(const Inspector& inspector) {
+    nlohmann::ordered_json columns = nlohmann::ordered_json::array();
+    for (const plan::BufferColumn& each : inspector.table.columns) columns.push_back(each.name);
+    nlohmann::ordered_json head = nlohmann::ordered_json::array();
+    for (std::size_t i = 0; i < inspector.head.size(); ++i)
+        head.push_back({inspector.table.head[i].name, inspector.head[i]});
+    return {{"chosen", inspector.chosen},
+            {"level", inspector.level},
+            {"layer", inspector.layer},
+            {"width", inspector.content ? inspector.content->width : 0},
+            {"height", inspector.content ? inspector.content->height : 0},
+            {"range", {inspector.display.low, inspector.display.high}},
+            {"zoom", inspector.zoom},
+            {"problem", inspector.problem},
+            {"columns", columns},
+            {"head", head},
+            {"firstRow", inspector.firstRow},
+            {"rows", inspector.rows}};
+}
+
+class InspectorWindow final : public Panel {
+  public:
+    void update(Ui& ui) override {
+        if (!ui.wanted.inspected) return;
+        isOpen = true;
+        inspector_.chosen = *ui.wanted.inspected;
+        inspector_.level = inspector_.layer = 0;
+    }
+    void show(Ui& ui) override { inspectorWindow(ui, inspector_, isOpen); }
+    void addTo(nlohmann::ordered_json& state, const Ui& /*ui*/) const override {
+        state["inspected"] = inspector_.hovered;
+        if (isOpen) state["inspector"] = inspectorJson(inspector_);
+    }
+    void releaseDevice() override {
+        inspector_.shown.reset();
+        inspector_.readFor.clear();
+    }
+
+  private:
+    Inspector inspector_;
+};
+
+constexpr auto kInspectorKeys = std::to_array<Shortcut>(
+    {{KeyGroup::pipeline, GLFW_KEY_I, false, "I", "show textures, targets and buffers", toggleOpen}});
+
+}  // namespace
+
+const PanelRow kInspectorRow{
+    .name = "inspector",
+    .place = PanelPlace::floating,
+    .make = make<InspectorWindow>,
+    .keys = kInspectorKeys,
+    .title = "Textures, targets, buffers",
+    .checkBox = "Textures",
+    .help = "Show the texels of textures and targets, the picture's colour and depth, and buffers (I)"};
 
 }  // namespace glibra::view

@@ -9,10 +9,15 @@
 
 namespace glibra::view {
 
+struct Ui;
+
 struct LabelOverlay {
     std::vector<std::string> lines;  ///< in `texture`
     int scale = 0;
     std::optional<gpu::Texture> texture;
 };
+
+/// Draws the values over the picture, if they are wanted.
+void labelOverlay(Ui& ui, LabelOverlay& overlay);
 
 }  // namespace glibra::view

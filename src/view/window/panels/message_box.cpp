@@ -1,4 +1,4 @@
-#include "view/window/panels/message_box.h"
+// What a scene asks the user when it is loaded: messages, and files that it does not name.
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -6,14 +6,25 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "view/window/panels/ui.h"
 #include "view/window/platform/keys.h"
 
 namespace glibra::view {
 namespace {
+
+struct MessageBox {
+    std::uint64_t loaded = 0;  ///< Session::timesLoaded() of the texts
+    std::vector<std::string> texts;
+    bool isShown = false;
+    std::uint64_t asked = 0;  ///< Session::timesLoaded() when the user was asked for a file last
+};
 
 /// The texts of the MessageBox statements that the scene has executed.
 std::vector<std::string> textsOf(const Session& session) {
@@ -31,11 +42,8 @@ const char* endingsFor(std::string_view word) {
     return isTexture ? ".png .bmp .jpg .jpeg .tif .tiff .exr .hdr .tga .gif .webp .ppm .tex" : ".obj";
 }
 
-}  // namespace
-
 /// The messages are shown again after a reload only if they have changed, so that edits are not interrupted.
-void messageBox(Ui& ui) {
-    MessageBox& box = ui.messageBox;
+void showMessages(Ui& ui, MessageBox& box) {
     constexpr const char* kTitle = "Message";
     if (ui.session.hasScene() && box.loaded != ui.session.timesLoaded()) {
         box.loaded = ui.session.timesLoaded();
@@ -50,12 +58,12 @@ void messageBox(Ui& ui) {
     ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {.5F, .5F});
     if (!ImGui::BeginPopupModal(kTitle, nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove))
         return;
-    ImGui::PushTextWrapPos(std::min(420 * ui.scale, screen.x - 60 * ui.scale));
+    ImGui::PushTextWrapPos(std::min(420 * ui.shared.scale, screen.x - 60 * ui.shared.scale));
     for (const std::string& each : box.texts) ImGui::TextUnformatted(each.c_str());
     ImGui::PopTextWrapPos();
     ImGui::Spacing();
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-    if (ImGui::Button("OK", {80 * ui.scale, 0}) || isKeyPressed(GLFW_KEY_ENTER) ||
+    if (ImGui::Button("OK", {80 * ui.shared.scale, 0}) || isKeyPressed(GLFW_KEY_ENTER) ||
         isKeyPressed(GLFW_KEY_ESCAPE)) {
         box.isShown = false;
         ImGui::CloseCurrentPopup();
@@ -64,11 +72,14 @@ void messageBox(Ui& ui) {
     ImGui::EndPopup();
 }
 
-void missingFileDialog(Ui& ui) {
-    if (!ui.session.hasScene() || ui.messageBox.isShown || ui.shared.dialog.question || ui.shared.question ||
-        ui.messageBox.asked == ui.session.timesLoaded())
+/// Asks for the file of a model or texture that the scene does not name.
+void askForMissingFile(Ui& ui, MessageBox& box) {
+    const bool isPopupOpen =
+        ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+    if (!ui.session.hasScene() || box.isShown || isPopupOpen || ui.wanted.file || ui.shared.question ||
+        box.asked == ui.session.timesLoaded())
         return;
-    ui.messageBox.asked = ui.session.timesLoaded();
+    box.asked = ui.session.timesLoaded();
     const Diagnostics& all = ui.session.diagnostics();
     const auto missing = std::find_if(all.begin(), all.end(), [&](const Diagnostic& each) {
         return each.place.file == ui.session.live().scene().path &&
@@ -77,22 +88,44 @@ void missingFileDialog(Ui& ui) {
     });
     if (missing == all.end()) return;
     const std::string word = missing->text.substr(0, missing->text.find(' '));
-    ui.shared.dialog.ask(
-        {.kind = FileQuestion::Kind::open,
-         .title = fmt::format("A file for {} in line {}", word, missing->place.line),
-         .button = "Use",
-         .hint = fmt::format("Line {} of {} does not name a file. 'Save values' writes your choice into the "
-                             "scene.",
-                             missing->place.line, ui.session.path().filename().string()),
-         .endings = endingsFor(word),
-         .entry = {},
-         .chosen =
-             [place = missing->place](Ui& chosenIn, const std::filesystem::path& file) {
-                 std::string problem = chosenIn.session.chooseFile(place, file);
-                 chosenIn.requests.reload = problem.empty();
-                 return problem;
-             }},
-        {});
+    ui.wanted.file = FileRequest{
+        FileQuestion{.kind = FileQuestion::Kind::open,
+                     .title = fmt::format("A file for {} in line {}", word, missing->place.line),
+                     .button = "Use",
+                     .hint = fmt::format(
+                         "Line {} of {} does not name a file. 'Save values' writes your choice into the "
+                         "scene.",
+                         missing->place.line, ui.session.path().filename().string()),
+                     .endings = endingsFor(word),
+                     .entry = {},
+                     .chosen =
+                         [place = missing->place](Ui& chosenIn, const std::filesystem::path& file) {
+                             std::string problem = chosenIn.session.chooseFile(place, file);
+                             chosenIn.requests.reload = problem.empty();
+                             return problem;
+                         }},
+        false,
+        {}};
 }
+
+class MessageBoxPanel final : public Panel {
+  public:
+    void show(Ui& ui) override {
+        askForMissingFile(ui, box_);
+        showMessages(ui, box_);
+    }
+    [[nodiscard]] bool blocksKeys() const override { return box_.isShown; }
+    void addTo(nlohmann::ordered_json& state, const Ui& /*ui*/) const override {
+        state["messageBox"] = box_.isShown ? box_.texts : std::vector<std::string>();
+    }
+
+  private:
+    MessageBox box_;
+};
+
+}  // namespace
+
+const PanelRow kMessageBoxRow{
+    .name = "messageBox", .place = PanelPlace::floating, .make = make<MessageBoxPanel>};
 
 }  // namespace glibra::view

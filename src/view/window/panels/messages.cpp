@@ -6,10 +6,12 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "view/edit/external_editor.h"
 #include "view/edit/source_lines.h"
+#include "view/window/panels/messages.h"
 #include "view/window/panels/syntax_colors.h"
 #include "view/window/panels/ui.h"
 #include "view/window/platform/theme.h"
@@ -18,14 +20,15 @@ namespace glibra::view {
 namespace {
 
 /// Executed statements (glib-N02) stand in the window "Verbose", if it is open.
-bool isListed(const Ui& ui, const Diagnostic& each) {
-    return !ui.shared.isVerbose || each.id != "glib-N02";
+bool isListed(const Diagnostic& each, bool isVerboseOpen) {
+    return !isVerboseOpen || each.id != "glib-N02";
 }
 
 std::ptrdiff_t countOf(const Ui& ui, Severity severity) {
     const Diagnostics& all = ui.session.diagnostics();
+    const bool isVerboseOpen = toolWindow(ui, "verbose").isOpen;
     return std::count_if(all.begin(), all.end(), [&](const Diagnostic& each) {
-        return each.severity == severity && isListed(ui, each);
+        return each.severity == severity && isListed(each, isVerboseOpen);
     });
 }
 
@@ -70,7 +73,7 @@ void translatedLines(Ui& ui, const Place& place, const std::string& name) {
     ImGui::PushFont(codeFont());
     for (std::size_t i = 0; i < std::min(kMostShown, lines.size()); ++i) {
         ImGui::TextWrapped("%6d > %s", lines[i].number, lines[i].text.c_str());
-        if (ui.shownTranslation.empty()) ui.shownTranslation = lines[i].text;
+        if (ui.frame.translation.empty()) ui.frame.translation = lines[i].text;
     }
     ImGui::PopFont();
 }
@@ -129,18 +132,19 @@ void detailed(Ui& ui, const Diagnostic& each, int index) {
 template <class Show>
 void inOrder(const Ui& ui, Show&& show) {
     int index = 0;
+    const bool isVerboseOpen = toolWindow(ui, "verbose").isOpen;
     for (const Severity severity : {Severity::error, Severity::warning, Severity::note})
         for (const Diagnostic& each : ui.session.diagnostics())
-            if (each.severity == severity && isListed(ui, each)) show(each, index++);
+            if (each.severity == severity && isListed(each, isVerboseOpen)) show(each, index++);
 }
 
-}  // namespace
+/// The section, while no source is shown.
+struct MessageSection {
+    std::ptrdiff_t lastErrors = 0;
+    bool isOpen = false;
+};
 
-void messageList(Ui& ui, const std::filesystem::path& file) {
-    inOrder(ui, [&](const Diagnostic& each, int index) { listed(ui, each, file, index); });
-}
-
-void messagesPanel(Ui& ui) {
+void messagesPanel(Ui& ui, MessageSection& shown) {
     // With the source, the list stands below its text.
     if (ui.settings.showSource && ui.session.hasScene()) return;
     const auto errors = countOf(ui, Severity::error);
@@ -155,19 +159,20 @@ void messagesPanel(Ui& ui) {
                                   : fmt::format("Messages ({}, {})###messages", counted(errors, "error"),
                                                 counted(warnings, "warning"));
     // Each tab opens and closes its own section.
-    if (errors > 0 && ui.lastErrors == 0) ui.showsMessages = true;
-    ui.lastErrors = static_cast<int>(errors);
-    ImGui::SetNextItemOpen(ui.showsMessages);
+    if (errors > 0 && shown.lastErrors == 0) shown.isOpen = true;
+    shown.lastErrors = errors;
+    ImGui::SetNextItemOpen(shown.isOpen);
     ImGui::PushFont(headingFont());
-    ui.showsMessages = ImGui::CollapsingHeader(title.c_str());
+    shown.isOpen = ImGui::CollapsingHeader(title.c_str());
     ImGui::PopFont();
     mark(ui, "messages");
-    if (!ui.showsMessages) return;
+    if (!shown.isOpen) return;
     inOrder(ui, [&](const Diagnostic& each, int index) { detailed(ui, each, index); });
 }
 
-void errorBanner(Ui& ui) {
-    ui.banner.clear();
+/// The first error and how many more there are, at the lower edge of the picture. `banner`: their text.
+void errorBanner(Ui& ui, std::string& banner) {
+    banner.clear();
     const Diagnostics& all = ui.session.diagnostics();
     const auto first = std::find_if(all.begin(), all.end(),
                                     [](const Diagnostic& each) { return each.severity == Severity::error; });
@@ -178,12 +183,13 @@ void errorBanner(Ui& ui) {
                            first->place.line, first->place.column, first->text);
     const auto others = countOf(ui, Severity::error) - 1;
     const std::string more = others > 0 ? fmt::format("and {} more", others) : std::string();
-    ui.banner = text + (more.empty() ? "" : " " + more);
+    banner = text + (more.empty() ? "" : " " + more);
 
     const ImGuiStyle& style = ImGui::GetStyle();
     const float height = ImGui::GetTextLineHeight() + 2 * style.FramePadding.y + 4;
-    ImGui::SetNextWindowPos({ui.picture[0], ui.picture[1] + ui.picture[3]}, ImGuiCond_Always, {0, 1});
-    ImGui::SetNextWindowSize({ui.picture[2], height});
+    ImGui::SetNextWindowPos({ui.frame.picture[0], ui.frame.picture[1] + ui.frame.picture[3]},
+                            ImGuiCond_Always, {0, 1});
+    ImGui::SetNextWindowSize({ui.frame.picture[2], height});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
     ImGui::PushStyleColor(ImGuiCol_WindowBg, packed(palette().banner));
@@ -191,10 +197,10 @@ void errorBanner(Ui& ui) {
         ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
         ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav;
     if (ImGui::Begin("##banner", nullptr, kFlags)) {
-        const bool isClicked = ImGui::InvisibleButton("first error", {ui.picture[2], height});
+        const bool isClicked = ImGui::InvisibleButton("first error", {ui.frame.picture[2], height});
         mark(ui, "banner");
         if (ImGui::IsItemHovered()) {
-            ui.hoverText = text;
+            ui.frame.hoverText = text;
             ImGui::BeginTooltip();
             ImGui::PushTextWrapPos(ImGui::GetFontSize() * 32);
             ImGui::TextUnformatted(text.c_str());
@@ -204,18 +210,45 @@ void errorBanner(Ui& ui) {
         if (isClicked && !first->place.file.empty() && ui.session.hasScene()) showSource(ui, first->place);
         ImDrawList& draw = *ImGui::GetWindowDrawList();
         const float pad = style.FramePadding.x + 2;
-        const float top = ui.picture[1] + ui.picture[3] - height + style.FramePadding.y + 2;
-        const float right = ui.picture[0] + ui.picture[2] - pad;
+        const float top = ui.frame.picture[1] + ui.frame.picture[3] - height + style.FramePadding.y + 2;
+        const float right = ui.frame.picture[0] + ui.frame.picture[2] - pad;
         const float moreLeft = more.empty() ? right : right - ImGui::CalcTextSize(more.c_str()).x;
         const ImU32 color = packed(palette().bannerText);
         draw.AddText({moreLeft, top}, color, more.c_str());
         ImGui::PushStyleColor(ImGuiCol_Text, color);
-        lineOfText(text.c_str(), {ui.picture[0] + pad, top}, more.empty() ? right : moreLeft - pad);
+        lineOfText(text.c_str(), {ui.frame.picture[0] + pad, top}, more.empty() ? right : moreLeft - pad);
         ImGui::PopStyleColor();
     }
     ImGui::End();
     ImGui::PopStyleColor();
     ImGui::PopStyleVar(2);
 }
+
+class MessagesPanel final : public Panel {
+  public:
+    void show(Ui& ui) override { messagesPanel(ui, section_); }
+
+  private:
+    MessageSection section_;
+};
+
+class Banner final : public Panel {
+  public:
+    void show(Ui& ui) override { errorBanner(ui, text_); }
+    void addTo(nlohmann::ordered_json& state, const Ui& /*ui*/) const override { state["banner"] = text_; }
+
+  private:
+    std::string text_;
+};
+
+}  // namespace
+
+void messageList(Ui& ui, const std::filesystem::path& file) {
+    inOrder(ui, [&](const Diagnostic& each, int index) { listed(ui, each, file, index); });
+}
+
+const PanelRow kMessagesRow{
+    .name = "messages", .place = PanelPlace::section, .make = make<MessagesPanel>, .withoutScene = true};
+const PanelRow kBannerRow{.name = "banner", .place = PanelPlace::floating, .make = make<Banner>};
 
 }  // namespace glibra::view

@@ -17,7 +17,7 @@ constexpr float kReachPixels = 9;     ///< how near the mouse must be to grab so
 constexpr double kTangentCells = .3;  ///< from a point to either end of its gradient line
 
 /// The graph's position on the screen, and its coordinates.
-struct Frame {
+struct Graph {
     const noise::GraphOptions& options;
     ImVec2 at, size;
     double range;
@@ -48,88 +48,87 @@ bool hasHeights(const noise::GraphOptions& options) {
 }
 
 /// An end of the line that shows a point's gradient: the right end for side 1, the left end for -1.
-ImVec2 tangentEnd(const Frame& frame, int point, double side) {
-    const double gradient = noise::graphPoint(frame.options, point).gradient;
-    return frame.screen(point + side * kTangentCells,
-                        noise::graphNoise(frame.options, point) + side * kTangentCells * gradient);
+ImVec2 tangentEnd(const Graph& graph, int point, double side) {
+    const double gradient = noise::graphPoint(graph.options, point).gradient;
+    return graph.screen(point + side * kTangentCells,
+                        noise::graphNoise(graph.options, point) + side * kTangentCells * gradient);
 }
 
-void grab(NoiseWindow& window, const Frame& frame, const ImVec2& mouse) {
-    window.drag = NoiseWindow::Drag::none;
-    if (hasGradients(frame.options) &&
-        (distance(mouse, tangentEnd(frame, window.chosen, 1)) < kReachPixels ||
-         distance(mouse, tangentEnd(frame, window.chosen, -1)) < kReachPixels)) {
-        window.drag = NoiseWindow::Drag::gradient;
+void grab(NoiseState& window, const Graph& graph, const ImVec2& mouse) {
+    window.drag = NoiseState::Drag::none;
+    if (hasGradients(graph.options) &&
+        (distance(mouse, tangentEnd(graph, window.chosen, 1)) < kReachPixels ||
+         distance(mouse, tangentEnd(graph, window.chosen, -1)) < kReachPixels)) {
+        window.drag = NoiseState::Drag::gradient;
         return;
     }
     // The period's last point is the same as its first.
-    const int nearest = static_cast<int>(std::lround(frame.cellOf(mouse.x)));
-    window.chosen = ((nearest % frame.options.cells) + frame.options.cells) % frame.options.cells;
-    const ImVec2 point = frame.screen(nearest, noise::graphNoise(frame.options, nearest));
-    if (hasHeights(frame.options) && distance(mouse, point) < kReachPixels)
-        window.drag = NoiseWindow::Drag::height;
+    const int nearest = static_cast<int>(std::lround(graph.cellOf(mouse.x)));
+    window.chosen = ((nearest % graph.options.cells) + graph.options.cells) % graph.options.cells;
+    const ImVec2 point = graph.screen(nearest, noise::graphNoise(graph.options, nearest));
+    if (hasHeights(graph.options) && distance(mouse, point) < kReachPixels)
+        window.drag = NoiseState::Drag::height;
 }
 
-void dragTo(NoiseWindow& window, const Frame& frame, const ImVec2& mouse, const ImVec2& moved) {
+void dragTo(NoiseState& window, const Graph& graph, const ImVec2& mouse, const ImVec2& moved) {
     noise::GraphOptions& options = window.noise.options;
-    if (window.drag == NoiseWindow::Drag::height) {
-        const double change = frame.valueOf(mouse.y) - frame.valueOf(mouse.y - moved.y);
+    if (window.drag == NoiseState::Drag::height) {
+        const double change = graph.valueOf(mouse.y) - graph.valueOf(mouse.y - moved.y);
         const double height = noise::graphPoint(options, window.chosen).height;
         options.heights[window.chosen] =
             std::clamp(height + (options.turbulence && height < 0 ? -change : change), -1.0, 1.0);
-    } else if (window.drag == NoiseWindow::Drag::gradient) {
-        const double across = frame.cellOf(mouse.x) - window.chosen;
+    } else if (window.drag == NoiseState::Drag::gradient) {
+        const double across = graph.cellOf(mouse.x) - window.chosen;
         if (std::abs(across) < kTangentCells / 4) return;
-        const double rise = frame.valueOf(mouse.y) - noise::graphNoise(options, window.chosen);
+        const double rise = graph.valueOf(mouse.y) - noise::graphNoise(options, window.chosen);
         options.gradients[window.chosen] = std::clamp(rise / across, -kSteepest, kSteepest);
     }
 }
 
-void drawGraph(const NoiseWindow& window, const Frame& frame, ImDrawList& list) {
-    const noise::GraphOptions& options = frame.options;
-    list.AddRectFilled(frame.at, {frame.at.x + frame.size.x, frame.at.y + frame.size.y},
+void drawGraph(const NoiseState& window, const Graph& graph, ImDrawList& list) {
+    const noise::GraphOptions& options = graph.options;
+    list.AddRectFilled(graph.at, {graph.at.x + graph.size.x, graph.at.y + graph.size.y},
                        IM_COL32(250, 250, 250, 255));
-    list.PushClipRect(frame.at, {frame.at.x + frame.size.x, frame.at.y + frame.size.y}, true);
-    const ImVec2 zero = frame.screen(0, 0);
-    list.AddLine({frame.at.x, zero.y}, {frame.at.x + frame.size.x, zero.y}, IM_COL32(150, 150, 150, 255));
+    list.PushClipRect(graph.at, {graph.at.x + graph.size.x, graph.at.y + graph.size.y}, true);
+    const ImVec2 zero = graph.screen(0, 0);
+    list.AddLine({graph.at.x, zero.y}, {graph.at.x + graph.size.x, zero.y}, IM_COL32(150, 150, 150, 255));
     std::vector<ImVec2> curve;
-    for (int column = 0; column <= static_cast<int>(frame.size.x); ++column) {
-        const double cell = frame.cellOf(frame.at.x + static_cast<float>(column));
-        curve.push_back(frame.screen(cell, noise::graphNoise(options, cell)));
+    for (int column = 0; column <= static_cast<int>(graph.size.x); ++column) {
+        const double cell = graph.cellOf(graph.at.x + static_cast<float>(column));
+        curve.push_back(graph.screen(cell, noise::graphNoise(options, cell)));
     }
     list.AddPolyline(curve.data(), static_cast<int>(curve.size()), IM_COL32(31, 78, 156, 255), 0, 2);
     if (hasGradients(options))
-        list.AddLine(tangentEnd(frame, window.chosen, -1), tangentEnd(frame, window.chosen, 1),
+        list.AddLine(tangentEnd(graph, window.chosen, -1), tangentEnd(graph, window.chosen, 1),
                      IM_COL32(30, 150, 60, 255), 2);
     for (int i = 0; i <= options.cells; ++i) {
         const bool isChosen = i % options.cells == window.chosen;
-        list.AddCircleFilled(frame.screen(i, noise::graphNoise(options, i)), isChosen ? 6 : 4,
+        list.AddCircleFilled(graph.screen(i, noise::graphNoise(options, i)), isChosen ? 6 : 4,
                              isChosen ? IM_COL32(30, 150, 60, 255) : IM_COL32(204, 51, 51, 255));
     }
     if (hasGradients(options))
         for (const double side : {-1.0, 1.0})
-            list.AddCircleFilled(tangentEnd(frame, window.chosen, side), 4, IM_COL32(30, 150, 60, 255));
+            list.AddCircleFilled(tangentEnd(graph, window.chosen, side), 4, IM_COL32(30, 150, 60, 255));
     list.PopClipRect();
 }
 
 }  // namespace
 
-void noiseGraph(Ui& ui, float width, float height) {
-    NoiseWindow& window = ui.shared.noise;
+void noiseGraph(Ui& ui, NoiseState& window, float width, float height) {
     ImGui::InvisibleButton("graph", {width, height});
     mark(ui, "noise/graph");
-    const Frame frame{window.noise.options,
+    const Graph graph{window.noise.options,
                       ImGui::GetItemRectMin(),
                       {width, height},
                       noise::graphRange(window.noise.options)};
     const ImGuiIO& io = ImGui::GetIO();
     if (ImGui::IsItemActivated()) {
-        grab(window, frame, io.MousePos);
+        grab(window, graph, io.MousePos);
     } else if (ImGui::IsItemActive() && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0)) {
-        dragTo(window, frame, io.MousePos, io.MouseDelta);
+        dragTo(window, graph, io.MousePos, io.MouseDelta);
     }
-    if (!ImGui::IsItemActive()) window.drag = NoiseWindow::Drag::none;
-    drawGraph(window, frame, *ImGui::GetWindowDrawList());
+    if (!ImGui::IsItemActive()) window.drag = NoiseState::Drag::none;
+    drawGraph(window, graph, *ImGui::GetWindowDrawList());
 }
 
 }  // namespace glibra::view

@@ -1,12 +1,16 @@
 #include "view/window/panels/noise_window.h"
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <fmt/format.h>
 #include <glad/gl.h>
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <span>
 
 #include "view/window/panels/ui.h"
@@ -42,8 +46,8 @@ bool countSlider(Ui& ui, const char* label, int least, int most, int& count) {
     return isChanged;
 }
 
-void functionControls(Ui& ui) {
-    noise::GraphOptions& options = ui.shared.noise.noise.options;
+void functionControls(Ui& ui, NoiseState& window) {
+    noise::GraphOptions& options = window.noise.options;
     noiseMenu(ui, "Lattice", noise::kLatticeWords, options.lattice);
     noiseMenu(ui, "Smoothness", noise::kSmoothnessWords, options.smoothness);
     ImGui::BeginDisabled(options.lattice != noise::Lattice::value);
@@ -56,7 +60,7 @@ void functionControls(Ui& ui) {
         std::erase_if(options.heights, isGone);
         std::erase_if(options.gradients, isGone);
         std::erase_if(options.curvatures, isGone);
-        ui.shared.noise.chosen = std::min(ui.shared.noise.chosen, options.cells - 1);
+        window.chosen = std::min(window.chosen, options.cells - 1);
     }
     ImGui::Checkbox("Turbulence", &options.turbulence);
     mark(ui, "noise/Turbulence");
@@ -65,25 +69,25 @@ void functionControls(Ui& ui) {
     mark(ui, "noise/Seed");
 }
 
-void pointSlider(Ui& ui, const char* label, double value, double limit, std::map<int, double>& values) {
+void pointSlider(Ui& ui, int point, const char* label, double value, double limit,
+                 std::map<int, double>& values) {
     if (labelledSlider(ui, label, fmt::format("noise/{}", label), {-limit, limit}, value))
-        values[ui.shared.noise.chosen] = value;
+        values[point] = value;
 }
 
-void pointControls(Ui& ui) {
-    NoiseWindow& window = ui.shared.noise;
+void pointControls(Ui& ui, NoiseState& window) {
     noise::GraphOptions& options = window.noise.options;
     const noise::GraphPoint point = noise::graphPoint(options, window.chosen);
     ImGui::Text("Point %d", window.chosen);
     ImGui::BeginDisabled(options.lattice == noise::Lattice::gradient);
-    pointSlider(ui, "Height", point.height, 1, options.heights);
+    pointSlider(ui, window.chosen, "Height", point.height, 1, options.heights);
     ImGui::EndDisabled();
     ImGui::BeginDisabled(options.lattice == noise::Lattice::value);
-    pointSlider(ui, "Gradient", point.gradient, kSteepest, options.gradients);
+    pointSlider(ui, window.chosen, "Gradient", point.gradient, kSteepest, options.gradients);
     ImGui::EndDisabled();
     ImGui::BeginDisabled(options.smoothness == noise::Smoothness::cubic);
     constexpr double kMostCurved = 40;
-    pointSlider(ui, "Curvature", point.curvature, kMostCurved, options.curvatures);
+    pointSlider(ui, window.chosen, "Curvature", point.curvature, kMostCurved, options.curvatures);
     ImGui::EndDisabled();
     if (ImGui::Button("Reset point")) {
         options.heights.erase(window.chosen);
@@ -100,7 +104,7 @@ void pointControls(Ui& ui) {
     mark(ui, "noise/ResetAll");
 }
 
-void writeNoiseFile(NoiseWindow& window, int dimensions) {
+void writeNoiseFile(NoiseState& window, int dimensions) {
     window.noise.options.dimensions = dimensions;
     window.noise.width = std::clamp(window.noise.width, 1, 16384);
     window.noise.height = std::clamp(window.noise.height, 1, 16384);
@@ -115,8 +119,7 @@ void writeNoiseFile(NoiseWindow& window, int dimensions) {
     window.message = problems.empty() ? "wrote " + file : problems.front().text;
 }
 
-void fileControls(Ui& ui) {
-    NoiseWindow& window = ui.shared.noise;
+void fileControls(Ui& ui, NoiseState& window) {
     ImGui::InputText("File", window.file.data(), window.file.size());
     markField(ui, "noise/File", "File");
     std::array<int, 2> size{window.noise.width, window.noise.height};
@@ -146,8 +149,7 @@ void fileControls(Ui& ui) {
 }
 
 /// The coloured noise; it is only computed again after a change.
-void picture(Ui& ui, float side) {
-    NoiseWindow& window = ui.shared.noise;
+void noisePicture(Ui& ui, NoiseState& window, float side) {
     noise::GraphOptions plane = window.noise.options;
     plane.dimensions = 2;
     if (!window.picture || window.drawn != plane || window.drawnColors != window.noise.colors) {
@@ -171,32 +173,59 @@ void picture(Ui& ui, float side) {
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Two-dimensional noise; its lower edge is the graph");
 }
 
-}  // namespace
-
-void noiseWindow(Ui& ui) {
-    if (!ui.shared.noise.isOpen) return;
+void noiseWindow(Ui& ui, NoiseState& window, bool& isOpen) {
+    if (!isOpen) return;
     placeFloating(ui, 40, 30, 820, 560);
-    if (ImGui::Begin("Noise", &ui.shared.noise.isOpen, ImGuiWindowFlags_NoCollapse)) {
+    if (ImGui::Begin(kNoiseRow.title, &isOpen, ImGuiWindowFlags_NoCollapse)) {
         const ImVec2 room = ImGui::GetContentRegionAvail();
-        const float panel = std::min(kPanelWidth * ui.scale, room.x / 2);
+        const float panel = std::min(kPanelWidth * ui.shared.scale, room.x / 2);
         ImGui::BeginChild("noise graphs", {room.x - panel - 8, 0});
         const float side = std::max(16.F, std::min(room.x - panel - 8, room.y / 2));
-        noiseGraph(ui, std::max(16.F, room.x - panel - 8), std::max(16.F, room.y - side - 8));
-        picture(ui, side);
+        noiseGraph(ui, window, std::max(16.F, room.x - panel - 8), std::max(16.F, room.y - side - 8));
+        noisePicture(ui, window, side);
         ImGui::EndChild();
         ImGui::SameLine();
         ImGui::BeginChild("noise controls");
         ImGui::PushItemWidth(-ImGui::CalcTextSize("Smoothness ").x);
-        functionControls(ui);
+        functionControls(ui, window);
         ImGui::Separator();
-        pointControls(ui);
+        pointControls(ui, window);
         ImGui::Separator();
-        noiseMenu(ui, "Colours", noise::kColorWords, ui.shared.noise.noise.colors);
-        fileControls(ui);
+        noiseMenu(ui, "Colours", noise::kColorWords, window.noise.colors);
+        fileControls(ui, window);
         ImGui::PopItemWidth();
         ImGui::EndChild();
     }
     ImGui::End();
 }
+
+class NoiseWindow final : public Panel {
+  public:
+    void show(Ui& ui) override { noiseWindow(ui, state_, isOpen); }
+    void addTo(nlohmann::ordered_json& state, const Ui& /*ui*/) const override {
+        if (isOpen)
+            state["noise"] = {{"command", noise::noiseCommand(state_.noise, state_.file.data())},
+                              {"point", state_.chosen},
+                              {"message", state_.message}};
+    }
+    void releaseDevice() override { state_.picture.reset(); }
+
+  private:
+    NoiseState state_;
+};
+
+constexpr auto kNoiseKeys = std::to_array<Shortcut>(
+    {{KeyGroup::pipeline, GLFW_KEY_N, false, "N", "show noise functions", toggleOpen}});
+
+}  // namespace
+
+const PanelRow kNoiseRow{.name = "noise",
+                         .place = PanelPlace::floating,
+                         .make = make<NoiseWindow>,
+                         .isShared = true,
+                         .keys = kNoiseKeys,
+                         .title = "Noise",
+                         .checkBox = "Noise",
+                         .help = "Show the noise functions as graphs (N)"};
 
 }  // namespace glibra::view

@@ -12,8 +12,9 @@ namespace glibra::view {
 
 inline constexpr double kSteepest = 8;  ///< limit of gradients set by hand, height per cell
 
-struct NoiseWindow {
-    bool isOpen = false;
+struct Ui;
+
+struct NoiseState {
     noise::NoiseFile noise;
     int chosen = 2;  ///< a point of the first octave
     enum class Drag { none, height, gradient } drag = Drag::none;
@@ -24,5 +25,8 @@ struct NoiseWindow {
     noise::GraphOptions drawn;
     noise::ColorScale drawnColors = noise::ColorScale::grey;
 };
+
+/// The graph in the noise window, with points to drag.
+void noiseGraph(Ui& ui, NoiseState& window, float width, float height);
 
 }  // namespace glibra::view

@@ -6,12 +6,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
 #include "render/draw/view_matrices.h"
 #include "view/edit/source_lines.h"
 #include "view/scene/window_draws.h"
+#include "view/session/wheel.h"
+#include "view/window/panels/label_overlay.h"
 #include "view/window/panels/ui.h"
 
 namespace glibra::view {
@@ -20,13 +23,20 @@ namespace {
 constexpr float kClickPixels = 4;
 constexpr float kWheelPixels = 20;
 
+/// How the mouse uses the picture.
+struct MouseUse {
+    Wheel wheel;
+    int button = -1;   ///< that drags the picture; -1: none
+    float length = 0;  ///< of the drag, pixels so far
+};
+
 bool isInPicture(const Ui& ui, const ImVec2& at) {
-    const Rectangle& r = ui.picture;
+    const Rectangle& r = ui.frame.picture;
     return at.x >= r[0] && at.y >= r[1] && at.x < r[0] + r[2] && at.y < r[1] + r[3];
 }
 
 Drag dragOf(const Ui& ui, Gesture gesture, float x, float y) {
-    return {gesture, {x, -y}, {ui.picture[2], ui.picture[3]}};
+    return {gesture, {x, -y}, {ui.frame.picture[2], ui.frame.picture[3]}};
 }
 
 Gesture gestureOf(int button, bool control, bool shift) {
@@ -39,15 +49,15 @@ Gesture gestureOf(int button, bool control, bool shift) {
 bool project(const Ui& ui, const glm::dmat4& projection, const glm::dvec3& eye, ImVec2& screen) {
     const glm::dvec4 clip = projection * glm::dvec4(eye, 1);
     if (clip.w <= 0) return false;
-    screen.x = ui.picture[0] + static_cast<float>((clip.x / clip.w + 1) / 2) * ui.picture[2];
-    screen.y = ui.picture[1] + static_cast<float>((1 - clip.y / clip.w) / 2) * ui.picture[3];
+    screen.x = ui.frame.picture[0] + static_cast<float>((clip.x / clip.w + 1) / 2) * ui.frame.picture[2];
+    screen.y = ui.frame.picture[1] + static_cast<float>((1 - clip.y / clip.w) / 2) * ui.frame.picture[3];
     return std::isfinite(screen.x) && std::isfinite(screen.y);
 }
 
 /// Draws text on a dark ground.
 void label(const Ui& ui, ImDrawList& list, const ImVec2& at, const std::string& text) {
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-    const float x = 4 * ui.scale, y = 2 * ui.scale;
+    const float x = 4 * ui.shared.scale, y = 2 * ui.shared.scale;
     list.AddRectFilled({at.x - x, at.y - y}, {at.x + size.x + x, at.y + size.y + y}, IM_COL32(0, 0, 0, 170),
                        3);
     list.AddText(at, IM_COL32_WHITE, text.c_str());
@@ -61,7 +71,8 @@ void cursor(const Ui& ui, ImDrawList& list) {
         if (each->id == picked.draw) draw = each;
     if (!draw) return;
     const render::ViewMatrices& view = ui.session.live().view();
-    const glm::dmat4 projection = view.projection(draw->projection, ui.picture[2] / ui.picture[3]);
+    const glm::dmat4 projection =
+        view.projection(draw->projection, ui.frame.picture[2] / ui.frame.picture[3]);
     const glm::dmat4 modelView = view.modelView(*draw);
     const glm::dvec3 middle(modelView * glm::dvec4(picked.centre, 1));
     ImVec2 centre;
@@ -82,12 +93,12 @@ void cursor(const Ui& ui, ImDrawList& list) {
         if (!project(ui, projection, middle - direction * reach, from) ||
             !project(ui, projection, middle + direction * reach, to))
             continue;
-        list.AddLine(from, to, IM_COL32(0, 0, 0, 150), 4 * ui.scale);
-        list.AddLine(from, to, kColors[static_cast<std::size_t>(axis)], 2 * ui.scale);
+        list.AddLine(from, to, IM_COL32(0, 0, 0, 150), 4 * ui.shared.scale);
+        list.AddLine(from, to, kColors[static_cast<std::size_t>(axis)], 2 * ui.shared.scale);
     }
     constexpr int kMostShown = 200;
     const std::string line = sourceLine({ui.session.path().string(), picked.draw.line, 1});
-    label(ui, list, {centre.x + 12 * ui.scale, centre.y + 12 * ui.scale},
+    label(ui, list, {centre.x + 12 * ui.shared.scale, centre.y + 12 * ui.shared.scale},
           fmt::format("line {}: {}", picked.draw.line, excerpt(line, 1, kMostShown).text));
 }
 
@@ -104,80 +115,105 @@ void frameRate(const Ui& ui, ImDrawList& list) {
                                  : fmt::format("{:.1f} frames/s  {:.2f} ms GPU time",
                                                kMillisecondsInSecond / *milliseconds, *milliseconds);
     const float width = ImGui::CalcTextSize(text.c_str()).x;
-    label(ui, list, {ui.picture[0] + ui.picture[2] - width - 12 * ui.scale, ui.picture[1] + 8 * ui.scale},
+    label(ui, list,
+          {ui.frame.picture[0] + ui.frame.picture[2] - width - 12 * ui.shared.scale,
+           ui.frame.picture[1] + 8 * ui.shared.scale},
           text);
 }
 
 /// Drags from point to point of the mouse's way since the last frame, so that the result does not depend on
 /// how many frames there were.
-void dragAlongWay(Ui& ui) {
+void dragAlongWay(Ui& ui, MouseUse& use) {
     const ImGuiIO& io = ImGui::GetIO();
-    const Gesture gesture = gestureOf(ui.dragButton, io.KeyCtrl, io.KeyShift);
+    const Gesture gesture = gestureOf(use.button, io.KeyCtrl, io.KeyShift);
     ImVec2 at{io.MousePos.x - io.MouseDelta.x, io.MousePos.y - io.MouseDelta.y};
     const auto dragTo = [&](float x, float y) {
         const float right = x - at.x, down = y - at.y;
         at = {x, y};
         if (right == 0 && down == 0) return;
-        ui.dragLength += std::hypot(right, down);
+        use.length += std::hypot(right, down);
         ui.session.drag(ui.mode, dragOf(ui, gesture, right, down));
     };
-    for (const MousePoint& each : ui.way) dragTo(static_cast<float>(each.x), static_cast<float>(each.y));
+    for (const MousePoint& each : ui.frame.way)
+        dragTo(static_cast<float>(each.x), static_cast<float>(each.y));
     dragTo(io.MousePos.x, io.MousePos.y);
 }
 
-}  // namespace
-
-void pictureInput(Ui& ui) {
+void pictureInput(Ui& ui, MouseUse& use) {
     const ImGuiIO& io = ImGui::GetIO();
     const bool isOver = !io.WantCaptureMouse && isInPicture(ui, io.MousePos);
-    if (isOver || ui.dragButton == ImGuiMouseButton_Left)
-        ui.session.setMouse(std::clamp((io.MousePos.x - ui.picture[0]) / ui.picture[2], 0.F, 1.F),
-                            std::clamp(1 - (io.MousePos.y - ui.picture[1]) / ui.picture[3], 0.F, 1.F),
-                            ImGui::IsMouseDown(ImGuiMouseButton_Left));
+    if (isOver || use.button == ImGuiMouseButton_Left)
+        ui.session.setMouse(
+            std::clamp((io.MousePos.x - ui.frame.picture[0]) / ui.frame.picture[2], 0.F, 1.F),
+            std::clamp(1 - (io.MousePos.y - ui.frame.picture[1]) / ui.frame.picture[3], 0.F, 1.F),
+            ImGui::IsMouseDown(ImGuiMouseButton_Left));
     bool begins = false;
-    if (ui.dragButton < 0 && isOver) {
+    if (use.button < 0 && isOver) {
         for (int button = 0; button < 3; ++button)
             if (ImGui::IsMouseClicked(button)) {
-                ui.dragButton = button;
-                ui.dragLength = 0;
+                use.button = button;
+                use.length = 0;
                 begins = true;
             }
-        if (const double notches = ui.wheel.take(io.MouseWheel, ImGui::GetTime()); notches != 0)
+        if (const double notches = use.wheel.take(io.MouseWheel, ImGui::GetTime()); notches != 0)
             ui.session.drag(ui.mode,
                             dragOf(ui, Gesture::scale, 0, static_cast<float>(-notches) * kWheelPixels));
     }
-    if (ui.dragButton < 0) return;
-    if (ImGui::IsMouseDown(ui.dragButton)) {
-        if (!begins) dragAlongWay(ui);  // the way to the first point belongs to no drag
+    if (use.button < 0) return;
+    if (ImGui::IsMouseDown(use.button)) {
+        if (!begins) dragAlongWay(ui, use);  // the way to the first point belongs to no drag
         return;
     }
-    if (ui.dragButton == ImGuiMouseButton_Left && ui.dragLength < kClickPixels) {
-        const double perUnit = ui.session.width() / static_cast<double>(ui.picture[2]);
-        const int x = static_cast<int>((io.MousePos.x - ui.picture[0]) * perUnit);
-        const int y = static_cast<int>((io.MousePos.y - ui.picture[1]) * perUnit);
-        if (ui.probe.isOn)
-            probeAt(ui, x, y);
+    if (use.button == ImGuiMouseButton_Left && use.length < kClickPixels) {
+        const double perUnit = ui.session.width() / static_cast<double>(ui.frame.picture[2]);
+        const int x = static_cast<int>((io.MousePos.x - ui.frame.picture[0]) * perUnit);
+        const int y = static_cast<int>((io.MousePos.y - ui.frame.picture[1]) * perUnit);
+        if (toolWindow(ui, "probe").isOpen)
+            ui.wanted.probed = std::pair(x, y);
         else
             ui.session.pickAt(x, y);
     }
-    ui.dragButton = -1;
+    use.button = -1;
 }
 
-void pictureOverlay(Ui& ui) {
+void pictureOverlay(Ui& ui, LabelOverlay& labels) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    list.PushClipRect({ui.picture[0], ui.picture[1]},
-                      {ui.picture[0] + ui.picture[2], ui.picture[1] + ui.picture[3]});
+    list.PushClipRect({ui.frame.picture[0], ui.frame.picture[1]},
+                      {ui.frame.picture[0] + ui.frame.picture[2], ui.frame.picture[1] + ui.frame.picture[3]});
     if (ui.session.hasScene()) {
-        labelOverlay(ui);
+        labelOverlay(ui, labels);
         if (ui.session.picked() && ui.session.picture()) cursor(ui, list);
         if (ui.session.measuresObjects()) frameRate(ui, list);
     } else {
         const char* text = "Drop a .glib file here, press Ctrl+O to open one, or X for examples";
         const ImVec2 size = ImGui::CalcTextSize(text);
-        list.AddText({ui.picture[0] + (ui.picture[2] - size.x) / 2, ui.picture[1] + ui.picture[3] / 2},
+        list.AddText({ui.frame.picture[0] + (ui.frame.picture[2] - size.x) / 2,
+                      ui.frame.picture[1] + ui.frame.picture[3] / 2},
                      ImGui::GetColorU32(ImGuiCol_Text), text);
     }
     list.PopClipRect();
 }
+
+class Picture final : public Panel {
+  public:
+    void show(Ui& ui) override {
+        pictureInput(ui, use_);
+        ui.frame.isDragging = use_.button >= 0;
+    }
+    void drawOver(Ui& ui) override { pictureOverlay(ui, labels_); }
+    void addTo(nlohmann::ordered_json& state, const Ui& ui) const override {
+        state["labels"] =
+            labels_.texture && ui.shared.showLabels ? labels_.lines : std::vector<std::string>();
+    }
+    void releaseDevice() override { labels_ = {}; }
+
+  private:
+    MouseUse use_;
+    LabelOverlay labels_;
+};
+
+}  // namespace
+
+const PanelRow kPictureRow{.name = "picture", .place = PanelPlace::picture, .make = make<Picture>};
 
 }  // namespace glibra::view

@@ -1,17 +1,30 @@
-#include "view/window/panels/probe_window.h"
+// The pixel probe: a click on the picture shows what the fragment there has.
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
+#include "view/debug_view/pixel_probe.h"
 #include "view/window/panels/ui.h"
 #include "view/window/platform/theme.h"
 
 namespace glibra::view {
 namespace {
+
+struct Probe {
+    std::optional<ProbedPixel> pixel;
+    std::uint64_t frame = 0;  ///< Session::framesDrawn() of `pixel`
+    double time = 0;          ///< seconds, of `pixel`
+};
 
 std::string pixelText(const ProbedPixel& pixel) {
     std::string text =
@@ -71,30 +84,30 @@ void table(Ui& ui, const char* title, const std::vector<ProbedValue>& values, bo
 
 /// A ring around the pixel.
 void ring(const Ui& ui, const ProbedPixel& pixel) {
-    const float perPixel = ui.picture[2] / static_cast<float>(std::max(1, ui.session.width()));
-    const ImVec2 at(ui.picture[0] + (static_cast<float>(pixel.x) + .5F) * perPixel,
-                    ui.picture[1] + (static_cast<float>(pixel.y) + .5F) * perPixel);
+    const float perPixel = ui.frame.picture[2] / static_cast<float>(std::max(1, ui.session.width()));
+    const ImVec2 at(ui.frame.picture[0] + (static_cast<float>(pixel.x) + .5F) * perPixel,
+                    ui.frame.picture[1] + (static_cast<float>(pixel.y) + .5F) * perPixel);
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
-    draw.AddCircle(at, 6 * ui.scale, IM_COL32_BLACK, 0, 3 * ui.scale);
-    draw.AddCircle(at, 6 * ui.scale, IM_COL32_WHITE, 0, 1.5F * ui.scale);
+    draw.AddCircle(at, 6 * ui.shared.scale, IM_COL32_BLACK, 0, 3 * ui.shared.scale);
+    draw.AddCircle(at, 6 * ui.shared.scale, IM_COL32_WHITE, 0, 1.5F * ui.shared.scale);
 }
 
 /// Whenever the window appears it lies over the lower part of the panel, so that it covers no pixel. Without
 /// the panel it lies in the corner of the picture.
 void place(const Ui& ui) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    const float panel = screen.x - ui.room[0] - ui.room[2];
-    const bool isOverPanel = ui.showPanel && panel > 0;
-    const ImVec2 size(isOverPanel ? panel : std::min(400 * ui.scale, screen.x / 2),
-                      std::min(420 * ui.scale, screen.y * (isOverPanel ? .7F : .4F)));
-    ImGui::SetNextWindowSizeConstraints({std::min(size.x, 200 * ui.scale), std::min(size.y, 120 * ui.scale)},
-                                        screen);
+    const float panel = screen.x - ui.frame.room[0] - ui.frame.room[2];
+    const bool isOverPanel = ui.shared.showPanel && panel > 0;
+    const ImVec2 size(isOverPanel ? panel : std::min(400 * ui.shared.scale, screen.x / 2),
+                      std::min(420 * ui.shared.scale, screen.y * (isOverPanel ? .7F : .4F)));
+    ImGui::SetNextWindowSizeConstraints(
+        {std::min(size.x, 200 * ui.shared.scale), std::min(size.y, 120 * ui.shared.scale)}, screen);
     ImGui::SetNextWindowSize(size, ImGuiCond_Appearing);
     ImGui::SetNextWindowPos(screen, ImGuiCond_Appearing, {1, 1});
 }
 
-void probeContent(Ui& ui) {
-    const ProbedPixel& pixel = *ui.probe.pixel;
+void probeContent(Ui& ui, const Probe& probe) {
+    const ProbedPixel& pixel = *probe.pixel;
     if (!pixel.isDrawn) {
         ImGui::Text("pixel %d, %d: nothing is drawn here", pixel.x, pixel.y);
         return;
@@ -103,7 +116,7 @@ void probeContent(Ui& ui) {
                 pixel.isFront ? "front" : "back");
     if (ui.session.isMoving()) {
         ImGui::SameLine();
-        ImGui::TextDisabled("at %.2f s", ui.probe.time);
+        ImGui::TextDisabled("at %.2f s", probe.time);
     }
     ImGui::Text("%s in line %d%s%s", pixel.word.c_str(), pixel.draw.line,
                 pixel.program.empty() ? "" : ", program ", pixel.program.c_str());
@@ -122,45 +135,72 @@ void probeContent(Ui& ui) {
     ImGui::EndChild();
 }
 
-}  // namespace
-
-void toggleProbe(Ui& ui) {
-    ui.probe.isOn = !ui.probe.isOn && ui.session.hasScene();
-    ui.probe.pixel.reset();
+void probeAt(Session& session, Probe& probe, int x, int y) {
+    probe.pixel = session.probe(x, y);
+    probe.frame = session.framesDrawn();
+    probe.time = session.clock().time();
 }
 
-void probeSwitch(Ui& ui) {
-    bool isOn = ui.probe.isOn;
-    if (ImGui::Checkbox("Probe a pixel", &isOn)) toggleProbe(ui);
-    mark(ui, "view/probe");
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("Click the picture to see the inputs, outputs and uniforms of the fragment (D)");
-}
-
-void probeAt(Ui& ui, int x, int y) {
-    ui.probe.pixel = ui.session.probe(x, y);
-    ui.probe.frame = ui.session.framesDrawn();
-    ui.probe.time = ui.session.clock().time();
-}
-
-void probeWindow(Ui& ui) {
-    if (!ui.probe.isOn) return;
-    if (!ui.session.hasScene()) return toggleProbe(ui);
-    if (ui.probe.pixel && ui.probe.frame != ui.session.framesDrawn() && !ui.session.isMoving())
-        probeAt(ui, ui.probe.pixel->x, ui.probe.pixel->y);
+/// The window with the numbers, and a mark on the picture. The numbers follow the picture while time stands
+/// still.
+void probeWindow(Ui& ui, Probe& probe, bool& isOpen) {
+    if (probe.pixel && probe.frame != ui.session.framesDrawn() && !ui.session.isMoving())
+        probeAt(ui.session, probe, probe.pixel->x, probe.pixel->y);
     place(ui);
-    if (ImGui::Begin(kProbeWindow, &ui.probe.isOn,
+    if (ImGui::Begin(kProbeRow.title, &isOpen,
                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
-        const ImVec2 at = ImGui::GetWindowPos();
-        const ImVec2 size = ImGui::GetWindowSize();
-        if (ui.shared.marksWidgets) ui.widgets["probeWindow"] = {at.x, at.y, size.x, size.y};
-        if (ui.probe.pixel)
-            probeContent(ui);
+        markWindow(ui, "probeWindow");
+        if (probe.pixel)
+            probeContent(ui, probe);
         else
             ImGui::TextWrapped("Click a pixel of the picture.");
     }
     ImGui::End();
-    if (ui.probe.pixel) ring(ui, *ui.probe.pixel);
+    if (probe.pixel) ring(ui, *probe.pixel);
 }
+
+nlohmann::ordered_json probeJson(const Probe& probe, bool isOpen) {
+    nlohmann::ordered_json values = nlohmann::ordered_json::object();
+    if (probe.pixel)
+        for (const auto* list : {&probe.pixel->outputs, &probe.pixel->inputs, &probe.pixel->uniforms})
+            for (const ProbedValue& each : *list) values[each.name] = each.numbers;
+    return {{"on", isOpen},
+            {"drawn", probe.pixel && probe.pixel->isDrawn},
+            {"line", probe.pixel ? probe.pixel->draw.line : 0},
+            {"x", probe.pixel ? probe.pixel->x : -1},
+            {"y", probe.pixel ? probe.pixel->y : -1},
+            {"values", values}};
+}
+
+class ProbePanel final : public Panel {
+  public:
+    void update(Ui& ui) override {
+        isOpen = isOpen && ui.session.hasScene();
+        if (!isOpen) probe_.pixel.reset();
+        if (isOpen && ui.wanted.probed)
+            probeAt(ui.session, probe_, ui.wanted.probed->first, ui.wanted.probed->second);
+    }
+    void show(Ui& ui) override {
+        if (isOpen && ui.session.hasScene()) probeWindow(ui, probe_, isOpen);
+    }
+    void addTo(nlohmann::ordered_json& state, const Ui& /*ui*/) const override {
+        state["probe"] = probeJson(probe_, isOpen);
+    }
+
+  private:
+    Probe probe_;
+};
+
+constexpr auto kProbeKeys =
+    std::to_array<Shortcut>({{KeyGroup::pipeline, GLFW_KEY_D, false, "D",
+                              "probe: click a pixel to see its inputs, outputs and uniforms", toggleOpen}});
+
+}  // namespace
+
+const PanelRow kProbeRow{.name = "probe",
+                         .place = PanelPlace::floating,
+                         .make = make<ProbePanel>,
+                         .keys = kProbeKeys,
+                         .title = "Probe###pixel probe"};
 
 }  // namespace glibra::view

@@ -40,8 +40,6 @@ void discardAll(Ui& ui, const Question& question) {
     for (const std::filesystem::path& each : question.files) ui.shared.sources.erase(each);
 }
 
-}  // namespace
-
 void questionDialog(Ui& ui) {
     constexpr const char* kTitle = "Not saved";
     if (!ui.shared.question) return;
@@ -57,7 +55,7 @@ void questionDialog(Ui& ui) {
     const bool isExampleOnly = std::any_of(question.values.begin(), question.values.end(),
                                            [](const UnsavedValues& each) { return isExample(each.scene); });
     if (!question.problem.empty()) {
-        ImGui::PushTextWrapPos(420 * ui.scale);
+        ImGui::PushTextWrapPos(420 * ui.shared.scale);
         ImGui::TextColored(asVector(palette().error), "%s", question.problem.c_str());
         ImGui::PopTextWrapPos();
     }
@@ -86,7 +84,7 @@ void questionDialog(Ui& ui) {
     ImGui::SameLine();
     if (ImGui::Button("Cancel") || isKeyPressed(GLFW_KEY_ESCAPE)) {
         isDone = true;
-        returnToText(ui);
+        ui.wanted.keyboardForText = true;
     }
     mark(ui, "question/cancel");
     if (isDone) {
@@ -96,5 +94,10 @@ void questionDialog(Ui& ui) {
     }
     ImGui::EndPopup();
 }
+
+}  // namespace
+
+const PanelRow kQuestionRow{
+    .name = "question", .place = PanelPlace::floating, .make = make<Drawn<questionDialog>>, .isShared = true};
 
 }  // namespace glibra::view

@@ -1,30 +1,31 @@
 // The buttons at the top of the panel.
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <imgui.h>
 
 #include <array>
 
+#include "view/window/panels/file_menu.h"
 #include "view/window/panels/icons.h"
 #include "view/window/panels/ui.h"
 
 namespace glibra::view {
+namespace {
 
-void scenePanel(Ui& ui) {
+void scenePanel(Ui& ui, FileMenu& menu) {
     constexpr std::array kTools{"Open...", "Examples", "Source"};
-    fileMenu(ui);
+    fileMenu(ui, menu);
     // Words become icons before a button would stand alone in a second row.
     const float space = ImGui::GetStyle().ItemSpacing.x;
     const float others = ImGui::GetItemRectSize().x + 2 * ImGui::GetFrameHeight() + 3 * space;
     const std::size_t shorts = shortTools(kTools, ImGui::GetContentRegionAvail().x - others);
     continueRowForTool(kTools[0], shorts > 0);
-    if (toolButton(Icon::open, kTools[0], "Open a scene (Ctrl+O)", shorts > 0)) {
-        ui.shared.dialog.isWanted = true;
-        ui.shared.dialog.inNewTab = false;
-    }
+    if (toolButton(Icon::open, kTools[0], "Open a scene (Ctrl+O)", shorts > 0)) openDialog(ui, false);
     mark(ui, "scene/open");
     continueRowForTool(kTools[1], shorts > 1);
     if (toolButton(Icon::examples, kTools[1], "Example scenes with their pictures (X)", shorts > 1))
-        ui.shared.examples.isOpen = !ui.shared.examples.isOpen;
+        toggleOpen(ui, toolWindow(ui, "examples"));
     mark(ui, "scene/examples");
     continueRowForTool(kTools[2], shorts > 2);
     ImGui::BeginDisabled(!ui.session.hasScene());
@@ -37,8 +38,28 @@ void scenePanel(Ui& ui) {
         ui.requests.reload = true;
     mark(ui, "scene/reload");
     continueRowForIcon();
-    if (iconButton(Icon::help, "?", "Keys and mouse (?)")) ui.showHelp = !ui.showHelp;
+    if (iconButton(Icon::help, "?", "Keys and mouse (?)")) toggleOpen(ui, toolWindow(ui, "help"));
     mark(ui, "help");
 }
+
+class Tools final : public Panel {
+  public:
+    void show(Ui& ui) override { scenePanel(ui, menu_); }
+
+  private:
+    FileMenu menu_;
+};
+
+constexpr auto kToolKeys = std::to_array<Shortcut>({
+    {KeyGroup::scenes, GLFW_KEY_O, true, "Ctrl+O", "open a scene",
+     [](Ui& ui, Panel&) { openDialog(ui, false); }, true},
+    {KeyGroup::scenes, GLFW_KEY_T, true, "Ctrl+T", "open a scene in a new tab",
+     [](Ui& ui, Panel&) { openDialog(ui, true); }, true},
+});
+
+}  // namespace
+
+const PanelRow kToolsRow{
+    .name = "tools", .place = PanelPlace::head, .make = make<Tools>, .isShared = true, .keys = kToolKeys};
 
 }  // namespace glibra::view

@@ -11,9 +11,6 @@
 #include "view/edit/edited_file.h"
 #include "view/edit/save_values.h"
 #include "view/scene/knobs.h"
-#include "view/window/panels/example_browser.h"
-#include "view/window/panels/file_dialog.h"
-#include "view/window/panels/noise_window.h"
 #include "view/window/platform/settings.h"
 
 namespace glibra::view {
@@ -52,18 +49,16 @@ struct Answer {
 
 struct Shared {
     Settings settings;
+    float scale = 1;  ///< of texts and widgets
+    bool showPanel = true, showLabels = false;
     std::optional<int>
         samples;  ///< per pixel on the screen, instead of the setting, as the command line says
     std::optional<double>
         shape;  ///< width / height of pictures, instead of the scene's, as the command line says
     std::map<std::filesystem::path, EditedFile> sources;  ///< the files that source panels have shown
-    FileDialog dialog;
-    ExampleBrowser examples;
-    NoiseWindow noise;
     std::vector<TabTitle> tabs;
     std::size_t shownTab = 0;
     bool marksWidgets = false;  ///< positions of widgets are stored, for `--state`
-    bool isVerbose = false;     ///< the window "Verbose" is open
     bool tabChanged = false;    ///< the tab bar has to select the shown tab
     std::optional<Question> question;
     std::optional<Answer> answer;

@@ -1,33 +1,29 @@
 // The panel in which the scene and its shaders are edited.
 
-#include "view/window/panels/source_panel.h"
-
-#include <fmt/format.h>
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <imgui.h>
 #include <imgui_internal.h>
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
-#include <system_error>
+#include <utility>
+#include <vector>
 
 #include "glib/text.h"
-#include "view/browse/example_scenes.h"
-#include "view/edit/external_editor.h"
-#include "view/window/panels/icons.h"
-#include "view/window/panels/syntax_colors.h"
+#include "view/window/panels/code_editor.h"
+#include "view/window/panels/messages.h"
+#include "view/window/panels/save_scene.h"
+#include "view/window/panels/source_header.h"
 #include "view/window/panels/ui.h"
-#include "view/window/platform/theme.h"
 
 namespace glibra::view {
 namespace {
-
-bool isSame(const std::filesystem::path& a, const std::filesystem::path& b) {
-    std::error_code failure;
-    return a == b || std::filesystem::absolute(a, failure).lexically_normal() ==
-                         std::filesystem::absolute(b, failure).lexically_normal();
-}
 
 EditedFile& edited(Ui& ui, const std::filesystem::path& path) {
     return ui.shared.sources.try_emplace(path, path).first->second;
@@ -35,35 +31,34 @@ EditedFile& edited(Ui& ui, const std::filesystem::path& path) {
 
 /// Updates the list of files after the scene was loaded. Files with unsaved text stay in the list even if the
 /// scene does not use them any more.
-void refresh(Ui& ui) {
-    SourcePanel& panel = ui.source;
+void refresh(Ui& ui, SourceState& panel) {
     if (panel.loaded != ui.session.timesLoaded()) {
         panel.loaded = ui.session.timesLoaded();
         std::vector<SourceFile> files = sourceFiles(ui.session.live());
-        for (const SourceFile& old : panel.files) {
+        for (const SourceFile& old : ui.files) {
             const auto kept = ui.shared.sources.find(old.path);
             const bool isThere = std::any_of(files.begin(), files.end(),
                                              [&](const SourceFile& each) { return each.path == old.path; });
             if (!isThere && kept != ui.shared.sources.end() && kept->second.isChanged())
                 files.push_back({old.path, old.label, "no longer used by the scene"});
         }
-        panel.files = std::move(files);
+        ui.files = std::move(files);
         for (auto& [path, file] : ui.shared.sources)
             if (file.lookAtDisk() && !file.hasConflict()) ++panel.views[path].generation;
     }
     const auto isChosen = [&](const SourceFile& each) { return each.path == panel.chosen; };
-    if (std::none_of(panel.files.begin(), panel.files.end(), isChosen)) {
+    if (std::none_of(ui.files.begin(), ui.files.end(), isChosen)) {
         // People edit the last stage most, so begin with it.
-        const auto shader = std::find_if(
-            panel.files.rbegin(), panel.files.rend(),
-            [](const SourceFile& each) { return each.role.find("shader") != std::string::npos; });
-        panel.chosen = shader == panel.files.rend() ? panel.files.front().path : shader->path;
+        const auto shader = std::find_if(ui.files.rbegin(), ui.files.rend(), [](const SourceFile& each) {
+            return each.role.find("shader") != std::string::npos;
+        });
+        panel.chosen = shader == ui.files.rend() ? ui.files.front().path : shader->path;
         panel.follow = true;
     }
 }
 
 /// Puts the cursor at a place, whose column counts bytes.
-void goTo(Ui& ui, const std::filesystem::path& path, const Place& place) {
+void goTo(Ui& ui, SourceState& panel, const std::filesystem::path& path, const Place& place) {
     const std::string& text = edited(ui, path).text();
     std::size_t at = 0;
     for (int line = 1; line < place.line; ++line) {
@@ -73,126 +68,28 @@ void goTo(Ui& ui, const std::filesystem::path& path, const Place& place) {
     }
     const std::size_t end = std::min(text.find('\n', at), text.size());
     at = std::min(end, at + static_cast<std::size_t>(std::max(1, place.column)) - 1);
-    ui.source.views[path].select = TextRange{at, at};
+    panel.views[path].select = TextRange{at, at};
 }
 
-void takeGoTo(Ui& ui) {
-    SourcePanel& panel = ui.source;
+void takeGoTo(Ui& ui, SourceState& panel) {
     const auto place = std::exchange(panel.goTo, std::nullopt);
     if (!place) return;
-    for (const SourceFile& each : panel.files)
+    for (const SourceFile& each : ui.files)
         if (isSame(each.path, place->file)) {
             panel.chosen = each.path;
             panel.follow = true;
-            goTo(ui, each.path, *place);
+            goTo(ui, panel, each.path, *place);
             return;
         }
     ui.notice = {place->file + " is not a file of this scene", true};
 }
 
-bool fileHasError(const Ui& ui, const std::filesystem::path& file) {
-    return std::any_of(ui.session.diagnostics().begin(), ui.session.diagnostics().end(),
-                       [&](const Diagnostic& each) {
-                           return each.severity == Severity::error && isSame(each.place.file, file);
-                       });
-}
-
-void fileTabs(Ui& ui) {
-    SourcePanel& panel = ui.source;
-    if (!ImGui::BeginTabBar("files", ImGuiTabBarFlags_FittingPolicyScroll)) return;
-    for (const SourceFile& each : panel.files) {
-        const auto known = ui.shared.sources.find(each.path);
-        const bool isChanged = known != ui.shared.sources.end() && known->second.isChanged();
-        const bool isWrong = fileHasError(ui, each.path);
-        ImGuiTabItemFlags flags = isChanged ? ImGuiTabItemFlags_UnsavedDocument : 0;
-        if (panel.follow && each.path == panel.chosen) flags |= ImGuiTabItemFlags_SetSelected;
-        if (isWrong) ImGui::PushStyleColor(ImGuiCol_Text, asVector(palette().error));
-        const bool isShown =
-            ImGui::BeginTabItem((each.label + "###" + each.path.string()).c_str(), nullptr, flags);
-        if (isWrong) ImGui::PopStyleColor();
-        mark(ui, "source/file/" + each.label);
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s\n%s", each.role.c_str(), each.path.c_str());
-        if (!isShown) continue;
-        if (!panel.follow) panel.chosen = each.path;
-        ImGui::EndTabItem();
-    }
-    panel.follow = false;
-    ImGui::EndTabBar();
-}
-
-void conflict(Ui& ui, EditedFile& file, CodeView& view) {
-    if (!file.hasConflict()) return;
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextColored(asVector(palette().warning), "Another program has changed this file.");
-    ImGui::SameLine();
-    if (ImGui::Button("Keep mine")) file.keepMine();
-    mark(ui, "source/keepMine");
-    ImGui::SameLine();
-    if (ImGui::Button("Load theirs")) {
-        file.takeDisk();
-        ++view.generation;
-    }
-    mark(ui, "source/takeDisk");
-}
-
-void sourceButtons(Ui& ui, EditedFile& file, CodeView& view) {
-    if (isExample(ui.session.path())) {
-        if (ImGui::Button("Save a copy...")) saveSceneAs(ui);
-        mark(ui, "source/copy");
-        continueRowForButton("Save");
-    }
-    ImGui::BeginDisabled(!file.isChanged());
-    if (ImGui::Button("Save")) saveSource(ui);
-    mark(ui, "source/save");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Save the file and update the picture (Ctrl+S)");
-    continueRowForButton("Revert");
-    if (ImGui::Button("Revert")) {
-        file.revert();
-        ++view.generation;
-    }
-    ImGui::EndDisabled();
-    mark(ui, "source/revert");
-    continueRowForButton("Open in editor");
-    if (ImGui::Button("Open in editor"))
-        ui.notice = openInEditor({file.path().string(), view.line, view.column});
-    mark(ui, "source/editor");
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("Open the file at this line in your own editor, which the variable EDITOR names");
-    continueRowForCheck("Live");
-    ImGui::Checkbox("Live", &ui.settings.compilesWhileTyping);
-    mark(ui, "source/live");
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip(
-            "Update the picture while you type. Files are still written only when you save them");
-    std::array<char, 192> state{};  // in every frame, so without the heap
-    if (file.whyReadOnly().empty())
-        fmt::format_to_n(state.data(), state.size() - 1, "{}:{}{}", view.line, view.column,
-                         file.isChanged() ? "   not saved" : "");
-    else
-        fmt::format_to_n(state.data(), state.size() - 1, "Read only. {}", file.whyReadOnly());
-    constexpr float kLeast = 90;
-    const ImVec2 size(ImGui::CalcTextSize(state.data()).x, ImGui::GetFrameHeight());
-    continueRow(std::min(size.x, kLeast * ui.scale));
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float right = at.x + ImGui::GetContentRegionAvail().x;
-    ImGui::Dummy({std::min(size.x, right - at.x), size.y});
-    mark(ui, "source/state");
-    if (ImGui::IsItemHovered() && !file.whyReadOnly().empty()) {
-        ui.hoverText = state.data();
-        ImGui::SetTooltip("%s", state.data());
-    }
-    ImGui::PushStyleColor(ImGuiCol_Text, packed(palette().dim));
-    lineOfText(state.data(), {at.x, at.y + ImGui::GetStyle().FramePadding.y}, right);
-    ImGui::PopStyleColor();
-}
-
-void sourceContent(Ui& ui) {
-    SourcePanel& panel = ui.source;
+void sourceContent(Ui& ui, SourceState& panel) {
     EditedFile& file = edited(ui, panel.chosen);
     CodeView& view = panel.views[panel.chosen];
-    sourceButtons(ui, file, view);
+    sourceButtons(ui, panel, file, view);
     conflict(ui, file, view);
-    findBar(ui, file, view);
+    findBar(ui, panel.find, file, view);
     std::vector<CodeMark> marks;
     for (const Diagnostic& each : ui.session.diagnostics())
         if (each.severity != Severity::note && isSame(each.place.file, file.path()))
@@ -209,7 +106,7 @@ void sourceContent(Ui& ui) {
         glib::sameWord(file.path().extension().string(), ".glib") ? CodeLanguage::glib : CodeLanguage::glsl;
     const FindBar& find = panel.find;
     const int cursorBefore = view.cursor;
-    assistKeys(ui, file, view);
+    assistKeys(panel.assist, file, view);
     const bool isChanged =
         codeEditor(panel.chosen.string().c_str(), file.text(), view, {marks, find.found, find.shown},
                    language, !file.whyReadOnly().empty(), below);
@@ -219,9 +116,9 @@ void sourceContent(Ui& ui) {
     else if (view.cursor != cursorBefore)
         file.history().endStep();
     panel.keepsKeyboard = panel.keepsKeyboard || view.isActive;
-    ui.sourceState = {panel.chosen.string(), view.line,        view.column,
-                      view.isActive,         file.isChanged(), file.hasConflict()};
-    assist(ui, file, view, isChanged);
+    panel.shown = {panel.chosen.string(), view.line,        view.column,
+                   view.isActive,         file.isChanged(), file.hasConflict()};
+    assist(ui, panel.assist, file, view, isChanged);
     if (messages == 0) return;
     ImGui::BeginChild("messages");
     ImGui::Separator();
@@ -231,11 +128,10 @@ void sourceContent(Ui& ui) {
 
 /// Gives the session the texts that are not saved, if they are to be compiled while the user types. It does
 /// so when the user pauses.
-void compileWhileTyping(Ui& ui) {
+void compileWhileTyping(Ui& ui, SourceState& panel) {
     constexpr double kPause = .15;  // seconds
-    SourcePanel& panel = ui.source;
     std::map<std::filesystem::path, std::string> wanted;
-    for (const SourceFile& each : panel.files) {
+    for (const SourceFile& each : ui.files) {
         const auto known = ui.shared.sources.find(each.path);
         if (ui.settings.compilesWhileTyping && known != ui.shared.sources.end() && known->second.isChanged())
             wanted.emplace(each.path, known->second.text());
@@ -261,66 +157,46 @@ void compileWhileTyping(Ui& ui) {
         panel.typedAt = now;
     }
     if (now - panel.typedAt < kPause) {
-        ui.needsFrames = true;
+        ui.frame.isFollowed = true;
         return;
     }
     ui.session.setTexts(panel.typedTexts);
     ui.requests.reload = true;
-    ui.needsFrames = true;
+    ui.frame.isFollowed = true;
 }
 
 /// A click on the picture or the panel ends typing. Tool windows may be clicked: Esc closes them.
-void noticeClicks(Ui& ui) {
+void noticeClicks(SourceState& panel) {
     if (!ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsMouseClicked(ImGuiMouseButton_Right))
         return;
     const ImGuiWindow* under = ImGui::GetCurrentContext()->HoveredWindow;
     const std::string_view owner = under ? under->RootWindow->Name : "";
-    if (owner.empty() || owner == "Controls" || owner == "Scenes") ui.source.keepsKeyboard = false;
+    if (owner.empty() || owner == "Controls" || owner == "Scenes") panel.keepsKeyboard = false;
 }
 
-}  // namespace
-
-void returnToText(Ui& ui) {
-    if (!ui.settings.showSource || !ui.source.keepsKeyboard) return;
-    CodeView& view = ui.source.views[ui.source.chosen];
+/// Gives the keyboard back to the text, if it had it before a window in front took it.
+void returnToText(const Ui& ui, SourceState& panel) {
+    if (!ui.settings.showSource || !panel.keepsKeyboard) return;
+    CodeView& view = panel.views[panel.chosen];
     if (!view.isActive && !view.select) view.select = view.selection;
 }
 
-void saveSource(Ui& ui) {
-    const auto found = ui.shared.sources.find(ui.source.chosen);
-    if (found == ui.shared.sources.end() || !found->second.isChanged()) return;
-    const std::string name = ui.source.chosen.filename().string();
-    const Diagnostics problems = found->second.save();
-    if (!problems.empty())
-        ui.notice = problems.front();
-    else if (found->second.hasConflict())
-        ui.notice = {name + " was not saved: another program has changed it", true};
-    else
-        ui.notice = name + " saved";
-    if (problems.empty() && !found->second.hasConflict()) ui.requests.saved = ui.source.chosen;
-}
-
-void showSource(Ui& ui, const Place& place) {
-    ui.settings.showSource = true;
-    ui.source.goTo = place;
-}
-
-void sourcePanel(Ui& ui, Rectangle& free) {
-    ui.sourceState = {};
+void sourcePanel(Ui& ui, SourceState& panel, Rectangle& free) {
+    panel.shown = {};
     if (!ui.session.hasScene()) return;
-    compileWhileTyping(ui);
-    noticeClicks(ui);
+    compileWhileTyping(ui, panel);
+    noticeClicks(panel);
     if (!ui.settings.showSource) {
-        ui.source.assist.isOpen = ui.source.keepsKeyboard = false;
+        panel.assist.isOpen = panel.keepsKeyboard = false;
         return;
     }
-    refresh(ui);
-    takeGoTo(ui);
+    refresh(ui, panel);
+    takeGoTo(ui, panel);
     // Beside the picture if there is room for both, otherwise below it.
-    const bool isBeside = free[2] >= 1100 * ui.scale;
+    const bool isBeside = free[2] >= 1100 * ui.shared.scale;
     float& extent = isBeside ? ui.settings.sourceWidth : ui.settings.sourceHeight;
     const float room = isBeside ? free[2] : free[3];
-    const float least = std::min(room * .5F, 220 * ui.scale);
+    const float least = std::min(room * .5F, 220 * ui.shared.scale);
     const float most = std::max(least, room * .75F);
     if (extent <= 0) extent = room * (isBeside ? .5F : .45F);
     extent = std::clamp(extent, least, most);
@@ -339,8 +215,8 @@ void sourcePanel(Ui& ui, Rectangle& free) {
                      ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
                          ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollbar |
                          ImGuiWindowFlags_NoScrollWithMouse)) {
-        fileTabs(ui);
-        sourceContent(ui);
+        fileTabs(ui, panel);
+        sourceContent(ui, panel);
         // Moving the keyboard focus to the text scrolls this window too.
         ImGui::SetScrollX(0);
         ImGui::SetScrollY(0);
@@ -350,5 +226,116 @@ void sourcePanel(Ui& ui, Rectangle& free) {
     free[isBeside ? 2 : 3] -= extent;
     if (isBeside) free[0] += extent;
 }
+
+class SourcePanel final : public Panel {
+  public:
+    void update(Ui& ui) override {
+        if (ui.wanted.source) state_.goTo = ui.wanted.source;
+        if (ui.wanted.keyboardForText) returnToText(ui, state_);
+    }
+    void show(Ui& ui) override {
+        sourcePanel(ui, state_, ui.frame.room);
+        referenceWindow(ui, state_.assist, chosen(ui));
+    }
+    bool close(Ui& ui, Closing what) override {
+        return what == Closing::list ? closeAssist(state_.assist) : closeFind(state_.find, shown(ui));
+    }
+    void addTo(nlohmann::ordered_json& state, const Ui& ui) const override;
+
+    // Shortcuts:
+    void save(Ui& ui) { ImGui::GetIO().KeyShift ? saveSceneAs(ui) : saveSource(ui, state_.chosen); }
+    void completeWord(Ui& ui) { state_.assist.isAsked = state_.assist.isAsked || active(ui).file; }
+    void comment(Ui& ui) { commentLines(ui, active(ui)); }
+    void reference(Ui& ui) { showReference(ui, state_.assist, active(ui), chosen(ui)); }
+    void find(Ui& ui) { search(ui, false); }
+    void replace(Ui& ui) { search(ui, true); }
+    void again(Ui& ui) { findAgain(state_.find, shown(ui), ImGui::GetIO().KeyShift); }
+    void line(Ui& ui) { askLine(state_.find, shown(ui)); }
+    void undo(Ui& ui) { undoTyping(active(ui), ImGui::GetIO().KeyShift); }
+    void redo(Ui& ui) { undoTyping(active(ui), true); }
+
+  private:
+    EditedFile* chosen(Ui& ui) const {
+        const auto found = ui.shared.sources.find(state_.chosen);
+        return found == ui.shared.sources.end() ? nullptr : &found->second;
+    }
+    ShownText shown(Ui& ui) {
+        EditedFile* file = state_.shown.file.empty() ? nullptr : chosen(ui);
+        return file ? ShownText{file, &state_.views[state_.chosen]} : ShownText{};
+    }
+    ShownText active(Ui& ui) { return state_.shown.isActive ? shown(ui) : ShownText{}; }
+    void search(Ui& ui, bool replaces) {
+        ui.settings.showSource = true;
+        openFind(state_.find, shown(ui), replaces);
+    }
+
+    SourceState state_;
+};
+
+void SourcePanel::addTo(nlohmann::ordered_json& state, const Ui& ui) const {
+    using Json = nlohmann::ordered_json;
+    const ShownSource& source = state_.shown;
+    const auto view = state_.views.find(state_.chosen);
+    const CodeView::Corner cursor =
+        view == state_.views.end() ? CodeView::Corner() : view->second.cursorOnScreen;
+    state["source"] = {{"shown", !source.file.empty()},
+                       {"file", source.file},
+                       {"line", source.line},
+                       {"column", source.column},
+                       {"active", source.isActive},
+                       {"changed", source.isChanged},
+                       {"conflict", source.hasConflict},
+                       {"translation", ui.frame.translation},
+                       {"cursor", Json::array({cursor.x, cursor.top, cursor.bottom})},
+                       {"live", ui.settings.compilesWhileTyping},
+                       {"compiled", ui.session.texts().size()},
+                       {"hover", ui.frame.hoverText}};
+    const CodeAssist& assist = state_.assist;
+    Json words = Json::array();
+    if (assist.isOpen)
+        for (std::size_t i = 0; i < std::min<std::size_t>(assist.words.size(), 20); ++i)
+            words.push_back({{"word", assist.words[i].word}, {"type", assist.words[i].type}});
+    state["completion"] = {{"open", assist.isOpen}, {"chosen", assist.chosen}, {"words", words}};
+    state["reference"] = {{"open", assist.showsReference},
+                          {"word", assist.entry.word},
+                          {"code", assist.entry.code},
+                          {"text", assist.entry.text}};
+    if (const FindBar& find = state_.find; find.isOpen)
+        state["find"] = {{"words", find.words.data()},
+                         {"replaces", find.replaces},
+                         {"count", find.found.size()},
+                         {"shown", find.shown}};
+}
+
+void switchSource(Ui& ui, Panel& /*panel*/) {
+    ui.settings.showSource = !ui.settings.showSource;
+}
+
+constexpr auto kSourceKeys = std::to_array<Shortcut>({
+    {KeyGroup::source, GLFW_KEY_E, false, "E", "show the source: the scene and its shaders", switchSource},
+    {KeyGroup::source, GLFW_KEY_E, true, "Ctrl+E", "the same, also while editing text", switchSource, true},
+    {KeyGroup::source, GLFW_KEY_S, true, "Ctrl+S, Ctrl+Shift+S",
+     "save the shown source file; save the scene as another file", call<&SourcePanel::save>, true},
+    {KeyGroup::source, GLFW_KEY_SPACE, true, "Ctrl+Space", "words that may stand at the cursor",
+     call<&SourcePanel::completeWord>, true},
+    {KeyGroup::source, GLFW_KEY_SLASH, true, "Ctrl+/", "make the selected lines comments, or code again",
+     call<&SourcePanel::comment>, true},
+    {KeyGroup::source, GLFW_KEY_F1, false, "F1", "the reference: the word at the cursor",
+     call<&SourcePanel::reference>, true},
+    {KeyGroup::source, GLFW_KEY_F, true, "Ctrl+F", "find in the source", call<&SourcePanel::find>, true},
+    {KeyGroup::source, GLFW_KEY_H, true, "Ctrl+H", "find and replace", call<&SourcePanel::replace>, true},
+    {KeyGroup::source, GLFW_KEY_F3, false, "F3, Shift+F3", "next match, previous match",
+     call<&SourcePanel::again>, true},
+    {KeyGroup::source, GLFW_KEY_G, true, "Ctrl+G", "go to a line of the source", call<&SourcePanel::line>,
+     true},
+    // While the text has the keyboard; otherwise window_keys.cpp undoes changes of values.
+    {KeyGroup::source, GLFW_KEY_Z, true, "", "", call<&SourcePanel::undo>, true},
+    {KeyGroup::source, GLFW_KEY_Y, true, "", "", call<&SourcePanel::redo>, true},
+});
+
+}  // namespace
+
+const PanelRow kSourceRow{
+    .name = "source", .place = PanelPlace::edge, .make = make<SourcePanel>, .keys = kSourceKeys};
 
 }  // namespace glibra::view

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <array>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 
@@ -14,42 +16,46 @@
 namespace glibra::view {
 namespace {
 
+/// The entries of the section.
+struct SuiteEntries {
+    std::filesystem::path scene;  ///< the scene that the proposed entries are for
+    std::array<char, 1024> file{};
+    std::array<char, 256> name{};
+    std::string message;  ///< the result of the last click
+    bool failed = false;
+};
+
 template <std::size_t size>
 void put(std::array<char, size>& field, std::string_view text) {
     field[text.copy(field.data(), size - 1)] = 0;
 }
 
 /// Proposes a suite in the scene's folder, and a name that the suite does not have yet.
-void proposeShot(Ui& ui) {
-    SuiteEntries& entries = ui.suite;
-    if (entries.scene == ui.session.path()) return;
-    entries.scene = ui.session.path();
+void proposeShot(const Session& session, SuiteEntries& entries) {
+    if (entries.scene == session.path()) return;
+    entries.scene = session.path();
     entries.message.clear();
-    put(entries.file, (ui.session.path().parent_path() / "pictures.toml").string());
-    put(entries.name, freeShotName(entries.file.data(), ui.session));
+    put(entries.file, (session.path().parent_path() / "pictures.toml").string());
+    put(entries.name, freeShotName(entries.file.data(), session));
 }
 
-void addShot(Ui& ui) {
-    SuiteEntries& entries = ui.suite;
+void addShot(const Session& session, SuiteEntries& entries) {
     const std::filesystem::path file = entries.file.data();
     const std::string name = entries.name.data();
-    const Diagnostics problems = appendShot(file, name, ui.session);
+    const Diagnostics problems = appendShot(file, name, session);
     entries.failed = !problems.empty();
     entries.message = entries.failed
                           ? toString(problems.front())
                           : fmt::format("added '{}' to {}; `glibra test --update` makes its golden picture",
                                         name, file.filename().string());
-    if (const std::string without = ui.session.onlyOnScreen(); !entries.failed && !without.empty())
+    if (const std::string without = session.onlyOnScreen(); !entries.failed && !without.empty())
         entries.message += "; the shot is without " + without;
-    if (!entries.failed) put(entries.name, freeShotName(file, ui.session));
+    if (!entries.failed) put(entries.name, freeShotName(file, session));
 }
 
-}  // namespace
-
-void suitePanel(Ui& ui) {
+void suitePanel(Ui& ui, SuiteEntries& entries) {
     if (!section(ui, "Suite shot", "suite", false)) return;
-    SuiteEntries& entries = ui.suite;
-    proposeShot(ui);
+    proposeShot(ui.session, entries);
     ImGui::PushItemWidth(-ImGui::CalcTextSize("Suite ").x);
     ImGui::InputTextWithHint("Suite", "pictures.toml", entries.file.data(), entries.file.size());
     markField(ui, "suite/file", "Suite");
@@ -60,7 +66,7 @@ void suitePanel(Ui& ui) {
     markField(ui, "suite/name", "Shot");
     ImGui::PopItemWidth();
     ImGui::BeginDisabled(entries.file[0] == 0 || entries.name[0] == 0);
-    if (ImGui::Button("Add shot")) addShot(ui);
+    if (ImGui::Button("Add shot")) addShot(ui.session, entries);
     ImGui::EndDisabled();
     mark(ui, "suite/add");
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
@@ -74,5 +80,20 @@ void suitePanel(Ui& ui) {
     mark(ui, "suite/copy");
     if (!entries.message.empty()) ImGui::TextWrapped("%s", entries.message.c_str());
 }
+
+class SuitePanel final : public Panel {
+  public:
+    void show(Ui& ui) override { suitePanel(ui, entries_); }
+    void addTo(nlohmann::ordered_json& state, const Ui& /*ui*/) const override {
+        state["suiteMessage"] = entries_.message;
+    }
+
+  private:
+    SuiteEntries entries_;
+};
+
+}  // namespace
+
+const PanelRow kSuiteRow{.name = "suite", .place = PanelPlace::section, .make = make<SuitePanel>};
 
 }  // namespace glibra::view

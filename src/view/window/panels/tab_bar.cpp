@@ -9,12 +9,14 @@
 #include "view/window/platform/theme.h"
 
 namespace glibra::view {
+namespace {
 
-void tabBar(Ui& ui, Rectangle& free) {
+void tabBar(Ui& ui) {
+    Rectangle& free = ui.frame.room;
     if (ui.shared.tabs.size() < 2) return;
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(4 * ui.scale, 3 * ui.scale));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(4 * ui.shared.scale, 3 * ui.shared.scale));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
-    const float height = ImGui::GetFrameHeight() + 6 * ui.scale;
+    const float height = ImGui::GetFrameHeight() + 6 * ui.shared.scale;
     ImGui::SetNextWindowPos({free[0], free[1]});
     ImGui::SetNextWindowSize({free[2], height});
     const bool isOpen = ImGui::Begin(
@@ -39,10 +41,7 @@ void tabBar(Ui& ui, Rectangle& free) {
             if (isChosen && !isShown && !ui.shared.tabChanged) ui.requests.showTab = i;
             if (!stays) ui.requests.closeTab = i;
         }
-        if (ImGui::TabItemButton("+", ImGuiTabItemFlags_Trailing)) {
-            ui.shared.dialog.isWanted = true;
-            ui.shared.dialog.inNewTab = true;
-        }
+        if (ImGui::TabItemButton("+", ImGuiTabItemFlags_Trailing)) openDialog(ui, true);
         mark(ui, "tab/new");
         ui.shared.tabChanged = false;
         ImGui::EndTabBar();
@@ -51,5 +50,10 @@ void tabBar(Ui& ui, Rectangle& free) {
     free[1] += height;
     free[3] -= height;
 }
+
+}  // namespace
+
+const PanelRow kTabBarRow{
+    .name = "tabs", .place = PanelPlace::edge, .make = make<Drawn<tabBar>>, .isShared = true};
 
 }  // namespace glibra::view

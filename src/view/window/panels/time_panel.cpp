@@ -1,8 +1,11 @@
 // Time: play, pause, step, position and speed.
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <vector>
@@ -12,7 +15,6 @@
 #include "view/window/panels/value_slider.h"
 
 namespace glibra::view {
-
 namespace {
 
 /// The number of steps of each Step block. Returns true if the user wants the next step.
@@ -41,8 +43,6 @@ void withoutTime(Ui& ui) {
     mark(ui, "time/restart");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("What Once has made begins anew");
 }
-
-}  // namespace
 
 void timePanel(Ui& ui) {
     if (!section(ui, "Time", "time", ui.session.usesTime())) return;
@@ -82,5 +82,33 @@ void timePanel(Ui& ui) {
     if (restarts) ui.session.restart();
     if (steps) ui.session.nextStep();
 }
+
+/// Changes the time of a scene that uses it.
+template <class Change>
+void changeClock(Ui& ui, const Change& change) {
+    if (!ui.session.usesTime()) return;
+    Clock clock = ui.session.clock();
+    change(clock);
+    ui.session.setClock(clock);
+}
+
+template <int frames>
+void stepFrames(Ui& ui, Panel& /*panel*/) {
+    changeClock(ui, [](Clock& clock) { clock.step(frames); });
+}
+
+constexpr auto kTimeKeys = std::to_array<Shortcut>({
+    {KeyGroup::time, GLFW_KEY_SPACE, false, "Space", "play or pause",
+     [](Ui& ui, Panel&) { changeClock(ui, [](Clock& clock) { clock.play(!clock.isPlaying()); }); }},
+    {KeyGroup::time, GLFW_KEY_PERIOD, false, ".", "next frame", stepFrames<1>},
+    {KeyGroup::time, GLFW_KEY_COMMA, false, ",", "previous frame", stepFrames<-1>},
+    {KeyGroup::time, GLFW_KEY_B, false, "B", "pause, and go to the next step",
+     [](Ui& ui, Panel&) { ui.session.nextStep(); }},
+});
+
+}  // namespace
+
+const PanelRow kTimeRow{
+    .name = "time", .place = PanelPlace::section, .make = make<Drawn<timePanel>>, .keys = kTimeKeys};
 
 }  // namespace glibra::view

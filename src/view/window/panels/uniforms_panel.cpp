@@ -1,5 +1,7 @@
 // The section with a widget for each uniform that the Program lines set.
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -12,6 +14,7 @@
 #include "view/export/hardcopy.h"
 #include "view/scene/slider_scale.h"
 #include "view/window/panels/icons.h"
+#include "view/window/panels/save_scene.h"
 #include "view/window/panels/ui.h"
 #include "view/window/panels/value_slider.h"
 #include "view/window/platform/theme.h"
@@ -27,7 +30,7 @@ struct Part {
     std::size_t index = 0, component = 0;
 };
 
-/// The widget's name for `--state` and Ui::typing.
+/// The widget's name for `--state` and Sliders::typing.
 std::string widgetName(const Knob& knob, std::size_t component) {
     std::string name = "uniform/" + knob.title + "/" + knob.tag;
     return knob.current.size() == 1 ? name : fmt::format("{}/{}", name, component);
@@ -74,7 +77,7 @@ bool slider(Ui& ui, const Part& part) {
         wordMenu(ui, part);
         return false;
     }
-    if (!ui.typing.empty() && ui.typing == widgetName(knob, part.component)) {
+    if (!ui.sliders.typing.empty() && ui.sliders.typing == widgetName(knob, part.component)) {
         valueEntry(ui, part);
         return false;
     }
@@ -82,13 +85,13 @@ bool slider(Ui& ui, const Part& part) {
     const SliderUse use = valueSlider(ui, "##slider", scaleOf(knob), value);
     markPart(ui, part);
     const bool isSecondClick = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
-    if (use.isActivated && !isSecondClick) ui.valuesBeforeClick = knob.current;
+    if (use.isActivated && !isSecondClick) ui.sliders.valuesBeforeClick = knob.current;
     if (use.isActivated || use.isChanged) ui.session.animate(part.index, false);
     if (use.isTyped) {
-        ui.typing = widgetName(knob, part.component);
-        ui.typingBegins = true;
+        ui.sliders.typing = widgetName(knob, part.component);
+        ui.sliders.typingBegins = true;
         // The first click of the two has moved the slider.
-        if (isSecondClick) ui.session.setValue(part.index, ui.valuesBeforeClick);
+        if (isSecondClick) ui.session.setValue(part.index, ui.sliders.valuesBeforeClick);
     } else if (use.isChanged) {
         setPart(ui, part, value);
     }
@@ -283,8 +286,6 @@ void withoutValues(Ui& ui) {
     mark(ui, "uniforms/none: {}", text);
 }
 
-}  // namespace
-
 void uniformsPanel(Ui& ui) {
     if (!section(ui, "Values", "uniforms", true)) return;
     const std::vector<Knob>& knobs = ui.session.knobs();
@@ -305,7 +306,7 @@ void uniformsPanel(Ui& ui) {
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("Write the current values into the Program lines of the .glib file");
     continueRowForCheck("Labels");
-    ImGui::Checkbox("Labels", &ui.showLabels);
+    ImGui::Checkbox("Labels", &ui.shared.showLabels);
     mark(ui, "uniforms/labels");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Show the values over the picture (L)");
     std::optional<scene::ProgramIndex> drawn;
@@ -324,5 +325,17 @@ void uniformsPanel(Ui& ui) {
         ImGui::PopID();
     }
 }
+
+constexpr auto kValueKeys = std::to_array<Shortcut>({
+    {KeyGroup::values, GLFW_KEY_R, true, "Ctrl+R", "reset all values",
+     [](Ui& ui, Panel&) { ui.session.resetValues(); }},
+    {KeyGroup::values, GLFW_KEY_L, false, "L", "show values over the picture",
+     [](Ui& ui, Panel&) { ui.shared.showLabels = !ui.shared.showLabels; }},
+});
+
+}  // namespace
+
+const PanelRow kValuesRow{
+    .name = "uniforms", .place = PanelPlace::section, .make = make<Drawn<uniformsPanel>>, .keys = kValueKeys};
 
 }  // namespace glibra::view

@@ -52,7 +52,7 @@ struct Track {
 /// Follows the mouse. A click on the thumb moves nothing, a click beside it brings the thumb to the mouse.
 void dragThumb(Ui& ui, const Track& track, const SliderScale& scale, bool begins, double& value) {
     const ImGuiIO& io = ImGui::GetIO();
-    SliderDrag& drag = ui.sliderDrag;
+    SliderDrag& drag = ui.sliders.drag;
     if (begins) {
         const double now = scale.positionOf(value);
         const bool isOnThumb = std::abs(io.MousePos.x - track.centreAt(now)) <= track.thumb;
@@ -131,42 +131,42 @@ void drawTrack(const Ui& ui, const Track& track, const SliderScale& scale, doubl
     list.PopClipRect();
     if (isFocused)
         list.AddRect(track.low, track.high, ImGui::GetColorU32(ImGuiCol_NavHighlight), style.FrameRounding, 0,
-                     2 * ui.scale);
+                     2 * ui.shared.scale);
 }
 
 void takeKeys(Ui& ui, const SliderScale& scale, double& value) {
-    if (const auto end = std::exchange(ui.sliderEnd, std::nullopt)) value = scale.valueAt(*end ? 1 : 0);
-    if (const double moves = std::exchange(ui.sliderMoves, 0); moves != 0)
+    if (const auto end = std::exchange(ui.sliders.end, std::nullopt)) value = scale.valueAt(*end ? 1 : 0);
+    if (const double moves = std::exchange(ui.sliders.moves, 0); moves != 0)
         value = scale.moved(value, moves, ImGui::GetIO().KeyShift);
 }
 
 }  // namespace
 
 SliderUse valueSlider(Ui& ui, const char* id, const SliderScale& scale, double& value, const char* unit) {
-    const float thumb = std::round(1.5F * kSpace * ui.scale);
+    const float thumb = std::round(1.5F * kSpace * ui.shared.scale);
     const ImVec2 size(std::max(4 * thumb, ImGui::CalcItemWidth()), ImGui::GetFrameHeight());
     const ImVec2 low = ImGui::GetCursorScreenPos();
     ImGui::InvisibleButton(id, size);
     const Track track{low, {low.x + size.x, low.y + size.y}, thumb};
     const unsigned itemId = ImGui::GetID(id);
     const bool isDisabled = (ImGui::GetCurrentContext()->CurrentItemFlags & ImGuiItemFlags_Disabled) != 0;
-    if (!isDisabled) ui.sliders.push_back(itemId);
+    if (!isDisabled) ui.sliders.drawn.push_back(itemId);
     const double before = value;
     SliderUse use;
     use.isActivated = ImGui::IsItemActivated();
     use.wantsMenu = ImGui::IsItemClicked(ImGuiMouseButton_Right);
     use.isTyped = ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
     if (use.isActivated || use.wantsMenu) {
-        ui.focusedSlider = itemId;
-        ui.sliderWasClicked = true;
+        ui.sliders.focused = itemId;
+        ui.sliders.wasClicked = true;
     }
-    const bool isFocused = ui.focusedSlider == itemId;
+    const bool isFocused = ui.sliders.focused == itemId;
     if (ImGui::IsItemActive() && !use.isTyped) {
         dragThumb(ui, track, scale, use.isActivated, value);
     } else if (isFocused) {
-        if (std::exchange(ui.revealsSlider, false) && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
+        if (std::exchange(ui.sliders.reveals, false) && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
         takeKeys(ui, scale, value);
-        use.isTyped = use.isTyped || std::exchange(ui.sliderIsTyped, false);
+        use.isTyped = use.isTyped || std::exchange(ui.sliders.isTyped, false);
     }
     use.isChanged = value != before;
     drawTrack(ui, track, scale, value, unit, isFocused);
@@ -174,17 +174,17 @@ SliderUse valueSlider(Ui& ui, const char* id, const SliderScale& scale, double& 
 }
 
 bool sliderEntry(Ui& ui, const char* id, double& value) {
-    if (std::exchange(ui.typingBegins, false)) {
-        ui.typed = value;
+    if (std::exchange(ui.sliders.typingBegins, false)) {
+        ui.sliders.typed = value;
         ImGui::SetKeyboardFocusHere();
     }
-    ui.sliders.push_back(ImGui::GetID(id));  // keeps the keyboard for the slider that comes back
-    ImGui::InputDouble("##entry", &ui.typed, 0, 0, "%.9g",
+    ui.sliders.drawn.push_back(ImGui::GetID(id));  // keeps the keyboard for the slider that comes back
+    ImGui::InputDouble("##entry", &ui.sliders.typed, 0, 0, "%.9g",
                        ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_CharsScientific);
     // The value changes when the user has finished typing, not with each digit.
     if (!ImGui::IsItemDeactivated()) return false;
-    value = ui.typed;
-    ui.typing.clear();
+    value = ui.sliders.typed;
+    ui.sliders.typing.clear();
     return true;
 }
 
@@ -192,7 +192,7 @@ bool labelledSlider(Ui& ui, const char* label, std::string_view name, const Slid
                     const char* unit) {
     ImGui::PushID(label);
     const double before = value;
-    if (!ui.typing.empty() && ui.typing == name) {
+    if (!ui.sliders.typing.empty() && ui.sliders.typing == name) {
         if (sliderEntry(ui, "##slider", value)) {
             value = std::clamp(value, scale.minimum, scale.maximum);
             if (scale.isInteger) value = std::round(value);
@@ -200,12 +200,13 @@ bool labelledSlider(Ui& ui, const char* label, std::string_view name, const Slid
     } else {
         const SliderUse use = valueSlider(ui, "##slider", scale, value, unit);
         const bool isSecondClick = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
-        if (use.isActivated && !isSecondClick) ui.valuesBeforeClick = {before};
+        if (use.isActivated && !isSecondClick) ui.sliders.valuesBeforeClick = {before};
         if (use.isTyped) {
-            ui.typing = name;
-            ui.typingBegins = true;
+            ui.sliders.typing = name;
+            ui.sliders.typingBegins = true;
             // The first click of the two has moved the slider.
-            if (isSecondClick && ui.valuesBeforeClick.size() == 1) value = ui.valuesBeforeClick.front();
+            if (isSecondClick && ui.sliders.valuesBeforeClick.size() == 1)
+                value = ui.sliders.valuesBeforeClick.front();
         }
     }
     mark(ui, name);
@@ -217,22 +218,23 @@ bool labelledSlider(Ui& ui, const char* label, std::string_view name, const Slid
 }
 
 void beginSliders(Ui& ui) {
-    ui.sliderMoves = 0;
-    ui.sliderEnd.reset();
-    ui.sliderIsTyped = ui.sliderWasClicked = false;
+    ui.sliders.moves = 0;
+    ui.sliders.end.reset();
+    ui.sliders.isTyped = ui.sliders.wasClicked = false;
     const ImGuiIO& io = ImGui::GetIO();
     const bool takesKeys = !io.WantTextInput && !io.KeyCtrl && !io.KeyAlt && !ui.shared.question;
-    if (takesKeys && isKeyPressed(GLFW_KEY_TAB) && !ui.sliders.empty()) {
-        const auto now = std::find(ui.sliders.begin(), ui.sliders.end(), ui.focusedSlider);
-        const auto count = static_cast<std::ptrdiff_t>(ui.sliders.size());
-        const std::ptrdiff_t at = now == ui.sliders.end() ? (io.KeyShift ? 0 : -1) : now - ui.sliders.begin();
-        ui.focusedSlider =
-            ui.sliders[static_cast<std::size_t>((at + (io.KeyShift ? -1 : 1) + count) % count)];
-        ui.revealsSlider = true;
-    } else if (takesKeys && ui.focusedSlider != 0) {
+    if (takesKeys && isKeyPressed(GLFW_KEY_TAB) && !ui.sliders.drawn.empty()) {
+        const auto now = std::find(ui.sliders.drawn.begin(), ui.sliders.drawn.end(), ui.sliders.focused);
+        const auto count = static_cast<std::ptrdiff_t>(ui.sliders.drawn.size());
+        const std::ptrdiff_t at =
+            now == ui.sliders.drawn.end() ? (io.KeyShift ? 0 : -1) : now - ui.sliders.drawn.begin();
+        ui.sliders.focused =
+            ui.sliders.drawn[static_cast<std::size_t>((at + (io.KeyShift ? -1 : 1) + count) % count)];
+        ui.sliders.reveals = true;
+    } else if (takesKeys && ui.sliders.focused != 0) {
         const double fine = io.KeyShift ? kFine : 1;
         const auto move = [&](int key, const char* name, double by) {
-            if (!isUsedByScene(ui, name) && isKeyPressed(key)) ui.sliderMoves += by * fine;
+            if (!isUsedByScene(ui, name) && isKeyPressed(key)) ui.sliders.moves += by * fine;
         };
         move(GLFW_KEY_RIGHT, "right", kStep);
         move(GLFW_KEY_UP, "up", kStep);
@@ -240,18 +242,19 @@ void beginSliders(Ui& ui) {
         move(GLFW_KEY_DOWN, "down", -kStep);
         move(GLFW_KEY_PAGE_UP, "pageup", kPage);
         move(GLFW_KEY_PAGE_DOWN, "pagedown", -kPage);
-        if (isKeyPressed(GLFW_KEY_HOME)) ui.sliderEnd = false;
-        if (isKeyPressed(GLFW_KEY_END)) ui.sliderEnd = true;
+        if (isKeyPressed(GLFW_KEY_HOME)) ui.sliders.end = false;
+        if (isKeyPressed(GLFW_KEY_END)) ui.sliders.end = true;
         const bool isEnter = isKeyPressed(GLFW_KEY_ENTER, false) || isKeyPressed(GLFW_KEY_KP_ENTER, false);
-        ui.sliderIsTyped = isEnter && !isUsedByScene(ui, "enter");
+        ui.sliders.isTyped = isEnter && !isUsedByScene(ui, "enter");
     }
-    ui.sliders.clear();
+    ui.sliders.drawn.clear();
 }
 
 void endSliders(Ui& ui) {
-    const bool isGone = std::find(ui.sliders.begin(), ui.sliders.end(), ui.focusedSlider) == ui.sliders.end();
-    if (isGone && ui.typing.empty()) ui.focusedSlider = 0;
-    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ui.sliderWasClicked) ui.focusedSlider = 0;
+    const bool isGone = std::find(ui.sliders.drawn.begin(), ui.sliders.drawn.end(), ui.sliders.focused) ==
+                        ui.sliders.drawn.end();
+    if (isGone && ui.sliders.typing.empty()) ui.sliders.focused = 0;
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ui.sliders.wasClicked) ui.sliders.focused = 0;
 }
 
 }  // namespace glibra::view

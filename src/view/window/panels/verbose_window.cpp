@@ -18,16 +18,14 @@ std::string verboseText(const Session& session) {
     return text + "\n" + render::toText(session.live().loadStats());
 }
 
-}  // namespace
-
-void verboseWindow(Ui& ui) {
-    if (ui.session.hasScene() && ui.session.isVerbose() != ui.shared.isVerbose) {
-        ui.session.setVerbose(ui.shared.isVerbose);
+void verboseWindow(Ui& ui, bool& isOpen) {
+    if (ui.session.hasScene() && ui.session.isVerbose() != isOpen) {
+        ui.session.setVerbose(isOpen);
         ui.requests.reload = true;
     }
-    if (!ui.shared.isVerbose) return;
+    if (!isOpen) return;
     placeFloating(ui, 30, 60, 620, 420);
-    if (ImGui::Begin("Verbose", &ui.shared.isVerbose, ImGuiWindowFlags_NoCollapse)) {
+    if (ImGui::Begin(kVerboseRow.title, &isOpen, ImGuiWindowFlags_NoCollapse)) {
         const std::string text = ui.session.hasScene() ? verboseText(ui.session) : std::string();
         if (ImGui::Button("Copy")) ImGui::SetClipboardText(text.c_str());
         mark(ui, "verbose/copy");
@@ -40,5 +38,13 @@ void verboseWindow(Ui& ui) {
     }
     ImGui::End();
 }
+
+}  // namespace
+
+const PanelRow kVerboseRow{.name = "verbose",
+                           .place = PanelPlace::floating,
+                           .make = make<Drawn<verboseWindow>>,
+                           .isShared = true,
+                           .title = "Verbose"};
 
 }  // namespace glibra::view

@@ -1,6 +1,8 @@
 // The section "View": transforms as numbers, projection, axes, background.
 
 #include <fmt/format.h>
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -10,6 +12,7 @@
 
 #include "render/draw/view_matrices.h"
 #include "view/scene/slider_scale.h"
+#include "view/window/panels/debug_view_panel.h"
 #include "view/window/panels/icons.h"
 #include "view/window/panels/ui.h"
 
@@ -87,6 +90,17 @@ void cameras(Ui& ui) {
     ImGui::EndCombo();
 }
 
+/// Check boxes that open and close tool windows.
+void toolWindows(Ui& ui) {
+    for (const PanelUse& each : ui.panels) {
+        if (!each.row->checkBox) continue;
+        continueRowForCheck(each.row->checkBox);
+        ImGui::Checkbox(each.row->checkBox, &each.panel->isOpen);
+        mark(ui, "view/{}", each.row->name);
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", each.row->help);
+    }
+}
+
 void projection(Ui& ui) {
     ViewState view = ui.session.view();
     int mode = static_cast<int>(view.projection);
@@ -103,17 +117,7 @@ void projection(Ui& ui) {
     if (ImGui::Checkbox("Wireframe", &wireframe)) ui.session.setWireframe(wireframe);
     mark(ui, "view/wireframe");
 
-    continueRowForCheck("Textures");
-    ImGui::Checkbox("Textures", &ui.inspector.isOpen);
-    mark(ui, "view/inspector");
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip(
-            "Show the texels of textures and targets, the picture's colour and depth, and buffers (I)");
-    continueRowForCheck("Noise");
-    ImGui::Checkbox("Noise", &ui.shared.noise.isOpen);
-    mark(ui, "view/noise");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Show the noise functions as graphs (N)");
-
+    toolWindows(ui);
     continueRowForCheck("Background");
     bool own = view.background.has_value();
     if (ImGui::Checkbox("Background", &own)) {
@@ -178,8 +182,6 @@ void screen(Ui& ui) {
     ImGui::PopItemWidth();
 }
 
-}  // namespace
-
 void viewPanel(Ui& ui) {
     if (!section(ui, "View", "view", false)) return;
     modes(ui);
@@ -191,5 +193,44 @@ void viewPanel(Ui& ui) {
     projection(ui);
     screen(ui);
 }
+
+/// Back to the scene's own camera, if the user looks through another one.
+void nextProjection(Ui& ui, Panel& /*panel*/) {
+    if (!ui.session.camera().empty()) {
+        ui.session.setCamera("");
+        ui.session.setTransform(TransformMode::eye, kIdentity);
+        return;
+    }
+    ui.session.nextProjection();
+}
+
+template <TransformMode mode>
+void setMode(Ui& ui, Panel& /*panel*/) {
+    ui.mode = mode;
+}
+
+constexpr auto kViewKeys = std::to_array<Shortcut>({
+    {KeyGroup::view, GLFW_KEY_1, false, "1", "the mouse moves the scene", setMode<TransformMode::scene>},
+    {KeyGroup::view, GLFW_KEY_2, false, "2", "the mouse moves the eye", setMode<TransformMode::eye>},
+    {KeyGroup::view, GLFW_KEY_3, false, "3", "the mouse moves the picked object",
+     setMode<TransformMode::object>},
+    {KeyGroup::view, GLFW_KEY_4, false, "4", "the mouse moves texture coordinates",
+     setMode<TransformMode::texture>},
+    {KeyGroup::view, GLFW_KEY_R, false, "R", "reset all transforms, keep the values",
+     [](Ui& ui, Panel&) { ui.session.resetTransforms(); }},
+    {KeyGroup::view, GLFW_KEY_C, false, "C", "look through the scene's next camera",
+     [](Ui& ui, Panel&) { ui.session.nextCamera(); }},
+    {KeyGroup::view, GLFW_KEY_P, false, "P",
+     "orthographic or perspective, then as in the scene; first back to its own camera", nextProjection},
+    {KeyGroup::view, GLFW_KEY_A, false, "A", "show axes",
+     [](Ui& ui, Panel&) { ui.session.setAxes(!ui.session.axes()); }},
+    {KeyGroup::view, GLFW_KEY_W, false, "W", "show wireframe",
+     [](Ui& ui, Panel&) { ui.session.setWireframe(!ui.session.wireframe()); }},
+});
+
+}  // namespace
+
+const PanelRow kViewRow{
+    .name = "view", .place = PanelPlace::section, .make = make<Drawn<viewPanel>>, .keys = kViewKeys};
 
 }  // namespace glibra::view

@@ -1,5 +1,5 @@
 #pragma once
-// The state of the source panel for one tab.
+// The state of the source panel.
 
 #include <glibra/diagnostic.h>
 
@@ -8,21 +8,26 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <vector>
 
-#include "view/edit/source_files.h"
 #include "view/window/panels/code_assist.h"
-#include "view/window/panels/code_editor.h"
+#include "view/window/panels/code_view.h"
 #include "view/window/panels/find_bar.h"
 
 namespace glibra::view {
 
-struct SourcePanel {
-    std::vector<SourceFile> files;
-    std::uint64_t loaded = 0;      ///< Session::timesLoaded() of `files`
+/// What is shown now.
+struct ShownSource {
+    std::string file;  ///< empty: no text
+    int line = 0, column = 0;
+    bool isActive = false, isChanged = false, hasConflict = false;
+};
+
+struct SourceState {
+    ShownSource shown;
+    std::uint64_t loaded = 0;      ///< Session::timesLoaded() of Ui::files
     std::filesystem::path chosen;  ///< one of them
     bool follow = false;           ///< the file tabs have to select `chosen`
-    std::optional<Place> goTo;     ///< a place to show in the next frame
+    std::optional<Place> goTo;     ///< a place to show in this frame
     std::map<std::filesystem::path, CodeView> views;
     FindBar find;
     CodeAssist assist;
@@ -32,10 +37,5 @@ struct SourcePanel {
     bool keepsKeyboard = false;  ///< the text had the keyboard last, and nothing was clicked since but
                                  ///< windows that Esc closes
 };
-
-struct Ui;
-
-/// Gives the keyboard back to the text, if it had it before a window in front took it.
-void returnToText(Ui& ui);
 
 }  // namespace glibra::view

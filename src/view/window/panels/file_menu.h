@@ -1,0 +1,20 @@
+#pragma once
+// The menu "File": new scenes from templates, opening, saving, copies of examples, hardcopies.
+
+#include <optional>
+#include <vector>
+
+#include "view/browse/example_scenes.h"
+
+namespace glibra::view {
+
+struct Ui;
+
+struct FileMenu {
+    std::optional<std::vector<ExampleScene>> templates;  ///< of the menu "New", listed when it is first open
+};
+
+/// The button "File" and its menu.
+void fileMenu(Ui& ui, FileMenu& menu);
+
+}  // namespace glibra::view

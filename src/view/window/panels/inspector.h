@@ -1,0 +1,47 @@
+#pragma once
+// The state of the window "Textures, targets, buffers", and its view of a buffer.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gpu/object/texture.h"
+#include "plan/buffer_table.h"
+#include "render/check/content.h"
+#include "scene/objects.h"
+#include "view/debug_view/texels.h"
+
+namespace glibra::view {
+
+struct Ui;
+
+struct Inspector {
+    /// "picture", "depth", the name of a texture or buffer, or "#2" for texture 2 of the scene, which has no
+    /// name.
+    std::string chosen = "picture";
+    int level = 0, layer = 0;
+    bool isPrevious = false;  ///< the other copy of an object with history
+    bool wantsRange = false;  ///< the range of shown values follows from the next content
+    bool fits = true;         ///< the zoom follows the size of the window, until the user chooses one
+    float zoom = 1;
+    TexelDisplay display;
+    std::string readFor;  ///< what `content` or `rows` was read for
+    std::optional<render::Content> content;
+    std::string problem;  ///< why there is none
+    std::optional<gpu::Texture> shown;
+    TexelDisplay shownDisplay;
+    std::string hovered;  ///< the texel under the mouse: "12, 40: 0.5 0.25 0 1"
+    // Of a buffer:
+    std::uint64_t firstRow = 0;
+    plan::BufferTable table;
+    std::vector<std::string> head;               ///< the cells before the array
+    std::vector<std::vector<std::string>> rows;  ///< the cells of the shown elements
+};
+
+/// Reads the shown elements of a buffer.
+void readBuffer(const Ui& ui, Inspector& inspector, scene::BufferIndex index);
+/// Draws the buffer's members and elements as tables.
+void bufferTable(Ui& ui, Inspector& inspector);
+
+}  // namespace glibra::view

@@ -1,0 +1,99 @@
+#include "view/window/panels/save_scene.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "image/file.h"
+#include "view/browse/example_scenes.h"
+#include "view/edit/save_values.h"
+#include "view/edit/scene_copy.h"
+#include "view/window/panels/ui.h"
+
+namespace glibra::view {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The text of the session's scene as it would be saved: with unsaved edits, or else with the values.
+Result<std::string> textToSave(const Ui& ui) {
+    const auto edited = ui.shared.sources.find(ui.session.path());
+    if (edited != ui.shared.sources.end() && edited->second.isChanged()) return edited->second.text();
+    const fs::path& path = ui.session.path();
+    const auto bytes = image::readFile(path, {path.string(), {path.string(), 1, 1}});
+    if (!bytes) return bytes.diagnostics;
+    return withValues(
+        withFiles({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, ui.session.chosenFiles()),
+        ui.session.knobs());
+}
+
+/// Returns the problem; empty on success.
+std::string save(Ui& ui, fs::path target) {
+    if (!target.has_extension()) target += ".glib";
+    const Session& session = ui.session;
+    const Result<std::string> text = textToSave(ui);
+    Diagnostics problems = text.diagnostics;
+    std::vector<CopiedFile> files;
+    if (isExample(target)) {
+        problems.push_back(
+            diagnose("view-E03", "the folder of the examples is not written to; choose another one"));
+    } else if (text) {
+        files = filesOfCopy(session.live(), target, isExample(session.path()),
+                            session.renderOptions().libraryRoots);
+        problems = writeCopy(*text, target, files);
+    }
+    if (!problems.empty()) return problems.front().text;
+    ui.notice = fmt::format("saved {}", target.string());
+    if (!files.empty())
+        ui.notice.text +=
+            fmt::format(" and {} file{} that it reads", files.size(), files.size() == 1 ? "" : "s");
+    ui.requests.open = target;
+    ui.requests.inNewTab = true;
+    return {};
+}
+
+}  // namespace
+
+fs::path ownFolder(const Ui& ui) {
+    if (ui.session.hasScene() && !isExample(ui.session.path())) return ui.session.path().parent_path();
+    for (const std::string& each : ui.settings.recent)
+        if (!isExample(each)) return fs::path(each).parent_path();
+    const char* home = std::getenv("HOME");
+    return home ? home : ".";
+}
+
+void saveScene(Ui& ui) {
+    if (!ui.session.hasScene()) return;
+    if (isExample(ui.session.path())) return saveSceneAs(ui);
+    const Diagnostics problems = saveValues(ui.session.path(), ui.session.knobs(), ui.session.chosenFiles());
+    if (!problems.empty()) {
+        ui.notice = problems.front();
+        return;
+    }
+    ui.notice = "saved the values in " + ui.session.path().filename().string();
+    ui.session.forgetChosenFiles();
+}
+
+void saveSceneAs(Ui& ui) {
+    if (!ui.session.hasScene()) return;
+    const bool isCopy = isExample(ui.session.path());
+    const std::string name = ui.session.path().filename().string();
+    ui.wanted.file = FileRequest{
+        FileQuestion{
+            .kind = FileQuestion::Kind::save,
+            .title = (isCopy ? "Save a copy of " : "Save as: ") + name,
+            .button = "Save",
+            .hint = isCopy
+                        ? "Examples stay as they are. The copy gets your values, and the shaders and other "
+                          "files of the scene are copied into its folder."
+                        : "The scene with its values. Files that it would not find there are copied, too.",
+            .endings = ".glib",
+            .entry = name,
+            .chosen = [](Ui& chosenIn, const fs::path& target) { return save(chosenIn, target); }},
+        false, ownFolder(ui)};
+}
+
+}  // namespace glibra::view

@@ -1,0 +1,22 @@
+#pragma once
+// What stands above the text in the source panel: the tabs of the files, and the buttons.
+
+#include <filesystem>
+
+#include "view/edit/edited_file.h"
+#include "view/window/panels/source_state.h"
+
+namespace glibra::view {
+
+struct Ui;
+
+/// True if both name the same file.
+bool isSame(const std::filesystem::path& a, const std::filesystem::path& b);
+void fileTabs(Ui& ui, SourceState& panel);
+void sourceButtons(Ui& ui, const SourceState& panel, EditedFile& file, CodeView& view);
+/// What to do about a change that another program has made.
+void conflict(Ui& ui, EditedFile& file, CodeView& view);
+/// Saves the file that is shown.
+void saveSource(Ui& ui, const std::filesystem::path& chosen);
+
+}  // namespace glibra::view

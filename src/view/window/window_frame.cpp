@@ -1,0 +1,178 @@
+// When a frame is drawn, and what it takes.
+
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <glad/gl.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <thread>
+#include <utility>
+
+#include "gpu/context/reset.h"
+#include "image/file.h"
+#include "view/window/panels/layout.h"
+#include "view/window/platform/input_script.h"
+#include "view/window/platform/keys.h"
+#include "view/window/platform/theme.h"
+#include "view/window/window.h"
+#include "view/window/window_loop.h"
+
+namespace glibra::view {
+namespace {
+
+constexpr double kLongestStep = .25;  ///< seconds by which one frame may advance the scene's time
+constexpr double kReplayedSeconds = 1. / 60;
+
+double now() {
+    return std::chrono::duration<double>(RealClock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+bool Window::hasWork() {
+    for (std::size_t i = 0; i < tabs_.count(); ++i)
+        if (isAny(tabs_.at(i).ui, &Panel::isWorking)) return true;
+    return framesWanted_ > 0 || ui().frame.isFollowed || session().isMoving() || !replay_.isDone();
+}
+
+void Window::waitForWork() {
+    if (!hasWork()) {
+        display_.takeEvents(-1);
+        lastFrame_ = RealClock::now();
+    } else if (!replay_.isDone()) {
+        display_.takeEvents(0);
+    } else {
+        display_.takeEvents(pacer_.secondsToNext(now()));
+        // Events must not make a moving scene run faster.
+        while (session().isMoving() && pacer_.secondsToNext(now()) > 0)
+            std::this_thread::sleep_for(std::chrono::duration<double>(pacer_.secondsToNext(now())));
+    }
+    if (!display_.takeActivity()) return;
+    framesWanted_ = kFramesAfterEvent;
+    pacer_.setRate(display_.refreshRate());
+}
+
+/// The next frame of the record takes the place of what the user does.
+void Window::takeReplayed(FrameInput& input) {
+    input = replay_.next();
+    ImGui::GetIO().DeltaTime = static_cast<float>(kReplayedSeconds);
+    if (input.windowSize) display_.setSize(input.windowSize->first, input.windowSize->second);
+    if (input.open) ui().requests.open = *input.open;
+    ui().frame.way = input.way;
+    dropped_ = input.dropped;
+    const std::vector<Display::KeyPress>& pressed = replay_.pressed();
+    ui().frame.pressed.insert(ui().frame.pressed.end(), pressed.begin(), pressed.end());
+    framesWanted_ = kFramesAfterEvent;
+}
+
+/// Samples per pixel of this frame. A software rasteriser compiles a program once for one sample and once for
+/// several, which takes twice as long; so there the first picture after an edit has one sample, and the next
+/// frame is smooth again.
+int Window::samplesOfFrame() {
+    if (std::exchange(isReloaded_, false) && isSoftware_) return 1;
+    return shared_.samples.value_or(shared_.settings.samples);
+}
+
+/// True if more input is waiting, so that this frame of a slow scene need not be drawn: the next one will be.
+bool Window::isPassedOver() {
+    return input_.isWaiting() && session().hasScene() && session().picture() != nullptr &&
+           !session().live().readsMouse();
+}
+
+void Window::drawFrame() {
+    const double passed = std::min(kLongestStep, secondsSince(lastFrame_));
+    lastFrame_ = RealClock::now();
+    pacer_.begin(now());
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui_ImplGlfw_NewFrame();
+    input_.add(display_.takeInput());
+    InputQueue::Frame queued = input_.next();
+    FrameInput input = inputOf(input_, queued);
+    ui().frame.pressed = std::move(queued.pressed);
+    ui().frame.way = std::move(queued.way);
+    const bool isReplayed = !replay_.isDone();
+    if (isReplayed) takeReplayed(input);
+    giveToImGui(input);
+    if (record_) record_->add(std::move(input), ui().frame.way, display_.size());
+    for (drawn_ = 0; drawn_ < tabs_.count(); ++drawn_)
+        for (const PanelUse& each : tabs_.at(drawn_).ui.panels) each.panel->work(tabs_.at(drawn_).ui);
+    drawn_ = tabs_.shownIndex();
+    Ui& ui = tabs_.shown().ui;
+    ui.session.advance(isReplayed ? kReplayedSeconds : passed);
+    tabs_.updateTitles();
+    // Outside of text fields, Tab chooses sliders (value_slider.h).
+    keepTabFromFocus();
+    ImGui::NewFrame();
+    showAll(ui);
+    if (!ImGui::IsAnyItemActive() && !ui.frame.isDragging && ui.session.hasScene())
+        ui.history.record(ui.session);
+
+    const auto [windowWidth, windowHeight] = display_.size();
+    const auto [width, height] = display_.framebufferSize();
+    if (windowWidth < 1 || windowHeight < 1 || width < 1 || height < 1) {
+        ImGui::EndFrame();
+        return;
+    }
+    const float perUnit = static_cast<float>(width) / static_cast<float>(windowWidth);
+    ui.session.resize(static_cast<int>(ui.frame.picture[2] * perUnit),
+                      static_cast<int>(ui.frame.picture[3] * perUnit));
+    ui.session.setSamples(samplesOfFrame());
+    ui.session.setWholeShape(shared_.settings.pictureShape == PictureShape::fill ? shapeOf(ui) : 0);
+    const RealClock::time_point start = RealClock::now();
+    if (!isPassedOver()) ui.session.drawIfNeeded();
+    if (changeSaved_) {
+        // Drivers compile a program at its first draw; this measures how long that takes.
+        glFinish();
+        loop_.firstDrawMilliseconds = secondsSince(start) * kMilliseconds;
+    }
+    drawOverPicture(ui);
+    present();
+    const bool isAsEvent = input_.isWaiting() || ui.wanted.any();
+    framesWanted_ = isAsEvent ? kFramesAfterEvent : framesWanted_ - 1;
+}
+
+void Window::present() {
+    const auto [width, height] = display_.framebufferSize();
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glDisable(GL_SCISSOR_TEST);
+    const Color& well = palette().well;
+    glClearColor(well.r, well.g, well.b, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    const float perUnit = static_cast<float>(width) / static_cast<float>(std::max(1, display_.size().first));
+    if (const gpu::Target* picture = session().picture()) {
+        const int left = static_cast<int>(std::lround(ui().frame.picture[0] * perUnit));
+        const int top = height - static_cast<int>(std::lround(ui().frame.picture[1] * perUnit));
+        picture->readable().bindForReading();
+        glBlitFramebuffer(0, 0, picture->width(), picture->height(), left, top - picture->height(),
+                          left + picture->width(), top, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    }
+    glViewport(0, 0, width, height);
+    // ImGui restores the bound program afterwards, which a reload may have deleted.
+    glUseProgram(0);
+    ImGui::Render();
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    display_.present();
+    gpu::expectDevice();
+    ++loop_.framesPresented;
+    if (const auto saved = std::exchange(changeSaved_, std::nullopt)) {
+        glFinish();
+        loop_.editToPictureMilliseconds = secondsSince(*saved) * kMilliseconds;
+    }
+}
+
+void Window::writeState() {
+    if (arguments_.stateFile.empty()) return;
+    loop_.windowSize = display_.size();
+    loop_.refreshRate = display_.refreshRate();
+    loop_.hasSwapControl = Display::hasSwapControl();
+    loop_.isWaiting = !hasWork();
+    std::string text = windowJson(ui(), loop_);
+    if (text != writtenState_)
+        image::writeFileAtomically(arguments_.stateFile, std::as_bytes(std::span(text)));
+    writtenState_ = std::move(text);
+}
+
+}  // namespace glibra::view
