@@ -6,7 +6,7 @@ endif()
 pkg_check_modules(glfw REQUIRED IMPORTED_TARGET glfw3)
 pkg_check_modules(imgui REQUIRED IMPORTED_TARGET imgui)
 
-glibra_room(view ROOMS render suite image noise LINK nlohmann_json::nlohmann_json)
+glibra_room(view ROOMS render suite source image noise LINK nlohmann_json::nlohmann_json)
 
 file(GLOB debug_shaders CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/view/debug_view/shaders/*)
 glibra_embed(glibra_view debug_shaders ${debug_shaders})

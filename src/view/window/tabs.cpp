@@ -78,13 +78,20 @@ void Tabs::releaseDevice() {
         each->ui.labels = {};
         each->ui.inspector.shown.reset();
         each->ui.inspector.readFor.clear();
+        CompareWindow& compare = each->ui.compare;
+        compare.own.reset();
+        compare.other.reset();
+        if (compare.comparison) compare.comparison->releaseDevice();
     }
     shared_.noise.picture.reset();
     for (ExampleBrowser::Tile& each : shared_.examples.tiles) each.picture.reset();
 }
 
 void Tabs::restoreDevice() {
-    for (const std::unique_ptr<Tab>& each : tabs_) each->session.restoreDevice();
+    for (const std::unique_ptr<Tab>& each : tabs_) {
+        each->session.restoreDevice();
+        if (each->ui.compare.comparison) each->ui.compare.comparison->restoreDevice();
+    }
 }
 
 bool Tabs::uses(const Tab& tab, const fs::path& file) const {

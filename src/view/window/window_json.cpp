@@ -147,6 +147,13 @@ void addInspector(Json& state, const Inspector& inspector) {
                           {"rows", inspector.rows}};
 }
 
+Json compareJson(const CompareWindow& compare) {
+    Json json = {{"scene", compare.comparison->path().string()}, {"problem", compare.problem}};
+    if (const std::optional<Comparison::Score> score = compare.comparison->known())
+        json["score"] = {score->flip, score->structure};
+    return json;
+}
+
 void addPanels(Json& state, const Ui& ui) {
     state["picture"] = ui.picture;
     state["room"] = ui.room;
@@ -162,6 +169,8 @@ void addPanels(Json& state, const Ui& ui) {
     state["lightTheme"] = ui.settings.lightTheme;
     state["inspected"] = ui.inspector.hovered;
     addInspector(state, ui.inspector);
+    if (const CompareWindow& compare = ui.compare; compare.isOpen && compare.comparison)
+        state["compare"] = compareJson(compare);
     addTabs(state, ui.shared);
     addSource(state, ui);
     addExamples(state, ui.shared.examples);

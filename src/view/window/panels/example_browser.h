@@ -28,6 +28,8 @@ struct ExampleBrowser {
     std::filesystem::path root;
     std::vector<Tile> tiles;
     std::array<char, 128> search{};
+    std::vector<std::string> chapters;                   ///< of the tiles
+    std::string chapter;                                 ///< the one whose scenes are shown; empty: all
     std::size_t found = 0;                               ///< number of tiles that the search finds
     std::optional<std::vector<ExampleScene>> templates;  ///< of the menu "New", listed when it is first open
     std::unique_ptr<ThumbnailMaker> maker;

@@ -55,6 +55,7 @@ std::string save(Ui& ui, fs::path target) {
         files = filesOfCopy(session.live(), target, isExample(session.path()),
                             session.renderOptions().libraryRoots);
         problems = writeCopy(*text, target, files);
+        if (problems.empty()) problems = copyExercise(session.path(), target);
     }
     if (!problems.empty()) return problems.front().text;
     ui.notice = fmt::format("saved {}", target.string());
@@ -180,6 +181,10 @@ void fileMenu(Ui& ui) {
     if (item(ui, isShipped ? "Save a copy..." : "Save as...", "Ctrl+Shift+S", "file/saveAs", hasScene))
         saveSceneAs(ui);
     ImGui::Separator();
+    const fs::path& solution = solutionOfShown(ui);
+    if (item(ui, "Compare with the solution", nullptr, "file/solution", hasScene && !solution.empty()))
+        compareWith(ui, solution);
+    if (item(ui, "Compare with...", nullptr, "file/compare", hasScene)) askCompareWith(ui);
     if (item(ui, "Write a hardcopy", "H", "file/hardcopy", hasScene)) writeHardcopy(ui);
     ImGui::MenuItem("Verbose", nullptr, &ui.shared.isVerbose);
     mark(ui, "file/verbose");

@@ -221,6 +221,7 @@ void showAll(Ui& ui) {
     ui.picture = fitted(ui.room, isFilled ? 0 : shapeOf(ui));
     errorBanner(ui);
     inspectorWindow(ui);
+    compareWindow(ui);
     probeWindow(ui);
     referenceWindow(ui);
     noiseWindow(ui);

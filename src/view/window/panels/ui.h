@@ -23,6 +23,7 @@
 #include "view/session/history.h"
 #include "view/session/session.h"
 #include "view/session/wheel.h"
+#include "view/window/panels/compare_window.h"
 #include "view/window/panels/hardcopy_panel.h"
 #include "view/window/panels/label_overlay.h"
 #include "view/window/panels/message_box.h"
@@ -150,6 +151,7 @@ struct Ui {
     float dragLength = 0;         ///< pixels so far
     std::vector<MousePoint> way;  ///< InputQueue::Frame::way; empty: straight to where the mouse is
     Inspector inspector;
+    CompareWindow compare;
     std::string debugViewText;  ///< the debug view's numbers of the pixel under the mouse
     std::optional<FrameCost> cost;
     std::vector<Display::KeyPress> pressed;
