@@ -121,7 +121,7 @@ TEST_F(Film, AnAnimatedPngNeedsNoFfmpeg) {
     const Finished run =
         glibra(folder.path(), "render a.glib --frames 3 --fps 10 -o film.apng --jobs 2", without);
     ASSERT_EQ(run.status, 0) << run.err;
-    EXPECT_EQ(left(), "a.frag\na.glib\na.vert\nempty/\nfilm.apng\n");
+    EXPECT_FALSE(has("film_0000.png"));
     EXPECT_NE(readFile(folder / "film.apng").find("acTL"), std::string::npos);
     const auto first = image::readImage(folder / "film.apng");
     ASSERT_TRUE(first);
