@@ -4,7 +4,7 @@
 tests/coverage/rows.csv lists every row: id, source, chapter, what it asks for, and, for a row without a scene, the
 answer: the tests, pages or commands that answer it (files in backquotes; shots of suites as "shot `TOPIC/NAME`"),
 `not yet`, `no picture: WHY`, or `not possible: WHY`. A scene answers the rows whose ids begin its first line, as in
-`# SH113 SH114 Compact disc: ...`. A starting scene of glib/exercises begins with `# Exercise ID: ...`, and NAME.toml
+`# SH113 SH114 Compact disc: ...`. A starting scene of glib/exercises begins with `# Exercise ID ID: ...`, and NAME.toml
 beside it names the solution. The D01 to D25 of scenes are pictures of "Graphics Shaders"; the defects of listings, D1 to
 D62 of other sources, have no scenes.
 
@@ -159,11 +159,13 @@ def connect(rows, scenes):
         elif not scene.goldens and not re.search(r"^\s*Expect\b", text_of(scene.path), re.MULTILINE | re.IGNORECASE):
             yield f"{scene.path}: no golden, and no Expect"
     for path in files("glib/exercises/*/*.glib"):
-        found = re.match(r"#\s*Exercise ([\w.]+\w)", text_of(path))
-        if not found or found.group(1) not in known:
-            yield f"{path}: the first line is not '# Exercise ID: ...' with an id of {ROWS}"
+        found = re.match(r"#\s*Exercise ([\w., ]+):", text_of(path))
+        ids = re.split(r"[ ,]+", found.group(1)) if found else []
+        if not ids or any(each not in known for each in ids):
+            yield f"{path}: the first line is not '# Exercise ID: ...' with ids of {ROWS}"
         else:
-            known[found.group(1)].task = path
+            for each in ids:
+                known[each].task = path
         grading = path.removesuffix(".glib") + ".toml"
         if not os.path.exists(full(grading)):
             yield f"{path}: {grading} is missing"

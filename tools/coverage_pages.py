@@ -137,11 +137,11 @@ def chapter_page(key, rows):
     return "\n".join(lines + footer("[All rows](../coverage.md) · [The example scenes](../../glib/README.md)")) + "\n"
 
 
-def source_column(scene):
+def source_column(rows):
     """For example "Graphics Shaders, chapters 4 and 9; OpenGL with Java, chapter 14"."""
     texts = []
     for source in BOOKS:
-        chapters = [row.chapter for row in scene.rows if row.source == source]
+        chapters = [row.chapter for row in rows if row.source == source]
         numbers = [str(each) for each in sorted({int(each) for each in chapters if each.isdigit()})]
         if len(numbers) == 1:
             texts.append(f"{source}, chapter {numbers[0]}")
@@ -156,7 +156,7 @@ def footer(links):
     return ["", "---", "", links]
 
 
-def scenes_page(scenes):
+def scenes_page(rows, scenes):
     page = "glib/README.md"
     lines = ["# The example scenes", "",
              "There is one folder per topic. Shaders are in `shaders/TOPIC`, pictures and volumes in",
@@ -167,11 +167,18 @@ def scenes_page(scenes):
     lines += ["", "[docs/coverage.md](../docs/coverage.md) lists what answers each row of these sources, and has a page",
               "of pictures for every chapter. `tools/coverage.py` writes these pages from the ids (such as SH033) in the",
               "first lines of the scenes.", "", "| scene | what it shows | source |", "|---|---|---|"]
-    lines += [f"| {scene_link(each, page)} | {cell(each.sentence)} | {source_column(each)} |" for each in scenes]
+    lines += [f"| {scene_link(each, page)} | {cell(each.sentence)} | {source_column(each.rows)} |" for each in scenes]
+    lines += ["", "## Tasks to begin with", "",
+              "Each has a file beside it (`.toml`) that names its solution, for [`glibra class`](../docs/class.md) and the",
+              "window.", "", "| scene | task | source |", "|---|---|---|"]
+    for path in sorted({row.task for row in rows if row.task}):
+        own = [row for row in rows if row.task == path]
+        name = path[len("glib/"):-len(".glib")]
+        lines.append(f"| {link(name, path, page)} | {cell('; '.join(row.what for row in own))} | {source_column(own)} |")
     links = "[README](../README.md) · [Tutorial](../docs/tutorial.md) · [The scene language](../docs/language.md)"
     return "\n".join(lines + footer(links)) + "\n"
 
 
 def pages(rows, scenes):
     chapters = {page_of(*key): chapter_page(key, own) for key, own in by_chapter(rows).items() if scenes_of(own)}
-    return {"docs/coverage.md": coverage_page(rows), "glib/README.md": scenes_page(scenes), **chapters}
+    return {"docs/coverage.md": coverage_page(rows), "glib/README.md": scenes_page(rows, scenes), **chapters}

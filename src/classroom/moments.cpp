@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "glib/number.h"
+#include "suite/file/exercise_file.h"
 #include "suite/file/suite_file.h"
 #include "suite/file/sweep.h"
 #include "suite/file/toml_reader.h"
@@ -83,6 +84,13 @@ Result<std::vector<Moment>> momentsOf(const suite::Shot& picture, std::span<cons
 }
 
 Result<std::vector<Moment>> momentsOfSuite(const std::filesystem::path& file) {
+    const Result<suite::Exercise> exercise = suite::readExercise(file);
+    if (hasError(exercise.diagnostics)) return exercise.diagnostics;
+    if (exercise) {
+        suite::Shot picture;
+        picture.script = exercise->solution;
+        return momentsOf(picture, exercise->times, exercise->sweeps);
+    }
     Result<suite::Suite> read = suite::readSuite(file);
     if (!read) return std::move(read.diagnostics);
     if (read->shots.size() > kMostMoments) return tooMany(read->shots.size());

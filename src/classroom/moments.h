@@ -1,5 +1,6 @@
 #pragma once
-// The moments at which a class is drawn: the times and sweeps of a command line, or the shots of a suite.
+// The moments at which a class is drawn: the times and sweeps of a command line, the shots of a suite, or
+// those of an exercise.
 
 #include <glibra/result.h>
 
@@ -21,7 +22,8 @@ inline constexpr std::size_t kMostMoments = 100;
 Result<std::vector<Moment>> momentsOf(const suite::Shot& picture, std::span<const double> times,
                                       std::span<const std::string> sweeps);
 
-/// The shots of a suite file, whose scene is the reference. Error: its shots have several scenes.
+/// The shots of a suite file, whose scene is the reference; or the moments of an exercise
+/// (suite/file/exercise_file.h), whose reference is the solution. Error: the shots have several scenes.
 Result<std::vector<Moment>> momentsOfSuite(const std::filesystem::path& file);
 
 }  // namespace glibra::classroom

@@ -6,6 +6,7 @@
 #include <glibra/render.h>
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -35,8 +36,8 @@ struct Review {
 /// A shader source of more than this many bytes is not compared. No scene can use one.
 inline constexpr std::uint64_t kLargestSource = glib::kLargestFile;
 
-/// Reads no file outside of `options.within` and the library.
-Review review(const ReviewTask& task);
+/// Reads no file outside of `options.within` and the library. `scored` is called after each pair of pictures.
+Review review(const ReviewTask& task, const std::function<void()>& scored = {});
 
 /// A review as text for the pipe of a worker. parseReview returns nothing for text that is none.
 std::string toText(const Review& review);

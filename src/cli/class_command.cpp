@@ -19,6 +19,7 @@
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/interruption.h"
+#include "cli/library_hint.h"
 #include "cli/picture_options.h"
 #include "cli/run_facts.h"
 #include "cli/suite_progress.h"
@@ -67,6 +68,10 @@ std::optional<std::vector<classroom::Moment>> momentsOf(const ClassArguments& ar
     reference = isSuite ? moments->front().shot.script : fs::path(arguments.reference);
     for (classroom::Moment& each : *moments) {
         std::vector<fs::path>& roots = each.shot.options.libraryRoots;
+        if (isSuite) {
+            const std::vector<fs::path>& named = arguments.picture.options.libraryRoots;
+            roots.insert(roots.end(), named.begin(), named.end());
+        }
         for (fs::path& root : libraryRoots()) roots.push_back(std::move(root));
     }
     return std::move(*moments.value);
@@ -164,6 +169,11 @@ int runClassCommand(const ClassArguments& arguments, const std::string& command)
         if (!classroom::isDrawn(each))
             printLine(base::printableText(fmt::format("{}: {}: {}", each.submission.name,
                                                       classroom::stateOf(each), classroom::reasonOf(each))));
+    for (const classroom::Entry& each : end.classroom.entries)
+        if (const Diagnostics hint = libraryHint(each.submission.scene, each.diagnostics); !hint.empty()) {
+            print(hint);
+            break;
+        }
     printLine(classroom::summary(end.classroom));
     printLine("page: " + (plan.site / "index.html").string());
     const std::vector<classroom::Submission>& all = plan.submissions.all;
@@ -186,7 +196,7 @@ void addClass(CommandLine& program, int& status) {
     command.option("SUBMISSIONS", to.folder, "folder with a folder or a .glib file per student").required();
     command
         .option("--reference", to.reference,
-                "the scene to compare with; or a suite of it (.toml), whose shots are the pictures to draw")
+                "the scene to compare with; or a suite of it or an exercise (.toml), which says what to draw")
         .required();
     command.option("-o,--output", to.site, "folder for index.html, grades.csv and the pictures")
         .written()

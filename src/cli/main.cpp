@@ -61,6 +61,7 @@ int run(int argc, char** argv) {
     glibra::cli::addRender(line, status);
     glibra::cli::addTest(line, status);
     glibra::cli::addClass(line, status);
+    glibra::cli::addGallery(line, status);
     glibra::cli::addView(line, status);
     glibra::cli::addCheck(line, status);
     glibra::cli::addCompare(line, status);

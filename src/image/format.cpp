@@ -14,7 +14,7 @@ using Row = FormatRow;
 constexpr std::array kFormatRows{
     Row{Format::unknown, "neither a picture nor a raw texture", "", "", false},
     Row{Format::bmp, "a BMP picture", "bmp", ".bmp .dib ", false},
-    Row{Format::png, "a PNG picture", "png", ".png ", true},
+    Row{Format::png, "a PNG picture", "png", ".png .apng ", true},
     Row{Format::jpeg, "a JPEG picture", "jpeg", ".jpg .jpeg .jpe .jfif ", false},
     Row{Format::tiff, "a TIFF picture", "tiff", ".tif .tiff ", true},
     Row{Format::openExr, "an EXR picture", "openexr", ".exr ", true},

@@ -115,6 +115,21 @@ TEST_F(Film, AGifHasAPaletteAndKeepsItsSize) {
     EXPECT_EQ(arguments.find("pad="), std::string::npos);
 }
 
+TEST_F(Film, AnAnimatedPngNeedsNoFfmpeg) {
+    fs::create_directory(folder / "empty");
+    const std::string without = "PATH=\"" + (folder / "empty").string() + "\"";
+    const Finished run =
+        glibra(folder.path(), "render a.glib --frames 3 --fps 10 -o film.apng --jobs 2", without);
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_FALSE(has("film_0000.png"));
+    EXPECT_NE(readFile(folder / "film.apng").find("acTL"), std::string::npos);
+    const auto first = image::readImage(folder / "film.apng");
+    ASSERT_TRUE(first);
+    EXPECT_EQ(first->width, 20);
+    ASSERT_EQ(glibra(folder.path(), "render a.glib -o one.apng", without).status, 0);
+    EXPECT_EQ(readFile(folder / "one.apng").find("acTL"), std::string::npos) << "one frame is a picture";
+}
+
 TEST_F(Film, WithoutFfmpegNothingIsDrawn) {
     fs::create_directory(folder / "empty");
     const Finished run = glibra(folder.path(), "render a.glib --frames 2 -o film.mp4",

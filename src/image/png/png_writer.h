@@ -2,7 +2,10 @@
 // Writes PNG files fast: filters chosen by a quick estimate of the packed size, libdeflate, and several
 // threads for large pictures.
 
+#include <cstddef>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -24,5 +27,10 @@ struct PngOptions {
 /// The image as a PNG file: 8 or 16 bits, 1 to 4 components as grey, grey + alpha, RGB, RGBA. Empty if PNG
 /// cannot hold it: float components, no pixels, or data whose length contradicts the size.
 std::vector<std::byte> encodePng(const Image& image, const PngOptions& options = {});
+
+/// Appends a chunk with its length and checksum. `type` has four letters.
+void putPngChunk(std::vector<std::byte>& png, std::string_view type, std::span<const std::byte> content);
+/// Appends the signature and the chunk IHDR of a picture of u8 or u16 components.
+void putPngHeader(std::vector<std::byte>& png, const Image& image);
 
 }  // namespace glibra::image

@@ -20,6 +20,7 @@
 
 #include "image/convert.h"
 #include "image/file.h"
+#include "image/png/animated_png.h"
 
 namespace glibra::image {
 namespace {
@@ -85,6 +86,10 @@ bool isVideo(const fs::path& file) {
 }
 
 bool holdsAnimation(const fs::path& file) {
+    return needsFfmpeg(file) || suffixOf(file) == ".apng";
+}
+
+bool needsFfmpeg(const fs::path& file) {
     return isVideo(file) || suffixOf(file) == ".gif";
 }
 
@@ -116,6 +121,7 @@ struct VideoFile::State {
     std::unique_ptr<std::FILE, CloseFile> messages;  ///< what ffmpeg prints
     pid_t process = -1;
     int input = -1;
+    std::optional<AnimatedPng> frames;  ///< of an .apng, which needs no process
 
     [[nodiscard]] Diagnostics bad(const std::string& why) const {
         return {diagnose("file-E10", fmt::format("cannot write '{}': {}", file.string(), why))};
@@ -170,6 +176,10 @@ VideoFile::~VideoFile() = default;
 Result<VideoFile> VideoFile::create(const fs::path& file, int width, int height, double framesPerSecond,
                                     const std::string& comment) {
     auto state = std::make_unique<State>(file, width, height);
+    if (!needsFfmpeg(file)) {
+        state->frames.emplace(framesPerSecond);
+        return VideoFile(std::move(state));
+    }
     if (!hasFfmpeg()) return state->bad(kFfmpegIsMissing);
     if (state->unfinished.path().empty()) return Diagnostics{state->unfinished.failure()};
     state->start(commandOf(state->unfinished.path(), width, height, framesPerSecond, comment));
@@ -181,6 +191,10 @@ Diagnostics VideoFile::add(const Image& frame) {
     if (frame.width != state_->width || frame.height != state_->height)
         return state_->bad(fmt::format("a frame has {} x {} pixels, the first one {} x {}", frame.width,
                                        frame.height, state_->width, state_->height));
+    if (state_->frames) {
+        state_->frames->add(frame);
+        return {};
+    }
     std::optional<Image> converted;
     if (frame.components != 3 || frame.type != Component::u8)
         converted = withComponents(withType(frame, Component::u8), 3);
@@ -195,6 +209,11 @@ Diagnostics VideoFile::add(const Image& frame) {
 }
 
 Diagnostics VideoFile::finish() {
+    if (state_->frames) {
+        const std::vector<std::byte> file = state_->frames->finish();
+        return file.empty() ? state_->bad("there is not enough memory")
+                            : writeFileAtomically(state_->file, file);
+    }
     if (!state_->end()) return state_->failed();
     return state_->unfinished.commit();
 }

@@ -13,9 +13,9 @@
 #include "glib/text.h"
 #include "glsl/read/words.h"
 #include "scene/shader_names.h"
+#include "source/inline_shaders.h"
 #include "view/edit/declared_names.h"
 #include "view/edit/glsl_reference.h"
-#include "view/edit/inline_shaders.h"
 
 namespace glibra::view {
 namespace {
@@ -216,7 +216,7 @@ TextRange wordBefore(std::string_view text, std::size_t byte) {
 LanguageAt languageAt(std::string_view text, std::size_t byte, const CodeContext& context) {
     const LanguageAt whole{context.language, context.stage, {0, text.size()}};
     if (context.language == CodeLanguage::glsl) return whole;
-    InlineShaders shaders;
+    source::InlineShaders shaders;
     LanguageAt found = whole;
     bool isInShader = false;
     for (std::size_t begin = 0; begin <= text.size();) {
@@ -252,7 +252,7 @@ std::vector<Completion> completionsAt(std::string_view text, std::size_t cursor,
         return words.take();
     }
     if (context.language == CodeLanguage::glib && at.stage) {
-        words.add(endWordOf(*at.stage), "statement", "ends the shader");
+        words.add(source::endWordOf(*at.stage), "statement", "ends the shader");
         words.nextGroup();
     }
     const std::string_view part = text.substr(at.part.begin, at.part.end - at.part.begin);

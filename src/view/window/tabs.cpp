@@ -68,7 +68,10 @@ void Tabs::releaseDevice() {
 }
 
 void Tabs::restoreDevice() {
-    for (const std::unique_ptr<Tab>& each : tabs_) each->session.restoreDevice();
+    for (const std::unique_ptr<Tab>& each : tabs_) {
+        each->session.restoreDevice();
+        if (each->ui.compare.comparison) each->ui.compare.comparison->restoreDevice();
+    }
 }
 
 bool Tabs::uses(const Tab& tab, const fs::path& file) const {

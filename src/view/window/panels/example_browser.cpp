@@ -21,6 +21,7 @@
 #include "glib/text.h"
 #include "gpu/object/texture.h"
 #include "image/read.h"
+#include "view/browse/chapters.h"
 #include "view/browse/example_scenes.h"
 #include "view/browse/thumbnail_maker.h"
 #include "view/browse/thumbnails.h"
@@ -40,7 +41,9 @@ struct ExampleBrowser {
     std::filesystem::path root;
     std::vector<Tile> tiles;
     std::array<char, 128> search{};
-    std::size_t found = 0;  ///< number of tiles that the search finds
+    std::vector<std::string> chapters;  ///< of the tiles
+    std::string chapter;                ///< the one whose scenes are shown; empty: all
+    std::size_t found = 0;              ///< number of tiles that the search finds
     std::unique_ptr<ThumbnailMaker> maker;
     std::size_t wanted = 0, finished = 0;  ///< numbers of pictures that the maker has to make, and has made
 };
@@ -57,7 +60,9 @@ void listExamples(const Session& session, ExampleBrowser& browser) {
     if (browser.root.empty()) return;
     const std::filesystem::path cache = thumbnailFolder();
     std::vector<std::filesystem::path> missing;
-    for (ExampleScene& each : exampleScenes(browser.root)) {
+    std::vector<ExampleScene> scenes = exampleScenes(browser.root);
+    browser.chapters = chaptersOf(scenes);
+    for (ExampleScene& each : scenes) {
         Thumbnail known = findThumbnail(cache, each.file);
         if (known.state == Thumbnail::State::missing) missing.push_back(each.file);
         browser.tiles.push_back({std::move(each), std::move(known), std::nullopt});
@@ -97,8 +102,11 @@ void loadPicture(const gpu::Capabilities& capabilities, ExampleBrowser::Tile& ti
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
 
-/// True if each word of the search is in the name, the description or the source.
-bool isFound(const ExampleScene& scene, std::string_view search) {
+/// True if the scene is of the chosen chapter, and each word of the search is in the name, the description or
+/// the source.
+bool isFound(const ExampleScene& scene, const ExampleBrowser& browser) {
+    if (!isOfChapter(scene, browser.chapter)) return false;
+    const std::string_view search = browser.search.data();
     const std::string text =
         glib::lower(scene.topic + "/" + scene.name + " " + scene.summary + " " + scene.source);
     std::istringstream words{glib::lower(search)};
@@ -160,13 +168,30 @@ void tile(Ui& ui, ExampleBrowser::Tile& each, bool areComing) {
     ImGui::PopID();
 }
 
+/// The choice of a chapter.
+void chapterChoice(Ui& ui, ExampleBrowser& browser) {
+    if (browser.chapters.empty()) return;
+    ImGui::SetNextItemWidth(260 * ui.shared.scale);
+    const bool isOpen =
+        ImGui::BeginCombo("##chapter", browser.chapter.empty() ? "all chapters" : browser.chapter.c_str(),
+                          ImGuiComboFlags_HeightLarge);
+    mark(ui, "examples/chapter");
+    if (!isOpen) return;
+    if (ImGui::Selectable("all chapters", browser.chapter.empty())) browser.chapter.clear();
+    for (const std::string& each : browser.chapters) {
+        if (ImGui::Selectable(each.c_str(), each == browser.chapter)) browser.chapter = each;
+        mark(ui, "examples/chapter/{}", each);
+    }
+    ImGui::EndCombo();
+}
+
 /// How many scenes are found, and that Enter opens the only one.
 void countLine(ExampleBrowser& browser) {
-    const auto found = std::count_if(
-        browser.tiles.begin(), browser.tiles.end(),
-        [&](const ExampleBrowser::Tile& each) { return isFound(each.scene, browser.search.data()); });
+    const auto found =
+        std::count_if(browser.tiles.begin(), browser.tiles.end(),
+                      [&](const ExampleBrowser::Tile& each) { return isFound(each.scene, browser); });
     browser.found = static_cast<std::size_t>(found);
-    if (browser.search[0] == 0)
+    if (browser.search[0] == 0 && browser.chapter.empty())
         ImGui::TextDisabled("%zu scenes", browser.tiles.size());
     else
         ImGui::TextDisabled("%zu of %zu scenes%s", browser.found, browser.tiles.size(),
@@ -183,7 +208,7 @@ void tiles(Ui& ui, ExampleBrowser& browser) {
     const std::string* topic = nullptr;
     int column = 0;
     for (ExampleBrowser::Tile& each : browser.tiles) {
-        if (!isFound(each.scene, browser.search.data())) continue;
+        if (!isFound(each.scene, browser)) continue;
         if (!topic || *topic != each.scene.topic) {
             if (topic) ImGui::Spacing();
             topic = &each.scene.topic;
@@ -225,10 +250,12 @@ void exampleWindow(Ui& ui, ExampleBrowser& browser, bool& isOpen) {
                                          ImGuiInputTextFlags_EnterReturnsTrue);
             mark(ui, "examples/search");
             ImGui::SameLine();
+            chapterChoice(ui, browser);
+            ImGui::SameLine();
             countLine(browser);
             if (isEntered && browser.found == 1)
                 for (const ExampleBrowser::Tile& each : browser.tiles)
-                    if (isFound(each.scene, browser.search.data())) open(ui, each.scene, false);
+                    if (isFound(each.scene, browser)) open(ui, each.scene, false);
             ImGui::BeginChild("tiles");
             tiles(ui, browser);
             ImGui::EndChild();

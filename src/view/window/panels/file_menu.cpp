@@ -12,6 +12,7 @@
 #include "view/browse/example_scenes.h"
 #include "view/edit/save_values.h"
 #include "view/edit/scene_copy.h"
+#include "view/session/comparison.h"
 #include "view/window/panels/save_scene.h"
 #include "view/window/panels/ui.h"
 
@@ -71,6 +72,31 @@ void newMenu(Ui& ui, std::optional<std::vector<ExampleScene>>& templates) {
     if (templates->empty()) ImGui::TextDisabled("glibra's own scenes were not found");
 }
 
+/// The solution of the shown scene if an exercise begins with it; otherwise empty.
+const fs::path& solutionOfShown(const Ui& ui, FileMenu& menu) {
+    if (menu.exercise != ui.session.path()) {
+        menu.exercise = ui.session.path();
+        menu.solution = solutionOf(menu.exercise);
+    }
+    return menu.solution;
+}
+
+void askCompareWith(Ui& ui) {
+    ui.wanted.file = FileRequest{
+        FileQuestion{.kind = FileQuestion::Kind::open,
+                     .title = "Compare with",
+                     .button = "Compare",
+                     .hint = "Its picture is shown beside that of this scene, with the same values.",
+                     .endings = ".glib",
+                     .entry = "",
+                     .chosen =
+                         [](Ui& chosenIn, const fs::path& scene) {
+                             chosenIn.wanted.compared = scene;
+                             return std::string();
+                         }},
+        false, ui.session.path().parent_path()};
+}
+
 /// A menu item with a name for tests.
 bool item(Ui& ui, const char* label, const char* key, const char* name, bool isEnabled = true) {
     const bool isChosen = ImGui::MenuItem(label, key, false, isEnabled);
@@ -102,6 +128,10 @@ void fileMenu(Ui& ui, FileMenu& menu) {
     if (item(ui, isShipped ? "Save a copy..." : "Save as...", "Ctrl+Shift+S", "file/saveAs", hasScene))
         saveSceneAs(ui);
     ImGui::Separator();
+    const fs::path& solution = solutionOfShown(ui, menu);
+    if (item(ui, "Compare with the solution", nullptr, "file/solution", hasScene && !solution.empty()))
+        ui.wanted.compared = solution;
+    if (item(ui, "Compare with...", nullptr, "file/compare", hasScene)) askCompareWith(ui);
     if (item(ui, "Write a hardcopy", "H", "file/hardcopy", hasScene)) ui.wanted.hardcopy = true;
     ImGui::MenuItem("Verbose", nullptr, &toolWindow(ui, "verbose").isOpen);
     mark(ui, "file/verbose");

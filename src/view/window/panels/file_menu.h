@@ -1,6 +1,7 @@
 #pragma once
 // The menu "File": new scenes from templates, opening, saving, copies of examples, hardcopies.
 
+#include <filesystem>
 #include <optional>
 #include <vector>
 
@@ -12,6 +13,8 @@ struct Ui;
 
 struct FileMenu {
     std::optional<std::vector<ExampleScene>> templates;  ///< of the menu "New", listed when it is first open
+    std::filesystem::path exercise;                      ///< the scene that `solution` was looked up for
+    std::filesystem::path solution;                      ///< of the tab's scene; empty: it is no exercise
 };
 
 /// The button "File" and its menu.

@@ -6,10 +6,11 @@ namespace glibra::view {
 
 std::span<const PanelRow* const> panelRows() {
     static constexpr std::array kRows{
-        &kToolsRow,      &kMessagesRow,   &kValuesRow,   &kSceneKeysRow,  &kViewRow,     &kTimeRow,
-        &kHardcopyRow,   &kSuiteRow,      &kTabBarRow,   &kSourceRow,     &kBannerRow,   &kDebugViewRow,
-        &kInspectorRow,  &kCostRow,       &kProbeRow,    &kNoiseRow,      &kExamplesRow, &kVerboseRow,
-        &kFileDialogRow, &kMessageBoxRow, &kQuestionRow, &kWindowKeysRow, &kHelpRow,     &kPictureRow,
+        &kToolsRow,      &kMessagesRow,  &kValuesRow,     &kSceneKeysRow, &kViewRow,
+        &kTimeRow,       &kHardcopyRow,  &kSuiteRow,      &kTabBarRow,    &kSourceRow,
+        &kBannerRow,     &kDebugViewRow, &kInspectorRow,  &kCompareRow,   &kCostRow,
+        &kProbeRow,      &kNoiseRow,     &kExamplesRow,   &kVerboseRow,   &kFileDialogRow,
+        &kMessageBoxRow, &kQuestionRow,  &kWindowKeysRow, &kHelpRow,      &kPictureRow,
     };
     return kRows;
 }

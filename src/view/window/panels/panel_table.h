@@ -11,9 +11,9 @@ namespace glibra::view {
 
 // Each row stands at the end of its panel's file. A new one is named here and in panelRows().
 extern const PanelRow kToolsRow, kMessagesRow, kValuesRow, kSceneKeysRow, kViewRow, kTimeRow, kHardcopyRow,
-    kSuiteRow, kTabBarRow, kSourceRow, kBannerRow, kDebugViewRow, kInspectorRow, kCostRow, kProbeRow,
-    kNoiseRow, kExamplesRow, kVerboseRow, kFileDialogRow, kMessageBoxRow, kQuestionRow, kWindowKeysRow,
-    kHelpRow, kPictureRow;
+    kSuiteRow, kTabBarRow, kSourceRow, kBannerRow, kDebugViewRow, kInspectorRow, kCompareRow, kCostRow,
+    kProbeRow, kNoiseRow, kExamplesRow, kVerboseRow, kFileDialogRow, kMessageBoxRow, kQuestionRow,
+    kWindowKeysRow, kHelpRow, kPictureRow;
 
 /// The panels of each place in the order in which they are drawn, shortcuts of each group in the order in
 /// which they are listed.

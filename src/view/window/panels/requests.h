@@ -51,12 +51,13 @@ struct Wanted {
     std::optional<FileRequest> file;
     std::optional<Place> source;           ///< the source panel opens there
     std::optional<std::string> inspected;  ///< the inspector opens with the texture of that key (textureKey)
-    std::optional<std::pair<int, int>> probed;  ///< this pixel of the picture: right, down
-    bool hardcopy = false;                      ///< written at once, to the next free name
-    bool keyboardForText = false;               ///< the text gets the keyboard back if it had it
+    std::optional<std::pair<int, int>> probed;      ///< this pixel of the picture: right, down
+    std::optional<std::filesystem::path> compared;  ///< this scene is shown beside that of the tab
+    bool hardcopy = false;                          ///< written at once, to the next free name
+    bool keyboardForText = false;                   ///< the text gets the keyboard back if it had it
 
     [[nodiscard]] bool any() const {
-        return file || source || inspected || probed || hardcopy || keyboardForText;
+        return file || source || inspected || probed || compared || hardcopy || keyboardForText;
     }
 };
 

@@ -11,6 +11,7 @@
 #include "view/browse/example_scenes.h"
 #include "view/edit/save_values.h"
 #include "view/edit/scene_copy.h"
+#include "view/session/comparison.h"
 #include "view/window/panels/ui.h"
 
 namespace glibra::view {
@@ -44,6 +45,7 @@ std::string save(Ui& ui, fs::path target) {
         files = filesOfCopy(session.live(), target, isExample(session.path()),
                             session.renderOptions().libraryRoots);
         problems = writeCopy(*text, target, files);
+        if (problems.empty()) problems = copyExercise(session.path(), target);
     }
     if (!problems.empty()) return problems.front().text;
     ui.notice = fmt::format("saved {}", target.string());

@@ -7,7 +7,7 @@
 
 #include "glsl/types/stage.h"
 
-namespace glibra::view {
+namespace glibra::source {
 
 /// The word of the line that ends a shader of that stage: "EndFragment".
 std::string endWordOf(glsl::Stage stage);
@@ -25,4 +25,4 @@ class InlineShaders {
     std::optional<glsl::Stage> stage_;
 };
 
-}  // namespace glibra::view
+}  // namespace glibra::source

@@ -1,4 +1,4 @@
-#include "view/edit/inline_shaders.h"
+#include "source/inline_shaders.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 
 #include "glib/text.h"
 
-namespace glibra::view {
+namespace glibra::source {
 namespace {
 
 /// Removes the next word from the line and returns it; a comment has no words.
@@ -58,4 +58,4 @@ std::optional<glsl::Stage> InlineShaders::next(std::string_view line) {
     return std::nullopt;
 }
 
-}  // namespace glibra::view
+}  // namespace glibra::source

@@ -1,4 +1,4 @@
-#include "view/edit/syntax.h"
+#include "source/syntax.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include "glib/modern/statement_table.h"
 #include "glib/text.h"
 
-namespace glibra::view {
+namespace glibra::source {
 namespace {
 
 constexpr std::array<std::string_view, 34> kKeywords{
@@ -121,4 +121,4 @@ std::vector<SyntaxPiece> SyntaxReader::next(std::string_view line) {
     return syntaxOf(line, CodeLanguage::glib, inComment_);
 }
 
-}  // namespace glibra::view
+}  // namespace glibra::source

@@ -1,11 +1,11 @@
-#include "view/edit/syntax.h"
+#include "source/syntax.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <string>
 
-namespace glibra::view::test {
+namespace glibra::source::test {
 namespace {
 
 /// The pieces that are not plain, as text: "keyword:in type:vec3".
@@ -55,7 +55,7 @@ TEST(Syntax, KnowsTheCommandsOfScenes) {
 }
 
 TEST(Syntax, ReadsShadersInScenesAsShaders) {
-    view::SyntaxReader reader(CodeLanguage::glib);
+    SyntaxReader reader(CodeLanguage::glib);
     const auto kinds = [&](std::string_view line) {
         std::string all;
         for (const SyntaxPiece& each : reader.next(line))
@@ -76,4 +76,4 @@ TEST(Syntax, ReadsShadersInScenesAsShaders) {
 }
 
 }  // namespace
-}  // namespace glibra::view::test
+}  // namespace glibra::source::test

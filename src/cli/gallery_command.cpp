@@ -1,0 +1,197 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "base/utf8.h"
+#include "cli/command_line.h"
+#include "cli/commands.h"
+#include "cli/interruption.h"
+#include "cli/library_hint.h"
+#include "cli/picture_options.h"
+#include "cli/scene_arguments.h"
+#include "cli/suite_progress.h"
+#include "cli/untrusted.h"
+#include "cli/written_files.h"
+#include "gallery/gallery_run.h"
+
+namespace glibra::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct GalleryArguments {
+    std::string folder;
+    std::string site = "glibra-gallery";
+    std::string title;
+    suite::Shot picture;
+    double timeout = 20;
+    Driver driver = Driver::automatic;
+    int jobs = 0;
+    bool untrusted = false;
+    bool siteIsNamed = false;  ///< by the user
+};
+
+fs::path whole(const fs::path& path) {
+    std::error_code failure;
+    fs::path found = fs::weakly_canonical(path, failure);
+    return found.has_filename() || !found.has_relative_path() ? found : found.parent_path();
+}
+
+/// The library of a folder of scenes: the nearest folder, from itself upwards, with `shaders` or `textures`,
+/// as for a scene in it. A scene of the folder may read its files although they lie outside of the folder.
+std::optional<fs::path> libraryAbove(fs::path folder) {
+    for (folder = whole(folder);; folder = folder.parent_path()) {
+        std::error_code failure;
+        if (fs::is_directory(folder / "shaders", failure) || fs::is_directory(folder / "textures", failure))
+            return folder;
+        if (!folder.has_relative_path()) return std::nullopt;
+    }
+}
+
+/// The scenes of the site itself, if it lies in the folder, do not count.
+std::vector<fs::path> scenesOf(const GalleryArguments& arguments, const std::vector<std::string>& found) {
+    const fs::path site = whole(arguments.site);
+    std::vector<fs::path> scenes;
+    for (const std::string& each : found) {
+        const fs::path inside = whole(each).lexically_relative(site);
+        if (inside.empty() || *inside.begin() == "..") scenes.emplace_back(each);
+    }
+    return scenes;
+}
+
+/// Prepares what runGallery needs. Returns the exit status; kDone if all is well.
+int planGallery(const GalleryArguments& arguments, gallery::GalleryPlan& plan) {
+    if (std::error_code failure; !fs::is_directory(arguments.folder, failure)) {
+        printError(fmt::format("there is no folder '{}'", arguments.folder));
+        return kWrongUsage;
+    }
+    if (const std::string why = gallery::whyNoSite(arguments.site); !why.empty()) {
+        printError(fmt::format("-o {}: {}", arguments.site, why));
+        return kWrongUsage;
+    }
+    SceneArguments named;
+    const Diagnostics problems = resolveScenes({arguments.folder}, named);
+    print(problems);
+    if (hasError(problems)) return kSceneIsWrong;
+    plan.folder = arguments.folder;
+    plan.site = arguments.site;
+    plan.scenes = scenesOf(arguments, named.scenes);
+    plan.title = !arguments.title.empty() ? arguments.title : whole(arguments.folder).filename().string();
+    constexpr int kWidth = 400, kHeight = 300;
+    const RenderOptions& picture = arguments.picture.options;
+    plan.width = picture.width > 0 ? picture.width : kWidth;
+    plan.height = picture.height > 0 ? picture.height : kHeight;
+    plan.libraryRoots = picture.libraryRoots;
+    for (fs::path& each : libraryRoots()) plan.libraryRoots.push_back(std::move(each));
+    if (std::optional<fs::path> library = libraryAbove(arguments.folder))
+        plan.libraryRoots.push_back(std::move(*library));
+    return kDone;
+}
+
+void reportScenes(const gallery::Gallery& made, const fs::path& folder) {
+    for (const gallery::GalleryScene& each : made.scenes)
+        if (!gallery::isDrawn(each))
+            printLine(
+                base::printableText(fmt::format("{}: {}: {}", each.path, name(each.verdict), each.reason)));
+    for (const gallery::GalleryScene& each : made.scenes)
+        if (const Diagnostics hint = libraryHint(folder / each.path, each.diagnostics); !hint.empty()) {
+            print(hint);
+            break;
+        }
+    printLine(gallery::summary(made));
+}
+
+int runGalleryCommand(const GalleryArguments& arguments) {
+    if (arguments.untrusted && !prepareUntrusted()) return kNoDriver;
+    if (std::error_code failure; !arguments.siteIsNamed && fs::is_symlink(arguments.site, failure)) {
+        print({linkedFolder(arguments.site, "-o")});
+        return kSceneIsWrong;
+    }
+    gallery::GalleryPlan plan;
+    if (const int status = planGallery(arguments, plan); status != kDone) return status;
+    std::optional<base::Sandbox> drawing, reading;
+    if (arguments.untrusted) {
+        std::vector<std::string> scenes;
+        for (const fs::path& each : plan.scenes) scenes.push_back(each.string());
+        RenderOptions options;
+        options.libraryRoots = plan.libraryRoots;
+        drawing = sandboxOf(scenes, options, arguments.driver);
+        drawing->readable.emplace_back(plan.folder);
+        reading = drawing;
+        drawing->writable.emplace_back(plan.site, fs::path("pictures"));
+        makeWritableFolders(*drawing);
+    }
+    gallery::GalleryOptions options;
+    options.driver = arguments.driver;
+    options.jobs = arguments.jobs;
+    options.timeout = arguments.timeout;
+    options.memory = arguments.picture.memory;
+    options.drawing = drawing ? &*drawing : nullptr;
+    options.reading = reading ? &*reading : nullptr;
+
+    const Interruption interruption;
+    std::optional<SuiteProgress> progress;
+    gallery::GalleryEvents events;
+    events.starts = [&](std::size_t pictures) { progress.emplace(pictures, ::isatty(STDERR_FILENO) == 1); };
+    events.begins = [&](const std::string& scene) {
+        if (progress) progress->begins(scene);
+    };
+    events.done = [&](bool failed) {
+        if (progress) progress->add(failed);
+    };
+    events.stop = [&] { return interruption.signal() != 0; };
+    const gallery::GalleryEnd end = gallery::runGallery(plan, options, events);
+    if (progress) progress->clear();
+    print(end.diagnostics);
+    if (end.noDriver) return kNoDriver;
+    if (end.stopped) {
+        printLine("stopped; no page was written");
+        interruption.obey();
+    }
+    if (end.stopped || hasError(end.diagnostics)) return kSceneIsWrong;
+    reportScenes(end.gallery, plan.folder);
+    printLine("page: " + (plan.site / "index.html").string());
+    const std::vector<gallery::GalleryScene>& all = end.gallery.scenes;
+    return std::all_of(all.begin(), all.end(), gallery::isDrawn) ? kDone : kSceneIsWrong;
+}
+
+}  // namespace
+
+void addGallery(CommandLine& program, int& status) {
+    auto arguments = std::make_shared<GalleryArguments>();
+    CommandLine command = program.subcommand(
+        "gallery", "makes a site of a folder of scenes: pictures, films, ranges, sources, search",
+        "glibra gallery scenes/ -o site/                      # site/index.html, for any browser\n"
+        "glibra gallery scenes/ -o site/ --title 'Shaders, week 3' --size 640x480\n"
+        "glibra gallery submissions/ -o site/ --untrusted     # scenes of strangers");
+    GalleryArguments& to = *arguments;
+    command.option("FOLDER", to.folder, "folder of scenes; those in the folders below it are shown by folder")
+        .required();
+    command.option("-o,--output", to.site, "folder for the pages, pictures and films")
+        .written()
+        .withDefault();
+    command.option("--title", to.title, "title of the site; by default the folder's name");
+    for (const char* each : {"size", "library", "memory"}) addPictureOption(command, each, to.picture);
+    command.option("--timeout", to.timeout, "seconds that one picture may take; 0 means no limit")
+        .within(0, 1e6)
+        .withDefault();
+    command.driver(to.driver);
+    command.jobs(to.jobs);
+    addUntrustedOption(command, to.untrusted);
+    for (const char* each : {"--library", "--memory", "--timeout", "--driver", "--untrusted"})
+        command.find(each).rare();
+    command.onRun([arguments, site = command.find("--output"), &status] {
+        arguments->siteIsNamed = site.isGiven();
+        status = runGalleryCommand(*arguments);
+    });
+}
+
+}  // namespace glibra::cli

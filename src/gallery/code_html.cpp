@@ -1,0 +1,43 @@
+#include "gallery/code_html.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "suite/report/escape_xml.h"
+
+namespace glibra::gallery {
+namespace {
+
+constexpr std::size_t kLongestLine = 2'000;  // bytes
+
+std::string lineHtml(std::string_view line, source::SyntaxReader& reader) {
+    constexpr std::array kClasses{"", "keyword", "type", "number", "comment", "directive", "builtin"};
+    std::string html;
+    std::size_t at = 0;
+    for (const source::SyntaxPiece& each : reader.next(line)) {
+        html += suite::escapeXml(line.substr(at, each.begin - at));
+        html += fmt::format("<span class=\"{}\">{}</span>", kClasses.at(static_cast<std::size_t>(each.kind)),
+                            suite::escapeXml(line.substr(each.begin, each.end - each.begin)));
+        at = each.end;
+    }
+    return html + suite::escapeXml(line.substr(at));
+}
+
+}  // namespace
+
+std::string codeHtml(std::string_view text, source::CodeLanguage language) {
+    source::SyntaxReader reader(language);
+    std::string html = "<ol>";
+    for (int number = 1; !text.empty(); ++number) {
+        const std::size_t end = text.find('\n');
+        std::string_view line = text.substr(0, end);
+        text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+        if (line.ends_with('\r')) line.remove_suffix(1);
+        html += fmt::format("<li data-line=\"{}\">{}</li>", number,
+                            lineHtml(line.substr(0, kLongestLine), reader));
+    }
+    return html + "</ol>";
+}
+
+}  // namespace glibra::gallery

@@ -1,0 +1,302 @@
+#include "gallery/gallery_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <set>
+#include <span>
+#include <system_error>
+#include <utility>
+
+#include "base/contained.h"
+#include "base/memory_limit.h"
+#include "base/workers.h"
+#include "gallery/describe.h"
+#include "gallery/gallery_page.h"
+#include "image/png/animated_png.h"
+#include "image/png/png_reader.h"
+#include "suite/run/run.h"
+
+namespace glibra::gallery {
+namespace {
+
+namespace fs = std::filesystem;
+using suite::ShotReference;
+
+constexpr const char* kMark = ".glibra-gallery";  // a folder with this file is ours to write over
+constexpr const char* kPictures = "pictures";
+constexpr const char* kFilms = "films";
+constexpr std::uint64_t kLargestFrame = std::uint64_t{1} << 28;
+constexpr std::uint64_t kLargestTable = 1 << 24;
+
+/// The text of a file that must lie below the folder, without links on the way.
+std::string textBelow(const fs::path& folder, const fs::path& file) {
+    std::vector<std::byte> bytes;
+    const base::Descriptor open = base::openBeneath(folder, file);
+    if (!open || base::readAll(open, kLargestTable, bytes) != 0) return {};
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+Diagnostic cannotWrite(const fs::path& file, int problem) {
+    return diagnose("file-E10", fmt::format("cannot write '{}': {}", file.string(),
+                                            std::generic_category().message(problem)));
+}
+
+/// Removes what an earlier gallery has written: its pages, pictures and films.
+void removeEarlier(const fs::path& site) {
+    for (const char* each : {"index.html", "chapters.html"}) base::removeBeneath(site, each);
+    for (const auto& [folder, ending] :
+         {std::pair{"scenes", ".html"}, {kPictures, ".png"}, {kFilms, ".png"}}) {
+        std::error_code ignored;  // a file that stays does no harm: the pages name only those that were drawn
+        std::vector<fs::path> names;
+        for (const fs::directory_entry& each : fs::directory_iterator(site / folder, ignored))
+            if (each.path().extension() == ending) names.push_back(fs::path(folder) / each.path().filename());
+        for (const fs::path& each : names) base::removeBeneath(site, each);
+    }
+}
+
+/// The largest size of the window's shape that fits into the given one.
+std::pair<int, int> fitting(const Description& about, int width, int height) {
+    if (about.width <= 0 || about.height <= 0) return {width, height};
+    const double scale =
+        std::min(static_cast<double>(width) / about.width, static_cast<double>(height) / about.height);
+    const auto side = [&](int pixels) { return std::max(1, static_cast<int>(std::lround(scale * pixels))); };
+    return {side(about.width), side(about.height)};
+}
+
+std::string frameName(const std::string& scene, int frame) {
+    return fmt::format("{}@frame={:02}", scene, frame);
+}
+
+class GalleryRun {
+  public:
+    GalleryRun(const GalleryPlan& plan, const GalleryOptions& options, const GalleryEvents& events)
+        : plan_(plan), options_(options), events_(events) {
+        Gallery& gallery = end_.gallery;
+        gallery.title = plan.title;
+        gallery.folder = plan.folder.string();
+        for (const fs::path& each : plan.scenes)
+            gallery.scenes.emplace_back().path = each.lexically_relative(plan.folder).generic_string();
+        suite_.name = "gallery";
+        suite_.file = plan.folder;
+    }
+
+    GalleryEnd run() {
+        if (!prepareSite()) return std::move(end_);
+        describeAll();
+        if (end_.stopped) return std::move(end_);
+        connect(end_.gallery);
+        const std::map<std::string, std::string> chapters =
+            source::chapterColumn(textBelow(plan_.folder, "README.md"));
+        for (GalleryScene& each : end_.gallery.scenes)
+            if (const auto found = chapters.find(each.path); found != chapters.end())
+                each.chapters = source::chaptersIn(found->second);
+        drawPictures();
+        if (!end_.stopped && !end_.noDriver) drawFilms();
+        removeFrames();
+        if (end_.stopped || end_.noDriver) return std::move(end_);
+        append(end_.diagnostics, writePages(end_.gallery, plan_.site));
+        return std::move(end_);
+    }
+
+  private:
+    bool prepareSite() {
+        const std::string text = "glibra gallery writes this folder.\n";
+        for (const char* each : {kPictures, kFilms})
+            if (const int problem = base::prepareBeneath(plan_.site, fs::path(each) / "x.png");
+                problem != 0) {
+                end_.diagnostics.push_back(cannotWrite(plan_.site / each, problem));
+                return false;
+            }
+        if (const int problem = base::writeBeneath(plan_.site, kMark, std::as_bytes(std::span(text)));
+            problem != 0) {
+            end_.diagnostics.push_back(cannotWrite(plan_.site / kMark, problem));
+            return false;
+        }
+        removeEarlier(plan_.site);
+        return true;
+    }
+
+    [[nodiscard]] RenderOptions confined() const {
+        RenderOptions options;
+        options.libraryRoots = plan_.libraryRoots;
+        options.within = plan_.folder;
+        return options;
+    }
+
+    void describeAll() {
+        const int jobs = suite::readingJobs(options_.jobs);
+        const std::size_t count = plan_.scenes.size();
+        base::runInWorkers(
+            count,
+            {.workers = jobs,
+             .timeout = options_.timeout,
+             .memory = options_.memory.value_or(base::memoryShare(jobs, count)),
+             .stop = events_.stop,
+             .sandbox = options_.reading},
+            [&](std::size_t index, const base::Step&) -> std::string {
+                try {
+                    return toText(describe({plan_.folder, plan_.scenes[index], confined()}));
+                } catch (const std::exception&) {
+                    return {};
+                }
+            },
+            [&](std::size_t index, const base::Outcome& outcome) {
+                if (outcome.end == base::Outcome::End::stopped) end_.stopped = true;
+                if (outcome.end != base::Outcome::End::finished) return;
+                if (std::optional<Description> found = parseDescription(outcome.answer))
+                    end_.gallery.scenes[index].description = std::move(*found);
+            },
+            [](std::size_t, const std::string&) {});
+        end_.stopped = end_.stopped || (events_.stop && events_.stop());
+    }
+
+    /// Draws all shots of `suite_` and gives the results to `take`.
+    void draw(const std::function<void(std::size_t shot, const suite::ShotResult&)>& take) {
+        std::vector<ShotReference> all;
+        std::map<std::string, std::size_t> numbers;
+        for (std::size_t i = 0; i < suite_.shots.size(); ++i) {
+            all.push_back({0, i});
+            numbers.emplace(suite_.shots[i].name, i);
+        }
+        suite::RunOptions options;
+        options.driver = options_.driver;
+        options.jobs = options_.jobs;
+        options.timeout = options_.timeout;
+        options.memory = options_.memory;
+        options.onlyRender = plan_.site / kPictures;
+        options.sandbox = options_.drawing;
+        suite::RunEvents events;
+        events.begins = [&](const ShotReference& each) {
+            if (events_.begins) events_.begins(suite_.shots[each.shot].script.string());
+        };
+        events.done = [&](const suite::ShotResult& result) {
+            if (const auto found = numbers.find(result.shot); found != numbers.end())
+                take(found->second, result);
+            if (events_.done) events_.done(suite::isFailure(result.verdict));
+        };
+        events.stop = events_.stop;
+        const suite::RunEnd end = suite::runShots({&suite_, 1}, all, options, events);
+        append(end_.diagnostics, end.diagnostics);
+        end_.noDriver = end_.noDriver || end.noDriver;
+        end_.stopped = end_.stopped || end.stopped;
+        if (!end.driver.empty()) end_.gallery.driver = end.driver;
+    }
+
+    void addShot(std::size_t scene, const std::string& name, int width, int height, double time) {
+        suite::Shot shot;
+        shot.name = name;
+        shot.script = plan_.scenes[scene];
+        shot.options = confined();
+        std::tie(shot.options.width, shot.options.height) =
+            fitting(end_.gallery.scenes[scene].description, width, height);
+        shot.options.time = time;
+        suite_.shots.push_back(std::move(shot));
+    }
+
+    void drawPictures() {
+        std::size_t moving = 0;
+        for (std::size_t i = 0; i < plan_.scenes.size(); ++i) {
+            addShot(i, end_.gallery.scenes[i].name, plan_.width, plan_.height, 0);
+            moving += end_.gallery.scenes[i].description.mayMove ? 1 : 0;
+        }
+        if (events_.starts) events_.starts(plan_.scenes.size() + moving * kFilmFrames);
+        draw([&](std::size_t index, const suite::ShotResult& result) {
+            GalleryScene& scene = end_.gallery.scenes[index];
+            scene.verdict = result.verdict;
+            scene.reason = result.reason;
+            scene.diagnostics = result.diagnostics;
+            scene.width = result.width;
+            scene.height = result.height;
+            if (isDrawn(scene)) scene.picture = fmt::format("{}/{}.png", kPictures, scene.name);
+        });
+    }
+
+    void drawFilms() {
+        suite_.shots.clear();
+        std::vector<std::size_t> scenes;  // of the shots
+        for (std::size_t i = 0; i < plan_.scenes.size(); ++i) {
+            const GalleryScene& scene = end_.gallery.scenes[i];
+            if (!scene.description.mayMove || !isDrawn(scene)) continue;
+            for (int frame = 0; frame < kFilmFrames; ++frame) {
+                addShot(i, frameName(scene.name, frame), plan_.width / 2, plan_.height / 2,
+                        frame / kFilmRate);
+                scenes.push_back(i);
+                frames_.push_back(suite_.shots.back().name);
+            }
+        }
+        std::map<std::size_t, int> drawn;
+        draw([&](std::size_t shot, const suite::ShotResult& result) {
+            // A film is joined when its last frame is drawn, so that the frames of few scenes exist at a
+            // time.
+            const std::size_t scene = scenes[shot];
+            if (result.verdict == suite::Verdict::passed && ++drawn[scene] == kFilmFrames) join(scene);
+        });
+    }
+
+    /// Joins the frames of a scene, unless they are all equal, and removes them.
+    void join(std::size_t index) {
+        GalleryScene& scene = end_.gallery.scenes[index];
+        image::AnimatedPng film(kFilmRate);
+        int width = 0, height = 0;
+        image::Limits limits;
+        limits.side = std::max(plan_.width, plan_.height);
+        for (int frame = 0; frame < kFilmFrames; ++frame) {
+            const fs::path name = fs::path(kPictures) / (frameName(scene.name, frame) + ".png");
+            std::vector<std::byte> bytes;
+            const base::Descriptor open = base::openBeneath(plan_.site, name);
+            if (!open || base::readAll(open, kLargestFrame, bytes) != 0) return;
+            // With the PNG reader alone, since a worker that a scene has taken over may have written
+            // something else.
+            const Result<image::Image> picture = image::decodePng(bytes, {name.string(), {}}, limits);
+            if (!picture) return;
+            if (frame > 0 && (picture->width != width || picture->height != height)) return;
+            width = picture->width;
+            height = picture->height;
+            film.add(*picture);
+        }
+        for (int frame = 0; frame < kFilmFrames; ++frame)
+            base::removeBeneath(plan_.site, fs::path(kPictures) / (frameName(scene.name, frame) + ".png"));
+        if (film.differing() < 2) return;
+        const std::string file = fmt::format("{}/{}.png", kFilms, scene.name);
+        const std::vector<std::byte> bytes = film.finish();
+        if (const int problem = base::writeBeneath(plan_.site, file, bytes); problem != 0)
+            end_.diagnostics.push_back(cannotWrite(plan_.site / file, problem));
+        else
+            scene.film = file;
+    }
+
+    void removeFrames() {
+        for (const std::string& each : frames_)
+            base::removeBeneath(plan_.site, fs::path(kPictures) / (each + ".png"));
+    }
+
+    const GalleryPlan& plan_;
+    const GalleryOptions& options_;
+    const GalleryEvents& events_;
+    suite::Suite suite_;
+    std::vector<std::string> frames_;  ///< names of their shots
+    GalleryEnd end_;
+};
+
+}  // namespace
+
+std::string whyNoSite(const fs::path& site) {
+    std::error_code failure;
+    if (!fs::exists(fs::symlink_status(site, failure))) return {};
+    if (!fs::is_directory(site, failure)) return "it is not a folder";
+    if (fs::exists(site / kMark, failure)) return {};
+    return fs::is_empty(site, failure) && !failure
+               ? std::string()
+               : "the folder has files and is not one that glibra gallery has written; name another one";
+}
+
+GalleryEnd runGallery(const GalleryPlan& plan, const GalleryOptions& options, const GalleryEvents& events) {
+    return GalleryRun(plan, options, events).run();
+}
+
+}  // namespace glibra::gallery

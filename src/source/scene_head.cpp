@@ -1,0 +1,143 @@
+#include "source/scene_head.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+
+#include "glib/text.h"
+
+namespace glibra::source {
+namespace {
+
+constexpr std::string_view kBlanks = " \t\r";
+
+std::string_view trimmed(std::string_view text) {
+    text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
+    return text.substr(0, text.find_last_not_of(kBlanks) + 1);
+}
+
+/// Takes the first line from the text.
+std::string_view nextLine(std::string_view& text) {
+    const std::size_t end = text.find('\n');
+    const std::string_view line = text.substr(0, end);
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    return line;
+}
+
+/// Takes the first word.
+std::string_view nextWord(std::string_view& text) {
+    text = trimmed(text);
+    const std::string_view word = text.substr(0, text.find_first_of(kBlanks));
+    text.remove_prefix(word.size());
+    return word;
+}
+
+/// True for the id of a row: "SH030", "D09", "G14.7a", "Gx9.4", with or without a comma after it.
+bool isRow(std::string_view word) {
+    if (word.ends_with(',')) word.remove_suffix(1);
+    std::size_t at = 0;
+    while (at < word.size() && word[at] >= 'A' && word[at] <= 'Z') ++at;
+    if (at == 0 || at > 2) return false;
+    if (at == 1 && word.size() > 1 && word[1] == 'x') ++at;
+    return at < word.size() && glib::isDigit(word[at]) &&
+           std::all_of(
+               word.begin() + static_cast<std::ptrdiff_t>(at), word.end(),
+               [](char c) { return c == '.' || c == '_' || glib::isDigit(c) || glib::isLetter(c); });
+}
+
+/// The text up to its first full stop that a blank follows.
+std::string_view firstSentence(std::string_view text) {
+    const std::size_t end = text.find(". ");
+    return end == std::string_view::npos ? text : text.substr(0, end + 1);
+}
+
+void addChapters(std::string_view source, std::string_view numbers, std::vector<std::string>& to) {
+    for (std::string_view word = nextWord(numbers); !word.empty(); word = nextWord(numbers)) {
+        if (word.ends_with(',')) word.remove_suffix(1);
+        if (word != "and") to.push_back(std::string(source) + ", chapter " + std::string(word));
+    }
+}
+
+}  // namespace
+
+SceneHead headOf(std::string_view scene) {
+    SceneHead head;
+    std::string joined;  // the first paragraph
+    bool hasParagraph = false;
+    while (!scene.empty()) {
+        std::string_view line = nextLine(scene);
+        if (!line.starts_with('#')) break;
+        line.remove_prefix(std::min(line.find_first_not_of('#'), line.size()));
+        line = trimmed(line);
+        if (head.text.empty())
+            for (std::string_view rest = line; isRow(nextWord(rest)); line = trimmed(rest)) {
+                std::string_view row = line.substr(0, line.find_first_of(kBlanks));
+                if (row.ends_with(',')) row.remove_suffix(1);
+                head.rows.emplace_back(row);
+            }
+        hasParagraph = hasParagraph || (line.empty() && !joined.empty());
+        if (!hasParagraph) joined += (joined.empty() ? "" : " ") + std::string(line);
+        head.text.emplace_back(line);
+    }
+    while (!head.text.empty() && head.text.back().empty()) head.text.pop_back();
+    // A first line that ends with a full stop is the summary, however many sentences it has.
+    if (!head.text.empty())
+        head.summary = head.text.front().ends_with('.') ? head.text.front() : firstSentence(joined);
+    return head;
+}
+
+std::map<std::string, std::string> chapterColumn(std::string_view table) {
+    std::map<std::string, std::string> chapters;
+    while (!table.empty()) {
+        const std::string_view line = trimmed(nextLine(table));
+        const std::size_t link = line.find("](");
+        const std::size_t end = line.find(')', link);
+        const std::size_t last =
+            line.size() < 4 ? std::string_view::npos : line.rfind(" | ", line.size() - 3);
+        if (!line.starts_with("| [") || end == std::string_view::npos || last == std::string_view::npos ||
+            last < end)
+            continue;
+        const std::string_view chapter = trimmed(line.substr(last + 3, line.size() - last - 4));
+        if (!chapter.empty() && chapter != "-")
+            chapters.emplace(line.substr(link + 2, end - link - 2), chapter);
+    }
+    return chapters;
+}
+
+std::vector<std::string> chaptersIn(std::string_view column) {
+    std::vector<std::string> all;
+    while (!column.empty()) {
+        const std::size_t end = column.find(';');
+        const std::string_view part = trimmed(column.substr(0, end));
+        column.remove_prefix(end == std::string_view::npos ? column.size() : end + 1);
+        const std::size_t one = part.find(", chapter "), several = part.find(", chapters ");
+        if (several != std::string_view::npos)
+            addChapters(part.substr(0, several), part.substr(several + 11), all);
+        else if (one != std::string_view::npos)
+            addChapters(part.substr(0, one), part.substr(one + 10), all);
+        else if (!part.empty())
+            all.emplace_back(part);
+    }
+    return all;
+}
+
+bool isBefore(std::string_view a, std::string_view b) {
+    while (!a.empty() && !b.empty()) {
+        if (glib::isDigit(a.front()) && glib::isDigit(b.front())) {
+            std::uint64_t numberA = 0, numberB = 0;
+            const auto endA = std::from_chars(a.data(), a.data() + a.size(), numberA).ptr;
+            const auto endB = std::from_chars(b.data(), b.data() + b.size(), numberB).ptr;
+            if (numberA != numberB) return numberA < numberB;
+            a.remove_prefix(static_cast<std::size_t>(endA - a.data()));
+            b.remove_prefix(static_cast<std::size_t>(endB - b.data()));
+            continue;
+        }
+        if (glib::lower(a.front()) != glib::lower(b.front()))
+            return glib::lower(a.front()) < glib::lower(b.front());
+        a.remove_prefix(1);
+        b.remove_prefix(1);
+    }
+    return a.size() < b.size();
+}
+
+}  // namespace glibra::source

@@ -1,0 +1,79 @@
+#include "suite/file/exercise_file.h"
+
+#include <array>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include "image/file.h"
+#include "suite/file/toml_reader.h"
+
+namespace glibra::suite {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 3> kKeys{"solution", "times", "sweep"};
+constexpr double kLargestTime = 1e9;
+constexpr std::uint64_t kLargestExercise = 1 << 20;
+
+std::vector<double> timesOf(TomlReader& reader, const TomlValue& value) {
+    std::vector<double> times;
+    const auto add = [&](const TomlValue& each) {
+        if (const std::optional<double> time = reader.number(each, "times", -kLargestTime, kLargestTime))
+            times.push_back(*time);
+    };
+    if (const auto* list = value.as<TomlList>())
+        for (const TomlValue& each : *list) add(each);
+    else
+        add(value);
+    return times;
+}
+
+}  // namespace
+
+bool isExercise(std::string_view text) {
+    TomlReader reader("", text);
+    const TomlValue* root = reader.root();
+    const auto* table = root ? root->as<TomlTable>() : nullptr;
+    return table && hasKey(*table, "solution");
+}
+
+Result<Exercise> readExerciseText(std::string_view text, const fs::path& file) {
+    TomlReader reader(file.string(), text);
+    const TomlValue* root = reader.root();
+    const auto* table = root ? root->as<TomlTable>() : nullptr;
+    if (!table) return reader.take();
+    Exercise exercise;
+    for (const TomlEntry& each : *table) {
+        if (each.key == "solution") {
+            if (const std::optional<std::string> name = reader.text(each.value, "solution"))
+                exercise.solution = (file.parent_path() / *name).lexically_normal();
+        } else if (each.key == "times") {
+            exercise.times = timesOf(reader, each.value);
+        } else if (each.key == "sweep") {
+            exercise.sweeps = reader.texts(each.value, "sweep").value_or(std::vector<std::string>());
+        } else {
+            reader.unknownKey(each, "an exercise", kKeys);
+        }
+    }
+    if (reader.hasErrors()) return reader.take();
+    return exercise;
+}
+
+Result<Exercise> readExercise(const fs::path& file) {
+    std::error_code failure;
+    if (!fs::is_regular_file(file, failure)) return Diagnostics{};
+    const auto bytes = image::readFile(file, {file.string(), {}}, kLargestExercise);
+    if (!bytes) return bytes.diagnostics;
+    const std::string text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+    if (!isExercise(text)) return Diagnostics{};
+    return readExerciseText(text, file);
+}
+
+fs::path exerciseFileOf(const fs::path& scene) {
+    fs::path file = scene;
+    return file.replace_extension(".toml");
+}
+
+}  // namespace glibra::suite

@@ -1,0 +1,111 @@
+#include "view/session/comparison.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <nlohmann/json.hpp>
+#include <span>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "glib/number.h"
+#include "gpu/object/readback.h"
+#include "image/compare/flip.h"
+#include "image/compare/structure.h"
+#include "image/file.h"
+#include "suite/file/exercise_file.h"
+
+namespace glibra::view {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::optional<image::Image> pictureOf(gpu::Context& context, const gpu::Target* target) {
+    if (!target) return std::nullopt;
+    Result<std::vector<std::byte>> pixels =
+        gpu::readPixels(context.capabilities(), target->readable(), 0,
+                        {0, 0, target->width(), target->height()}, {4, gpu::TexelType::u8});
+    if (!pixels) return std::nullopt;
+    return image::Image{target->width(), target->height(), 4, image::Component::u8, std::move(*pixels)};
+}
+
+/// A text in TOML: JSON's strings are such.
+std::string quoted(const std::string& text) {
+    return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+}  // namespace
+
+std::string Comparison::open(const fs::path& scene) {
+    own_.reset();
+    picture_.reset();
+    score_.reset();
+    if (other_.open(scene)) return {};
+    return fmt::format("'{}' cannot be read", scene.string());
+}
+
+bool Comparison::follow(const Session& own) {
+    if (!own.hasScene() || !other_.hasScene()) return false;
+    if (other_.width() != own.width() || other_.height() != own.height())
+        other_.resize(own.width(), own.height());
+    if (other_.clock().time() != own.clock().time()) other_.setClock(own.clock());
+    for (const Knob& each : own.knobs()) {
+        const Knob* known = other_.knob(each.title, each.tag);
+        if (!known) known = other_.knob("", each.tag);
+        if (known && known->current.size() == each.current.size() && known->current != each.current)
+            other_.setValue(static_cast<std::size_t>(known - other_.knobs().data()), each.current);
+    }
+    ViewState view = own.view();
+    view.objects.clear();  // they are named by lines, and the other scene has other lines
+    if (!(other_.view() == view)) other_.setView(std::move(view));
+    if (other_.camera() != own.camera()) other_.setCamera(own.camera());
+    const bool isNew = other_.drawIfNeeded();
+    const bool isOwnNew = own.framesDrawn() != ownFrames_ || own.timesLoaded() != ownLoads_ || !own_;
+    if (isNew || !picture_) picture_ = pictureOf(context_, other_.picture());
+    if (isOwnNew) {
+        own_ = pictureOf(context_, own.picture());
+        ownFrames_ = own.framesDrawn();
+        ownLoads_ = own.timesLoaded();
+    }
+    if (!isNew && !isOwnNew) return false;
+    score_.reset();
+    return true;
+}
+
+std::string Comparison::problem() const {
+    for (const Diagnostic& each : other_.diagnostics())
+        if (each.severity == Severity::error) return toString(each);
+    return {};
+}
+
+std::optional<Comparison::Score> Comparison::score() {
+    if (score_ || !own_ || !picture_ || own_->width != picture_->width || own_->height != picture_->height)
+        return score_;
+    score_ = Score{image::flip(*picture_, *own_).mean, image::structure(*picture_, *own_).difference};
+    return score_;
+}
+
+fs::path solutionOf(const fs::path& scene) {
+    const Result<suite::Exercise> exercise = suite::readExercise(suite::exerciseFileOf(scene));
+    std::error_code failure;
+    return exercise && fs::is_regular_file(exercise->solution, failure) ? exercise->solution : fs::path();
+}
+
+Diagnostics copyExercise(const fs::path& scene, const fs::path& copy) {
+    const Result<suite::Exercise> exercise = suite::readExercise(suite::exerciseFileOf(scene));
+    const fs::path file = suite::exerciseFileOf(copy);
+    std::error_code failure;
+    if (!exercise || fs::exists(fs::symlink_status(file, failure))) return {};
+    std::string text =
+        fmt::format("# The task's solution, and where the two are compared.\nsolution = {}\n",
+                    quoted(fs::absolute(exercise->solution, failure).lexically_normal().string()));
+    std::vector<std::string> times, sweeps;
+    for (const double each : exercise->times) times.push_back(glib::numberText(each));
+    for (const std::string& each : exercise->sweeps) sweeps.push_back(quoted(each));
+    if (!times.empty()) text += fmt::format("times = [{}]\n", fmt::join(times, ", "));
+    if (!sweeps.empty()) text += fmt::format("sweep = [{}]\n", fmt::join(sweeps, ", "));
+    return image::writeFileAtomically(file, std::as_bytes(std::span(text)), image::NamedBy::program);
+}
+
+}  // namespace glibra::view

@@ -1,0 +1,68 @@
+#pragma once
+// Another scene beside the shown one, as the solution of an exercise beside a student's work: it gets the
+// size, time, values and view of the shown scene, and both pictures are compared.
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "image/image.h"
+#include "view/session/session.h"
+
+namespace glibra::view {
+
+class Comparison {
+  public:
+    /// The context must outlive the object. Of the options those count that Session takes.
+    Comparison(gpu::Context& context, const RenderOptions& options)
+        : context_(context), other_(context, options) {}
+
+    /// Shows that scene. Returns why it cannot be read; empty on success.
+    std::string open(const std::filesystem::path& scene);
+    [[nodiscard]] const std::filesystem::path& path() const { return other_.path(); }
+
+    /// Draws the other scene like `own`, and keeps both pictures. Returns true if one of them is new. Values
+    /// go to what has their name there.
+    bool follow(const Session& own);
+    /// RGBA in bytes, top row first; null before both are drawn.
+    [[nodiscard]] const image::Image* own() const { return own_ ? &*own_ : nullptr; }
+    [[nodiscard]] const image::Image* other() const { return picture_ ? &*picture_ : nullptr; }
+    /// The first error of the other scene; empty without one.
+    [[nodiscard]] std::string problem() const;
+
+    /// How the pictures differ, as `glibra class` measures it; 0 is no difference.
+    struct Score {
+        double flip = 0, structure = 0;
+    };
+    /// Computes the score of the two pictures if it is not known. Nothing without pictures of one size.
+    std::optional<Score> score();
+    /// The same if it was computed for the present pictures.
+    [[nodiscard]] const std::optional<Score>& known() const { return score_; }
+
+    /// Forgets what is on the device, because it is lost; restoreDevice() loads the scene again.
+    void releaseDevice() {
+        other_.releaseDevice();
+        own_.reset();
+        picture_.reset();
+        score_.reset();
+    }
+    void restoreDevice() { other_.restoreDevice(); }
+
+  private:
+    gpu::Context& context_;
+    Session other_;
+    std::optional<image::Image> own_, picture_;
+    std::optional<Score> score_;
+    std::uint64_t ownFrames_ = 0, ownLoads_ = 0;
+};
+
+/// The scene that solves the exercise: the file beside the scene names it (suite/file/exercise_file.h). Empty
+/// if there is none.
+std::filesystem::path solutionOf(const std::filesystem::path& scene);
+
+/// Writes the file of an exercise beside the copy of its scene, with the path of the solution from there.
+/// Does nothing without an exercise, or if the copy has such a file. Errors: file-E10.
+Diagnostics copyExercise(const std::filesystem::path& scene, const std::filesystem::path& copy);
+
+}  // namespace glibra::view

@@ -1,0 +1,136 @@
+// The window that shows another scene beside the one of the tab: the solution of an exercise beside a
+// student's own picture.
+
+#include <glad/gl.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "gpu/object/texture.h"
+#include "view/browse/example_scenes.h"
+#include "view/session/comparison.h"
+#include "view/window/panels/ui.h"
+
+namespace glibra::view {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct CompareWindow {
+    std::unique_ptr<Comparison> comparison;  ///< null: nothing was chosen yet
+    std::string problem;                     ///< why the other scene cannot be read
+    std::optional<gpu::Texture> own, other;  ///< of the last pictures
+    bool isSolution = false;                 ///< of the tab's scene, an exercise
+    bool needsFrames = false;
+};
+
+void upload(const gpu::Capabilities& capabilities, const image::Image* picture,
+            std::optional<gpu::Texture>& to) {
+    to.reset();
+    if (!picture) return;
+    Result<gpu::Texture> made =
+        gpu::Texture::create(capabilities, gpu::TextureShape::texture2D, gpu::TexelFormat::rgba8,
+                             {picture->width, picture->height, 1}, {picture->data, 4});
+    to = std::move(made.value);
+    if (!to) return;
+    glBindTexture(GL_TEXTURE_2D, to->id());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+}
+
+void picture(Ui& ui, const char* title, const char* name, const std::optional<gpu::Texture>& texture,
+             const ImVec2& size) {
+    ImGui::BeginGroup();
+    ImGui::TextUnformatted(title);
+    if (texture)
+        ImGui::Image(std::bit_cast<ImTextureID>(static_cast<std::uintptr_t>(texture->id())), size);
+    else
+        ImGui::Dummy(size);
+    mark(ui, name);
+    ImGui::EndGroup();
+}
+
+/// Both pictures, as large as the window shows them side by side, and how they differ.
+void sideBySide(Ui& ui, CompareWindow& window) {
+    Comparison& comparison = *window.comparison;
+    if (comparison.follow(ui.session)) {
+        upload(ui.context.capabilities(), comparison.own(), window.own);
+        upload(ui.context.capabilities(), comparison.other(), window.other);
+        window.needsFrames = true;  // the tab's own picture may still be drawn in this frame
+    }
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const float lines = 3 * ImGui::GetTextLineHeightWithSpacing();
+    const float shape = static_cast<float>(ui.session.width()) / static_cast<float>(ui.session.height());
+    const float width = std::max(16.F, std::min((room.x - gap) / 2, (room.y - lines) * shape));
+    const ImVec2 size(width, width / shape);
+    picture(ui, "yours", "compare/own", window.own, size);
+    ImGui::SameLine();
+    picture(ui, window.isSolution ? "the solution" : "the other", "compare/other", window.other, size);
+    if (const std::string problem = comparison.problem(); !problem.empty())
+        ImGui::TextWrapped("%s", problem.c_str());
+    else if (ui.session.isMoving())
+        ImGui::TextDisabled("The difference is measured while the time stands still.");
+    else if (const std::optional<Comparison::Score> score = comparison.score())
+        ImGui::Text("FLIP %.3f, structure %.3f (0: no difference)", score->flip, score->structure);
+}
+
+class ComparePanel final : public Panel {
+  public:
+    void update(Ui& ui) override {
+        window_.needsFrames = false;
+        if (!ui.wanted.compared) return;
+        const fs::path& scene = *ui.wanted.compared;
+        window_ = {};
+        window_.comparison = std::make_unique<Comparison>(ui.context, ui.session.renderOptions());
+        window_.problem = window_.comparison->open(scene);
+        window_.isSolution = scene == solutionOf(ui.session.path());
+        isOpen = true;
+    }
+    void show(Ui& ui) override {
+        if (!isOpen || !window_.comparison || !ui.session.hasScene()) return;
+        placeFloating(ui, 30, 60, 760, 400);
+        const std::string title =
+            "Compare with " + window_.comparison->path().filename().string() + "###compare";
+        if (ImGui::Begin(title.c_str(), &isOpen, ImGuiWindowFlags_NoCollapse)) {
+            if (window_.problem.empty())
+                sideBySide(ui, window_);
+            else
+                ImGui::TextWrapped("%s", window_.problem.c_str());
+        }
+        ImGui::End();
+    }
+    [[nodiscard]] bool needsFrames() const override { return window_.needsFrames; }
+    void addTo(nlohmann::ordered_json& state, const Ui& /*ui*/) const override {
+        if (!isOpen || !window_.comparison) return;
+        nlohmann::ordered_json json = {{"scene", window_.comparison->path().string()},
+                                       {"problem", window_.problem}};
+        if (const std::optional<Comparison::Score> score = window_.comparison->known())
+            json["score"] = {score->flip, score->structure};
+        state["compare"] = json;
+    }
+    void releaseDevice() override {
+        window_.own.reset();
+        window_.other.reset();
+        if (window_.comparison) window_.comparison->releaseDevice();
+    }
+
+  private:
+    CompareWindow window_;
+};
+
+}  // namespace
+
+const PanelRow kCompareRow{.name = "compare",
+                           .place = PanelPlace::floating,
+                           .make = make<ComparePanel>,
+                           .title = "Compare###compare"};
+
+}  // namespace glibra::view
