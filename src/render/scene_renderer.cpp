@@ -185,7 +185,9 @@ Result<std::unique_ptr<SceneRenderer::State>> SceneRenderer::State::of(gpu::Cont
     state->height = height;
     state->tiles = std::move(grid.tiles);
     state->tileParts = std::move(grid.parts);
-    Diagnostics diagnostics = state->placeEye(stats);
+    Diagnostics diagnostics;
+    state->placeEye(static_cast<double>(width) / height, diagnostics, stats);
+    state->lookFrom(options.viewState);
     return {std::move(state), std::move(diagnostics)};
 }
 
@@ -229,7 +231,7 @@ Result<SceneRenderer> SceneRenderer::finish(Result<std::unique_ptr<State>> prepa
     const Diagnostics ofTiles = state->checkTiles();
     append(diagnostics, ofTiles);
     if (hasError(ofTiles)) return refuse(std::move(diagnostics));
-    state->makeDrawer(stats);
+    state->makePictureDrawer(stats);
     state->isStateful = state->mayShowEarlierFrames();
     state->device.releaseMeshes();
 
@@ -240,11 +242,7 @@ Result<SceneRenderer> SceneRenderer::finish(Result<std::unique_ptr<State>> prepa
     append(diagnostics, std::move(window.diagnostics));
     if (!window) return refuse(std::move(diagnostics));
     state->window = std::move(window.value);
-    if (options.axes) {
-        Result<Axes> axes = Axes::create(context);
-        append(diagnostics, std::move(axes.diagnostics));
-        state->axes = std::move(axes.value);
-    }
+    if (options.axes) append(diagnostics, state->makeAxes());
     append(diagnostics, context.debugLog().takeDiagnostics());
     applyStrict(diagnostics, options.strict);
     if (state->isStopped(diagnostics)) return refuse(std::move(diagnostics));
@@ -269,59 +267,31 @@ Diagnostics SceneRenderer::State::checkTiles() const {
     return {};
 }
 
-void SceneRenderer::State::makeDrawer(Stats& stats) {
-    drawer.emplace(context, plan, programs, device, stats);
-    const bool isFlat = options.incomplete &&
-                        std::any_of(plan.programs.begin(), plan.programs.end(),
-                                    [](const plan::PlannedProgram& each) { return !each.interface->usable; });
-    if (isFlat) {  // draws of programs that cannot be used show their shapes in one colour
-        const plan::ProgramVariant builtin{{}, false, 1};
-        programs.interfaceOf(builtin);
-        drawer->setFallback(programs.find(builtin));
-    }
+void SceneRenderer::State::makePictureDrawer(Stats& stats) {
+    makeDrawer(stats);
     if (options.skip && tiles.size() > 1) drawer->cullToTile(options.samples);
     if (options.skip && !options.floatPixels) drawer->skipOpaqueBlending();
     if (gpuTimes) gpuTimes->watch(*drawer, scene, plan);
 }
 
 Diagnostics SceneRenderer::State::moveTo(double time, Stats& stats) {
-    if (!changesWithTime || inputs.time == time) {
-        inputs.time = time;
-        return simulation ? simulation->advance(inputs) : Diagnostics();
+    Diagnostics diagnostics;
+    bool isOther = false;
+    if (changesWithTime && inputs.time != time) {
+        scene::FrameInputs wanted = inputs;
+        wanted.time = time;
+        isOther = interpret(wanted, diagnostics, stats);
     }
     inputs.time = time;
-    {
-        const StageTimer timer(stats, "interpret");
-        scene::Scene next = source->at(inputs);
-        if (std::exchange(isDrawn, false)) {
-            drawnBefore = std::make_unique<Drawn>(Drawn{std::move(scene), std::move(plan)});
-            drawnBefore->plan.nodes = &drawnBefore->scene.frame;
-        }
-        scene = std::move(next);
+    if (isOther) {
+        lookFrom(options.viewState);
+        isMoving = true;
+        append(diagnostics, preparePlan(stats, false));
+        if (isStopped(diagnostics)) return diagnostics;
     }
-    Diagnostics diagnostics = std::move(scene.diagnostics);
-    scene.diagnostics.clear();
-    view = ViewMatrices(options.viewState, scene.view, eyeDistance);
-    isMoving = true;
-    device.beginMoment(plan);
-    append(diagnostics, preparePlan(stats, false));
-    if (!isStopped(diagnostics) && simulation) append(diagnostics, simulation->advance(inputs));
-    if (!isStopped(diagnostics)) makeDrawer(loadStats);
+    if (simulation) append(diagnostics, simulation->advance(inputs));
+    if (isOther && !isStopped(diagnostics)) makePictureDrawer(loadStats);
     return diagnostics;
-}
-
-plan::StillNodes SceneRenderer::State::stillNodes() const {
-    const bool hasOwnView = options.viewState.projection == ProjectionMode::scene;
-    if (!options.skip || !hasOwnView || !drawer->drawsPlainly() || (!isDrawn && !drawnBefore)) return {};
-    const plan::PlannedScene now{scene, plan};
-    const bool hasRun = simulation && simulation->changes() != drawnChanges;
-    return plan::stillNodes(isDrawn ? now : plan::PlannedScene{drawnBefore->scene, drawnBefore->plan}, now,
-                            [&](const plan::Object& each) { return hasRun && simulation->lasts(each); });
-}
-
-void SceneRenderer::State::forgetDrawn() {
-    isDrawn = false;
-    drawnBefore.reset();
 }
 
 void SceneRenderer::State::resolve() {
@@ -334,7 +304,7 @@ void SceneRenderer::State::resolve() {
 Diagnostics SceneRenderer::State::drawTile(std::size_t index, double time, const plan::StillNodes& still,
                                            Stats& stats) {
     const StageTimer timer(stats, "draw");
-    const bool textures = index == 0 || !drawer->texturesComeFirst();
+    const bool textures = index == 0 || !texturesComeFirst(plan);
     Diagnostics diagnostics =
         drawer->draw(*window, {view, width, height, tiles[index], time, textures, &still});
     if (axes) axes->draw(*window, scene, view, tiles[index], width, height);
@@ -358,10 +328,7 @@ Diagnostics SceneRenderer::State::readTile(std::size_t index, image::Image& pict
 
 std::optional<LabelBlock> SceneRenderer::State::labels() const {
     if (options.labels == LabelCorner::none) return std::nullopt;
-    std::vector<const plan::FramePlan*> plans{&plan};
-    if (simulation)
-        for (const plan::FramePlan* each : simulation->plans()) plans.push_back(each);
-    return labelBlock(width, height, labelsOf(scene, plans), options.labels);
+    return labelBlock(width, height, labelsOf(scene, plans()), options.labels);
 }
 
 /// Without pixels.
@@ -374,9 +341,7 @@ image::Image SceneRenderer::State::emptyPicture() const {
 }
 
 void SceneRenderer::State::endFrame(Diagnostics& diagnostics, Stats& stats) {
-    forgetDrawn();
-    isDrawn = drawer && drawer->drawsPlainly() && !hasError(diagnostics);
-    drawnChanges = simulation ? simulation->changes() : 0;
+    noteDrawn(width, height, diagnostics);
     stats.add("frames", 1);
     append(diagnostics, context.debugLog().takeDiagnostics());
     if (options.checkUndefined) append(diagnostics, programs.takeUndefined());
@@ -388,7 +353,8 @@ Result<image::Image> SceneRenderer::draw(double time, Stats& stats) {
     image::Image picture = state.emptyPicture();
     makePixels(picture);
     Diagnostics diagnostics = state.moveTo(time, stats);
-    const plan::StillNodes still = hasError(diagnostics) ? plan::StillNodes() : state.stillNodes();
+    const plan::StillNodes still =
+        hasError(diagnostics) ? plan::StillNodes() : state.stillNodes(state.width, state.height);
     for (std::size_t i = 0; i < state.tiles.size() && !state.isStopped(diagnostics); ++i) {
         append(diagnostics, state.drawTile(i, time, still, stats));
         append(diagnostics, state.readTile(i, picture, stats));
@@ -409,7 +375,8 @@ void SceneRenderer::drawAhead(double time, Stats& stats) {
     Diagnostics& diagnostics = ahead.diagnostics;
     if (!state.stream) state.stream.emplace(state.context.capabilities());
     append(diagnostics, state.moveTo(time, stats));
-    const plan::StillNodes still = hasError(diagnostics) ? plan::StillNodes() : state.stillNodes();
+    const plan::StillNodes still =
+        hasError(diagnostics) ? plan::StillNodes() : state.stillNodes(state.width, state.height);
     if (!state.isStopped(diagnostics)) {
         append(diagnostics, state.drawTile(0, time, still, stats));
         Diagnostics unread = state.stream->begin(

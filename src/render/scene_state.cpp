@@ -10,15 +10,12 @@
 #include <utility>
 
 #include "budget/budget.h"
-#include "gpu/context/loop_limit.h"
-#include "render/draw/dispatch.h"
 #include "render/draw/sight.h"
 #include "render/probe/patch_probe.h"
 #include "render/probe/picture_probe.h"
 #include "scene/primitives.h"
 #include "scene/texture_name.h"
 #include "scene/texture_parts.h"
-#include "scene/view.h"
 
 namespace glibra::render {
 
@@ -28,23 +25,9 @@ bool SceneRenderer::State::isStopped(const Diagnostics& diagnostics) {
     return isBroken || !options.incomplete;
 }
 
-plan::FramePlan SceneRenderer::State::planScene(const plan::PlanOptions& planOptions) {
-    return planList(scene.frame, planOptions);
-}
-
-plan::FramePlan SceneRenderer::State::planList(const scene::NodeList& nodes,
-                                               const plan::PlanOptions& planOptions) {
-    return plan::planFrame(
-        scene, nodes,
-        [this](const plan::ProgramVariant& variant) -> const plan::ProgramInterface& {
-            return programs.interfaceOf(variant);
-        },
-        [this](scene::ProgramIndex program) { return programs.mayWriteImages(program); }, planOptions);
-}
-
 /// Chooses counts for what a first plan needs. The scene is then planned again with the chosen shapes.
 Diagnostics SceneRenderer::State::keepBudget(plan::PlanOptions& planOptions, Stats& stats) {
-    const plan::FramePlan first = planScene(planOptions);
+    const plan::FramePlan first = planList(scene.frame, planOptions);
     if (hasError(first.diagnostics)) return {};
     const StageTimer timer(stats, "budget");
     const PictureProbe pictures{context, scene, options, width, height, view, parts};
@@ -81,7 +64,7 @@ Diagnostics SceneRenderer::State::preparePlan(Stats& stats, bool everything) {
     isBroken = true;  // until there is a plan
     Result<std::vector<plan::Override>> overrides = parseOverrides(options.set);
     if (!overrides) return std::move(overrides.diagnostics);
-    plan::PlanOptions planOptions;
+    plan::PlanOptions planOptions = driverOptions();
     planOptions.overrides = std::move(*overrides);
     std::erase_if(planOptions.overrides, [&](const plan::Override& each) {
         return each.program.empty() && scene.usedVariables.contains(each.name);
@@ -99,10 +82,6 @@ Diagnostics SceneRenderer::State::preparePlan(Stats& stats, bool everything) {
         for (const scene::Check& check : scene.checks)
             for (const scene::BufferIndex each : check.reads)
                 planOptions.roots.emplace_back(scene::BufferView{each});
-    planOptions.maxTextureUnits = context.capabilities().combinedTextureUnits;
-    planOptions.lacksCompute = lackOfCompute(context.capabilities());
-    planOptions.cutsDispatches = !context.capabilities().isSoftware;
-    planOptions.loopLimit = [this] { return gpu::measureLoopLimit(context); };
     planOptions.everything = everything || !options.skip;
     planOptions.shareMeshes = options.skip;
     planOptions.reportsNames = scene.once.empty() && scene.steps.empty();
@@ -131,7 +110,7 @@ Diagnostics SceneRenderer::State::preparePlan(Stats& stats, bool everything) {
         planOptions.outOfSight = [&](const scene::Draw& draw, const scene::Pass& pass) {
             return outOfSight(draw, pass, &meshDiagnostics);
         };
-    plan = planScene(planOptions);
+    plan = planList(scene.frame, planOptions);
     isBroken = false;
     if (!isMoving) {
         stats.skipped.insert(stats.skipped.begin(), plan.skipped.begin(), plan.skipped.end());
@@ -142,7 +121,7 @@ Diagnostics SceneRenderer::State::preparePlan(Stats& stats, bool everything) {
     append(diagnostics, std::move(meshDiagnostics));
     const bool isFirst = !simulation;
     if (!isStopped(diagnostics)) {
-        Diagnostics ofSteps = planSimulation(planOptions, stats);
+        Diagnostics ofSteps = planBlocks(planOptions, stats);
         isBroken = hasError(ofSteps);
         append(diagnostics, std::move(ofSteps));
     }
@@ -180,20 +159,10 @@ void SceneRenderer::State::explainSimulation(Stats& stats) const {
         std::copy_if(each->skipped.begin(), each->skipped.end(), std::back_inserter(stats.skipped), isNode);
 }
 
-Diagnostics SceneRenderer::State::planSimulation(const plan::PlanOptions& planOptions, Stats& stats) {
-    if (scene.once.empty() && scene.steps.empty()) return {};
-    if (simulation) return simulation->check(plan);
-    plan::PlanOptions listOptions = planOptions;
-    listOptions.outOfSight = nullptr;
-    listOptions.shareTargets = false;
-    simulation.emplace(SimulationParts{context, scene, source.get(), programs, device, stats,
-                                       [this, listOptions](const scene::NodeList& nodes,
-                                                           std::vector<scene::ObjectView> roots) mutable {
-                                           listOptions.roots = std::move(roots);
-                                           return planList(nodes, listOptions);
-                                       }},
-                       options.steps);
-    Diagnostics diagnostics = simulation->plan(plan, changesWithTime, planOptions.roots);
+Diagnostics SceneRenderer::State::planBlocks(const plan::PlanOptions& planOptions, Stats& stats) {
+    const bool isFirst = !simulation;
+    Diagnostics diagnostics = planSimulation(planOptions, changesWithTime);
+    if (!isFirst || !simulation) return diagnostics;
     std::vector<const plan::FramePlan*> all = simulation->plans();
     all.push_back(&plan);
     append(diagnostics, reportNames(scene, all, planOptions.overrides));
@@ -266,20 +235,6 @@ bool SceneRenderer::State::mayShowEarlierFrames() {
                     if (isOld(use.view.texture)) return true;
     }
     return false;
-}
-
-Diagnostics SceneRenderer::State::placeEye(Stats& stats) {
-    Diagnostics diagnostics;
-    if (options.view != ViewPolicy::glman && !scene.usesLookAt) {
-        const StageTimer timer(stats, "view");
-        const scene::ViewMove move = scene::autoView(
-            scene, [&](scene::ShapeIndex shape) { return device.mesh(shape, false, &diagnostics); },
-            static_cast<double>(width) / height);
-        eyeDistance = move.distance;
-        append(diagnostics, move.diagnostics);
-    }
-    view = ViewMatrices(options.viewState, scene.view, eyeDistance);
-    return diagnostics;
 }
 
 }  // namespace glibra::render

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
+#include "render/pipeline.h"
 #include "script_problems.h"
 
 namespace glibra::test {
@@ -119,6 +121,46 @@ Fill other with Write
             EXPECT_NE(problems.find("scene.glib:"), std::string::npos) << problems;
             EXPECT_NE(problems.find("8 bytes, not 4"), std::string::npos) << problems;
         }
+}
+
+// ---- The driver's units.
+
+TEST(DriverLimits, ComeFromTheDriver) {
+    gpu::Capabilities driver;
+    driver.major = 4;
+    driver.minor = 1;
+    driver.combinedTextureUnits = 17;
+    driver.imageUnits = 33;
+    for (const bool isSoftware : {true, false}) {
+        driver.isSoftware = isSoftware;
+        const plan::PlanOptions made = render::planOptionsOf(driver);
+        EXPECT_EQ(made.maxTextureUnits, 17);
+        EXPECT_EQ(made.maxImageUnits, 33);
+        EXPECT_EQ(made.cutsDispatches, !isSoftware);
+        EXPECT_NE(made.lacksCompute, "");
+    }
+}
+
+TEST(DriverLimits, AsManyImagesAsTheDriverHasUnits) {
+    GLint ofCompute = 0;
+    glGetIntegerv(GL_MAX_COMPUTE_IMAGE_UNIFORMS, &ofCompute);
+    const int most = std::min({sharedContext().capabilities().imageUnits, static_cast<int>(ofCompute), 16});
+    for (int count = 7; count <= most; ++count) {
+        std::string textures, uniforms, stores, values, expected;
+        for (int i = 0; i < count; ++i) {
+            const std::string name = std::to_string(i);
+            textures += "Texture2D image" + name + " 1 1 r32f\n";
+            uniforms += "layout(r32f) uniform writeonly image2D uImage" + name + ";\n";
+            stores += "imageStore(uImage" + name + ", ivec2(0), vec4(" + std::to_string(i + 1) + ".));\n";
+            values += " uImage" + name + " image" + name;
+            expected += "Expect pixel 0 0 [" + std::to_string(i + 1) + "] of image" + name + "\n";
+        }
+        EXPECT_EQ(problemsOf(textures + "Compute inline\n#version 430\nlayout(local_size_x = 1) in;\n" +
+                             uniforms + "void main() {\n" + stores + "}\nEndCompute\nProgram Write" + values +
+                             "\nDispatch Write 1 1 1\n" + expected),
+                  "")
+            << count;
+    }
 }
 
 TEST(Dispatch, ThatWritesNothingReportsItsProgram) {

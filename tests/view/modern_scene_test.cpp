@@ -1,5 +1,7 @@
 // Modern scenes in a window: steps and sliders, reloading, keys, cameras, the mouse, buffers, costs.
 
+#include <algorithm>
+
 #include "image/image.h"
 #include "plan/buffer_table.h"
 #include "render/draw/simulation.h"
@@ -47,6 +49,32 @@ double sumAt(Session& session, double time) {
     session.drawIfNeeded();
     const std::vector<double> numbers = session.live().buffers().read({scene::BufferIndex(0)}, 0, 1);
     return numbers.empty() ? -1 : numbers.front();
+}
+
+TEST(ImagesInAWindow, AsManyAsTheDriverHasUnits) {
+    GLint ofCompute = 0;
+    glGetIntegerv(GL_MAX_COMPUTE_IMAGE_UNIFORMS, &ofCompute);
+    const int count = std::min({context().capabilities().imageUnits, static_cast<int>(ofCompute), 12});
+    std::string textures, uniforms, stores, values;
+    for (int i = 0; i < count; ++i) {
+        const std::string name = std::to_string(i);
+        textures += "Texture2D image" + name + " 1 1 rgba8\n";
+        uniforms += "layout(rgba8) uniform writeonly image2D uImage" + name + ";\n";
+        stores += "imageStore(uImage" + name + ", ivec2(0), vec4(1, 0, 0, 1));\n";
+        values += " uImage" + name + " image" + name;
+    }
+    const SceneFolder folder("WindowSize 8 8\n" + textures + "Compute a.comp\nProgram Write" + values +
+                                 "\nFragment show.frag\nProgram Show uT image" + std::to_string(count - 1) +
+                                 "\nDispatch Write 1 1 1\nFill window with Show\n",
+                             {{"a.comp", kStage + uniforms + "void main() {\n" + stores + "}\n"},
+                              {"show.frag",
+                               "#version 330\nuniform sampler2D uT;\nout vec4 c;\nvoid main() { c = "
+                               "texelFetch(uT, ivec2(0), 0); }\n"}});
+    Session session{context(), {}};
+    ASSERT_TRUE(session.open(folder.scene()));
+    EXPECT_EQ(text(session.diagnostics()), "");
+    session.drawIfNeeded();
+    EXPECT_EQ(pixelOf(session, 4, 4), (Color{255, 0, 0}));
 }
 
 class SumInAWindow : public testing::Test {

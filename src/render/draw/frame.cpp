@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <set>
 #include <utility>
@@ -53,15 +54,11 @@ void FrameDrawer::skipOpaqueBlending() {
         }
 }
 
-bool FrameDrawer::texturesComeFirst() const {
-    bool windowSeen = false;
-    for (const scene::NodeIndex& node : plan_.order) {
-        if (node.kind == scene::NodeIndex::Kind::pass && plan_.passOf(plan_.passes[node.index]).isWindow)
-            windowSeen = true;
-        else if (windowSeen)
-            return false;
-    }
-    return true;
+bool texturesComeFirst(const plan::FramePlan& plan) {
+    const auto isOfWindow = [&](const scene::NodeIndex& node) {
+        return node.kind == scene::NodeIndex::Kind::pass && plan.passOf(plan.passes[node.index]).isWindow;
+    };
+    return std::is_partitioned(plan.order.begin(), plan.order.end(), std::not_fn(isOfWindow));
 }
 
 Diagnostics FrameDrawer::draw(const gpu::Target& window, const Frame& frame) {

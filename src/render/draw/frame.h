@@ -47,6 +47,10 @@ struct Frame {
 
 /// Draws the frames of one plan. A drawer is complete when it is constructed; the setters below are options
 /// that hold for all frames that follow, in any order.
+/// True if every pass into textures, dispatch and clear comes before every pass into the window, so that
+/// tiles can share them.
+bool texturesComeFirst(const plan::FramePlan& plan);
+
 class FrameDrawer {
   public:
     FrameDrawer(const gpu::Context& context, const plan::FramePlan& plan, const ProgramLibrary& programs,
@@ -110,10 +114,6 @@ class FrameDrawer {
     void submit(const plan::PlannedDraw& planned, bool withPoints = false) const;
     /// The program that the draw uses, which may be the fallback; null if nothing is drawn.
     [[nodiscard]] const BuiltProgram* programOf(const plan::PlannedDraw& planned) const;
-
-    /// True if every pass into textures comes before every pass into the window, so that tiles can share
-    /// them.
-    [[nodiscard]] bool texturesComeFirst() const;
 
   private:
     /// What a program keeps between draws: literal uniform values are set once.

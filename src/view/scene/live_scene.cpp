@@ -126,7 +126,7 @@ const render::Stats& LiveScene::drawStats() const {
 bool LiveScene::keepTextures(Diagnostics& diagnostics) {
     State& state = *state_;
     if (std::exchange(state.keepsTextures, true) || state.plan.sharing.empty()) return false;
-    state.isDrawn = false;
+    state.forgetDrawn();
     state.device.beginMoment(state.plan);
     append(diagnostics, state.makePlan());
     return true;
@@ -157,16 +157,13 @@ void LiveScene::setValue(const Knob& knob) {
     std::erase_if(state.changedKnobs,
                   [&](const Knob& each) { return each.program == knob.program && each.tag == knob.tag; });
     state.changedKnobs.push_back(knob);
-    state.noteChange(false);
-    const auto change = [&](plan::FramePlan& plan) { return apply(state.scene, {&knob, 1}, plan); };
-    for (const plan::PlannedProgramIndex each : change(state.plan)) state.drawer->forgetLiterals(each);
-    if (state.simulation) state.simulation->changeValues(change);
+    state.changeValues([&](plan::FramePlan& plan) { return apply(state.scene, {&knob, 1}, plan); });
 }
 
 Diagnostics LiveScene::longLoops() {
     Diagnostics diagnostics;
     for (const plan::PlannedProgram& each : state_->plan.programs)
-        append(diagnostics, plan::reportLongLoops(each, [this] { return state_->measuredLoopLimit(); }));
+        append(diagnostics, plan::reportLongLoops(each, [this] { return state_->loopLimit(); }));
     render::applyStrict(diagnostics, false);  // programs may share a file
     return diagnostics;
 }
@@ -191,7 +188,7 @@ double LiveScene::eyeDistance() const {
     return state_->eyeDistance;
 }
 render::FrameDrawer& LiveScene::drawer() {
-    state_->isDrawn = false;
+    state_->forgetDrawn();
     return *state_->drawer;
 }
 const render::VertexBox* LiveScene::boxOf(const plan::PlannedDraw& draw) {
@@ -235,14 +232,14 @@ const base::StorageBlock* LiveScene::blockOf(scene::BufferIndex buffer) const {
 
 void LiveScene::setCamera(const std::string& name) {
     State& state = *state_;
-    state.isDrawn = false;
+    state.forgetDrawn();
     if (state.ownFrame) {
         state.scene.frame = *state.ownFrame;
         state.scene.view = state.ownView;
     }
     state.camera = name;
     state.lookThrough();
-    state.isViewSet = false;
+    state.forgetView();
 }
 
 const std::vector<scene::NamedCamera>& LiveScene::cameras() const {

@@ -1,0 +1,221 @@
+#include "render/pipeline.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "gpu/context/loop_limit.h"
+#include "plan/accesses.h"
+#include "render/draw/dispatch.h"
+#include "scene/view.h"
+
+namespace glibra::render {
+
+plan::PlanOptions planOptionsOf(const gpu::Capabilities& driver) {
+    plan::PlanOptions made;
+    made.maxTextureUnits = driver.combinedTextureUnits;
+    made.maxImageUnits = driver.imageUnits;
+    made.lacksCompute = lackOfCompute(driver);
+    made.cutsDispatches = !driver.isSoftware;
+    return made;
+}
+
+Pipeline::Pipeline(gpu::Context& usedContext, RenderOptions usedOptions, InterpretedScene interpreted,
+                   Stats& stats, const Setup& setup)
+    : context(usedContext),
+      loadStats(stats),
+      options(std::move(usedOptions)),
+      changesWithTime(interpreted.changesWithTime()),
+      source(std::move(interpreted.source)),
+      inputs(std::move(interpreted.inputs)),
+      scene(std::move(interpreted.scene)),
+      ownParts(setup.hasProbes && !setup.shared ? std::make_unique<SharedParts>() : nullptr),
+      parts(ownParts ? ownParts.get() : setup.shared),
+      programs(context, scene, options, setup.isTiled, stats, parts),
+      device(context, scene, stats, parts, options.skip) {}
+
+plan::PlanOptions Pipeline::driverOptions() {
+    plan::PlanOptions made = planOptionsOf(context.capabilities());
+    made.loopLimit = [this] { return loopLimit(); };
+    return made;
+}
+
+int Pipeline::loopLimit() {
+    if (!loopLimit_) loopLimit_ = gpu::measureLoopLimit(context);
+    return *loopLimit_;
+}
+
+plan::FramePlan Pipeline::planList(const scene::NodeList& nodes, const plan::PlanOptions& planOptions) {
+    plan::FramePlan made = plan::planFrame(
+        scene, nodes,
+        [this](const plan::ProgramVariant& variant) -> const plan::ProgramInterface& {
+            return programs.interfaceOf(variant);
+        },
+        [this](scene::ProgramIndex program) { return programs.mayWriteImages(program); }, planOptions);
+    if (adjustPlan) adjustPlan(made);
+    return made;
+}
+
+Diagnostics Pipeline::planSimulation(const plan::PlanOptions& planOptions, bool framesDiffer) {
+    if (scene.once.empty() && scene.steps.empty()) return {};
+    if (simulation) return simulation->check(plan);
+    plan::PlanOptions listOptions = planOptions;
+    listOptions.outOfSight = nullptr;
+    listOptions.shareTargets = false;
+    simulation.emplace(SimulationParts{context, scene, source.get(), programs, device, loadStats,
+                                       [this, listOptions](const scene::NodeList& nodes,
+                                                           std::vector<scene::ObjectView> roots) mutable {
+                                           listOptions.roots = std::move(roots);
+                                           return planList(nodes, listOptions);
+                                       }},
+                       options.steps);
+    return simulation->plan(plan, framesDiffer, planOptions.roots);
+}
+
+std::vector<const plan::FramePlan*> Pipeline::plans() const {
+    std::vector<const plan::FramePlan*> all{&plan};
+    if (!simulation) return all;
+    const std::vector<const plan::FramePlan*> blocks = simulation->plans();
+    all.insert(all.end(), blocks.begin(), blocks.end());
+    return all;
+}
+
+void Pipeline::makeDrawer(Stats& stats) {
+    drawer.emplace(context, plan, programs, device, stats);
+    if (std::all_of(plan.programs.begin(), plan.programs.end(),
+                    [](const plan::PlannedProgram& each) { return each.interface->usable; }))
+        return;
+    const plan::ProgramVariant builtin{{}, false, 1};
+    programs.interfaceOf(builtin);
+    drawer->setFallback(programs.find(builtin));
+}
+
+Diagnostics Pipeline::makeAxes() {
+    if (axes) return {};
+    Result<Axes> made = Axes::create(context);
+    axes = std::move(made.value);
+    return std::move(made.diagnostics);
+}
+
+bool Pipeline::interpret(const scene::FrameInputs& wanted, Diagnostics& diagnostics, Stats& stats) {
+    using expression::Depends;
+    using Inputs = scene::FrameInputs;
+    if (!source || wanted == inputs) return false;
+    const Depends depends = source->depends();
+    const auto changes = [&](Depends on, auto... member) {
+        return any(depends & on) && ((wanted.*member != inputs.*member) || ...);
+    };
+    const bool isOther = changes(Depends::time | Depends::frame | Depends::tick, &Inputs::time) ||
+                         changes(Depends::window | Depends::camera, &Inputs::width, &Inputs::height) ||
+                         changes(Depends::mouse, &Inputs::mouseX, &Inputs::mouseY, &Inputs::isMouseDown) ||
+                         wanted.variables != inputs.variables;
+    inputs = wanted;
+    if (!isOther) return false;
+    {
+        const StageTimer timer(stats, "interpret");
+        noteChange(true);
+        scene = source->at(inputs);
+    }
+    append(diagnostics, std::move(scene.diagnostics));
+    scene.diagnostics.clear();
+    forgetView();
+    device.beginMoment(plan);
+    bool hasLost = false;
+    append(diagnostics, device.followSizes(hasLost));
+    if (hasLost && simulation) {
+        // Its blocks may run over the texels of what has another size now, so they are planned anew.
+        simulation.reset();
+        forgetDrawn();
+    }
+    return true;
+}
+
+void Pipeline::placeEye(double aspect, Diagnostics& diagnostics, Stats& stats) {
+    if (eyeAspect_ == aspect) return;
+    eyeAspect_ = aspect;
+    eyeDistance = 0;
+    if (options.view == ViewPolicy::glman || scene.usesLookAt) return;
+    const StageTimer timer(stats, "view");
+    scene::ViewMove move = scene::autoView(
+        scene, [&](scene::ShapeIndex shape) { return device.mesh(shape, false, &diagnostics); }, aspect);
+    eyeDistance = move.distance;
+    append(diagnostics, std::move(move.diagnostics));
+}
+
+/// Setting a view copies the transforms of objects, which allocates memory. An unchanged view is not set
+/// again.
+void Pipeline::lookFrom(const ViewState& state) {
+    if (isViewSet_ && state == view.state() && setEyeDistance_ == eyeDistance) return;
+    view = ViewMatrices(state, scene.view, eyeDistance);
+    setEyeDistance_ = eyeDistance;
+    isViewSet_ = true;
+}
+
+void Pipeline::changeValues(
+    const std::function<std::vector<plan::PlannedProgramIndex>(plan::FramePlan&)>& change) {
+    noteChange(false);
+    for (const plan::PlannedProgramIndex each : change(plan)) drawer->forgetLiterals(each);
+    if (simulation) simulation->changeValues(change);
+}
+
+void Pipeline::noteChange(bool ofScene) {
+    if (!isDrawn_ || (drawnBefore_ && (!ofScene || drawnBefore_->scene))) return;
+    if (!ofScene) {
+        drawnBefore_ = Drawn{{}, plan};
+        return;
+    }
+    if (!drawnBefore_) drawnBefore_ = Drawn{{}, std::move(plan)};
+    drawnBefore_->scene = std::move(scene);
+    drawnBefore_->plan.nodes = &drawnBefore_->scene->frame;
+}
+
+plan::StillNodes Pipeline::stillNodes(int width, int height) const {
+    const ViewState& now = view.state();
+    const bool isComparable = options.skip && isDrawn_ && scene.isModern && drawer->drawsPlainly() &&
+                              width == drawnWidth_ && height == drawnHeight_ &&
+                              now.projection == ProjectionMode::scene &&
+                              drawnView_.projection == ProjectionMode::scene &&
+                              now.objects == drawnView_.objects && now.texture == drawnView_.texture;
+    if (!isComparable) return {};
+    std::set<plan::Object> moved;
+    std::vector<bool> isMovedNode(plan.order.size());
+    if (now.scene != drawnView_.scene || now.eye != drawnView_.eye)
+        for (std::size_t node = 0; node < plan.order.size(); ++node) {
+            const scene::NodeIndex& at = plan.order[node];
+            if (at.kind != scene::NodeIndex::Kind::pass) continue;
+            const scene::Pass& pass = plan.passOf(plan.passes[at.index]);
+            isMovedNode[node] = !pass.isWindow && isMoved(*plan.nodes, pass);
+            if (!isMovedNode[node]) continue;
+            for (const plan::ObjectUse& each : plan::usesOf(plan, node))
+                if (each.writes) moved.insert(plan::objectOf(each.object));
+        }
+    const bool hasRun = simulation && simulation->changes() != drawnChanges_;
+    const plan::PlannedScene before =
+        drawnBefore_
+            ? plan::PlannedScene{drawnBefore_->scene ? *drawnBefore_->scene : scene, drawnBefore_->plan}
+            : plan::PlannedScene{scene, plan};
+    plan::StillNodes still = plan::stillNodes(before, {scene, plan}, [&](const plan::Object& each) {
+        return moved.contains(each) || (hasRun && simulation->lasts(each));
+    });
+    for (std::size_t node = 0; node < still.nodes.size(); ++node)
+        if (isMovedNode[node]) still.nodes[node] = false;
+    for (const plan::Object& each : moved) still.contents.erase(each);
+    return still;
+}
+
+void Pipeline::noteDrawn(int width, int height, const Diagnostics& diagnostics) {
+    drawnBefore_.reset();
+    isDrawn_ = scene.isModern && drawer && drawer->drawsPlainly() && !hasError(diagnostics);
+    if (!isDrawn_) return;
+    drawnView_ = view.state();
+    drawnWidth_ = width;
+    drawnHeight_ = height;
+    drawnChanges_ = simulation ? simulation->changes() : 0;
+}
+
+void Pipeline::forgetDrawn() {
+    isDrawn_ = false;
+    drawnBefore_.reset();
+}
+
+}  // namespace glibra::render
