@@ -25,6 +25,10 @@ struct Diagnostic {
     std::string id;
     std::string text;
     Place place;
+    // For code that reacts to messages, which must not read the text. Both are empty where nothing needs
+    // them.
+    std::string subject = {};     ///< the name that the text is about: a uniform, an input, a file
+    std::string suggestion = {};  ///< the name that the text proposes in its place
 };
 
 using Diagnostics = std::vector<Diagnostic>;
@@ -40,6 +44,13 @@ constexpr Severity severityOf(std::string_view id) {
 inline Diagnostic diagnose(std::string id, std::string text, Place place = {}) {
     const Severity severity = severityOf(id);
     return {severity, std::move(id), std::move(text), std::move(place)};
+}
+
+/// The same message with the name that it is about, and the one that it proposes in its place.
+inline Diagnostic about(Diagnostic message, std::string subject, std::string suggestion = {}) {
+    message.subject = std::move(subject);
+    message.suggestion = std::move(suggestion);
+    return message;
 }
 
 /// Makes a message that has no id, such as "7 more messages not shown".

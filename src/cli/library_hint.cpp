@@ -20,15 +20,6 @@ bool isLibrary(const fs::path& folder) {
     return fs::is_directory(folder / "glib", failure) && fs::is_directory(folder / "shaders", failure);
 }
 
-/// The text after `begin` up to the next quote; empty if `begin` is not in the text.
-std::string quotedAfter(const std::string& text, std::string_view begin) {
-    const std::size_t at = text.find(begin);
-    if (at == std::string::npos) return {};
-    const std::size_t first = at + begin.size();
-    const std::size_t end = text.find('\'', first);
-    return end == std::string::npos ? std::string() : text.substr(first, end - first);
-}
-
 }  // namespace
 
 fs::path ownLibrary() {
@@ -43,16 +34,15 @@ fs::path ownLibrary() {
 Diagnostics libraryHint(const fs::path& scene, const Diagnostics& diagnostics, const fs::path& library) {
     const auto isMissing = [](const Diagnostic& each) { return each.id == "file-E01"; };
     if (library.empty() || std::none_of(diagnostics.begin(), diagnostics.end(), isMissing)) return {};
-    constexpr std::string_view kHasItAs = "the library has it as '";
     scene::FolderListings listings;
     const scene::SearchFolders folders = scene::searchFolders(scene, {.libraryRoots = {library}});
     for (const Diagnostic& each : diagnostics) {
-        const std::string name = isMissing(each) ? quotedAfter(each.text, "cannot find '") : std::string();
+        const std::string& name = each.subject;
         // The library of the scene has a file of that name in another folder, which the message says.
-        if (name.empty() || !quotedAfter(each.text, kHasItAs).empty()) continue;
+        if (!isMissing(each) || name.empty() || !each.suggestion.empty()) continue;
         const scene::FileReference found = scene::findFile(name, {}, folders, listings);
         std::string other;
-        for (const Diagnostic& remark : found.remarks) other = quotedAfter(remark.text, kHasItAs);
+        for (const Diagnostic& remark : found.remarks) other = remark.suggestion;
         if (found.path.empty() && other.empty()) continue;
         const std::string as = found.path.empty() ? fmt::format(" as '{}'", other) : "";
         const char* const finds = as.empty() ? "finds it" : "finds it by that name";

@@ -77,6 +77,8 @@ class Parser {
     /// The names that only faulty statements declare, after parse().
     std::set<std::string, std::less<>> takeLostNames() { return std::move(lostNames_); }
 
+    std::vector<Command> takeWithoutFile() { return std::move(withoutFile_); }
+
   private:
     void reportUnknown(const Statement& statement) {
         const Token& word = statement.word;
@@ -132,6 +134,7 @@ class Parser {
         const bool faulty = statement.faulty || log_.errorCount() > errors || losesStage(command.id);
         if (command.id == CommandId::fragment) fragmentFile_ = command.text;
         isModern_ = isModern_ || command.isEvaluatedLater;
+        if (command.lacksFile) withoutFile_.push_back(command);
         if (leavesOut(command.id, faulty) || faulty) return;
         commands_.push_back(std::move(command));
     }
@@ -377,6 +380,7 @@ class Parser {
     bool isModern_ = false;
     bool wouldDiffer_ = false;               ///< something so far would mean something else in a modern scene
     std::unordered_set<std::string> names_;  ///< of textures, buffers, samplers, cameras and variables
+    std::vector<Command> withoutFile_;
     std::set<std::string, std::less<>> lostNames_;  ///< that statements so far would declare
     bool declaresNames_ = false;
     bool hasInclude_ = false;
@@ -393,11 +397,13 @@ bool read(std::string_view text, Script& script, MessageLog& log) {
     Parser parser(text, false, log);
     script.commands = parser.parse();
     script.lostNames = parser.takeLostNames();
+    script.withoutFile = parser.takeWithoutFile();
     if (!parser.hasToReadAgain()) return parser.isModern();
     log = empty;
     Parser again(text, true, log);
     script.commands = again.parse();
     script.lostNames = again.takeLostNames();
+    script.withoutFile = again.takeWithoutFile();
     return true;
 }
 

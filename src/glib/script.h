@@ -79,6 +79,7 @@ struct Command {
     Position bodyPosition;  ///< of the first byte of `body`
     bool isModern = false;
     bool isEvaluatedLater = false;
+    bool lacksFile = false;  ///< it is faulty because it names no file, which a window may ask its user for
     /// The index of the command that ends this block; for a command that ends a block, of the one that opens
     /// it. The partner of When is its Else, if it has one; the partner of Else is EndWhen.
     std::size_t partner = kNoPartner;
@@ -101,6 +102,7 @@ struct Script {
     /// What faulty statements would have declared: objects, variables, programs and groups. Whoever misses
     /// one of them reports nothing, since the faulty statement has been reported.
     std::set<std::string, std::less<>> lostNames;
+    std::vector<Command> withoutFile;  ///< the faulty statements that lack a file (Command::lacksFile)
 
     [[nodiscard]] Place place(Position position) const { return {path, position.line, position.column}; }
 };

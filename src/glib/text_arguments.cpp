@@ -52,6 +52,7 @@ void readSizes(const Statement& statement, std::span<const Token> tokens, std::s
     const std::size_t most = row.arguments.size() - 1;
     const std::size_t least = row.id == CommandId::texture ? 1 : most;
     if (sizes < least) {
+        command.lacksFile = true;
         log.report("glib-E04",
                    fmt::format("{} needs a file name or {} after the unit, found {}", row.name(),
                                counted(least, "size"), sizes),

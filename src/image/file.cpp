@@ -88,7 +88,8 @@ Result<std::vector<std::byte>> readFile(const fs::path& path, const FileLabel& l
     // Without O_NONBLOCK, opening a pipe blocks until somebody writes to it.
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     if (file.number() < 0 && (errno == ENOENT || errno == ENOTDIR))
-        return diagnose("file-E01", fmt::format("cannot find '{}'", label.name), label.place);
+        return about(diagnose("file-E01", fmt::format("cannot find '{}'", label.name), label.place),
+                     label.name);
     struct stat status{};
     if (file.number() < 0 || ::fstat(file.number(), &status) != 0) return unreadable(reason(errno));
     if (S_ISDIR(status.st_mode)) return unreadable("it is a folder");

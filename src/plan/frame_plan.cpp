@@ -276,9 +276,10 @@ class FramePlanner {
             reportIgnoredPointSize(draw, index, *program);
     }
 
-    void warnOnce(const Place& place, PlannedProgramIndex index, const char* id, const std::string& text) {
+    void warnOnce(const Place& place, PlannedProgramIndex index, const char* id, const std::string& text,
+                  std::string subject = {}, std::string suggestion = {}) {
         if (remarks_.emplace(programs_[index].variant.program, id, text).second)
-            report(diagnose(id, text, place));
+            report(about(diagnose(id, text, place), std::move(subject), std::move(suggestion)));
     }
 
     void reportHazards(const std::string& word, const Place& place, PlannedProgramIndex index,
@@ -299,7 +300,9 @@ class FramePlanner {
                                                          : fmt::format("{} / {}", unit, sampler.type.word);
             warnOnce(place, index, "draw-W02",
                      fmt::format("{} '{}' reads unit {}, which is empty",
-                                 uses[i].isImage ? "image" : "sampler", sampler.name, slot));
+                                 uses[i].isImage ? "image" : "sampler", sampler.name, slot),
+                     // Known only where the warning may follow from glib-W37, which says "it reads unit 0".
+                     !uses[i].isImage && unit == 0 ? sampler.name : std::string());
         }
     }
 
@@ -342,9 +345,14 @@ class FramePlanner {
 
     /// The hint for an input that nothing feeds: an attribute of the draw with a name that is near and that
     /// no input has, otherwise a well-known name.
-    [[nodiscard]] std::string hintForInput(const scene::Draw& draw, const ProgramInterface& interface,
-                                           const ActiveInput& input) const {
-        if (suppliesIfModern(input)) return "; scenes with a Camera or another modern statement supply it";
+    struct InputHint {
+        std::string text, suggestion;
+    };
+
+    [[nodiscard]] InputHint hintForInput(const scene::Draw& draw, const ProgramInterface& interface,
+                                         const ActiveInput& input) const {
+        if (suppliesIfModern(input))
+            return {"; scenes with a Camera or another modern statement supply it", {}};
         if (!scene_.isModern) return {};
         const std::string name = userNameOf(interface, input.name);
         const auto isFed = [&](std::string_view attribute) {
@@ -357,11 +365,13 @@ class FramePlanner {
             for (const scene::AttributeBinding& each : scene_.attributeSets[draw.attributes].bindings)
                 if (!isFed(each.name)) names.emplace_back(each.name);
         if (const std::string own = base::nearestName(name, names, 1); !own.empty())
-            return fmt::format("; did you mean the attribute '{}'?", own);
+            return {fmt::format("; did you mean the attribute '{}'?", own), own};
         names.clear();
         for (const glsl::WellKnownInput& each : glsl::wellKnownInputs())
             if (glsl::findWellKnownInput(each.name, input.type.word) != nullptr) names.push_back(each.name);
-        return base::suggestion(name, names, 1);
+        std::string near = base::nearestName(name, names, 1);
+        if (near.empty()) return {};
+        return {fmt::format("; did you mean '{}'?", near), near};
     }
 
     void reportUnknownInputs(const scene::Draw& draw, PlannedProgramIndex index) {
@@ -371,10 +381,11 @@ class FramePlanner {
         for (std::size_t i = 0; i < sources.size(); ++i) {
             const std::string name = userNameOf(interface, interface.inputs[i].name);
             const bool isOfList = shape.list != nullptr && shape.list->attribute(name) != nullptr;
-            if (!sources[i].isKnown && !isOfList && !isInternalName(name))
-                warnOnce(draw.place, index, "draw-W03",
-                         fmt::format("vertex input '{}' is not supplied; it reads 0 0 0 1{}", name,
-                                     hintForInput(draw, interface, interface.inputs[i])));
+            if (sources[i].isKnown || isOfList || isInternalName(name)) continue;
+            const InputHint hint = hintForInput(draw, interface, interface.inputs[i]);
+            warnOnce(draw.place, index, "draw-W03",
+                     fmt::format("vertex input '{}' is not supplied; it reads 0 0 0 1{}", name, hint.text),
+                     name, hint.suggestion);
         }
     }
 
@@ -398,7 +409,8 @@ class FramePlanner {
                 warnOnce(
                     each.place, index, "draw-W15",
                     fmt::format("Attribute: program '{}' has no vertex input '{}'; did you mean '{}'?",
-                                programs_.declared(programs_[index].variant.program)->name, each.name, near));
+                                programs_.declared(programs_[index].variant.program)->name, each.name, near),
+                    each.name, near);
         }
     }
 
@@ -466,7 +478,7 @@ class FramePlanner {
             if (scene_.isModern)
                 std::erase_if(programs_.state(undrawn).diagnostics, [](const Diagnostic& each) {
                     return each.id == "glib-W37" || each.id == "memory-E02" ||
-                           (each.id == "glsl-W11" && each.text.starts_with("'vST' "));  // Fill gives it
+                           (each.id == "glsl-W11" && each.subject == "vST");  // Fill gives it
                 });
             announce(undrawn);
         }

@@ -150,9 +150,11 @@ Diagnostics unusedOverrides(std::span<const Override> overrides, const std::vect
         const std::string where =
             program.empty() ? "program of the scene" : "program " + glib::inQuotes(program);
         const bool isElsewhere = std::find(names.begin(), names.end(), name) != names.end();
-        const std::string near = isElsewhere ? "" : suggestionFor(name, names);
-        diagnostics.push_back(
-            diagnose("glib-W23", fmt::format("no {} has a uniform {}{}", where, glib::inQuotes(name), near)));
+        const std::string near = isElsewhere ? "" : nearestUniform(name, names);
+        const std::string hint = near.empty() ? "" : "; did you mean '" + near + "'?";
+        diagnostics.push_back(about(
+            diagnose("glib-W23", fmt::format("no {} has a uniform {}{}", where, glib::inQuotes(name), hint)),
+            name, near));
     }
     return diagnostics;
 }

@@ -100,8 +100,8 @@ std::vector<std::string> declaredUniforms(std::span<const FramePlan* const> plan
     return names;
 }
 
-/// The hint for a name that looks misspelt. Names of a row (uLight1, uLight2) do not: a Set is for all
-/// programs, and not all of them need the whole row.
+/// The name that was meant, if a name looks misspelt. Names of a row (uLight1, uLight2) do not: a Set is for
+/// all programs, and not all of them need the whole row.
 std::string misspelling(std::string_view whole, std::span<const std::string> names) {
     const std::string_view tag = rootName(whole);
     const auto withoutDigits = [](std::string_view name) {
@@ -114,17 +114,17 @@ std::string misspelling(std::string_view whole, std::span<const std::string> nam
                     [&](const std::string& each) { return withoutDigits(each) == base; }))
         return {};
     const std::string nearest = nearestUniform(tag, names);
-    return nearest.empty() ? nearest
-                           : fmt::format("; did you mean '{}{}'?", nearest, whole.substr(tag.size()));
+    return nearest.empty() ? nearest : fmt::format("{}{}", nearest, whole.substr(tag.size()));
 }
 
 /// The hint for a tag that no program has: what is wrong with its members, or its misspelt root. Empty if the
 /// tag does not look like a mistake.
-std::string hintFor(std::string_view tag, std::span<const FramePlan* const> plans) {
+MemberSearch hintFor(std::string_view tag, std::span<const FramePlan* const> plans) {
     for (const FramePlan* plan : plans)
         for (const PlannedProgram& program : plan->programs)
-            if (const auto search = searchMember(program.interface->facts.memory, tag)) return search->hint;
-    return misspelling(tag, declaredUniforms(plans));
+            if (const auto search = searchMember(program.interface->facts.memory, tag)) return *search;
+    const std::string meant = misspelling(tag, declaredUniforms(plans));
+    return {false, meant.empty() ? "" : fmt::format("; did you mean '{}'?", meant), meant};
 }
 
 Diagnostics reportSets(const scene::Scene& scene, std::span<const FramePlan* const> plans) {
@@ -134,9 +134,11 @@ Diagnostics reportSets(const scene::Scene& scene, std::span<const FramePlan* con
         const std::set<scene::ProgramIndex> known = knownPrograms(plans);
         for (const scene::ProgramIndex i : scene.programs.indices())
             if (!known.contains(i)) return {};  // it may have any name
-        if (const std::string hint = hintFor(tag, plans); !hint.empty())
-            diagnostics.push_back(diagnose(
-                "glib-W23", fmt::format("no program of the scene has a uniform '{}'{}", tag, hint), place));
+        if (const MemberSearch found = hintFor(tag, plans); !found.hint.empty())
+            diagnostics.push_back(about(
+                diagnose("glib-W23",
+                         fmt::format("no program of the scene has a uniform '{}'{}", tag, found.hint), place),
+                tag, found.suggestion));
     }
     return diagnostics;
 }

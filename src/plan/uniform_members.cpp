@@ -139,19 +139,20 @@ std::optional<MemberSearch> searchMember(const glsl::MemoryFacts& memory, std::s
             std::vector<std::string_view> names;
             for (const glsl::MemoryMember& each : *here->members) names.push_back(each.name);
             const std::string nearest = base::nearestName(name, names);
-            return MemberSearch{
-                false, nearest.empty()
-                           ? fmt::format("; the members of '{}' are {}", path, fmt::join(names, ", "))
-                           : fmt::format("; did you mean '{}.{}{}'?", path, nearest,
-                                         tag.substr(parts[i + 1].nameEnd))};
+            if (nearest.empty())
+                return MemberSearch{
+                    false, fmt::format("; the members of '{}' are {}", path, fmt::join(names, ", "))};
+            const std::string whole = fmt::format("{}.{}{}", path, nearest, tag.substr(parts[i + 1].nameEnd));
+            return MemberSearch{false, fmt::format("; did you mean '{}'?", whole), whole};
         }
         here = declaredBy(memory, *member);
     }
     if (here->members == nullptr) return MemberSearch{true, {}};
     if (here->members->empty()) return MemberSearch{};
     const bool isElement = parts.back().subscripts.size() >= here->sizes->size();
-    return MemberSearch{false, fmt::format("; did you mean '{}{}.{}'?", tag, isElement ? "" : "[0]",
-                                           here->members->front().name)};
+    const std::string whole =
+        fmt::format("{}{}.{}", tag, isElement ? "" : "[0]", here->members->front().name);
+    return MemberSearch{false, fmt::format("; did you mean '{}'?", whole), whole};
 }
 
 bool visitMembers(const glsl::MemoryFacts& memory, std::string_view root, const VisitMember& visit) {

@@ -13,8 +13,9 @@ namespace glibra::plan {
 
 /// What the text of the shaders says about a tag.
 struct MemberSearch {
-    bool isDeclared = false;  ///< the tag names a number, a vector, a matrix or an array of them
-    std::string hint{};       ///< if it does not: what would be right, beginning with "; "; may be empty
+    bool isDeclared = false;   ///< the tag names a number, a vector, a matrix or an array of them
+    std::string hint{};        ///< if it does not: what would be right, beginning with "; "; may be empty
+    std::string suggestion{};  ///< the name that the hint proposes; may be empty
 };
 
 /// Follows the parts of a tag as `lights[2].inner.position`. Nothing if it begins with no uniform variable of

@@ -51,8 +51,9 @@ std::string_view expressionFor(std::string_view name, const std::set<std::string
 
 }  // namespace
 
-void UniformMessages::warn(const char* id, std::string text, const Place& place) {
-    to_.push_back(diagnose(id, std::move(text), place));
+void UniformMessages::warn(const char* id, std::string text, const Place& place, std::string_view subject,
+                           std::string suggestion) {
+    to_.push_back(about(diagnose(id, std::move(text), place), std::string(subject), std::move(suggestion)));
 }
 
 bool UniformMessages::isDeclared(std::string_view name) const {
@@ -96,16 +97,16 @@ void UniformMessages::unknown(const GivenValue& given, std::string_view resemble
     if (search && !search->isDeclared)
         return warn("glib-W23",
                     fmt::format("no shader of '{}' has a uniform '{}'{}", program_.name, tag, search->hint),
-                    given.tagPlace);
+                    given.tagPlace, tag, search->suggestion);
     if (member.empty() && isDeclared(tag))
         return warn("glib-W24",
                     fmt::format("uniform '{}' is declared but unused, so the tag has no effect", tag),
                     given.tagPlace);
     if (member.empty() && !resembles.empty()) return misspelt(tag, resembles, given.tagPlace);
-    const std::string hint =
-        member.empty() ? suggestionFor(tag, knownNames()) : "; did you mean '" + member + "'?";
+    const std::string near = member.empty() ? nearestUniform(tag, knownNames()) : member;
+    const std::string hint = near.empty() ? "" : "; did you mean '" + near + "'?";
     warn("glib-W23", fmt::format("no shader of '{}' has a uniform '{}'{}", program_.name, tag, hint),
-         given.tagPlace);
+         given.tagPlace, tag, near);
 }
 
 const std::vector<std::string>& UniformMessages::knownNames() {

@@ -41,7 +41,8 @@ class UniformMessages {
     void unset(std::span<const ActiveUniform> uniforms);
 
   private:
-    void warn(const char* id, std::string text, const Place& place);
+    void warn(const char* id, std::string text, const Place& place, std::string_view subject = {},
+              std::string suggestion = {});
     [[nodiscard]] bool isDeclared(std::string_view name) const;
     const std::vector<std::string>& knownNames();
     void oneUnset(const ActiveUniform& each);

@@ -430,10 +430,12 @@ class Resolver {
             if (drawn_.isInBuffer && drawn_.isInBuffer(each)) continue;
             if (isOpaque(each)) {
                 if (!touched_[i] && !interface_.facts.textureBindings.contains(each.name))
-                    warn("glib-W37",
-                         fmt::format("uniform '{}' of '{}' is not set; it reads unit 0", each.name,
-                                     program_.name),
-                         program_.place);
+                    result_.diagnostics.push_back(
+                        about(diagnose("glib-W37",
+                                       fmt::format("uniform '{}' of '{}' is not set; it reads unit 0",
+                                                   each.name, program_.name),
+                                       program_.place),
+                              each.name));
                 continue;
             }
             if (hasInitializer(each)) continue;

@@ -234,8 +234,8 @@ class LibrarySearch {
     int visited_ = 0;
 };
 
-std::string notFound(const CleanName& name, std::string_view written, const SearchFolders& folders,
-                     FolderListings& listings) {
+Diagnostic notFound(const CleanName& name, std::string_view written, const SearchFolders& folders,
+                    FolderListings& listings, const Place& place) {
     std::vector<fs::path> searched;
     if (name.isAbsolute && !name.isNetwork) searched.push_back(fs::path(name.path).parent_path());
     for (const fs::path& folder : folders.beside) {
@@ -255,16 +255,19 @@ std::string notFound(const CleanName& name, std::string_view written, const Sear
                                 [&](const std::string& one) { return folders.mayRead(each / one); });
         });
     std::string text = fmt::format("cannot find '{}'", written);
+    const auto problem = [&](const std::string& suggestion) {
+        return about(diagnose("file-E01", text, place), std::string(written), suggestion);
+    };
     if (!name.last.empty() && !name.isAbsolute) {
         const std::vector<std::string> elsewhere = LibrarySearch(folders, listings).find(name.last);
         for (std::size_t i = 0; i < elsewhere.size(); ++i)
             text += fmt::format("{} '{}'", i == 0 ? "; the library has it as" : " and", elsewhere[i]);
-        if (!elsewhere.empty()) return text;
+        if (!elsewhere.empty()) return problem(elsewhere.front());
     }
     const std::vector<std::string> near = nearestFiles(name.last, searched, listings);
     for (std::size_t i = 0; i < near.size(); ++i)
         text += fmt::format("{} '{}'", i == 0 ? "; nearest:" : ",", near[i]);
-    return text;
+    return problem({});
 }
 
 }  // namespace
@@ -385,7 +388,7 @@ static FileReference lookUp(std::string_view written, const Place& place, const 
     if (!name.isAbsolute)
         for (const fs::path& folder : folders.library)
             if (search.find({folder}, name.parts)) return reference;
-    reference.remarks.push_back(diagnose("file-E01", notFound(name, written, folders, listings), place));
+    reference.remarks.push_back(notFound(name, written, folders, listings, place));
     if (listings.reportsSpent())
         reference.remarks.push_back(diagnose(
             "file-W13",

@@ -312,6 +312,9 @@ Scene Interpretation::State::run(const FrameInputs& inputs) {
     in.scene.verbose =
         std::any_of(script.commands.begin(), script.commands.end(),
                     [](const glib::Command& command) { return command.id == CommandId::verbose; });
+    for (const glib::Command& each : script.withoutFile)
+        in.scene.missingFiles.push_back(
+            {std::string(glib::nameOf(each.id)), script.place(each.position), false});
     noteNames(in.scene, script);
     shared.depends = expression::Depends::nothing;
     shared.foundAspects.clear();

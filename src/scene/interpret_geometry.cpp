@@ -190,6 +190,9 @@ namespace {
 
 void doModel(Interpreter& in, const glib::Command& command) {
     if (command.text.empty()) {
+        const Place place = in.place(command);
+        if (place.file == in.scene.path && in.scene.missingFiles.size() < glib::kMostMessages)
+            in.scene.missingFiles.push_back({command.word, place, true});
         in.reportAt(command, "glib-E09",
                     fmt::format("{} needs a file name; only the interactive program works without one",
                                 command.word));

@@ -101,6 +101,7 @@ void doTimer(Interpreter& in, const glib::Command& command) {
 }
 
 void doMessageBox(Interpreter& in, const glib::Command& command) {
+    if (in.scene.messages.size() < glib::kMostMessages) in.scene.messages.push_back(command.text);
     in.report(diagnose("glib-N01", fmt::format("MessageBox: {}", command.text), in.place(command)));
 }
 

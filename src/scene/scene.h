@@ -42,6 +42,13 @@ struct Variable {
     std::optional<Fineness> bound{};
 };
 
+/// A statement that needs a file and names none. A window asks its user for the file.
+struct MissingFile {
+    std::string word;  ///< the command
+    Place place;
+    bool isModel = false;  ///< otherwise a texture
+};
+
 struct Scene : Declarations {
     std::string path;
     int width = 600, height = 600;
@@ -51,6 +58,8 @@ struct Scene : Declarations {
     std::vector<Check> checks;
     std::vector<IdleCheck> idleChecks;
     std::vector<KeyBinding> keys;
+    std::vector<std::string> messages;      ///< of the MessageBox statements that ran
+    std::vector<MissingFile> missingFiles;  ///< of this file, not of included ones
     /// The values of variables at the end of the script: uniforms of the same name that nothing else sets
     /// read them.
     std::vector<glib::UniformSpec> namedValues;

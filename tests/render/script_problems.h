@@ -1,8 +1,13 @@
 #pragma once
 // For tests of scenes that state about themselves, with Expect lines, what must hold.
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
 #include <map>
 #include <string>
+#include <string_view>
 
 #include "render/check/answers.h"
 #include "render/scene_renderer.h"
@@ -11,11 +16,26 @@
 
 namespace glibra::test {
 
+/// What code reads of messages stands in their fields as it stands in their texts.
+inline void expectNamesInFields(const Diagnostics& diagnostics) {
+    constexpr std::array<std::string_view, 4> kRead{"glib-W23", "draw-W03", "draw-W15", "glsl-W11"};
+    for (const Diagnostic& each : diagnostics) {
+        if (std::find(kRead.begin(), kRead.end(), each.id) == kRead.end()) continue;
+        const bool proposes = each.text.find("did you mean") != std::string::npos;
+        EXPECT_EQ(proposes, !each.suggestion.empty()) << each.text;
+        EXPECT_NE(each.text.find("'" + each.subject + "'"), std::string::npos) << each.text;
+        EXPECT_TRUE(!proposes || each.text.find("'" + each.suggestion + "'") != std::string::npos)
+            << each.text;
+    }
+}
+
 /// The messages of drawing a scene and answering its checks; empty if all is well.
 inline std::string problemsOf(const std::string& scene, const std::map<std::string, std::string>& files = {},
                               const RenderOptions& options = {}) {
     const SceneFolder folder(scene, files);
-    return text(render::runChecks(sharedContext(), folder / "scene.glib", options));
+    const Diagnostics found = render::runChecks(sharedContext(), folder / "scene.glib", options);
+    expectNamesInFields(found);
+    return text(found);
 }
 
 /// A BMP picture of one colour, as blue, green, red.

@@ -140,6 +140,7 @@ TEST_F(FileLookup, TheLastPartOfAForeignPathIsFoundBesideTheScene) {
 
 TEST_F(FileLookup, WithoutFoldersThereIsNoLastPart) {
     EXPECT_EQ(idsOf(find("cow.obj").remarks), "file-E01");
+    EXPECT_EQ(find("cow.obj").remarks.front().subject, "cow.obj");
 }
 
 TEST_F(FileLookup, AMissingFileIsAnErrorWithTheNearestNames) {
@@ -192,6 +193,7 @@ TEST_F(FileLookup, FoldersPipesAndDevicesAreNotFiles) {
     fs::create_directories(folder.path() / "cow.obj");
     ASSERT_EQ(mkfifo((folder.path() / "pipe.obj").c_str(), 0600), 0);
     EXPECT_EQ(idsOf(find("cow.obj").remarks), "file-E01");
+    EXPECT_EQ(find("cow.obj").remarks.front().subject, "cow.obj");
     EXPECT_EQ(idsOf(find("pipe.obj").remarks), "file-E01");
     EXPECT_EQ(idsOf(find("PIPE.obj").remarks), "file-E01");
     EXPECT_EQ(idsOf(find("/dev/zero").remarks), "file-E01");

@@ -1,11 +1,14 @@
 // The state machine: a draw uses the state that earlier statements set (language, 2.1, 3.1 and 3.2).
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <set>
+#include <string>
+#include <vector>
 
 #include "support.h"
 
@@ -269,6 +272,30 @@ TEST(State, MessagesAreNotes) {
     const Scene scene = run("MessageBox Move the scene back\n");
     EXPECT_EQ(textsOf(scene.diagnostics), "1:1 glib-N01 MessageBox: Move the scene back");
     EXPECT_EQ(scene.diagnostics.at(0).severity, Severity::note);
+}
+
+TEST(State, TextsOfMessagesAreListedAsWritten) {
+    EXPECT_EQ(run("MessageBox MessageBox: one\nSphere\nMessageBox two\n").messages,
+              (std::vector<std::string>{"MessageBox: one", "two"}));
+    EXPECT_TRUE(run("Sphere\n").messages.empty());
+}
+
+TEST(State, EveryStatementThatLacksItsFileIsListed) {
+    const auto missingOf = [](const std::string& statement) {
+        std::string all;
+        for (const MissingFile& each : run("Sphere\n" + statement + "\n").missingFiles)
+            all += fmt::format("{}:{} {} {}", each.place.line, each.place.column, each.word,
+                               each.isModel ? "model" : "texture");
+        return all;
+    };
+    for (const char* model : {"Obj", "WireObj", "ObjAdj", "ObjPatch", "Shp"}) {
+        EXPECT_EQ(missingOf(model), fmt::format("2:1 {} model", model));
+        EXPECT_EQ(missingOf(fmt::format("{} cow.obj", model)), "");
+    }
+    for (const char* texture : {"Texture1D", "Texture2D", "Texture3D", "Texture"}) {
+        EXPECT_EQ(missingOf(fmt::format("{} 0", texture)), fmt::format("2:1 {} texture", texture));
+        EXPECT_EQ(missingOf(fmt::format("{} 0 a.png", texture)), "");
+    }
 }
 
 TEST(State, VerboseReportsEveryOperationOfTheWholeFile) {

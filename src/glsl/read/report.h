@@ -12,7 +12,14 @@ namespace glibra::glsl {
 class Report {
   public:
     void report(std::string id, std::string text, Place place) {
-        add(diagnose(std::move(id), std::move(text), std::move(place)));
+        report(diagnose(std::move(id), std::move(text), std::move(place)));
+    }
+    void report(Diagnostic diagnostic) {
+        const bool isError = diagnostic.severity == Severity::error;
+        // A source can contain a million mistakes of one kind. The first error is always kept.
+        if (diagnostics_.size() < kMost || (isError && !failed_))
+            diagnostics_.push_back(std::move(diagnostic));
+        failed_ = failed_ || isError;
     }
     /// Reports it only the first time for this `key`.
     void reportOnce(const std::string& key, std::string id, std::string text, Place place) {
@@ -22,14 +29,6 @@ class Report {
     Diagnostics take() { return std::move(diagnostics_); }
 
   private:
-    void add(Diagnostic diagnostic) {
-        const bool isError = diagnostic.severity == Severity::error;
-        // A source can contain a million mistakes of one kind. The first error is always kept.
-        if (diagnostics_.size() < kMost || (isError && !failed_))
-            diagnostics_.push_back(std::move(diagnostic));
-        failed_ = failed_ || isError;
-    }
-
     static constexpr std::size_t kMost = 1000;
     Diagnostics diagnostics_;
     std::set<std::string> seen_;

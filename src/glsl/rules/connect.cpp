@@ -116,23 +116,26 @@ class Interface {
                                                 : kMostVertices;
     }
 
-    /// "; did you mean 'vNormal'?": the output of the stage before whose name is nearest; or nothing.
-    [[nodiscard]] std::string suggestion(const std::string& input) const {
+    /// The output of the stage before whose name is nearest; empty if none is near.
+    [[nodiscard]] std::string nearestOutput(const std::string& input) const {
         std::vector<std::string_view> outputs;
         for (const Variable& each : writer_.variables)
             if (each.storage == Storage::output && !each.removed && !each.name.starts_with("gl_") &&
                 isWritten(each))
                 outputs.emplace_back(each.name);
-        return base::suggestion(input, outputs, 1);  // all begin with a v
+        return base::nearestName(input, outputs, 1);  // all begin with a v
     }
 
     /// Turns the input into a variable with the value zero.
     void unwritten(Variable& input) {
-        if (reader_.isUsed(input.name))
-            program_.report.report(
-                "glsl-W11",
-                "'" + input.name + "' is written by no earlier stage, it reads 0" + suggestion(input.name),
-                reader_.place(input.nameToken));
+        if (reader_.isUsed(input.name)) {
+            const std::string nearest = nearestOutput(input.name);
+            const std::string hint = nearest.empty() ? "" : "; did you mean '" + nearest + "'?";
+            program_.report.report(about(
+                diagnose("glsl-W11", "'" + input.name + "' is written by no earlier stage, it reads 0" + hint,
+                         reader_.place(input.nameToken)),
+                input.name, nearest));
+        }
         if (input.type.empty()) return;
         unwritten_.insert(input.name);
         if (input.isArray()) {
@@ -205,9 +208,10 @@ class Interface {
                 writer_.text(each.name) == name)
                 return;
         if (const LayoutItem* location = input.qualifiers.item("location"); location) return;
-        program_.report.report("glsl-W11",
-                               "'" + std::string(name) + "' is written by no earlier stage, it reads 0",
-                               reader_.place(input.name));
+        program_.report.report(about(
+            diagnose("glsl-W11", "'" + std::string(name) + "' is written by no earlier stage, it reads 0",
+                     reader_.place(input.name)),
+            std::string(name)));
         for (const Declarator& each : input.declarators) unwritten_.emplace(reader_.text(each.name));
         if (input.declarators.empty())
             for (const Declaration& member : input.members)

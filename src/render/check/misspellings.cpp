@@ -12,8 +12,7 @@ namespace {
 bool isMisspelling(const Diagnostic& each) {
     constexpr std::array<std::string_view, 3> kNames{"glib-W23", "draw-W03", "draw-W15"};
     return each.severity == Severity::warning &&
-           std::find(kNames.begin(), kNames.end(), each.id) != kNames.end() &&
-           each.text.find("did you mean") != std::string::npos;
+           std::find(kNames.begin(), kNames.end(), each.id) != kNames.end() && !each.suggestion.empty();
 }
 
 }  // namespace

@@ -59,18 +59,14 @@ void removeConsequences(Diagnostics& diagnostics) {
     // A sampler that is not set reads unit 0; that this unit is empty, too, is no second mistake.
     std::set<std::string> unset;
     for (const Diagnostic& each : diagnostics)
-        if (each.id == "glib-W37" && each.text.ends_with("it reads unit 0"))
-            unset.insert("sampler " + each.text.substr(8, each.text.find("' of ") - 7) + " reads unit 0 ");
+        if (each.id == "glib-W37" && !each.subject.empty()) unset.insert(each.subject);
     std::erase_if(diagnostics, [&](const Diagnostic& each) {
-        return each.id == "draw-W02" &&
-               std::any_of(unset.begin(), unset.end(),
-                           [&](const std::string& start) { return each.text.starts_with(start); });
+        return each.id == "draw-W02" && unset.contains(each.subject);
     });
     // A compiler removes what is computed from an input that no stage writes.
     const bool hasMisspeltInput =
-        std::any_of(diagnostics.begin(), diagnostics.end(), [](const Diagnostic& each) {
-            return each.id == "glsl-W11" && each.text.find("did you mean") != std::string::npos;
-        });
+        std::any_of(diagnostics.begin(), diagnostics.end(),
+                    [](const Diagnostic& each) { return each.id == "glsl-W11" && !each.suggestion.empty(); });
     if (hasMisspeltInput) removeWarnings(std::array<std::string_view, 1>{"glib-W24"});
     if (!hasError(diagnostics)) return;
     // What nothing writes may be the work of a program that does not compile, or of a dispatch that the

@@ -4,8 +4,6 @@
 #include <string>
 #include <string_view>
 
-#include "glib/text.h"
-
 namespace glibra::suite {
 namespace {
 
@@ -22,8 +20,7 @@ void reportUnknownUniforms(const Shot& shot, Diagnostics& diagnostics) {
         // A pair in the scene has its own place there.
         if (each.id != "glib-W23" || !each.place.file.empty()) continue;
         const auto isAbout = [&](const PlacedUniform& uniform) {
-            return each.text.find("a uniform " + glib::inQuotes(withoutProgram(uniform.name))) !=
-                   std::string::npos;
+            return each.subject == withoutProgram(uniform.name);
         };
         const auto found = std::find_if(shot.ownUniforms.begin(), shot.ownUniforms.end(), isAbout);
         if (found != shot.ownUniforms.end()) each = diagnose("suite-E19", each.text, found->place);

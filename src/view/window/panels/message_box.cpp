@@ -26,20 +26,9 @@ struct MessageBox {
     std::uint64_t asked = 0;  ///< Session::timesLoaded() when the user was asked for a file last
 };
 
-/// The texts of the MessageBox statements that the scene has executed.
-std::vector<std::string> textsOf(const Session& session) {
-    constexpr std::string_view kBegin = "MessageBox: ";
-    std::vector<std::string> texts;
-    for (const Diagnostic& each : session.diagnostics())
-        if (each.id == "glib-N01" && each.text.starts_with(kBegin))
-            texts.push_back(each.text.substr(kBegin.size()));
-    return texts;
-}
-
 /// The endings of the files that a statement may read: any picture or raw texture, or a model.
-const char* endingsFor(std::string_view word) {
-    const bool isTexture = word.find("exture") != std::string_view::npos;
-    return isTexture ? ".png .bmp .jpg .jpeg .tif .tiff .exr .hdr .tga .gif .webp .ppm .tex" : ".obj";
+const char* endingsFor(const scene::MissingFile& missing) {
+    return !missing.isModel ? ".png .bmp .jpg .jpeg .tif .tiff .exr .hdr .tga .gif .webp .ppm .tex" : ".obj";
 }
 
 /// The messages are shown again after a reload only if they have changed, so that edits are not interrupted.
@@ -47,8 +36,8 @@ void showMessages(Ui& ui, MessageBox& box) {
     constexpr const char* kTitle = "Message";
     if (ui.session.hasScene() && box.loaded != ui.session.timesLoaded()) {
         box.loaded = ui.session.timesLoaded();
-        if (std::vector<std::string> texts = textsOf(ui.session); texts != box.texts) {
-            box.texts = std::move(texts);
+        if (const auto& texts = ui.session.live().scene().messages; texts != box.texts) {
+            box.texts = texts;
             box.isShown = !box.texts.empty();
         }
     }
@@ -80,26 +69,21 @@ void askForMissingFile(Ui& ui, MessageBox& box) {
         box.asked == ui.session.timesLoaded())
         return;
     box.asked = ui.session.timesLoaded();
-    const Diagnostics& all = ui.session.diagnostics();
-    const auto missing = std::find_if(all.begin(), all.end(), [&](const Diagnostic& each) {
-        return each.place.file == ui.session.live().scene().path &&
-               (each.id == "glib-E09" ||
-                (each.id == "glib-E04" && each.text.find("needs a file name") != std::string::npos));
-    });
-    if (missing == all.end()) return;
-    const std::string word = missing->text.substr(0, missing->text.find(' '));
+    const std::vector<scene::MissingFile>& all = ui.session.live().scene().missingFiles;
+    if (all.empty()) return;
+    const scene::MissingFile& missing = all.front();
     ui.wanted.file = FileRequest{
         FileQuestion{.kind = FileQuestion::Kind::open,
-                     .title = fmt::format("A file for {} in line {}", word, missing->place.line),
+                     .title = fmt::format("A file for {} in line {}", missing.word, missing.place.line),
                      .button = "Use",
                      .hint = fmt::format(
                          "Line {} of {} does not name a file. 'Save values' writes your choice into the "
                          "scene.",
-                         missing->place.line, ui.session.path().filename().string()),
-                     .endings = endingsFor(word),
+                         missing.place.line, ui.session.path().filename().string()),
+                     .endings = endingsFor(missing),
                      .entry = {},
                      .chosen =
-                         [place = missing->place](Ui& chosenIn, const std::filesystem::path& file) {
+                         [place = missing.place](Ui& chosenIn, const std::filesystem::path& file) {
                              std::string problem = chosenIn.session.chooseFile(place, file);
                              chosenIn.requests.reload = problem.empty();
                              return problem;
