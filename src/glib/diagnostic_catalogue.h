@@ -1,9 +1,9 @@
 #pragma once
 // All messages of glibra, one row per id (language, 10). The families are: glib scene text and statements,
 // expr expressions, draw drawing, memory buffers with what writes them, glsl shaders, file assets, gpu the
-// graphics driver, library the C++ library, check the Expect statements of a scene, suite suites of shots, result their results, bench
-// run time against error, view the window. The letter is the severity: E error, W warning, N note. An id
-// never changes its meaning.
+// graphics driver, library the C++ library, check the Expect statements of a scene, suite suites of shots,
+// result their results, bench run time against error, view the window. The letter is the severity: E error, W
+// warning, N note. An id never changes its meaning.
 
 #include <glibra/diagnostic.h>
 

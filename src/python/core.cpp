@@ -1,4 +1,5 @@
-// The module glibra._core: the C++ library as Python sees it. What makes it pleasant is in glibra/__init__.py.
+// The module glibra._core: the C++ library as Python sees it. What makes it pleasant is in
+// glibra/__init__.py.
 
 #include <glibra/glibra.h>
 #include <pybind11/numpy.h>
@@ -57,10 +58,10 @@ Picture pictureOf(const py::array& from) {
         throw py::value_error("a picture is an array of rows, columns and components");
     if (!isFloat && !(from.dtype().kind() == 'u' && from.itemsize() <= 2))
         throw py::value_error("the numbers of a picture are uint8, uint16 or float32");
-    const py::array all = isFloat ? py::array(py::array_t<float, py::array::c_style | py::array::forcecast>(from))
-                          : isWide
-                              ? py::array(py::array_t<std::uint16_t, py::array::c_style | py::array::forcecast>(from))
-                              : py::array(py::array_t<std::uint8_t, py::array::c_style | py::array::forcecast>(from));
+    const py::array all =
+        isFloat  ? py::array(py::array_t < float, py::array::c_style | py::array::forcecast > (from))
+        : isWide ? py::array(py::array_t < std::uint16_t, py::array::c_style | py::array::forcecast > (from))
+                 : py::array(py::array_t < std::uint8_t, py::array::c_style | py::array::forcecast > (from));
     Picture picture;
     picture.height = static_cast<int>(all.shape(0));
     picture.width = static_cast<int>(all.shape(1));
@@ -73,12 +74,16 @@ Picture pictureOf(const py::array& from) {
 }
 
 py::dtype typeOf(const BufferContent::Column& column) {
-    const char* name = column.type == "double" ? "f8" : column.type == "int" ? "i4" : column.type == "uint" ? "u4" : "f4";
+    const char* name = column.type == "double" ? "f8"
+                       : column.type == "int"  ? "i4"
+                       : column.type == "uint" ? "u4"
+                                               : "f4";
     if (column.type == "bool") name = "u4";
     return py::dtype::from_args(py::str(name));
 }
 
-/// A structured array with a record for each element; of a buffer without an array, one record of its members.
+/// A structured array with a record for each element; of a buffer without an array, one record of its
+/// members.
 py::array arrayOf(const BufferContent& content) {
     const bool hasArray = content.stride > 0;
     const std::vector<BufferContent::Column>& columns = hasArray ? content.columns : content.head;
@@ -102,7 +107,8 @@ py::array arrayOf(const BufferContent& content) {
     const py::dtype type = py::dtype::from_args(description);
     py::array to(type, std::vector<py::ssize_t>{static_cast<py::ssize_t>(count)});
     const std::size_t from = hasArray ? content.headBytes : 0;
-    const std::size_t bytes = std::min(count * size, content.bytes.size() - std::min(from, content.bytes.size()));
+    const std::size_t bytes =
+        std::min(count * size, content.bytes.size() - std::min(from, content.bytes.size()));
     std::memcpy(to.mutable_data(), content.bytes.data() + from, bytes);
     return to;
 }
@@ -139,9 +145,9 @@ PYBIND11_MODULE(_core, module) {
         .def("__str__", [](const Diagnostic& each) { return toString(each); })
         .def("__repr__", [](const Diagnostic& each) { return "<" + toString(each) + ">"; });
 
-    static py::object error = py::reinterpret_borrow<py::object>(
-        PyErr_NewExceptionWithDoc("glibra.SceneError", "What prevented a picture; `diagnostics` are the single messages.",
-                                  PyExc_RuntimeError, nullptr));
+    static py::object error = py::reinterpret_borrow<py::object>(PyErr_NewExceptionWithDoc(
+        "glibra.SceneError", "What prevented a picture; `diagnostics` are the single messages.",
+        PyExc_RuntimeError, nullptr));
     module.attr("SceneError") = error;
     py::register_exception_translator([](std::exception_ptr thrown) {
         try {
@@ -191,8 +197,8 @@ PYBIND11_MODULE(_core, module) {
                  return taken(glibra::Renderer::open(*which));
              }),
              py::arg("driver") = "auto")
-        .def("load",
-             [](glibra::Renderer& renderer, const std::filesystem::path& path) { return taken(renderer.load(path)); })
+        .def("load", [](glibra::Renderer& renderer,
+                        const std::filesystem::path& path) { return taken(renderer.load(path)); })
         .def("load_text", [](glibra::Renderer& renderer, const std::string& text, const std::string& name,
                              const std::map<std::string, std::string>& files) {
             return taken(renderer.loadText(text, name, files));
@@ -200,7 +206,8 @@ PYBIND11_MODULE(_core, module) {
 
     py::class_<glibra::Scene>(module, "Scene")
         .def("draw",
-             [](glibra::Scene& scene, int width, int height, double time, int samples, bool alpha, bool floats) {
+             [](glibra::Scene& scene, int width, int height, double time, int samples, bool alpha,
+                bool floats) {
                  Result<Picture> picture;
                  {
                      const py::gil_scoped_release others;
@@ -209,16 +216,17 @@ PYBIND11_MODULE(_core, module) {
                  return arrayOf(taken(std::move(picture)));
              })
         .def("values", &glibra::Scene::values)
-        .def("set", [](glibra::Scene& scene, const std::string& name, const std::string& text) {
-            taken(scene.set(name, text));
-        })
+        .def("set", [](glibra::Scene& scene, const std::string& name,
+                       const std::string& text) { taken(scene.set(name, text)); })
         .def("set_numbers",
              [](glibra::Scene& scene, const std::string& name, const std::vector<double>& numbers) {
                  taken(scene.set(name, std::span<const double>(numbers)));
              })
         .def("check", [](glibra::Scene& scene, double time) { return listOf(scene.check(time)); })
-        .def("target", [](glibra::Scene& scene, const std::string& name) { return arrayOf(taken(scene.target(name))); })
-        .def("buffer", [](glibra::Scene& scene, const std::string& name) { return arrayOf(taken(scene.buffer(name))); })
+        .def("target",
+             [](glibra::Scene& scene, const std::string& name) { return arrayOf(taken(scene.target(name))); })
+        .def("buffer",
+             [](glibra::Scene& scene, const std::string& name) { return arrayOf(taken(scene.buffer(name))); })
         .def("diagnostics", [](const glibra::Scene& scene) { return listOf(scene.diagnostics()); })
         .def("files", &glibra::Scene::files)
         .def("stats", &glibra::Scene::stats)
@@ -227,8 +235,9 @@ PYBIND11_MODULE(_core, module) {
     module.def("save", [](const py::array& picture, const std::filesystem::path& file) {
         taken(pictureOf(picture).save(file));
     });
-    module.def("compare", [](const py::object& got, const py::object& expected, double largest, double fraction, int cluster,
-                             int line, double bias, std::optional<double> flip, std::optional<double> structure, bool exact) {
+    module.def("compare", [](const py::object& got, const py::object& expected, double largest,
+                             double fraction, int cluster, int line, double bias, std::optional<double> flip,
+                             std::optional<double> structure, bool exact) {
         Tolerance tolerance;
         tolerance.largest = largest;
         tolerance.fraction = fraction;
@@ -238,16 +247,21 @@ PYBIND11_MODULE(_core, module) {
         tolerance.flip = flip;
         tolerance.structure = structure;
         tolerance.exact = exact;
-        const bool isFile = !py::isinstance<py::array>(got), isOtherFile = !py::isinstance<py::array>(expected);
+        const bool isFile = !py::isinstance<py::array>(got),
+                   isOtherFile = !py::isinstance<py::array>(expected);
         Comparison found;
         if (isFile && isOtherFile)
-            found = compare(got.cast<std::filesystem::path>(), expected.cast<std::filesystem::path>(), tolerance);
+            found =
+                compare(got.cast<std::filesystem::path>(), expected.cast<std::filesystem::path>(), tolerance);
         else if (isOtherFile)
-            found = compare(pictureOf(got.cast<py::array>()), expected.cast<std::filesystem::path>(), tolerance);
+            found =
+                compare(pictureOf(got.cast<py::array>()), expected.cast<std::filesystem::path>(), tolerance);
         else if (isFile)
-            found = compare(pictureOf(expected.cast<py::array>()), got.cast<std::filesystem::path>(), tolerance);
+            found =
+                compare(pictureOf(expected.cast<py::array>()), got.cast<std::filesystem::path>(), tolerance);
         else
-            found = compare(pictureOf(got.cast<py::array>()), pictureOf(expected.cast<py::array>()), tolerance);
+            found =
+                compare(pictureOf(got.cast<py::array>()), pictureOf(expected.cast<py::array>()), tolerance);
         if (!found.diagnostics.empty()) throw Failure{found.diagnostics};
         return found;
     });

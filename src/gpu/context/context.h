@@ -1,9 +1,10 @@
 #pragma once
 // A GL context without a window: EGL without a surface, an EGL device (NVIDIA), OSMesa, or an adopted one
 // that another library made. EGL and OSMesa are opened at run time; the program links neither.
-// A thread uses one context at a time; all contexts of a process are of one driver, because it has one table of GL
-// functions. A context belongs to the thread that opened it. Every GL object must be destroyed before its context. After the driver has reset the
-// device, whatever is read with the context throws base::DeviceLost (reset.h), until another one is opened.
+// A thread uses one context at a time; all contexts of a process are of one driver, because it has one table
+// of GL functions. A context belongs to the thread that opened it. Every GL object must be destroyed before
+// its context. After the driver has reset the device, whatever is read with the context throws
+// base::DeviceLost (reset.h), until another one is opened.
 
 #include <glibra/driver.h>
 #include <glibra/result.h>

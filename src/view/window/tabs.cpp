@@ -70,7 +70,7 @@ void Tabs::releaseDevice() {
 void Tabs::restoreDevice() {
     for (const std::unique_ptr<Tab>& each : tabs_) {
         each->session.restoreDevice();
-        if (each->ui.compare.comparison) each->ui.compare.comparison->restoreDevice();
+        for (const PanelUse& panel : each->ui.panels) panel.panel->restoreDevice();
     }
 }
 

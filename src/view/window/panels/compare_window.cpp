@@ -121,6 +121,9 @@ class ComparePanel final : public Panel {
         window_.other.reset();
         if (window_.comparison) window_.comparison->releaseDevice();
     }
+    void restoreDevice() override {
+        if (window_.comparison) window_.comparison->restoreDevice();
+    }
 
   private:
     CompareWindow window_;

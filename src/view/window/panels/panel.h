@@ -45,6 +45,8 @@ class Panel {
     virtual void addTo(nlohmann::ordered_json& /*state*/, const Ui& /*ui*/) const {}
     /// The device is lost: releases everything that is on it.
     virtual void releaseDevice() {}
+    /// There is a device again.
+    virtual void restoreDevice() {}
 };
 
 /// A panel without state: a function of the frame, or of the frame and whether the tool window is open.
