@@ -1,15 +1,21 @@
 #!/usr/bin/env python3
-"""Checks that no include runs upward.
+"""Checks that no include runs upward, and that no files include each other in a circle.
 
 The rooms and their order are declared in CMakeLists.txt and tools/cmake/*.cmake: glibra_room(NAME ROOMS ...) may include
-itself, the rooms that it names, and the rooms that those name. Programs (src/cli, src/view/window and a
-room's folder program) may include every room and the command line, and no room may include them. Inside glsl the
-sub-folders have an order of their own. Prints each include that breaks the order, as file:line, and exits with status 1
-if there is one.
+itself, the rooms that it names, and the rooms that those name. Programs (src/cli, src/python, src/view/window and a
+room's folder program) may include every room and the command line, and no room may include them. The order of the
+sub-folders of a room is ORDER, below. A .cpp file and the header of the same name count as one file: the circle of two
+headers and the circle that is closed by a .cpp file are the same mistake. Prints each include that breaks a rule, as
+file:line, and exits with status 1 if there is one; also for an exception that is listed and not needed.
 
-    tools/layers.py
+    tools/layers.py                                  # check all includes
+    tools/layers.py --figures                        # and count the arrows between the sub-folders of each room
+    tools/layers.py --table                          # the table of rooms of docs/architecture.md
+    tools/layers.py --update docs/architecture.md    # write it there
+    tools/layers.py --check docs/architecture.md     # compare: same rooms and sub-folders, lines within 10 percent
 """
 
+import argparse
 import re
 import sys
 from pathlib import Path
@@ -17,61 +23,225 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 SOURCE = ROOT / "src"
 
-# The sub-folders of glsl: what each may include besides itself. "" holds the contract, glsl/translate.h.
-GLSL = {
-    "types": set(),
-    "read": {"types"},
-    "parse": {"types", "read"},
-    "facts": {"types", "read", "parse"},
-    "rules": {"types", "read", "parse", "facts"},
-    "emit": {"types", "read", "parse", "rules", "facts"},
-    "": {"types", "read", "parse", "rules", "facts", "emit"},
+# What the sub-folders of a folder may include of each other. A name that is no folder is a file of the folder itself
+# (with its .cpp), and "" stands for all its other files. Each names only what stands above it in this list.
+ORDER = {
+    "glsl": {
+        "types": set(),
+        "read": {"types"},
+        "parse": {"types", "read"},
+        "facts": {"types", "read", "parse"},
+        "rules": {"types", "read", "parse", "facts"},
+        "emit": {"types", "read", "parse", "rules", "facts"},
+        "": {"types", "read", "parse", "rules", "facts", "emit"},  # the contract, glsl/translate.h
+    },
+    "gpu": {
+        "context": set(),
+        "format": {"context"},
+        "object": {"context", "format"},
+        "state": {"context", "format", "object"},
+    },
+    "scene": {
+        "": set(),
+        "modern": {""},
+    },
+    "plan": {
+        "": set(),
+    },
+    "render": {
+        "stats": set(),
+        "load": {"stats"},
+        "draw": {"stats", "load"},
+        "": {"stats", "load", "draw"},  # Pipeline and SceneRenderer
+        "probe": {"stats", "load", "draw", ""},
+        "file": {"stats", "load", "draw", "", "probe"},
+        "check": {"stats", "load", "draw", ""},
+    },
+    "suite": {
+        "": set(),
+        "options": {""},
+        "file": {"", "options"},
+        "golden": {"", "options", "file"},
+        "results": {"", "golden"},
+        "report": {"", "options", "golden", "results"},
+        "run": {"", "options", "file", "golden", "results", "report"},
+    },
+    "bench": {
+        "core": set(),
+        "reference": set(),
+        "draw": {"core", "reference"},
+        "subjects": {"core", "reference", "draw"},
+        "report": {"core"},
+        "program": {"core", "reference", "draw", "subjects", "report"},
+    },
+    "view": {
+        "style": set(),
+        "scene": set(),
+        "debug_view": {"scene"},
+        "edit": {"style", "scene"},
+        "session": {"scene", "debug_view", "edit"},
+        "browse": {"scene", "edit", "session"},
+        "export": {"scene", "session"},
+        "window": {"style", "scene", "debug_view", "edit", "session", "browse", "export"},
+    },
+    "view/window": {
+        "platform": set(),
+        "panels": {"platform"},
+        "": {"platform", "panels"},
+    },
+}
+
+# The includes that break ORDER, or close a circle, and are still there. The list only shrinks: the check fails for one
+# that is not needed any more, too.
+EXCEPTIONS = {
+    # Upward.
+    "gpu/object/sampler -> gpu/state/raster_tracker",  # the names of comparisons
+    "render/load/shared_parts -> render/draw/vertex_box",
+    "render/scene_renderer -> render/file/buffer_file",
+    "render/scene_renderer -> render/file/incomplete_mark",
+    "render/scene_renderer -> render/file/labels",
+    "render/scene_state -> render/file/labels",
+    "render/scene_renderer -> render/probe/bound_probe",  # a picture draws small pictures first
+    "render/scene_renderer -> render/probe/gpu_times",
+    "render/scene_state -> render/probe/patch_probe",
+    "render/scene_state -> render/probe/picture_probe",
+    "scene/interpret -> scene/modern/evaluate",
+    "scene/interpret -> scene/modern/scope",
+    "scene/interpret_view -> scene/modern/evaluate",
+    "scene/state -> scene/modern/modern",
+    "view/edit/edited_file -> view/browse/example_scenes",
+    "view/edit/save_values -> view/browse/example_scenes",
+    # Each opens a circle of two files.
+    "base/sandbox -> base/landlock",
+    "bench/reference/builtin_functions -> bench/reference/builtin_bounds",
+    "expression/problem -> expression/lexer",
+    "geometry/list_mesh -> geometry/list_topology",
+    "glib/command_table -> glib/modern/statement_table",
+    "gpu/context/context -> gpu/context/backend",
+    "gpu/context/debug -> gpu/context/reset",
+    "image/read -> image/foreign",
+    "suite/file/shot_template -> suite/file/shot_options",
+    "view/scene/live_scene -> view/scene/live_state",
+    # These open circles of several files.
+    "glib/modern/match -> glib/modern/items",
+    "glib/modern/match -> glib/modern/mismatch",
+    "glib/modern/read_values -> glib/arguments",
+    "glsl/facts/assignment -> glsl/facts/assignment_walk",
+    "glsl/parse/bodies -> glsl/parse/expression",
+    "glsl/parse/bodies -> glsl/parse/lexical",
+    "glsl/parse/bodies -> glsl/parse/scope",
+    "glsl/parse/syntax -> glsl/parse/lexical",
+    "glsl/parse/variables -> glsl/parse/unit",
+    "plan/buffers -> plan/frame_plan",  # frame_plan.h declares the plan and what makes it
+    "plan/buffers -> plan/reach",
+    "plan/frame_plan -> plan/accesses",
+    "plan/frame_plan -> plan/needs",
+    "plan/frame_plan -> plan/planned_programs",
+    "plan/frame_plan -> plan/skipped",
+    "plan/frame_plan -> plan/submission",
+    "plan/frame_plan -> plan/texture_uses",
+    "plan/texture_binding -> plan/frame_plan",
+    "plan/type_table -> plan/uniforms",
+    "render/draw/dispatch -> render/draw/frame",
+    "render/draw/frame -> render/draw/work_share",
+    "render/pipeline -> render/scene_renderer",
+    "scene/file_lookup -> scene/near_files",
+    "scene/interpret -> scene/state",
+    "suite/run/run -> suite/run/shot_clocks",
+    "suite/run/run -> suite/run/suspicions",
+    "suite/run/run_messages -> suite/run/run",
 }
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"')
 
+# Programs that are no room, and the CMake target that names what they link.
+PROGRAMS = {"cli": "glibra_cli", "python": "glibra_python"}
 
-def declared_rooms():
-    """Room to all rooms that it may include."""
-    rooms = {}
+BEGIN, END = "<!-- rooms: the first, third and fourth column by tools/layers.py --update -->", "<!-- end of rooms -->"
+
+
+def cmake_texts():
+    """(file name, text without comments) of the files that declare rooms, in their order."""
     for file in [ROOT / "CMakeLists.txt", *sorted((ROOT / "tools" / "cmake").glob("*.cmake"))]:
-        text = re.sub(r"#[^\n]*", "", file.read_text())
+        yield file.name, re.sub(r"#[^\n]*", "", file.read_text())
+
+
+def named_rooms():
+    """Room to the rooms that its declaration names, in the order of the declarations."""
+    rooms = {}
+    for file, text in cmake_texts():
         for call in re.findall(r"^\s*glibra_room\(([^)]*)\)", text, re.MULTILINE):
             words = call.split()
             named = words[words.index("ROOMS") + 1:] if "ROOMS" in words else []
             named = named[: named.index("LINK")] if "LINK" in named else named
             for each in named:
                 if each not in rooms:
-                    sys.exit(f"{file.name}: room {words[0]} names {each}, which is not declared before it")
-            rooms[words[0]] = set(named).union(*(rooms[each] for each in named))
+                    sys.exit(f"{file}: room {words[0]} names {each}, which is not declared before it")
+            rooms[words[0]] = named
+    return rooms
+
+
+def reachable_rooms(named):
+    """Room to all rooms that it may include."""
+    rooms = {}
+    for room, below in named.items():
+        rooms[room] = set(below).union(*(rooms[each] for each in below))
     return rooms
 
 
 def is_program(path):
     """True for files that belong to a program rather than to a room."""
-    return path.parts[0] == "cli" or path.parts[1] == "program" or path.parts[:2] == ("view", "window")
+    return path.parts[0] in PROGRAMS or path.parts[1] == "program" or path.parts[:2] == ("view", "window")
+
+
+def sources(folder):
+    return sorted(file for file in folder.rglob("*") if file.suffix in (".h", ".cpp", ".inc"))
 
 
 def includes():
-    """(file, line number, included path) of every include of a file of src, with paths relative to src."""
-    for file in sorted(SOURCE.rglob("*")):
-        if file.suffix not in (".h", ".cpp", ".inc"):
-            continue
+    """(file, line number, included path) of every include of a file of src by another one, with paths relative to src."""
+    for file in sources(SOURCE):
         for number, line in enumerate(file.read_text().splitlines(), 1):
             found = INCLUDE.match(line)
-            if found:
+            if found and (SOURCE / found.group(1)).is_file():  # else another project's, or generated
                 yield file.relative_to(SOURCE), number, Path(found.group(1))
 
 
-def folder_of(path):
-    """The sub-folder of glsl that a file is in."""
-    return path.parts[1] if len(path.parts) > 2 else ""
+def arrow(file, included):
+    """An include as EXCEPTIONS lists it. A .cpp file and its header have one name."""
+    return f"{file.with_suffix('')} -> {included.with_suffix('')}"
 
 
-def problem_of(file, included, rooms):
-    """What is wrong with an include, or None."""
-    if not (SOURCE / included).is_file():
-        return None  # another project's, or generated
+def steps(file, included):
+    """(folder, own sub-folder, included sub-folder) for each folder with an order that both files are in."""
+    for folder, order in ORDER.items():
+        if not (file.is_relative_to(folder) and included.is_relative_to(folder)):
+            continue
+        names = []
+        for path in (file.relative_to(folder), included.relative_to(folder)):
+            name = path.parts[0] if len(path.parts) > 1 else path.stem
+            names.append(name if len(path.parts) > 1 or name in order else "")
+        if names[0] != names[1]:
+            yield folder, *names
+
+
+def faults_of_order():
+    """What is wrong with ORDER itself."""
+    for folder, order in ORDER.items():
+        above = set()
+        for name, allowed in order.items():
+            if not allowed <= above:
+                yield f"tools/layers.py: {folder}/{name} names {', '.join(sorted(allowed - above))}, not declared above it"
+            if not any((SOURCE / folder / (name + suffix)).exists() for suffix in ("", ".h")):
+                yield f"tools/layers.py: there is no src/{folder}/{name}"
+            above.add(name)
+        for child in sorted(path for path in (SOURCE / folder).iterdir() if path.is_dir() and sources(path)):
+            if child.name not in order:
+                yield f"tools/layers.py: ORDER does not say where src/{folder}/{child.name} stands"
+
+
+def room_problem(file, included, rooms):
+    """Which rule about rooms an include breaks, or None."""
     if is_program(file):
         return None
     if is_program(included):
@@ -79,27 +249,184 @@ def problem_of(file, included, rooms):
     room, other = file.parts[0], included.parts[0]
     if room not in rooms:
         return f"room {room} is not declared with glibra_room()"
-    if other != room:
-        return None if other in rooms[room] else f"{room} may not include {other}"
-    if room != "glsl":
-        return None
-    own, below = folder_of(file), folder_of(included)
-    if own not in GLSL:
-        return f"tools/layers.py does not know the folder glsl/{own}"
-    return None if below == own or below in GLSL[own] else f"glsl/{own} may not include glsl/{below}"
+    return None if other == room or other in rooms[room] else f"{room} may not include {other}"
+
+
+def order_problem(file, included):
+    """Which order of sub-folders an include breaks, or None."""
+    for folder, own, below in steps(file, included):
+        order = ORDER[folder]
+        if own in order and below in order and below not in order[own]:
+            return f"the files of {folder}/{own} may not include those of {folder}/{below}"
+    return None
+
+
+def circles(graph):
+    """The sets of two or more files that reach each other (Tarjan 1972)."""
+    index, low, open_files, found = {}, {}, [], []
+
+    def visit(file):
+        index[file] = low[file] = len(index)
+        open_files.append(file)
+        for other in sorted(graph[file]):
+            if other not in index:
+                visit(other)
+            if other in open_files:
+                low[file] = min(low[file], low[other])
+        if low[file] == index[file]:
+            begin = open_files.index(file)
+            if len(open_files) - begin > 1:
+                found.append(set(open_files[begin:]))
+            del open_files[begin:]
+
+    for file in sorted(graph):
+        if file not in index:
+            visit(file)
+    return found
+
+
+def graph_of(arrows):
+    graph = {}
+    for each in arrows:
+        file, included = each.split(" -> ")
+        graph.setdefault(included, set())
+        graph.setdefault(file, set()).update({included} - {file})
+    return graph
+
+
+def problems_of(all_includes, rooms):
+    """Every include that breaks a rule, and every exception that is not needed."""
+    problems = list(faults_of_order())
+    needed = set()
+    for file, number, included in all_includes:
+        problem = room_problem(file, included, rooms)
+        if not problem:
+            problem = order_problem(file, included)
+            if problem and arrow(file, included) in EXCEPTIONS:
+                needed.add(arrow(file, included))
+                problem = None
+        if problem:
+            problems.append(f'src/{file}:{number}: "{included}": {problem}')
+
+    arrows = {arrow(file, included) for file, _, included in all_includes}
+    for circle in circles(graph_of(arrows - EXCEPTIONS)):
+        inside = [each for each in sorted(arrows - EXCEPTIONS) if set(each.split(" -> ")) <= circle and
+                  len(set(each.split(" -> "))) == 2]
+        problems.append("these files of src include each other in a circle:\n    " + "\n    ".join(inside))
+    for each in sorted(EXCEPTIONS - needed):
+        # Needed if it closes a circle of what the other exceptions leave.
+        closed = circles(graph_of((arrows - EXCEPTIONS) | {each})) if each in arrows else []
+        if not any(set(each.split(" -> ")) <= circle for circle in closed):
+            problems.append(f"tools/layers.py: the exception '{each}' is not needed any more; remove it")
+    return problems
+
+
+def print_figures(all_includes):
+    """Counts pairs of sub-folders of which one includes the other: those there are, could be, and are upward."""
+    for folder, order in ORDER.items():
+        pairs, upward = set(), set()
+        for file, _, included in all_includes:
+            for each, own, below in steps(file, included):
+                if each == folder:
+                    pairs.add((own, below))
+                    if below not in order.get(own, set()):
+                        upward.add((own, below))
+        count = len(order)
+        print(f"{folder}: {count} parts, {len(pairs)} of {count * (count - 1)} arrows between them, {len(upward)} upward")
+    arrows = {arrow(file, included) for file, _, included in all_includes}
+    sizes = sorted((len(each) for each in circles(graph_of(arrows))), reverse=True)
+    print(f"{len(sizes)} circles of files, of {', '.join(map(str, sizes))} files; {len(EXCEPTIONS)} exceptions")
+
+
+def lines_of(room):
+    """Lines of code and comments in thousands."""
+    files = [*sources(SOURCE / room), *(SOURCE / room).rglob("*.py")]
+    return sum(len(file.read_text().splitlines()) for file in files) / 1000
+
+
+def table_facts(named):
+    """Room to (what it may include, lines in thousands), in the order of the table."""
+    facts = {room: (", ".join(below) or "-", lines_of(room)) for room, below in named.items()}
+    texts = " ".join(text for _, text in cmake_texts())
+    for program, target in PROGRAMS.items():
+        linked = re.search(rf"target_link_libraries\({target} ([^)]*)\)", texts).group(1)
+        facts[program] = (", ".join(re.findall(r"glibra_(\w+)", linked)), lines_of(program))
+    return facts
+
+
+def table_rows(page):
+    """The rows of the table of rooms of a page: room to (what it holds, what it may include, lines)."""
+    if BEGIN not in page or END not in page:
+        sys.exit(f"the page has no table between '{BEGIN}' and '{END}'")
+    table = page.split(BEGIN)[1].split(END)[0]
+    return {row[0]: row[1:] for row in re.findall(r"^\| `(\w+)` \| (.*) \| ([^|]*) \| ([^|]*) \|$", table, re.MULTILINE)}
+
+
+def table_text(named, page):
+    """The table, with what the rooms hold as the page has it."""
+    held = table_rows(page)
+    lines = ["| room | holds | may include | lines |", "|---|---|---|---|"]
+    for room, (below, count) in table_facts(named).items():
+        lines.append(f"| `{room}` | {held[room][0] if room in held else 'TO BE WRITTEN'} | {below} | {count:.1f} |")
+    return "\n".join(lines)
+
+
+def table_problems(named, page):
+    """How the page differs from the tree: rooms, includes, lines, and the sub-folders that the second table names."""
+    rows, facts = table_rows(page), table_facts(named)
+    if list(rows) != list(facts):
+        yield f"the page has the rooms {', '.join(rows)}; CMake declares {', '.join(facts)}"
+    for room in rows.keys() & facts.keys():
+        holds, below, count = rows[room]
+        if "TO BE WRITTEN" in holds:
+            yield f"the page does not say what {room} holds"
+        if below != facts[room][0]:
+            yield f"the page says that {room} may include {below}; CMake says {facts[room][0]}"
+        if abs(float(count) - facts[room][1]) > 0.1 * facts[room][1] + 0.05:
+            yield f"the page says that {room} has {count} thousand lines; it has {facts[room][1]:.1f}"
+    for room in facts:
+        found = re.search(rf"^\| `{room}` \| (`.*) \|$", page.split(END)[1], re.MULTILINE)
+        cell = found.group(1) if found else ""
+        while "(" in cell:  # what the sub-folders hold
+            cell, inner = re.sub(r"\([^()]*\)", "", cell), cell
+            if cell == inner:
+                break
+        told = set(re.findall(r"`(\w+)`", cell))
+        folders = {path.name for path in (SOURCE / room).iterdir() if path.is_dir() and sources(path)}
+        if told != folders:
+            yield f"the page says that {room} has the sub-folders {sorted(told)}; it has {sorted(folders)}"
 
 
 def main():
-    rooms = declared_rooms()
-    count = 0
-    problems = []
-    for file, number, included in includes():
-        count += 1
-        problem = problem_of(file, included, rooms)
-        if problem:
-            problems.append(f'src/{file}:{number}: "{included}": {problem}')
-    print("\n".join(problems) if problems else f"{count} includes follow the order of the rooms")
-    return 1 if problems or count == 0 else 0
+    parser = argparse.ArgumentParser(description="Checks that no include runs upward, and that there are no circles.")
+    parser.add_argument("--figures", action="store_true", help="also count the arrows between sub-folders")
+    parser.add_argument("--table", action="store_true", help="print the table of rooms")
+    parser.add_argument("--update", metavar="PAGE", type=Path, help="write the table of rooms to a page")
+    parser.add_argument("--check", metavar="PAGE", type=Path, help="compare a page's tables with the tree")
+    arguments = parser.parse_args()
+    named = named_rooms()
+
+    if arguments.table:
+        print(table_text(named, (ROOT / "docs" / "architecture.md").read_text()))
+        return 0
+    if arguments.update:
+        page = arguments.update.read_text()
+        before, after = page.split(BEGIN)[0], page.split(END)[1]
+        arguments.update.write_text(f"{before}{BEGIN}\n{table_text(named, page)}\n{END}{after}")
+        return 0
+    if arguments.check:
+        problems = [f"{arguments.check}: {each}" for each in table_problems(named, arguments.check.read_text())]
+        if problems:
+            problems.append("tools/layers.py --update docs/architecture.md writes the table; the rest is written by hand")
+        print("\n".join(problems) if problems else f"{arguments.check} agrees with the tree")
+        return 1 if problems else 0
+
+    all_includes = list(includes())
+    problems = problems_of(all_includes, reachable_rooms(named))
+    if arguments.figures:
+        print_figures(all_includes)
+    print("\n".join(problems) if problems else f"{len(all_includes)} includes follow the order of the rooms")
+    return 1 if problems or not all_includes else 0
 
 
 if __name__ == "__main__":

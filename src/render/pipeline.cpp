@@ -4,7 +4,7 @@
 #include <set>
 #include <utility>
 
-#include "gpu/context/loop_limit.h"
+#include "gpu/object/loop_limit.h"
 #include "plan/accesses.h"
 #include "render/draw/dispatch.h"
 #include "scene/view.h"

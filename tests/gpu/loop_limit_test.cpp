@@ -1,4 +1,4 @@
-#include "gpu/context/loop_limit.h"
+#include "gpu/object/loop_limit.h"
 
 #include <fmt/format.h>
 
