@@ -359,7 +359,7 @@ def table_rows(page):
     if BEGIN not in page or END not in page:
         sys.exit(f"the page has no table between '{BEGIN}' and '{END}'")
     table = page.split(BEGIN)[1].split(END)[0]
-    return {row[0]: row[1:] for row in re.findall(r"^\| `(\w+)` \| (.*) \| ([^|]*) \| ([^|]*) \|$", table, re.MULTILINE)}
+    return {row[0]: row[1:] for row in re.findall(r"^\| `(\w+)` \| (.*) \| ([^|]*) \| ([\d.]+) \|$", table, re.MULTILINE)}
 
 
 def table_text(named, page):
@@ -411,8 +411,8 @@ def main():
         return 0
     if arguments.update:
         page = arguments.update.read_text()
-        before, after = page.split(BEGIN)[0], page.split(END)[1]
-        arguments.update.write_text(f"{before}{BEGIN}\n{table_text(named, page)}\n{END}{after}")
+        table = table_text(named, page)
+        arguments.update.write_text(f"{page.split(BEGIN)[0]}{BEGIN}\n{table}\n{END}{page.split(END)[1]}")
         return 0
     if arguments.check:
         problems = [f"{arguments.check}: {each}" for each in table_problems(named, arguments.check.read_text())]
