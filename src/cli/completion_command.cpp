@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -13,6 +15,7 @@
 
 #include "cli/command_line.h"
 #include "cli/commands.h"
+#include "image/file.h"
 
 namespace glibra::cli {
 namespace {
@@ -190,10 +193,20 @@ void addCompletion(CommandLine& line, const Program& whole, int& status) {
                         "glibra completion fish > ~/.config/fish/completions/glibra.fish");
     const auto chosen = std::make_shared<Completion>(nullptr);
     command.choice("shell", *chosen, kShells, "bash, zsh or fish").required();
-    command.onRun([chosen, &whole, &status] {
+    const auto output = std::make_shared<std::filesystem::path>();
+    command.option("-o,--output", *output, "a file in place of standard output")
+        .placeholder("FILE")
+        .written();
+    command.onRun([chosen, output, &whole, &status] {
         const std::string text = (*chosen)(whole.describe());
-        std::fwrite(text.data(), 1, text.size(), stdout);
         status = kDone;
+        if (output->empty()) {
+            std::fwrite(text.data(), 1, text.size(), stdout);
+            return;
+        }
+        const Diagnostics problems = image::writeFileAtomically(*output, std::as_bytes(std::span(text)));
+        print(problems);
+        if (!problems.empty()) status = kSceneIsWrong;
     });
 }
 

@@ -62,6 +62,19 @@ ${CXX:-c++} -std=c++20 "$source/tests/install/consumer.cpp" -o "$place/by_pkg_co
     $(PKG_CONFIG_PATH=$pc pkg-config --cflags --libs glibra) >"$place/log" 2>&1 || fail "pkg-config's flags do not build"
 rm -r "$place/moved"
 
+# The program of docs/library.md, as it stands there.
+mkdir "$place/tour"
+# shellcheck disable=SC2016
+sed -n '/^```cpp$/,/^```$/p' "$source/docs/library.md" | sed '1d;/^```$/,$d' >"$place/tour/tour.cpp"
+cp "$source/glib/start/teapot.glib" "$place/tour"
+cp -r "$source/shaders/start/." "$place/tour"
+# shellcheck disable=SC2046
+${CXX:-c++} -std=c++20 -Wall -Wextra -Werror -I"$place/prefix/include" "$place/tour/tour.cpp" -o "$place/tour/tour" \
+    -L"$(dirname "$library")" -lglibra -Wl,-rpath,"$(dirname "$library")" >"$place/log" 2>&1 || fail "the program of docs/library.md"
+(cd "$place/tour" && "$place/prefix/bin/glibra" render teapot.glib -o golden.png --size 320x240 --time 3.3 --set uShininess=20 &&
+    ./tour) >"$place/log" 2>&1 || fail "the program of docs/library.md ends with another status"
+grep -q 'uShininess float' "$place/log" || fail "the program of docs/library.md lists no values"
+
 # Pages for shells and manuals are those of the program, and none is missing.
 for each in $("$place/prefix/bin/glibra" manual | sed -n 's/^\\fBglibra\\-\([a-z]*\).*/\1/p'); do
     test -s "$place/prefix/share/man/man1/glibra-$each.1" || fail "no manual page of $each"

@@ -13,7 +13,7 @@ const std::string kBegin =
     "Camera eye LookAt .75 0 3  .75 0 0  0 1 0  Perspective 60 .1 100\nTexture2D picture 8 8 rgba32f\n";
 
 /// Draws into the left half of the target alone.
-const std::string kVertex =
+const std::string kFillVertex =
     "Vertex inline\n#version 410\nvoid main() { gl_Position = vec4(.5*aVertex.x - .5, aVertex.y, 0., 1.); }\n"
     "EndVertex\n";
 const std::string kTessellation =
@@ -39,7 +39,7 @@ TEST(ScriptFills, StagesOfEarlierProgramsAreLeftOut) {
     for (const bool hasTessellation : {false, true})
         for (const bool hasGeometry : {false, true})
             for (const bool readsPlace : {false, true}) {
-                const std::string earlier = kVertex + (hasTessellation ? kTessellation : "") +
+                const std::string earlier = kFillVertex + (hasTessellation ? kTessellation : "") +
                                             (hasGeometry ? kGeometry : "") + kPlain + "Program Other\n";
                 const std::string own =
                     readsPlace
@@ -59,14 +59,14 @@ TEST(ScriptFills, StagesOfEarlierProgramsAreLeftOut) {
 
 TEST(ScriptFills, StagesOfTheProgramItselfAreTaken) {
     const std::string half = "Expect count [0 0 1 1] 32 of picture\nExpect pixel 7 3 [0 0 0] of picture\n";
-    EXPECT_EQ(problemsOf(kBegin + kPlain + "Program Other\n" + kVertex + kPlain +
+    EXPECT_EQ(problemsOf(kBegin + kPlain + "Program Other\n" + kFillVertex + kPlain +
                          "Program Own\nBackground 0 0 0\nFill picture with Own\n" + half),
               "");
-    EXPECT_EQ(problemsOf(kBegin + kVertex + kPlain +
+    EXPECT_EQ(problemsOf(kBegin + kFillVertex + kPlain +
                          "Program Own\nBackground 0 0 0\nFill picture with Own\n" + half),
               "");
-    EXPECT_EQ(problemsOf(kBegin + kVertex + kTessellation + kPlain + "Program Other\n" + kVertex + kPlain +
-                         "Program Own\nBackground 0 0 0\nFill picture with Own\n" + half),
+    EXPECT_EQ(problemsOf(kBegin + kFillVertex + kTessellation + kPlain + "Program Other\n" + kFillVertex +
+                         kPlain + "Program Own\nBackground 0 0 0\nFill picture with Own\n" + half),
               "")
         << "a Vertex begins a new pipeline";
 }
@@ -74,7 +74,7 @@ TEST(ScriptFills, StagesOfTheProgramItselfAreTaken) {
 TEST(ScriptFills, DrawsWithTheSameProgramKeepItsStages) {
     EXPECT_EQ(
         problemsOf(
-            kBegin + "Texture2D half 8 8 rgba32f\n" + kVertex + kPlain + "Program Other\n" +
+            kBegin + "Texture2D half 8 8 rgba32f\n" + kFillVertex + kPlain + "Program Other\n" +
             fragment("", "vec4(1., 0., 0., 1.)") +
             "Program Both\nFill picture with Both\nPass half clear {0 0 0 0}\nUse Both\nFullScreen\nEndPass\n"
             "Expect count [1 0 0 1] 64 of picture\nExpect count [1 0 0 1] 32 of half\n"),
