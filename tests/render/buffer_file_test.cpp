@@ -56,7 +56,7 @@ TEST_F(BufferFile, HasAFieldForEachMemberAndARecordForEachElement) {
     const SceneFolder folder(kPoints);
     const auto files = saved(folder, {{"Points", "points.csv"}});
     EXPECT_EQ(files.at("points.csv"),
-              "scale,at.x,at.y,at.z,id,on,marks.x,marks.y\n"
+              "scale,at.x,at.y,at.z,id,on,marks[0],marks[1]\n"
               "0.1,0,-1.5,0.33333334,-1,0,4294967295,0\n"
               "0.1,1,-1.5,0.33333334,-2,1,4294967295,1\n");
 }
@@ -71,7 +71,7 @@ TEST_F(BufferFile, OfNumPyHoldsTheNumbersAsTheyAre) {
     const std::string header = file.substr(10, length);
     EXPECT_EQ(header.substr(0, header.find('}')),
               "{'descr': [('scale', '<f4'), ('at', '<f4', (3,)), ('id', '<i4'), ('on', '|b1'), "
-              "('marks', '<u4', (2,)), ], 'fortran_order': False, 'shape': (2,), ");
+              "('marks[0]', '<u4'), ('marks[1]', '<u4'), ], 'fortran_order': False, 'shape': (2,), ");
     EXPECT_TRUE(header.ends_with("\n"));
     const std::string data = file.substr(10 + length);
     constexpr std::size_t kRecord = 4 + 12 + 4 + 1 + 8;

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "glib/script.h"
 #include "support.h"
 
 namespace glibra::scene {
@@ -283,7 +284,8 @@ TEST(State, TextsOfMessagesAreListedAsWritten) {
 TEST(State, EveryStatementThatLacksItsFileIsListed) {
     const auto missingOf = [](const std::string& statement) {
         std::string all;
-        for (const MissingFile& each : run("Sphere\n" + statement + "\n").missingFiles)
+        const glib::Script script = glib::parse("Sphere\n" + statement + "\n", "scene.glib");
+        for (const MissingFile& each : interpret(script).missingFiles)
             all += fmt::format("{}:{} {} {}", each.place.line, each.place.column, each.word,
                                each.isModel ? "model" : "texture");
         return all;
