@@ -17,10 +17,6 @@ namespace glibra::budget {
 namespace {
 
 constexpr double kMostColored = .001;
-/// What small pictures show of a shift counts as this many times as much: thin shadows and far objects, which
-/// small pictures do not resolve, move further. Measured against pictures of full size, they showed at least
-/// .26 of it where it was large (4 pixels and more), and .75 where it was small.
-constexpr double kUnseen = 2;
 /// Values depend on each other, as the offset of a shadow map does on its size: what is chosen for one may
 /// allow less for another.
 constexpr int kMostBoundRounds = 3;
@@ -144,7 +140,7 @@ class BoundSearch {
 
     bool isWithin(const Places& places) {
         const std::optional<PictureChange> found = measure(places);
-        return found && kUnseen * found->pixels + own_ <= request_.maxError && found->colored <= kMostColored;
+        return found && found->pixels + own_ <= request_.maxError && found->colored <= kMostColored;
     }
 
     /// Finds the coarsest value of a variable that keeps the bound with the present ones of the others.

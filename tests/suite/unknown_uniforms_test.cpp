@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 namespace glibra::suite {
 namespace {
 
@@ -12,9 +14,16 @@ Shot shotThatNames(std::initializer_list<const char*> uniforms) {
     return shot;
 }
 
+/// The message about a uniform that no program has.
+Diagnostic unknown(std::string uniform, std::string text) {
+    Diagnostic message = diagnose("glib-W23", std::move(text));
+    message.subject = std::move(uniform);
+    return message;
+}
+
 TEST(UnknownUniforms, OfTheShotAreErrorsWithTheirPlaceInTheSuite) {
-    Diagnostics all{diagnose("glib-W23", "no program of the scene has a uniform 'uKe'; did you mean 'uKd'?"),
-                    diagnose("glib-W23", "no program 'Dots' has a uniform 'uA'")};
+    Diagnostics all{unknown("uKe", "no program of the scene has a uniform 'uKe'; did you mean 'uKd'?"),
+                    unknown("uA", "no program 'Dots' has a uniform 'uA'")};
     reportUnknownUniforms(shotThatNames({"uK", "uKe", "Dots:uA"}), all);
     ASSERT_EQ(all.size(), 2U);
     EXPECT_EQ(
@@ -25,7 +34,7 @@ TEST(UnknownUniforms, OfTheShotAreErrorsWithTheirPlaceInTheSuite) {
 
 TEST(UnknownUniforms, OfDefaultsAndOfTheSceneStayWarnings) {
     const Diagnostics before{
-        diagnose("glib-W23", "no program of the scene has a uniform 'uDefault'"),
+        unknown("uDefault", "no program of the scene has a uniform 'uDefault'"),
         diagnose("glib-W23", "no shader of 'P' has a uniform 'uKe'", {"a.glib", 4, 1}),
         diagnose("glib-W24", "uniform 'uKe' is declared but unused, so setting it has no effect")};
     Diagnostics all = before;

@@ -14,7 +14,7 @@ bool hasBounds(const scene::Scene& scene);
 
 /// Chooses the values for options.maxError, at options.time and up to options.lastTime, and runs the scene
 /// with them: `interpreted` then holds that scene, and `options` states the values by `set`. The picture has
-/// `width` x `height` pixels; the longer side of the small ones has 320 to 800. Nothing changes if nothing
+/// `width` x `height` pixels; the longer side of the small ones has at most 800. Nothing changes if nothing
 /// can be chosen.
 budget::ChosenBounds chooseBounds(gpu::Context& context, InterpretedScene& interpreted,
                                   RenderOptions& options, int width, int height);
