@@ -249,6 +249,8 @@ void members(Archive& archive, Value& value) {
         archive("id", value.id);
         archive("text", value.text);
         archive("place", value.place);
+        archive("subject", value.subject);
+        archive("suggestion", value.suggestion);
     } else if constexpr (std::is_same_v<Type, image::Comparison>) {
         archive("sameSize", value.sameSize);
         archive("identical", value.identical);
