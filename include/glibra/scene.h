@@ -72,7 +72,8 @@ struct BufferContent {
     }
 };
 
-/// A loaded scene. Use it on the thread of its Renderer, which it keeps alive.
+/// A loaded scene. Use it on the thread of its Renderer, which it keeps alive; it may be destroyed on any
+/// thread. What has been moved from can only be destroyed and assigned to.
 class GLIBRA_API Scene {
   public:
     Scene(Scene&&) noexcept;
@@ -85,7 +86,8 @@ class GLIBRA_API Scene {
     /// of drawing.
     Result<Picture> draw(const DrawOptions& options = {});
 
-    /// All values that can be set, in the order of the scene.
+    /// All values that can be set, in the order of the scene. None on a wrong thread and after a reset of the
+    /// device, which draw() and set() report.
     [[nodiscard]] std::vector<Value> values() const;
     /// Sets a value for the pictures that follow, in all programs that have it. "Glaze.uShininess" and, by
     /// the line of its Program statement, "24:uShininess" name that of one program. A text is a word of a
@@ -117,7 +119,7 @@ class GLIBRA_API Scene {
     [[nodiscard]] std::vector<std::filesystem::path> files() const;
     /// Counts of all pictures since loading, as "frames" and "draws".
     [[nodiscard]] std::map<std::string, std::uint64_t> stats() const;
-    /// Reads the scene and its files again. Values that were set stay. On an error the scene stays as it was.
+    /// Reads the scene and its files again. Values that were set stay. After an error the scene is as it was.
     Result<void> reload();
 
   private:

@@ -42,6 +42,41 @@ Diagnostics problemsOf(const RenderOptions& options) {
     return found;
 }
 
+/// library-E01 for each option that only one picture at a time can have.
+Diagnostics problemsOfLoading(const RenderOptions& options) {
+    Diagnostics found = problemsOf(options);
+    const auto only = [&](const char* name, bool isSet) {
+        if (isSet)
+            found.push_back(
+                diagnose("library-E01", fmt::format("{}: only render() has this; load() has not", name)));
+    };
+    const RenderOptions none;
+    only("maxError", options.maxError != none.maxError);
+    only("overrideCounts", options.overrideCounts);
+    only("lastTime", options.lastTime != none.lastTime);
+    only("axes", options.axes);
+    only("labels", options.labels != none.labels);
+    only("incomplete", options.incomplete);
+    only("checkNan", options.checkNan);
+    only("checkUndefined", options.checkUndefined);
+    only("checks", options.checks);
+    only("tileSize", options.tileSize != none.tileSize);
+    only("wantedObjects", !options.wantedObjects.empty());
+    const auto ofDraw = [&](const char* name, bool isSet) {
+        if (isSet)
+            found.push_back(
+                diagnose("library-E01", fmt::format("{}: an option of draw(), not of load()", name)));
+    };
+    ofDraw("width", options.width != none.width);
+    ofDraw("height", options.height != none.height);
+    ofDraw("time", options.time != none.time);
+    ofDraw("samples", options.samples != none.samples);
+    ofDraw("alpha", options.alpha);
+    ofDraw("floatPixels", options.floatPixels);
+    ofDraw("viewState", options.viewState != none.viewState);
+    return found;
+}
+
 /// A function that this process has, whichever library it comes from; null if no library has it.
 void* functionHere(const char* name) {
     return ::dlsym(RTLD_DEFAULT, name);
@@ -67,6 +102,9 @@ constexpr Way kWays[] = {{"libEGL.so.1", "eglGetCurrentContext", "eglGetProcAddr
                          {"libGLX.so.0", "glXGetCurrentContext", "glXGetProcAddressARB"},
                          {"libGL.so.1", "glXGetCurrentContext", "glXGetProcAddressARB"},
                          {"libOSMesa.so.8", "OSMesaGetCurrentContext", "OSMesaGetProcAddress"}};
+
+/// The renderer whose context the calls of this thread used last.
+thread_local const void* lastOfThread = nullptr;
 
 }  // namespace
 
@@ -104,7 +142,16 @@ Diagnostics Renderer::State::begin() {
     if (std::this_thread::get_id() != thread)
         return {
             diagnose("gpu-E08", "the renderer was opened on another thread; use it and its scenes there")};
-    if (context) return {};
+    if (context) {
+        if (!makeCurrent())
+            return {diagnose("gpu-E01",
+                             "no usable OpenGL driver: the renderer's context cannot be made current "
+                             "on this thread again")};
+        std::vector<OnDevice> ended;
+        const std::lock_guard<std::mutex> lock(mutex);
+        ended.swap(left);
+        return {};
+    }
     if (isAdopted)
         return {diagnose("gpu-E06",
                          "the graphics driver has reset the device of the context that was adopted; open a "
@@ -112,17 +159,62 @@ Diagnostics Renderer::State::begin() {
     Result<gpu::Context> opened = openFor(driver);
     if (!opened) return std::move(opened.diagnostics);
     context = std::move(opened.value);
+    lastOfThread = this;
     return {};
 }
 
-void Renderer::State::lose() {
-    for (Scene::State* each : scenes) {
-        each->window.reset();
-        each->isDrawn = false;
-        each->live.reset();
+Renderer::State::State(Driver asked, gpu::Context opened) : driver(asked), context(std::move(opened)) {
+    lastOfThread = this;
+}
+
+Renderer::State::~State() {
+    if (lastOfThread == this) lastOfThread = nullptr;
+    if (!context || makeCurrent()) return;
+    // The context is current on the thread that opened it, where nothing ends it any more, or that thread's
+    // driver is gone: what is on the device cannot be released from here.
+    for (OnDevice& each : left) {
+        static_cast<void>(each.live.release());
+        static_cast<void>(new std::optional<SceneWindow>(std::move(each.window)));
     }
-    scenes.clear();
+    static_cast<void>(new gpu::Context(std::move(*context)));
+}
+
+bool Renderer::State::makeCurrent() {
+    if (lastOfThread == this && context->isCurrent()) return true;
+    if (!context->makeCurrent()) return false;
+    lastOfThread = this;
+    return true;
+}
+
+void Renderer::State::lose() {
+    std::vector<OnDevice> gone;
+    {
+        const std::lock_guard<std::mutex> lock(mutex);
+        gone = std::move(left);
+        left.clear();
+        for (Scene::State* each : scenes) {
+            gone.push_back(std::move(each->device));
+            each->device = {};
+            each->isDrawn = false;
+        }
+        scenes.clear();
+    }
+    gone.clear();
     context.reset();
+}
+
+void Renderer::State::leave(Scene::State& scene) {
+    OnDevice last;
+    {
+        const std::lock_guard<std::mutex> lock(mutex);
+        scenes.erase(&scene);
+        last = std::move(scene.device);
+        if (std::this_thread::get_id() != thread) {
+            left.push_back(std::move(last));
+            return;
+        }
+    }
+    if (context && !makeCurrent()) left.push_back(std::move(last));
 }
 
 Result<Picture> Renderer::render(const std::filesystem::path& scene, const RenderOptions& options) {
@@ -151,13 +243,18 @@ Result<Picture> Renderer::State::render(const std::filesystem::path& scene, cons
 }
 
 Result<Scene> Renderer::load(const std::filesystem::path& scene, const RenderOptions& options) {
-    if (Diagnostics problems = problemsOf(options); !problems.empty()) return problems;
+    if (Diagnostics problems = problemsOfLoading(options); !problems.empty()) return problems;
     if (Diagnostics problems = state_->begin(); !problems.empty()) return problems;
-    auto state = std::make_unique<Scene::State>(state_, scene, options);
-    Result<void> loaded = state->load();
-    if (!loaded) return std::move(loaded.diagnostics);
-    Diagnostics remarks = state->diagnostics;
-    return {Scene(std::move(state)), std::move(remarks)};
+    try {
+        auto state = std::make_unique<Scene::State>(state_, scene, options);
+        Result<void> loaded = state->load();
+        if (!loaded) return std::move(loaded.diagnostics);
+        Diagnostics remarks = state->diagnostics;
+        return {Scene(std::move(state)), std::move(remarks)};
+    } catch (const base::DeviceLost& lost) {
+        state_->lose();
+        return base::diagnosticOf(lost, scene.string());
+    }
 }
 
 Result<Scene> Renderer::loadText(std::string_view text, const std::string& name,

@@ -5,9 +5,11 @@
 #include <glibra/scene.h>
 
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <set>
 #include <thread>
+#include <vector>
 
 #include "gpu/context/context.h"
 #include "gpu/object/target.h"
@@ -17,20 +19,45 @@ namespace glibra {
 
 inline constexpr int kMostSamples = 64;  ///< per pixel
 
-struct Renderer::State {
-    State(Driver asked, gpu::Context opened) : driver(asked), context(std::move(opened)) {}
+/// What the picture of a scene is drawn into.
+struct SceneWindow {
+    int width = 0, height = 0, samples = 0;
+    bool isFloat = false;
+    gpu::Target target;
+};
 
-    /// gpu-E08 on another thread than the one that opened the context. Opens a new context after a reset.
+/// What of a scene is on the device. It ends on the renderer's thread, while the context is current.
+struct OnDevice {
+    std::unique_ptr<view::LiveScene> live;  ///< null after a reset
+    std::optional<SceneWindow> window;      ///< that the last picture was drawn into
+};
+
+struct Renderer::State {
+    State(Driver asked, gpu::Context opened);
+    State(const State&) = delete;
+    State& operator=(const State&) = delete;
+    ~State();
+
+    /// gpu-E08 on another thread than the one that opened the context. Opens a new context after a reset, and
+    /// makes the context current if another one is, such as that of another renderer.
     Diagnostics begin();
     /// After a reset: all that is on the device goes, then the context.
     void lose();
+    /// A scene ends, on whatever thread.
+    void leave(Scene::State& scene);
     Result<Picture> render(const std::filesystem::path& scene, const RenderOptions& options);
 
     Driver driver;
     bool isAdopted = false;
     std::thread::id thread = std::this_thread::get_id();
     std::optional<gpu::Context> context;  ///< empty after a reset of the device
+    std::mutex mutex;                     ///< of what follows: scenes may end on any thread
     std::set<Scene::State*> scenes;       ///< that are on the device
+    std::vector<OnDevice> left;           ///< by scenes that ended on other threads
+
+  private:
+    /// True if the context is current on this thread now.
+    bool makeCurrent();
 };
 
 struct Scene::State {
@@ -38,9 +65,9 @@ struct Scene::State {
         : renderer(std::move(on)), path(std::move(file)), options(std::move(from)) {}
     State(const State&) = delete;
     State& operator=(const State&) = delete;
-    ~State() { renderer->scenes.erase(this); }
+    ~State() { renderer->leave(*this); }
 
-    /// Reads the scene, or reads it again: what has been set stays.
+    /// Reads the scene, or reads it again: what has been set stays. After an error nothing has changed.
     Result<void> load();
     /// What every call begins with: the thread, and the scene on the device.
     Diagnostics begin();
@@ -58,18 +85,12 @@ struct Scene::State {
     std::shared_ptr<Renderer::State> renderer;  ///< outlives what is on its device
     std::filesystem::path path;
     RenderOptions options;
-    std::unique_ptr<view::LiveScene> live;  ///< null after a reset
+    OnDevice device;
     Diagnostics diagnostics;
     std::uint64_t frames = 0;
     double drawnTime = 0;
     std::vector<view::Knob> changed;  ///< what has been set
-
-    struct Window {
-        int width = 0, height = 0, samples = 0;
-        bool isFloat = false;
-        gpu::Target target;
-    };
-    std::optional<Window> window;  ///< that the last picture was drawn into
+    ViewState drawnView;
     bool isDrawn = false;
 };
 

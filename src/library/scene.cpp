@@ -109,29 +109,20 @@ Scene& Scene::operator=(Scene&&) noexcept = default;
 Scene::~Scene() = default;
 
 Result<void> Scene::State::load() {
-    view::LiveScene::Loading loading = view::LiveScene::load(*renderer->context, path, options, live.get());
-    if (loading.isPreviousLost) {
-        window.reset();
-        live.reset();
+    // Nothing moves from the scene as it is into one that may turn out to be faulty.
+    view::LiveScene::Loading loading = view::LiveScene::load(*renderer->context, path, options, nullptr);
+    render::applyStrict(loading.diagnostics, options.strict);
+    if (!loading.scene || hasError(loading.diagnostics)) return std::move(loading.diagnostics);
+    device = OnDevice{std::move(loading.scene), {}};
+    {
+        const std::lock_guard<std::mutex> lock(renderer->mutex);
+        renderer->scenes.insert(this);
     }
-    if (!loading.scene || hasError(loading.diagnostics)) {
-        // Parts may have moved from the scene as it was into the faulty one: it is made anew when it is used.
-        window.reset();
-        isDrawn = false;
-        live.reset();
-        return std::move(loading.diagnostics);
-    }
-    live = std::move(loading.scene);
-    renderer->scenes.insert(this);
     diagnostics = std::move(loading.diagnostics);
-    if (options.strict && !diagnostics.empty()) {
-        render::applyStrict(diagnostics, true);
-        return Diagnostics(diagnostics);
-    }
-    live->keepTextures(diagnostics);
+    device.live->keepTextures(diagnostics);
     isDrawn = false;
     for (const view::Knob& each : std::exchange(changed, {})) {
-        const std::vector<view::Knob> now = live->knobs();
+        const std::vector<view::Knob> now = device.live->knobs();
         const auto same = std::find_if(now.begin(), now.end(), [&](const view::Knob& one) {
             return one.tag == each.tag && one.title == each.title &&
                    one.initial.size() == each.current.size();
@@ -139,10 +130,10 @@ Result<void> Scene::State::load() {
         if (same == now.end()) continue;
         view::Knob knob = *same;
         knob.current = each.current;
-        live->setValue(knob);
+        device.live->setValue(knob);
         changed.push_back(std::move(knob));
     }
-    // Variables have been read with the scene; these are uniforms.
+    // Variables have been read with the scene; these are uniforms. Only the first reading has any.
     for (const std::string& each : std::exchange(options.set, {})) {
         const std::size_t equals = each.find('=');
         if (equals == std::string::npos) return wrongOption(fmt::format("set: '{}' is not NAME=VALUE", each));
@@ -156,7 +147,7 @@ Result<void> Scene::State::load() {
 
 Diagnostics Scene::State::begin() {
     if (Diagnostics problems = renderer->begin(); !problems.empty()) return problems;
-    if (live) return {};
+    if (device.live) return {};
     Result<void> loaded = load();
     return loaded ? Diagnostics() : std::move(loaded.diagnostics);
 }
@@ -173,8 +164,8 @@ Result<T> Scene::State::guarded(const Work& work) {
 }
 
 Result<const gpu::Target*> Scene::State::targetFor(const DrawOptions& wanted) {
-    const int width = wanted.width > 0 ? wanted.width : live->scene().width;
-    const int height = wanted.height > 0 ? wanted.height : live->scene().height;
+    const int width = wanted.width > 0 ? wanted.width : device.live->scene().width;
+    const int height = wanted.height > 0 ? wanted.height : device.live->scene().height;
     const gpu::Capabilities& capabilities = renderer->context->capabilities();
     const int largest = std::min(
         {capabilities.maxRenderbufferSide, capabilities.maxViewportWidth, capabilities.maxViewportHeight});
@@ -183,26 +174,26 @@ Result<const gpu::Target*> Scene::State::targetFor(const DrawOptions& wanted) {
             "a picture of {} x {} pixels; this driver draws up to {} x {} at once; render() draws "
             "larger ones in tiles",
             width, height, largest, largest));
-    if (window && window->width == width && window->height == height && window->samples == wanted.samples &&
-        window->isFloat == wanted.floatPixels)
-        return &window->target;
-    window.reset();
+    if (device.window && device.window->width == width && device.window->height == height &&
+        device.window->samples == wanted.samples && device.window->isFloat == wanted.floatPixels)
+        return &device.window->target;
+    device.window.reset();
     isDrawn = false;
     Result<gpu::Target> made = gpu::Target::window(
         capabilities, width, height, wanted.floatPixels ? gpu::TexelFormat::rgba32f : gpu::TexelFormat::rgba8,
-        std::max(1, wanted.samples), render::depthFormat(live->scene()));
+        std::max(1, wanted.samples), render::depthFormat(device.live->scene()));
     if (!made) return std::move(made.diagnostics);
-    window.emplace(Window{width, height, wanted.samples, wanted.floatPixels, std::move(*made)});
-    return {&window->target, std::move(made.diagnostics)};
+    device.window.emplace(SceneWindow{width, height, wanted.samples, wanted.floatPixels, std::move(*made)});
+    return {&device.window->target, std::move(made.diagnostics)};
 }
 
 Result<Picture> Scene::State::draw(const DrawOptions& wanted) {
     Result<const gpu::Target*> target = targetFor(wanted);
     if (!target) return std::move(target.diagnostics);
-    Diagnostics found = live->draw(**target, wanted.view, wanted.time, false);
+    Diagnostics found = device.live->draw(**target, wanted.view, wanted.time, false);
     Picture picture;
-    picture.width = window->width;
-    picture.height = window->height;
+    picture.width = device.window->width;
+    picture.height = device.window->height;
     picture.components = wanted.alpha ? 4 : 3;
     picture.isFloat = wanted.floatPixels;
     picture.bits = wanted.floatPixels ? 32 : 8;
@@ -213,6 +204,7 @@ Result<Picture> Scene::State::draw(const DrawOptions& wanted) {
     render::applyStrict(found, options.strict);
     isDrawn = pixels && !hasError(found);
     drawnTime = wanted.time;
+    drawnView = wanted.view;
     if (!isDrawn) return found;
     ++frames;
     picture.data = std::move(*pixels);
@@ -226,7 +218,7 @@ Result<Picture> Scene::draw(const DrawOptions& options) {
 
 /// With the values that have been set.
 std::vector<view::Knob> Scene::State::knobs() const {
-    std::vector<view::Knob> all = live->knobs();
+    std::vector<view::Knob> all = device.live->knobs();
     for (view::Knob& each : all)
         for (const view::Knob& set : changed)
             if (each.tag == set.tag && each.program == set.program) {
@@ -239,17 +231,19 @@ std::vector<view::Knob> Scene::State::knobs() const {
 std::vector<std::string> Scene::State::settings() const {
     std::vector<std::string> all;
     for (const view::Knob& each : changed)
-        all.push_back(view::setArgument(live->scene(), each, live->knobs()));
+        all.push_back(view::setArgument(device.live->scene(), each, device.live->knobs()));
     return all;
 }
 
 std::vector<Value> Scene::values() const {
+    Result<std::vector<view::Knob>> knobs = state_->guarded<std::vector<view::Knob>>(
+        [&]() -> Result<std::vector<view::Knob>> { return state_->knobs(); });
+    if (!knobs) return {};
     std::vector<Value> values;
-    if (!state_->begin().empty()) return values;
-    for (const view::Knob& knob : state_->knobs()) {
+    for (const view::Knob& knob : *knobs) {
         Value& to = values.emplace_back();
         to.name = knob.tag;
-        to.program = programOf(state_->live->scene(), knob);
+        to.program = programOf(state_->device.live->scene(), knob);
         to.type = typeOf(knob);
         to.value = knob.current;
         to.initial = knob.initial;
@@ -271,7 +265,7 @@ Result<void> Scene::State::set(std::string_view name, std::span<const double> va
         program = name.substr(0, colon);
         tag = name.substr(colon + 1);
     }
-    const scene::Scene& scene = live->scene();
+    const scene::Scene& scene = device.live->scene();
     std::vector<view::Knob> all = knobs();
     const auto isMeant = [&](const view::Knob& knob) {
         if (knob.tag == tag && program.empty()) return true;
@@ -311,7 +305,7 @@ Result<void> Scene::State::set(std::string_view name, std::span<const double> va
             return diagnose("library-E03", why, each.place);
     for (view::Knob& each : meant) {
         each.current = read;
-        live->setValue(each);
+        device.live->setValue(each);
         std::erase_if(changed, [&](const view::Knob& one) {
             return one.tag == each.tag && one.program == each.program;
         });
@@ -357,17 +351,19 @@ Diagnostics Scene::check(double time) {
 
 /// A texture that the picture does not need is drawn for this.
 Result<Picture> Scene::State::textureNamed(std::string_view name) {
-    Result<scene::TextureView> view = scene::textureNamed(live->scene(), name);
+    Result<scene::TextureView> view = scene::textureNamed(device.live->scene(), name);
     if (!view) return std::move(view.diagnostics);
-    if (live->texture(view->texture) != nullptr) {
-        Result<image::Image> image = live->imageOf(*view);
+    if (device.live->texture(view->texture) != nullptr) {
+        Result<image::Image> image = device.live->imageOf(*view);
         if (!image) return std::move(image.diagnostics);
         return pictureOf(std::move(*image));
     }
     RenderOptions wanted = options;
     wanted.set = settings();
-    wanted.width = window->width;
-    wanted.height = window->height;
+    wanted.width = device.window->width;
+    wanted.height = device.window->height;
+    wanted.samples = device.window->samples;
+    wanted.viewState = drawnView;
     wanted.wantedObjects = {std::string(name)};
     render::Stats stats;
     Result<render::SceneRenderer> loaded =
@@ -385,14 +381,14 @@ Result<Picture> Scene::target(std::string_view name) {
         if (!state_->isDrawn) return diagnose("library-E04", "no picture has been drawn yet");
         if (name != "window") return state_->textureNamed(name);
         Picture picture;
-        picture.width = state_->window->width;
-        picture.height = state_->window->height;
+        picture.width = state_->device.window->width;
+        picture.height = state_->device.window->height;
         picture.components = 4;
         picture.isFloat = true;
         picture.bits = 32;
-        Result<std::vector<std::byte>> pixels =
-            gpu::readPixels(state_->renderer->context->capabilities(), state_->window->target.readable(), 0,
-                            {0, 0, picture.width, picture.height}, {picture.components, gpu::TexelType::f32});
+        Result<std::vector<std::byte>> pixels = gpu::readPixels(
+            state_->renderer->context->capabilities(), state_->device.window->target.readable(), 0,
+            {0, 0, picture.width, picture.height}, {picture.components, gpu::TexelType::f32});
         if (!pixels) return std::move(pixels.diagnostics);
         picture.data = std::move(*pixels);
         return picture;
@@ -401,21 +397,21 @@ Result<Picture> Scene::target(std::string_view name) {
 
 Result<BufferContent> Scene::buffer(std::string_view name) {
     return state_->guarded<BufferContent>([&]() -> Result<BufferContent> {
-        const scene::Scene& scene = state_->live->scene();
+        const scene::Scene& scene = state_->device.live->scene();
         std::vector<std::string_view> names;
         for (const scene::BufferIndex index : scene.buffers.indices()) {
             names.push_back(scene.buffers[index].name);
             if (scene.buffers[index].name != name) continue;
-            const gpu::Buffer* buffer = state_->live->buffers().buffer({index});
-            const plan::BufferLayout* layout = state_->live->buffers().layout(index);
+            const gpu::Buffer* buffer = state_->device.live->buffers().buffer({index});
+            const plan::BufferLayout* layout = state_->device.live->buffers().layout(index);
             if (buffer == nullptr || layout == nullptr)
                 return diagnose("library-E04", fmt::format("buffer '{}' is not used by the picture", name),
                                 scene.buffers[index].place);
             BufferContent content;
             content.bytes.resize(static_cast<std::size_t>(layout->bytes));
             buffer->read(0, content.bytes);
-            const plan::BufferTable table =
-                plan::tableOf(*layout, state_->live->blockOf(index), std::numeric_limits<std::size_t>::max());
+            const plan::BufferTable table = plan::tableOf(*layout, state_->device.live->blockOf(index),
+                                                          std::numeric_limits<std::size_t>::max());
             for (const plan::BufferColumn& each : table.head)
                 content.head.push_back(columnOf(each, layout->pattern.head));
             for (const plan::BufferColumn& each : table.columns)
@@ -436,13 +432,14 @@ const Diagnostics& Scene::diagnostics() const {
 }
 
 std::vector<std::filesystem::path> Scene::files() const {
-    return state_->live ? state_->live->files() : std::vector<std::filesystem::path>{state_->path};
+    return state_->device.live ? state_->device.live->files()
+                               : std::vector<std::filesystem::path>{state_->path};
 }
 
 std::map<std::string, std::uint64_t> Scene::stats() const {
     std::map<std::string, std::uint64_t> counts{{"frames", state_->frames}};
-    if (state_->live)
-        for (const render::Stats::Count& each : state_->live->drawStats().counts)
+    if (state_->device.live)
+        for (const render::Stats::Count& each : state_->device.live->drawStats().counts)
             counts[each.name] = each.value;
     return counts;
 }

@@ -145,9 +145,10 @@ PYBIND11_MODULE(_core, module) {
         .def("__str__", [](const Diagnostic& each) { return toString(each); })
         .def("__repr__", [](const Diagnostic& each) { return "<" + toString(each) + ">"; });
 
-    static py::object error = py::reinterpret_borrow<py::object>(PyErr_NewExceptionWithDoc(
+    // The translator may run until the interpreter ends, and nothing may be released after that.
+    static const py::handle error = PyErr_NewExceptionWithDoc(
         "glibra.SceneError", "What prevented a picture; `diagnostics` are the single messages.",
-        PyExc_RuntimeError, nullptr));
+        PyExc_RuntimeError, nullptr);
     module.attr("SceneError") = error;
     py::register_exception_translator([](std::exception_ptr thrown) {
         try {

@@ -2,6 +2,7 @@
 
 #include <glibra/glibra.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <array>
 #include <chrono>
@@ -144,6 +145,57 @@ TEST(LibraryScene, RefusesWrongOptions) {
     EXPECT_FALSE(renderer.load(kScenes / "start/teapot.glib", wrong));
 }
 
+TEST(LibraryScene, RefusesOptionsThatItWouldNotKeep) {
+    Renderer renderer = opened();
+    std::vector<RenderOptions> wrong(9);
+    wrong[0].maxError = .5;
+    wrong[1].axes = true;
+    wrong[2].labels = LabelCorner::topLeft;
+    wrong[3].incomplete = true;
+    wrong[4].checkNan = true;
+    wrong[5].time = 1;
+    wrong[6].width = 20;
+    wrong[7].viewState.projection = ProjectionMode::orthographic;
+    wrong[8].wantedObjects = {"shadow"};
+    for (const RenderOptions& each : wrong) {
+        const Result<Scene> scene = renderer.loadText(kSquare, "square.glib", kShaders, each);
+        EXPECT_FALSE(scene);
+        ASSERT_EQ(scene.diagnostics().size(), 1U);
+        EXPECT_EQ(scene.diagnostics().front().id, "library-E01");
+    }
+}
+
+TEST(LibraryScene, IsAsItWasAfterAFaultyReload) {
+    const fs::path folder = fs::temp_directory_path() / ("glibra_reload_" + std::to_string(::getpid()));
+    fs::create_directories(folder);
+    const auto write = [&](const std::string& text) { std::ofstream(folder / "a.glib") << text; };
+    for (const auto& [name, text] : kShaders) std::ofstream(folder / name) << text;
+    write(kSquare);
+    Renderer renderer = opened();
+    Result<Scene> scene = renderer.load(folder / "a.glib");
+    ASSERT_TRUE(scene) << scene.message();
+    ASSERT_TRUE(scene->set("uColor", {1., 0., .2}));
+    ASSERT_TRUE(scene->draw());
+    write(std::string(kSquare) + "Spere 2\n");
+    EXPECT_FALSE(scene->reload());
+    EXPECT_TRUE(scene->target("window"));
+    const Result<Picture> before = scene->draw();
+    ASSERT_TRUE(before) << before.message();
+    EXPECT_EQ(firstPixel(*before), (std::vector<int>{255, 0, 51}));
+    EXPECT_TRUE(scene->diagnostics().empty());
+    std::ofstream(folder / "square.frag") << "#version 330\nbroken\n";
+    write(kSquare);
+    EXPECT_FALSE(scene->reload());
+    EXPECT_TRUE(scene->draw());
+    std::ofstream(folder / "square.frag") << kShaders.at("square.frag");
+    write(std::string("# deeper\n") + kSquare);
+    ASSERT_TRUE(scene->reload());
+    const Result<Picture> after = scene->draw();
+    ASSERT_TRUE(after) << after.message();
+    EXPECT_EQ(firstPixel(*after), (std::vector<int>{255, 0, 51}));
+    fs::remove_all(folder);
+}
+
 TEST(LibraryScene, OfAWrongTextIsAnErrorWithItsPlace) {
     Renderer renderer = opened();
     const Result<Scene> scene = renderer.loadText("Sphere 1\nSpere 2\n", "mine.glib");
@@ -249,6 +301,86 @@ TEST(LibraryRenderer, OfAnotherThreadIsRefused) {
     for (const std::string& each : {ofDraw, ofSet, ofLoad, ofRender})
         EXPECT_PRED2(isIn, each, "another thread");
     EXPECT_TRUE(scene->draw());
+}
+
+TEST(LibraryRenderer, TwoOnOneThreadDrawEachTheirOwn) {
+    Renderer one = opened();
+    Result<Scene> first = one.loadText(kSquare, "square.glib", kShaders);
+    ASSERT_TRUE(first) << first.message();
+    Renderer two = opened();
+    Result<Scene> second = two.loadText(kSquare, "square.glib", kShaders);
+    ASSERT_TRUE(second) << second.message();
+    ASSERT_TRUE(second->set("uColor", {1., 0., .2}));
+    for (int round = 0; round < 3; ++round) {
+        const Result<Picture> ofFirst = first->draw();
+        const Result<Picture> ofSecond = second->draw();
+        ASSERT_TRUE(ofFirst && ofSecond);
+        EXPECT_EQ(firstPixel(*ofFirst), (std::vector<int>{51, 102, 153}));
+        EXPECT_EQ(firstPixel(*ofSecond), (std::vector<int>{255, 0, 51}));
+        EXPECT_TRUE(first->target("window"));
+        EXPECT_TRUE(one.render(kScenes / "start/teapot.glib", {.width = 16, .height = 12}));
+        EXPECT_TRUE(second->reload());
+    }
+    {
+        // The end of a renderer and of its scene leaves the other's alone.
+        const Scene gone = std::move(*second);
+        const Renderer last = std::move(two);
+    }
+    const Result<Picture> still = first->draw();
+    ASSERT_TRUE(still) << still.message();
+    EXPECT_EQ(firstPixel(*still), (std::vector<int>{51, 102, 153}));
+}
+
+TEST(LibraryRenderer, OfAnotherDriverOnAnotherThreadIsRefused) {
+    Renderer renderer = opened();
+    Result<Scene> scene = renderer.loadText(kSquare, "square.glib", kShaders);
+    ASSERT_TRUE(scene) << scene.message();
+    std::string message;
+    bool isOpen = false;
+    std::thread([&] {
+        const Result<Renderer> other = Renderer::open(Driver::osmesa);
+        isOpen = static_cast<bool>(other);
+        message = other ? "" : other.message();
+    }).join();
+    if (!isOpen) {
+        EXPECT_PRED2(isIn, message, "gpu-E01");
+    }
+    const Result<Picture> picture = scene->draw();
+    ASSERT_TRUE(picture) << picture.message();
+    EXPECT_EQ(firstPixel(*picture), (std::vector<int>{51, 102, 153}));
+}
+
+TEST(LibraryRenderer, MayEndOnAnyThread) {
+    {
+        Renderer renderer = opened();
+        Result<Scene> scene = renderer.loadText(kSquare, "square.glib", kShaders);
+        Result<Scene> other = renderer.loadText(kSquare, "square.glib", kShaders);
+        ASSERT_TRUE(scene && other);
+        ASSERT_TRUE(scene->draw());
+        std::thread([gone = std::move(*scene)]() mutable { const Scene last = std::move(gone); }).join();
+        const Result<Picture> picture = other->draw();
+        ASSERT_TRUE(picture) << picture.message();
+        EXPECT_EQ(firstPixel(*picture), (std::vector<int>{51, 102, 153}));
+        std::thread([gone = std::move(*other), last = std::move(renderer)]() mutable {
+            const Scene ended = std::move(gone);
+            const Renderer end = std::move(last);
+        }).join();
+    }
+    // From the thread that opened it, after that has ended.
+    std::unique_ptr<Scene> left;
+    std::thread([&] {
+        Result<Renderer> renderer = Renderer::open();
+        Result<Scene> scene = renderer->loadText(kSquare, "square.glib", kShaders);
+        if (scene && scene->draw()) left = std::make_unique<Scene>(std::move(*scene));
+    }).join();
+    ASSERT_TRUE(left);
+    Renderer here = opened();
+    Result<Scene> mine = here.loadText(kSquare, "square.glib", kShaders);
+    ASSERT_TRUE(mine);
+    left.reset();
+    const Result<Picture> picture = mine->draw();
+    ASSERT_TRUE(picture) << picture.message();
+    EXPECT_EQ(firstPixel(*picture), (std::vector<int>{51, 102, 153}));
 }
 
 TEST(LibraryRenderer, TwoOnTwoThreadsDrawEqualPixels) {

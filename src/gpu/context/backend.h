@@ -16,7 +16,9 @@ class Backend {
   public:
     virtual ~Backend() = default;
     virtual bool makeCurrent() = 0;
-    /// Makes no context current on this thread, so that another thread can use it.
+    /// True if it is current on this thread; an adopted context always is while it is used.
+    [[nodiscard]] virtual bool isCurrent() const = 0;
+    /// If it is current on this thread, none is afterwards, so that another thread can use it.
     virtual void release() = 0;
     /// The address of a GL function, or null.
     virtual void* address(const char* function) = 0;

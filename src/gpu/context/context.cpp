@@ -2,9 +2,11 @@
 
 #include <glad/gl.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <mutex>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -21,13 +23,14 @@ struct Context::State {
     std::string howOpened;
     std::vector<std::string> failedWays;
 
+    std::thread::id thread = std::this_thread::get_id();
+
+    State();
+    State(const State&) = delete;
+    State& operator=(const State&) = delete;
     /// Prepares the current context, which `backend` has adopted.
     Diagnostics useAdopted();
-    ~State() {
-        unwatchDevice(log);
-        // An adopted context continues to exist.
-        if (backend && backend->driver() == Driver::automatic) log.detach();
-    }
+    ~State();
 };
 
 namespace {
@@ -37,6 +40,7 @@ class AdoptedBackend final : public Backend {
   public:
     explicit AdoptedBackend(std::function<void*(const char*)> loader) : loader_(std::move(loader)) {}
     bool makeCurrent() override { return true; }
+    [[nodiscard]] bool isCurrent() const override { return true; }
     void release() override {}
     void* address(const char* function) override { return loader_ ? loader_(function) : nullptr; }
     [[nodiscard]] Driver driver() const override { return Driver::automatic; }
@@ -64,25 +68,49 @@ std::vector<Opener> openers(Driver driver) {
 
 /// The table of GL functions is one for the process. A second context of the same driver, on whatever thread,
 /// has the same functions, so that the table is not written while another thread draws.
-std::mutex tableMutex;
-const void* tableSource = nullptr;  ///< a function as the driver gave it that the table is from
+struct Table {
+    std::mutex mutex;
+    std::string driver;                     ///< that the functions are of; empty: there are none yet
+    std::vector<std::thread::id> contexts;  ///< the threads of those that exist
 
-/// Fills glad's table of functions from the current context, and has it watched by `log`. False if functions
-/// are missing or the context is older than 4.1.
-bool loadFunctions(Backend& backend, DebugLog& log) {
-    const std::lock_guard<std::mutex> lock(tableMutex);
-    const void* source = backend.address("glDrawArrays");
-    if (source == nullptr || source != tableSource || isCounting()) {
+    [[nodiscard]] bool isUsedElsewhere() const {
+        const std::thread::id here = std::this_thread::get_id();
+        return std::any_of(contexts.begin(), contexts.end(),
+                           [&](std::thread::id each) { return each != here; });
+    }
+};
+Table table;
+
+/// What tells the driver of the current context from others. Drivers below one dispatching library share the
+/// addresses of functions, but not the words.
+std::string identityOf(Backend& backend) {
+    const auto string = reinterpret_cast<PFNGLGETSTRINGPROC>(backend.address("glGetString"));
+    if (string == nullptr) return {};
+    std::string identity = std::to_string(reinterpret_cast<std::uintptr_t>(backend.address("glDrawArrays")));
+    for (const GLenum each : {GL_VENDOR, GL_RENDERER, GL_VERSION})
+        if (const GLubyte* words = string(each))
+            identity += std::string(" ") + reinterpret_cast<const char*>(words);
+    return identity;
+}
+
+/// Fills glad's table of functions from the current context, and has it watched by `log`. Returns why that
+/// cannot be done, or nothing.
+std::string loadFunctions(Backend& backend, DebugLog& log) {
+    const std::lock_guard<std::mutex> lock(table.mutex);
+    const std::string driver = identityOf(backend);
+    if (driver.empty() || driver != table.driver || isCounting()) {
+        if (driver != table.driver && table.isUsedElsewhere())
+            return "another thread draws with another driver";
         const auto address = [](void* from, const char* function) {
             return reinterpret_cast<GLADapiproc>(static_cast<Backend*>(from)->address(function));
         };
         const bool isLoaded = gladLoadGLUserPtr(address, &backend) != 0 && GLAD_GL_VERSION_4_1 != 0;
         if (!isCounting()) gladUninstallGLDebug();  // glad installs its wrappers by itself
-        tableSource = isLoaded ? source : nullptr;
-        if (!isLoaded) return false;
+        table.driver = isLoaded ? driver : std::string();
+        if (!isLoaded) return "no OpenGL 4.1";
     }
     watchDevice(log);
-    return true;
+    return {};
 }
 
 /// The state that every picture starts from, where it differs from GL's own.
@@ -107,6 +135,20 @@ std::string adviceFor(Driver driver) {
 }
 
 }  // namespace
+
+Context::State::State() {
+    const std::lock_guard<std::mutex> lock(table.mutex);
+    table.contexts.push_back(thread);
+}
+
+Context::State::~State() {
+    unwatchDevice(log);
+    // An adopted context continues to exist.
+    if (backend && backend->driver() == Driver::automatic) log.detach();
+    backend.reset();
+    const std::lock_guard<std::mutex> lock(table.mutex);
+    table.contexts.erase(std::find(table.contexts.begin(), table.contexts.end(), thread));
+}
 
 void prepareEnvironment(const ContextOptions& options) {
     // A value that the user has set is kept.
@@ -134,8 +176,11 @@ const std::vector<std::string>& Context::failedWays() const {
     return state_->failedWays;
 }
 
+bool Context::isCurrent() const {
+    return state_->backend->isCurrent();
+}
 bool Context::makeCurrent() {
-    return state_->backend->makeCurrent() && loadFunctions(*state_->backend, state_->log);
+    return state_->backend->makeCurrent() && loadFunctions(*state_->backend, state_->log).empty();
 }
 
 Diagnostics Context::adoptAgain(const std::function<void*(const char*)>& loader) {
@@ -154,8 +199,8 @@ Result<Context> openContext(const ContextOptions& options) {
         }
         auto& backend = std::get<std::unique_ptr<Backend>>(attempt);
         auto state = std::make_unique<Context::State>();
-        if (!loadFunctions(*backend, state->log)) {
-            failures.push_back(backend->description() + ": no OpenGL 4.1");
+        if (const std::string why = loadFunctions(*backend, state->log); !why.empty()) {
+            failures.push_back(backend->description() + ": " + why);
             continue;
         }
         state->capabilities = readCapabilities(backend->driver() == Driver::osmesa);
@@ -171,9 +216,11 @@ Result<Context> openContext(const ContextOptions& options) {
 }
 
 Diagnostics Context::State::useAdopted() {
-    if (!loadFunctions(*backend, log))
-        return {
-            diagnose("gpu-E01", "no usable OpenGL driver: the window's context is older than OpenGL 4.1")};
+    if (const std::string why = loadFunctions(*backend, log); !why.empty())
+        return {diagnose("gpu-E01",
+                         "no usable OpenGL driver (4.1 core or later is needed); the adopted "
+                         "context: " +
+                             why)};
     capabilities = readCapabilities(false);
     howOpened = backend->description();
     log.attach(capabilities.debugOutput);

@@ -1,8 +1,9 @@
 #pragma once
 // A GL context without a window: EGL without a surface, an EGL device (NVIDIA), OSMesa, or an adopted one
 // that another library made. EGL and OSMesa are opened at run time; the program links neither.
-// A thread uses one context at a time; all contexts of a process are of one driver, because it has one table
-// of GL functions. A context belongs to the thread that opened it. Every GL object must be destroyed before
+// A thread uses one context at a time. The process has one table of GL functions; therefore contexts that
+// exist on different threads are of one driver, and opening one of another driver there is an error.
+// A context belongs to the thread that opened it. Every GL object must be destroyed before
 // its context. After the driver has reset the device, whatever is read with the context throws
 // base::DeviceLost (reset.h), until another one is opened.
 
@@ -47,8 +48,10 @@ class Context {
     [[nodiscard]] const std::string& howOpened() const;
     /// The ways that were tried first and why they failed, one phrase each; empty if the first way worked.
     [[nodiscard]] const std::vector<std::string>& failedWays() const;
+    /// True if it is current on the calling thread; an adopted one always is while it is used.
+    [[nodiscard]] bool isCurrent() const;
     /// Makes the context current on the calling thread again after another one was. False if the driver
-    /// refuses.
+    /// refuses, as it does while it is current on another thread.
     bool makeCurrent();
     /// Adopts another context in place of an adopted one that is lost; it is current on this thread. No GL
     /// object of the lost one may exist any more. This object and its log keep their addresses. Reports

@@ -32,7 +32,10 @@ class EglBackend final : public Backend {
     bool makeCurrent() override {
         return egl_.makeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_TRUE;
     }
-    void release() override { egl_.makeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT); }
+    [[nodiscard]] bool isCurrent() const override { return egl_.getCurrentContext() == context_; }
+    void release() override {
+        if (isCurrent()) egl_.makeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    }
     void* address(const char* function) override {
         return reinterpret_cast<void*>(egl_.getProcAddress(function));
     }

@@ -59,8 +59,10 @@ std::variant<EglLibrary, std::string> openEglLibrary(const std::string& name) {
     egl.createContext = library.function<PFNEGLCREATECONTEXTPROC>("eglCreateContext");
     egl.destroyContext = library.function<PFNEGLDESTROYCONTEXTPROC>("eglDestroyContext");
     egl.makeCurrent = library.function<PFNEGLMAKECURRENTPROC>("eglMakeCurrent");
+    egl.getCurrentContext = library.function<PFNEGLGETCURRENTCONTEXTPROC>("eglGetCurrentContext");
     if (!egl.getProcAddress || !egl.getError || !egl.queryString || !egl.initialize || !egl.bindApi ||
-        !egl.chooseConfig || !egl.createContext || !egl.destroyContext || !egl.makeCurrent)
+        !egl.chooseConfig || !egl.createContext || !egl.destroyContext || !egl.makeCurrent ||
+        !egl.getCurrentContext)
         return name + " is not an EGL library";
 
     // Null for EGL libraries without client extensions.

@@ -20,6 +20,7 @@ struct EglLibrary {
     PFNEGLCREATECONTEXTPROC createContext = nullptr;
     PFNEGLDESTROYCONTEXTPROC destroyContext = nullptr;
     PFNEGLMAKECURRENTPROC makeCurrent = nullptr;
+    PFNEGLGETCURRENTCONTEXTPROC getCurrentContext = nullptr;
     PFNEGLGETPLATFORMDISPLAYEXTPROC getPlatformDisplay = nullptr;
     PFNEGLQUERYDEVICESEXTPROC queryDevices = nullptr;            ///< null without EGL_EXT_device_enumeration
     PFNEGLQUERYDEVICESTRINGEXTPROC queryDeviceString = nullptr;  ///< null without EGL_EXT_device_query

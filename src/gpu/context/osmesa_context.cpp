@@ -33,6 +33,7 @@ struct OsmesaLibrary {
     void (*destroyContext)(OsmesaContext context) = nullptr;
     unsigned char (*makeCurrent)(OsmesaContext context, void* buffer, unsigned type, int width,
                                  int height) = nullptr;
+    OsmesaContext (*getCurrentContext)() = nullptr;
     void* (*getProcAddress)(const char* function) = nullptr;
 };
 
@@ -50,7 +51,10 @@ class OsmesaBackend final : public Backend {
     bool makeCurrent() override {
         return library_.makeCurrent(context_, pixel_.data(), kUnsignedByte, 1, 1) != 0;
     }
-    void release() override { library_.makeCurrent(nullptr, nullptr, 0, 0, 0); }
+    [[nodiscard]] bool isCurrent() const override { return library_.getCurrentContext() == context_; }
+    void release() override {
+        if (isCurrent()) library_.makeCurrent(nullptr, nullptr, 0, 0, 0);
+    }
     void* address(const char* function) override { return library_.getProcAddress(function); }
     [[nodiscard]] Driver driver() const override { return Driver::osmesa; }
     [[nodiscard]] std::string description() const override { return "OSMesa (" + library_.name + ")"; }
@@ -72,9 +76,11 @@ std::variant<OsmesaLibrary, std::string> openLibrary(const std::string& name) {
         library.function<decltype(osmesa.createContextAttribs)>("OSMesaCreateContextAttribs");
     osmesa.destroyContext = library.function<decltype(osmesa.destroyContext)>("OSMesaDestroyContext");
     osmesa.makeCurrent = library.function<decltype(osmesa.makeCurrent)>("OSMesaMakeCurrent");
+    osmesa.getCurrentContext =
+        library.function<decltype(osmesa.getCurrentContext)>("OSMesaGetCurrentContext");
     osmesa.getProcAddress = library.function<decltype(osmesa.getProcAddress)>("OSMesaGetProcAddress");
     if (!osmesa.createContextAttribs || !osmesa.destroyContext || !osmesa.makeCurrent ||
-        !osmesa.getProcAddress)
+        !osmesa.getCurrentContext || !osmesa.getProcAddress)
         return name + " is not an OSMesa library, or too old";
     return osmesa;
 }
