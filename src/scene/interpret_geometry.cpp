@@ -80,24 +80,6 @@ ShapeIndex shareShape(Interpreter& in, Shape shape) {
     return index;
 }
 
-std::string_view primitiveWord(geometry::Topology topology) {
-    switch (topology) {
-        case geometry::Topology::points:
-            return "points";
-        case geometry::Topology::lines:
-            return "lines";
-        case geometry::Topology::linesAdjacency:
-            return "lines with adjacency";
-        case geometry::Topology::triangles:
-            return "triangles";
-        case geometry::Topology::trianglesAdjacency:
-            return "triangles with adjacency";
-        case geometry::Topology::patches:
-            break;
-    }
-    return "patches";
-}
-
 DrawId nextDrawId(Interpreter& in, const Place& place) {
     const int file = fileNumber(in);
     return {place.line, file, in.drawsOfLines[{file, place.line}]++};
@@ -182,7 +164,7 @@ void doPrimitive(Interpreter& in, const glib::Command& command) {
     const geometry::Counts counts = countsOf(shape).value_or(geometry::Counts{});
     if (!countVertices(in, command, counts.vertices)) return;
     const std::string size = fmt::format("{} vertices, {} {}", counts.vertices, counts.primitives,
-                                         primitiveWord(topologyOf(command.id)));
+                                         geometry::wordsOf(topologyOf(command.id)));
     draw(in, command, {shareShape(in, std::move(shape)), command.word, size, {}});
 }
 
@@ -216,8 +198,9 @@ void doPointGroups(Interpreter& in, const glib::Command& command) {
     points.resize(points.size() - points.size() % (isTriangles ? 3 : 4));
     geometry::Mesh mesh =
         isTriangles ? geometry::trianglesList(points) : geometry::linesAdjacencyList(points);
-    const std::string size = fmt::format("{} vertices, {} {}", points.size(),
-                                         points.size() / (isTriangles ? 3 : 4), primitiveWord(mesh.topology));
+    const std::string size =
+        fmt::format("{} vertices, {} {}", points.size(), points.size() / (isTriangles ? 3 : 4),
+                    geometry::wordsOf(mesh.topology));
     draw(in, command, {shapeOfMesh(in, command.id, std::move(mesh)), command.word, size, {}});
 }
 

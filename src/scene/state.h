@@ -286,7 +286,6 @@ ShapeIndex shareShape(Interpreter&, Shape shape);
 DrawId nextDrawId(Interpreter&, const Place& place);
 /// The index of the current slot table.
 SlotTableIndex currentSlots(Interpreter&);
-std::string_view primitiveWord(geometry::Topology topology);
 /// Adds the vertices to those of the scene. Returns false and reports glib-E15 if a limit is exceeded.
 bool countVertices(Interpreter&, const glib::Command&, std::uint64_t vertices);
 /// Returns the shape with that mesh; equal meshes share one shape.

@@ -221,9 +221,7 @@ std::optional<std::vector<Piece>> readPieces(std::span<const Token> tokens, Mess
 }
 
 bool isIdentifier(std::string_view text) {
-    if (text.empty() || (!isLetter(text.front()) && text.front() != '_')) return false;
-    return std::all_of(text.begin(), text.end(),
-                       [](char c) { return isLetter(c) || (c >= '0' && c <= '9') || c == '_'; });
+    return !text.empty() && beginsName(text.front()) && std::all_of(text.begin(), text.end(), isOfName);
 }
 
 }  // namespace glibra::glib

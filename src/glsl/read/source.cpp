@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/suggest.h"
+#include "base/text.h"
 #include "glsl/read/condition.h"
 #include "glsl/read/extensions.h"
 #include "glsl/read/preprocessor.h"
@@ -28,10 +29,7 @@ constexpr std::array<std::string_view, 14> kDirectives{"define", "undef",  "if",
 /// The last part of a path, in lower case.
 std::string lowerName(std::string_view path) {
     const std::size_t slash = path.find_last_of("/\\");
-    std::string name(slash == std::string_view::npos ? path : path.substr(slash + 1));
-    for (char& c : name)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return name;
+    return base::lower(slash == std::string_view::npos ? path : path.substr(slash + 1));
 }
 
 /// A file that is being read.

@@ -6,6 +6,8 @@
 #include <array>
 #include <charconv>
 
+#include "base/text.h"
+
 namespace glibra::gpu {
 namespace {
 
@@ -33,16 +35,9 @@ int glslNumber(std::string_view words) {
     return major * 100 + (minor < 10 ? minor * 10 : minor);
 }
 
-std::string lowered(std::string_view words) {
-    std::string low(words);
-    for (char& c : low)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return low;
-}
-
 std::string familyOf(const Capabilities& driver, bool throughOsmesa) {
-    const std::string renderer = lowered(driver.renderer);
-    const std::string vendor = lowered(driver.vendor);
+    const std::string renderer = base::lower(driver.renderer);
+    const std::string vendor = base::lower(driver.vendor);
     const auto in = [](const std::string& words, std::string_view word) {
         return words.find(word) != std::string::npos;
     };

@@ -11,6 +11,7 @@
 
 #include "base/matrices.h"
 #include "base/suggest.h"
+#include "base/text.h"
 #include "expression/name_table.h"
 #include "scene/camera.h"
 #include "scene/matrices.h"
@@ -253,10 +254,7 @@ void doCamera(Interpreter& in, const Command& command) {
 }
 
 bool holdsWord(std::string_view text, std::string_view word) {
-    const auto isPart = [&](std::size_t at) {
-        return at < text.size() &&
-               (std::isalnum(static_cast<unsigned char>(text[at])) != 0 || text[at] == '_');
-    };
+    const auto isPart = [&](std::size_t at) { return at < text.size() && base::isOfName(text[at]); };
     for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1))
         if (!(at > 0 && isPart(at - 1)) && !isPart(at + word.size())) return true;
     return false;

@@ -85,10 +85,9 @@ ReadExpression& readExpression(Interpreter& in, const glib::Value& value, const 
 /// True if the expression reads what a faulty statement would have declared.
 bool readsLostName(const Interpreter& in, std::string_view text) {
     if (in.modern.lostNames.empty()) return false;
-    const auto isPartOfName = [](char c) { return glib::isLetter(c) || (c >= '0' && c <= '9') || c == '_'; };
     for (std::size_t at = 0; at < text.size();) {
         std::size_t end = at;
-        while (end < text.size() && isPartOfName(text[end])) ++end;
+        while (end < text.size() && glib::isOfName(text[end])) ++end;
         if (end > at && isLost(in, text.substr(at, end - at))) return true;
         at = end + 1;
     }

@@ -1,8 +1,8 @@
-#include "suite/report/escape_xml.h"
+#include "base/escape_xml.h"
 
 #include "base/utf8.h"
 
-namespace glibra::suite {
+namespace glibra::base {
 namespace {
 
 constexpr std::uint32_t kReplacement = 0xFFFD;
@@ -18,7 +18,7 @@ std::string escapeXml(std::string_view text) {
     std::string escaped;
     escaped.reserve(text.size());
     while (!text.empty()) {
-        const base::Character next = base::firstCharacter(text);
+        const Character next = firstCharacter(text);
         switch (next.code) {
             case '&':
                 escaped += "&amp;";
@@ -36,11 +36,11 @@ std::string escapeXml(std::string_view text) {
                 escaped += "&#39;";
                 break;
             default:
-                base::appendUtf8(escaped, isXmlCharacter(next.code) ? next.code : kReplacement);
+                appendUtf8(escaped, isXmlCharacter(next.code) ? next.code : kReplacement);
         }
         text.remove_prefix(next.bytes);
     }
     return escaped;
 }
 
-}  // namespace glibra::suite
+}  // namespace glibra::base
