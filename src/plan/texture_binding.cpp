@@ -232,7 +232,7 @@ std::optional<Diagnostic> bindingProblem(const scene::Scene& scene, const Progra
     const bool isImage = uniform.type.base == BaseType::image;
     const auto format = formatOf(texture);
     const bool isDepth = format && hasDepth(*format);
-    if (isImage && (isDepth || texture.isSrgb || format == base::TexelFormat::srgb8_alpha8))
+    if (isImage && (texture.isSrgb || (format && !base::isImageFormat(*format))))
         return say("; images take neither depth nor sRGB");
     if (isImage && texture.samples > 1) return say("; images take no samples");
     const auto declared = isImage ? imageFormatOf(interface, uniform) : std::nullopt;

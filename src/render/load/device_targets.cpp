@@ -49,7 +49,7 @@ PictureLayout layoutOf(gpu::TexelFormat format) {
     // Pictures of two components would be grey and alpha.
     layout.components = hasDepth(format) ? 1 : row.components == 2 ? 3 : row.components;
     if (row.kind == base::TexelClass::normalized) {
-        const bool isBytes = row.bytes == row.components && format != gpu::TexelFormat::rgb10_a2;
+        const bool isBytes = row.bits == 8;
         layout.type = isBytes ? image::Component::u8 : image::Component::u16;
         layout.texels = isBytes ? gpu::TexelType::u8 : gpu::TexelType::u16;
     }
