@@ -231,7 +231,6 @@ std::optional<Diagnostic> bindingProblem(const scene::Scene& scene, const Progra
     const SamplerType type = samplerTypeOf(uniform.type.word);
     const bool isImage = uniform.type.base == BaseType::image;
     const auto format = formatOf(texture);
-    const bool isDepth = format && hasDepth(*format);
     if (isImage && (texture.isSrgb || (format && !base::isImageFormat(*format))))
         return say("; images take neither depth nor sRGB");
     if (isImage && texture.samples > 1) return say("; images take no samples");
