@@ -340,6 +340,7 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"suite-E23",
      "the goldens of 'Oval' and 'oval' would be one file on disks that ignore upper and lower case; rename "
      "one"},
+    {"suite-E30", "cannot serve a page: the module that speaks HTTP is not installed"},
     {"suite-W01", "this is not a line of accepted pixels; it is ignored"},
     // Results of suites
     {"result-E01", "this is not a line of results: 'verdict': there is no verdict 'good'"},
