@@ -59,6 +59,8 @@ ORDER = {
     },
     "suite": {
         "": set(),
+        "module": set(),
+        "serve": {"", "module"},
         "options": {""},
         "file": {"", "options"},
         "golden": {"", "options", "file"},

@@ -3,7 +3,7 @@
 # its own; one that fails ends the calling script, which has done `set -eu` and stands in the repository root.
 # shellcheck shell=sh disable=SC2034
 
-# What every build needs, then what each part needs besides (parts: window, images, bench; see CMakeLists.txt). A name that
+# What every build needs, then what each part needs besides (parts: window, images, bench, server; see CMakeLists.txt). A name that
 # ends with a question mark is installed where the system has it: Mesa 25.1 and later have no OSMesa, and Chromium is a snap
 # on Ubuntu.
 core_packages="g++ cmake ninja-build ccache pkg-config python3-glad libglm-dev libfmt-dev libcli11-dev
@@ -12,6 +12,7 @@ core_packages="g++ cmake ninja-build ccache pkg-config python3-glad libglm-dev l
 window_packages="libglfw3-dev libimgui-dev libstb-dev fonts-dejavu-core"
 images_packages="libopenimageio-dev libopenexr-dev libwebp-dev"
 bench_packages="libboost-dev"
+server_packages="libcpp-httplib-dev"
 # What tools/package-portable needs besides.
 portable_packages="patchelf xz-utils"
 # What tools/package needs besides.

@@ -251,7 +251,15 @@ std::string grid(const std::string& cards) {
 
 }  // namespace
 
-std::string classPage(const Classroom& room) {
+std::string_view classScript() {
+    return class_page::class_js();
+}
+
+std::string_view gradeScript() {
+    return class_page::grade_js();
+}
+
+std::string classPage(const Classroom& room, bool serves) {
     SourceLines sources;
     const std::string failed =
         section("failed", "Not drawn, or nothing to see", grid(cardsHtml(room, false, sources)));
@@ -268,6 +276,8 @@ std::string classPage(const Classroom& room) {
         {"runDetails", detailsHtml(room)},
         {"style", std::string(report_page::report_css()) + std::string(class_page::class_css())},
         {"parts", parts},
+        {"connect", serves ? "; connect-src 'self'" : ""},
+        {"scripts", serves ? "\n<script src=\"grade.js\" defer></script>" : ""},
         {"reference",
          hasReference(room) ? section("reference", "Reference", referenceHtml(room, sources)) : ""},
         {"referenceLink", hasReference(room) ? "<a href=\"#reference\">Reference</a> " : ""},

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "base/contained.h"
 #include "classroom/classroom.h"
@@ -18,7 +19,11 @@ inline constexpr std::size_t kMostListedPairs = 50;
 /// The page as HTML. Nothing on it needs its script, which compares pictures and sorts the table. The
 /// passages of similar submissions are read from their own folders (and no link is followed); a passage whose
 /// file cannot be read is named without its text.
-std::string classPage(const Classroom& classroom);
+/// `serves`: for a server (cli/class_serve.h), to which points and comments are sent.
+std::string classPage(const Classroom& classroom, bool serves = false);
+/// The scripts that the page names: class.js, and grade.js if it is served.
+std::string_view classScript();
+std::string_view gradeScript();
 
 /// What is written besides the page and the table.
 struct SiteFiles {

@@ -19,6 +19,7 @@
 #include "classroom/roster.h"
 #include "classroom/rubric.h"
 #include "classroom/submissions.h"
+#include "cli/class_serve.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/interruption.h"
@@ -45,7 +46,7 @@ struct ClassArguments {
     classroom::GradeBook book = classroom::GradeBook::none;
     std::vector<std::string> templates;
     int common = 0;
-    bool studentPages = false, isAnonymous = false;
+    bool studentPages = false, isAnonymous = false, serves = false;
     std::vector<double> times;
     std::vector<std::string> sweeps;
     SiteOptions made{.site = "glibra-class"};
@@ -310,6 +311,16 @@ int runClassCommand(const ClassArguments& arguments, const std::string& command)
     mark(input, room);
     if (const int status = writeFiles(arguments, input, room); status != kDone) return status;
     report(room, plan.site);
+    if (arguments.serves) {
+        const int status = serveClass({.room = room,
+                                       .own = input.own,
+                                       .site = plan.site,
+                                       .isAnonymous = arguments.isAnonymous,
+                                       .mark = [&] { mark(input, room); },
+                                       .write = [&] { return writeFiles(arguments, input, room) == kDone; },
+                                       .stop = [&] { return interruption.signal() != 0; }});
+        if (status != kDone) return status;
+    }
     const std::vector<classroom::Submission>& all = plan.submissions.all;
     const bool isWhole = std::none_of(all.begin(), all.end(),
                                       [](const classroom::Submission& each) { return each.isUnlisted; });
@@ -366,6 +377,10 @@ void addClass(CommandLine& program, int& status) {
     addNameOptions(command, to);
     command.flag("--student-pages", to.studentPages,
                  "also writes a page for each student, to send back, without the others");
+    command.flag(
+        "--serve", to.serves,
+        "then serves the page on this machine alone, so that points and comments can be typed on it; "
+        "Ctrl-C ends it");
     command.flag("--anonymous", to.isAnonymous, "the page has numbers for names; names.csv says which");
     command.repeated(
         "--template", to.templates,

@@ -1,5 +1,5 @@
 # cmake --install, in components:
-#   runtime  the programs, the module for picture formats, example scenes with all that they read, manual pages, what shells
+#   runtime  the programs, their modules, example scenes with all that they read, manual pages, what shells
 #            complete with, and the window's entry for desktops
 #   library  the shared library
 #   devel    its headers, CMake package and pkg-config file
@@ -36,6 +36,9 @@ foreach(target glibra_window glibra_bench_program)
 endforeach()
 if(TARGET glibra_openimageio)
     install(TARGETS glibra_openimageio LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/glibra COMPONENT runtime)
+endif()
+if(TARGET glibra_server)
+    install(TARGETS glibra_server LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/glibra COMPONENT runtime)
 endif()
 # The example scenes with all they read, as a library root; the shaders that glibra itself draws with, for reading; and the
 # samples of README.md and of the pages.
