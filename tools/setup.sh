@@ -7,7 +7,7 @@
 # ends with a question mark is installed where the system has it: Mesa 25.1 and later have no OSMesa, and Chromium is a snap
 # on Ubuntu.
 core_packages="g++ cmake ninja-build ccache pkg-config python3-glad libglm-dev libfmt-dev libcli11-dev
- nlohmann-json3-dev libtomlplusplus-dev libdeflate-dev libspng-dev libxxhash-dev libegl1 libegl-mesa0 libgl1-mesa-dri
+ nlohmann-json3-dev libtomlplusplus-dev libdeflate-dev libspng-dev libminizip-dev libxxhash-dev libegl1 libegl-mesa0 libgl1-mesa-dri
  libosmesa6?"
 window_packages="libglfw3-dev libimgui-dev libstb-dev fonts-dejavu-core"
 images_packages="libopenimageio-dev libopenexr-dev libwebp-dev"

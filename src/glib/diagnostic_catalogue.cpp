@@ -340,6 +340,10 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"suite-E23",
      "the goldens of 'Oval' and 'oval' would be one file on disks that ignore upper and lower case; rename "
      "one"},
+    {"suite-E24", "the check asks for uses and avoids; each check asks for one thing"},
+    {"suite-E25", "there are two checks 'is drawn'"},
+    {"suite-E26", "the check 'changes with uAd': no two pictures differ in 'uAd' alone; --sweep draws them"},
+    {"suite-E27", "this is no file of marks: unexpected end of input"},
     {"suite-E30", "cannot serve a page: the module that speaks HTTP is not installed"},
     {"suite-W01", "this is not a line of accepted pixels; it is ignored"},
     // Results of suites
