@@ -58,7 +58,7 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"glib-W21", "uAd: current value 1 is outside .01 ... .5; it is kept"},
     {"glib-W22", "uA: minimum .1 is above maximum .01; they are exchanged"},
     {"glib-W23", "no shader of 'Dots' has a uniform 'ushrink'; did you mean 'uShrink'?"},
-    {"glib-W24", "uniform 'uKs' is declared but unused, so the tag has no effect"},
+    {"glib-W24", "uniform 'uKs' is declared in 'Lit' but unused, so its value has no effect"},
     {"glib-W25", "glibra supplies 'Timer'; set its period with the command 'Timer 10'"},
     {"glib-W26", "Color: component 2 outside 0..1, kept"},
     {"glib-W27", "10.5 is cut to 10"},
@@ -78,6 +78,7 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"glib-W40",
      "'k' is a counter or parameter here; from this Let on to the end of the scope, 'k' is the variable of "
      "the scene; choose another name"},
+    {"glib-W44", "Camera 'eye' stands after everything that is drawn, so nothing is seen by it; move it up"},
     {"glib-N01", "MessageBox: Move the scene back"},
     {"glib-N02", "Sphere: 3719 vertices, 7080 triangles, program 'Dots'"},
     // Expressions
@@ -365,9 +366,11 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"check-W01", "Expect pixel 10 20 [1 0 0] is not answered: group 'row' is not drawn"},
     {"check-N01",
      "Expect pixel 10 20 [1 0 0] is not answered: the condition of the When on line 12 is false"},
+    {"check-N02", "Particles[3]: 0.5 1 0 1"},
     // Run time against error
     {"bench-E01", "unknown subject 'primitve'; did you mean 'primitives'?"},
     {"bench-E02", "this is not a run of glibra bench; --against takes its bench.json"},
+    {"bench-E03", "--sweep 'steps': expected a name and its values, as steps=[8,16,32]"},
     // The window
     {"view-E01", "the value of 'uKd' is no longer at this place; reload the scene"},
     {"view-E02",

@@ -257,9 +257,8 @@ void useNamed(const scene::Scene& scene, const scene::TextureView& view, const V
     if (texelsOf(texture) != BaseType::floating)
         use.sampler.filter =
             use.sampler.readsMipmaps() ? base::Filter::nearestMipmapNearest : base::Filter::nearest;
-    const bool isWrapped = std::any_of(use.sampler.wrap.begin(), use.sampler.wrap.end(),
-                                       [](base::Wrap each) { return each != base::Wrap::repeat; });
-    if (use.compares && !isWrapped) {
+    // A depth texture has its wrapping, stated or not.
+    if (use.compares && view.sampler && !scene.samplers[view.sampler].statesWrap) {
         use.sampler.wrap.fill(base::Wrap::clampToBorder);
         use.sampler.border.fill(1);
     }

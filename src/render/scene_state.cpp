@@ -82,6 +82,7 @@ Diagnostics SceneRenderer::State::preparePlan(Stats& stats, bool everything) {
         for (const scene::Check& check : scene.checks)
             for (const scene::BufferIndex each : check.reads)
                 planOptions.roots.emplace_back(scene::BufferView{each});
+    for (const scene::Print& each : scene.prints) planOptions.roots.emplace_back(each.buffer);
     planOptions.everything = everything || !options.skip;
     planOptions.shareMeshes = options.skip;
     planOptions.reportsNames = scene.once.empty() && scene.steps.empty();

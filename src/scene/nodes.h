@@ -157,7 +157,7 @@ struct Check {
     enum class Kind {
         pixel,       ///< `numbers` x y; all pixels count from the lower left corner
         mean,        ///< `numbers` x y width height
-        count,       ///< `numbers` n: pixels of the colour `wanted`
+        count,       ///< `numbers` least and largest: pixels of the colour `wanted`
         buffer,      ///< `numbers` empty or the index of the first element
         range,       ///< `numbers` least and largest
         sum,         ///< `wanted` per component
@@ -186,6 +186,15 @@ struct Check {
     /// and Include statements that lead to it. No two checks have equal places and paths.
     std::vector<std::size_t> path{};
     [[nodiscard]] bool isSame(const Check& check) const { return place == check.place && path == check.path; }
+};
+
+/// A Print statement.
+struct Print {
+    Place place;
+    BufferView buffer;
+    std::string name;  ///< of the buffer, as written
+    std::uint64_t first = 0;
+    std::uint64_t count = 0;  ///< elements; 0: all
 };
 
 /// An Expect statement that has not run.
@@ -252,6 +261,8 @@ struct StepBlock {
     Place place;
     NodeList nodes;
     bool dependsOnTick = false;  ///< the nodes of another tick may have other values
+    /// The values after `reset`. Where they differ from those at the step before, the block begins anew.
+    std::vector<double> resets{};
     /// The camera of a Fill changes with the tick, which matters if the program of the Fill reads it.
     bool fillsDependOnTick = false;
 };

@@ -124,6 +124,7 @@ struct Sampler {
     std::string name;
     base::SamplerState state;
     Place place;
+    bool statesWrap = false;  ///< otherwise what compares reads 1 outside of a texture
 };
 
 /// Memory that shaders read and write.

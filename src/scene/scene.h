@@ -55,7 +55,9 @@ struct Scene : Declarations {
     NodeList frame;                ///< the last content of the window is the picture
     std::vector<OnceBlock> once;   ///< before the frame; what they write lasts
     std::vector<StepBlock> steps;  ///< between Once and the frame; what they write lasts
+    std::map<std::string, FileReference, std::less<>> glslTexts;  ///< of Glsl statements, by name
     std::vector<Check> checks;
+    std::vector<Print> prints;
     std::vector<IdleCheck> idleChecks;
     std::vector<KeyBinding> keys;
     std::vector<std::string> messages;      ///< of the MessageBox statements that ran

@@ -213,6 +213,7 @@ std::span<const CommandAction> vertexActions();     // modern/draws.cpp
 std::span<const CommandAction> bufferActions();     // modern/buffers.cpp
 std::span<const CommandAction> blockActions();      // modern/blocks.cpp
 std::span<const CommandAction> keyActions();        // modern/keys.cpp
+std::span<const CommandAction> meshActions();       // modern/meshes.cpp
 std::span<const CommandAction> checkActions();      // modern/checks.cpp
 
 /// The action of a command; null if there is none.

@@ -75,6 +75,7 @@ constexpr Specimen kSpecimens[] = {
     {"TessEvaluation inline", "void main() {}\nEndTessEvaluation\nBox\n"},
     {"Geometry inline", "void main() {}\nEndGeometry\nBox\n"},
     {"Fragment inline", "void main() {}\nEndFragment\nProgram Own\nUse Own\nBox\n"},
+    {"Glsl shared inline", "float f() { return 1.; }\nEndGlsl\nBox\n"},
     {"Program Lit uA (2*speed) uMap albedo uList [3 of (i)]", "Use Lit\nBox\nBox\nFill window with Lit\n"},
     {"Use Flat", "Box\n"},
     {"Key k mode plain lit", "Box\n"},
@@ -108,6 +109,7 @@ constexpr Specimen kSpecimens[] = {
     {"Pass slices.layer(1).level(1)", "    Box\nEndPass\n"},
     {"EndPass", "Box\n", "Pass window\n"},
     {"Fill albedo with Flat uGain 2", "Box\n"},
+    {"Fill albedo second with Flat", "Box\n"},
     {"Clear color depth stencil", "Box\n"},
     {"Clear counts", "Box\n"},
     {"Viewport 0 0 .5 1", "Box\n"},
@@ -137,6 +139,8 @@ constexpr Specimen kSpecimens[] = {
      "Expect buffer values [1 2 3]\nSet uBuffer values\nBox (values.count)\n"},
     {"Buffer values vec3 4 (vec3(i, 0, 0)) history", "Set uBuffer values.prev\nBox\n"},
     {"Buffer values float [1 2 3]", "Dispatch Count over values\nBox\n"},
+    {"Mesh ball Sphere 1 8 4", "Set uBuffer ball.position\nBox (ball.vertices)\nPrint ball.index\n"},
+    {"Mesh cow Obj part.obj", "Attribute aTint cow.normal\nBox (cow.primitives)\n"},
     {"Compute b.comp", "Program Other\nDispatch Other 1 1 1\n"},
     {"Compute inline", "void main() {}\nEndCompute\nProgram Other\nDispatch Other 1 1 1\n"},
     {"Dispatch Count 4 2 1 tiles 2", "Box\n"},
@@ -147,10 +151,12 @@ constexpr Specimen kSpecimens[] = {
     {"Once", "    Clear counts\nEndOnce\n"},
     {"EndOnce", "Box\n", "Once\n"},
     {"Step 10", "    Clear counts\nEndStep\n"},
+    {"Step 10 reset (speed) sun mode", "    Clear counts\nEndStep\n"},
     {"EndStep", "Box\n", "Step 10\n"},
     {"Expect pixel 1 2 [1 0 0] within .1 of albedo at 2", "Box\n"},
     {"Expect mean 0 0 4 4 [1 0 0] within .1 of albedo", "Box\n"},
     {"Expect count [1 0 0] 5 of albedo", "Box\n"},
+    {"Expect count [1 0 0] 5 7 of albedo", "Box\n"},
     {"Expect buffer counts [1 2] within .5", "Box\n"},
     {"Expect buffer counts at 2 [1 2] at 1", "Box\n"},
     {"Expect range points 0 1", "Box\n"},
@@ -162,6 +168,8 @@ constexpr Specimen kSpecimens[] = {
     {"Expect samples 12", "Box\n"},
     {"Expect error glib-E26", "Instances -1\nBox\n"},
     {"Expect (counts[0] == 4)", "Box\n"},
+    {"Print counts", "Box\n"},
+    {"Print counts 0 2", "Box\n"},
 };
 
 /// A piece of a statement: a word, a number, or a bracket with what stands in it.
@@ -207,6 +215,7 @@ class Statements : public testing::Test {
   protected:
     void SetUp() override {
         folder_.write("part.glib", "Translate 1 0 0\nBox\n");
+        folder_.write("part.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
         for (const char* name : {"a.frag", "a.comp", "b.comp"}) folder_.write(name, "void main() {}\n");
     }
 

@@ -64,27 +64,51 @@ void markFront(Figure& figure) {
     for (auto& [key, points] : groups) markFrontBy(std::move(points), cost);
 }
 
-Report run(std::span<const Subject* const> chosen, const BenchOptions& options, const Progress& progress) {
-    using Clock = std::chrono::steady_clock;
+namespace {
+
+/// A report without subjects.
+Report begin(Bench& bench, const BenchOptions& options) {
     Report report;
     report.quick = options.quick;
     report.date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
     report.machine = describeMachine();
-    Bench bench(options);
     nameDriver(report.machine, bench);
+    return report;
+}
+
+template <class Measure>
+void add(Report& report, Bench& bench, std::string_view name, std::string_view title,
+         const Measure& measure) {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point start = Clock::now();
+    Result<std::vector<Figure>> measured = measure(bench);
+    SubjectRun& done = report.subjects.emplace_back();
+    done.name = name;
+    done.title = title;
+    done.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    if (measured) done.figures = std::move(*measured);
+    done.diagnostics = std::move(measured.diagnostics);
+    for (Figure& figure : done.figures) markFront(figure);
+}
+
+}  // namespace
+
+Report run(std::span<const Subject* const> chosen, const BenchOptions& options, const Progress& progress) {
+    Bench bench(options);
+    Report report = begin(bench, options);
     for (std::size_t i = 0; i < chosen.size(); ++i) {
-        const Subject& subject = *chosen[i];
-        progress(subject, i, chosen.size());
-        const Clock::time_point start = Clock::now();
-        Result<std::vector<Figure>> measured = subject.measure(bench);
-        SubjectRun& done = report.subjects.emplace_back();
-        done.name = subject.name;
-        done.title = subject.title;
-        done.seconds = std::chrono::duration<double>(Clock::now() - start).count();
-        if (measured) done.figures = std::move(*measured);
-        done.diagnostics = std::move(measured.diagnostics);
-        for (Figure& figure : done.figures) markFront(figure);
+        progress(*chosen[i], i, chosen.size());
+        add(report, bench, chosen[i]->name, chosen[i]->title, chosen[i]->measure);
     }
+    return report;
+}
+
+Report runOne(const std::string& name, const std::string& title,
+              const std::function<Result<std::vector<Figure>>(Bench&)>& measure,
+              const BenchOptions& options) {
+    Bench bench(options);
+    Report report = begin(bench, options);
+    add(report, bench, name, title, measure);
     return report;
 }
 

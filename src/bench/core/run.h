@@ -3,6 +3,8 @@
 
 #include <functional>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "bench/core/report.h"
 #include "bench/core/subject.h"
@@ -23,6 +25,10 @@ using Progress = std::function<void(const Subject& subject, std::size_t index, s
 /// If a subject fails, its errors are in SubjectRun::diagnostics, beside what it could measure; the other
 /// subjects still run. Report::glibra stays empty.
 Report run(std::span<const Subject* const> chosen, const BenchOptions& options, const Progress& progress);
+
+/// Measures one thing that is not in the table of subjects.
+Report runOne(const std::string& name, const std::string& title,
+              const std::function<Result<std::vector<Figure>>(Bench&)>& measure, const BenchOptions& options);
 
 /// True if a subject failed because no driver could be opened (gpu-E01).
 bool lacksDriver(const Report& report);

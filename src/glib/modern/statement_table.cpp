@@ -132,6 +132,11 @@ constexpr StatementRow kStatementRows[] = {
      .syntax = "inline",
      .summary = "a fragment shader in the script, up to EndFragment",
      .standing = Standing::declaration},
+    {.id = CommandId::glslText,
+     .name = "Glsl",
+     .syntax = "name:name inline",
+     .summary = "GLSL in the script that shaders of the scene include by this name, up to EndGlsl",
+     .standing = Standing::declaration},
     {.id = CommandId::program,
      .name = "Program",
      .syntax = "name:program pairs",
@@ -228,8 +233,8 @@ constexpr StatementRow kStatementRows[] = {
      .opener = CommandId::pass},
     {.id = CommandId::fill,
      .name = "Fill",
-     .syntax = "target:object with program:program pairs",
-     .summary = "fills a target with one full-screen triangle",
+     .syntax = "targets:object... with program:program pairs",
+     .summary = "fills targets with one full-screen triangle",
      .standing = Standing::notInPass},
     {.id = CommandId::clearParts,
      .name = "Clear",
@@ -281,6 +286,12 @@ constexpr StatementRow kStatementRows[] = {
      .summary = "a buffer with a name",
      .standing = Standing::declaration,
      .declaresName = true},
+    {.id = CommandId::mesh,
+     .name = "Mesh",
+     .syntax = "name:name shape:word (sizes:number... | [file:file])",
+     .summary = "the vertices and indices of a shape as buffers, NAME.position and so on",
+     .standing = Standing::declaration,
+     .declaresName = true},
     {.id = CommandId::compute,
      .name = "Compute",
      .syntax = "(inline | file:file)",
@@ -303,8 +314,8 @@ constexpr StatementRow kStatementRows[] = {
      .opener = CommandId::once},
     {.id = CommandId::step,
      .name = "Step",
-     .syntax = "rate:number",
-     .summary = "statements that run `rate` times per second of scene time",
+     .syntax = "rate:number [reset values:any...]",
+     .summary = "statements that run `rate` times per second of scene time, anew when the values change",
      .role = BlockRole::opens,
      .standing = Standing::outermost},
     {.id = CommandId::endStep,
@@ -316,7 +327,7 @@ constexpr StatementRow kStatementRows[] = {
     {.id = CommandId::expect,
      .name = "Expect",
      .syntax = "(pixel place:number*2 color:components $tolerance | mean area:number*4 color:components "
-               "$tolerance | count color:components number:number $tolerance | buffer name:object (at "
+               "$tolerance | count color:components number:number+2 $tolerance | buffer name:object (at "
                "index:number values:list | values:list) $within | range name:object bounds:number*2 | sum "
                "name:object (values:list | total:number) $within | "
                "same a:object b:object $within | different a:object b:object $within | finite name:object | "
@@ -324,6 +335,10 @@ constexpr StatementRow kStatementRows[] = {
                "condition:expression) [at "
                "seconds:number]",
      .summary = "a check of the picture, a buffer, a count or a condition"},
+    {.id = CommandId::print,
+     .name = "Print",
+     .syntax = "(buffer:object [range:number+2] | value:expression) [at seconds:number]",
+     .summary = "reports elements of a buffer, or the value of an expression"},
 };
 
 /// The rows whose words begin with a letter, for a quick answer to words that are none.

@@ -23,8 +23,9 @@ struct StageSource {
 
 /// A file that an #include names.
 struct IncludedFile {
-    std::string path;
+    std::string path;  ///< that messages name
     std::string text;
+    std::string id{};  ///< tells texts of one path apart, in messages too; empty: the path does
 };
 /// Finds the file that `includingPath` includes as `name`; nothing if there is no such file.
 using IncludeReader =

@@ -238,6 +238,11 @@ glsl::ProgramRequest ProgramLibrary::request(const plan::ProgramVariant& variant
     }
     request.include = [this, program = variant.program](
                           std::string_view name, std::string_view from) -> std::optional<glsl::IncludedFile> {
+        if (const auto given = scene_.glslTexts.find(name); given != scene_.glslTexts.end()) {
+            noteIfHidden(program, given->second.path.string());
+            return glsl::IncludedFile{given->second.path.string(), *given->second.text,
+                                      fmt::format("Glsl {} (line {})", name, given->second.place.line)};
+        }
         const scene::FileReference found = scene::findInclude(
             name, from, scene_.path, {options_.libraryRoots, options_.within, options_.texts}, listings_);
         if (found.path.empty()) return std::nullopt;
@@ -300,10 +305,14 @@ void ProgramLibrary::build(const plan::ProgramVariant& variant, BuiltProgram& bu
     if (translation.program) {
         translated = *translation.program;
         for (Diagnostic& each : translated.diagnostics)
-            if (variant.isFill && each.id == "glsl-W11")
+            if (each.id != "glsl-W11")
+                continue;
+            else if (variant.isFill)
                 each.text +=
                     "; Fill leaves out the stages before an earlier Program, so write them again "
                     "before this one";
+            else if (translated.suppliesVertexStage && each.suggestion.empty())
+                each.text += "; the vertex stage that covers the target gives vST alone";
         append(diagnostics, std::move(translated.diagnostics));
     }
     if (!hasError(diagnostics)) {

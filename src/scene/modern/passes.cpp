@@ -348,12 +348,16 @@ void doPass(Interpreter& in, const Command& command) {
 void doFill(Interpreter& in, const Command& command) {
     if (!mayBegin(in, command)) return;
     const KeyedValues* with = command.key("with");
-    const auto targets = TargetReader(in, command).read(std::span(command.values).first(1));
+    const auto targets = TargetReader(in, command).read(command.values);
     if (!targets || with == nullptr) return;
     if (targets->depth) {
+        const auto depth = std::find_if(command.values.begin(), command.values.end(), [&](const Value& each) {
+            const auto view = textureNamed(in, each);
+            return view && base::hasDepth(formatOf(in, *view));
+        });
         in.report(diagnose("glib-E11",
                            fmt::format("{}: a depth texture has no colours to fill", command.word),
-                           in.script->place(command.values.front().position)));
+                           in.script->place(depth->position)));
         return;
     }
     const auto program = programNamed(in, with->values.front(), false);

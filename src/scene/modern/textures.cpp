@@ -434,7 +434,9 @@ void doSampler(Interpreter& in, const Command& command) {
     if (!declareName(in, command, name, DeclaredName::Kind::sampler)) return;
     const auto options = readOptions(in, command, 3);
     if (!options) return;
-    setObject(in, name, in.scene.samplers.add({name, stateOf(*options, {}), in.place(command)}));
+    setObject(
+        in, name,
+        in.scene.samplers.add({name, stateOf(*options, {}), in.place(command), !options->wraps.empty()}));
 }
 
 constexpr CommandAction kObjectActions[] = {

@@ -25,7 +25,9 @@ Diagnostics LiveScene::State::prepare(State* previous) {
 
 /// Interprets the scene for other inputs, if it depends on what has changed, and plans it.
 bool LiveScene::State::moveTo(const scene::FrameInputs& wanted, Diagnostics& diagnostics) {
-    const bool variablesDiffer = wanted.variables != inputs.variables;
+    // A step may read the size of the window.
+    const bool variablesDiffer = wanted.variables != inputs.variables || wanted.width != inputs.width ||
+                                 wanted.height != inputs.height;
     if (!interpret(wanted, diagnostics, drawStats)) return false;
     cameras = source->cameras();
     lookThrough();
