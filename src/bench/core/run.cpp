@@ -10,21 +10,41 @@
 #include <utility>
 
 #include "bench/core/machine.h"
+#include "bench/core/recommendation.h"
 
 namespace glibra::bench {
 namespace {
 
-using Cost = double (*)(const Point&);
+/// Times within this share of each other are equal, however often they were measured: a driver's next version
+/// changes them by more.
+constexpr double kSameTime = .02;
 
-/// Visits the points in rising cost: a point is on the front if it is more accurate than all before it. Equal
-/// points are on it together.
-void markFrontBy(std::vector<Point*> points, Cost cost) {
-    std::ranges::sort(points, {}, [&](const Point* each) { return std::pair(cost(*each), each->error); });
-    const Point* best = nullptr;
+struct Cost {
+    double low, high;
+};
+
+Cost timeOf(const Point& point) {
+    return {std::min(point.time->low, point.time->median),
+            std::max(point.time->high, point.time->median) * (1 + kSameTime)};
+}
+
+Cost settingOf(const Point& point) {
+    return {point.setting, point.setting};
+}
+
+/// Visits the points in falling accuracy: a point is on the front if none of those that are on it, which are
+/// more accurate, is as cheap. Times whose spreads overlap are equally cheap. Of equally accurate points a
+/// cheaper one takes the place of the others.
+void markFrontBy(std::vector<Point*> points, Cost (*cost)(const Point&)) {
+    std::ranges::sort(points, {}, [&](const Point* each) { return std::pair(each->error, cost(*each).low); });
+    std::vector<const Point*> front;
     for (Point* each : points) {
-        const bool isEqual = best && cost(*each) == cost(*best) && each->error == best->error;
-        each->isOnFront = !best || isEqual || each->error < best->error;
-        if (each->isOnFront) best = each;
+        const Cost own = cost(*each);
+        each->isOnFront = std::ranges::none_of(front, [&](const Point* other) {
+            const Cost its = cost(*other);
+            return other->error < each->error ? its.low <= own.high : its.high < own.low;
+        });
+        if (each->isOnFront) front.push_back(each);
     }
 }
 
@@ -47,8 +67,7 @@ bool isTimed(const Figure& figure) {
 }
 
 void markFront(Figure& figure) {
-    const Cost cost = isTimed(figure) ? Cost([](const Point& each) { return each.time->median; })
-                                      : Cost([](const Point& each) { return each.setting; });
+    const auto cost = isTimed(figure) ? timeOf : settingOf;
     const bool hasFront = figure.alternatives != Alternatives::none;
     // Points with equal keys are alternatives.
     std::map<double, std::vector<Point*>> groups;
@@ -83,7 +102,11 @@ Report run(std::span<const Subject* const> chosen, const BenchOptions& options, 
         done.seconds = std::chrono::duration<double>(Clock::now() - start).count();
         if (measured) done.figures = std::move(*measured);
         done.diagnostics = std::move(measured.diagnostics);
-        for (Figure& figure : done.figures) markFront(figure);
+        for (Figure& figure : done.figures) {
+            markFront(figure);
+            if (std::string advice = recommendation(figure); !advice.empty())
+                figure.findings.push_back(std::move(advice));
+        }
     }
     return report;
 }

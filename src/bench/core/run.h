@@ -14,7 +14,9 @@ namespace glibra::bench {
 bool isTimed(const Figure& figure);
 
 /// Sets Point::isOnFront: no alternative to the point is at least as cheap and as accurate, and better in one
-/// of the two. A point without an error is never on a front.
+/// of the two. Times are equally cheap if their spreads (25 to 75 %) overlap or they differ by less than 2 %,
+/// so that a point that is only a little faster does not excuse a large error. A point without an error is
+/// never on a front.
 void markFront(Figure& figure);
 
 /// Called before each subject, with its index from 0 and the number of subjects.
