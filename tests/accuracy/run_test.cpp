@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "bench/core/fit.h"
+#include "bench/core/front.h"
 #include "bench/core/recommendation.h"
 #include "bench/report/log_axis.h"
 #include "bench/subjects/subjects.h"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "bench/core/fit.h"
-#include "bench/core/run.h"
+#include "bench/core/front.h"
 
 namespace glibra::bench {
 namespace {

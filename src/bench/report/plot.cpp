@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bench/core/fit.h"
-#include "bench/core/run.h"
+#include "bench/core/front.h"
 #include "bench/report/log_axis.h"
 
 namespace glibra::bench {
