@@ -11,14 +11,6 @@
 
 namespace glibra::bench {
 
-/// True if the cost on a front is the median time, because every point with an error has one. Otherwise the
-/// setting is the cost.
-bool isTimed(const Figure& figure);
-
-/// Sets Point::isOnFront: no alternative to the point is at least as cheap and as accurate, and better in one
-/// of the two. A point without an error is never on a front.
-void markFront(Figure& figure);
-
 /// Called before each subject, with its index from 0 and the number of subjects.
 using Progress = std::function<void(const Subject& subject, std::size_t index, std::size_t count)>;
 

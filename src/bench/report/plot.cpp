@@ -8,7 +8,7 @@
 
 #include "base/escape_xml.h"
 #include "bench/core/fit.h"
-#include "bench/core/run.h"
+#include "bench/core/front.h"
 #include "bench/report/log_axis.h"
 
 namespace glibra::bench {

@@ -19,6 +19,13 @@
 #include "suite/module/abi.h"
 
 namespace glibra::suite {
+
+/// The functions of the module. A member of LoopbackServer::State, so it has a name outside of this file.
+struct ServerModule {
+    GlibraServerOpen open = nullptr;
+    GlibraServerDo run = nullptr, stop = nullptr, close = nullptr;
+};
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -30,12 +37,7 @@ GlibraText plainOf(std::string_view text) {
     return {text.data(), text.size()};
 }
 
-struct Module {
-    GlibraServerOpen open = nullptr;
-    GlibraServerDo run = nullptr, stop = nullptr, close = nullptr;
-};
-
-Result<Module> loadModule(const std::vector<fs::path>& folders) {
+Result<ServerModule> loadServerModule(const std::vector<fs::path>& folders) {
     std::string why = "is not installed";
     for (const fs::path& folder : folders) {
         const fs::path file = folder / "glibra_server.so";
@@ -51,10 +53,10 @@ Result<Module> loadModule(const std::vector<fs::path>& folders) {
             why = fmt::format("is of another version of glibra: {}", file.string());
             continue;
         }
-        return Module{reinterpret_cast<GlibraServerOpen>(::dlsym(library, "glibraServerOpen")),
-                      reinterpret_cast<GlibraServerDo>(::dlsym(library, "glibraServerRun")),
-                      reinterpret_cast<GlibraServerDo>(::dlsym(library, "glibraServerStop")),
-                      reinterpret_cast<GlibraServerDo>(::dlsym(library, "glibraServerClose"))};
+        return ServerModule{reinterpret_cast<GlibraServerOpen>(::dlsym(library, "glibraServerOpen")),
+                            reinterpret_cast<GlibraServerDo>(::dlsym(library, "glibraServerRun")),
+                            reinterpret_cast<GlibraServerDo>(::dlsym(library, "glibraServerStop")),
+                            reinterpret_cast<GlibraServerDo>(::dlsym(library, "glibraServerClose"))};
     }
     return diagnose("suite-E30", "cannot serve a page: the module that speaks HTTP " + why);
 }
@@ -119,7 +121,7 @@ void sendReply(const WebReply& reply, void* target, GlibraSendReply send) {
 struct LoopbackServer::State {
     using Handlers = std::map<std::string, Handler, std::less<>>;
 
-    Module module;
+    ServerModule module;
     void* server = nullptr;
     int port = 0;
     std::string token;
@@ -233,7 +235,7 @@ LoopbackServer::~LoopbackServer() = default;
 
 Result<LoopbackServer> LoopbackServer::open(std::size_t largestBody,
                                             const std::vector<fs::path>& moduleFolders) {
-    auto module = loadModule(moduleFolders.empty() ? image::defaultModuleFolders() : moduleFolders);
+    auto module = loadServerModule(moduleFolders.empty() ? image::defaultModuleFolders() : moduleFolders);
     if (!module) return std::move(module.diagnostics);
     auto token = randomToken();
     if (!token) return diagnose("suite-E30", "cannot serve a page: the system gives no random numbers");
