@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "base/sandbox.h"
 #include "program.h"
 
 namespace glibra::test {
@@ -223,6 +224,30 @@ TEST_F(ClassInput, AnExportOfMoodleBecomesATableThatMoodleImports) {
     for (const char* each :
          {"Ana", "Cem", "like that of", "<script", "src=\"pictures", folder.path().c_str()})
         EXPECT_FALSE(contains(own, each)) << each;
+}
+
+TEST_F(ClassInput, ZipFilesAndFlatFilesAreDrawnInASandboxToo) {
+    writeScene("flat/", kReference);
+    for (const char* each : {"a.glib", "a.frag", "a.vert"})
+        folder.write(fmt::format("all/leeana_12_{}_{}", 30 + each[2], each),
+                     readFile(folder / ("flat/" + std::string(each))));
+    ASSERT_EQ(shell(folder / "flat",
+                    "python3 -m zipfile -c ../all/rayb_LATE_13_99_hand-in.zip a.glib a.frag a.vert")
+                  .status,
+              0);
+    ASSERT_EQ(shell(folder / "flat", "python3 -m zipfile -c ../all/cem.zip a.glib a.frag a.vert").status, 0);
+    std::vector<std::string> ways{""};
+    if (base::missingForSandbox().empty()) ways.emplace_back("--untrusted ");
+    for (const std::string& each : ways) {
+        const Finished done = run(each + "--names canvas --assignment 'P2 (7)'");
+        ASSERT_EQ(done.status, 0) << done.err;
+        auto table = grades();
+        for (const char* name : {"leeana", "rayb", "cem"})
+            EXPECT_EQ(table[name]["likeness"], "1.00000") << each << name << table[name]["reason"];
+        EXPECT_EQ(table["leeana"]["number"], "12");
+        EXPECT_TRUE(readFile(folder / "site/import-canvas.csv")
+                        .starts_with("Student,ID,SIS User ID,SIS Login ID,Section,P2 (7)\r\n"));
+    }
 }
 
 TEST_F(ClassInput, TheTeachersPointsSurviveANewRun) {
