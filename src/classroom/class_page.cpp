@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <set>
 #include <span>
@@ -29,8 +31,8 @@ namespace {
 namespace fs = std::filesystem;
 using suite::escapeXml;
 
-constexpr std::size_t kMostPassages = 10;      // of a pair
-constexpr std::size_t kMostPassageLines = 60;  // of a passage, on each side
+constexpr std::size_t kMostPassages = 30;  // of a pair
+constexpr int kMostLines = 400;            // of a file beside another one
 
 std::string anchor(std::size_t entry) {
     return fmt::format("s{:04}", entry + 1);
@@ -99,34 +101,46 @@ std::string cardHtml(const Classroom& room, std::size_t index, SourceLines& sour
     return html + factsHtml(room, entry) + "</article>\n";
 }
 
-/// One side of a passage.
-std::string sideHtml(const Entry& entry, const TokenPlace& place, std::size_t tokens, SourceLines& sources) {
-    const SourceFile& file = entry.files[place.file];
-    // Tokens are in normal form, so the first one need not be in the first line.
-    const auto begin = file.tokens.begin() + static_cast<std::ptrdiff_t>(place.token);
-    const auto [least, largest] =
-        std::minmax_element(begin, begin + static_cast<std::ptrdiff_t>(tokens),
-                            [](const SourceToken& a, const SourceToken& b) { return a.line < b.line; });
-    const int from = least->line, last = largest->line;
-    const int to = std::min(last, from + static_cast<int>(kMostPassageLines) - 1);
-    const std::string path = fs::path(file.path).lexically_relative(entry.submission.folder).string();
-    std::string html = fmt::format("<div><h4>{}, {}{} {}{}</h4>", nameHtml(entry.submission.name),
-                                   escapeXml(path.empty() ? file.path : path), ":", from,
-                                   last > from ? fmt::format(" to {}", last) : "");
-    const std::optional<std::vector<std::string>> lines =
-        sources.lines(entry.submission, file.path, from, to);
-    if (!lines) return html + "<p>the file cannot be read</p></div>";
-    html += "<div class=\"source\"><ol>";
-    for (std::size_t i = 0; i < lines->size(); ++i)
-        html += fmt::format("<li data-line=\"{}\">{}</li>", static_cast<std::size_t>(from) + i,
-                            escapeXml((*lines)[i]));
-    return html + "</ol></div></div>";
-}
-
 /// False for places that the tokens do not have: a worker may have sent anything.
 bool isInside(const Entry& entry, const TokenPlace& place, std::size_t tokens) {
     return tokens > 0 && place.file < entry.files.size() &&
            place.token + tokens <= entry.files[place.file].tokens.size();
+}
+
+/// For each file of one side the lines with tokens of passages, and the numbers of these.
+using MarkedLines = std::map<std::uint32_t, std::map<int, std::size_t>>;
+
+void markLines(const Entry& entry, const TokenPlace& place, std::size_t tokens, std::size_t number,
+               MarkedLines& marked) {
+    // Tokens are in normal form, so their lines may go back and forth.
+    for (std::size_t i = 0; i < tokens; ++i)
+        marked[place.file].try_emplace(entry.files[place.file].tokens[place.token + i].line, number);
+}
+
+/// The files of one side that have passages, with these marked.
+std::string sideHtml(const Entry& entry, const MarkedLines& marked, SourceLines& sources) {
+    std::string html = "<div>";
+    for (const auto& [index, lines] : marked) {
+        const SourceFile& file = entry.files[index];
+        const std::string path = fs::path(file.path).lexically_relative(entry.submission.folder).string();
+        html += fmt::format("<h4>{}, {}</h4>", nameHtml(entry.submission.name),
+                            escapeXml(path.empty() ? file.path : path));
+        const int last = std::max(kMostLines, lines.rbegin()->first);
+        const auto text = sources.lines(entry.submission, file.path, 1, std::min(last, 3 * kMostLines));
+        if (!text) {
+            html += "<p>the file cannot be read</p>";
+            continue;
+        }
+        html += "<div class=\"source\"><ol>";
+        for (std::size_t i = 0; i < text->size(); ++i) {
+            const auto mark = lines.find(static_cast<int>(i) + 1);
+            html += fmt::format("<li data-line=\"{}\"{}>{}</li>", i + 1,
+                                mark == lines.end() ? "" : fmt::format(" class=\"p{}\"", mark->second % 6),
+                                escapeXml((*text)[i]));
+        }
+        html += "</ol></div>";
+    }
+    return html + "</div>";
 }
 
 std::string pairHtml(const Classroom& room, const SimilarPair& pair, SourceLines& sources) {
@@ -142,13 +156,16 @@ std::string pairHtml(const Classroom& room, const SimilarPair& pair, SourceLines
                     nameHtml(b.submission.name), passages.size() > kMostPassages ? "more than " : "",
                     glib::counted(tokens, "equal token"));
     html += fmt::format("<p>{} and {}</p>", link(room, pair.a), link(room, pair.b));
+    MarkedLines ofA, ofB;
     for (std::size_t i = 0; i < std::min(passages.size(), kMostPassages); ++i) {
         const SharedPassage& each = passages[i];
-        if (isInside(a, each.a, each.tokens) && isInside(b, each.b, each.tokens))
-            html += "<div class=\"sides\">" + sideHtml(a, each.a, each.tokens, sources) +
-                    sideHtml(b, each.b, each.tokens, sources) + "</div>";
+        if (!isInside(a, each.a, each.tokens) || !isInside(b, each.b, each.tokens)) continue;
+        markLines(a, each.a, each.tokens, i, ofA);
+        markLines(b, each.b, each.tokens, i, ofB);
     }
-    if (passages.size() > kMostPassages) html += "<p>Shorter passages are not shown.</p>";
+    if (!ofA.empty())
+        html += "<div class=\"sides\">" + sideHtml(a, ofA, sources) + sideHtml(b, ofB, sources) + "</div>";
+    if (passages.size() > kMostPassages) html += "<p>Shorter passages are not marked.</p>";
     return html + "</details>\n";
 }
 

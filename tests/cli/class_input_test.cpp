@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "base/sandbox.h"
 #include "program.h"
 
 namespace glibra::test {
@@ -225,6 +226,30 @@ TEST_F(ClassInput, AnExportOfMoodleBecomesATableThatMoodleImports) {
         EXPECT_FALSE(contains(own, each)) << each;
 }
 
+TEST_F(ClassInput, ZipFilesAndFlatFilesAreDrawnInASandboxToo) {
+    writeScene("flat/", kReference);
+    for (const char* each : {"a.glib", "a.frag", "a.vert"})
+        folder.write(fmt::format("all/leeana_12_{}_{}", 30 + each[2], each),
+                     readFile(folder / ("flat/" + std::string(each))));
+    ASSERT_EQ(shell(folder / "flat",
+                    "python3 -m zipfile -c ../all/rayb_LATE_13_99_hand-in.zip a.glib a.frag a.vert")
+                  .status,
+              0);
+    ASSERT_EQ(shell(folder / "flat", "python3 -m zipfile -c ../all/cem.zip a.glib a.frag a.vert").status, 0);
+    std::vector<std::string> ways{""};
+    if (base::missingForSandbox().empty()) ways.emplace_back("--untrusted ");
+    for (const std::string& each : ways) {
+        const Finished done = run(each + "--names canvas --assignment 'P2 (7)'");
+        ASSERT_EQ(done.status, 0) << done.err;
+        auto table = grades();
+        for (const char* name : {"leeana", "rayb", "cem"})
+            EXPECT_EQ(table[name]["likeness"], "1.00000") << each << name << table[name]["reason"];
+        EXPECT_EQ(table["leeana"]["number"], "12");
+        EXPECT_TRUE(readFile(folder / "site/import-canvas.csv")
+                        .starts_with("Student,ID,SIS User ID,SIS Login ID,Section,P2 (7)\r\n"));
+    }
+}
+
 TEST_F(ClassInput, TheTeachersPointsSurviveANewRun) {
     writeScene("all/ana/", kReference);
     folder.write(
@@ -241,6 +266,59 @@ TEST_F(ClassInput, TheTeachersPointsSurviveANewRun) {
     folder.write("site/marks.json", "not JSON");
     EXPECT_EQ(run("--rubric class.toml").status, 3) << "what was typed is not overwritten";
     EXPECT_EQ(readFile(folder / "site/marks.json"), "not JSON");
+}
+
+TEST_F(ClassInput, PointsTypedOnTheServedPageAreKept) {
+    writeScene("all/ana/", kReference);
+    writeScene("all/bob/", kReference);
+    folder.write("class.toml", "[[check]]\nname = \"report\"\nby-hand = true\npoints = 6\n");
+    // A browser, and what is none: another origin, a form, a path of the disk, an entry that does not exist.
+    folder.write("browser.py", R"(
+import json, re, signal, subprocess, sys, urllib.error, urllib.request
+run = subprocess.Popen(sys.argv[1:], stderr=subprocess.PIPE, text=True)
+for line in run.stderr:
+    found = re.search(r"http://127.0.0.1:[0-9]+/[0-9a-f]+/", line)
+    if found: break
+else: sys.exit("no address")
+address = found.group()
+def ask(path, body=None, **headers):
+    data = None if body is None else json.dumps(body).encode() if isinstance(body, dict) else body
+    if data is not None: headers.setdefault("Content_Type", "application/json")
+    headers = {name.replace("_", "-"): value for name, value in headers.items()}
+    try:
+        with urllib.request.urlopen(urllib.request.Request(address + path, data, headers)) as reply:
+            return reply.status, reply.read()
+    except urllib.error.HTTPError as problem: return problem.code, problem.read()
+page = ask("")[1].decode()
+assert "grade.js" in page and "connect-src 'self'" in page, page[:800]
+assert ask("grade.js")[0] == ask("class.js")[0] == ask("grades.csv")[0] == 200
+assert ask("pictures/0001-1.png")[1][1:4] == b"PNG"
+change = {"entry": 1, "check": "report", "points": 4.5}
+assert ask("marks", change, Origin="http://example.org")[0] >= 400
+assert ask("marks", b"entry=1", Content_Type="application/x-www-form-urlencoded")[0] >= 400
+for path in ("../class.toml", "marks.json", "class.toml", "%2e%2e/class.toml", "pictures/..%2fmarks.json"):
+    assert ask(path)[0] >= 400, path
+for wrong in ({"entry": 7, "comment": ""}, {"entry": -1, "comment": ""}, {"entry": 1, "check": "x", "points": 1},
+              {"entry": 1, "check": "report"}, {"entry": 1, "check": "report", "points": "many"}, {}):
+    assert ask("marks", wrong)[0] == 400, wrong
+status, reply = ask("marks", change)
+assert status == 200 and json.loads(reply)["points"] == 4.5, reply
+assert ask("marks", {"entry": 0, "comment": "well <done>"})[0] == 200
+assert "well &lt;done&gt;" in ask("")[1].decode()
+run.send_signal(signal.SIGINT)
+assert run.wait(20) == 0
+)");
+    const std::string command =
+        fmt::format("class all --reference ref/a.glib -o site --size 64x64 --rubric class.toml --serve");
+    const Finished done =
+        shell(folder.path(), "timeout 60 python3 browser.py '" GLIBRA_BINARY_DIR "/glibra' " + command);
+    ASSERT_EQ(done.status, 0) << done.out << done.err;
+    EXPECT_EQ(grades()["bob"]["points"], "4.50000") << "the table of the server";
+    EXPECT_TRUE(contains(page(), "well &lt;done&gt;"));
+    ASSERT_EQ(run("--rubric class.toml").status, 0);
+    EXPECT_EQ(grades()["bob"]["points"], "4.50000");
+    EXPECT_EQ(grades()["ana"]["comment"], "well <done>");
+    EXPECT_FALSE(contains(page(), "grade.js"));
 }
 
 TEST_F(ClassInput, AnonymousPagesShowNoNames) {
