@@ -99,7 +99,7 @@ bool isFilledWhole(const scene::Scene& scene, const FramePlan& plan, const Plann
             return false;
         scene::RasterState plain;
         plain.depthTest = plain.depthWrite = false;
-        return draw.raster == plain && draw.instances == 1 && !draw.instancesFrom.buffer;
+        return draw.raster == plain && draw.instances == 1 && !draw.instancesFrom;
     });
 }
 

@@ -262,7 +262,7 @@ void useNamed(const scene::Scene& scene, const scene::TextureView& view, const V
                                        [](base::Wrap each) { return each != base::Wrap::repeat; });
     if (use.compares && !isWrapped) {
         use.sampler.wrap.fill(base::Wrap::clampToBorder);
-        use.sampler.border.fill(1);
+        use.sampler.border.fill(base::farthestDepth(use.sampler.compare));
     }
     if (texture.target == TextureTarget::cube || texture.target == TextureTarget::cubeArray)
         use.sampler.wrap.fill(base::Wrap::clampToEdge);
