@@ -106,6 +106,10 @@ constexpr CatalogueRow kCatalogueRows[] = {
      "fragment output 'color' is of type vec4, but target 'ids' (line 4) holds unsigned integers; declare "
      "the "
      "output as uvec4"},
+    {"draw-E12",
+     "Vertices: an attribute reads the member 'speed' of buffer 'birds', which has none of that name; its "
+     "members "
+     "are place, velocity"},
     {"draw-W01", "Program 'Dots' has no fragment stage; a flat colour is used"},
     {"draw-W02", "sampler 'uTexUnit' reads unit 5 / 3D, which is empty"},
     {"draw-W03", "vertex input 'aPos' is not supplied; it reads 0 0 0 1"},

@@ -103,7 +103,7 @@ bool isFilledWhole(const scene::Scene& scene, const FramePlan& plan, const Plann
             return false;
         scene::RasterState plain;
         plain.depthTest = plain.depthWrite = false;
-        return draw.raster == plain && draw.instances == 1 && !draw.instancesFrom.buffer;
+        return draw.raster == plain && draw.instances == 1 && !draw.instancesFrom;
     });
 }
 

@@ -260,7 +260,7 @@ void useNamed(const scene::Scene& scene, const scene::TextureView& view, const V
     // A depth texture has its wrapping, stated or not.
     if (use.compares && view.sampler && !scene.samplers[view.sampler].statesWrap) {
         use.sampler.wrap.fill(base::Wrap::clampToBorder);
-        use.sampler.border.fill(1);
+        use.sampler.border.fill(base::farthestDepth(use.sampler.compare));
     }
     if (texture.target == TextureTarget::cube || texture.target == TextureTarget::cubeArray)
         use.sampler.wrap.fill(base::Wrap::clampToEdge);

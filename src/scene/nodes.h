@@ -64,8 +64,8 @@ struct Draw {
     std::size_t givenNumbers = 0;  ///< how many of the shape's numbers the scene gives; the rest are defaults
     // The rest is of modern scenes.
     int instances = 1;
-    BufferView instancesFrom{};      ///< its first word is the number of instances
-    BufferView verticesFrom{};       ///< of `Vertices`: its first word is the number of vertices
+    CountFrom instancesFrom{};       ///< the number of instances
+    CountFrom verticesFrom{};        ///< of `Vertices`: the number of vertices
     BufferView indices{};            ///< of `Vertices`: 32-bit numbers of the vertices, in order
     bool drawsAllIndices = false;    ///< as many vertices as that buffer has elements
     AttributeSetIndex attributes{};  ///< none: only those of the mesh
@@ -74,7 +74,7 @@ struct Draw {
     bool isFill = false;  ///< of `Fill`: stages that the program inherits are left out (Program::hasStage)
     /// The buffers that the draw reads besides those of its program and its attributes; some may be none.
     [[nodiscard]] std::array<BufferView, 3> ownBuffers() const {
-        return {instancesFrom, verticesFrom, indices};
+        return {instancesFrom.buffer, verticesFrom.buffer, indices};
     }
     friend bool operator==(const Draw&, const Draw&) = default;
 };
@@ -128,7 +128,7 @@ struct Over {
 };
 /// Three group counts that a buffer holds.
 struct GroupsFrom {
-    BufferView buffer;
+    CountFrom first;
     friend bool operator==(const GroupsFrom&, const GroupsFrom&) = default;
 };
 

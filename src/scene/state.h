@@ -44,7 +44,7 @@ struct TargetList {
 struct LocalState {
     bool isBlendStated = false;  ///< otherwise the target decides how draws outside of Pass are blended
     int instances = 1;
-    BufferView instancesFrom{};
+    CountFrom instancesFrom{};
     AttributeSetIndex attributes{};
     std::optional<std::array<double, 6>> tessellationLevels{};
     /// The statements State, Viewport and Scissor that decide the raster state; null: none does.
@@ -205,6 +205,7 @@ std::span<const CommandAction> programActions();    // interpret_programs.cpp
 std::span<const CommandAction> structureActions();  // modern/structure.cpp
 std::span<const CommandAction> variableActions();   // modern/variables.cpp
 std::span<const CommandAction> tagActions();        // modern/tags.cpp
+std::span<const CommandAction> lightActions();      // modern/lights.cpp
 std::span<const CommandAction> cameraActions();     // modern/cameras.cpp
 std::span<const CommandAction> objectActions();     // modern/textures.cpp
 std::span<const CommandAction> targetActions();     // modern/passes.cpp
@@ -276,7 +277,7 @@ struct Drawing {
     std::string word;
     std::string size;
     std::optional<glm::dvec4> color;
-    BufferView verticesFrom{};
+    CountFrom verticesFrom{};
     BufferView indices{};
     bool drawsAllIndices = false;
 };

@@ -48,6 +48,19 @@ TEST(SavedValues, ReplaceTheirOwnTextAndNothingElse) {
     EXPECT_EQ(session.knob("", "uV")->current, (std::vector<double>{5, -6.5}));
 }
 
+TEST(SavedValues, OfVectorsAndExpressionsKeepTheirBrackets) {
+    const SceneFolder folder(
+        "Let v <-5 0 3 2 5>  # a vector\nLet w <0 (min(1, .5)) 2>\nTranslate (v)\nBox (w)\n", {});
+    Session session(context(), {});
+    ASSERT_TRUE(session.open(folder.scene()));
+    session.setValue(knobIndex(session, "v"), {1, 1, 1});
+    session.setValue(knobIndex(session, "w"), {1.5});
+    const Diagnostics problems = view::saveValues(session.path(), session.knobs());
+    ASSERT_TRUE(problems.empty()) << text(problems);
+    EXPECT_EQ(folder.read("scene.glib"),
+              "Let v <-5 1 1 1 5>  # a vector\nLet w <0 1.5 2>\nTranslate (v)\nBox (w)\n");
+}
+
 TEST(SavedValues, AreRefusedWhenTheSceneHasBecomeShorter) {
     const SceneFolder folder(kTextScene, kTextFiles);
     Session session(context(), {});

@@ -102,6 +102,12 @@ void readStages(Capabilities& driver) {
     driver.maxGeometryTotalOutputComponents = integerOf(GL_MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS);
     driver.maxTessellationLevel = integerOf(GL_MAX_TESS_GEN_LEVEL);
     driver.maxPatchVertices = integerOf(GL_MAX_PATCH_VERTICES);
+    driver.maxControlInputComponents = integerOf(GL_MAX_TESS_CONTROL_INPUT_COMPONENTS);
+    driver.maxControlOutputComponents = integerOf(GL_MAX_TESS_CONTROL_OUTPUT_COMPONENTS);
+    driver.maxControlPatchComponents = integerOf(GL_MAX_TESS_PATCH_COMPONENTS);
+    driver.maxControlTotalOutputComponents = integerOf(GL_MAX_TESS_CONTROL_TOTAL_OUTPUT_COMPONENTS);
+    driver.maxEvaluationInputComponents = integerOf(GL_MAX_TESS_EVALUATION_INPUT_COMPONENTS);
+    driver.maxEvaluationOutputComponents = integerOf(GL_MAX_TESS_EVALUATION_OUTPUT_COMPONENTS);
     driver.maxClipDistances = integerOf(GL_MAX_CLIP_DISTANCES);
     driver.maxVertexUniformComponents = integerOf(GL_MAX_VERTEX_UNIFORM_COMPONENTS);
     driver.maxFragmentUniformComponents = integerOf(GL_MAX_FRAGMENT_UNIFORM_COMPONENTS);

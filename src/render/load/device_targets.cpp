@@ -233,7 +233,7 @@ const gpu::Sampler& DeviceScene::sampler(const base::SamplerState& state, bool c
         if (each.compares == compares && each.state == state) return each.sampler;
     base::SamplerState possible = state;
     possible.anisotropy = std::min<double>(state.anisotropy, context_.capabilities().maxAnisotropy);
-    const auto compare = compares ? std::optional(base::Comparison::lequal) : std::nullopt;
+    const auto compare = compares ? std::optional(state.compare) : std::nullopt;
     return samplers_.emplace_back(MadeSampler{state, compares, gpu::Sampler(possible, compare)}).sampler;
 }
 

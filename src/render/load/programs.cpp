@@ -224,6 +224,10 @@ glsl::ProgramRequest ProgramLibrary::request(const plan::ProgramVariant& variant
     request.shim = options_.shim;
     request.checksUndefined = options_.checkUndefined;
     request.suppliesFullScreenVertex = variant.isFullScreen;
+    request.suppliesFragment = variant.suppliesFragment && options_.shim;
+    request.suppliesFixedVertex = !variant.isFullScreen && options_.shim;
+    request.hasLights = scene_.isModern;
+    request.setsLights = scene_.setsLights;
     request.acceptsStorage = scene_.isModern;
     request.geometryInput = program.geometryInput;
     request.geometryOutput = program.geometryOutput;

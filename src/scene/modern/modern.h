@@ -134,13 +134,23 @@ struct GroupDefinition {
     bool isRunning = false;      ///< a group cannot draw itself
 };
 
-/// A tag of Set or Material with the script that it stands in.
+/// How the numbers of a tag reach the eye space of the camera that a draw has.
+enum class EyeSpace : std::uint8_t {
+    asGiven,
+    place,       ///< four numbers of a place in the world (w = 0: of a direction)
+    direction,   ///< three numbers of a direction in the world
+    halfVector,  ///< four numbers of a place; the result lies between the direction to it and that to the eye
+};
+
+/// A tag of Set, Material or Light with the script that it stands in.
 struct ScopedTag {
     const glib::KeyedValues* tag = nullptr;
     std::string key;  ///< the tag with the subscripts that its expressions had where the Set stands
     const glib::Script* script = nullptr;
     Environment::Point names{};          ///< where the Set stands
     std::optional<ObjectView> object{};  ///< what its value names there
+    std::vector<double> numbers{};       ///< of Material and Light: the value, in place of that of `tag`
+    EyeSpace space = EyeSpace::asGiven;  ///< of `numbers`
 };
 
 /// A Program statement with tags that are evaluated at its draws.
@@ -315,6 +325,8 @@ bool choosesObject(Interpreter&, const glib::Value& value);
 std::optional<ObjectView> objectNamed(Interpreter&, const glib::Value& value);
 std::optional<TextureView> textureNamed(Interpreter&, const glib::Value& value);
 std::optional<BufferView> bufferNamed(Interpreter&, const glib::Value& value);
+/// What a statement says with `from BUFFER [at n]`. Nothing with the reason reported.
+std::optional<CountFrom> countFrom(Interpreter&, const glib::Command& command);
 /// A texture, buffer, camera or variable of the scene that the name means here; null if a scope gives the
 /// name another meaning, or nothing has the name.
 const DeclaredName* declaredName(const Interpreter&, std::string_view name);

@@ -35,10 +35,15 @@ std::optional<std::size_t> valueEnd(std::string_view text, std::size_t begin) {
     constexpr std::string_view kOpening = "<[{(";
     constexpr std::string_view kClosing = ">]})";
     if (kOpening.find(text[begin]) != std::string_view::npos) {
-        const std::size_t end = text.find_first_of(">]})#", begin);
-        if (end == std::string_view::npos || kClosing.find(text[end]) == std::string_view::npos)
-            return std::nullopt;
-        return end + 1;
+        int depth = 0;  // of expressions, which may have brackets of their own
+        for (std::size_t at = begin; at < text.size() && text[at] != '#'; ++at) {
+            const bool isInside = depth > 1 || (depth == 1 && text[begin] == '(');
+            if (text[at] == '(' || at == begin) ++depth;
+            const bool closes =
+                isInside ? text[at] == ')' : kClosing.find(text[at]) != std::string_view::npos;
+            if (closes && --depth == 0) return at + 1;
+        }
+        return std::nullopt;
     }
     const std::size_t end = text.find_first_of(" \t\v\f\r\n<>[]{}()#\"", begin);
     return std::min(end, text.size());

@@ -114,7 +114,8 @@ Knob knobOf(const scene::Variable& variable) {
     knob.form = variable.form;
     knob.written = variable.written;
     const bool isRange = variable.form == glib::UniformForm::range;
-    knob.initial = isRange ? std::vector<double>{variable.written[1]} : variable.written;
+    const std::span<const double> stated = variable.statedValues();
+    knob.initial.assign(stated.begin(), stated.end());
     knob.current = variable.current;
     knob.place = variable.place;
     knob.type.base = variable.form == glib::UniformForm::truth ? plan::BaseType::boolean
@@ -126,8 +127,8 @@ Knob knobOf(const scene::Variable& variable) {
     knob.bound = variable.bound;
     if (isRange) {
         knob.widget = Widget::slider;
-        knob.minimum = variable.written[0];
-        knob.maximum = variable.written[2];
+        knob.minimum = variable.least();
+        knob.maximum = variable.largest();
     } else if (variable.form == glib::UniformForm::truth) {
         knob.widget = Widget::checkBox;
     } else if (variable.form == glib::UniformForm::color) {

@@ -145,6 +145,9 @@ class Session {
     /// Does what the scene's Key statements say about that key; the name is compared without case. Returns
     /// false if there is none.
     bool pressKey(std::string_view key);
+    /// The key has been down for these seconds, since the last call or since it was pressed: does what `held`
+    /// says about it.
+    void holdKey(std::string_view key, double seconds);
 
     /// Sets the time to 0; what lasts begins anew.
     void restart();

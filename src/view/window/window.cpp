@@ -155,7 +155,7 @@ void Window::handleRequests() {
     if (requests.open) openScene(*requests.open, requests.inNewTab);
     if (requests.closeTab) closeTab(*requests.closeTab);
     if (!quits_ && (requests.close || !display_.isOpen())) quit();
-    if (isAny(ui(), &Panel::needsFrames)) framesWanted_ = kFramesAfterEvent;
+    if (requests.frames || isAny(ui(), &Panel::needsFrames)) framesWanted_ = kFramesAfterEvent;
     if (shared_.settings.lightTheme != lightTheme_) {
         lightTheme_ = shared_.settings.lightTheme;
         applyTheme(lightTheme_, scale_);
