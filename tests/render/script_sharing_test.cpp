@@ -53,7 +53,7 @@ TEST(ScriptSharing, AGroupSeesThroughTheCameraThatItIsGiven) {
 
 TEST(ScriptSharing, ACameraThatIsNoneIsReported) {
     const auto of = [](const std::string& draw) { return problemsOf(kCameras + kView + draw + "\n"); };
-    EXPECT_NE(of("Draw view cam t").find("'cam' is a texture, not a camera"), std::string::npos)
+    EXPECT_NE(of("Draw view cam t").find("no camera 'cam' is declared"), std::string::npos)
         << of("Draw view cam t");
     EXPECT_NE(of("Draw view cam side").find("'side' is an array of cameras; write side[0] to side[2]"),
               std::string::npos);
