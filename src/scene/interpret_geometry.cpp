@@ -44,7 +44,7 @@ bool isSameMesh(const geometry::Mesh& a, const geometry::Mesh& b) {
 }
 
 /// Shapes that the view does not place as others.
-void placeBySpace(const Interpreter& in, Draw& made, glib::CommandId command) {
+void placeBySpace(Interpreter& in, Draw& made, glib::CommandId command) {
     const geometry::PrimitiveSpec* spec = glib::primitiveOf(command);
     if (spec == nullptr || spec->space == geometry::Space::model) return;
     if (spec->space == geometry::Space::clip) {

@@ -123,7 +123,7 @@ constexpr CommandAction kProgramActions[] = {
     {glib::CommandId::tessEvaluation, doStage},
     {glib::CommandId::geometry, doStage},
     {glib::CommandId::fragment, doStage},
-    {glib::CommandId::glslText, doGlsl},
+    {.id = glib::CommandId::glslText, .handler = doGlsl, .isModern = true},
     {glib::CommandId::program, doProgram, InList::isWrong},
     {glib::CommandId::geometryInput, doGeometryInput},
     {glib::CommandId::geometryOutput, doGeometryOutput},

@@ -43,7 +43,8 @@ TEST(ScriptMeshes, TheNumbersOfEachShapeAreThoseOfItsMesh) {
         if (mesh.vertexCount() == 0) continue;
         const auto taken =
             static_cast<std::size_t>(geometry::verticesPerPrimitive(mesh.topology, mesh.patchVertices));
-        EXPECT_EQ(problemsOf("Mesh m " + name + "\nSphere 1\nExpect (m.position.count == m.vertices)\n" +
+        EXPECT_EQ(problemsOf("Mesh m " + name +
+                             "\nPass window\nEndPass\nExpect (m.position.count == m.vertices)\n" +
                              "Expect (m.index.count == " + std::to_string(taken) + " * m.primitives)\n"),
                   "")
             << name;
@@ -51,7 +52,7 @@ TEST(ScriptMeshes, TheNumbersOfEachShapeAreThoseOfItsMesh) {
 }
 
 TEST(ScriptMeshes, ChecksReadTheElements) {
-    EXPECT_EQ(problemsOf("Mesh m QuadXY .5 2 1 1\nSphere 1\n"
+    EXPECT_EQ(problemsOf("Mesh m QuadXY .5 2 1 1\nPass window\nEndPass\n"
                          "Expect (m.vertices == 4 && m.primitives == 2 && m.index.count == 6)\n"
                          "Expect buffer m.position [-2 -2 .5 1]\n"
                          "Expect (m.position[3] == vec4(2, 2, .5, 1))\n"
@@ -61,14 +62,15 @@ TEST(ScriptMeshes, ChecksReadTheElements) {
 }
 
 TEST(ScriptMeshes, AModelComesFromItsFile) {
-    EXPECT_EQ(problemsOf("Mesh m Obj a.obj\nSphere 1\nExpect (m.vertices == 3 && m.primitives == 1)\n"
-                         "Expect buffer m.position [0 0 0 1  1 0 0 1  0 1 0 1]\n",
-                         {{"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"}}),
-              "");
+    EXPECT_EQ(
+        problemsOf("Mesh m Obj a.obj\nPass window\nEndPass\nExpect (m.vertices == 3 && m.primitives == 1)\n"
+                   "Expect buffer m.position [0 0 0 1  1 0 0 1  0 1 0 1]\n",
+                   {{"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"}}),
+        "");
 }
 
 TEST(ScriptMeshes, MistakesAreReportedAtTheirPlace) {
-    const auto of = [](const std::string& text) { return problemsOf(text + "\nSphere 1\n"); };
+    const auto of = [](const std::string& text) { return problemsOf(text + "\nPass window\nEndPass\n"); };
     EXPECT_EQ(of("Mesh m Spher 1"),
               "scene.glib:1:8: error: Mesh: 'Spher' is no shape; did you mean 'Sphere'? [glib-E26]");
     EXPECT_NE(of("Mesh m Obj none.obj").find("file-E01"), std::string::npos);

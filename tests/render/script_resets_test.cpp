@@ -26,7 +26,7 @@ std::string counting(const std::string& before, const std::string& reset) {
     return before + kCounting + "Step 10 reset " + reset +
            "\nDispatch Count 1  uNow (vec2(tick, time))\nEndStep\n"
            "Step 10\nDispatch Other 1\nEndStep\n"
-           "Sphere 1\n";
+           "Pass window\nEndPass\n";
 }
 
 TEST(ScriptResets, ABlockBeginsAnewWhereAValueChangesWithTime) {
@@ -70,7 +70,7 @@ TEST(ScriptResets, BlocksReadTheSizeOfTheWindow) {
         "layout(std430) buffer sizes { vec4 s[]; };\nvoid main() { s[uAt] += vec4(uSize, 1.); }\nEndCompute\n"
         "Program Note\n"
         "Once\nDispatch Note 1  uAt 0  uSize (vec3(window, aspect))\nEndOnce\n"
-        "Step 10\nDispatch Note 1  uAt 1  uSize (vec3(window, aspect))\nEndStep\nSphere 1\n"
+        "Step 10\nDispatch Note 1  uAt 1  uSize (vec3(window, aspect))\nEndStep\nPass window\nEndPass\n"
         "Expect buffer sizes [80 40 2 1 160 80 4 2] at .2\n";
     RenderOptions options;
     options.width = 80;

@@ -53,7 +53,7 @@ TEST(ScriptSharing, AGroupSeesThroughTheCameraThatItIsGiven) {
 
 TEST(ScriptSharing, ACameraThatIsNoneIsReported) {
     const auto of = [](const std::string& draw) { return problemsOf(kCameras + kView + draw + "\n"); };
-    EXPECT_NE(of("Draw view cam t").find("'cam' is a texture, not a camera"), std::string::npos)
+    EXPECT_NE(of("Draw view cam t").find("no camera 'cam' is declared"), std::string::npos)
         << of("Draw view cam t");
     EXPECT_NE(of("Draw view cam side").find("'side' is an array of cameras; write side[0] to side[2]"),
               std::string::npos);
@@ -65,7 +65,7 @@ TEST(ScriptSharing, ACameraThatIsNoneIsReported) {
 std::string filled(const std::string& before, const std::string& color, const std::string& include) {
     return before + "Texture2D t 4 4 rgba32f\nFragment inline\n#version 330\n" + include +
            "\nout vec4 c;\nvoid main() { c = " + color +
-           "; }\nEndFragment\nProgram P\nFill t with P\nSphere 1\n";
+           "; }\nEndFragment\nProgram P\nFill t with P\nPass window\nEndPass\n";
 }
 
 TEST(ScriptSharing, ShadersIncludeTheGlslOfTheScene) {
@@ -98,7 +98,8 @@ TEST(ScriptSharing, MessagesAboutSharedGlslNameItsLine) {
     const std::string twice =
         problemsOf(filled("Glsl a inline\nEndGlsl\nGlsl a inline\nEndGlsl\n", "vec4(1.)", "#include a"));
     EXPECT_EQ(twice, "scene.glib:3:6: error: 'a' is declared on line 1 already, as Glsl [glib-E27]");
-    EXPECT_NE(problemsOf("Glsl a inline\nfloat f;\nSphere 1\n").find("glib-E22"), std::string::npos);
+    EXPECT_NE(problemsOf("Glsl a inline\nfloat f;\nPass window\nEndPass\n").find("glib-E22"),
+              std::string::npos);
 }
 
 // ---- Fill.
@@ -109,11 +110,11 @@ TEST(ScriptSharing, FillCoversSeveralTargets) {
         "layout(location = 1) out vec4 b;\nvoid main() { a = vec4(vST, 0., 1.); b = vec4(0., 0., vST); }\n"
         "EndFragment\nProgram P\n";
     EXPECT_EQ(problemsOf("Texture2D s 4 4 rgba32f\nTexture2D t 4 4 rgba16f\n" + shader +
-                         "Fill s t with P\nSphere 1\nExpect pixel 3 0 [.875 .125 0 1] of s\n"
+                         "Fill s t with P\nPass window\nEndPass\nExpect pixel 3 0 [.875 .125 0 1] of s\n"
                          "Expect pixel 3 0 [0 0 .875 .125] of t\n"),
               "");
     EXPECT_EQ(problemsOf("Texture2D s 4 4 rgba32f\nTexture2D d 4 4 depth24\n" + shader +
-                         "Fill s d with P\nSphere 1\n"),
+                         "Fill s d with P\nPass window\nEndPass\n"),
               "scene.glib:11:8: error: Fill: a depth texture has no colours to fill [glib-E11]");
     EXPECT_NE(problemsOf("Texture2D s 4 4 rgba32f\nTexture2D t 8 4 rgba32f\n" + shader + "Fill s t with P\n")
                   .find("all must have the same size"),
@@ -127,7 +128,7 @@ TEST(ScriptSharing, FillOfSeveralTargetsKeepsTheirHistories) {
         "void main() { a = texelFetch(uS, ivec2(0), 0) + 1.; b = texelFetch(uT, ivec2(0), 0) + 2.; }\n"
         "EndFragment\nProgram P\n";
     EXPECT_EQ(problemsOf("Texture2D s 4 4 rgba32f history\nTexture2D t 4 4 rgba32f history\n" + shader +
-                         "Step 10\nFill s t with P  uS s.prev  uT t.prev\nEndStep\nSphere 1\n"
+                         "Step 10\nFill s t with P  uS s.prev  uT t.prev\nEndStep\nPass window\nEndPass\n"
                          "Expect pixel 3 0 [5] of s at .5\nExpect pixel 3 0 [10] of t at .5\n"),
               "");
 }
