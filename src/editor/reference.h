@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "view/edit/completion.h"
+#include "editor/completion.h"
 
-namespace glibra::view {
+namespace glibra::editor {
 
 struct ReferenceEntry {
     std::string word;               ///< as the tables spell it; empty: there is no entry
@@ -26,4 +26,4 @@ ReferenceEntry referenceAt(std::string_view text, std::size_t byte, const CodeCo
 /// whose text says so, with the nearest word.
 ReferenceEntry referenceOf(std::string_view word, CodeLanguage language, const CodeContext& context);
 
-}  // namespace glibra::view
+}  // namespace glibra::editor

@@ -1,27 +1,26 @@
-#include "view/edit/completion.h"
+#include "editor/completion.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <string>
 
-#include "view/edit/comment_lines.h"
-#include "view/edit/declared_names.h"
-#include "view/edit/glsl_reference.h"
-#include "view/edit/reference.h"
+#include "editor/declared_names.h"
+#include "editor/glsl_reference.h"
+#include "editor/reference.h"
 
 namespace glibra::test {
 namespace {
 
-using view::CodeContext;
-using view::CodeLanguage;
-using view::Completion;
+using editor::CodeContext;
+using editor::Completion;
+using source::CodeLanguage;
 
 /// The completions at the '|' of a text.
 std::vector<Completion> at(std::string text, const CodeContext& context = {}) {
     const std::size_t cursor = text.find('|');
     text.erase(cursor, 1);
-    return view::completionsAt(text, cursor, context);
+    return editor::completionsAt(text, cursor, context);
 }
 
 const Completion* find(const std::vector<Completion>& all, std::string_view word) {
@@ -129,22 +128,22 @@ TEST(Completion, SpeaksGlslInShadersOfTheScene) {
 }
 
 TEST(DeclaredNames, ReadsIncompleteCode) {
-    const auto names = view::declaredNames(
+    const auto names = editor::declaredNames(
         "uniform Block { mat4 m; } inst;\nvoid main( { vec3 n = vec3(1., 2., 3.), k; for (int i = 0");
     std::string all;
-    for (const view::DeclaredName& each : names) all += each.type + " " + each.name + "; ";
+    for (const editor::DeclaredName& each : names) all += each.type + " " + each.name + "; ";
     EXPECT_EQ(all, "block Block; mat4 m; void main; vec3 n; vec3 k; int i; ");
 }
 
 TEST(DeclaredNames, KnowsWhatIsAnInterface) {
-    for (const view::DeclaredName& each : view::declaredNames(
+    for (const editor::DeclaredName& each : editor::declaredNames(
              "uniform vec2 uA, uB; flat in int vC; float f(in vec3 n, out float r) { float x; }"))
         EXPECT_EQ(each.isInterface, each.name == "uA" || each.name == "uB" || each.name == "vC") << each.name;
 }
 
 TEST(GlslTable, HasEveryNameOnceWithItsOwnSignature) {
     std::vector<std::string_view> names;
-    for (const view::GlslRow& each : view::glslTable()) {
+    for (const editor::GlslRow& each : editor::glslTable()) {
         names.push_back(each.name);
         EXPECT_NE(each.signature.find(each.name), std::string_view::npos) << each.name;
         EXPECT_LT(each.since, each.until) << each.name;
@@ -155,20 +154,20 @@ TEST(GlslTable, HasEveryNameOnceWithItsOwnSignature) {
 }
 
 TEST(Reference, GivesTheEntryOfAWord) {
-    const auto entry = view::referenceOf("sphere", CodeLanguage::glib, {});
+    const auto entry = editor::referenceOf("sphere", CodeLanguage::glib, {});
     EXPECT_EQ(entry.word, "Sphere");
     ASSERT_EQ(entry.code.size(), 1U);
     EXPECT_TRUE(entry.code[0].starts_with("Sphere [radius = 1]")) << entry.code[0];
     EXPECT_NE(entry.chapter.find("docs/language.md"), std::string::npos);
-    EXPECT_EQ(view::referenceOf("smoothstep", CodeLanguage::glsl, {}).code.at(0),
+    EXPECT_EQ(editor::referenceOf("smoothstep", CodeLanguage::glsl, {}).code.at(0),
               "T smoothstep(T low, T high, T x)");
-    EXPECT_EQ(view::referenceOf("Timer", CodeLanguage::glsl, {}).code.at(0), "uniform float Timer");
-    EXPECT_EQ(view::referenceOf("aVertex", CodeLanguage::glsl, {}).code.at(0), "in vec4 aVertex");
-    EXPECT_EQ(view::referenceOf("EndPass", CodeLanguage::glib, {}).word, "EndPass");
+    EXPECT_EQ(editor::referenceOf("Timer", CodeLanguage::glsl, {}).code.at(0), "uniform float Timer");
+    EXPECT_EQ(editor::referenceOf("aVertex", CodeLanguage::glsl, {}).code.at(0), "in vec4 aVertex");
+    EXPECT_EQ(editor::referenceOf("EndPass", CodeLanguage::glib, {}).word, "EndPass");
 }
 
 TEST(Reference, SuggestsTheNearestWord) {
-    const auto entry = view::referenceOf("smothstep", CodeLanguage::glsl, {});
+    const auto entry = editor::referenceOf("smothstep", CodeLanguage::glsl, {});
     EXPECT_TRUE(entry.word.empty());
     EXPECT_EQ(entry.text, "there is no entry for 'smothstep'; did you mean 'smoothstep'?");
 }
@@ -177,25 +176,12 @@ TEST(Reference, ShowsTheDeclarationAndTheValueOfAName) {
     CodeContext context;
     context.names = {{"uKd", "float", "a uniform of P", "0.25", CodeLanguage::glsl}};
     const std::string text = "#version 330\nuniform float uKd;\nvoid main() { float a = uKd; }\n";
-    const auto entry = view::referenceAt(text, text.rfind("uKd") + 1, context);
+    const auto entry = editor::referenceAt(text, text.rfind("uKd") + 1, context);
     EXPECT_EQ(entry.word, "uKd");
     EXPECT_EQ(entry.code, std::vector<std::string>{"uniform float uKd"});
     EXPECT_EQ(entry.text, "declared in line 2");
     EXPECT_EQ(entry.value, "0.25");
-    EXPECT_EQ(view::referenceAt(text, text.find('{'), context).word, "");
-}
-
-// ---- Comments
-
-std::string toggled(std::string text, std::string_view marker) {
-    const std::size_t begin = text.find('[');
-    text.erase(begin, 1);
-    const std::size_t end = text.find(']');
-    text.erase(end, 1);
-    view::EditedText result = view::toggledComments(text, {begin, end}, marker);
-    result.text.insert(result.selection.end, "]");
-    result.text.insert(result.selection.begin, "[");
-    return result.text;
+    EXPECT_EQ(editor::referenceAt(text, text.find('{'), context).word, "");
 }
 
 TEST(NameNear, IsTheWordAtTheCursorOrTheLastNameBeforeItInTheLine) {
@@ -203,7 +189,7 @@ TEST(NameNear, IsTheWordAtTheCursorOrTheLastNameBeforeItInTheLine) {
         std::string text(marked);
         const std::size_t at = text.find('|');
         text.erase(at, 1);
-        const view::TextRange range = view::nameNear(text, at);
+        const editor::TextRange range = editor::nameNear(text, at);
         return text.substr(range.begin, range.end - range.begin);
     };
     EXPECT_EQ(near("c = mi|x(a, b)"), "mix");
@@ -212,32 +198,6 @@ TEST(NameNear, IsTheWordAtTheCursorOrTheLastNameBeforeItInTheLine) {
     EXPECT_EQ(near("a;\n  |b"), "b");
     EXPECT_EQ(near("a;\n |"), "") << "the line above is not looked at";
     EXPECT_EQ(near("|"), "");
-}
-
-TEST(CommentLines, CommentsTheSelectedLinesInOneColumn) {
-    EXPECT_EQ(toggled("a\n  [b\n    c\n\n  d]\ne", "//"), "a\n  [// b\n  //   c\n\n  // d]\ne");
-    EXPECT_EQ(toggled("[a\nb\n]c", "#"), "[# a\n# b\n]c") << "a line without selected letters does not count";
-}
-
-TEST(CommentLines, MakesCodeOfComments) {
-    EXPECT_EQ(toggled("[// a\n  //b\n\n// c]", "//"), "[a\n  b\n\nc]");
-    EXPECT_EQ(toggled("[// a\nb]", "//"), "[// // a\n// b]") << "not all of them are comments";
-}
-
-TEST(CommentLines, KeepsTheCursorAtItsLetter) {
-    EXPECT_EQ(toggled("ab[]c\n", "//"), "// ab[]c\n");
-    EXPECT_EQ(toggled("// ab[]c\n", "//"), "ab[]c\n");
-    EXPECT_EQ(toggled("[]abc", "#"), "# []abc");
-    EXPECT_EQ(toggled("/[]/ abc", "//"), "[]abc");
-    EXPECT_EQ(toggled("[]", "//"), "[]");
-    EXPECT_EQ(toggled("a\n[]\nb", "//"), "a\n[]\nb");
-}
-
-TEST(CommentLines, IsItsOwnInverse) {
-    const std::string text = "void main() {\n    int a;\n\tint b;\n}\n";
-    const view::EditedText once = view::toggledComments(text, {0, text.size()}, "//");
-    EXPECT_NE(once.text, text);
-    EXPECT_EQ(view::toggledComments(once.text, once.selection, "//").text, text);
 }
 
 }  // namespace

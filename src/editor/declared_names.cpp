@@ -1,4 +1,4 @@
-#include "view/edit/declared_names.h"
+#include "editor/declared_names.h"
 
 #include <algorithm>
 #include <cctype>
@@ -9,7 +9,7 @@
 #include "glsl/read/token.h"
 #include "glsl/read/words.h"
 
-namespace glibra::view {
+namespace glibra::editor {
 namespace {
 
 constexpr std::string_view kSpacesAndTabs = " \t";
@@ -196,4 +196,4 @@ int versionOf(std::string_view glsl) {
     return kFirst;
 }
 
-}  // namespace glibra::view
+}  // namespace glibra::editor

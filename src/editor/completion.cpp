@@ -1,4 +1,4 @@
-#include "view/edit/completion.h"
+#include "editor/completion.h"
 
 #include <algorithm>
 #include <cctype>
@@ -6,6 +6,8 @@
 #include <set>
 #include <utility>
 
+#include "editor/declared_names.h"
+#include "editor/glsl_reference.h"
 #include "expression/functions.h"
 #include "expression/name_table.h"
 #include "glib/command_table.h"
@@ -14,10 +16,8 @@
 #include "glsl/read/words.h"
 #include "scene/shader_names.h"
 #include "source/inline_shaders.h"
-#include "view/edit/declared_names.h"
-#include "view/edit/glsl_reference.h"
 
-namespace glibra::view {
+namespace glibra::editor {
 namespace {
 
 constexpr std::size_t kMost = 200;
@@ -260,4 +260,4 @@ std::vector<Completion> completionsAt(std::string_view text, std::size_t cursor,
     return words.take();
 }
 
-}  // namespace glibra::view
+}  // namespace glibra::editor

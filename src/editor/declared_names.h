@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace glibra::view {
+namespace glibra::editor {
 
 struct DeclaredName {
     std::string name;
@@ -23,4 +23,4 @@ std::vector<DeclaredName> declaredNames(std::string_view glsl);
 /// The number in the #version line; 110 without one.
 int versionOf(std::string_view glsl);
 
-}  // namespace glibra::view
+}  // namespace glibra::editor

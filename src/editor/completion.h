@@ -6,11 +6,13 @@
 #include <string_view>
 #include <vector>
 
+#include "editor/text_range.h"
 #include "glsl/types/stage.h"
-#include "view/edit/syntax.h"
-#include "view/edit/text_search.h"
+#include "source/syntax.h"
 
-namespace glibra::view {
+namespace glibra::editor {
+
+using source::CodeLanguage;
 
 /// A name that the scene gives to the text: a uniform that it sets, a variable, a texture, a program.
 struct KnownName {
@@ -56,4 +58,4 @@ LanguageAt languageAt(std::string_view text, std::size_t byte, const CodeContext
 /// already.
 std::vector<Completion> completionsAt(std::string_view text, std::size_t cursor, const CodeContext& context);
 
-}  // namespace glibra::view
+}  // namespace glibra::editor

@@ -1,9 +1,9 @@
-#include "view/edit/glsl_reference.h"
+#include "editor/glsl_reference.h"
 
 #include <algorithm>
 #include <array>
 
-namespace glibra::view {
+namespace glibra::editor {
 namespace {
 
 constexpr auto kRows = std::to_array<GlslRow>({
@@ -273,4 +273,4 @@ bool isIn(const GlslRow& row, glsl::Stage stage) {
            row.where.find(kLetters[static_cast<std::size_t>(stage)]) != std::string_view::npos;
 }
 
-}  // namespace glibra::view
+}  // namespace glibra::editor

@@ -1,4 +1,4 @@
-#include "view/edit/reference.h"
+#include "editor/reference.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -6,16 +6,16 @@
 #include <algorithm>
 
 #include "base/suggest.h"
+#include "editor/declared_names.h"
+#include "editor/glsl_reference.h"
 #include "expression/functions.h"
 #include "expression/name_table.h"
 #include "glib/command_table.h"
 #include "glib/modern/statement_table.h"
 #include "glsl/read/words.h"
 #include "scene/shader_names.h"
-#include "view/edit/declared_names.h"
-#include "view/edit/glsl_reference.h"
 
-namespace glibra::view {
+namespace glibra::editor {
 namespace {
 
 /// "Sphere radius = 1, slices = 60, stacks = 60".
@@ -155,4 +155,4 @@ ReferenceEntry referenceAt(std::string_view text, std::size_t byte, const CodeCo
     return entry;
 }
 
-}  // namespace glibra::view
+}  // namespace glibra::editor

@@ -7,7 +7,7 @@
 
 #include "glsl/types/stage.h"
 
-namespace glibra::view {
+namespace glibra::editor {
 
 /// T stands for float and vectors of floats, I for int, uint and vectors of them, S for any type of sampler,
 /// G for any type of image, and P for the coordinates that the sampler or image takes.
@@ -29,4 +29,4 @@ const GlslRow* findGlsl(std::string_view name);
 /// True if shaders of that stage have the row.
 bool isIn(const GlslRow& row, glsl::Stage stage);
 
-}  // namespace glibra::view
+}  // namespace glibra::editor
