@@ -84,7 +84,7 @@ Diagnostics SceneRenderer::State::preparePlan(Stats& stats, bool everything) {
                 planOptions.roots.emplace_back(scene::BufferView{each});
     planOptions.everything = everything || !options.skip;
     planOptions.shareMeshes = options.skip;
-    planOptions.reportsNames = scene.once.empty() && scene.steps.empty();
+    planOptions.reportsNames = !hasBlocks();
     planOptions.shareTargets = options.skip && !options.checkNan;  // the search looks into every target
     Diagnostics diagnostics;
     if (options.checkUndefined && !context.capabilities().compute)
@@ -163,9 +163,6 @@ Diagnostics SceneRenderer::State::planBlocks(const plan::PlanOptions& planOption
     const bool isFirst = !simulation;
     Diagnostics diagnostics = planSimulation(planOptions, changesWithTime);
     if (!isFirst || !simulation) return diagnostics;
-    std::vector<const plan::FramePlan*> all = simulation->plans();
-    all.push_back(&plan);
-    append(diagnostics, reportNames(scene, all, planOptions.overrides));
     explainSimulation(stats);
     return diagnostics;
 }
