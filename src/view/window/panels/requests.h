@@ -19,7 +19,9 @@ struct Requests {
     std::optional<std::filesystem::path> open;
     bool inNewTab = false;  ///< for `open`
     bool reload = false;
-    bool close = false;  ///< the window
+    bool close = false;       ///< the window
+    bool fullScreen = false;  ///< on or off
+    bool reopenTab = false;   ///< that was closed last
     std::optional<std::size_t> showTab, closeTab;
     std::optional<std::filesystem::path> saved;  ///< the file that the source panel has written
 };
