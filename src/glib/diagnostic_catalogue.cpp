@@ -385,9 +385,15 @@ constexpr CatalogueRow kCatalogueRows[] = {
      "stopped, because the graphics driver reset the device while line 7 was drawn; change a value or the "
      "text, "
      "or reload the scene, to draw it again"},
+    {"view-E05",
+     "this loop may not end: drawing was stopped after 2 seconds; change a value or the text, or press F5 to "
+     "draw for up to 20 seconds"},
     {"view-W01",
      "Sphere is left out of the debug view 'texture coordinates': its stages pass no vST to the fragment "
      "stage"},
+    {"view-W02",
+     "this loop never ends, because nothing in it changes its condition; compilers remove it with all that "
+     "follows, so uniforms are unused"},
 };
 
 }  // namespace

@@ -134,7 +134,7 @@ void UniformMessages::oneUnset(const ActiveUniform& each) {
     warn(
         "glib-W37",
         fmt::format("uniform '{}' of '{}' is not set; it is 0{}", each.name, program_.name, modernHint(each)),
-        program_.place);
+        program_.place, each.name);
 }
 
 bool UniformMessages::isUnreadPart(std::string_view tag) const {

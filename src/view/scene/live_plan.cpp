@@ -38,13 +38,14 @@ bool LiveScene::State::moveTo(const scene::FrameInputs& wanted, Diagnostics& dia
 Diagnostics LiveScene::State::makePlan(bool variablesDiffer) {
     plan::PlanOptions planOptions = driverOptions();
     planOptions.shareTargets = !keepsTextures;
+    planOptions.reportsNames = !hasBlocks();
     plan = planList(scene.frame, planOptions);
     // Picking draws the window's passes again, after the frame.
     if (!render::texturesComeFirst(plan)) plan.sharing.clear();
     Diagnostics diagnostics = std::move(plan.diagnostics);
     plan.diagnostics.clear();
     const bool isNew = !simulation;
-    if (!scene.once.empty() || !scene.steps.empty()) {
+    if (hasBlocks()) {
         // Frames of a window may differ in what they read, so all nodes that write something are kept.
         const Diagnostics ofSteps = planSimulation(planOptions, true);
         isSimulationWrong = hasError(ofSteps);

@@ -20,8 +20,10 @@ const Knob* Session::knob(std::string_view program, std::string_view tag) const 
 void Session::applyValue(std::size_t knob) {
     live_->setValue(knobs_[knob]);
     isStopped_ = false;
-    std::erase_if(diagnostics_,
-                  [](const Diagnostic& each) { return each.id == "draw-W08" || each.id == "view-E04"; });
+    openLoops_.reset();
+    std::erase_if(diagnostics_, [](const Diagnostic& each) {
+        return each.id == "draw-W08" || each.id == "view-E04" || each.id == "view-E05";
+    });
     append(diagnostics_, live_->longLoops());
     isStale_ = true;
 }
