@@ -1,12 +1,12 @@
 #include <glibra/render.h>
 
-#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <cmath>
 #include <utility>
 
 #include "base/device_lost.h"
+#include "gpu/context/current.h"
 #include "library/renderer_state.h"
 #include "render/probe/nan_search.h"
 #include "render/scene_renderer.h"
@@ -77,32 +77,6 @@ Diagnostics problemsOfLoading(const RenderOptions& options) {
     return found;
 }
 
-/// A function that this process has, whichever library it comes from; null if no library has it.
-void* functionHere(const char* name) {
-    return ::dlsym(RTLD_DEFAULT, name);
-}
-
-/// A function of a library that this process has loaded, in whatever scope.
-void* functionOf(const char* library, const char* name) {
-    if (void* here = functionHere(name)) return here;
-    void* loaded = ::dlopen(library, RTLD_NOW | RTLD_NOLOAD);
-    if (loaded == nullptr) return nullptr;
-    void* function = ::dlsym(loaded, name);
-    ::dlclose(loaded);
-    return function;
-}
-
-/// The functions by which a library says which context is current, and finds functions of GL.
-struct Way {
-    const char* library;
-    const char* current;
-    const char* address;
-};
-constexpr Way kWays[] = {{"libEGL.so.1", "eglGetCurrentContext", "eglGetProcAddress"},
-                         {"libGLX.so.0", "glXGetCurrentContext", "glXGetProcAddressARB"},
-                         {"libGL.so.1", "glXGetCurrentContext", "glXGetProcAddressARB"},
-                         {"libOSMesa.so.8", "OSMesaGetCurrentContext", "OSMesaGetProcAddress"}};
-
 /// The renderer whose context the calls of this thread used last.
 thread_local const void* lastOfThread = nullptr;
 
@@ -130,11 +104,7 @@ Result<Renderer> Renderer::open(const CurrentContext& current) {
 }
 
 CurrentContext Renderer::current() {
-    for (const Way& way : kWays) {
-        const auto isCurrent = reinterpret_cast<void* (*)()>(functionOf(way.library, way.current));
-        const auto address = reinterpret_cast<void* (*)(const char*)>(functionOf(way.library, way.address));
-        if (isCurrent != nullptr && address != nullptr && isCurrent() != nullptr) return {address};
-    }
+    if (const auto found = gpu::currentContext()) return {found->address};
     return {};
 }
 

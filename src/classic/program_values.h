@@ -1,0 +1,82 @@
+#pragma once
+// The uniforms and constant attributes of one linked program: found once, set by name.
+
+#include <array>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "base/program_resources.h"
+#include "classic/gl_functions.h"
+#include "classic/linked_program.h"
+#include "glsl/types/builtins.h"
+#include "glsl/types/translated_program.h"
+
+namespace glibra::classic {
+
+/// The elements of a matrix, row by row.
+using MatrixRows = std::array<std::array<float, 4>, 4>;
+
+class ProgramValues {
+  public:
+    /// Asks the driver for all uniforms and inputs. With `isGstap`, the matrices of gstap.h are identities
+    /// until they are set, and what is computed from the model-view and projection matrices follows them.
+    ProgramValues(const Gl& gl, GLuint program, const glsl::TranslatedProgram& translated, bool isGstap);
+
+    /// Values of one element of a uniform: as many as its type has, or x y z for a vec4 with w = 1.
+    void set(std::string_view name, std::span<const double> values);
+    /// As many floats as the uniform has, in all its elements.
+    void set(std::string_view name, const float* values);
+    void set(std::string_view name, const MatrixRows& rows);
+    /// Values of an input that VertexArray or another array does not give.
+    void setInput(std::string_view name, std::span<const double> values);
+    void setInput(std::string_view name, const float* values);
+    /// Sets the constant inputs, once the program is in use.
+    void use() const;
+
+    [[nodiscard]] const std::map<std::string, ProgramInput, std::less<>>& inputs() const { return inputs_; }
+    /// One line for each uniform and each input.
+    [[nodiscard]] std::string list() const;
+
+  private:
+    struct Slot {
+        GLint location = -1;
+        base::ValueType type;
+        int size = 1;                                   ///< elements from this one on
+        const glsl::BuiltinUniform* builtin = nullptr;  ///< of gstap.h
+        bool isGiven = false;                           ///< the program set what would be computed
+    };
+    struct Hash {
+        using is_transparent = void;
+        std::size_t operator()(std::string_view text) const { return std::hash<std::string_view>()(text); }
+    };
+
+    void findUniforms(const glsl::TranslatedProgram& translated, bool isGstap);
+    void findInputs(const glsl::TranslatedProgram& translated);
+    /// Null, with a message the first time, for a name that the program does not have.
+    Slot* slotOf(std::string_view name, std::string_view call);
+    const ProgramInput* inputOf(std::string_view name);
+    void upload(const Slot& slot, std::span<const double> values) const;
+    void upload(const Slot& slot, const MatrixRows& rows) const;
+    void deriveMatrices();
+    void once(std::string_view about, std::string text);
+
+    const Gl& gl_;
+    GLuint program_;
+    std::string who_;
+    std::unordered_map<std::string, Slot, Hash, std::equal_to<>> uniforms_;  ///< by the user's name
+    std::map<std::string, ProgramInput, std::less<>> inputs_;
+    std::map<std::string, std::array<double, 4>, std::less<>> constants_;  ///< of inputs_
+    std::map<std::string, std::string> emittedNames_;                      ///< of renamed user's names
+    std::optional<MatrixRows> modelView_;
+    std::optional<MatrixRows> projection_;
+    std::set<std::string, std::less<>> reported_;
+};
+
+}  // namespace glibra::classic
