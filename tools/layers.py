@@ -55,7 +55,7 @@ ORDER = {
         "": {"stats", "load", "draw"},  # Pipeline and SceneRenderer
         "probe": {"stats", "load", "draw", ""},
         "file": {"stats", "load", "draw", "", "probe"},
-        "check": {"stats", "load", "draw", ""},
+        "check": {"stats", "load", "draw", "", "probe"},
     },
     "suite": {
         "": set(),
