@@ -125,7 +125,7 @@ std::vector<ObjectUse> usesOf(const FramePlan& plan, std::size_t node) {
         const PlannedDispatch& planned = plan.dispatches.at(at.index);
         uses = shaderUses(plan.programs[planned.program], planned.textures);
         if (const auto* groups = std::get_if<scene::GroupsFrom>(&plan.dispatchOf(planned).groups))
-            uses.push_back({groups->buffer, true, false});
+            uses.push_back({groups->first.buffer, true, false});
     } else {
         const scene::ClearObject& clear = plan.clearOf(plan.clears.at(at.index));
         if (const auto* buffer = std::get_if<scene::BufferIndex>(&clear.object))

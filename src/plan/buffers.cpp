@@ -303,7 +303,7 @@ class LayoutFinder {
 };
 
 /// The number of a buffer that begins at this byte; nothing if none does.
-std::optional<MemoryNumber> numberAt(const BufferLayout& layout, std::uint64_t offset) {
+std::optional<MemoryNumber> numberAtByte(const BufferLayout& layout, std::uint64_t offset) {
     // Numbers have at least four bytes, and those of later elements lie behind those of earlier ones.
     std::uint64_t first = 0, last = std::min(offset / 4 + 1, layout.pattern.numbers(layout.elements));
     while (first < last) {
@@ -334,7 +334,7 @@ std::optional<Diagnostic> countsProblem(const scene::Scene& scene, const scene::
                         where, counts == 1 ? "s" : "", bytes),
             place);
     for (std::uint64_t i = 0; i < counts; ++i) {
-        const auto number = numberAt(*layout, (from.word + i) * sizeof(std::uint32_t));
+        const auto number = numberAtByte(*layout, (from.word + i) * sizeof(std::uint32_t));
         if (number && (number->kind == NumberKind::unsignedInteger || number->kind == NumberKind::integer))
             continue;
         const std::string lack =

@@ -127,7 +127,7 @@ std::vector<ObjectUse> PlannedPrograms::usesOf(const scene::Dispatch& dispatch) 
     const PlannedProgramIndex program = of(dispatch);
     std::vector<ObjectUse> uses = shaderUsesOf(program, texturesOf(dispatch, program));
     if (const auto* groups = std::get_if<scene::GroupsFrom>(&dispatch.groups))
-        uses.push_back({groups->buffer});
+        uses.push_back({groups->first.buffer});
     if (const scene::ObjectView* size = sizeObjectOf(dispatch))  // its content is not read
         uses.push_back({*size, false, false});
     return uses;

@@ -9,7 +9,7 @@
 namespace glibra::test {
 namespace {
 
-const std::string kBegin = "WindowSize 8 8\nBackground 0 0 0\nCamera eye (mat4(1)) (mat4(1))\n";
+const std::string kAttributeScene = "WindowSize 8 8\nBackground 0 0 0\nCamera eye (mat4(1)) (mat4(1))\n";
 
 /// Draws a point of a colour at the middle of a pixel.
 const std::string kDots =
@@ -27,7 +27,7 @@ TEST(AttributeParts, AreNumbersAtAnOffsetWithAStride) {
     // As in glVertexAttribPointer: place and colour interleaved, five numbers each, after two that are not
     // meant.
     EXPECT_EQ(
-        problemsOf(kBegin + kDots +
+        problemsOf(kAttributeScene + kDots +
                    "Buffer data float [9 9  1 2 1 .2 0  5 6 0 .4 1]\n"
                    "Attribute iPixel data offset 8 stride 20\nAttribute iTint data stride 20 offset 16\n"
                    "Vertices points 2\n" +
@@ -38,11 +38,11 @@ TEST(AttributeParts, AreNumbersAtAnOffsetWithAStride) {
 TEST(AttributeParts, AreDrawnByIndicesAndPerInstance) {
     const std::string data = "Buffer data float [7 7 1 1 1  5 6 0 .4 1  7 1 1 1 1  1 2 1 .2 0]\n";
     const std::string parts = "Attribute iPixel data stride 20\nAttribute iTint data stride 20 offset 8\n";
-    EXPECT_EQ(problemsOf(kBegin + kDots + data + parts +
+    EXPECT_EQ(problemsOf(kAttributeScene + kDots + data + parts +
                          "Buffer order uint [3 1]\nVertices points indices order\n" + kTwo),
               "");
     EXPECT_EQ(problemsOf(
-                  kBegin + kDots + data +
+                  kAttributeScene + kDots + data +
                   "Attribute iPixel data offset 20 stride 40 per instance\nAttribute iTint data per instance "
                   "stride 40 offset 28\nInstances 2\nVertices points 1\n" +
                   kTwo),
@@ -52,10 +52,10 @@ TEST(AttributeParts, AreDrawnByIndicesAndPerInstance) {
 TEST(AttributeParts, HaveAsManyElementsAsFit) {
     const std::string data =
         "Buffer data float [9 9  1 2 1 .2 0  5 6 0 .4 1]\nAttribute iPixel data offset 8 stride 20\n";
-    EXPECT_NE(problemsOf(kBegin + kDots + data + "Attribute iTint [1 1 1]\nVertices points 3\n")
+    EXPECT_NE(problemsOf(kAttributeScene + kDots + data + "Attribute iTint [1 1 1]\nVertices points 3\n")
                   .find("memory-E13 Vertices: 3 vertices are more than the 2 elements of 'data'"),
               std::string::npos)
-        << problemsOf(kBegin + kDots + data + "Attribute iTint [1 1 1]\nVertices points 3\n");
+        << problemsOf(kAttributeScene + kDots + data + "Attribute iTint [1 1 1]\nVertices points 3\n");
 }
 
 const std::string kDust =
@@ -67,12 +67,12 @@ const std::string kDust =
 
 TEST(AttributeParts, AreMembersOfStructures) {
     EXPECT_EQ(
-        problemsOf(kBegin + kDots + kDust +
+        problemsOf(kAttributeScene + kDots + kDust +
                    "Attribute iPixel Birds.place\nAttribute iTint Birds.tint\nVertices points 2\n" + kTwo),
         "");
     EXPECT_EQ(
         problemsOf(
-            kBegin + kDots + kDust +
+            kAttributeScene + kDots + kDust +
             "Attribute iPixel Birds.place per instance\nAttribute iTint Birds.tint per instance\nInstances "
             "2\nVertices points 1\n" +
             kTwo),
@@ -81,7 +81,7 @@ TEST(AttributeParts, AreMembersOfStructures) {
 
 TEST(AttributeParts, OfUnknownNamesAreReported) {
     const auto reported = [](const std::string& attribute) {
-        return problemsOf(kBegin + kDots + kDust + attribute +
+        return problemsOf(kAttributeScene + kDots + kDust + attribute +
                           "\nAttribute iTint Birds.tint\nVertices points 2\n");
     };
     EXPECT_NE(reported("Attribute iPixel Birds.plase")
@@ -94,7 +94,7 @@ TEST(AttributeParts, OfUnknownNamesAreReported) {
               std::string::npos);
     EXPECT_NE(reported("Attribute iPixel Birds stride 6").find("multiple of 4"), std::string::npos);
     EXPECT_NE(
-        problemsOf(kBegin + kDots +
+        problemsOf(kAttributeScene + kDots +
                    "Buffer b vec2 2\nAttribute iPixel b.x\nAttribute iTint [1 1 1]\nVertices points 2\n")
             .find("'offset' and 'stride'"),
         std::string::npos);

@@ -43,7 +43,8 @@ void setNumbers(Interpreter& in, const KeyedValues& from, std::string key, std::
 }
 
 /// Three or four components; a missing alpha is 1.
-std::optional<std::vector<double>> colorOf(Interpreter& in, const Command& command, const KeyedValues& key) {
+std::optional<std::vector<double>> colorOfMember(Interpreter& in, const Command& command,
+                                                 const KeyedValues& key) {
     auto numbers = numbersOf(in, key.values);
     if (!numbers) return std::nullopt;
     if (numbers->size() == 1) numbers->resize(3, numbers->front());
@@ -92,7 +93,7 @@ void doMaterial(Interpreter& in, const Command& command) {
             const auto value = numberIn(in, key.values.front(), "Material: shininess", 0, kMostShininess);
             if (value) numbers = std::vector{*value};
         } else {
-            numbers = colorOf(in, command, key);
+            numbers = colorOfMember(in, command, key);
         }
         if (!numbers) return;
         members.emplace_back(&key, std::move(*numbers));
@@ -158,7 +159,7 @@ class LightReader {
             add(key, "linearAttenuation", {factors->at(1)});
             return add(key, "quadraticAttenuation", {factors->at(2)});
         }
-        auto color = colorOf(in_, command_, key);
+        auto color = colorOfMember(in_, command_, key);
         return color && add(key, key.key, std::move(*color));
     }
 
@@ -197,7 +198,7 @@ class LightReader {
 void doLight(Interpreter& in, const Command& command) {
     if (command.values.empty()) {
         const KeyedValues& ambient = command.keys.front();
-        auto color = colorOf(in, command, ambient);
+        auto color = colorOfMember(in, command, ambient);
         if (color) setNumbers(in, ambient, "gl_LightModel.ambient", std::move(*color));
         return;
     }

@@ -9,6 +9,7 @@
 
 #include "glib/text.h"
 #include "view/window/panels/ui.h"
+#include "view/window/platform/keys.h"
 
 namespace glibra::view {
 namespace {
