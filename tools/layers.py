@@ -60,13 +60,13 @@ ORDER = {
     "suite": {
         "": set(),
         "module": set(),
-        "serve": {"", "module"},
         "options": {""},
         "file": {"", "options"},
         "golden": {"", "options", "file"},
         "results": {"", "golden"},
         "report": {"", "options", "golden", "results"},
         "run": {"", "options", "file", "golden", "results", "report"},
+        "serve": {"", "module", "options", "file", "golden", "results", "report", "run"},
     },
     "bench": {
         "core": set(),

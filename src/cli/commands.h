@@ -26,6 +26,7 @@ inline constexpr int kNoDriver = 4;
 
 void addRender(CommandLine& program, int& status);
 void addTest(CommandLine& program, int& status);
+void addReview(CommandLine& program, int& status);
 void addClass(CommandLine& program, int& status);
 void addGallery(CommandLine& program, int& status);
 void addCheck(CommandLine& program, int& status);

@@ -60,6 +60,7 @@ int run(int argc, char** argv) {
     int status = glibra::cli::kDone;
     glibra::cli::addRender(line, status);
     glibra::cli::addTest(line, status);
+    glibra::cli::addReview(line, status);
     glibra::cli::addClass(line, status);
     glibra::cli::addGallery(line, status);
     glibra::cli::addView(line, status);

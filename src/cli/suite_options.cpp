@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <map>
 #include <utility>
 
@@ -79,6 +80,19 @@ std::optional<Selection> readSelection(const SuiteArguments& arguments, int& sta
             selection.undivided.push_back({i, shot});
     }
     return selection;
+}
+
+int listShots(const SuiteArguments& arguments) {
+    int status = kDone;
+    const std::optional<Selection> selection = readSelection(arguments, status);
+    if (!selection) return status;
+    std::string text;
+    for (const suite::ShotReference& each : selection->shots) {
+        const suite::Suite& suite = selection->suites[each.suite];
+        text += fmt::format("{}/{}\n", suite.name, suite.shots[each.shot].name);
+    }
+    std::fwrite(text.data(), 1, text.size(), stdout);
+    return status;
 }
 
 }  // namespace glibra::cli

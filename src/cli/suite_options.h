@@ -52,4 +52,7 @@ base::WorkerOptions inputWorkers(const SuiteArguments& arguments, std::size_t sh
 /// exit status.
 std::optional<Selection> readSelection(const SuiteArguments& arguments, int& status);
 
+/// Prints the selected shots, as SUITE/SHOT. Returns the exit status.
+int listShots(const SuiteArguments& arguments);
+
 }  // namespace glibra::cli

@@ -14,11 +14,13 @@
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/interruption.h"
+#include "cli/orphan_answer.h"
 #include "cli/picture_options.h"
 #include "cli/run_facts.h"
 #include "cli/stale_results.h"
 #include "cli/suite_options.h"
 #include "cli/suite_progress.h"
+#include "cli/test_reports.h"
 #include "cli/test_results.h"
 #include "cli/untrusted.h"
 #include "cli/written_files.h"
@@ -27,15 +29,13 @@
 #include "render/file/job.h"
 #include "suite/golden/golden_store.h"
 #include "suite/golden/hash_key.h"
-#include "suite/golden/orphans.h"
 #include "suite/options/option_words.h"
-#include "suite/report/html_report.h"
-#include "suite/report/junit_report.h"
 #include "suite/report/terminal_report.h"
 #include "suite/results/merge.h"
 #include "suite/results/results_file.h"
 #include "suite/run/fingerprint.h"
 #include "suite/run/plan_digest.h"
+#include "suite/run/verdict.h"
 
 namespace glibra::cli {
 namespace {
@@ -48,45 +48,52 @@ struct TestArguments {
     bool prune = false;
     bool force = false;
     bool variant = false;
+    bool also = false;
+    bool strictFlaky = false;
+    bool list = false;
     bool allowOutside = false;
     suite::Shot picture;  ///< what the options of a picture state
     std::string results = "glibra-results";
     bool resultsAreNamed = false;  ///< by the user
-    std::string report;
-    std::string junit;
+    ReportRequest reports;
     std::string goldens;
     std::vector<std::string> merge;
     std::vector<std::string> roots;
     std::string command;
 };
 
-/// Writes the reports and prints the summary. Returns the exit status.
+/// Prints the summary and writes the reports. Returns the exit status.
 int report(const suite::RunResult& run, const TestArguments& arguments, const suite::ReportRoots& roots) {
     const std::string text = suite::toText(run, hasColor(STDOUT_FILENO), arguments.results);
     std::fwrite(text.data(), 1, text.size(), stdout);
     std::fflush(stdout);
-    Diagnostics problems;
-    if (!arguments.report.empty()) {
-        append(problems, suite::writeHtmlReport(run, arguments.results, arguments.report, roots));
-        if (!hasError(problems)) printLine("report: " + (fs::path(arguments.report) / "index.html").string());
+    return std::max(writeReports(run, arguments.reports, arguments.results, roots) ? kDone : kSceneIsWrong,
+                    exitStatus(run));
+}
+
+/// A CI server reads the reports of a run that could not begin, too: each shot is an error.
+void reportNoDriver(suite::RunResult run, const TestArguments& arguments, const Selection& selection,
+                    const std::vector<suite::ShotReference>& shots, const Diagnostics& why) {
+    const std::string reason = why.empty() ? "there is no OpenGL driver" : toString(why.front());
+    for (const suite::ShotReference& each : shots) {
+        const suite::Suite& suite = selection.suites[each.suite];
+        run.shots.push_back(
+            suite::ShotJudge::broken(suite, suite.shots[each.shot], suite::Verdict::failed, reason));
     }
-    if (!arguments.junit.empty()) {
-        const std::string xml = suite::toJunit(run);
-        std::error_code ignored;  // reported with the file that cannot be written
-        if (const fs::path folder = fs::path(arguments.junit).parent_path(); !folder.empty())
-            fs::create_directories(folder, ignored);
-        append(problems, image::writeFileAtomically(arguments.junit, std::as_bytes(std::span(xml))));
-    }
-    print(problems);
-    return std::max(hasError(problems) ? kSceneIsWrong : kDone, exitStatus(run));
+    run.planned.reset();  // all that was planned is in the list
+    writeReports(run, arguments.reports, arguments.results,
+                 shownRoots(selection.suites, selection.shots, arguments.goldens));
 }
 
 /// file-E13 for the reports if they would replace a file that was read.
 Diagnostics overwrittenByReports(const TestArguments& arguments, const ReadFiles& read) {
     Diagnostics problems;
-    if (!arguments.junit.empty()) append(problems, read.overwrittenBy(arguments.junit, "--junit"));
-    if (!arguments.report.empty())
-        append(problems, read.overwrittenBy(fs::path(arguments.report) / "index.html", "--report"));
+    if (!arguments.reports.junit.empty())
+        append(problems, read.overwrittenBy(arguments.reports.junit, "--junit"));
+    if (!arguments.reports.summary.empty())
+        append(problems, read.overwrittenBy(arguments.reports.summary, "--summary"));
+    if (!arguments.reports.report.empty())
+        append(problems, read.overwrittenBy(fs::path(arguments.reports.report) / "index.html", "--report"));
     return problems;
 }
 
@@ -139,7 +146,11 @@ int merge(const TestArguments& arguments) {
     }
     roots.areUnnamed = arguments.roots.empty();
     if (arguments.suites.timeout) roots.decoder.seconds = *arguments.suites.timeout;
-    return merged ? std::max(status, report(*merged, arguments, roots)) : status;
+    if (!merged) return status;
+    suite::RunResult run = *merged;
+    if (arguments.strictFlaky)
+        for (suite::ShotResult& each : run.shots) suite::countFlakyAsFailure(each);
+    return std::max(status, report(run, arguments, roots));
 }
 
 /// The line to print for a shot while the run goes on; empty for a plain pass.
@@ -158,34 +169,10 @@ bool isSameFile(int first, int second) {
            a.st_ino == b.st_ino;
 }
 
-/// Lists the goldens that belong to no shot, or removes them. Returns the exit status.
-int answerOrphans(const TestArguments& arguments, const std::vector<suite::Suite>& suites) {
-    constexpr std::size_t kMostNames = 10;
-    int status = kDone;
-    for (const suite::Suite& each : suites) {
-        const std::vector<fs::path> orphans = suite::orphanGoldens(each, arguments.goldens, suites);
-        if (orphans.empty()) continue;
-        if (arguments.prune) {
-            const Diagnostics problems = suite::removeOrphans(orphans);
-            print(problems);
-            if (hasError(problems)) status = kSceneIsWrong;
-        }
-        const std::size_t count = orphans.size();
-        const std::size_t shown = arguments.prune ? count : std::min(count, kMostNames);
-        std::string text = fmt::format(
-            "{} of no shot of '{}' {}", glib::counted(count, "golden"), each.name,
-            arguments.prune ? (count == 1 ? "was removed:" : "were removed:") : "(--prune removes them):");
-        for (std::size_t i = 0; i < shown; ++i) text += " " + orphans[i].string();
-        if (count > shown) text += fmt::format(" and {} more", count - shown);
-        print({withoutId(Severity::note, text)});
-    }
-    return status;
-}
-
 /// The names of all shots to judge.
 std::vector<suite::PlannedShots> planOf(const Selection& selection) {
     std::vector<suite::PlannedShots> plan;
-    for (const suite::Suite& each : selection.suites) plan.push_back({each.name, {}});
+    for (const suite::Suite& each : selection.suites) plan.push_back({each.name, {}, each.file.string()});
     for (const suite::ShotReference& each : selection.shots)
         plan[each.suite].shots.push_back(selection.suites[each.suite].shots[each.shot].name);
     return plan;
@@ -215,6 +202,8 @@ suite::RunOptions runOptions(const TestArguments& arguments, const std::optional
     options.update = arguments.update;
     options.force = arguments.force;
     options.variant = arguments.variant;
+    options.also = arguments.also;
+    options.strictFlaky = arguments.strictFlaky;
     options.allowOutside = arguments.allowOutside;
     options.goldens = arguments.goldens;
     options.results = arguments.results;
@@ -319,7 +308,10 @@ int test(const TestArguments& arguments) {
             fs::remove(each.whole(), notEmpty);
         }
     print(end.diagnostics);
-    if (end.noDriver) return kNoDriver;
+    if (end.noDriver) {
+        reportNoDriver(run, arguments, *selection, open, end.diagnostics);
+        return kNoDriver;
+    }
 
     run.driver = end.driver;
     run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -332,7 +324,8 @@ int test(const TestArguments& arguments) {
     if (hasError(end.diagnostics)) status = kSceneIsWrong;
     status = std::max(
         status, report(run, arguments, shownRoots(selection->suites, selection->shots, arguments.goldens)));
-    if (!end.stopped) status = std::max(status, answerOrphans(arguments, selection->suites));
+    if (!end.stopped)
+        status = std::max(status, answerOrphans(selection->suites, arguments.goldens, arguments.prune));
     if (end.stopped && interruption.signal() != 0) {
         printLine("stopped; continue with --resume");
         interruption.obey();
@@ -350,7 +343,10 @@ bool isMerged(const TestArguments& arguments) {
 }
 
 int runCommand(const TestArguments& arguments) {
-    markUnfinished({isMerged(arguments) ? "" : arguments.results, arguments.report, arguments.junit});
+    if (arguments.list && arguments.merge.empty() && !arguments.suites.suites.empty())
+        return listShots(arguments.suites);
+    markUnfinished(
+        {isMerged(arguments) ? "" : arguments.results, arguments.reports.report, arguments.reports.junit});
     const auto refuse = [](const char* why) {
         printError(why);
         return kWrongUsage;
@@ -365,8 +361,9 @@ int runCommand(const TestArguments& arguments) {
     }
     if (arguments.suites.suites.empty())
         return refuse("expected a suite: a TOML file or a folder of scenes, such as `glibra test scenes/`");
-    if ((arguments.force || arguments.variant) && !arguments.update)
-        return refuse("--force and --variant need --update");
+    if ((arguments.force || arguments.variant || arguments.also) && !arguments.update)
+        return refuse("--force, --variant and --also need --update");
+    if (arguments.variant && arguments.also) return refuse("--also excludes --variant");
     if ((arguments.update || arguments.prune) && arguments.suites.untrusted)
         return refuse("--untrusted changes no goldens, so it excludes --update and --prune");
     if (arguments.suites.untrusted && !prepareUntrusted()) return kNoDriver;
@@ -392,12 +389,24 @@ void addTest(CommandLine& program, int& status) {
                  "with --update: accept even pictures of one colour or with values that are not a number");
     command.flag("--variant", to.variant,
                  "with --update: write goldens for this family of drivers only, as NAME.nvidia.png");
+    command.flag("--also", to.also,
+                 "with --update: keep the golden, and accept the picture beside it, as NAME.also1.png");
+    command.flag("--list", to.list, "print the names of the selected shots, as SUITE/SHOT, and draw nothing");
+    command.flag("--strict-flaky", to.strictFlaky, "shots that are right in some of their drawings fail");
     addSelectionOptions(command, to.suites);
     command.option("--results", to.results, "folder for the results and the pictures of failures")
         .written()
         .withDefault();
-    command.option("--report", to.report, "folder for a report that a browser shows").written();
-    command.option("--junit", to.junit, "file for a JUnit report (XML)").written();
+    command.option("--report", to.reports.report, "folder for a report that a browser shows").written();
+    command.option("--junit", to.reports.junit, "file for a JUnit report (XML)").written();
+    command
+        .option("--summary", to.reports.summary,
+                "file for a short report in Markdown, for the page of a CI job")
+        .written();
+    command
+        .option("--pictures-at", to.reports.picturesAt,
+                "with --summary: address below which the pictures of the results will be found")
+        .placeholder("URL");
     command
         .option("--goldens", to.goldens,
                 "folder with one folder of goldens per suite, instead of the suites' own")

@@ -161,10 +161,7 @@ int exitStatus(const suite::RunResult& run) {
     int status = kDone;
     for (const suite::ShotResult& each : run.shots) {
         if (!suite::isFailure(each.verdict)) continue;
-        const bool notDrawn = each.verdict == suite::Verdict::crashed ||
-                              each.verdict == suite::Verdict::timedOut ||
-                              (each.verdict == suite::Verdict::failed && each.width == 0);
-        status = std::max(status, notDrawn ? kSceneIsWrong : kDiffers);
+        status = std::max(status, suite::wasNotDrawn(each) ? kSceneIsWrong : kDiffers);
     }
     return status;
 }

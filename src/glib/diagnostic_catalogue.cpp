@@ -350,7 +350,12 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"suite-E26", "the check 'changes with uAd': no two pictures differ in 'uAd' alone; --sweep draws them"},
     {"suite-E27", "this is no file of marks: unexpected end of input"},
     {"suite-E30", "cannot serve a page: the module that speaks HTTP is not installed"},
+    {"suite-E31", "ignore: [200, 0, 100, 20] is not inside of the picture of 256 x 256 pixels"},
+    {"suite-E32", "quarantine: '2026-02-30' is not a day, as \"2026-12-31\""},
+    {"suite-E33", "'oval' has 9 further accepted pictures; remove one before another is added"},
     {"suite-W01", "this is not a line of accepted pixels; it is ignored"},
+    {"suite-W02", "the quarantine of 'oval' ended on 2026-12-31; remove it from the suite"},
+    {"suite-W03", "an ignored rectangle of 'oval' counts again since 2026-12-31; remove it from the suite"},
     // Results of suites
     {"result-E01", "this is not a line of results: 'verdict': there is no verdict 'good'"},
     {"result-E02", "another run is writing its results to 'results'; give each run a folder of its own"},

@@ -27,6 +27,12 @@ struct PlacedUniform {
     Place place;
 };
 
+/// A rectangle of a picture in pixels, from the top left corner, that is left out of comparisons.
+struct IgnoredRegion {
+    int x = 0, y = 0, width = 1, height = 1;
+    std::string until;  ///< the last day on which it is left out, as "2026-12-31"; empty: always
+};
+
 /// One picture.
 struct Shot {
     /// Unique in its suite. It names files, so it is made of letters, digits, "._-=,@+", and "/" between
@@ -35,7 +41,13 @@ struct Shot {
     std::filesystem::path script;
     RenderOptions options;
     image::Tolerance tolerance;
-    double timeout = 300;  ///< seconds
+    bool statesTolerance =
+        false;  ///< two drawings need only agree within the tolerance, which the suite states
+    std::vector<IgnoredRegion> ignored;
+    std::filesystem::path mask;  ///< a picture that is white where nothing is compared; or empty
+    int retries = 0;             ///< a shot that fails is drawn as often again; if one is right, it is flaky
+    std::string quarantine;  ///< the last day on which its failures do not count, as "2026-12-31"; or empty
+    double timeout = 300;    ///< seconds
     /// Bytes that the process that draws may take; 0: no limit; nothing: base::memoryShare().
     std::optional<std::uint64_t> memory;
     std::vector<std::string> tags;  ///< for --only tag:NAME

@@ -18,6 +18,10 @@ size = [64, 48]
 [[shot]]
 script = "sphere.glib"
 [[shot]]
+name = "far/away/blue"
+script = "sphere.glib"
+set = { uColor = [0, 0, 1] }
+[[shot]]
 name = "red"
 script = "sphere.glib"
 set = { uColor = [1, 0, 0] }
@@ -130,6 +134,24 @@ golden_tests && fail "golden tests pass without goldens"
 cmake --build "$place/consumer" --target pictures-update >>"$place/log" || fail "no goldens were made"
 test -s "$place/scenes/golden/pictures/red.png" || fail "no golden of the shot 'red'"
 golden_tests || fail "golden tests fail on unchanged scenes"
+# One test per shot: by name, with labels and processors; ctest sees a shot that has been added since.
+ctest --test-dir "$place/consumer" -L single -N >"$place/log"
+for each in sphere red; do grep -q "each.pictures/$each\$" "$place/log" || fail "no test of the shot '$each'"; done
+grep -q 'each.pictures/far/away/blue$' "$place/log" || fail "no test of a shot in a folder"
+grep -q 'Total Tests: 3' "$place/log" || fail "other tests than one per shot"
+ctest --test-dir "$place/consumer" -R 'each.pictures/red$' >"$place/log" 2>&1 || fail "the test of one shot fails"
+grep -q '<testcase name="red"' "$place/consumer/each-results/red/junit.xml" || fail "no JUnit file of one shot"
+ctest --test-dir "$place/consumer" -L single --show-only=json-v1 >"$place/log"
+grep -A 3 '"PROCESSORS"' "$place/log" | grep -q '"value" : 2' || fail "PROCESSORS is lost"
+cp "$place/scenes/pictures.toml" "$place/pictures.toml"
+printf '[[shot]]\nname = "green"\nscript = "sphere.glib"\nset = { uColor = [0, 1, 0] }\n' >>"$place/scenes/pictures.toml"
+ctest --test-dir "$place/consumer" -L single >"$place/log" 2>&1 && fail "a shot without a golden passes"
+grep -q 'each.pictures/green .*Failed' "$place/log" || fail "a shot that was added is not seen"
+grep -q 'each.pictures/red .*Passed' "$place/log" || fail "the other shots do not pass"
+printf '[[shot]]\nnaem = "x"\n' >>"$place/scenes/pictures.toml"
+ctest --test-dir "$place/consumer" -R '^each' --output-on-failure >"$place/log" 2>&1 && fail "a broken suite passes"
+grep -q "unknown key 'naem'" "$place/log" || fail "the mistake of the suite is not shown"
+cp "$place/pictures.toml" "$place/scenes/pictures.toml"
 test -f "$place/consumer/pictures-report/index.html" || fail "no report"
 grep -q '<testcase' "$place/consumer/pictures-results/junit.xml" || fail "no JUnit file"
 sed -i 's/vLight \* uColor/.9 * vLight * uColor/' "$place/scenes/plain.frag"

@@ -101,7 +101,7 @@ array() { "$source/tools/slurm-array" -n 4 -o "$place/out" "$@" >"$place/array.l
 array s.toml || fail "a run without differences ends with $?"
 grep -q '8 passed' "$place/array.log" || fail "not all shots have passed"
 for part in 1 2 3 4; do [ -s "$place/out/$part/results.jsonl" ] || fail "part $part has no results"; done
-[ -s "$place/out/report/index.html" ] && [ -s "$place/out/junit.xml" ] || fail "no report"
+for each in report/index.html junit.xml; do [ -s "$place/out/$each" ] || fail "no $each"; done
 cp plain.frag good.frag
 sed -i 's/vLight \* uColor/.5 * vLight * uColor/' plain.frag
 status=0

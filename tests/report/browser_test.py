@@ -97,6 +97,22 @@ class Report(unittest.TestCase):
         self.assertEqual(chips, ["4 failed", "1 crashed", "1 timed-out", "1 unstable", "1 refused", "1 missing",
                                  "1 updated", "1 skipped", "%d passed" % (PASSES + 2)])
 
+    def test_while_a_shot_loads_no_picture_is_said_to_be_missing(self):
+        captions = "return [...document.querySelectorAll('figcaption'), document.querySelector('#zoomText')].map((each) => each.textContent)"
+        told = self.browser.run("""[...document.querySelectorAll('#list .shot')].find((each) => each.dataset.id === 'sample/deep').click();
+            """ + captions)
+        self.assertEqual(told, ["expected", "got", "difference × 8", ""])
+        self.shown("sample/deep")
+        self.assertIn("expected, 64 × 48", self.browser.run(captions))
+        self.go("sample/missing")
+        self.assertIn("expected: no picture", self.browser.run(captions))
+
+    def test_an_unstable_shot_shows_two_drawings(self):
+        self.go("sample/unstable")
+        told = self.browser.run("return [...document.querySelectorAll('figcaption')].map((each) => each.textContent)")
+        self.assertEqual(told[:2], ["second drawing, 64 × 48", "first drawing, 64 × 48"])
+        self.assertNotIn("golden picture", self.browser.run("return document.querySelector('#figures').textContent"))
+
     def test_many_passes_are_no_burden(self):
         self.assertLess(self.browser.run("return document.getElementsByTagName('*').length"), 500)
         self.assertEqual(self.browser.run("return document.images.length"),

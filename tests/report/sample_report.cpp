@@ -93,7 +93,7 @@ suite::ShotResult shot(const std::string& name, suite::Verdict verdict) {
 suite::ShotResult compared(const fs::path& results, const std::string& name, suite::Verdict verdict,
                            const image::Image& expected, const image::Image& got) {
     suite::ShotResult made = shot(name, verdict);
-    made.expected = "goldens/" + name + ".png";
+    made.expected = "goldens/" + name + (verdict == suite::Verdict::unstable ? ".again.png" : ".png");
     made.got = "got/" + name + ".png";
     made.judgement.comparison = image::compare(expected, got);
     made.judgement.decidedBy =

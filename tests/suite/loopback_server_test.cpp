@@ -283,6 +283,14 @@ TEST_F(Served, AnswersWhileOthersHoldConnectionsOpen) {
     for (const int each : idle) ::close(each);
 }
 
+TEST(LoopbackServer, EndsAlsoIfItIsStoppedBeforeItHasBegun) {
+    for (int i = 0; i < 20; ++i) {
+        auto server = LoopbackServer::open();
+        ASSERT_TRUE(server);
+        server->run([] { return true; });
+    }
+}
+
 TEST(LoopbackServer, SaysThatItsModuleIsMissing) {
     const Folder folder;
     const auto none = LoopbackServer::open(1000, {folder.path()});

@@ -124,7 +124,7 @@ RunResult ResultsMaker::run() {
     made.seconds = static_cast<double>(below(1'000'000'000)) / 7;
     made.began = text();
     made.missingShards = text();
-    if (chance()) made.planned = {{text(), {text(), text()}}, {text(), {}}};
+    if (chance()) made.planned = {{text(), {text(), text()}, text()}, {text(), {}}};
     return made;
 }
 

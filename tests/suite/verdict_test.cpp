@@ -53,7 +53,7 @@ TEST_F(Verdicts, WithoutAGoldenItIsMissingAndThePictureIsThere) {
     const ShotResult result = decide(shot, gradient()).result;
     EXPECT_EQ(result.verdict, Verdict::missing);
     EXPECT_TRUE(exists("results" / result.got));
-    EXPECT_EQ(result.accept, "glibra test s.toml --only a --update");
+    EXPECT_EQ(result.accept, "glibra test s.toml --only a --update --allow-outside");
 }
 
 TEST_F(Verdicts, UpdateMakesTheGoldenAndTheNextRunIsDecidedByTheHash) {

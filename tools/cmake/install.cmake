@@ -99,8 +99,9 @@ endforeach()
 # The package works in the build tree as well: cmake -Dglibra_DIR=BUILD.
 export(EXPORT glibraLibraryTargets NAMESPACE glibra:: FILE ${PROJECT_BINARY_DIR}/glibraLibraryTargets.cmake)
 export(EXPORT glibraProgramTargets NAMESPACE glibra:: FILE ${PROJECT_BINARY_DIR}/glibraProgramTargets.cmake)
-configure_file(${PROJECT_SOURCE_DIR}/tools/cmake/glibra_golden_test.cmake ${PROJECT_BINARY_DIR}/glibra_golden_test.cmake
-               COPYONLY)
+foreach(part glibra_golden_test glibra_golden_shots)
+    configure_file(${PROJECT_SOURCE_DIR}/tools/cmake/${part}.cmake ${PROJECT_BINARY_DIR}/${part}.cmake COPYONLY)
+endforeach()
 set(glibra_program ${program})
 configure_package_config_file(${PROJECT_SOURCE_DIR}/tools/cmake/glibraConfig.cmake.in ${PROJECT_BINARY_DIR}/glibraConfig.cmake
                               INSTALL_DESTINATION ${PROJECT_BINARY_DIR} INSTALL_PREFIX ${PROJECT_BINARY_DIR}
@@ -112,6 +113,7 @@ configure_package_config_file(${PROJECT_SOURCE_DIR}/tools/cmake/glibraConfig.cma
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/glibraConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/install/glibraConfig.cmake ${PROJECT_BINARY_DIR}/glibraConfigVersion.cmake
               ${PROJECT_SOURCE_DIR}/tools/cmake/glibra_golden_test.cmake
+              ${PROJECT_SOURCE_DIR}/tools/cmake/glibra_golden_shots.cmake
         DESTINATION ${package_dir} COMPONENT devel)
 file(RELATIVE_PATH glibra_prefix_from_pc /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 string(REGEX REPLACE "/$" "" glibra_prefix_from_pc "${glibra_prefix_from_pc}")

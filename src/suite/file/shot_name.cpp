@@ -63,7 +63,10 @@ std::string_view shotOfVariant(std::string_view name) {
     constexpr std::string_view kOsmesa = "osmesa-";
     if (family.starts_with(kOsmesa)) family.remove_prefix(kOsmesa.size());
     const bool isWord = !family.empty() && std::all_of(family.begin(), family.end(), glib::isLetter);
-    return isWord || family == "d3d12" ? name.substr(0, dot) : std::string_view();
+    const bool isFurther = family.starts_with(kFurtherVariant) &&
+                           family.size() == kFurtherVariant.size() + 1 && family.back() >= '1' &&
+                           family.back() <= '9';
+    return isWord || isFurther || family == "d3d12" ? name.substr(0, dot) : std::string_view();
 }
 
 std::string nameOfScene(std::string_view path) {

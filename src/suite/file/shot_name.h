@@ -15,9 +15,13 @@ std::string whyNotAName(std::string_view name);
 /// from others: two names with one such form would share their golden there.
 std::string nameOnAnyDisk(std::string_view name);
 
+/// The variants of goldens that are further accepted pictures: "also1" to "also9".
+inline constexpr std::string_view kFurtherVariant = "also";
+inline constexpr int kMostFurther = 9;
+
 /// Returns "teapot" for "teapot.nvidia": the shot whose golden for that family of drivers would have the same
 /// file as the golden of this shot. Empty if the part after the last "." cannot be a family (letters,
-/// "d3d12", "osmesa-...").
+/// "d3d12", "osmesa-...") or a further picture.
 std::string_view shotOfVariant(std::string_view name);
 
 /// The name for a scene file: its path without the ending, with "_" for every character that a name cannot

@@ -27,6 +27,7 @@ struct OptionReader {
     const TomlValue& value;
     const std::filesystem::path& folder;
     ShotTemplate& to;
+    const OptionRow& row;
 
     void operator()(const FlagValue& flag) const {
         if (const auto truth = reader.truth(value, key)) flag.member.edit(to.shot) = *truth;
@@ -36,6 +37,15 @@ struct OptionReader {
             whole.member.edit(to.shot) = *number;
     }
     void operator()(const NumberValue& number) const {
+        // A text as on the command line, with the unit.
+        if (const auto* text = value.as<std::string>(); text && !number.unit.empty()) {
+            const std::string expected = readOptionText(row, *text, to.shot);
+            if (!expected.empty())
+                reader.report("suite-E04",
+                              fmt::format("{}: expected {}, found {}", key, expected, glib::inQuotes(*text)),
+                              reader.placeOf(value));
+            return;
+        }
         if (const auto read = reader.number(value, key, number.least, number.most))
             number.member.edit(to.shot) = *read;
     }
@@ -200,7 +210,7 @@ void OptionReader::operator()(const FoldersValue& folders) const {
 
 void readOption(TomlReader& reader, const OptionRow& row, const TomlValue& value,
                 const std::filesystem::path& folder, ShotTemplate& shot) {
-    std::visit(OptionReader{reader, row.key, value, folder, shot}, row.value);
+    std::visit(OptionReader{reader, row.key, value, folder, shot, row}, row.value);
 }
 
 }  // namespace glibra::suite

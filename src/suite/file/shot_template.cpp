@@ -10,6 +10,7 @@
 #include "base/suggest.h"
 #include "glib/diagnostic_catalogue.h"
 #include "glib/text.h"
+#include "suite/day.h"
 #include "suite/file/shot_name.h"
 #include "suite/file/shot_options.h"
 
@@ -21,6 +22,7 @@ constexpr double kNoLimit = std::numeric_limits<double>::max();
 struct Context {
     TomlReader& reader;
     ShotTemplate& to;
+    const std::filesystem::path& folder;
 };
 
 void readSweep(const Context& in, const TomlValue& value) {
@@ -48,6 +50,7 @@ void readTolerance(const Context& in, const TomlValue& value) {
     }};
     const TomlTable* table = in.reader.table(value, "tolerance");
     if (!table) return;
+    in.to.shot.statesTolerance = true;
     for (const TomlEntry& entry : *table) {
         const auto* const field = std::find_if(kFields.begin(), kFields.end(),
                                                [&](const Field& each) { return each.key == entry.key; });
@@ -151,6 +154,74 @@ void readName(const Context& in, const TomlValue& value) {
     in.to.*field = PlacedText{*text, in.reader.placeOf(value)};
 }
 
+/// A day, or suite-E32.
+std::optional<std::string> readDay(const Context& in, const TomlValue& value, std::string_view name) {
+    auto day = in.reader.text(value, name);
+    if (!day || isDay(*day)) return day;
+    in.reader.report("suite-E32",
+                     fmt::format("{}: {} is not a day, as \"2026-12-31\"", name, glib::inQuotes(*day)),
+                     in.reader.placeOf(value));
+    return std::nullopt;
+}
+
+void readQuarantine(const Context& in, const TomlValue& value) {
+    if (auto day = readDay(in, value, "quarantine")) in.to.shot.quarantine = *std::move(day);
+}
+
+void readRetries(const Context& in, const TomlValue& value) {
+    constexpr int kMostRetries = 20;
+    if (const auto count = in.reader.whole(value, "retries", 0, kMostRetries)) in.to.shot.retries = *count;
+}
+
+/// [x, y, width, height]
+void readRectangle(const Context& in, const TomlValue& value, std::string until) {
+    constexpr int kMost = 1 << 20;
+    const auto* list = value.as<TomlList>();
+    if (!list || list->size() != 4) return in.reader.wrongType(value, "ignore", "[X, Y, WIDTH, HEIGHT]");
+    std::array<int, 4> numbers{};
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const auto number = in.reader.whole((*list)[i], "ignore", i < 2 ? 0 : 1, kMost);
+        if (!number) return;
+        numbers.at(i) = *number;
+    }
+    in.to.shot.ignored.push_back({numbers[0], numbers[1], numbers[2], numbers[3], std::move(until)});
+}
+
+/// A list of rectangles: [X, Y, WIDTH, HEIGHT], or { rectangle = [...], until = "2026-12-31" }.
+void readIgnored(const Context& in, const TomlValue& value) {
+    constexpr std::string_view kForm =
+        "a list of [X, Y, WIDTH, HEIGHT] or { rectangle = [...], until = \"DATE\" }";
+    const auto* list = value.as<TomlList>();
+    if (!list) return in.reader.wrongType(value, "ignore", kForm);
+    in.to.shot.ignored.clear();
+    for (const TomlValue& each : *list) {
+        const auto* table = each.as<TomlTable>();
+        if (!table) {
+            readRectangle(in, each, {});
+            continue;
+        }
+        static constexpr std::array<std::string_view, 2> kKeys{"rectangle", "until"};
+        const TomlValue* rectangle = nullptr;
+        std::string until;
+        for (const TomlEntry& entry : *table)
+            if (entry.key == "rectangle")
+                rectangle = &entry.value;
+            else if (entry.key == "until")
+                until = readDay(in, entry.value, "ignore.until").value_or("");
+            else
+                in.reader.unknownKey(entry, "in ignore", kKeys);
+        if (rectangle)
+            readRectangle(in, *rectangle, std::move(until));
+        else
+            in.reader.wrongType(each, "ignore", kForm);
+    }
+}
+
+void readMask(const Context& in, const TomlValue& value) {
+    if (const auto file = in.reader.text(value, "mask"))
+        in.to.shot.mask = (in.folder / *file).lexically_normal();
+}
+
 /// A key that is not an option of the picture.
 struct Key {
     std::string_view name;
@@ -158,12 +229,16 @@ struct Key {
     void (*read)(const Context&, const TomlValue&);
 };
 
-constexpr std::array<Key, 10> kTemplateKeys{{
+constexpr std::array<Key, 14> kTemplateKeys{{
     {"script", false, readScript},
     {"except", false, readExceptions},
     {"name", false, readName<&ShotTemplate::name>},
     {"sweep", false, readSweep},
     {"tolerance", true, readTolerance},
+    {"retries", true, readRetries},
+    {"quarantine", true, readQuarantine},
+    {"ignore", true, readIgnored},
+    {"mask", true, readMask},
     {"tags", true, readTags},
     {"expect-error", false, readExpectedError},
     {"match", false, readName<&ShotTemplate::match>},
@@ -193,7 +268,7 @@ std::vector<std::string_view> keys(bool isDefaults) {
 
 void readTemplate(TomlReader& reader, const TomlTable& table, const std::filesystem::path& folder,
                   bool isDefaults, ShotTemplate& shot) {
-    const Context in{reader, shot};
+    const Context in{reader, shot, folder};
     for (const TomlEntry& entry : table) {
         const Key* key = findKey(entry.key);
         if (const OptionRow* option = findOptionKey(entry.key)) {

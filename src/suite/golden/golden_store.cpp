@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <system_error>
 #include <utility>
 
@@ -12,6 +13,7 @@
 #include "image/write.h"
 #include "suite/file/shot_name.h"
 #include "suite/golden/hash_key.h"
+#include "suite/golden/ignored.h"
 
 namespace glibra::suite {
 namespace {
@@ -23,15 +25,15 @@ namespace fs = std::filesystem;
 constexpr int kCompression = 9;
 
 /// Pixels are accepted for one golden and one tolerance. Another tolerance needs another comparison.
-Hash identityOf(std::span<const std::byte> bytes, const image::Tolerance& tolerance) {
-    const std::string all = toText(hashOf(bytes)) + " " + toText(tolerance);
+Hash identityOf(std::span<const std::byte> bytes, const Shot& shot) {
+    const std::string all = toText(hashOf(bytes)) + " " + toText(shot.tolerance) + ignoredText(shot);
     return hashOf(std::as_bytes(std::span(all)));
 }
 
 Result<Golden> readGolden(const Shot& shot, const fs::path& file, std::string variant) {
     Result<std::vector<std::byte>> bytes = image::readFile(file, {file.string(), {file.string(), 1, 1}});
     if (!bytes) return std::move(bytes.diagnostics);
-    const Hash identity = identityOf(*bytes, shot.tolerance);
+    const Hash identity = identityOf(*bytes, shot);
     return Golden{file, std::move(variant), std::move(*bytes), identity};
 }
 
@@ -126,18 +128,40 @@ Result<Golden> GoldenStore::find(const Shot& shot, std::string_view family) cons
     std::vector<std::string> variants = variantsFor(family);
     variants.emplace_back();
     for (std::string& each : variants) {
-        const fs::path path = file(shot, each);
         std::error_code failure;
-        const fs::file_status status = fs::status(path, failure);
-        if (status.type() == fs::file_type::not_found) continue;
-        if (!allowOutside_ && !isBelow(path, folder_) && !isBelow(path, suiteFolder_))
-            return diagnose(
-                "file-E02",
-                fmt::format("cannot read '{0}': it is a link to a place outside of the golden folder; "
-                            "--allow-outside follows it",
-                            path.string()),
-                {path.string(), 1, 1});
-        return readGolden(shot, path, std::move(each));
+        if (fs::status(file(shot, each), failure).type() == fs::file_type::not_found) continue;
+        return read(shot, std::move(each));
+    }
+    return {};
+}
+
+Result<Golden> GoldenStore::read(const Shot& shot, std::string variant) const {
+    const fs::path path = file(shot, variant);
+    if (!allowOutside_ && !isBelow(path, folder_) && !isBelow(path, suiteFolder_))
+        return diagnose(
+            "file-E02",
+            fmt::format("cannot read '{0}': it is a link to a place outside of the golden folder; "
+                        "--allow-outside follows it",
+                        path.string()),
+            {path.string(), 1, 1});
+    return readGolden(shot, path, std::move(variant));
+}
+
+std::vector<std::string> GoldenStore::furtherVariants(const Shot& shot) const {
+    std::vector<std::string> variants;
+    for (int i = 1; i <= kMostFurther; ++i) {
+        std::string variant = fmt::format("{}{}", kFurtherVariant, i);
+        std::error_code failure;
+        if (fs::exists(file(shot, variant), failure)) variants.push_back(std::move(variant));
+    }
+    return variants;
+}
+
+std::string GoldenStore::freeVariant(const Shot& shot) const {
+    const std::vector<std::string> used = furtherVariants(shot);
+    for (int i = 1; i <= kMostFurther; ++i) {
+        std::string variant = fmt::format("{}{}", kFurtherVariant, i);
+        if (std::find(used.begin(), used.end(), variant) == used.end()) return variant;
     }
     return {};
 }

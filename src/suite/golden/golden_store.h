@@ -1,6 +1,7 @@
 #pragma once
-// The golden pictures of a suite: SHOT.png for all drivers, SHOT.llvmpipe.png for one family of drivers (.exr
-// for float pictures), and SUITE.hashes beside them.
+// The golden pictures of a suite: SHOT.png for all drivers, SHOT.llvmpipe.png for one family of drivers,
+// SHOT.also1.png ... for pictures that are accepted besides (.exr for float pictures), and SUITE.hashes
+// beside them.
 
 #include <glibra/result.h>
 
@@ -50,6 +51,12 @@ class GoldenStore {
     /// Returns the nearest golden for a family of drivers. Nothing without diagnostics means that there is
     /// none; nothing with diagnostics, that it cannot be read.
     [[nodiscard]] Result<Golden> find(const Shot& shot, std::string_view family) const;
+    /// The golden of that variant, whose file exists.
+    [[nodiscard]] Result<Golden> read(const Shot& shot, std::string variant) const;
+    /// The variants that are further accepted pictures: SHOT.also1.png to SHOT.also9.png, those that exist.
+    [[nodiscard]] std::vector<std::string> furtherVariants(const Shot& shot) const;
+    /// The first of them that does not exist; empty if all do.
+    [[nodiscard]] std::string freeVariant(const Shot& shot) const;
     /// The golden that the list of accepted pixels names for this shot and that is not there, or an empty
     /// path. Every shot lacks one while the list cannot be read.
     [[nodiscard]] std::filesystem::path lostGolden(const Shot& shot) const;

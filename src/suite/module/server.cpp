@@ -5,7 +5,10 @@
 #include <httplib.h>
 #include <sys/socket.h>
 
+#include <atomic>
+#include <chrono>
 #include <memory>
+#include <thread>
 #include <vector>
 
 #include "suite/module/abi.h"
@@ -78,13 +81,21 @@ class Server {
     }
 
     [[nodiscard]] int port() const { return port_; }
-    void run() { http_.listen_after_bind(); }
-    void stop() { http_.stop(); }
+    void run() {
+        http_.listen_after_bind();
+        hasEnded_ = true;
+    }
+    /// cpp-httplib forgets a call that comes before it answers requests.
+    void stop() {
+        while (!http_.is_running() && !hasEnded_) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        http_.stop();
+    }
 
   private:
     GlibraServerCalls calls_;
     httplib::Server http_;
     int port_ = -1;
+    std::atomic<bool> hasEnded_ = false;
 };
 
 }  // namespace

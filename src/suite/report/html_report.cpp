@@ -41,6 +41,8 @@ nlohmann::ordered_json toJson(const ShotResult& shot, const ShownShot& shown) {
     add("got", shown.got);
     add("difference", shown.difference);
     add("pixels", shown.pixels);
+    if (const PictureTitles titles = titlesOf(shot); std::string_view(titles.expected) != "expected")
+        json["titles"] = {{"expected", titles.expected}, {"got", titles.got}};
     add("variant", shot.goldenVariant);
     add("driver", shot.driver);
     add("decision", decision(shot));

@@ -12,8 +12,13 @@
 namespace glibra::suite {
 namespace {
 
-bool isError(Verdict verdict) {
-    return verdict == Verdict::crashed || verdict == Verdict::timedOut;
+/// JUnit tells what could not be tried (an error) from what was tried and is wrong (a failure).
+bool isError(const ShotResult& shot) {
+    return isFailure(shot.verdict) && wasNotDrawn(shot);
+}
+
+bool isSkipped(Verdict verdict) {
+    return verdict == Verdict::skipped || verdict == Verdict::quarantined;
 }
 
 struct Sums {
@@ -30,11 +35,11 @@ Sums sumsOf(const std::vector<const ShotResult*>& shots) {
     Sums sums;
     for (const ShotResult* shot : shots) {
         ++sums.tests;
-        if (isError(shot->verdict))
+        if (isError(*shot))
             ++sums.errors;
         else if (isFailure(shot->verdict))
             ++sums.failures;
-        else if (shot->verdict == Verdict::skipped)
+        else if (isSkipped(shot->verdict))
             ++sums.skipped;
         if (std::isfinite(shot->milliseconds)) sums.seconds += shot->milliseconds / 1000;
     }
@@ -52,8 +57,8 @@ std::string details(const ShotResult& shot) {
     add("script", shot.script.string());
     add("golden variant", shot.goldenVariant);
     add("drawn by", shot.driver);
-    add("got", shot.got.string());
-    add("expected", shot.expected.string());
+    add(titlesOf(shot).got, shot.got.string());
+    add(titlesOf(shot).expected, shot.expected.string());
     add("difference", shot.difference.string());
     add("reproduce", shot.reproduce);
     add("accept", shot.accept);
@@ -64,15 +69,15 @@ void putShot(std::string& xml, const ShotResult& shot) {
     xml += fmt::format("    <testcase name=\"{}\" classname=\"{}\" time=\"{}\"", escapeXml(shot.shot),
                        escapeXml(shot.suite), seconds(shot.milliseconds / 1000));
     std::string inside;
-    if (shot.verdict == Verdict::skipped) {
+    if (isSkipped(shot.verdict)) {
         inside += fmt::format("      <skipped message=\"{}\"/>\n", escapeXml(reasonOf(shot)));
     } else if (isFailure(shot.verdict)) {
-        const char* element = isError(shot.verdict) ? "error" : "failure";
+        const char* element = isError(shot) ? "error" : "failure";
         inside += fmt::format("      <{0} message=\"{1}\" type=\"{2}\">{3}</{0}>\n", element,
                               escapeXml(reasonOf(shot)), name(shot.verdict), escapeXml(details(shot)));
     }
     std::string output;
-    if (!isFailure(shot.verdict) && shot.verdict != Verdict::skipped && !reasonOf(shot).empty())
+    if (!isFailure(shot.verdict) && !isSkipped(shot.verdict) && !reasonOf(shot).empty())
         output += reasonOf(shot) + '\n';
     for (const Diagnostic& each : shot.diagnostics) output += toString(each) + '\n';
     if (!output.empty()) inside += fmt::format("      <system-out>{}</system-out>\n", escapeXml(output));

@@ -47,8 +47,8 @@ std::string article(const ShotResult& shot, const ShownShot& shown, std::span<co
         fmt::format("<article><h2><span class=\"verdict {0}\">{0}</span> {1}</h2><p>{2}</p>",
                     name(shot.verdict), escapeXml(shot.suite + "/" + shot.shot), escapeXml(reasonOf(shot)));
     if (!shown.expected.empty() || !shown.got.empty())
-        html += "<div class=\"trio\">" + picture("expected", shown.expected) + picture("got", shown.got) +
-                picture("difference", shown.difference) + "</div>";
+        html += "<div class=\"trio\">" + picture(titlesOf(shot).expected, shown.expected) +
+                picture(titlesOf(shot).got, shown.got) + picture("difference", shown.difference) + "</div>";
     std::string rows;
     for (const Figure& each : figures(shot))
         rows += fmt::format("<tr><th>{}</th><td{}>{}</td><td>{}</td></tr>", each.name,

@@ -83,8 +83,8 @@ class Text {
         map(shot);
         pair("golden variant", shot.goldenVariant);
         pair("drawn by", shot.driver);
-        pair("expected", fromHere(shot.expected));
-        pair("got", fromHere(shot.got));
+        pair(titlesOf(shot).expected, fromHere(shot.expected));
+        pair(titlesOf(shot).got, fromHere(shot.got));
         pair("difference", fromHere(shot.difference));
         pair("reproduce", shot.reproduce);
         pair("accept", shot.accept);

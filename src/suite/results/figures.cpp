@@ -115,6 +115,13 @@ std::string decision(const ShotResult& shot) {
     return "";
 }
 
+PictureTitles titlesOf(const ShotResult& shot) {
+    const std::string what = shot.expected.stem().extension().string();
+    if (what == ".again") return {"second drawing", "first drawing"};
+    if (what == ".partner") return {"the other shot", "this shot"};
+    return {"expected", "got"};
+}
+
 std::string reasonOf(const ShotResult& shot) {
     if (!shot.reason.empty()) return shot.reason;
     switch (shot.verdict) {
@@ -135,6 +142,10 @@ std::string reasonOf(const ShotResult& shot) {
             return "the process that drew it ended";
         case Verdict::timedOut:
             return "it was not drawn in time";
+        case Verdict::flaky:
+            return "one of its drawings was right, others were not";
+        case Verdict::quarantined:
+            return "it failed during its quarantine";
         case Verdict::skipped:
             return "it was not run";
     }

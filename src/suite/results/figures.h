@@ -22,6 +22,13 @@ std::vector<Figure> figures(const ShotResult& shot);
 /// What decided: "equal bytes", "largest difference", ...; empty if nothing was compared.
 std::string decision(const ShotResult& shot);
 
+/// What the two pictures of a shot are: "expected" and "got"; of an unstable one, its two drawings.
+struct PictureTitles {
+    const char* expected;
+    const char* got;
+};
+PictureTitles titlesOf(const ShotResult& shot);
+
 /// The sentence to show for a shot: its reason, or the meaning of the verdict if it has none.
 std::string reasonOf(const ShotResult& shot);
 

@@ -139,12 +139,16 @@ Diagnostics checkPlans(const std::vector<MergedRun>& runs) {
 /// All that the runs planned, each shot once.
 std::vector<PlannedShots> joinedPlans(std::span<const MergedRun> runs) {
     std::map<std::string, std::set<std::string>> bySuite;
+    std::map<std::string, std::string> files;
     for (const MergedRun& run : runs)
         if (run.results.planned)
-            for (const PlannedShots& suite : *run.results.planned)
+            for (const PlannedShots& suite : *run.results.planned) {
                 bySuite[suite.suite].insert(suite.shots.begin(), suite.shots.end());
+                files.emplace(suite.suite, suite.file);
+            }
     std::vector<PlannedShots> planned;
-    for (const auto& [suite, shots] : bySuite) planned.push_back({suite, {shots.begin(), shots.end()}});
+    for (const auto& [suite, shots] : bySuite)
+        planned.push_back({suite, {shots.begin(), shots.end()}, files[suite]});
     return planned;
 }
 

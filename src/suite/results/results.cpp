@@ -20,6 +20,7 @@ constexpr VerdictRow kVerdicts[] = {
     {"missing", Verdict::missing, true},  {"unstable", Verdict::unstable, true},
     {"updated", Verdict::updated, false}, {"refused", Verdict::refused, true},
     {"crashed", Verdict::crashed, true},  {"timed-out", Verdict::timedOut, true},
+    {"flaky", Verdict::flaky, false},     {"quarantined", Verdict::quarantined, false},
     {"skipped", Verdict::skipped, false},
 };
 
@@ -43,6 +44,15 @@ std::optional<Verdict> verdictOf(std::string_view word) {
 
 bool isFailure(Verdict verdict) {
     return rowOf(verdict).failure;
+}
+
+bool wasNotDrawn(const ShotResult& shot) {
+    return shot.verdict == Verdict::crashed || shot.verdict == Verdict::timedOut ||
+           (shot.verdict == Verdict::failed && shot.width == 0);
+}
+
+void countFlakyAsFailure(ShotResult& shot) {
+    if (shot.verdict == Verdict::flaky) shot.verdict = Verdict::unstable;
 }
 
 std::vector<ShotKey> missingShots(const RunResult& run) {

@@ -24,19 +24,23 @@ enum class Verdict {
     refused,   ///< --update would have written a blank, one-coloured or non-finite picture
     crashed,   ///< the worker process that drew it ended
     timedOut,  ///< not drawn within its time
-    skipped    ///< not run, because the run was stopped
+    flaky,     ///< one of its drawings was right, others were not (`retries`)
+    quarantined,  ///< it failed on a day of its quarantine
+    skipped       ///< not run, because the run was stopped
 };
 
 /// All verdicts in the order of reports, the most urgent first.
-inline constexpr Verdict kVerdictsByConcern[] = {Verdict::failed,   Verdict::crashed, Verdict::timedOut,
-                                                 Verdict::unstable, Verdict::refused, Verdict::missing,
-                                                 Verdict::updated,  Verdict::skipped, Verdict::passed};
+inline constexpr Verdict kVerdictsByConcern[] = {Verdict::failed,   Verdict::crashed,     Verdict::timedOut,
+                                                 Verdict::unstable, Verdict::refused,     Verdict::missing,
+                                                 Verdict::flaky,    Verdict::quarantined, Verdict::updated,
+                                                 Verdict::skipped,  Verdict::passed};
 
 /// All words of Verdict: "passed", ..., "timed-out", "skipped".
 const char* name(Verdict verdict);
 /// The verdict of such a word, or nothing.
 std::optional<Verdict> verdictOf(std::string_view word);
-/// True for verdicts that make a run fail (exit status 1): all but passed, updated and skipped.
+/// True for verdicts that make a run fail (exit status 1): all but passed, updated, flaky, quarantined and
+/// skipped.
 bool isFailure(Verdict verdict);
 
 /// The result of one shot. Paths are relative to the results folder unless they are outside of it.
@@ -61,10 +65,16 @@ struct ShotResult {
     std::string driver{};        ///< if it differs from the driver of the run, as in merged runs
 };
 
+/// True for a shot that failed without a picture: its scene has errors, or the process that drew it ended.
+bool wasNotDrawn(const ShotResult& shot);
+/// With --strict-flaky: a flaky shot is unstable, which is a failure.
+void countFlakyAsFailure(ShotResult& shot);
+
 /// Shots of one suite that a run was to judge.
 struct PlannedShots {
     std::string suite;
     std::vector<std::string> shots;
+    std::string file{};  ///< the suite's file as the run named it; empty if unknown
     friend bool operator==(const PlannedShots&, const PlannedShots&) = default;
 };
 

@@ -311,6 +311,7 @@ void members(Archive& archive, Value& value) {
     } else if constexpr (std::is_same_v<Type, PlannedShots>) {
         archive.needed("suite", value.suite);
         archive.needed("shots", value.shots);
+        archive("file", value.file);
     } else {
         static_assert(std::is_same_v<Type, RunResult>);
         archive("driver", value.driver);

@@ -13,6 +13,7 @@
 #include "suite/golden/golden_store.h"
 #include "suite/golden/hash.h"
 #include "suite/golden/hash_key.h"
+#include "suite/golden/ignored.h"
 #include "suite/options/option_words.h"
 
 namespace glibra::suite {
@@ -37,6 +38,7 @@ std::string settingsOf(const Shot& shot) {
     std::string text =
         fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}", shot.script.string(), optionArguments(shot),
                     shot.options.floatPixels, shot.golden, shot.match, shot.differ, toText(shot.tolerance));
+    text += judgedBy(shot);
     if (shot.expectedError)
         text += fmt::format("\n{}\n{}\n{}", shot.expectedError->id, shot.expectedError->text,
                             shot.expectedError->line);
@@ -109,9 +111,9 @@ std::map<ShotReference, std::string> fingerprints(std::span<const Suite> suites,
                                                   const ShotInputs& inputs, const RunOptions& options) {
     const std::string ofRun = fmt::format(
         "{}\n{}\n{} {} {} {} {} {}\n{} {}", contentOf("/proc/self/exe"), static_cast<int>(options.driver),
-        options.skip + 2 * options.checkUndefined, options.update, options.force, options.variant,
-        options.allowOutside, options.sandbox != nullptr, options.timeout.value_or(-1),
-        options.memory ? std::to_string(*options.memory) : "-");
+        options.skip + 2 * options.checkUndefined, options.update, options.force + 2 * options.also,
+        options.variant + 2 * options.strictFlaky, options.allowOutside, options.sandbox != nullptr,
+        options.timeout.value_or(-1), options.memory ? std::to_string(*options.memory) : "-");
     GoldenNames goldens;
     std::map<std::size_t, GoldenStore> stores;  // per suite
     const auto linesOf = [&](std::size_t suite, const Shot& shot) {

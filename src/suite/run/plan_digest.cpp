@@ -8,6 +8,7 @@
 
 #include "suite/golden/golden_store.h"
 #include "suite/golden/hash.h"
+#include "suite/golden/ignored.h"
 #include "suite/options/option_words.h"
 #include "suite/run/read_inputs.h"
 
@@ -34,6 +35,7 @@ std::string portableSettingsOf(const Shot& shot) {
     std::string text = fmt::format("{}\n{}\n{} {}\n{}\n{}\n{}\n{}", shot.name, optionArguments(portable),
                                    shot.options.floatPixels, shot.golden, shot.match, shot.differ,
                                    toText(shot.tolerance), shot.timeout);
+    text += judgedBy(shot);
     if (shot.expectedError)
         text += fmt::format("\n{}\n{}\n{}", shot.expectedError->id, shot.expectedError->text,
                             shot.expectedError->line);
@@ -44,10 +46,10 @@ std::string portableSettingsOf(const Shot& shot) {
 
 std::string planDigest(std::span<const Suite> suites, std::span<const ShotReference> undivided,
                        const RunOptions& options) {
-    std::string text =
-        fmt::format("{} {} {} {} {} {}\n{} {}", options.skip + 2 * options.checkUndefined, options.update,
-                    options.force, options.variant, options.allowOutside, options.sandbox != nullptr,
-                    options.timeout.value_or(-1), options.memory ? std::to_string(*options.memory) : "-");
+    std::string text = fmt::format(
+        "{} {} {} {} {} {}\n{} {}", options.skip + 2 * options.checkUndefined, options.update,
+        options.force + 2 * options.also, options.variant, options.allowOutside, options.sandbox != nullptr,
+        options.timeout.value_or(-1), options.memory ? std::to_string(*options.memory) : "-");
     for (const Suite& suite : suites) text += "\n" + suite.name;
     std::map<fs::path, std::string> contents;
     for (const ShotReference& each : undivided) {

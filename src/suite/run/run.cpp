@@ -13,6 +13,7 @@
 #include "base/workers.h"
 #include "gpu/context/hardware.h"
 #include "image/file.h"
+#include "suite/day.h"
 #include "suite/golden/hash.h"
 #include "suite/run/run_messages.h"
 #include "suite/run/run_pieces.h"
@@ -37,6 +38,11 @@ class Run {
           plan_{suites, {}, options, {}, 1},
           sharesDevice_(gpu::mayUseHardware(options.driver)) {
         accepted_.resize(suites.size());
+        for (const Suite& suite : suites)
+            for (const Shot& shot : suite.shots)
+                for (auto* each : {!shot.quarantine.empty() ? &quarantined_ : nullptr,
+                                   !shot.ignored.empty() ? &ignoring_ : nullptr})
+                    if (each) each->emplace(std::pair(suite.name, shot.name), &shot);
         if (!options.onlyRender.empty()) return;
         for (const Suite& each : suites) {
             Result<GoldenStore> store = GoldenStore::open(each, options.goldens, options.allowOutside);
@@ -149,8 +155,42 @@ class Run {
         if (!done_.insert(shot).second) return;
         for (ShotResult& each : suspicions_.settle(shot, result)) {
             each.driverKey = driverKey_;
+            if (options_.strictFlaky) countFlakyAsFailure(each);
+            if (!options_.update) quarantine(each);
+            reportExpired(each);
             if (events_.done) events_.done(each);
         }
+    }
+
+    /// Failures of a shot in quarantine are reported and do not count, up to its last day.
+    void quarantine(ShotResult& result) const {
+        const auto found = quarantined_.find({result.suite, result.shot});
+        if (found == quarantined_.end()) return;
+        const Shot& shot = *found->second;
+        if (today_ > shot.quarantine) {
+            result.diagnostics.push_back(
+                diagnose("suite-W02",
+                         fmt::format("the quarantine of '{}' ended on {}; remove it from the suite",
+                                     shot.name, shot.quarantine),
+                         shot.place));
+        } else if (isFailure(result.verdict)) {
+            result.reason = fmt::format("{}, in quarantine until {}: {}", name(result.verdict),
+                                        shot.quarantine, result.reason);
+            result.verdict = Verdict::quarantined;
+        }
+    }
+
+    void reportExpired(ShotResult& result) const {
+        const auto found = ignoring_.find({result.suite, result.shot});
+        if (found == ignoring_.end()) return;
+        for (const IgnoredRegion& each : found->second->ignored)
+            if (!each.until.empty() && today_ > each.until)
+                result.diagnostics.push_back(diagnose(
+                    "suite-W03",
+                    fmt::format(
+                        "an ignored rectangle of '{}' counts again since {}; remove it from the suite",
+                        result.shot, each.until),
+                    found->second->place));
     }
 
     void pieceEnds(std::size_t piece, const base::Outcome& outcome) {
@@ -278,6 +318,8 @@ class Run {
     const RunEvents& events_;
     RunPlan plan_;
     RunEnd end_;
+    std::map<ShotKey, const Shot*> quarantined_, ignoring_;
+    const std::string today_ = today();
     int jobs_ = 1;
     std::size_t count_ = 0;  ///< of the shots
     std::set<ShotReference> done_;

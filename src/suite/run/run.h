@@ -35,6 +35,8 @@ struct RunOptions {
     bool checkUndefined = false;          ///< RenderOptions::checkUndefined of all shots
     bool skip = true;                     ///< false: also makes and draws what the pictures do not need
     bool variant = false;                 ///< ... for this family of drivers alone
+    bool also = false;                    ///< ... and are accepted beside them instead
+    bool strictFlaky = false;             ///< flaky shots are unstable
     bool allowOutside = false;            ///< goldens may be links to places outside of their folder
     std::filesystem::path goldens{};      ///< folder with one folder per suite, instead of the suites' own
     std::filesystem::path results{};      ///< folder for the pictures of failures

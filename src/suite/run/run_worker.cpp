@@ -31,6 +31,8 @@ class Recalls {
     struct Recall {
         ShotReference reference;
         std::shared_ptr<const Attempt> attempt;
+        int drawing = 2;               ///< the number of the drawing that is asked for
+        std::optional<Judged> failed;  ///< the verdict so far, if there is one
     };
     void add(Recall recall) {
         const std::scoped_lock lock(mutex_);
@@ -48,6 +50,14 @@ class Recalls {
     std::mutex mutex_;
     std::deque<Recall> recalls_;
 };
+
+/// The shot failed, and drawing number `drawing` of it is right.
+void makeFlaky(ShotResult& result, int drawing) {
+    result.reason =
+        fmt::format("drawing {} is right; before: {}, {}", drawing, name(result.verdict), result.reason);
+    result.verdict = Verdict::flaky;
+    result.accept.clear();
+}
 
 std::size_t bytesOf(const Attempt& attempt) {
     std::size_t bytes = 0;
@@ -78,6 +88,7 @@ std::string ShotWorker::openContext() {
     const JudgeOptions options{.update = plan_.options.update,
                                .force = plan_.options.force,
                                .variant = plan_.options.variant,
+                               .also = plan_.options.also,
                                .trustsHashes = plan_.options.sandbox == nullptr,
                                .results = plan_.options.results};
     for (std::size_t i = 0; i < plan_.goldens.size(); ++i)
@@ -157,6 +168,10 @@ std::optional<Judged> ShotWorker::judge(const ShotReference& reference, const At
     }
 }
 
+bool ShotWorker::mayRetry(const Shot& shot) const {
+    return shot.retries > 0 && !plan_.options.update && plan_.options.onlyRender.empty();
+}
+
 std::string ShotWorker::operator()(std::size_t piece, const base::Step& step) {
     std::mutex sending;
     const auto send = [&](const Message& message) {
@@ -164,14 +179,26 @@ std::string ShotWorker::operator()(std::size_t piece, const base::Step& step) {
         step(toText(message));
     };
     Recalls recalls;
-    /// Sends the verdict, or asks for a second rendering.
-    const auto report = [&](const ShotReference& reference, const std::shared_ptr<const Attempt>& drawn,
-                            const Attempt* again) {
+    /// Sends the verdict, or asks for another rendering. `soFar.failed` is the verdict on the drawings
+    /// before.
+    const auto report = [&](Recalls::Recall soFar, const Attempt* again) {
         const Clock::time_point start = Clock::now();
-        std::optional<Judged> judged = judge(reference, *drawn, again);
-        if (!judged) {
+        const ShotReference reference = soFar.reference;
+        const std::shared_ptr<const Attempt> drawn = soFar.attempt;
+        const int drawing = soFar.drawing;
+        const auto askAgain = [&](std::optional<Judged> failed) {
             send(Phase{Phase::Kind::recalls, reference});
-            return recalls.add({reference, drawn});
+            recalls.add({reference, drawn, drawing + 1, std::move(failed)});
+        };
+        std::optional<Judged> judged =
+            soFar.failed ? std::move(soFar.failed) : judge(reference, *drawn, again);
+        if (!judged) return askAgain(std::nullopt);
+        if (mayRetry(*drawn->shot) && isFailure(judged->result.verdict)) {
+            const std::optional<Judged> other = again ? judge(reference, *again, nullptr) : std::nullopt;
+            if (other && other->result.verdict == Verdict::passed)
+                makeFlaky(judged->result, drawing);
+            else if (drawing <= drawn->shot->retries)
+                return askAgain(std::move(judged));
         }
         judged->result.milliseconds += millisecondsSince(start);
         send(Done{reference, std::move(judged->result), std::move(judged->accepted)});
@@ -189,7 +216,7 @@ std::string ShotWorker::operator()(std::size_t piece, const base::Step& step) {
             send(Begins{recall->reference});
             renderer_->forget();
             const Attempt again = attempt(recall->reference, {});
-            report(recall->reference, recall->attempt, &again);
+            report(*recall, &again);
         }
     };
 
@@ -209,7 +236,7 @@ std::string ShotWorker::operator()(std::size_t piece, const base::Step& step) {
         judging.add(
             [reference, drawn, &report, &send] {
                 send(Phase{Phase::Kind::judges, reference});
-                report(reference, drawn, nullptr);
+                report({reference, drawn, 1, std::nullopt}, nullptr);
             },
             bytes);
         drawn.reset();

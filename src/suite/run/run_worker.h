@@ -41,6 +41,7 @@ class ShotWorker {
     /// The verdict; nothing if the shot has to be rendered once more, which `again` then holds.
     std::optional<Judged> judge(const ShotReference& reference, const Attempt& drawn,
                                 const Attempt* again) const;
+    [[nodiscard]] bool mayRetry(const Shot& shot) const;
     /// Writes the picture of a run that only renders.
     Judged keep(const ShotReference& reference, const Attempt& attempt) const;
     [[nodiscard]] const Shot& shotOf(const ShotReference& reference) const;

@@ -9,6 +9,9 @@
 #include "image/compare/heat_map.h"
 #include "image/inspect.h"
 #include "image/write.h"
+#include "suite/file/shot_name.h"
+#include "suite/golden/ignored.h"
+#include "suite/options/option_words.h"
 #include "suite/report/verdict_commands.h"
 
 namespace glibra::suite {
@@ -21,11 +24,6 @@ std::string firstError(const Diagnostics& diagnostics) {
     for (const Diagnostic& each : diagnostics)
         if (each.severity == Severity::error) return toString(each);
     return "nothing was drawn";
-}
-
-bool samePixels(const image::Image& a, const image::Image& b) {
-    return a.width == b.width && a.height == b.height && a.components == b.components && a.type == b.type &&
-           a.data == b.data;
 }
 
 bool isTransparent(const image::Image& picture) {
@@ -68,6 +66,8 @@ struct ShotJudge::Findings {
     std::optional<Golden> golden;
     fs::path lost;  ///< a golden that is missing though the list of accepted pixels names it
     std::optional<image::Image> picture;
+    std::optional<image::Image>
+        seen;  ///< the rendering without what the shot ignores, if it ignores something
     Diagnostics problems;
     image::Judgement judgement;
     bool exact = false, changed = false;
@@ -85,6 +85,10 @@ ShotJudge::ShotJudge(const Suite& suite, const GoldenStore& goldens, std::string
       family_(std::move(family)),
       key_(std::move(key)),
       options_(std::move(options)) {
+    if (goldens.folder() != suite.goldens)
+        acceptOptions_ = " --goldens " + shellWord(goldens.folder().parent_path().string());
+    else if (hasError(checkGoldenFolder(suite)))
+        acceptOptions_ = " --allow-outside";
     for (const Shot& each : suite.shots)
         for (const std::string* name : {&each.match, &each.differ})
             if (!name->empty()) partners_.insert(*name);
@@ -96,7 +100,7 @@ ShotResult ShotJudge::begin(const Attempt& attempt) const {
     result.milliseconds = attempt.own.milliseconds;
     if (attempt.own.picture) {
         if (attempt.shot->golden && !attempt.shot->expectedError)
-            result.accept = acceptCommand(suite_, *attempt.shot);
+            result.accept = acceptCommand(suite_, *attempt.shot) + acceptOptions_;
         result.width = attempt.own.picture->width;
         result.height = attempt.own.picture->height;
     }
@@ -133,9 +137,16 @@ void ShotJudge::compare(const Attempt& attempt, bool everything, Findings& found
     append(found.problems, std::move(picture.diagnostics));
     found.picture = std::move(picture.value);
     if (!found.picture) return;
-    found.judgement = image::judge(*found.picture, *attempt.own.picture, shot.tolerance, everything);
+    const bool ignores = ignoresSomething(shot);
+    if (ignores) {
+        Result<image::Image> seen = withoutIgnored(shot, *found.picture, *attempt.own.picture);
+        if (!seen) return append(found.problems, std::move(seen.diagnostics));
+        found.seen = std::move(seen.value);
+    }
+    found.judgement = image::judge(*found.picture, found.seen ? *found.seen : *attempt.own.picture,
+                                   shot.tolerance, everything);
     found.goldenHolds = found.judgement.same;
-    found.exact = found.judgement.same && found.judgement.decidedBy == image::Rung::bytes;
+    found.exact = found.judgement.same && found.judgement.decidedBy == image::Rung::bytes && !ignores;
     found.changed = accepted != nullptr;
 }
 
@@ -158,15 +169,22 @@ ShotJudge::Findings ShotJudge::look(const Attempt& attempt, bool everything) con
         compare(attempt, everything, found);
         // The golden for all drivers is right on each of them, so that a family may draw either picture,
         // perhaps in another version. A golden that cannot be read is an error all the same.
+        // So are pictures that were accepted besides.
+        const auto tryAnother = [&](Result<Golden> golden) {
+            if (found.goldenHolds || !golden) return;
+            Findings other;
+            other.golden = std::move(golden.value);
+            other.pixels = found.pixels;
+            compare(attempt, everything, other);
+            other.problems.insert(other.problems.begin(), found.problems.begin(), found.problems.end());
+            if (other.goldenHolds) found = std::move(other);
+        };
         if (!found.goldenHolds && found.picture && !found.golden->variant.empty())
-            if (Result<Golden> general = goldens_.find(shot, ""); general && general->variant.empty()) {
-                Findings other;
-                other.golden = std::move(general.value);
-                other.pixels = found.pixels;
-                compare(attempt, everything, other);
-                other.problems.insert(other.problems.begin(), found.problems.begin(), found.problems.end());
-                if (other.goldenHolds) found = std::move(other);
-            }
+            if (Result<Golden> general = goldens_.find(shot, ""); general && general->variant.empty())
+                tryAnother(std::move(general));
+        if (!found.goldenHolds && found.picture)
+            for (std::string& variant : goldens_.furtherVariants(shot))
+                tryAnother(goldens_.read(shot, std::move(variant)));
     }
     const auto relate = [&](const std::optional<Rendering>& partner, const std::string& name, bool same) {
         if (name.empty() || !found.relation.empty()) return;
@@ -182,7 +200,10 @@ ShotJudge::Findings ShotJudge::look(const Attempt& attempt, bool everything) con
                                          firstError(partner->diagnostics));
             return;
         }
-        const image::Judgement judged = image::judge(*partner->picture, got, shot.tolerance, everything);
+        Result<image::Image> seen =
+            ignoresSomething(shot) ? withoutIgnored(shot, *partner->picture, got) : Result<image::Image>();
+        const image::Judgement judged =
+            image::judge(*partner->picture, seen ? *seen : got, shot.tolerance, everything);
         if (judged.same == same) return;
         found.partner = &*partner;
         found.judgement = judged;
@@ -297,7 +318,12 @@ void ShotJudge::showGolden(const Shot& shot, const Findings& found, const image:
         return;
     }
     result.expected = write(shot, "expected", *found.picture, result);
-    showDifference(shot, *found.picture, got, result);
+    showDifference(shot, *found.picture, found.seen ? *found.seen : got, result);
+}
+
+bool ShotJudge::needsForce(const Findings& found, const image::Image& got) {
+    const bool oldIsNoBetter = found.picture && !whyNoGolden(*found.picture).empty();
+    return !oldIsNoBetter && !whyNoGolden(got).empty();
 }
 
 void ShotJudge::fail(const Attempt& attempt, const Findings& found, ShotResult& result) const {
@@ -314,11 +340,12 @@ void ShotJudge::fail(const Attempt& attempt, const Findings& found, ShotResult& 
         return;
     }
     showGolden(shot, found, got, result);
-    if (found.picture) {
-        result.reason = found.judgement.reason;
-    } else if (hasError(found.problems)) {
+    if (needsForce(found, got)) result.accept += " --force";
+    if (hasError(found.problems)) {
         result.reason = firstError(found.problems);
         append(result.diagnostics, found.problems);
+    } else if (found.picture) {
+        result.reason = found.judgement.reason;
     } else {
         result.verdict = Verdict::missing;
         result.reason = fmt::format("there is no golden '{}'", goldens_.file(shot, "").string());
@@ -337,14 +364,27 @@ void ShotJudge::update(const Attempt& attempt, const Findings& found, Judged& ju
     ShotResult& result = judged.result;
     showGolden(shot, found, got, result);
     result.judgement = found.judgement;
-    const std::string why = whyNoGolden(got);
-    const bool oldIsNoBetter = found.picture && !whyNoGolden(*found.picture).empty();
-    if (!why.empty() && !oldIsNoBetter && !options_.force) {
+    if (needsForce(found, got) && !options_.force) {
         result.verdict = Verdict::refused;
-        result.reason = fmt::format("not accepted as the golden: {}; --force accepts it", why);
+        result.accept += " --force";
+        result.reason = fmt::format("not accepted as the golden: {}; --force accepts it", whyNoGolden(got));
         return;
     }
-    const std::string variant = options_.variant ? family_ : found.golden ? found.golden->variant : "";
+    const bool isFurther = options_.also && found.golden;
+    const std::string variant = isFurther          ? goldens_.freeVariant(shot)
+                                : options_.variant ? family_
+                                : found.golden     ? found.golden->variant
+                                                   : "";
+    if (isFurther && variant.empty()) {
+        result.verdict = Verdict::failed;
+        result.diagnostics.push_back(
+            diagnose("suite-E33",
+                     fmt::format("'{}' has {} further accepted pictures; remove one before another is added",
+                                 shot.name, kMostFurther),
+                     shot.place));
+        result.reason = result.diagnostics.back().text;
+        return;
+    }
     Result<Golden> golden = goldens_.replace(shot, variant, got);
     if (!golden) {
         result.verdict = Verdict::failed;
@@ -354,9 +394,10 @@ void ShotJudge::update(const Attempt& attempt, const Findings& found, Judged& ju
     }
     result.verdict = Verdict::updated;
     result.goldenVariant = variant;
-    result.reason = found.picture  ? "golden replaced: " + found.judgement.reason
-                    : found.golden ? "golden replaced: the old one was damaged"
-                                   : fmt::format("golden made: {} x {} pixels", got.width, got.height);
+    result.reason = isFurther       ? "golden added: " + found.judgement.reason
+                    : found.picture ? "golden replaced: " + found.judgement.reason
+                    : found.golden  ? "golden replaced: the old one was damaged"
+                                    : fmt::format("golden made: {} x {} pixels", got.width, got.height);
     judged.accepted = AcceptedHash{shot.name, variant, golden->identity, hashOf(got), key_};
 }
 
@@ -366,8 +407,9 @@ Judged ShotJudge::second(const Attempt& attempt, const Attempt& again) const {
     Judged judged{begin(attempt), std::nullopt};
     ShotResult& result = judged.result;
     result.milliseconds += again.own.milliseconds;
-    if (!again.own.picture || !samePixels(got, *again.own.picture)) {
+    if (!again.own.picture || !drawingsAgree(shot, got, *again.own.picture)) {
         result.verdict = Verdict::unstable;
+        result.accept.clear();  // no picture of it becomes a golden
         result.got = write(shot, "got", got, result);
         if (!again.own.picture) {
             result.reason = "the second rendering failed: " + firstError(again.own.diagnostics);

@@ -34,6 +34,7 @@ struct JudgeOptions {
     bool update = false;              ///< what differs becomes the golden
     bool force = false;               ///< ... even a picture of one colour, or with NaN
     bool variant = false;             ///< ... for this family of drivers alone
+    bool also = false;                ///< ... beside the golden that there is
     bool trustsHashes = true;         ///< false: the list of accepted pixels decides nothing
     std::filesystem::path results{};  ///< folder for what a report shows
 };
@@ -67,6 +68,8 @@ class ShotJudge {
     /// Says in `found` whether the picture equals `found.golden`.
     void compare(const Attempt& attempt, bool everything, Findings& found) const;
     [[nodiscard]] Judged passed(const Attempt& attempt, Findings found) const;
+    /// True for a picture that --update refuses without --force.
+    static bool needsForce(const Findings& found, const image::Image& got);
     void fail(const Attempt& attempt, const Findings& found, ShotResult& result) const;
     void update(const Attempt& attempt, const Findings& found, Judged& judged) const;
     /// Writes a picture into the results folder. Returns its path relative to that folder, or an empty path
@@ -83,6 +86,7 @@ class ShotJudge {
     std::set<std::string> partners_;  ///< the shots that others have to match or to differ from
     std::string family_, key_;
     JudgeOptions options_;
+    std::string acceptOptions_;  ///< that acceptCommand() needs besides
 };
 
 /// Returns why a picture should not become a golden (one colour, NaN, all transparent), or nothing if it may.

@@ -36,7 +36,7 @@ function showFigures(shot) {
     const rows = (shot.figures || []).map(([title, value, limit, beyond]) => row(title, value, limit, beyond));
     if (shot.decision) rows.push(row("decided by", shot.decision));
     if (shot.width) rows.push(row("size", `${shot.width} × ${shot.height}`));
-    if (shot.expected) rows.push(row("golden picture", shot.variant ? `for ${shot.variant}` : "for everybody"));
+    if (shot.expected && !shot.titles) rows.push(row("golden picture", shot.variant ? `for ${shot.variant}` : "for everybody"));
     if (shot.driver || data.run.driver) rows.push(row("drawn by", shot.driver || data.run.driver));
     if (shot.milliseconds) rows.push(row("time", `${Number(shot.milliseconds.toPrecision(3))} ms`));
     for (const remark of shot.remarks || []) rows.push(row("report", remark));

@@ -10,6 +10,7 @@ class Viewer {
             canvas: figure.querySelector("canvas"),
         }));
         this.pictures = {};  // expected, got, heat, difference: canvas or image
+        this.loading = true;
         this.pixels = null;
         this.swapped = false;
         this.peeking = false;
@@ -24,6 +25,7 @@ class Viewer {
     // Shows the pictures of a shot as they arrive.
     async show(shot) {
         this.shot = shot;
+        this.loading = true;
         this.pixels = null;
         this.pictures = {};
         this.pointer = null;
@@ -33,6 +35,7 @@ class Viewer {
         const [pixels, ...images] = await Promise.all(
             [pixelsOf(shot.pixels), ...["expected", "got", "difference"].map((kind) => loadImage(shot[kind]))]);
         if (this.shot !== shot) return;
+        this.loading = false;
         this.pixels = pixels;
         [this.pictures.expected, this.pictures.got, this.pictures.heat] = images;
         for (const kind of ["expected", "got"])
@@ -155,8 +158,9 @@ class Viewer {
             const context = canvas.getContext("2d");
             context.setTransform(1, 0, 0, 1, 0, 0);
             context.clearRect(0, 0, canvas.width, canvas.height);
-            const title = {heat: "heat map", difference: `difference × ${this.factor}`}[name] ?? name;
-            caption.textContent = picture ? `${title}, ${picture.width} × ${picture.height}` : `${title}: no picture`;
+            const title = {heat: "heat map", difference: `difference × ${this.factor}`, ...this.shot?.titles}[name] ?? name;
+            caption.textContent = picture ? `${title}, ${picture.width} × ${picture.height}`
+                : this.loading ? title : `${title}: no picture`;
             if (picture) {
                 const {zoom, x, y} = this.view;
                 context.setTransform(zoom, 0, 0, zoom, x, y);
@@ -185,7 +189,7 @@ class Viewer {
         mode.hidden = !this.pictures.heat || !this.canSubtract();
         mode.setAttribute("aria-pressed", String(this.showsHeat()));
         document.getElementById("factorLabel").hidden = this.showsHeat() || !this.canSubtract();
-        document.getElementById("zoomText").textContent = `${Number((this.view.zoom * 100).toPrecision(3))} %`;
+        document.getElementById("zoomText").textContent = this.loading ? "" : `${Number((this.view.zoom * 100).toPrecision(3))} %`;
     }
     drawValues() {
         const line = document.getElementById("values");

@@ -1,0 +1,121 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/utf8.h"
+#include "cli/command_line.h"
+#include "cli/commands.h"
+#include "cli/interruption.h"
+#include "suite/file/suite_file.h"
+#include "suite/results/figures.h"
+#include "suite/results/results_file.h"
+#include "suite/serve/review.h"
+
+namespace glibra::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ReviewArguments {
+    std::string results = "glibra-results";
+    std::vector<std::string> suites;
+    std::string goldens;
+    bool allowOutside = false;
+    bool serve = false;
+};
+
+bool isBelowHere(const fs::path& file) {
+    std::error_code failed;
+    const fs::path inside =
+        fs::weakly_canonical(fs::absolute(file, failed), failed).lexically_relative(fs::current_path(failed));
+    return !failed && !inside.empty() && *inside.begin() != "..";
+}
+
+/// The suites of the run. Those that only the results name have to lie below the current folder: results may
+/// come from somebody else, who is not to choose which goldens are written.
+Result<std::vector<suite::Suite>> suitesOf(const suite::RunResult& run, const ReviewArguments& arguments) {
+    std::vector<fs::path> files(arguments.suites.begin(), arguments.suites.end());
+    if (files.empty() && run.planned)
+        for (const suite::PlannedShots& each : *run.planned)
+            if (!each.file.empty() && isBelowHere(each.file)) files.emplace_back(each.file);
+    std::vector<suite::Suite> suites;
+    Diagnostics problems;
+    for (const fs::path& each : files) {
+        Result<suite::Suite> read = suite::readSuite(each);
+        append(problems, std::move(read.diagnostics));
+        if (read) suites.push_back(*std::move(read.value));
+    }
+    if (hasError(problems)) return problems;
+    return {std::move(suites), std::move(problems)};
+}
+
+void list(const suite::Review& review) {
+    std::string text;
+    for (const suite::ReviewGroup& group : review.groups()) {
+        text += fmt::format("{} ({})\n", base::printableText(group.cause), group.shots.size());
+        for (const std::size_t each : group.shots) {
+            const suite::ShotResult& shot = review.shots()[each];
+            text += base::printableText(
+                        fmt::format("    {}/{}: {}", shot.suite, shot.shot, suite::reasonOf(shot))) +
+                    "\n";
+        }
+    }
+    if (review.shots().empty()) text = "nothing has failed\n";
+    std::fwrite(text.data(), 1, text.size(), stdout);
+}
+
+int review(const ReviewArguments& arguments) {
+    const Result<suite::RunResult> run = suite::readResults(arguments.results);
+    print(run.diagnostics);
+    if (!run) return kSceneIsWrong;
+    const auto suites = suitesOf(*run, arguments);
+    print(suites.diagnostics);
+    if (!suites) return kSceneIsWrong;
+    suite::Review shown(*run, *suites, {arguments.results, arguments.goldens, arguments.allowOutside});
+    if (!arguments.serve) {
+        list(shown);
+        return shown.shots().empty() ? kDone : kDiffers;
+    }
+    if (suites->empty())
+        printLine(
+            "glibra: note: nothing can be accepted, because the suites are not below the current folder; "
+            "name them");
+    const Interruption interruption;
+    auto server = suite::LoopbackServer::open();
+    print(server.diagnostics);
+    if (!server) return kSceneIsWrong;
+    shown.serve(*server);
+    std::printf("%s\n", server->address().c_str());
+    std::fflush(stdout);
+    printLine("open this address in a browser; Ctrl-C ends the review");
+    server->run([&] { return interruption.signal() != 0; });
+    return kDone;
+}
+
+}  // namespace
+
+void addReview(CommandLine& program, int& status) {
+    auto arguments = std::make_shared<ReviewArguments>();
+    ReviewArguments& to = *arguments;
+    CommandLine command = program.subcommand(
+        "review", "shows the shots that failed, by cause, to accept or to reject in a browser",
+        "glibra review glibra-results/                  # what failed, grouped by cause\n"
+        "glibra review glibra-results/ --serve          # prints an address for your browser\n"
+        "glibra review results/ tests/pictures.toml --serve");
+    command.option("RESULTS", to.results, "folder that `glibra test --results` has written").withDefault();
+    command.list("SUITE", to.suites, "suites of the run, if they are not below the current folder");
+    command.flag("--serve", to.serve, "serve a page on this machine (127.0.0.1) and print its address");
+    command
+        .option("--goldens", to.goldens,
+                "folder with one folder of goldens per suite, instead of the suites' own")
+        .written();
+    command.flag("--allow-outside", to.allowOutside, "let goldens be written outside of the suite's folder");
+    command.onRun([arguments, &status] { status = review(*arguments); });
+}
+
+}  // namespace glibra::cli

@@ -1,0 +1,101 @@
+#include "suite/golden/ignored.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "image/convert.h"
+#include "image/read.h"
+#include "suite/day.h"
+#include "suite/golden/hash.h"
+
+namespace glibra::suite {
+namespace {
+
+bool isActive(const IgnoredRegion& region, const std::string& day) {
+    return region.until.empty() || day <= region.until;
+}
+
+bool samePixels(const image::Image& a, const image::Image& b) {
+    return a.width == b.width && a.height == b.height && a.components == b.components && a.type == b.type &&
+           a.data == b.data;
+}
+
+}  // namespace
+
+bool ignoresSomething(const Shot& shot) {
+    const std::string day = shot.ignored.empty() ? std::string() : today();
+    return !shot.mask.empty() || std::any_of(shot.ignored.begin(), shot.ignored.end(),
+                                             [&](const IgnoredRegion& each) { return isActive(each, day); });
+}
+
+std::string ignoredText(const Shot& shot) {
+    if (!ignoresSomething(shot)) return {};
+    std::string text;
+    const std::string day = today();
+    for (const IgnoredRegion& each : shot.ignored)
+        if (isActive(each, day)) text += fmt::format(" {},{},{},{}", each.x, each.y, each.width, each.height);
+    if (shot.mask.empty()) return text;
+    const Result<image::Image> mask = image::readImage(shot.mask);
+    return text + " mask " + (mask ? toText(hashOf(*mask)) : "unreadable");
+}
+
+bool drawingsAgree(const Shot& shot, const image::Image& first, const image::Image& second) {
+    if (samePixels(first, second)) return true;
+    if (!shot.statesTolerance && !ignoresSomething(shot)) return false;
+    const Result<image::Image> seen = withoutIgnored(shot, first, second);
+    if (!seen) return false;
+    return shot.statesTolerance ? image::judge(first, *seen, shot.tolerance, false).same
+                                : samePixels(first, *seen);
+}
+
+std::string judgedBy(const Shot& shot) {
+    std::string text = ignoredText(shot);
+    if (shot.statesTolerance) text += " stated";
+    if (shot.retries > 0) text += fmt::format(" {} retries", shot.retries);
+    if (!shot.quarantine.empty())
+        text += fmt::format(" quarantine {} {}", shot.quarantine, today() <= shot.quarantine);
+    return text.empty() ? text : "\n" + text;
+}
+
+Result<image::Image> withoutIgnored(const Shot& shot, const image::Image& golden, const image::Image& got) {
+    if (golden.width != got.width || golden.height != got.height || golden.type != got.type) return got;
+    // A file that was read has an alpha, which a rendering need not have.
+    const image::Image expected = image::withComponents(golden, got.components);
+    image::Image seen = got;
+    const std::size_t pixel = got.rowBytes() / static_cast<std::size_t>(std::max(1, got.width));
+    const auto hide = [&](int x, int y, int count) {
+        const std::size_t at =
+            static_cast<std::size_t>(y) * got.rowBytes() + static_cast<std::size_t>(x) * pixel;
+        std::memcpy(seen.data.data() + at, expected.data.data() + at,
+                    static_cast<std::size_t>(count) * pixel);
+    };
+    const std::string day = today();
+    for (const IgnoredRegion& each : shot.ignored) {
+        if (!isActive(each, day)) continue;
+        if (each.width > got.width - each.x || each.height > got.height - each.y)
+            return diagnose(
+                "suite-E31",
+                fmt::format("ignore: [{}, {}, {}, {}] is not inside of the picture of {} x {} pixels", each.x,
+                            each.y, each.width, each.height, got.width, got.height),
+                shot.place);
+        for (int y = each.y; y < each.y + each.height; ++y) hide(each.x, y, each.width);
+    }
+    if (shot.mask.empty()) return seen;
+    const Result<image::Image> mask = image::readImage(shot.mask, shot.place);
+    if (!mask) return mask.diagnostics;
+    if (mask->width != got.width || mask->height != got.height)
+        return diagnose("suite-E31",
+                        fmt::format("mask: '{}' has {} x {} pixels, the picture {} x {}", shot.mask.string(),
+                                    mask->width, mask->height, got.width, got.height),
+                        shot.place);
+    const image::Image bytes = image::withType(*mask, image::Component::u8);
+    const std::size_t step = static_cast<std::size_t>(bytes.components);
+    for (int y = 0; y < got.height; ++y)
+        for (int x = 0; x < got.width; ++x)
+            if (bytes.row(y)[static_cast<std::size_t>(x) * step] >= std::byte{128}) hide(x, y, 1);
+    return seen;
+}
+
+}  // namespace glibra::suite

@@ -1,0 +1,30 @@
+#pragma once
+// What a shot leaves out of its comparisons (`ignore` and `mask` of suites), and when two drawings of it
+// agree.
+
+#include <glibra/result.h>
+
+#include <string>
+
+#include "image/image.h"
+#include "suite/suite.h"
+
+namespace glibra::suite {
+
+/// True if some part is left out today.
+bool ignoresSomething(const Shot& shot);
+/// What is left out today, with the content of the mask, as a text that changes with it; empty if nothing is.
+std::string ignoredText(const Shot& shot);
+/// True for two drawings of a shot that are equal where it looks, or within a tolerance that the suite states
+/// for it.
+bool drawingsAgree(const Shot& shot, const image::Image& first, const image::Image& second);
+/// How a verdict on the shot is found beside its tolerance, as a text that changes with it: what is ignored,
+/// retries, whether it is in quarantine today. Empty for a shot that states nothing of this.
+std::string judgedBy(const Shot& shot);
+/// `got` with the pixels of `expected` where the shot does not look, so that a comparison of the two sees no
+/// difference there. Of pictures with different sizes or types `got` is returned: they differ anyway. Errors:
+/// suite-E31 a rectangle outside of the picture, or a mask of another size; those of image::readImage for the
+/// mask.
+Result<image::Image> withoutIgnored(const Shot& shot, const image::Image& expected, const image::Image& got);
+
+}  // namespace glibra::suite

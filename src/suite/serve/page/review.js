@@ -1,0 +1,142 @@
+// The shots of a review, one at a time or a group at once. All that is accepted has been on the screen: the server
+// refuses pictures that no page has asked for, and keys wait until the picture is there.
+
+const byId = (id) => document.getElementById(id);
+let data = {shots: [], groups: []};
+let current = 0, mode = "two", swapped = false, ready = false;
+
+function element(tag, properties = {}, ...children) {
+    const made = Object.assign(document.createElement(tag), properties);
+    made.append(...children);
+    return made;
+}
+const source = (shot, what) => `picture?shot=${shot}&what=${what}`;
+const order = () => data.groups.flatMap((group) => group.shots);
+const groupOf = (shot) => data.groups.find((group) => group.shots.includes(shot));
+
+async function load() {
+    data = await (await fetch("data")).json();
+    byId("list").replaceChildren(...data.groups.flatMap((group) => [
+        element("h2", {textContent: `${group.cause} (${group.shots.length})`}),
+        ...group.shots.map((shot) => {
+            const button = element("button", {type: "button", textContent: data.shots[shot].name});
+            button.dataset.shot = shot;
+            button.dataset.decided = data.shots[shot].decided;
+            button.setAttribute("aria-current", String(shot === current));
+            button.addEventListener("click", () => choose(shot));
+            return button;
+        })]));
+}
+
+function choose(shot) {
+    current = shot;
+    swapped = false;
+    if (mode === "group") mode = "two";
+    show();
+}
+
+function picture(shot, what, title) {
+    const image = element("img", {src: source(shot, what), alt: title});
+    return element("figure", {}, element("figcaption", {textContent: title}), image);
+}
+
+// Shows the pictures of the mode, and counts them as seen once they are decoded.
+async function show() {
+    const shot = data.shots[current];
+    ready = false;
+    document.body.dataset.ready = "";
+    for (const button of document.querySelectorAll("#list button"))
+        button.setAttribute("aria-current", String(Number(button.dataset.shot) === current));
+    if (!shot) {
+        byId("name").textContent = "Nothing has failed.";
+        return;
+    }
+    byId("verdict").textContent = shot.verdict;
+    byId("name").textContent = mode === "group" ? groupOf(current).cause : shot.name;
+    byId("reason").textContent = shot.reason;
+    byId("wipe").hidden = mode !== "wipe";
+    document.querySelector("[data-key=A]").hidden = mode !== "group";
+    byId("figures").replaceChildren(...shot.figures.map(([title, value, limit, beyond]) => element("tr", {},
+        element("th", {textContent: title}), element("td", {textContent: value, className: beyond ? "beyond" : ""}),
+        element("td", {textContent: limit && `limit ${limit}`}))));
+    const place = byId("pictures");
+    place.className = mode;
+    let [first, second] = ["expected", "got"];
+    const titles = {expected: shot.titles[0], got: shot.titles[1]};
+    if (swapped) [first, second] = [second, first];
+    if (mode === "group") {
+        place.replaceChildren(...groupOf(current).shots.filter((each) => data.shots[each].got)
+            .map((each) => picture(each, "got", data.shots[each].name)));
+    } else if (mode === "wipe" && shot.expected && shot.got) {
+        const layers = element("div", {className: "layers"},
+            element("img", {src: source(current, first), alt: titles[first]}),
+            element("img", {src: source(current, second), alt: titles[second]}));
+        place.replaceChildren(element("figure", {}, element("figcaption", {textContent: `${titles[second]} | ${titles[first]}`}), layers));
+        wipe();
+    } else if (mode === "difference" && shot.difference) {
+        place.replaceChildren(picture(current, "difference", "difference"), ...shot.got ? [picture(current, "got", titles.got)] : []);
+    } else {
+        place.replaceChildren(...[first, second].filter((what) => shot[what]).map((what) => picture(current, what, titles[what])));
+    }
+    const chosen = current;
+    await Promise.allSettled([...place.querySelectorAll("img")].map((image) => image.decode()));
+    if (chosen !== current) return;
+    ready = true;
+    document.body.dataset.ready = String(current);
+}
+
+function wipe() {
+    const top = document.querySelector(".layers img + img");
+    if (top) top.style.clipPath = `inset(0 ${100 - Number(byId("wipe").value)}% 0 0)`;
+}
+
+async function send(what, body) {
+    const reply = await fetch(what, {method: "POST", headers: {"Content-Type": "application/json"}, body: JSON.stringify(body)});
+    return reply.json();
+}
+
+async function decide(what, shots, more = {}) {
+    if (!ready) return;
+    byId("said").textContent = "";
+    const reply = await send(what, {shots, ...more});
+    const refused = reply.refused || [];
+    await load();
+    byId("said").textContent = reply.error || refused.map(([shot, why]) => `${data.shots[shot].name}: ${why}`).join("; ") ||
+        `${shots.length} ${what}ed`;
+    const blank = refused.filter(([, why]) => why.endsWith("force accepts it")).map(([shot]) => shot);
+    if (blank.length && confirm(`${byId("said").textContent}\n\nAccept all the same?`))
+        return decide(what, blank, {...more, force: true});
+    const next = order().find((shot) => !data.shots[shot].decided && (refused.length === 0 || shot !== current));
+    if (!refused.length && next !== undefined) choose(next);
+    else show();
+}
+
+function step(by) {
+    const all = order(), at = all.indexOf(current);
+    choose(all[Math.min(all.length - 1, Math.max(0, at + by))]);
+}
+function toggle(to) {
+    mode = mode === to ? "two" : to;
+    show();
+}
+
+const keys = {
+    j: () => step(1),
+    k: () => step(-1),
+    x: () => { swapped = !swapped; show(); },
+    w: () => toggle("wipe"),
+    d: () => toggle("difference"),
+    g: () => toggle("group"),
+    a: () => decide("accept", [current]),
+    b: () => decide("accept", [current], {also: true}),
+    r: () => decide("reject", [current]),
+    A: () => mode === "group" && decide("accept", groupOf(current).shots.filter((shot) => data.shots[shot].got && !data.shots[shot].decided)),
+};
+document.addEventListener("keydown", (event) => {
+    if (event.ctrlKey || event.metaKey || event.altKey || !keys[event.key]) return;
+    event.preventDefault();
+    keys[event.key]();
+});
+for (const button of document.querySelectorAll("[data-key]")) button.addEventListener("click", keys[button.dataset.key]);
+byId("wipe").addEventListener("input", wipe);
+load().then(() => choose(order()[0] ?? 0));

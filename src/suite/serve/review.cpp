@@ -1,0 +1,261 @@
+#include "suite/serve/review.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+#include <span>
+#include <sstream>
+
+#include "base/page_template.h"
+#include "embedded/review_page.h"
+#include "image/convert.h"
+#include "image/file.h"
+#include "image/png/png_writer.h"
+#include "image/read.h"
+#include "suite/golden/golden_store.h"
+#include "suite/results/figures.h"
+#include "suite/results/results_file.h"
+#include "suite/run/verdict.h"
+
+namespace glibra::suite {
+namespace {
+
+namespace fs = std::filesystem;
+using ReviewJson = nlohmann::ordered_json;
+
+std::string textOf(const ReviewJson& json) {
+    return json.dump(-1, ' ', false, ReviewJson::error_handler_t::replace);
+}
+
+WebReply refuse(int status, const std::string& why) {
+    return {status, "application/json", textOf({{"error", why}})};
+}
+
+/// The kind of a difference, so that shots that differ in the same way stand together.
+std::string kindOf(const ShotResult& shot) {
+    if (shot.verdict != Verdict::failed) return name(shot.verdict);
+    const std::string decided = decision(shot);
+    return decided.empty() ? "failed" : decided;
+}
+
+/// The shader files that a scene names: words with an ending of shaders.
+std::set<std::string> shadersOf(const fs::path& script) {
+    constexpr std::size_t kMostBytes = std::size_t{1} << 20;
+    const auto bytes = image::readFile(script, {script.string(), {script.string(), 1, 1}}, kMostBytes);
+    if (!bytes) return {};
+    std::set<std::string> shaders;
+    std::istringstream words(std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size()));
+    for (std::string line; std::getline(words, line);) {
+        std::istringstream rest(line.substr(0, line.find('#')));
+        for (std::string word; rest >> word;) {
+            std::erase(word, '"');
+            const std::string ending = fs::path(word).extension().string();
+            for (const char* each : {".vert", ".frag", ".geom", ".tesc", ".tese", ".tcs", ".tes", ".comp"})
+                if (ending == each) shaders.insert(fs::path(word).filename().string());
+        }
+    }
+    return shaders;
+}
+
+/// The shots that a request names.
+struct Asked {
+    std::vector<std::size_t> shots;
+    bool force = false, also = false;
+};
+
+std::optional<Asked> parse(const std::string& body, std::size_t count) {
+    const ReviewJson json = ReviewJson::parse(body, nullptr, false);
+    if (!json.is_object() || !json.contains("shots") || !json.at("shots").is_array()) return std::nullopt;
+    Asked asked;
+    for (const ReviewJson& each : json.at("shots")) {
+        if (!each.is_number_unsigned() || each.get<std::uint64_t>() >= count) return std::nullopt;
+        asked.shots.push_back(each.get<std::size_t>());
+    }
+    const auto flag = [&](const char* name) { return json.contains(name) && json.at(name) == true; };
+    asked.force = flag("force");
+    asked.also = flag("also");
+    return asked;
+}
+
+}  // namespace
+
+Review::Review(const RunResult& run, std::vector<Suite> suites, ReviewOptions options)
+    : suites_(std::move(suites)), options_(std::move(options)) {
+    for (const ShotResult& each : run.shots)
+        if (isFailure(each.verdict) || each.verdict == Verdict::flaky || each.verdict == Verdict::quarantined)
+            shots_.push_back(each);
+}
+
+std::vector<ReviewGroup> Review::groups() const {
+    // A shader that several scenes use is a likelier cause than each of them. Scenes that only the results
+    // name are not read.
+    std::map<fs::path, std::set<std::string>> shaders;
+    std::map<std::string, std::size_t> scenesOf;
+    for (const ShotResult& each : shots_)
+        if (const Known known = find(each); known.shot && !shaders.contains(each.script))
+            for (const std::string& shader : shaders[each.script] = shadersOf(known.shot->script))
+                ++scenesOf[shader];
+    const auto causeOf = [&](const ShotResult& shot) {
+        std::string cause = shot.script.string();
+        std::size_t most = 1;
+        for (const std::string& shader : shaders[shot.script])
+            if (scenesOf[shader] > most) {
+                most = scenesOf[shader];
+                cause = shader;
+            }
+        return cause;
+    };
+    std::vector<ReviewGroup> groups;
+    std::map<std::string, std::size_t> known;
+    for (std::size_t i = 0; i < shots_.size(); ++i) {
+        const std::string from = causeOf(shots_[i]), kind = kindOf(shots_[i]);
+        const std::string cause = fmt::format("{}: {}", fs::path(from).filename().string(), kind);
+        const auto [at, isNew] = known.emplace(from + "\n" + kind, groups.size());
+        if (isNew) groups.push_back({cause, {}});
+        groups[at->second].shots.push_back(i);
+    }
+    return groups;
+}
+
+void Review::serve(LoopbackServer& server) {
+    const base::Slot slots[] = {{"style", std::string(review_page::review_css())},
+                                {"script", std::string(review_page::review_js())}};
+    const std::string page = base::filled(review_page::review_html(), slots);
+    server.get("", [page](const WebRequest&) { return WebReply{200, "text/html; charset=utf-8", page}; });
+    server.get("data", [this](const WebRequest&) { return data(); });
+    server.get("picture", [this](const WebRequest& request) { return picture(request); });
+    server.post("accept", [this](const WebRequest& request) { return accept(request); });
+    server.post("reject", [this](const WebRequest& request) { return reject(request); });
+}
+
+Review::Known Review::find(const ShotResult& result) const {
+    for (const Suite& suite : suites_)
+        if (suite.name == result.suite)
+            for (const Shot& shot : suite.shots)
+                if (shot.name == result.shot) return {&suite, &shot};
+    return {};
+}
+
+/// Pictures of the results folder only: what a run has copied there. Results may come from somebody else.
+Result<std::vector<std::byte>> Review::read(const fs::path& file) const {
+    return readNamed(file, options_.results, base::Roots());
+}
+
+std::string Review::whyNot(std::size_t index) const {
+    const ShotResult& result = shots_[index];
+    const Known known = find(result);
+    if (result.got.empty()) return "there is no picture";
+    if (result.verdict == Verdict::unstable || result.verdict == Verdict::flaky)
+        return "its drawings differ: no picture of it can be accepted";
+    if (!known.shot) return "the suite has no such shot now";
+    if (result.accept.empty() && result.verdict != Verdict::quarantined)
+        return "another golden does not help";
+    if (!options_.allowOutside && options_.goldens.empty() && hasError(checkGoldenFolder(*known.suite)))
+        return "its golden is outside of the suite's folder (--allow-outside)";
+    return {};
+}
+
+WebReply Review::data() const {
+    ReviewJson json = {{"shots", ReviewJson::array()}, {"groups", ReviewJson::array()}};
+    for (std::size_t i = 0; i < shots_.size(); ++i) {
+        const ShotResult& shot = shots_[i];
+        const PictureTitles titles = titlesOf(shot);
+        const auto decided = decided_.find(i);
+        ReviewJson figuresOf = ReviewJson::array();
+        for (const Figure& each : figures(shot))
+            figuresOf.push_back({each.name, each.value, each.limit, each.beyond});
+        json["shots"].push_back({{"name", shot.suite + "/" + shot.shot},
+                                 {"verdict", name(shot.verdict)},
+                                 {"reason", reasonOf(shot)},
+                                 {"titles", {titles.expected, titles.got}},
+                                 {"expected", !shot.expected.empty()},
+                                 {"got", !shot.got.empty()},
+                                 {"difference", !shot.difference.empty()},
+                                 {"figures", std::move(figuresOf)},
+                                 {"whyNot", whyNot(i)},
+                                 {"decided", decided == decided_.end() ? "" : decided->second}});
+    }
+    for (const ReviewGroup& each : groups())
+        json["groups"].push_back({{"cause", each.cause}, {"shots", each.shots}});
+    return {200, "application/json", textOf(json)};
+}
+
+WebReply Review::picture(const WebRequest& request) {
+    const auto parameter = [&](const char* name) {
+        const auto found = request.parameters.find(name);
+        return found == request.parameters.end() ? std::string() : found->second;
+    };
+    const std::string number = parameter("shot"), what = parameter("what");
+    const auto index = parse("{\"shots\": [" + number + "]}", shots_.size());
+    if (!index || index->shots.size() != 1) return refuse(404, "there is no such shot");
+    const std::size_t shot = index->shots.front();
+    const ShotResult& result = shots_[shot];
+    const fs::path* file = what == "got"          ? &result.got
+                           : what == "expected"   ? &result.expected
+                           : what == "difference" ? &result.difference
+                                                  : nullptr;
+    if (!file || file->empty()) return refuse(404, "there is no such picture");
+    const auto bytes = read(*file);
+    if (!bytes) return refuse(404, bytes.message());
+    const Result<image::Image> picture = image::decodeImage(*bytes, *file);
+    if (!picture) return refuse(404, picture.message());
+    if (what == "got") seen_[shot] = hashOf(std::span<const std::byte>(*bytes));
+    const std::vector<std::byte> png = image::encodePng(image::withType(*picture, image::Component::u8));
+    return {200, "image/png", std::string(reinterpret_cast<const char*>(png.data()), png.size())};
+}
+
+std::string Review::acceptOne(std::size_t index, bool force, bool also) {
+    if (std::string why = whyNot(index); !why.empty()) return why;
+    const auto seen = seen_.find(index);
+    if (seen == seen_.end()) return "nobody has looked at its picture";
+    const ShotResult& result = shots_[index];
+    const Known known = find(result);
+    const auto bytes = read(result.got);
+    if (!bytes) return bytes.message();
+    if (hashOf(std::span<const std::byte>(*bytes)) != seen->second)
+        return "its picture has changed since it was shown; look again";
+    const Result<image::Image> decoded = image::decodeImage(*bytes, result.got);
+    if (!decoded) return decoded.message();
+    // A picture without alpha was read with one.
+    const image::Image picture = image::withComponents(*decoded, known.shot->options.alpha ? 4 : 3);
+    if (const std::string why = whyNoGolden(picture); !why.empty() && !force)
+        return why + "; force accepts it";
+    const auto store = GoldenStore::open(*known.suite, options_.goldens, options_.allowOutside);
+    if (!store) return store.message();
+    const bool isFurther = also && result.verdict != Verdict::missing;
+    const std::string variant = isFurther ? store->freeVariant(*known.shot) : result.goldenVariant;
+    if (isFurther && variant.empty()) return "it has nine further accepted pictures; remove one";
+    const Result<Golden> golden = store->replace(*known.shot, variant, picture);
+    if (!golden) return golden.message();
+    decided_[index] = "accepted";
+    return {};
+}
+
+WebReply Review::accept(const WebRequest& request) {
+    const auto asked = parse(request.body, shots_.size());
+    if (!asked) return refuse(400, "expected {\"shots\": [numbers]}");
+    ReviewJson json = {{"accepted", ReviewJson::array()}, {"refused", ReviewJson::array()}};
+    for (const std::size_t each : asked->shots) {
+        const std::string why = decided_.contains(each) && decided_[each] == "accepted"
+                                    ? "it has been accepted already"
+                                    : acceptOne(each, asked->force, asked->also);
+        if (why.empty())
+            json["accepted"].push_back(each);
+        else
+            json["refused"].push_back({each, why});
+    }
+    return {200, "application/json", textOf(json)};
+}
+
+WebReply Review::reject(const WebRequest& request) {
+    const auto asked = parse(request.body, shots_.size());
+    if (!asked) return refuse(400, "expected {\"shots\": [numbers]}");
+    for (const std::size_t each : asked->shots)
+        if (decided_[each] != "accepted") decided_[each] = "rejected";
+    return {200, "application/json", "{}"};
+}
+
+}  // namespace glibra::suite

@@ -1,0 +1,208 @@
+#!/usr/bin/env python3
+"""`glibra review --serve` in Chromium: shots that failed are looked at, accepted and rejected, by two browsers at once.
+
+usage: review_test.py GLIBRA
+"""
+import contextlib
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import unittest
+import urllib.error
+import urllib.request
+
+import webdriver
+
+PROGRAM = None
+SCENE = "WindowSize 48 48\nOrtho -1 1 -1 1\nSphere RADIUS\n"
+SUITE = """goldens = "golden"
+[[shot]]
+script = "ball.glib"
+time = [1, 2, 3]
+[[shot]]
+script = "other.glib"
+[[shot]]
+script = "broken.glib"
+"""
+
+
+class Review(unittest.TestCase):
+    def setUp(self):
+        self.stack = contextlib.ExitStack()
+        self.folder = self.stack.enter_context(tempfile.TemporaryDirectory())
+        self.write("s.toml", SUITE)
+        self.scene(".5")
+        self.assertEqual(self.glibra("test", "s.toml", "--update"), 0)
+        self.scene(".8")
+        self.write("broken.glib", "WindowSize 48 48\nSpere 1\n")
+        self.assertEqual(self.glibra("test", "s.toml"), 3)
+        self.server = subprocess.Popen([PROGRAM, "review", "glibra-results", "--serve"], cwd=self.folder,
+                                       stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.stack.callback(self.end)
+        self.address = self.server.stdout.readline().strip()
+
+    def tearDown(self):
+        self.stack.close()
+
+    def end(self):
+        self.server.send_signal(signal.SIGINT)
+        self.assertEqual(self.server.wait(10), 0)
+        self.server.stdout.close()
+        self.server.stderr.close()
+
+    def write(self, name, text):
+        with open(os.path.join(self.folder, name), "w", encoding="utf-8") as file:
+            file.write(text)
+
+    def scene(self, radius):
+        for name in ("ball", "other", "broken"):
+            self.write(name + ".glib", SCENE.replace("RADIUS", radius))
+
+    def glibra(self, *arguments):
+        return subprocess.run([PROGRAM, *arguments], cwd=self.folder, capture_output=True, check=False).returncode
+
+    def golden(self, name):
+        with open(os.path.join(self.folder, "golden", name + ".png"), "rb") as file:
+            return file.read()
+
+    def open(self):
+        browser = self.stack.enter_context(webdriver.Browser())
+        browser.open(self.address)
+        browser.wait("return document.body.dataset.ready === '0'")
+        return browser
+
+    @staticmethod
+    def key(browser, key):
+        browser.run("document.dispatchEvent(new KeyboardEvent('keydown', {key: arguments[0]}))", key)
+
+    @staticmethod
+    def said(browser, text):
+        browser.wait("return document.querySelector('#said').textContent.includes(arguments[0])", text)
+
+    def test_shots_are_accepted_and_rejected_by_key(self):
+        browser = self.open()
+        groups = browser.run("return [...document.querySelectorAll('#list h2')].map((each) => each.textContent)")
+        self.assertEqual(groups, ["ball.glib: differences (3)", "other.glib: differences (1)", "broken.glib: failed (1)"])
+        before = self.golden("ball@time=1")
+        sources = "return [...document.querySelectorAll('#pictures img')].map((each) => each.src.split('what=')[1])"
+        self.assertEqual(browser.run(sources), ["expected", "got"])
+        self.key(browser, "x")
+        browser.wait("return document.body.dataset.ready === '0'")
+        self.assertEqual(browser.run(sources), ["got", "expected"])
+        self.key(browser, "w")
+        browser.wait("return document.body.dataset.ready === '0' && document.querySelectorAll('.layers img').length === 2")
+        wiped = browser.screenshot(selector=".layers")
+        browser.run("const wipe = document.querySelector('#wipe'); wipe.value = 100; wipe.dispatchEvent(new Event('input'));")
+        self.assertNotEqual(browser.screenshot(selector=".layers"), wiped)
+        self.key(browser, "w")
+        browser.wait("return document.body.dataset.ready === '0'")
+        self.key(browser, "r")
+        self.said(browser, "1 rejected")
+        browser.wait("return document.body.dataset.ready === '1'")
+        self.assertEqual(self.golden("ball@time=1"), before)
+        self.key(browser, "a")
+        self.said(browser, "1 accepted")
+        browser.wait("return document.body.dataset.ready === '2'")
+        self.assertNotEqual(self.golden("ball@time=2"), before)
+        self.key(browser, "b")
+        self.said(browser, "1 accepted")
+        self.assertTrue(os.path.exists(os.path.join(self.folder, "golden", "ball@time=3.also1.png")))
+        self.assertEqual(self.golden("ball@time=3"), before)
+        self.write("broken.glib", SCENE.replace("RADIUS", ".5"))
+        self.assertEqual(self.glibra("test", "s.toml", "--only", "ball@time=2", "--only", "ball@time=3"), 0)
+        self.assertEqual(self.glibra("test", "s.toml", "--only", "ball@time=1"), 1)
+
+    def test_what_is_accepted_is_what_update_writes(self):
+        browser = self.open()
+        self.key(browser, "a")
+        self.said(browser, "1 accepted")
+        accepted = self.golden("ball@time=1")
+        self.glibra("test", "s.toml", "--only", "ball@time=2", "--update")
+        self.assertEqual(accepted, self.golden("ball@time=2"), "both show the same picture")
+
+    def test_a_group_is_accepted_at_once_and_another_browser_sees_it(self):
+        first, second = self.open(), self.open()
+        self.key(first, "g")
+        first.wait("return document.body.dataset.ready === '0' && document.querySelectorAll('#pictures img').length === 3")
+        self.key(first, "A")
+        self.said(first, "3 accepted")
+        self.key(second, "a")
+        self.said(second, "it has been accepted already")
+        self.assertEqual(second.run("return document.querySelectorAll('[data-decided=accepted]').length"), 3)
+        self.assertEqual(self.glibra("test", "s.toml", "--only", "ball"), 0)
+
+    def test_scenes_that_share_a_shader_are_one_group(self):
+        for name, shaders in (("ball", "Fragment one.frag"), ("other", 'Fragment "one.frag"'), ("broken", "")):
+            self.write(name + ".glib", shaders + "\n" + SCENE.replace("RADIUS", ".5"))
+        groups = self.open().run("return [...document.querySelectorAll('#list h2')].map((each) => each.textContent)")
+        self.assertEqual(groups, ["one.frag: differences (4)", "broken.glib: failed (1)"])
+
+    def post(self, path, body, **headers):
+        request = urllib.request.Request(self.address + path, body.encode(), {"Content-Type": "application/json", **headers})
+        try:
+            with urllib.request.urlopen(request) as reply:
+                return reply.status, reply.read().decode()
+        except urllib.error.HTTPError as problem:
+            return problem.code, problem.read().decode()
+
+    def test_nothing_is_accepted_unseen_or_from_elsewhere(self):
+        before = self.golden("ball@time=1")
+        self.assertIn("nobody has looked", self.post("accept", '{"shots": [0]}')[1])
+        for body in ('{"shots": [99]}', '{"shots": ["0"]}', '{"shots": [-1]}', "[]", "", "{", '{"shots": [0.5]}'):
+            self.assertEqual(self.post("accept", body)[0], 400, body)
+        self.assertEqual(self.post("accept", '{"shots": [0]}', Origin="http://evil.example")[0], 403)
+        self.assertEqual(self.post("accept", "shots=0", **{"Content-Type": "application/x-www-form-urlencoded"})[0], 415)
+        for what in ("../s.toml", "golden", "", "got&shot=1"):
+            with self.assertRaises(urllib.error.HTTPError) if what != "got&shot=1" else contextlib.nullcontext():
+                urllib.request.urlopen(self.address + "picture?shot=0&what=" + what).close()
+        for shot in ("-1", "99", "0]}", "x", "0,1"):
+            with self.assertRaises(urllib.error.HTTPError):
+                urllib.request.urlopen(self.address + "picture?what=got&shot=" + shot).close()
+        self.assertEqual(self.golden("ball@time=1"), before)
+        # A picture that has changed since it was shown is another picture.
+        urllib.request.urlopen(self.address + "picture?shot=0&what=got").close()
+        results = os.path.join(self.folder, "glibra-results", "s")
+        os.replace(os.path.join(results, "other.expected.png"), os.path.join(results, "ball@time=1.got.png"))
+        self.assertIn("has changed since", self.post("accept", '{"shots": [0]}')[1])
+        self.assertEqual(self.golden("ball@time=1"), before)
+        self.assertIn("there is no picture", self.post("accept", '{"shots": [4]}')[1])
+
+    def test_results_that_name_files_elsewhere_show_and_write_nothing_there(self):
+        self.end_and_restart(lambda text: re.sub(r'"got":"[^"]*"', '"got":"/etc/hostname"', text))
+        with self.assertRaises(urllib.error.HTTPError):
+            urllib.request.urlopen(self.address + "picture?shot=0&what=got").close()
+        with tempfile.TemporaryDirectory() as elsewhere:
+            suite = os.path.join(elsewhere, "s.toml")
+            with open(suite, "w", encoding="utf-8") as file:
+                file.write("goldens = \"golden\"\n[[shot]]\nscript = \"%s/ball.glib\"\n" % self.folder)
+            self.end_and_restart(lambda text: text.replace('"file":"s.toml"', '"file":"%s"' % suite))
+            urllib.request.urlopen(self.address + "picture?shot=3&what=got").close()
+            self.assertIn("no such shot", self.post("accept", '{"shots": [3]}')[1])
+            self.assertFalse(os.path.exists(os.path.join(elsewhere, "golden")))
+
+    def end_and_restart(self, change):
+        self.server.send_signal(signal.SIGINT)
+        self.assertEqual(self.server.wait(10), 0)
+        self.server.stdout.close()
+        self.server.stderr.close()
+        self.glibra("test", "s.toml")
+        path = os.path.join(self.folder, "glibra-results", "results.jsonl")
+        with open(path, encoding="utf-8") as file:
+            text = change(file.read())
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
+        self.server = subprocess.Popen([PROGRAM, "review", "glibra-results", "--serve"], cwd=self.folder,
+                                       stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.address = self.server.stdout.readline().strip()
+
+
+if __name__ == "__main__":
+    if not shutil.which("chromedriver") or not shutil.which("chromium"):
+        print("skipped: chromium and chromedriver are needed")
+        sys.exit(77)
+    PROGRAM = os.path.abspath(sys.argv[1])
+    unittest.main(argv=sys.argv[:1])

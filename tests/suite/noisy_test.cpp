@@ -1,0 +1,236 @@
+// Pictures that are not the same each time: a stated tolerance, what is ignored, further accepted pictures,
+// days, and what the commands of a report do.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "folder.h"
+#include "image/write.h"
+#include "pictures.h"
+#include "suite/day.h"
+#include "suite/file/shot_name.h"
+#include "suite/file/suite_file.h"
+#include "suite/golden/ignored.h"
+#include "suite/golden/orphans.h"
+#include "suite/results/figures.h"
+#include "suite_text.h"
+
+namespace glibra::suite {
+namespace {
+
+class Noisy : public testing::Test {
+  protected:
+    Noisy() {
+        suite.name = "s";
+        suite.file = folder / "s.toml";
+        suite.goldens = folder / "goldens";
+    }
+    Judged decide(const image::Image& first, const image::Image& again, JudgeOptions options = {}) {
+        options.results = folder / "results";
+        const GoldenStore store = *GoldenStore::open(suite);
+        const ShotJudge judge(suite, store, "llvmpipe", "key", options);
+        const Attempt attempt = attemptAt(shot, first);
+        std::optional<Judged> judged = judge.first(attempt);
+        if (!judged) judged = judge.second(attempt, attemptAt(shot, again));
+        if (judged->accepted) {
+            EXPECT_TRUE(acceptHashes(store.hashFile(), std::vector{*judged->accepted}).empty());
+        }
+        return *judged;
+    }
+    ShotResult decide(const image::Image& picture) { return decide(picture, picture).result; }
+    ShotResult accept(const image::Image& picture, JudgeOptions options = {}) {
+        options.update = true;
+        return decide(picture, picture, options).result;
+    }
+
+    Folder folder;
+    Suite suite;
+    Shot shot = shotNamed("a");
+};
+
+TEST_F(Noisy, AStatedToleranceIsForTheTwoDrawingsToo) {
+    EXPECT_EQ(decide(gradient(), gradient(2), {.update = true}).result.verdict, Verdict::unstable);
+    shot.statesTolerance = true;
+    EXPECT_EQ(decide(gradient(), gradient(9), {.update = true}).result.verdict, Verdict::unstable);
+    EXPECT_FALSE(std::filesystem::exists(folder / "goldens/a.png"));
+    shot.tolerance.bias = 3;
+    EXPECT_EQ(decide(gradient(), gradient(2), {.update = true}).result.verdict, Verdict::updated);
+    EXPECT_EQ(decide(gradient(2)).verdict, Verdict::passed);
+    EXPECT_EQ(decide(gradient(40), gradient(41)).result.verdict, Verdict::failed);
+}
+
+TEST_F(Noisy, AnUnstableShotHasNoPictureToAcceptAndNamesBothDrawings) {
+    const ShotResult result = decide(gradient(), gradient(1)).result;
+    EXPECT_EQ(result.verdict, Verdict::unstable);
+    EXPECT_EQ(result.accept, "");
+    EXPECT_STREQ(titlesOf(result).expected, "second drawing");
+    EXPECT_STREQ(titlesOf(result).got, "first drawing");
+    EXPECT_STREQ(titlesOf(decide(gradient())).expected, "expected");
+}
+
+TEST_F(Noisy, TheAcceptCommandIsOneThatWorks) {
+    const std::string file = suite.file.string();
+    EXPECT_EQ(decide(gradient()).accept, "glibra test " + file + " --only a --update");
+    EXPECT_EQ(decide(oneColor(7)).accept, "glibra test " + file + " --only a --update --force");
+    EXPECT_EQ(accept(oneColor(7)).accept, "glibra test " + file + " --only a --update --force");
+    suite.goldens = folder / "../elsewhere";
+    EXPECT_EQ(decide(gradient()).accept, "glibra test " + file + " --only a --update --allow-outside");
+    const GoldenStore store = *GoldenStore::open(suite, folder / "mine");
+    const ShotJudge judge(suite, store, "llvmpipe", "key", {.results = folder / "results"});
+    EXPECT_EQ(judge.second(attemptAt(shot, gradient()), attemptAt(shot, gradient())).result.accept,
+              "glibra test " + file + " --only a --update --goldens " + (folder / "mine").string());
+}
+
+TEST_F(Noisy, EachOfSeveralAcceptedPicturesPasses) {
+    ASSERT_EQ(accept(gradient()).verdict, Verdict::updated);
+    const ShotResult added = accept(gradient(40), {.also = true});
+    EXPECT_EQ(added.verdict, Verdict::updated);
+    EXPECT_EQ(added.goldenVariant, "also1");
+    EXPECT_EQ(added.reason.rfind("golden added", 0), 0U) << added.reason;
+    EXPECT_EQ(decide(gradient()).verdict, Verdict::passed);
+    const ShotResult other = decide(gradient(40));
+    EXPECT_EQ(other.verdict, Verdict::passed);
+    EXPECT_EQ(other.goldenVariant, "also1");
+    EXPECT_TRUE(other.exact) << "its pixels are in the list";
+    EXPECT_EQ(decide(gradient(80)).verdict, Verdict::failed);
+    suite.shots = {shot};
+    EXPECT_TRUE(orphanGoldens(suite, {}, {}).empty());
+    EXPECT_EQ(shotOfVariant("a.also1"), "a");
+    EXPECT_EQ(shotOfVariant("a.also12"), "");
+}
+
+TEST_F(Noisy, AShotHasTenAcceptedPicturesAtMost) {
+    ASSERT_EQ(accept(gradient()).verdict, Verdict::updated);
+    for (int i = 1; i <= 9; ++i)
+        EXPECT_EQ(accept(gradient(10 * i), {.also = true}).verdict, Verdict::updated) << i;
+    const ShotResult full = accept(gradient(100), {.also = true});
+    EXPECT_EQ(full.verdict, Verdict::failed);
+    EXPECT_EQ(full.diagnostics.back().id, "suite-E33");
+}
+
+/// The gradient with a white line of 20 pixels.
+image::Image withLine(int x, int y) {
+    image::Image image = gradient();
+    for (int dx = 0; dx < 20 && x + dx < 32; ++dx)
+        for (std::size_t c = 0; c < 3; ++c)
+            image.data[static_cast<std::size_t>(y * 32 + x + dx) * 3 + c] = std::byte{255};
+    return image;
+}
+
+TEST_F(Noisy, AnIgnoredRectangleIsNotComparedAndNothingElseIsLeftOut) {
+    shot.tolerance.fraction = 0;
+    ASSERT_EQ(accept(gradient()).verdict, Verdict::updated);
+    EXPECT_EQ(decide(withLine(10, 5)).verdict, Verdict::failed);
+    shot.ignored = {{10, 5, 20, 1, ""}};
+    const ShotResult ignored = decide(withLine(10, 5));
+    EXPECT_EQ(ignored.verdict, Verdict::passed);
+    EXPECT_FALSE(ignored.exact);
+    for (const auto& [x, y] : {std::pair{10, 4}, {10, 6}, {9, 5}, {11, 5}})
+        EXPECT_EQ(decide(withLine(x, y)).verdict, Verdict::failed) << x << ' ' << y;
+    // The two drawings are compared in the same way.
+    EXPECT_EQ(decide(withLine(10, 20), withLine(10, 20)).result.verdict, Verdict::failed);
+}
+
+TEST_F(Noisy, PixelsThatWereAcceptedUnderAnIgnoredRectangleAreNotAcceptedWithoutIt) {
+    shot.tolerance.fraction = 0;
+    ASSERT_EQ(accept(gradient()).verdict, Verdict::updated);
+    shot.ignored = {{10, 5, 20, 1, ""}};
+    EXPECT_EQ(accept(withLine(10, 5)).verdict, Verdict::passed);
+    EXPECT_TRUE(decide(withLine(10, 5)).exact) << "by its hash";
+    shot.ignored.clear();
+    EXPECT_EQ(decide(withLine(10, 5)).verdict, Verdict::failed);
+}
+
+TEST_F(Noisy, AnIgnoredRectangleExpires) {
+    shot.tolerance.fraction = 0;
+    ASSERT_EQ(accept(gradient()).verdict, Verdict::updated);
+    shot.ignored = {{10, 5, 20, 1, "2999-12-31"}};
+    EXPECT_EQ(decide(withLine(10, 5)).verdict, Verdict::passed);
+    shot.ignored[0].until = today();
+    EXPECT_EQ(decide(withLine(10, 5)).verdict, Verdict::passed) << "the last day counts";
+    shot.ignored[0].until = "2020-01-31";
+    EXPECT_EQ(decide(withLine(10, 5)).verdict, Verdict::failed);
+}
+
+TEST_F(Noisy, AMaskLeavesOutWhatIsWhite) {
+    shot.tolerance.fraction = 0;
+    ASSERT_EQ(accept(gradient()).verdict, Verdict::updated);
+    shot.mask = folder / "mask.png";
+    ASSERT_TRUE(
+        image::writeImage(picture(32, 32, [](int, int y, int) { return y == 5 ? 255 : 0; }), shot.mask)
+            .empty());
+    EXPECT_EQ(decide(withLine(10, 5)).verdict, Verdict::passed);
+    EXPECT_EQ(decide(withLine(10, 6)).verdict, Verdict::failed);
+    ASSERT_TRUE(image::writeImage(picture(16, 32, [](int, int, int) { return 255; }), shot.mask).empty());
+    const ShotResult wrong = decide(withLine(10, 5));
+    EXPECT_EQ(wrong.verdict, Verdict::failed);
+    EXPECT_NE(wrong.reason.find("suite-E31"), std::string::npos) << wrong.reason;
+    std::filesystem::remove(shot.mask);
+    EXPECT_EQ(decide(withLine(10, 5)).verdict, Verdict::failed);
+}
+
+TEST_F(Noisy, ARectangleOutsideOfThePictureIsAnError) {
+    ASSERT_EQ(accept(gradient()).verdict, Verdict::updated);
+    for (const IgnoredRegion& each :
+         {IgnoredRegion{0, 0, 33, 1, ""}, {0, 0, 1, 33, ""}, {32, 0, 1, 1, ""}, {0, 31, 1, 2, ""}}) {
+        shot.ignored = {each};
+        const ShotResult result = decide(gradient(40));
+        EXPECT_EQ(result.verdict, Verdict::failed);
+        EXPECT_NE(result.reason.find("suite-E31"), std::string::npos) << result.reason;
+    }
+}
+
+TEST(Days, AreThoseOfTheCalendar) {
+    for (const char* day : {"2026-12-31", "2024-02-29", "2000-02-29", "0001-01-01"})
+        EXPECT_TRUE(isDay(day)) << day;
+    for (const char* text : {"", "2026-02-29", "1900-02-29", "2026-13-01", "2026-00-10", "2026-1-1",
+                             "2026-12-32", "31.12.2026", "2026-12-31T00:00", "2026/12/31", "-026-12-31"})
+        EXPECT_FALSE(isDay(text)) << text;
+    EXPECT_TRUE(isDay(today())) << today();
+}
+
+TEST(NoisyKeys, AreRead) {
+    const test::SceneFolder folder{"a.glib"};
+    const auto suite = folder.read(
+        "[defaults]\nretries = 2\n[[shot]]\nscript = 'a.glib'\nquarantine = '2026-12-31'\nmask = 'm.png'\n"
+        "ignore = [[1, 2, 3, 4], { rectangle = [5, 6, 7, 8], until = '2027-01-01' }]\nmax-error = '0.5px'\n"
+        "tolerance = { max = 9 }\n");
+    ASSERT_TRUE(suite) << folder.shown(suite);
+    const Shot& shot = suite->shots.at(0);
+    EXPECT_EQ(shot.retries, 2);
+    EXPECT_EQ(shot.quarantine, "2026-12-31");
+    EXPECT_EQ(shot.mask.filename(), "m.png");
+    EXPECT_TRUE(shot.statesTolerance);
+    EXPECT_EQ(shot.options.maxError, 0.5);
+    ASSERT_EQ(shot.ignored.size(), 2U);
+    EXPECT_EQ(shot.ignored[0].height, 4);
+    EXPECT_EQ(shot.ignored[1].until, "2027-01-01");
+}
+
+TEST(NoisyKeys, AreCheckedWithTheirPlace) {
+    const test::SceneFolder folder{"a.glib"};
+    for (const auto& [line, id] :
+         {std::pair{"quarantine = '2026-02-30'", "suite-E32"},
+          {"quarantine = 5", "suite-E03"},
+          {"retries = -1", "suite-E04"},
+          {"retries = 2.5", "suite-E03"},
+          {"ignore = [1, 2, 3, 4]", "suite-E03"},
+          {"ignore = [[1, 2, 3]]", "suite-E03"},
+          {"ignore = [[-1, 2, 3, 4]]", "suite-E04"},
+          {"ignore = [[1, 2, 0, 4]]", "suite-E04"},
+          {"ignore = [{ until = '2027-01-01' }]", "suite-E03"},
+          {"ignore = [{ rectangle = [1, 2, 3, 4], untill = '2027-01-01' }]", "suite-E02"},
+          {"ignore = [{ rectangle = [1, 2, 3, 4], until = 'soon' }]", "suite-E32"},
+          {"max-error = '0.5em'", "suite-E04"},
+          {"max-error = 'px'", "suite-E04"},
+          {"samples = '4'", "suite-E03"}}) {
+        const auto suite = folder.read(std::string("[[shot]]\nscript = 'a.glib'\n") + line + "\n");
+        ASSERT_FALSE(suite) << line;
+        EXPECT_EQ(suite.diagnostics.front().id, id) << line << ": " << suite.message();
+        EXPECT_EQ(suite.diagnostics.front().place.line, 3) << line;
+    }
+}
+
+}  // namespace
+}  // namespace glibra::suite
