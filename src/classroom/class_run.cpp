@@ -192,7 +192,8 @@ class ClassRun {
                         entry.diagnostics.begin(), entry.diagnostics.end(), [&](const Diagnostic& each) {
                             return each.id == "glib-W23" && each.place.file.empty() && each.subject == tag;
                         });
-                    if (one != entry.diagnostics.end()) found = &*one;
+                    if (one != entry.diagnostics.end() && (!found || found->suggestion.empty()))
+                        found = &*one;
                     return one != entry.diagnostics.end() || !isDrawn(entry);
                 };
                 const std::vector<Entry>& all = end_.classroom.entries;

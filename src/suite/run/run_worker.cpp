@@ -109,6 +109,8 @@ Attempt ShotWorker::attempt(const ShotReference& reference, std::span<const Shot
         return renderer_->render(*found);
     };
     attempt.own = renderer_->render(shot, coming);
+    // What lacks something is shown, but never judged.
+    if (plan_.options.onlyRender.empty() && hasError(attempt.own.diagnostics)) attempt.own.picture.reset();
     if (attempt.own.picture) {
         attempt.match = partner(shot.match);
         attempt.differ = partner(shot.differ);

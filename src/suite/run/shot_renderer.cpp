@@ -148,7 +148,7 @@ Rendering ShotRenderer::render(const Shot& shot, std::span<const Shot* const> co
         if (!shot.expectedError) reportUnknownUniforms(shot, rendering.diagnostics);
         if (rendering.picture)
             append(rendering.failedChecks, render::takeMisspellings(rendering.diagnostics));
-        if (hasError(rendering.diagnostics)) rendering.picture.reset();
+        if (hasError(rendering.diagnostics) && !shot.options.incomplete) rendering.picture.reset();
     } catch (const base::DeviceLost&) {
         throw;  // the worker must not be used any more
     } catch (const std::bad_alloc&) {
