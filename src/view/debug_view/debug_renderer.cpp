@@ -77,8 +77,8 @@ void DebugRenderer::connect(const plan::PlannedDraw& draw, Drawn& made) {
         if (input.location < 0) continue;
         if (const plan::InputSource* fed =
                 built != nullptr ? bufferSource(scene_.plan(), draw, *built, input.name) : nullptr) {
-            scene_.device().addBufferSources(std::get<scene::BufferView>(fed->from), fed->isPerInstance,
-                                             input, sources);
+            if (const auto elements = scene_.device().elementsOf(scene_.plan(), *fed))
+                render::DeviceScene::addBufferSources(*elements, fed->isPerInstance, input, sources);
             continue;
         }
         gpu::AttributeSource source;
