@@ -57,7 +57,7 @@ class Restored {
 
 }  // namespace
 
-struct VertexArray::State {
+struct __attribute__((visibility("hidden"))) VertexArray::State {
     /// The indices and commands for programs of one kind: those that tessellate and the others.
     struct Variant {
         DrawnIndices drawn;

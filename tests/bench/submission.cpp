@@ -140,7 +140,7 @@ void grid() {
     }
     strip.glEnd();
     const double time = milliseconds([&] { strip.Draw(); });
-    std::printf("\ngrid of 1024 x 569 as one strip: %.2f ms, %.1f frames per second\n", time, 1000 / time);
+    std::printf("grid of 1024 x 569 as one strip: %.2f ms, %.1f frames per second\n", time, 1000 / time);
 }
 
 /// The collapse that compares each vertex with all that were kept.
@@ -200,6 +200,7 @@ void locations() {
 }  // namespace
 
 int main() {
+    std::setvbuf(stdout, nullptr, _IOLBF, 0);
     openCompatibilityContext();
     std::printf("%s\n", reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
     GLuint framebuffer = 0;
@@ -219,8 +220,8 @@ int main() {
              {"s.frag", "#version 410\nout vec4 c; void main() { c = vec4(1.); }\n"}}))
         return 3;
     program.Use();
-    submission();
     grid();
     collapsing();
     locations();
+    submission();
 }
