@@ -55,10 +55,12 @@ ORDER = {
         "": {"stats", "load", "draw"},  # Pipeline and SceneRenderer
         "probe": {"stats", "load", "draw", ""},
         "file": {"stats", "load", "draw", "", "probe"},
-        "check": {"stats", "load", "draw", ""},
+        "check": {"stats", "load", "draw", "", "probe"},
     },
     "suite": {
         "": set(),
+        "module": set(),
+        "serve": {"", "module"},
         "options": {""},
         "file": {"", "options"},
         "golden": {"", "options", "file"},

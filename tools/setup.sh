@@ -3,15 +3,16 @@
 # its own; one that fails ends the calling script, which has done `set -eu` and stands in the repository root.
 # shellcheck shell=sh disable=SC2034
 
-# What every build needs, then what each part needs besides (parts: window, images, bench; see CMakeLists.txt). A name that
+# What every build needs, then what each part needs besides (parts: window, images, bench, server; see CMakeLists.txt). A name that
 # ends with a question mark is installed where the system has it: Mesa 25.1 and later have no OSMesa, and Chromium is a snap
 # on Ubuntu.
 core_packages="g++ cmake ninja-build ccache pkg-config python3-glad libglm-dev libfmt-dev libcli11-dev
- nlohmann-json3-dev libtomlplusplus-dev libdeflate-dev libspng-dev libxxhash-dev libegl1 libegl-mesa0 libgl1-mesa-dri
+ nlohmann-json3-dev libtomlplusplus-dev libdeflate-dev libspng-dev libminizip-dev libxxhash-dev libegl1 libegl-mesa0 libgl1-mesa-dri
  libosmesa6?"
 window_packages="libglfw3-dev libimgui-dev libstb-dev fonts-dejavu-core"
 images_packages="libopenimageio-dev libopenexr-dev libwebp-dev"
 bench_packages="libboost-dev"
+server_packages="libcpp-httplib-dev"
 # What tools/package-portable needs besides.
 portable_packages="patchelf xz-utils"
 # What tools/package needs besides.
@@ -19,7 +20,7 @@ debian_packages="debhelper dpkg-dev fakeroot libegl-dev lintian python3-dev pybi
 # What the tests need besides all of these.
 test_packages="clang-19 libclang-rt-19-dev clang-format-19 clang-tidy libgtest-dev libtinyobjloader-dev libpng-dev libegl-dev
  glslang-tools mesa-vulkan-drivers python3 python3-pil chromium? chromium-driver? imagemagick procps xvfb x11-utils xdotool openbox
- libx11-dev shellcheck python3-dev pybind11-dev python3-numpy python3-pytest zsh fish mandoc $portable_packages"
+ libx11-dev shellcheck python3-dev pybind11-dev python3-numpy python3-pytest zsh fish mandoc vim neovim $portable_packages"
 
 # ccache takes precompiled headers only with these.
 export CCACHE_SLOPPINESS=pch_defines,time_macros

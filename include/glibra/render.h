@@ -139,8 +139,9 @@ struct CurrentContext {
 };
 
 /// A GL context and the parts that pictures share. Use it, and the scenes that it loads, on the thread that
-/// opened it: calls from another one return gpu-E08. Several renderers, each on its own thread, may exist if
-/// they use the same driver.
+/// opened it: calls from another one return gpu-E08. Each call makes the renderer's context current and
+/// leaves it so. Several renderers may exist, on one thread or on several; those of different threads must
+/// use the same driver, else open() returns gpu-E01.
 class GLIBRA_API Renderer {
   public:
     /// Opens a context. The error names each way that was tried.
@@ -156,8 +157,9 @@ class GLIBRA_API Renderer {
     /// are diagnostics with file, line and column. To draw a scene more than once, load() it.
     Result<Picture> render(const std::filesystem::path& scene, const RenderOptions& options = {});
 
-    /// Reads a scene that is to be drawn many times. Faulty statements are errors. Of the options, those that
-    /// draw() has are not used; library-E01 for wrong ones.
+    /// Reads a scene that is to be drawn many times. Faulty statements are errors. The options are `steps`,
+    /// `set`, `view`, `strict`, `shim`, `skip`, and those that say where files and texts come from;
+    /// library-E01 for the others, which are those of render() or draw().
     Result<Scene> load(const std::filesystem::path& scene, const RenderOptions& options = {});
     /// The same for a scene in memory. `name` is its name in messages, and files are looked for beside it.
     /// `files` are texts in place of files that the scene and its shaders read, by their names.

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "base/comparison.h"
+
 namespace glibra::base {
 
 /// Which faces are left out.
@@ -15,9 +17,6 @@ enum class Winding : std::uint8_t { ccw, cw };
 enum class PolygonMode : std::uint8_t { fill, line, point };
 /// The vertex of a primitive that gives `flat` outputs their values.
 enum class ProvokingVertex : std::uint8_t { last, first };
-
-/// A test of a new value against the stored one: `less` passes if the new value is less.
-enum class Comparison : std::uint8_t { never, less, lequal, equal, gequal, greater, notequal, always };
 
 enum class BlendFactor : std::uint8_t {
     zero,
@@ -105,6 +104,7 @@ struct RasterState {
     Winding front = Winding::ccw;
     PolygonMode polygon = PolygonMode::fill;
     ProvokingVertex provoking = ProvokingVertex::last;
+    bool discard = false;                      ///< primitives end before they are rasterised: no fragments
     double offsetFactor = 0, offsetUnits = 0;  ///< added to the depth of polygons in every polygon mode
 
     bool depthTest = true;  ///< false: no test, and no depth is written

@@ -4,14 +4,12 @@
 #include <array>
 #include <vector>
 
+#include "base/text.h"
+
 namespace glibra::base {
 namespace {
 
 constexpr std::size_t kLongestWord = 128;
-
-constexpr char lower(char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
 
 std::size_t allowedEdits(std::size_t length) {
     if (length <= 2) return 0;

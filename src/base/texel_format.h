@@ -12,52 +12,15 @@ namespace glibra::base {
 
 /// A format on the device. The names are GL's, in lower case and without the prefix.
 enum class TexelFormat : std::uint8_t {
-    r8,
-    rg8,
-    rgba8,
-    r16,
-    rg16,
-    rgba16,
-    r8_snorm,
-    rg8_snorm,
-    rgba8_snorm,
-    r16_snorm,
-    rg16_snorm,
-    rgba16_snorm,
-    r16f,
-    rg16f,
-    rgba16f,
-    r32f,
-    rg32f,
-    rgba32f,
-    r8i,
-    rg8i,
-    rgba8i,
-    r16i,
-    rg16i,
-    rgba16i,
-    r32i,
-    rg32i,
-    rgba32i,
-    r8ui,
-    rg8ui,
-    rgba8ui,
-    r16ui,
-    rg16ui,
-    rgba16ui,
-    r32ui,
-    rg32ui,
-    rgba32ui,
-    srgb8_alpha8,
-    r11f_g11f_b10f,
-    rgb10_a2,
-    depth16,
-    depth24,
-    depth32f,
-    depth24_stencil8,
-    depth32f_stencil8,
+#define GLIBRA_TEXEL_FORMAT(name, ...) name,
+#include "base/texel_formats.def"
+#undef GLIBRA_TEXEL_FORMAT
 };
-inline constexpr std::size_t kTexelFormatCount = static_cast<std::size_t>(TexelFormat::depth32f_stencil8) + 1;
+inline constexpr std::size_t kTexelFormatCount = 0
+#define GLIBRA_TEXEL_FORMAT(...) +1
+#include "base/texel_formats.def"
+#undef GLIBRA_TEXEL_FORMAT
+    ;
 
 /// What a shader reads from a texel.
 enum class TexelClass : std::uint8_t {
@@ -77,6 +40,7 @@ struct TexelFormatRow {
     TexelClass kind{};
     std::uint8_t components = 4;
     std::uint8_t bytes = 4;  ///< per texel, with the padding of depth32f_stencil8
+    std::uint8_t bits = 8;   ///< of a component with equal steps (alpha may have fewer); 0: floats
 };
 
 /// All formats in the order of TexelFormat.
@@ -102,6 +66,10 @@ inline bool isInteger(TexelFormat format) {
 }
 inline bool hasDepth(TexelFormat format) {
     return rowOf(format).kind >= TexelClass::depth;
+}
+/// True if shaders can have images of that format (ARB_shader_image_load_store, table X.2).
+inline bool isImageFormat(TexelFormat format) {
+    return !hasDepth(format) && format != TexelFormat::srgb8_alpha8;
 }
 inline bool hasStencil(TexelFormat format) {
     return rowOf(format).kind == TexelClass::depthStencil;

@@ -3,17 +3,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <set>
 #include <span>
 #include <string_view>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 #include "base/page_template.h"
 #include "base/utf8.h"
 #include "classroom/grades.h"
-#include "classroom/review.h"
+#include "classroom/page_parts.h"
+#include "classroom/student_page.h"
 #include "embedded/class_page.h"
 #include "embedded/report_page.h"
 #include "glib/text.h"
@@ -27,15 +31,8 @@ namespace {
 namespace fs = std::filesystem;
 using suite::escapeXml;
 
-constexpr std::size_t kMostPassages = 10;      // of a pair
-constexpr std::size_t kMostPassageLines = 60;  // of a passage, on each side
-constexpr std::size_t kMostMessages = 30;      // of a submission
-constexpr std::size_t kLongestLine = 400;      // bytes of a source line
-
-/// A name that a stranger chose. <bdi> keeps its direction to itself.
-std::string nameHtml(std::string_view name) {
-    return "<bdi>" + escapeXml(base::printableText(name)) + "</bdi>";
-}
+constexpr std::size_t kMostPassages = 30;  // of a pair
+constexpr int kMostLines = 400;            // of a file beside another one
 
 std::string anchor(std::size_t entry) {
     return fmt::format("s{:04}", entry + 1);
@@ -46,71 +43,11 @@ std::string link(const Classroom& room, std::size_t entry) {
                        nameHtml(room.entries[entry].submission.name));
 }
 
-std::string percent(double share) {
-    return fmt::format("{:.0f} %", 100 * share);
-}
-
-std::string figure(double value) {
-    return fmt::format("{:.3f}", value);
-}
-
-/// The words of a state, and its class in report.css.
-std::string stateHtml(const Entry& entry) {
-    const std::string state = stateOf(entry);
-    const char* look = state == "drawn" ? "passed" : state == "no-scene" ? "missing" : state.c_str();
-    std::string words = state == "no-scene" ? "no scene" : state;
-    if (const std::size_t drawn = drawnCount(entry); drawn > 0 && drawn < entry.pictures.size())
-        words = fmt::format("{} of {} drawn", drawn, entry.pictures.size());
-    return fmt::format("<span class=\"verdict {}\">{}</span>", look, words);
-}
-
-/// `shape` has the width and height of the place of a picture that is missing.
-std::string pictureHtml(const Picture& picture, const Picture& shape, const std::string& alternative,
-                        const std::string& caption) {
-    if (picture.file.empty())
-        return fmt::format(
-            "<figure><div class=\"none\" style=\"aspect-ratio: {} / {}\">no picture</div>"
-            "<figcaption>{}</figcaption></figure>",
-            shape.width, shape.height, caption);
-    return fmt::format(
-        "<figure><a href=\"{0}\"><img src=\"{0}\" alt=\"{1}\" width=\"{2}\" height=\"{3}\" "
-        "loading=\"lazy\" decoding=\"async\"></a><figcaption>{4}</figcaption></figure>",
-        picture.file, alternative, picture.width, picture.height, caption);
-}
-
-std::string messagesHtml(const Diagnostics& diagnostics) {
-    std::string items;
-    for (std::size_t i = 0; i < std::min(diagnostics.size(), kMostMessages); ++i)
-        items += fmt::format("<li class=\"remark {}\">{}</li>", name(diagnostics[i].severity),
-                             escapeXml(toString(diagnostics[i])));
-    if (diagnostics.size() > kMostMessages)
-        items += fmt::format("<li>{} more messages</li>", diagnostics.size() - kMostMessages);
-    return items.empty() ? items : "<ul class=\"messages\">" + items + "</ul>";
-}
-
 std::set<DeclaredUniform> uniformsOf(const Entry& entry) {
     std::set<DeclaredUniform> uniforms;
     for (const UsedProgram& each : entry.programs)
         uniforms.insert(each.uniforms.begin(), each.uniforms.end());
     return uniforms;
-}
-
-std::string programsHtml(const Entry& entry) {
-    std::string rows;
-    for (const UsedProgram& each : entry.programs) {
-        std::string uniforms;
-        for (const DeclaredUniform& one : each.uniforms)
-            uniforms += fmt::format("{}<code>{}</code> <small>{}</small>", uniforms.empty() ? "" : ", ",
-                                    escapeXml(one.name), escapeXml(one.type));
-        rows += fmt::format("<tr><th>{}</th><td>{}</td><td>{}</td></tr>", escapeXml(each.name),
-                            escapeXml(fmt::format("{}", fmt::join(each.stages, ", "))),
-                            uniforms.empty() ? "no uniforms" : uniforms);
-    }
-    return rows.empty()
-               ? rows
-               : "<table class=\"programs\"><thead><tr><th>program</th><th>stages</th><th>uniforms</th></tr>"
-                 "</thead>" +
-                     rows + "</table>";
 }
 
 std::string factsHtml(const Classroom& room, const Entry& entry) {
@@ -136,37 +73,27 @@ std::string factsHtml(const Classroom& room, const Entry& entry) {
                        html);
 }
 
-std::string picturesHtml(const Classroom& room, const Entry& entry) {
-    std::string html;
-    for (std::size_t i = 0; i < entry.pictures.size(); ++i) {
-        const Picture& picture = entry.pictures[i];
-        const std::string label = escapeXml(room.moments[i].label);
-        std::string caption = picture.score
-                                  ? fmt::format("FLIP {}, structure {}", figure(picture.score->flip),
-                                                figure(picture.score->structure))
-                                  : escapeXml(picture.reason.empty() ? "" : "not drawn");
-        html += fmt::format("<div class=\"pair\">{}{}</div>",
-                            pictureHtml(room.reference.pictures[i], room.reference.pictures[i],
-                                        "the reference", label.empty() ? "reference" : label),
-                            pictureHtml(picture, room.reference.pictures[i],
-                                        escapeXml(base::printableText(entry.submission.name)), caption));
-    }
-    return html;
-}
-
-std::string cardHtml(const Classroom& room, std::size_t index) {
+std::string cardHtml(const Classroom& room, std::size_t index, SourceLines& sources) {
     const Entry& entry = room.entries[index];
-    std::string html = fmt::format("<article class=\"card\" id=\"{}\"><h3>{} {}</h3>", anchor(index),
-                                   nameHtml(entry.submission.name), stateHtml(entry));
-    html += picturesHtml(room, entry);
+    std::string html =
+        fmt::format("<article class=\"card\" id=\"{}\" data-name=\"{}\"><h3>{} {}</h3>", anchor(index),
+                    escapeXml(entry.submission.name), nameHtml(entry.submission.name), stateHtml(entry));
     const std::string reason = reasonOf(entry);
     // The reason is one of the messages, unless the process ended or there is no scene.
-    if (!reason.empty() && entry.diagnostics.empty())
+    if (!reason.empty() && (entry.diagnostics.empty() || entry.drawsNothing))
         html += "<p class=\"reason\">" + escapeXml(reason) + "</p>";
-    html += messagesHtml(entry.diagnostics);
+    // What keeps a scene from being drawn comes before what is left of its pictures.
+    const bool isDrawnWell = isDrawn(entry);
+    const std::string messages = messagesHtml(entry, sources);
+    if (!isDrawnWell) html += messages;
+    html += picturesHtml({}, room, entry);
+    if (isDrawnWell) html += messages;
+    html += "<div class=\"grading\">" + marksHtml(room, entry, "pictures/") + "</div>";
+    if (const std::string reactions = reactionsHtml(room, entry); !reactions.empty())
+        html += "<p class=\"near\">Reacts: " + reactions + "</p>";
     if (const std::optional<Nearest> nearest = nearestOf(room, index))
         html += fmt::format("<p class=\"near\">{} of its shader code is like that of {}</p>",
-                            percent(nearest->share), link(room, nearest->entry));
+                            percentText(nearest->share), link(room, nearest->entry));
     if (!entry.notCompared.empty())
         html += fmt::format(
             "<p class=\"near\">Not compared with other submissions: {}</p>",
@@ -174,65 +101,46 @@ std::string cardHtml(const Classroom& room, std::size_t index) {
     return html + factsHtml(room, entry) + "</article>\n";
 }
 
-/// The lines of files of submissions, each read once.
-class SourceLines {
-  public:
-    /// The lines from..to of a file in the folder; nothing if it cannot be read.
-    std::optional<std::vector<std::string>> lines(const Submission& submission, const std::string& path,
-                                                  int from, int to) {
-        const auto [known, isNew] = texts_.try_emplace(path);
-        if (isNew) known->second = read(submission.folder, path);
-        if (!known->second) return std::nullopt;
-        std::vector<std::string> found;
-        std::string_view rest = *known->second;
-        for (int line = 1; line <= to && !rest.empty(); ++line) {
-            const std::size_t end = rest.find('\n');
-            std::string_view one = rest.substr(0, end);
-            if (one.ends_with('\r')) one.remove_suffix(1);
-            if (line >= from) found.emplace_back(one.substr(0, kLongestLine));
-            if (end == std::string_view::npos) break;
-            rest.remove_prefix(end + 1);
-        }
-        return found;
-    }
-
-  private:
-    static std::optional<std::string> read(const fs::path& folder, const std::string& path) {
-        base::Roots roots;
-        roots.add(folder);
-        const base::Descriptor file = roots.open(path);
-        std::vector<std::byte> bytes;
-        if (!file || base::readAll(file, kLargestSource, bytes) != 0) return std::nullopt;
-        return std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    }
-
-    std::map<std::string, std::optional<std::string>> texts_;
-};
-
-/// One side of a passage.
-std::string sideHtml(const Entry& entry, const TokenPlace& place, std::size_t tokens, SourceLines& sources) {
-    const SourceFile& file = entry.files[place.file];
-    const int from = file.tokens[place.token].line;
-    const int last = file.tokens[place.token + tokens - 1].line;
-    const int to = std::min(last, from + static_cast<int>(kMostPassageLines) - 1);
-    const std::string path = fs::path(file.path).lexically_relative(entry.submission.folder).string();
-    std::string html = fmt::format("<div><h4>{}, {}{} {}{}</h4>", nameHtml(entry.submission.name),
-                                   escapeXml(path.empty() ? file.path : path), ":", from,
-                                   last > from ? fmt::format(" to {}", last) : "");
-    const std::optional<std::vector<std::string>> lines =
-        sources.lines(entry.submission, file.path, from, to);
-    if (!lines) return html + "<p>the file cannot be read</p></div>";
-    html += "<div class=\"source\"><ol>";
-    for (std::size_t i = 0; i < lines->size(); ++i)
-        html += fmt::format("<li data-line=\"{}\">{}</li>", static_cast<std::size_t>(from) + i,
-                            escapeXml((*lines)[i]));
-    return html + "</ol></div></div>";
-}
-
 /// False for places that the tokens do not have: a worker may have sent anything.
 bool isInside(const Entry& entry, const TokenPlace& place, std::size_t tokens) {
     return tokens > 0 && place.file < entry.files.size() &&
            place.token + tokens <= entry.files[place.file].tokens.size();
+}
+
+/// For each file of one side the lines with tokens of passages, and the numbers of these.
+using MarkedLines = std::map<std::uint32_t, std::map<int, std::size_t>>;
+
+void markLines(const Entry& entry, const TokenPlace& place, std::size_t tokens, std::size_t number,
+               MarkedLines& marked) {
+    // Tokens are in normal form, so their lines may go back and forth.
+    for (std::size_t i = 0; i < tokens; ++i)
+        marked[place.file].try_emplace(entry.files[place.file].tokens[place.token + i].line, number);
+}
+
+/// The files of one side that have passages, with these marked.
+std::string sideHtml(const Entry& entry, const MarkedLines& marked, SourceLines& sources) {
+    std::string html = "<div>";
+    for (const auto& [index, lines] : marked) {
+        const SourceFile& file = entry.files[index];
+        const std::string path = fs::path(file.path).lexically_relative(entry.submission.folder).string();
+        html += fmt::format("<h4>{}, {}</h4>", nameHtml(entry.submission.name),
+                            escapeXml(path.empty() ? file.path : path));
+        const int last = std::max(kMostLines, lines.rbegin()->first);
+        const auto text = sources.lines(entry.submission, file.path, 1, std::min(last, 3 * kMostLines));
+        if (!text) {
+            html += "<p>the file cannot be read</p>";
+            continue;
+        }
+        html += "<div class=\"source\"><ol>";
+        for (std::size_t i = 0; i < text->size(); ++i) {
+            const auto mark = lines.find(static_cast<int>(i) + 1);
+            html += fmt::format("<li data-line=\"{}\"{}>{}</li>", i + 1,
+                                mark == lines.end() ? "" : fmt::format(" class=\"p{}\"", mark->second % 6),
+                                escapeXml((*text)[i]));
+        }
+        html += "</ol></div>";
+    }
+    return html + "</div>";
 }
 
 std::string pairHtml(const Classroom& room, const SimilarPair& pair, SourceLines& sources) {
@@ -242,18 +150,22 @@ std::string pairHtml(const Classroom& room, const SimilarPair& pair, SourceLines
                                                                room.fingerprints[pair.b], kMostPassages + 1);
     std::size_t tokens = 0;
     for (const SharedPassage& each : passages) tokens += each.tokens;
-    std::string html = fmt::format(
-        "<details class=\"similar\"><summary>{} of {}, {} of {} <small>{}{}</small></summary>",
-        percent(pair.ofA), nameHtml(a.submission.name), percent(pair.ofB), nameHtml(b.submission.name),
-        passages.size() > kMostPassages ? "more than " : "", glib::counted(tokens, "equal token"));
+    std::string html =
+        fmt::format("<details class=\"similar\"><summary>{} of {}, {} of {} <small>{}{}</small></summary>",
+                    percentText(pair.ofA), nameHtml(a.submission.name), percentText(pair.ofB),
+                    nameHtml(b.submission.name), passages.size() > kMostPassages ? "more than " : "",
+                    glib::counted(tokens, "equal token"));
     html += fmt::format("<p>{} and {}</p>", link(room, pair.a), link(room, pair.b));
+    MarkedLines ofA, ofB;
     for (std::size_t i = 0; i < std::min(passages.size(), kMostPassages); ++i) {
         const SharedPassage& each = passages[i];
-        if (isInside(a, each.a, each.tokens) && isInside(b, each.b, each.tokens))
-            html += "<div class=\"sides\">" + sideHtml(a, each.a, each.tokens, sources) +
-                    sideHtml(b, each.b, each.tokens, sources) + "</div>";
+        if (!isInside(a, each.a, each.tokens) || !isInside(b, each.b, each.tokens)) continue;
+        markLines(a, each.a, each.tokens, i, ofA);
+        markLines(b, each.b, each.tokens, i, ofB);
     }
-    if (passages.size() > kMostPassages) html += "<p>Shorter passages are not shown.</p>";
+    if (!ofA.empty())
+        html += "<div class=\"sides\">" + sideHtml(a, ofA, sources) + sideHtml(b, ofB, sources) + "</div>";
+    if (passages.size() > kMostPassages) html += "<p>Shorter passages are not marked.</p>";
     return html + "</details>\n";
 }
 
@@ -269,44 +181,51 @@ std::string similarHtml(const Classroom& room) {
 }
 
 std::string overviewHtml(const Classroom& room) {
+    const bool scored = hasReference(room), marked = mostPoints(room) > 0, varied = !room.sliders.empty();
+    const auto cell = [](const std::string& text) { return "<td>" + text + "</td>"; };
     std::string rows;
     for (std::size_t i = 0; i < room.entries.size(); ++i) {
         const Entry& entry = room.entries[i];
         const std::optional<Scores> scores = scoresOf(entry);
         const std::optional<Nearest> nearest = nearestOf(room, i);
-        const auto cell = [](const std::string& text) { return "<td>" + text + "</td>"; };
-        rows += "<tr><th>" + link(room, i) + "</th>" + cell(stateHtml(entry)) +
-                cell(scores ? figure(scores->flip) : "") + cell(scores ? figure(scores->structure) : "") +
-                cell(fmt::format("{}", countOf(entry, Severity::error))) +
+        rows += "<tr><th>" + link(room, i) + "</th>" + cell(stateHtml(entry));
+        if (marked) rows += fmt::format("<td class=\"points\">{:g}</td>", pointsOf(entry).value_or(0));
+        if (scored) rows += cell(scores ? figureText(scores->likeness) : "");
+        if (varied) rows += cell(reactionsHtml(room, entry));
+        if (scored)
+            rows += cell(scores ? figureText(scores->flip) : "") +
+                    cell(scores ? figureText(scores->structure) : "");
+        rows += cell(fmt::format("{}", countOf(entry, Severity::error))) +
                 cell(fmt::format("{}", countOf(entry, Severity::warning))) +
-                cell(nearest ? percent(nearest->share) + " like " +
+                cell(nearest ? percentText(nearest->share) + " like " +
                                    nameHtml(room.entries[nearest->entry].submission.name)
                              : "") +
                 "</tr>\n";
     }
-    return "<table "
-           "class=\"overview\"><thead><tr><th>submission</th><th>state</th><th>FLIP</th><th>structure</th>"
-           "<th>errors</th><th>warnings</th><th>most similar</th></tr></thead><tbody>\n" +
-           rows + "</tbody></table>";
+    return std::string("<table class=\"overview\"><thead><tr><th>submission</th><th>state</th>") +
+           (marked ? "<th>points</th>" : "") + (scored ? "<th>likeness</th>" : "") +
+           (varied ? "<th>reacts</th>" : "") + (scored ? "<th>FLIP</th><th>structure</th>" : "") +
+           "<th>errors</th><th>warnings</th><th>most similar</th></tr></thead><tbody>\n" + rows +
+           "</tbody></table>";
 }
 
-std::string referenceHtml(const Classroom& room) {
+std::string referenceHtml(const Classroom& room, SourceLines& sources) {
     std::string html = "<div class=\"strip\">";
     for (std::size_t i = 0; i < room.reference.pictures.size(); ++i) {
         const Picture& picture = room.reference.pictures[i];
-        html += pictureHtml(picture, picture, "the reference",
+        html += pictureHtml({}, picture, picture, "the reference",
                             escapeXml(room.moments[i].label.empty()
                                           ? fmt::format("{} x {} pixels", picture.width, picture.height)
                                           : room.moments[i].label));
     }
-    return html + "</div>" + messagesHtml(room.reference.diagnostics) + programsHtml(room.reference);
+    return html + "</div>" + messagesHtml(room.reference, sources) + programsHtml(room.reference);
 }
 
 /// The cards of all entries that are drawn, or of all others.
-std::string cardsHtml(const Classroom& room, bool drawn) {
+std::string cardsHtml(const Classroom& room, bool drawn, SourceLines& sources) {
     std::string html;
     for (std::size_t i = 0; i < room.entries.size(); ++i)
-        if (isDrawn(room.entries[i]) == drawn) html += cardHtml(room, i);
+        if ((stateOf(room.entries[i]) == "drawn") == drawn) html += cardHtml(room, i, sources);
     return html;
 }
 
@@ -318,7 +237,14 @@ std::string section(const char* id, const char* title, const std::string& conten
 std::string leftOutHtml(const Classroom& room) {
     std::string items;
     for (const std::string& each : room.leftOut) items += "<li>" + nameHtml(each) + "</li>";
-    return items.empty() ? items : "<p>These files are neither scenes nor folders.</p><ul>" + items + "</ul>";
+    if (!items.empty())
+        items = "<p>These files are no scenes, zip files or folders.</p><ul>" + items + "</ul>";
+    std::string absent;
+    for (const std::string& each : room.absent) absent += "<li>" + nameHtml(each) + "</li>";
+    if (!absent.empty())
+        items +=
+            "<p>These students of the roster handed in nothing that was found.</p><ul>" + absent + "</ul>";
+    return items;
 }
 
 std::string detailsHtml(const Classroom& room) {
@@ -326,7 +252,7 @@ std::string detailsHtml(const Classroom& room) {
     const auto add = [&](std::string_view title, const std::string& value) {
         if (!value.empty()) html += fmt::format("<dt>{}</dt><dd>{}</dd>", title, escapeXml(value));
     };
-    add("Submissions", room.folder);
+    if (!room.isAnonymous) add("Submissions", room.folder);
     add("Reference", room.reference.submission.scene.string());
     add("Driver", room.driver);
     add("Machine", room.machine);
@@ -342,9 +268,19 @@ std::string grid(const std::string& cards) {
 
 }  // namespace
 
-std::string classPage(const Classroom& room) {
-    const std::string failed = section("failed", "Not drawn", grid(cardsHtml(room, false)));
-    const std::string drawn = section("drawn", "Drawn", grid(cardsHtml(room, true)));
+std::string_view classScript() {
+    return class_page::class_js();
+}
+
+std::string_view gradeScript() {
+    return class_page::grade_js();
+}
+
+std::string classPage(const Classroom& room, bool serves) {
+    SourceLines sources;
+    const std::string failed =
+        section("failed", "Not drawn, or nothing to see", grid(cardsHtml(room, false, sources)));
+    const std::string drawn = section("drawn", "Drawn", grid(cardsHtml(room, true, sources)));
     const std::string leftOut = section("leftout", "Left out", leftOutHtml(room));
     std::string parts;
     for (const auto& [id, title, content] : {std::tuple{"failed", "Not drawn", &failed},
@@ -357,26 +293,50 @@ std::string classPage(const Classroom& room) {
         {"runDetails", detailsHtml(room)},
         {"style", std::string(report_page::report_css()) + std::string(class_page::class_css())},
         {"parts", parts},
-        {"reference", referenceHtml(room)},
+        {"connect", serves ? "; connect-src 'self'" : ""},
+        {"scripts", serves ? "\n<script src=\"grade.js\" defer></script>" : ""},
+        {"reference",
+         hasReference(room) ? section("reference", "Reference", referenceHtml(room, sources)) : ""},
+        {"referenceLink", hasReference(room) ? "<a href=\"#reference\">Reference</a> " : ""},
         {"overview", overviewHtml(room)},
         {"failed", failed},
         {"drawn", drawn},
         {"similar", similarHtml(room)},
+        {"common", fmt::format("{}", room.common)},
         {"leftOut", leftOut},
         {"gram", fmt::format("{}", kLongestUnseen + 1)},
     };
     return suite::loadingFirstScreen(base::filled(class_page::class_html(), slots));
 }
 
-Diagnostics writeSite(const Classroom& room, const fs::path& site) {
-    const auto write = [&](const char* name, const std::string& text) -> Diagnostics {
+Diagnostics writeSite(const Classroom& room, const fs::path& site, const SiteFiles& files) {
+    Diagnostics problems;
+    const auto write = [&](const std::string& name, std::string_view text) {
+        if (!problems.empty()) return;
         const int problem = base::writeBeneath(site, name, std::as_bytes(std::span(text)));
-        if (problem == 0) return {};
-        return {diagnose("file-E10", fmt::format("cannot write '{}': {}", (site / name).string(),
-                                                 std::generic_category().message(problem)))};
+        if (problem != 0)
+            problems.push_back(
+                diagnose("file-E10", fmt::format("cannot write '{}': {}", (site / name).string(),
+                                                 std::generic_category().message(problem))));
     };
-    Diagnostics problems = write("grades.csv", gradesCsv(room));
-    if (problems.empty()) problems = write("index.html", classPage(room));
+    write("grades.csv", gradesCsv(room));
+    if (files.import.book != GradeBook::none)
+        write(importFile(files.import.book), importTable(room, files.import));
+    if (files.studentPages)
+        for (std::size_t i = 0; i < room.entries.size(); ++i)
+            write(fmt::format("{}/{}", kStudentPages, studentFile(room, i)), studentPage(room, i, site));
+    write("class.js", class_page::class_js());
+    if (!files.isAnonymous) {
+        write("index.html", classPage(room));
+        return problems;
+    }
+    std::vector<std::string> keys;
+    const Classroom shown = anonymous(room, keys);
+    std::string names = "page,submission\r\n";
+    for (std::size_t i = 0; i < keys.size(); ++i)
+        names += shown.entries[i].submission.name + "," + csvField(keys[i]) + "\r\n";
+    write("names.csv", names);
+    write("index.html", classPage(shown));
     return problems;
 }
 

@@ -4,13 +4,14 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <system_error>
 #include <utility>
 
 #include "base/contained.h"
 #include "base/memory_limit.h"
 #include "base/workers.h"
+#include "classroom/compare_sources.h"
+#include "classroom/moments.h"
 #include "classroom/review.h"
 #include "suite/run/run.h"
 
@@ -77,6 +78,7 @@ class ClassRun {
         Classroom& room = end_.classroom;
         room.folder = plan.folder.string();
         room.moments = plan.moments;
+        room.sliders = slidersOf(plan.moments);
         room.leftOut = plan.submissions.leftOut;
         room.reference.submission = {
             plan.reference.filename().string(), plan.reference.parent_path(), plan.reference, {}};
@@ -84,7 +86,7 @@ class ClassRun {
             room.entries.emplace_back().submission = each;
             if (!each.scene.empty()) room.entries.back().pictures.resize(plan.moments.size());
         }
-        room.reference.pictures.resize(plan.moments.size());
+        if (!plan.reference.empty()) room.reference.pictures.resize(plan.moments.size());
         suite_.name = "class";
         suite_.file = plan.folder;
         makeShots();
@@ -100,10 +102,10 @@ class ClassRun {
             return std::move(end_);
         }
         removeLinks(plan_.site);
-        if (!drawReference()) return std::move(end_);
+        if (!plan_.reference.empty() && (!knowsNames() || !drawReference())) return std::move(end_);
         removeEarlier(plan_.site, end_.classroom.reference);
         drawSubmissions();
-        if (!end_.stopped && !end_.noDriver) reviewAll();
+        if (!end_.stopped && !end_.noDriver && !end_.misspelt) reviewAll();
         return std::move(end_);
     }
 
@@ -120,7 +122,11 @@ class ClassRun {
                 suite::Shot shot = plan_.moments[moment].shot;
                 shot.name = pictureName(entry, moment);
                 shot.script = entryOf(entry).submission.scene;
-                if (entry > 0) confine(entryOf(entry).submission, shot.options);
+                shot.ownUniforms.clear();  // what a submission lacks is a warning
+                if (entry > 0) {
+                    confine(entryOf(entry).submission, shot.options);
+                    shot.options.incomplete = true;
+                }
                 suite_.shots.push_back(std::move(shot));
             }
     }
@@ -144,7 +150,65 @@ class ClassRun {
         options.libraryRoots.push_back(plan_.folder);
     }
 
+    /// Draws the first picture once more, small and with all names that any moment sets, and reports those
+    /// that the reference does not have. Nothing else has been drawn yet.
+    bool knowsNames() {
+        suite::Shot probe = suite_.shots.front();
+        for (const Moment& each : plan_.moments) {
+            for (const suite::PlacedUniform& one : each.shot.ownUniforms)
+                if (std::none_of(probe.ownUniforms.begin(), probe.ownUniforms.end(),
+                                 [&](const suite::PlacedUniform& known) { return known.name == one.name; }))
+                    probe.ownUniforms.push_back(one);
+            for (const std::string& one : each.shot.options.set) {
+                const std::string_view name = std::string_view(one).substr(0, one.find('=') + 1);
+                if (std::none_of(probe.options.set.begin(), probe.options.set.end(),
+                                 [&](const std::string& known) { return known.starts_with(name); }))
+                    probe.options.set.push_back(one);
+            }
+        }
+        if (probe.ownUniforms.empty()) return true;
+        constexpr int kSide = 16;  // pixels
+        probe.options.width = probe.options.height = kSide;
+        probe.name = pictureName(0, moments());
+        suite_.shots.push_back(probe);
+        draw({suite_.shots.size() - 1}, [&](std::size_t, const suite::ShotResult& result) {
+            for (const Diagnostic& each : result.diagnostics)
+                if (each.id == "suite-E19") end_.diagnostics.push_back(each);
+        });
+        suite_.shots.pop_back();
+        base::removeBeneath(plan_.site, fs::path(kPictures) / (probe.name + ".png"));
+        end_.misspelt = hasError(end_.diagnostics);
+        return !end_.misspelt && !end_.noDriver && !end_.stopped;
+    }
+
+    /// Without a reference: a name that no submission has is misspelt.
+    void reportNamesOfNobody() {
+        for (const Moment& moment : plan_.moments)
+            for (const suite::PlacedUniform& name : moment.shot.ownUniforms) {
+                const std::string_view tag = std::string_view(name.name).substr(name.name.rfind(':') + 1);
+                const Diagnostic* found = nullptr;
+                const auto lacks = [&](const Entry& entry) {
+                    const auto one = std::find_if(
+                        entry.diagnostics.begin(), entry.diagnostics.end(), [&](const Diagnostic& each) {
+                            return each.id == "glib-W23" && each.place.file.empty() && each.subject == tag;
+                        });
+                    if (one != entry.diagnostics.end()) found = &*one;
+                    return one != entry.diagnostics.end() || !isDrawn(entry);
+                };
+                const std::vector<Entry>& all = end_.classroom.entries;
+                if (!std::all_of(all.begin(), all.end(), lacks) || !found) continue;
+                end_.diagnostics.push_back(diagnose("suite-E19", found->text, name.place));
+                end_.misspelt = true;
+                return;
+            }
+    }
+
     void draw(const std::vector<std::size_t>& shots) {
+        draw(shots, [&](std::size_t number, const suite::ShotResult& result) { take(number, result); });
+    }
+
+    using Take = std::function<void(std::size_t number, const suite::ShotResult&)>;
+    void draw(const std::vector<std::size_t>& shots, const Take& taken) {
         std::vector<ShotReference> open;
         for (const std::size_t each : shots) open.push_back({0, each});
         suite::RunOptions options;
@@ -157,13 +221,14 @@ class ClassRun {
         options.sandbox = options_.drawing;
         suite::RunEvents events;
         events.begins = [&](const ShotReference& each) {
-            if (events_.begins) events_.begins(entryOf(each.shot / moments()).submission.name);
+            if (events_.begins && each.shot / moments() <= end_.classroom.entries.size())
+                events_.begins(entryOf(each.shot / moments()).submission.name);
         };
         std::map<std::string, std::size_t> numbers;
         for (const std::size_t each : shots) numbers.emplace(suite_.shots[each].name, each);
         events.done = [&](const suite::ShotResult& result) {
             if (const auto found = numbers.find(result.shot); found != numbers.end())
-                take(found->second, result);
+                taken(found->second, result);
         };
         events.stop = events_.stop;
         const suite::RunEnd end = suite::runShots({&suite_, 1}, open, options, events);
@@ -181,7 +246,8 @@ class ClassRun {
         picture.width = result.width;
         picture.height = result.height;
         picture.milliseconds = result.milliseconds;
-        if (result.verdict == Verdict::passed)
+        picture.isIncomplete = result.verdict == Verdict::failed && !result.got.empty();
+        if (result.verdict == Verdict::passed || picture.isIncomplete)
             picture.file = fmt::format("{}/{}.png", kPictures, suite_.shots[number].name);
         for (const Diagnostic& each : result.diagnostics) {
             const auto isSame = [&](const Diagnostic& other) {
@@ -224,7 +290,8 @@ class ClassRun {
         for (std::size_t i = moments(); i < suite_.shots.size(); ++i)
             if (!suite_.shots[i].script.empty() && i % moments() == 0) first.push_back(i);
         draw(first);
-        if (end_.stopped || end_.noDriver) return;
+        if (plan_.reference.empty()) reportNamesOfNobody();
+        if (end_.stopped || end_.noDriver || end_.misspelt) return;
         for (std::size_t i = moments(); i < suite_.shots.size(); ++i) {
             if (suite_.shots[i].script.empty() || i % moments() == 0) continue;
             Entry& entry = entryOf(i / moments());
@@ -251,9 +318,11 @@ class ClassRun {
         const Entry& entry = entryOf(index);
         task.scene = entry.submission.scene;
         task.options = suite_.shots[index * moments()].options;
-        if (index > 0)
-            for (std::size_t moment = 0; moment < entry.pictures.size(); ++moment)
-                task.pictures.emplace_back(entryOf(0).pictures[moment].file, entry.pictures[moment].file);
+        for (std::size_t moment = 0; moment < entry.pictures.size(); ++moment)
+            task.pictures.emplace_back(
+                index > 0 && hasReference(end_.classroom) ? entryOf(0).pictures[moment].file : std::string(),
+                entry.pictures[moment].isIncomplete ? std::string() : entry.pictures[moment].file);
+        if (!entry.pictures.empty()) task.sliders = end_.classroom.sliders;
         return task;
     }
 
@@ -290,7 +359,8 @@ class ClassRun {
             },
             [](std::size_t, const std::string&) {});
         end_.stopped = end_.stopped || (events_.stop && events_.stop());
-        if (!end_.stopped) compareSources(given);
+        findEmpty();
+        if (!end_.stopped) compareSources(end_.classroom, given, plan_.common);
     }
 
     void takeReview(Entry& entry, std::optional<Review> found) {
@@ -305,62 +375,30 @@ class ClassRun {
         }
         entry.programs = std::move(found->programs);
         entry.files = std::move(found->files);
+        entry.ranges = std::move(found->ranges);
+        entry.calls = std::move(found->calls);
         entry.notCompared = std::move(found->notCompared);
         if (entry.submission.scene.empty())
             entry.notCompared.emplace_back("everything, because there is no scene");
         for (std::size_t i = 0; i < std::min(found->scores.size(), entry.pictures.size()); ++i)
             entry.pictures[i].score = found->scores[i];
+        for (std::size_t i = 0; i < std::min(found->showNothing.size(), entry.pictures.size()); ++i)
+            entry.pictures[i].showsNothing = found->showNothing[i];
+        if (found->reactions.size() <= end_.classroom.sliders.size()) entry.reactions = found->reactions;
     }
 
-    void compareSources(const std::vector<SourceFile>& given) {
-        Classroom& room = end_.classroom;
-        GivenCode code;
-        for (const SourceFile& each : room.reference.files) addGivenCode(code, each.tokens);
-        for (const SourceFile& each : given) addGivenCode(code, each.tokens);
-        const auto placeOf = [](const std::string& path) {
-            std::error_code failure;
-            const fs::path place = fs::weakly_canonical(path, failure);
-            return failure ? path : place.string();
-        };
-        std::set<std::string> ofReference;
-        for (const SourceFile& each : room.reference.files) ofReference.insert(placeOf(each.path));
-        std::map<std::string, std::vector<std::size_t>> users;
-        std::vector<std::vector<std::string>> places;
-        for (std::size_t i = 0; i < room.entries.size(); ++i) {
-            places.emplace_back();
-            for (SourceFile& file : room.entries[i].files) {
-                file.place = placeOf(file.path);
-                places.back().push_back(file.place);
-                std::vector<std::size_t>& of = users[places.back().back()];
-                if (of.empty() || of.back() != i) of.push_back(i);
+    /// A submission draws nothing if it shows nothing wherever the reference shows something.
+    void findEmpty() {
+        const Entry& reference = end_.classroom.reference;
+        for (Entry& entry : end_.classroom.entries) {
+            bool any = false, all = isDrawn(entry);
+            for (std::size_t i = 0; i < entry.pictures.size(); ++i) {
+                if (hasReference(end_.classroom) && reference.pictures[i].showsNothing) continue;
+                any = true;
+                all = all && entry.pictures[i].showsNothing;
             }
-            room.fingerprints.push_back(fingerprintsOf(room.entries[i].files, code));
+            entry.drawsNothing = any && all;
         }
-        // Scenes that lie in one folder may share a shader. Between those that read it, it is no copy.
-        for (const auto& [place, of] : users)
-            for (const std::size_t each : of) nameShared(each, place, of, ofReference.contains(place));
-        room.pairs = similarPairs(room.fingerprints, places);
-    }
-
-    /// Names a file of an entry that others use, too.
-    void nameShared(std::size_t index, const std::string& place, const std::vector<std::size_t>& users,
-                    bool isOfReference) {
-        constexpr std::size_t kMostNames = 3;
-        Entry& entry = end_.classroom.entries[index];
-        const std::string name = fs::path(place).filename().string();
-        if (isOfReference) entry.notCompared.push_back(fmt::format("'{}' is a file of the reference", name));
-        if (users.size() < 2) return;
-        std::string others;
-        std::size_t named = 0;
-        for (const std::size_t each : users) {
-            if (each == index) continue;
-            if (named++ == kMostNames) break;
-            others += (others.empty() ? "" : ", ") + end_.classroom.entries[each].submission.name;
-        }
-        if (users.size() - 1 > kMostNames)
-            others += fmt::format(" and {} more", users.size() - 1 - kMostNames);
-        entry.notCompared.push_back(fmt::format("'{}' with {}, which {} the same file", name, others,
-                                                users.size() == 2 ? "uses" : "use"));
     }
 
     const ClassPlan& plan_;
@@ -375,7 +413,7 @@ class ClassRun {
 std::size_t pictureCount(const ClassPlan& plan) {
     const auto scenes = std::count_if(plan.submissions.all.begin(), plan.submissions.all.end(),
                                       [](const Submission& each) { return !each.scene.empty(); });
-    return (static_cast<std::size_t>(scenes) + 1) * plan.moments.size();
+    return (static_cast<std::size_t>(scenes) + (plan.reference.empty() ? 0 : 1)) * plan.moments.size();
 }
 
 ClassEnd runClass(const ClassPlan& plan, const ClassOptions& options, const ClassEvents& events) {

@@ -19,9 +19,10 @@ namespace glibra::classroom {
 struct ClassPlan {
     std::filesystem::path folder;  ///< of the submissions
     Submissions submissions;
-    std::filesystem::path reference;  ///< its scene
-    std::vector<Moment> moments;
+    std::filesystem::path reference;  ///< its scene; empty: nothing to compare with
+    std::vector<Moment> moments;      ///< Shot::ownUniforms are the names that the reference must have
     std::vector<std::filesystem::path> given;  ///< files and folders of code that all submissions start from
+    std::size_t common = 0;                    ///< compareSources()
     std::filesystem::path site;                ///< pictures are written to SITE/pictures
 };
 
@@ -45,14 +46,18 @@ struct ClassEnd {
     Classroom classroom;
     Diagnostics diagnostics;  ///< errors if the reference cannot be drawn, or there is no driver
     bool noDriver = false, stopped = false;
+    bool misspelt = false;  ///< there is no uniform of a name that the moments set (suite-E19)
 };
 
 /// The number of pictures that runClass draws.
 std::size_t pictureCount(const ClassPlan& plan);
 
-/// Draws the reference, then every submission at the same moments and in the same size, then reviews all. If
-/// a picture of a submission crashes or is late, its other pictures are not drawn. Pictures, page and table
-/// of an earlier run are removed once the reference is drawn. Call it before any thread or GL context exists.
+/// Draws the reference, then every submission at the same moments and in the same size, then reviews all.
+/// Submissions with errors are drawn as far as that is possible (RenderOptions::incomplete). If a picture of
+/// a submission crashes or is late, its other pictures are not drawn. Pictures, page and table of an earlier
+/// run are removed once the reference is drawn. A name that is set and that the reference does not have (or,
+/// without a reference, none of the submissions) ends the run before that. Call it before any thread or GL
+/// context exists.
 ClassEnd runClass(const ClassPlan& plan, const ClassOptions& options, const ClassEvents& events);
 
 }  // namespace glibra::classroom

@@ -10,6 +10,24 @@ namespace glibra::classroom {
 
 using suite::Verdict;
 
+bool hasReference(const Classroom& classroom) {
+    return !classroom.reference.submission.scene.empty();
+}
+
+std::optional<double> pointsOf(const Entry& entry) {
+    if (entry.marks.empty()) return std::nullopt;
+    double points = 0;
+    for (const Mark& each : entry.marks) points += each.points;
+    return points * entry.lateFactor;
+}
+
+double mostPoints(const Classroom& classroom) {
+    double most = 0;
+    if (!classroom.entries.empty())
+        for (const Mark& each : classroom.entries.front().marks) most += each.isBonus ? 0 : each.most;
+    return most;
+}
+
 std::size_t drawnCount(const Entry& entry) {
     return static_cast<std::size_t>(
         std::count_if(entry.pictures.begin(), entry.pictures.end(),
@@ -26,13 +44,15 @@ std::string stateOf(const Entry& entry) {
         if (std::any_of(entry.pictures.begin(), entry.pictures.end(),
                         [&](const Picture& one) { return one.verdict == each; }))
             return suite::name(each);
-    return isDrawn(entry) ? "drawn" : suite::name(Verdict::failed);
+    if (!isDrawn(entry)) return suite::name(Verdict::failed);
+    return entry.drawsNothing ? "nothing" : "drawn";
 }
 
 std::string reasonOf(const Entry& entry) {
     if (!entry.submission.problem.empty()) return entry.submission.problem;
     for (const Picture& each : entry.pictures)
         if (each.verdict != Verdict::passed && !each.reason.empty()) return each.reason;
+    if (entry.drawsNothing) return "it draws nothing that is seen: its pictures have one colour";
     return {};
 }
 
@@ -50,13 +70,33 @@ std::optional<Scores> scoresOf(const Entry& entry) {
         ++count;
         scores.flip += each.score->flip;
         scores.structure += each.score->structure;
+        scores.likeness += each.score->likeness;
         scores.worstFlip = std::max(scores.worstFlip, each.score->flip);
         scores.worstStructure = std::max(scores.worstStructure, each.score->structure);
     }
     if (count == 0) return std::nullopt;
     scores.flip /= count;
     scores.structure /= count;
+    scores.likeness /= count;
     return scores;
+}
+
+Reaction reactionOf(const Classroom& classroom, const Entry& entry, std::size_t slider) {
+    constexpr double kVisible = 5e-4;
+    const auto measured = [&](const Entry& one) {
+        return slider < one.reactions.size() ? one.reactions[slider] : std::nullopt;
+    };
+    const std::optional<double> own = measured(entry);
+    if (!own) return Reaction::unknown;
+    if (!hasReference(classroom)) return *own >= kVisible ? Reaction::full : Reaction::none;
+    const std::optional<double> expected = measured(classroom.reference);
+    if (!expected || *expected < kVisible) return Reaction::unknown;
+    return *own >= *expected / 4 ? Reaction::full : *own >= *expected / 20 ? Reaction::weak : Reaction::none;
+}
+
+const char* name(Reaction reaction) {
+    constexpr const char* kNames[] = {"", "no", "weakly", "yes"};
+    return kNames[static_cast<std::size_t>(reaction)];
 }
 
 std::optional<Nearest> nearestOf(const Classroom& classroom, std::size_t entry) {
@@ -72,12 +112,14 @@ std::optional<Nearest> nearestOf(const Classroom& classroom, std::size_t entry) 
 std::string summary(const Classroom& classroom) {
     std::string text = glib::counted(classroom.entries.size(), "submission") + ": ";
     bool first = true;
-    for (const char* state : {"drawn", "failed", "crashed", "timed-out", "no-scene"}) {
+    for (const char* state : {"drawn", "nothing", "failed", "crashed", "timed-out", "no-scene"}) {
         const auto count = std::count_if(classroom.entries.begin(), classroom.entries.end(),
                                          [&](const Entry& each) { return stateOf(each) == state; });
         if (count == 0) continue;
         text += fmt::format("{}{} {}", first ? "" : ", ", count,
-                            std::string_view(state) == "no-scene" ? "without a scene" : state);
+                            std::string_view(state) == "no-scene"  ? "without a scene"
+                            : std::string_view(state) == "nothing" ? "drawn without anything to see"
+                                                                   : state);
         first = false;
     }
     return text;

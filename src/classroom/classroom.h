@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "classroom/similarity.h"
@@ -27,6 +28,13 @@ struct Moment {
 struct Score {
     double flip = 0;       ///< mean FLIP, 0..1 (image/compare/flip.h)
     double structure = 0;  ///< 0..1 (image/compare/structure.h)
+    double likeness = 0;   ///< 0, nothing in common, to 1 (likeness.h): colours, model and camera are free
+};
+
+/// Moments that differ in nothing but one value.
+struct Slider {
+    std::string name;  ///< of the uniform, or "time"
+    std::vector<std::pair<std::size_t, std::size_t>> pairs;
 };
 
 /// The picture of one moment.
@@ -37,6 +45,18 @@ struct Picture {
     int width = 0, height = 0;
     double milliseconds = 0;
     std::optional<Score> score;  ///< of the reference: nothing
+    bool showsNothing = false;   ///< it has one colour
+    bool isIncomplete = false;   ///< there is a picture, of a scene with errors (RenderOptions::incomplete)
+};
+
+/// What one check of the rubric, or the teacher, gave to a submission.
+struct Mark {
+    std::string check;
+    double points = 0, most = 0;
+    bool isBonus = false;
+    std::string reason;                      ///< one phrase
+    std::optional<std::size_t> moment = {};  ///< whose picture shows it
+    bool isOwn = false;                      ///< the teacher's own points
 };
 
 /// A shader program as the scene composes it.
@@ -44,6 +64,12 @@ struct UsedProgram {
     std::string name;
     std::vector<std::string> stages;        ///< "vertex", "fragment"
     std::vector<DeclaredUniform> uniforms;  ///< that its shaders declare, sorted
+};
+
+/// A uniform or variable of a scene that has a range.
+struct RangedUniform {
+    std::string name;
+    double least = 0, largest = 0;
 };
 
 /// Everything about one submission, or about the reference.
@@ -56,25 +82,46 @@ struct Entry {
     /// What was left out of the search for similar code, and why: one phrase each.
     std::vector<std::string> notCompared;
     std::string reproduce;  ///< the command that draws its first picture
+    /// For each slider of the class the mean FLIP between its own pictures; nothing if they were not drawn.
+    std::vector<std::optional<double>> reactions{};
+    std::vector<RangedUniform> ranges{};
+    std::vector<std::string> calls{};  ///< names of the functions that its shaders call, sorted
+    bool drawsNothing = false;         ///< no picture shows anything, though the reference does
+    std::vector<Mark> marks{};         ///< one per check of the rubric; empty without one
+    double lateFactor = 1;             ///< what the late rule leaves of the points
+    std::string lateReason{};
+    std::string comment{};  ///< the teacher's own
 };
 
 struct Classroom {
     std::string folder;  ///< of the submissions, as the user named it
-    Entry reference;
+    Entry reference;     ///< without a scene if the class has none
     std::vector<Entry> entries;
     std::vector<Moment> moments;
+    std::vector<Slider> sliders{};                       ///< that the moments vary
     std::vector<std::string> leftOut;                    ///< files that are no submissions
+    std::vector<std::string> absent;                     ///< students of the roster who handed nothing in
     std::vector<std::vector<Fingerprint>> fingerprints;  ///< of each entry, without given code
-    std::vector<SimilarPair> pairs;                      ///< of entries, the most similar first
+    std::size_t common = 0;              ///< what more submissions than this have does not count as similar
+    std::size_t commonFingerprints = 0;  ///< how many were left out for that
+    std::vector<SimilarPair> pairs;      ///< of entries, the most similar first
+    bool isAnonymous = false;            ///< names are numbers (student_page.h)
     std::string driver, machine, command, began;
     double seconds = 0;
 };
 
+/// True if there is a reference.
+bool hasReference(const Classroom& classroom);
+/// The points of a submission, after the late rule; nothing without a rubric.
+std::optional<double> pointsOf(const Entry& entry);
+/// The most points without bonus; 0 without a rubric.
+double mostPoints(const Classroom& classroom);
 /// The number of moments that were drawn.
 std::size_t drawnCount(const Entry& entry);
 /// True if all pictures were drawn.
 bool isDrawn(const Entry& entry);
-/// "drawn", "failed", "crashed", "timed-out", "no-scene": the class of an entry, by its worst picture.
+/// "drawn", "nothing", "failed", "crashed", "timed-out", "no-scene": the class of an entry, by its worst
+/// picture. "nothing": all pictures were drawn, and none shows anything.
 std::string stateOf(const Entry& entry);
 /// Why not all pictures were drawn; one sentence, or empty.
 std::string reasonOf(const Entry& entry);
@@ -84,8 +131,16 @@ std::size_t countOf(const Entry& entry, Severity severity);
 struct Scores {
     double flip = 0, worstFlip = 0;            ///< mean and largest
     double structure = 0, worstStructure = 0;  ///< likewise
+    double likeness = 0;                       ///< mean
 };
 std::optional<Scores> scoresOf(const Entry& entry);
+
+/// How a submission reacts to a slider, beside the reference's reaction.
+enum class Reaction { unknown, none, weak, full };
+/// full: at least a quarter of the reference's; weak: at least a twentieth; unknown: one of the two was not
+/// measured, or the reference itself does not react. Without a reference every visible change is full.
+Reaction reactionOf(const Classroom& classroom, const Entry& entry, std::size_t slider);
+const char* name(Reaction reaction);
 
 /// The other entry of the listed pairs that has the largest share of this one's code, and that share (0..1).
 struct Nearest {

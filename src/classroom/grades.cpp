@@ -70,17 +70,36 @@ std::string csvField(std::string_view text) {
 
 std::string gradesCsv(const Classroom& classroom) {
     const bool several = classroom.moments.size() > 1;
+    const bool numbered = std::any_of(
+        classroom.entries.begin(), classroom.entries.end(),
+        [](const Entry& each) { return !each.submission.number.empty() || !each.submission.email.empty(); });
+    const bool pointed = mostPoints(classroom) > 0;
     Line head;
     for (const char* each : {"submission", "state", "reason", "scene", "pictures", "drawn", "flip",
-                             "worst flip", "structure", "worst structure", "errors", "warnings", "stages",
-                             "uniforms", "most similar", "similarity", "not compared"})
+                             "worst flip", "structure", "worst structure", "likeness", "errors", "warnings",
+                             "stages", "uniforms", "most similar", "similarity", "not compared"})
         head.text(each);
+    for (const Slider& each : classroom.sliders) head.text("reacts " + each.name);
+    if (numbered)
+        for (const char* each : {"number", "email"}) head.text(each);
+    if (pointed) {
+        for (const char* each : {"points", "most points"}) head.text(each);
+        for (const Mark& each : classroom.entries.front().marks) head.text("points " + each.check);
+        for (const char* each : {"late", "comment"}) head.text(each);
+    }
     if (several)
         for (const Moment& each : classroom.moments) {
             head.text("flip " + each.label);
             head.text("structure " + each.label);
         }
-    std::string table = head.end();
+    // Excel takes a table without this mark for one in the machine's own code page.
+    const bool isAscii =
+        std::all_of(classroom.entries.begin(), classroom.entries.end(), [](const Entry& each) {
+            const std::string texts = each.submission.name + each.comment;
+            return std::all_of(texts.begin(), texts.end(),
+                               [](char one) { return static_cast<unsigned char>(one) < 0x80; });
+        });
+    std::string table = (isAscii ? "" : "\xEF\xBB\xBF") + head.end();
     for (std::size_t i = 0; i < classroom.entries.size(); ++i) {
         const Entry& entry = classroom.entries[i];
         const std::optional<Scores> scores = scoresOf(entry);
@@ -111,6 +130,7 @@ std::string gradesCsv(const Classroom& classroom) {
         line.score(part(&Scores::worstFlip));
         line.score(part(&Scores::structure));
         line.score(part(&Scores::worstStructure));
+        line.score(part(&Scores::likeness));
         line.count(countOf(entry, Severity::error));
         line.count(countOf(entry, Severity::warning));
         line.text(joined(stages));
@@ -119,6 +139,19 @@ std::string gradesCsv(const Classroom& classroom) {
         line.text(nearest ? classroom.entries[nearest->entry].submission.name : "");
         line.score(nearest ? std::optional(nearest->share) : std::nullopt);
         line.text(fmt::format("{}", fmt::join(entry.notCompared, "; ")));
+        for (std::size_t slider = 0; slider < classroom.sliders.size(); ++slider)
+            line.text(name(reactionOf(classroom, entry, slider)));
+        if (numbered) {
+            line.text(entry.submission.number);
+            line.text(entry.submission.email);
+        }
+        if (pointed) {
+            line.score(pointsOf(entry));
+            line.score(mostPoints(classroom));
+            for (const Mark& each : entry.marks) line.score(each.points);
+            line.text(entry.lateReason);
+            line.text(entry.comment);
+        }
         if (several)
             for (std::size_t moment = 0; moment < classroom.moments.size(); ++moment) {
                 const std::optional<Score> score =

@@ -10,7 +10,8 @@ namespace glibra::classroom {
 
 /// Comma-separated values (RFC 4180, UTF-8): a line of names, then one line per submission. With several
 /// moments there are two more columns for each, its FLIP and its structural difference. A score that could
-/// not be measured is empty.
+/// not be measured is empty. If a name is not ASCII the text begins with a byte order mark, which Excel
+/// needs.
 std::string gradesCsv(const Classroom& classroom);
 
 /// One field. Text that a spreadsheet would take for a formula (after blanks it begins with = + - @, or with

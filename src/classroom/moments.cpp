@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
 #include <utility>
 
 #include "glib/number.h"
@@ -48,6 +50,11 @@ std::string asToml(std::string_view sweep) {
     return text;
 }
 
+std::string trimmed(const std::string& text) {
+    const std::size_t first = text.find_first_not_of(" \t");
+    return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
 Diagnostic tooMany(std::uint64_t count) {
     return withoutId(
         Severity::error,
@@ -71,16 +78,61 @@ Result<std::vector<Moment>> momentsOf(const suite::Shot& picture, std::span<cons
     if (const std::uint64_t count = suite::combinationCount(values);
         count > kMostMoments || count * all.size() > kMostMoments)
         return tooMany(count > kMostMoments ? count : count * all.size());
+    std::vector<suite::PlacedUniform> named;
+    for (std::size_t i = 0; i < picture.options.set.size(); ++i) {
+        const std::string& each = picture.options.set[i];
+        named.push_back({trimmed(each.substr(0, each.find('='))), {"--set", static_cast<int>(i) + 1, 1}});
+    }
+    for (const suite::UniformValues& each : values) named.push_back({each.name, each.place});
     std::vector<Moment> moments;
     for (const suite::Combination& each : suite::combinations(values))
         for (const double time : all) {
             Moment moment{labelOf(each.suffix + (times.size() > 1 ? "@time=" + glib::numberText(time) : "")),
                           picture};
             moment.shot.options.time = time;
+            moment.shot.ownUniforms = named;
             moment.shot.options.set.insert(moment.shot.options.set.end(), each.set.begin(), each.set.end());
             moments.push_back(std::move(moment));
         }
     return moments;
+}
+
+std::vector<Slider> slidersOf(std::span<const Moment> moments) {
+    const auto valuesOf = [](const Moment& moment) {
+        std::map<std::string, std::string> values;
+        for (const std::string& each : moment.shot.options.set) {
+            const std::size_t equals = std::min(each.find('='), each.size());
+            values[trimmed(each.substr(0, equals))] = each.substr(equals);
+        }
+        values["time"] = glib::numberText(moment.shot.options.time);
+        return values;
+    };
+    const auto onlyDifference = [&](const Moment& a, const Moment& b) -> std::string {
+        std::string found;
+        const std::map<std::string, std::string> ofA = valuesOf(a), ofB = valuesOf(b);
+        std::map<std::string, std::string> all = ofA;
+        all.insert(ofB.begin(), ofB.end());
+        for (const auto& [name, ignored] : all) {
+            const auto inA = ofA.find(name), inB = ofB.find(name);
+            if (inA != ofA.end() && inB != ofB.end() && inA->second == inB->second) continue;
+            if (!found.empty()) return {};
+            found = name;
+        }
+        return found;
+    };
+    std::vector<Slider> sliders;
+    for (std::size_t i = 0; i < moments.size(); ++i) {
+        std::set<std::string> seen;
+        for (std::size_t k = i + 1; k < moments.size(); ++k) {
+            const std::string name = onlyDifference(moments[i], moments[k]);
+            if (name.empty() || !seen.insert(name).second) continue;
+            auto known = std::find_if(sliders.begin(), sliders.end(),
+                                      [&](const Slider& each) { return each.name == name; });
+            if (known == sliders.end()) known = sliders.insert(sliders.end(), {name, {}});
+            if (known->pairs.size() < kMostPairs) known->pairs.emplace_back(i, k);
+        }
+    }
+    return sliders;
 }
 
 Result<std::vector<Moment>> momentsOfSuite(const std::filesystem::path& file) {
@@ -104,6 +156,7 @@ Result<std::vector<Moment>> momentsOfSuite(const std::filesystem::path& file) {
         Moment moment{read->shots.size() > 1 ? shot.name : "", {}};
         moment.shot.script = shot.script;
         moment.shot.options = shot.options;
+        moment.shot.ownUniforms = shot.ownUniforms;
         moment.shot.options.floatPixels = false;  // a browser shows no such pictures
         moment.shot.memory = shot.memory;
         moments.push_back(std::move(moment));

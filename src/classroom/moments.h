@@ -26,4 +26,9 @@ Result<std::vector<Moment>> momentsOf(const suite::Shot& picture, std::span<cons
 /// (suite/file/exercise_file.h), whose reference is the solution. Error: the shots have several scenes.
 Result<std::vector<Moment>> momentsOfSuite(const std::filesystem::path& file);
 
+/// The uniforms that the moments vary, and the time, each with the pairs of neighbouring moments that differ
+/// in it alone; at most kMostPairs.
+std::vector<Slider> slidersOf(std::span<const Moment> moments);
+inline constexpr std::size_t kMostPairs = 12;
+
 }  // namespace glibra::classroom

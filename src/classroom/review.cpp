@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "base/contained.h"
+#include "classroom/likeness.h"
 #include "image/compare/flip.h"
 #include "image/compare/structure.h"
 #include "image/format.h"
@@ -24,6 +25,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 constexpr std::size_t kMostFiles = 200;         // of a submission
+constexpr std::size_t kMostCalls = 10'000;      // of a submission
 constexpr std::size_t kMostGivenFiles = 2'000;  // of a template
 constexpr std::size_t kMostGivenTokens = 1'000'000;
 constexpr std::uint64_t kLargestPicture = std::uint64_t{1} << 30;
@@ -77,6 +79,8 @@ class Sources {
                     scene::findInclude(each, path, scene_.path, options_, listings_);
                 if (!found.path.empty()) open.emplace_back(found.path.string(), std::nullopt);
             }
+            for (std::string& each : calledFunctions(*text))
+                if (calls_.size() < kMostCalls) calls_.insert(std::move(each));
             compare(key, path, *text);
         }
         if (!open.empty()) leaveOut({}, fmt::format("files after the first {} of a stage", kMostFiles));
@@ -86,6 +90,7 @@ class Sources {
     void takeInto(Review& review) {
         review.files = std::move(files_);
         review.notCompared = std::move(notCompared_);
+        review.calls.assign(calls_.begin(), calls_.end());
     }
 
   private:
@@ -124,11 +129,26 @@ class Sources {
     scene::InterpretOptions options_;
     scene::FolderListings listings_;
     base::Roots readable_, own_;
-    std::set<std::string> compared_;
+    std::set<std::string> compared_, calls_;
     std::vector<SourceFile> files_;
     std::vector<std::string> notCompared_;
     std::size_t count_ = 0;  ///< of tokens
 };
+
+/// The sliders of a scene: what a window shows for it.
+std::vector<RangedUniform> rangesOf(const scene::Scene& scene) {
+    std::vector<RangedUniform> ranges;
+    const auto add = [&](const std::string& name, glib::UniformForm form, const std::vector<double>& values) {
+        if (form == glib::UniformForm::range && values.size() >= 2 && ranges.size() < kMostCalls)
+            ranges.push_back({name, values.front(), values.back()});
+    };
+    for (const scene::Program& program : scene.programs)
+        for (const glib::UniformSpec& each : program.uniforms) add(each.tag, each.form, each.values);
+    for (const scene::UniformSet& set : scene.uniformSets)
+        for (const glib::UniformSpec& each : set.values) add(each.tag, each.form, each.values);
+    for (const scene::Variable& each : scene.variables) add(each.name, each.form, each.written);
+    return ranges;
+}
 
 void reviewScene(const ReviewTask& task, Review& result) {
     render::Stats stats;
@@ -151,6 +171,7 @@ void reviewScene(const ReviewTask& task, Review& result) {
         result.programs.push_back(std::move(used));
     }
     sources.takeInto(result);
+    result.ranges = rangesOf(scene);
 }
 
 void addGivenFile(const fs::path& path, std::size_t& tokens, Review& result) {
@@ -186,12 +207,31 @@ std::optional<image::Image> pictureOf(const fs::path& site, const std::string& n
     return image::decodeImage(bytes, site / name).value;
 }
 
-std::optional<Score> scoreOf(const ReviewTask& task, const std::pair<std::string, std::string>& pictures) {
+void scorePicture(const ReviewTask& task, const std::pair<std::string, std::string>& pictures,
+                  Review& result) {
     const std::optional<image::Image> expected = pictureOf(task.site, pictures.first);
     const std::optional<image::Image> got = pictureOf(task.site, pictures.second);
-    if (!expected || !got) return std::nullopt;
-    return Score{image::flip(*expected, *got, {.threads = 1}).mean,
-                 image::structure(*expected, *got).difference};
+    result.showNothing.push_back(got && showsNothing(*got));
+    std::optional<Score>& score = result.scores.emplace_back();
+    if (expected && got)
+        score = Score{image::flip(*expected, *got, {.threads = 1}).mean,
+                      image::structure(*expected, *got).difference, likeness(*expected, *got)};
+}
+
+/// The mean FLIP between a submission's own pictures that differ in one value.
+std::optional<double> reactionTo(const ReviewTask& task, const Slider& slider,
+                                 const std::function<void()>& scored) {
+    double sum = 0;
+    std::size_t count = 0;
+    for (const auto& [one, other] : slider.pairs) {
+        const std::optional<image::Image> a = pictureOf(task.site, task.pictures.at(one).second);
+        const std::optional<image::Image> b = pictureOf(task.site, task.pictures.at(other).second);
+        if (scored) scored();
+        if (!a || !b) continue;
+        sum += image::flip(*a, *b, {.threads = 1}).mean;
+        ++count;
+    }
+    return count > 0 ? std::optional(sum / static_cast<double>(count)) : std::nullopt;
 }
 
 }  // namespace
@@ -201,9 +241,10 @@ Review review(const ReviewTask& task, const std::function<void()>& scored) {
     if (!task.scene.empty()) reviewScene(task, result);
     readGivenCode(task, result);
     for (const auto& each : task.pictures) {
-        result.scores.push_back(scoreOf(task, each));
+        scorePicture(task, each, result);
         if (scored) scored();
     }
+    for (const Slider& each : task.sliders) result.reactions.push_back(reactionTo(task, each, scored));
     return result;
 }
 
@@ -228,7 +269,15 @@ std::string toText(const Review& review) {
             {{"path", each.path}, {"codes", std::move(codes)}, {"lines", std::move(lines)}});
     }
     for (const std::optional<Score>& each : review.scores)
-        json["scores"].push_back(each ? Json{each->flip, each->structure} : Json(nullptr));
+        json["scores"].push_back(each ? Json{each->flip, each->structure, each->likeness} : Json(nullptr));
+    json["calls"] = review.calls;
+    json["ranges"] = Json::array();
+    for (const RangedUniform& each : review.ranges)
+        json["ranges"].push_back({each.name, each.least, each.largest});
+    json["showNothing"] = review.showNothing;
+    json["reactions"] = Json::array();
+    for (const std::optional<double>& each : review.reactions)
+        json["reactions"].push_back(each ? Json(*each) : Json(nullptr));
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -254,8 +303,20 @@ std::optional<Review> parseReview(std::string_view text) try {
     for (const Json& each : json.at("scores")) {
         std::optional<Score>& score = result.scores.emplace_back();
         if (each.is_null()) continue;
-        score = Score{each.at(0).get<double>(), each.at(1).get<double>()};
-        if (!std::isfinite(score->flip) || !std::isfinite(score->structure)) return std::nullopt;
+        score = Score{each.at(0).get<double>(), each.at(1).get<double>(), each.at(2).get<double>()};
+        if (!std::isfinite(score->flip) || !std::isfinite(score->structure) ||
+            !std::isfinite(score->likeness))
+            return std::nullopt;
+    }
+    result.calls = json.at("calls").get<std::vector<std::string>>();
+    for (const Json& each : json.at("ranges"))
+        if (each.at(1).is_number() && each.at(2).is_number())
+            result.ranges.push_back(
+                {each.at(0).get<std::string>(), each.at(1).get<double>(), each.at(2).get<double>()});
+    result.showNothing = json.at("showNothing").get<std::vector<bool>>();
+    for (const Json& each : json.at("reactions")) {
+        result.reactions.push_back(each.is_null() ? std::nullopt : std::optional(each.get<double>()));
+        if (result.reactions.back() && !std::isfinite(*result.reactions.back())) return std::nullopt;
     }
     return result;
 } catch (const Json::exception&) {

@@ -1,28 +1,45 @@
 #pragma once
-// Finds what a class has handed in: a folder or a .glib file per student.
+// Finds what a class has handed in: a folder, a zip file or a .glib file per student.
 
 #include <glibra/result.h>
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "base/sandbox.h"
+#include "classroom/names.h"
+
 namespace glibra::classroom {
 
 struct Submission {
-    std::string name;              ///< of the folder, or of the file without ".glib"
-    std::filesystem::path folder;  ///< the scene may read what is in it and below, and nothing beside it
-    std::filesystem::path scene;   ///< empty if there is none to draw
-    std::string problem;           ///< why there is none; one sentence
-    bool isUnlisted = false;       ///< a folder could not be listed, which may have the scene
+    std::string name;               ///< of the student, or of the folder, or of the file without its ending
+    std::filesystem::path folder;   ///< the scene may read what is in it and below, and nothing beside it
+    std::filesystem::path scene;    ///< empty if there is none to draw
+    std::string problem;            ///< why there is none; one sentence
+    bool isUnlisted = false;        ///< a folder could not be listed, which may have the scene
+    std::string number{}, email{};  ///< of the student, as the learning platform or the roster has them
+    bool isLate = false;            ///< the learning platform says so
+    std::string key{};              ///< the name of the folder or file that was handed in
+    /// Zip files to unpack, and files to copy beside them, with the names that they get there. `folder` is
+    /// made of them by unpackSubmissions.
+    struct Part {
+        std::filesystem::path file;
+        std::string name;
+    };
+    std::vector<Part> parts{};
 };
 
 struct SubmissionOptions {
-    std::string scene;                          ///< pattern of the scene's name in each folder, or empty
+    std::vector<std::string> scenes;            ///< patterns of the scene's name, where a folder has several
     std::filesystem::path reference;            ///< not a submission; its file name is the preferred one
     std::vector<std::filesystem::path> others;  ///< files and folders that are not submissions
+    NameRule names{};                           ///< what names of files and folders consist of
+    std::map<std::string, std::string> sceneOf{};  ///< the pattern for one submission, by name, number or key
 };
 
 struct Submissions {
@@ -32,24 +49,44 @@ struct Submissions {
 
 inline constexpr std::size_t kMostSubmissions = 2'000;
 
-/// Every folder in `folder` is a submission, and so is every .glib file; names that begin with "." are left
-/// out, and so are folders named "shaders" and "textures", which scenes search as a library. No link is
-/// followed: a submission that is one, or whose scene is one, has a `problem`.
+/// Every folder in `folder` is a submission, and so is every .glib and every zip file; names that begin with
+/// "." are left out, and so are folders named "shaders" and "textures", which scenes search as a library. A
+/// file "x.glib.txt" is a submission with a `problem`. With a rule of names all files of one student are one
+/// submission. No link is followed: a submission that is one, or whose scene is one, has a `problem`.
 ///
-/// The scene of a folder is chosen by chooseScene. Errors: the folder cannot be read, has no submission, or
-/// has more than kMostSubmissions.
+/// The scene of a folder is chosen by chooseScene. A folder without one that has one zip file is that file.
+/// Errors: the folder cannot be read, has no submission, or has more than kMostSubmissions.
 Result<Submissions> findSubmissions(const std::filesystem::path& folder, const SubmissionOptions& options);
 
-/// Chooses among the scenes of a submission, whose paths are relative to its folder. With a pattern only
-/// those that it fits count: it is compared with the file name, or with the whole path if it contains a "/".
-/// Of several, the first of these rules that leaves exactly one decides: the file with the name of the
-/// reference, the file named as the submission, the file that is less deep than all others. Returns its
-/// index, or the reason why there is none.
+/// Gives a submission the scene of its folder, or the problem why there is none.
+void findScene(Submission& submission, const SubmissionOptions& options);
+
+/// The first pattern that fits some of several scenes leaves these: it is compared with the file name, or
+/// with the whole path if it contains a "/". A pattern for the submission itself must fit one. Of several,
+/// the first of these rules that leaves exactly one decides: the file with the name of the reference, the
+/// file named as the submission, the file that is less deep than all others. The paths are relative to the
+/// folder. Returns the index, or the reason why there is none.
 struct ChosenScene {
     std::size_t index = 0;
     std::string problem;  ///< empty if a scene was chosen
 };
-ChosenScene chooseScene(std::span<const std::filesystem::path> scenes, const std::string& submission,
+ChosenScene chooseScene(std::span<const std::filesystem::path> scenes, const Submission& submission,
                         const SubmissionOptions& options);
+
+/// Where zip files are unpacked, and who does it.
+struct UnpackOptions {
+    std::filesystem::path site;  ///< SITE/unpacked/NAME is the folder of a submission
+    int jobs = 0;
+    double timeout = 0;  ///< seconds for each submission; 0: no limit
+    const base::Sandbox* sandbox = nullptr;
+    std::function<bool()> stop{};
+};
+
+inline constexpr const char* kUnpacked = "unpacked";
+
+/// Makes the folders of the submissions that have `parts` and finds their scenes. Those that cannot be
+/// unpacked have a `problem`. Removes what an earlier run has unpacked. Error: file-E10.
+Diagnostics unpackSubmissions(Submissions& submissions, const SubmissionOptions& find,
+                              const UnpackOptions& options);
 
 }  // namespace glibra::classroom

@@ -5,6 +5,7 @@
 #include <set>
 #include <span>
 
+#include "classroom/normal_form.h"
 #include "glsl/read/token.h"
 #include "glsl/read/words.h"
 
@@ -41,23 +42,27 @@ class Text {
     }
 
     [[nodiscard]] std::span<const Token* const> code() const { return code_; }
+    [[nodiscard]] bool isOfDirective(std::size_t index) const { return isOfDirective_[index]; }
     [[nodiscard]] std::span<const std::vector<const Token*>> directives() const { return directives_; }
 
   private:
     void addLine(const std::vector<const Token*>& line) {
         if (line.empty() || line.front()->text != "#") {
             code_.insert(code_.end(), line.begin(), line.end());
+            isOfDirective_.resize(code_.size(), false);
             return;
         }
         directives_.push_back(line);
         // What a macro computes is code like any other.
         if (line.size() > 1 && line[1]->text == "define") code_.insert(code_.end(), line.begin(), line.end());
+        isOfDirective_.resize(code_.size(), true);
     }
 
     std::string text_;
     std::deque<std::string> joined_;
     std::vector<Token> tokens_;
     std::vector<const Token*> code_;
+    std::vector<bool> isOfDirective_;
     std::vector<std::vector<const Token*>> directives_;
 };
 
@@ -105,9 +110,9 @@ std::vector<SourceToken> comparableTokens(std::string_view glsl, std::size_t mos
     const Text text(glsl);
     const std::span<const Token* const> code = text.code();
     const std::set<std::string_view> own = ownFunctions(code);
-    std::vector<SourceToken> tokens;
+    std::vector<CodeToken> all;
     int braces = 0, parentheses = 0;
-    for (std::size_t i = 0; i < code.size() && tokens.size() < most; ++i) {
+    for (std::size_t i = 0; i < code.size(); ++i) {
         const Token& token = *code[i];
         braces += depthChange(token.text, '{', '}');
         parentheses += depthChange(token.text, '(', ')');
@@ -123,8 +128,12 @@ std::vector<SourceToken> comparableTokens(std::string_view glsl, std::size_t mos
                 token.text.starts_with("gl_") || (textAt(code, i + 1) == "(" && !own.contains(token.text));
             if (glsl::keywordSince(token.text) == 0 && !isBuiltIn) kind = kName;
         }
-        tokens.push_back({kind, token.line});
+        all.push_back({token.text, kind, token.line, token.kind == TokenKind::word,
+                       token.kind == TokenKind::number, text.isOfDirective(i)});
     }
+    all = inOrder(withoutDeadCode(std::move(all), own), kNumber);
+    std::vector<SourceToken> tokens;
+    for (std::size_t i = 0; i < std::min(all.size(), most); ++i) tokens.push_back({all[i].code, all[i].line});
     return tokens;
 }
 
@@ -165,6 +174,15 @@ std::vector<DeclaredUniform> declaredUniforms(std::string_view glsl) {
         i = end - 1;
     }
     return found;
+}
+
+std::vector<std::string> calledFunctions(std::string_view glsl) {
+    const Text text(glsl);
+    const std::span<const Token* const> code = text.code();
+    std::set<std::string_view> names;
+    for (std::size_t i = 0; i + 1 < code.size(); ++i)
+        if (code[i]->kind == TokenKind::word && code[i + 1]->text == "(") names.insert(code[i]->text);
+    return {names.begin(), names.end()};
 }
 
 std::vector<std::string> includedNames(std::string_view glsl) {

@@ -29,7 +29,8 @@ inline constexpr std::size_t kMostTokens = 1'000'000;
 /// The tokens of a GLSL text, at most `most`. Comments, blanks, preprocessor lines except #define, and global
 /// declarations of uniforms, inputs and outputs are left out, because the task gives them. All numbers have
 /// one code, and so have all names except those of types, keywords and functions that the text does not
-/// define itself, which are the built-in ones.
+/// define itself, which are the built-in ones. The code is in normal form (normal_form.h), so the lines of
+/// neighbouring tokens may go back and forth.
 std::vector<SourceToken> comparableTokens(std::string_view glsl, std::size_t most = kMostTokens);
 
 /// A uniform variable, or block, as a text declares it.
@@ -41,6 +42,9 @@ struct DeclaredUniform {
 
 /// The uniforms that a GLSL text declares, in its order; macros are not expanded.
 std::vector<DeclaredUniform> declaredUniforms(std::string_view glsl);
+
+/// The names of the functions and constructors that a GLSL text calls or defines, sorted, each once.
+std::vector<std::string> calledFunctions(std::string_view glsl);
 
 /// The names of its #include lines.
 std::vector<std::string> includedNames(std::string_view glsl);

@@ -225,7 +225,7 @@ void addCheck(CommandLine& program, int& status) {
         .rare();
     command.find("--untrusted").rare();
     command.flag("--run", arguments->run, "draw the scenes and answer their Expect statements");
-    for (const char* each : {"--time", "--steps", "--eye", "--samples", "--check-undefined"})
+    for (const char* each : {"--time", "--steps", "--eye", "--samples", "--check-undefined", "--check-nan"})
         command.find(each).needs(command.find("--run"));
     command.flag("--json", arguments->json, "print the diagnostics as JSON on standard output");
     command.onRun([arguments, &status] { status = runCheckCommand(*arguments); });

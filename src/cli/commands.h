@@ -29,12 +29,14 @@ void addTest(CommandLine& program, int& status);
 void addClass(CommandLine& program, int& status);
 void addGallery(CommandLine& program, int& status);
 void addCheck(CommandLine& program, int& status);
+void addFormat(CommandLine& program, int& status);
 void addCompare(CommandLine& program, int& status);
 void addView(CommandLine& program, int& status);
 void addNoise(CommandLine& program, int& status);
 void addBench(CommandLine& program, int& status);
 void addInfo(CommandLine& program, int& status);
 void addLanguage(CommandLine& program, int& status);
+void addLanguageServer(CommandLine& program, int& status);
 /// `whole` is the program that `line` belongs to, which the pages describe. It must live until the line has
 /// been read.
 void addCompletion(CommandLine& line, const Program& whole, int& status);

@@ -15,11 +15,10 @@
 #include "cli/commands.h"
 #include "cli/interruption.h"
 #include "cli/library_hint.h"
-#include "cli/picture_options.h"
 #include "cli/scene_arguments.h"
+#include "cli/site_options.h"
 #include "cli/suite_progress.h"
 #include "cli/untrusted.h"
-#include "cli/written_files.h"
 #include "gallery/gallery_run.h"
 
 namespace glibra::cli {
@@ -29,14 +28,8 @@ namespace fs = std::filesystem;
 
 struct GalleryArguments {
     std::string folder;
-    std::string site = "glibra-gallery";
     std::string title;
-    suite::Shot picture;
-    double timeout = 20;
-    Driver driver = Driver::automatic;
-    int jobs = 0;
-    bool untrusted = false;
-    bool siteIsNamed = false;  ///< by the user
+    SiteOptions made{.site = "glibra-gallery"};
 };
 
 fs::path whole(const fs::path& path) {
@@ -58,7 +51,7 @@ std::optional<fs::path> libraryAbove(fs::path folder) {
 
 /// The scenes of the site itself, if it lies in the folder, do not count.
 std::vector<fs::path> scenesOf(const GalleryArguments& arguments, const std::vector<std::string>& found) {
-    const fs::path site = whole(arguments.site);
+    const fs::path site = whole(arguments.made.site);
     std::vector<fs::path> scenes;
     for (const std::string& each : found) {
         const fs::path inside = whole(each).lexically_relative(site);
@@ -73,8 +66,8 @@ int planGallery(const GalleryArguments& arguments, gallery::GalleryPlan& plan) {
         printError(fmt::format("there is no folder '{}'", arguments.folder));
         return kWrongUsage;
     }
-    if (const std::string why = gallery::whyNoSite(arguments.site); !why.empty()) {
-        printError(fmt::format("-o {}: {}", arguments.site, why));
+    if (const std::string why = gallery::whyNoSite(arguments.made.site); !why.empty()) {
+        printError(fmt::format("-o {}: {}", arguments.made.site, why));
         return kWrongUsage;
     }
     SceneArguments named;
@@ -82,11 +75,11 @@ int planGallery(const GalleryArguments& arguments, gallery::GalleryPlan& plan) {
     print(problems);
     if (hasError(problems)) return kSceneIsWrong;
     plan.folder = arguments.folder;
-    plan.site = arguments.site;
+    plan.site = arguments.made.site;
     plan.scenes = scenesOf(arguments, named.scenes);
     plan.title = !arguments.title.empty() ? arguments.title : whole(arguments.folder).filename().string();
     constexpr int kWidth = 400, kHeight = 300;
-    const RenderOptions& picture = arguments.picture.options;
+    const RenderOptions& picture = arguments.made.picture.options;
     plan.width = picture.width > 0 ? picture.width : kWidth;
     plan.height = picture.height > 0 ? picture.height : kHeight;
     plan.libraryRoots = picture.libraryRoots;
@@ -110,32 +103,27 @@ void reportScenes(const gallery::Gallery& made, const fs::path& folder) {
 }
 
 int runGalleryCommand(const GalleryArguments& arguments) {
-    if (arguments.untrusted && !prepareUntrusted()) return kNoDriver;
-    if (std::error_code failure; !arguments.siteIsNamed && fs::is_symlink(arguments.site, failure)) {
-        print({linkedFolder(arguments.site, "-o")});
-        return kSceneIsWrong;
-    }
+    if (arguments.made.untrusted && !prepareUntrusted()) return kNoDriver;
+    if (!mayWriteSite(arguments.made)) return kSceneIsWrong;
     gallery::GalleryPlan plan;
     if (const int status = planGallery(arguments, plan); status != kDone) return status;
-    std::optional<base::Sandbox> drawing, reading;
-    if (arguments.untrusted) {
+    Confinement confined;
+    if (arguments.made.untrusted) {
         std::vector<std::string> scenes;
         for (const fs::path& each : plan.scenes) scenes.push_back(each.string());
         RenderOptions options;
         options.libraryRoots = plan.libraryRoots;
-        drawing = sandboxOf(scenes, options, arguments.driver);
-        drawing->readable.emplace_back(plan.folder);
-        reading = drawing;
-        drawing->writable.emplace_back(plan.site, fs::path("pictures"));
-        makeWritableFolders(*drawing);
+        base::Sandbox drawing = sandboxOf(scenes, options, arguments.made.driver);
+        drawing.readable.emplace_back(plan.folder);
+        confined = confinement(std::move(drawing), plan.site);
     }
     gallery::GalleryOptions options;
-    options.driver = arguments.driver;
-    options.jobs = arguments.jobs;
-    options.timeout = arguments.timeout;
-    options.memory = arguments.picture.memory;
-    options.drawing = drawing ? &*drawing : nullptr;
-    options.reading = reading ? &*reading : nullptr;
+    options.driver = arguments.made.driver;
+    options.jobs = arguments.made.jobs;
+    options.timeout = arguments.made.timeout;
+    options.memory = arguments.made.picture.memory;
+    options.drawing = confined.forDrawing();
+    options.reading = confined.forReading();
 
     const Interruption interruption;
     std::optional<SuiteProgress> progress;
@@ -175,21 +163,13 @@ void addGallery(CommandLine& program, int& status) {
     GalleryArguments& to = *arguments;
     command.option("FOLDER", to.folder, "folder of scenes; those in the folders below it are shown by folder")
         .required();
-    command.option("-o,--output", to.site, "folder for the pages, pictures and films")
-        .written()
-        .withDefault();
     command.option("--title", to.title, "title of the site; by default the folder's name");
-    for (const char* each : {"size", "library", "memory"}) addPictureOption(command, each, to.picture);
-    command.option("--timeout", to.timeout, "seconds that one picture may take; 0 means no limit")
-        .within(0, 1e6)
-        .withDefault();
-    command.driver(to.driver);
-    command.jobs(to.jobs);
-    addUntrustedOption(command, to.untrusted);
+    addSiteOptions(command, to.made, "folder for the pages, pictures and films",
+                   {"size", "library", "memory"});
     for (const char* each : {"--library", "--memory", "--timeout", "--driver", "--untrusted"})
         command.find(each).rare();
     command.onRun([arguments, site = command.find("--output"), &status] {
-        arguments->siteIsNamed = site.isGiven();
+        arguments->made.siteIsNamed = site.isGiven();
         status = runGalleryCommand(*arguments);
     });
 }

@@ -1,11 +1,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/suggest.h"
@@ -13,6 +17,7 @@
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/language_page.h"
+#include "editor/grammar.h"
 #include "expression/functions.h"
 #include "expression/name_table.h"
 #include "glib/command_table.h"
@@ -33,7 +38,14 @@ struct LanguageArguments {
     bool words = false;
     bool markdown = false;
     std::vector<std::string> update;
+    std::optional<editor::GrammarEditor> grammar;
+    std::filesystem::path output;
 };
+
+constexpr std::array<std::pair<std::string_view, editor::GrammarEditor>, 3> kEditors{
+    {{"vscode", editor::GrammarEditor::vscode},
+     {"vim", editor::GrammarEditor::vim},
+     {"kate", editor::GrammarEditor::kate}}};
 
 /// An argument as the reference shows it: "radius [1]", "angle", "unit".
 std::string shown(const glib::Argument& argument) {
@@ -132,7 +144,27 @@ Diagnostics refresh(const std::string& file) {
     return image::writeFileAtomically(file, std::as_bytes(std::span(page.text)));
 }
 
+/// Prints the grammar, or writes it and what belongs to it into the folder.
+int writeGrammar(editor::GrammarEditor editor, const std::filesystem::path& folder) {
+    const std::vector<editor::GrammarFile> files = editor::grammarOf(editor, GLIBRA_VERSION);
+    if (folder.empty()) {
+        fmt::print("{}", files.front().text);
+        return kDone;
+    }
+    int status = kDone;
+    for (const editor::GrammarFile& each : files) {
+        const std::filesystem::path file = folder / each.path;
+        std::error_code ignored;  // reported with the file
+        std::filesystem::create_directories(file.parent_path(), ignored);
+        const Diagnostics problems = image::writeFileAtomically(file, std::as_bytes(std::span(each.text)));
+        print(problems);
+        if (hasError(problems)) status = kSceneIsWrong;
+    }
+    return status;
+}
+
 int runLanguageCommand(const LanguageArguments& arguments) {
+    if (arguments.grammar) return writeGrammar(*arguments.grammar, arguments.output);
     if (!arguments.update.empty()) {
         int status = kDone;
         for (const std::string& each : arguments.update) {
@@ -201,6 +233,13 @@ void addLanguage(CommandLine& program, int& status) {
         .list("--update", arguments->update, "with --markdown: replace the generated sections of these pages")
         .needs(markdown);
     for (const char* each : {"--markdown", "--update"}) command.find(each).rare();
+    const Option grammar =
+        command.choice("--grammar", arguments->grammar, kEditors,
+                       "print the grammar for syntax colours of an editor: vscode, vim or kate");
+    command.option("-o,--output", arguments->output, "with --grammar: a folder for all files of the grammar")
+        .placeholder("FOLDER")
+        .written()
+        .needs(grammar);
     command.onRun([arguments, &status] { status = runLanguageCommand(*arguments); });
 }
 

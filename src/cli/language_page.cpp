@@ -124,24 +124,6 @@ std::string commandSection() {
 
 // ---- Primitives
 
-std::string_view topologyWord(geometry::Topology topology) {
-    switch (topology) {
-        case geometry::Topology::points:
-            return "points";
-        case geometry::Topology::lines:
-            return "lines";
-        case geometry::Topology::linesAdjacency:
-            return "lines with adjacency";
-        case geometry::Topology::triangles:
-            return "triangles";
-        case geometry::Topology::trianglesAdjacency:
-            return "triangles with adjacency";
-        case geometry::Topology::patches:
-            break;
-    }
-    return "patches";
-}
-
 /// Every command that draws something by itself, without a file or points, with the mesh of its defaults.
 std::string primitiveSection() {
     std::string text =
@@ -156,7 +138,7 @@ std::string primitiveSection() {
         std::vector<std::string> attributes;
         for (const geometry::Attribute& each : mesh->attributes)
             if (each.name != geometry::kPosition) attributes.push_back(each.name);
-        text += fmt::format("| `{}` | {} | {} | {} |\n", row.name(), topologyWord(mesh->topology),
+        text += fmt::format("| `{}` | {} | {} | {} |\n", row.name(), geometry::wordsOf(mesh->topology),
                             glib::groupedText(static_cast<long long>(mesh->vertexCount())),
                             attributes.empty() ? "none" : joined(attributes));
     }

@@ -64,11 +64,13 @@ int run(int argc, char** argv) {
     glibra::cli::addGallery(line, status);
     glibra::cli::addView(line, status);
     glibra::cli::addCheck(line, status);
+    glibra::cli::addFormat(line, status);
     glibra::cli::addCompare(line, status);
     glibra::cli::addNoise(line, status);
     glibra::cli::addBench(line, status);
     glibra::cli::addInfo(line, status);
     glibra::cli::addLanguage(line, status);
+    glibra::cli::addLanguageServer(line, status);
     glibra::cli::addManual(line, program, status);
     glibra::cli::addCompletion(line, program, status);
     line.subcommand("help", "prints the options of a subcommand", [](const std::vector<std::string>&) {});

@@ -57,9 +57,12 @@ int runRenderCommand(RenderArguments& arguments) {
         printError("a picture cannot be shown on a terminal; name a file with -o, or add > FILE");
         return kWrongUsage;
     }
-    if (arguments.statsFile == "-" && (arguments.output == "-" || arguments.explain)) {
+    if (arguments.statsFile == "-" && (arguments.output == "-" || arguments.explain || arguments.trace)) {
         printError(std::string("--stats - writes to standard output, and so does ") +
-                   (arguments.explain ? "--explain" : "the picture") + "; name a file for one of them");
+                   (arguments.explain ? "--explain"
+                    : arguments.trace ? "--trace"
+                                      : "the picture") +
+                   "; name a file for one of them");
         return kWrongUsage;
     }
     if (!acceptsSet(arguments.picture.options.set)) return kWrongUsage;
@@ -141,12 +144,14 @@ void addRender(CommandLine& program, int& status) {
             "glow.level(2)=glow.png, sky.face(0)=px.png, Particles=particles.csv (or .npy)")
         .placeholder("NAME=FILE");
     command.flag("--explain", to.explain, "print what was made, what was skipped and why");
+    command.flag("--trace", to.trace, "print the OpenGL calls of the picture, with places in the scene");
     addUntrustedOption(command, to.untrusted);
     command.option("--stats", to.statsFile,
                    "file for the times and counts of every stage, as JSON; - is standard output");
-    for (const char* each : {"--driver", "--stats", "--save", "--untrusted"}) command.find(each).rare();
+    for (const char* each : {"--driver", "--stats", "--save", "--untrusted", "--trace"})
+        command.find(each).rare();
     excludePictureOptions(command, suite);
-    for (const char* each : {"--frames", "--fps", "--save", "--explain", "--stats"})
+    for (const char* each : {"--frames", "--fps", "--save", "--explain", "--trace", "--stats"})
         suite.excludes(command.find(each));
     command.onRun([arguments, timeout = command.find("--timeout"), &status] {
         if (timeout.isGiven()) arguments->suite.timeout = arguments->picture.timeout;

@@ -119,7 +119,7 @@ std::optional<int> partsOf(const RenderArguments& arguments, const base::Sandbox
     constexpr int kMostParts = 8;    // each holds everything that the scene reads
     const int most =
         std::min({arguments.frames / kLeastFrames, kMostParts, suite::readingJobs(arguments.jobs)});
-    if (arguments.scenes.size() > 1 || arguments.output == "-" || arguments.explain ||
+    if (arguments.scenes.size() > 1 || arguments.output == "-" || arguments.explain || arguments.trace ||
         !arguments.statsFile.empty() || most < 2 || gpu::mayUseHardware(arguments.driver))
         return 1;
     std::optional<int> parts = 1;  // if the worker crashes, so does the one that draws, which is reported
@@ -190,6 +190,7 @@ class JobRunner {
         job.part = static_cast<int>(piece % parts_);
         job.parts = static_cast<int>(parts_);
         job.explain = arguments_.explain;
+        job.trace = arguments_.trace;
         job.stats = !arguments_.statsFile.empty();
         return pack(guarded(arguments_.scenes[index], [&] {
             render::JobResult result =

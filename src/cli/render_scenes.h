@@ -28,6 +28,7 @@ struct RenderArguments {
     SuiteArguments suite;
     std::vector<std::string> saves;  ///< --save, each NAME=FILE
     bool explain = false;
+    bool trace = false;
     bool untrusted = false;
 };
 

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <system_error>
 
+#include "base/text.h"
+
 namespace glibra::expression {
 namespace {
 
@@ -13,12 +15,6 @@ constexpr std::string_view kNoBreakSpace = "\xc2\xa0";
 
 bool isHexDigit(char c) {
     return isDigit(c) || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
-}
-bool beginsName(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
-bool continuesName(char c) {
-    return beginsName(c) || isDigit(c);
 }
 bool isBlank(char c) {
     return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\n' || c == '\r';
@@ -126,7 +122,7 @@ Token Lexer::number() {
     std::size_t suffix = 0;
     for (const std::string_view each : {"lf", "LF", "f", "F", "u", "U"})
         if (suffix == 0 && rest.substr(end).starts_with(each)) suffix = each.size();
-    const std::size_t more = countWhile(rest, end + suffix, continuesName);
+    const std::size_t more = countWhile(rest, end + suffix, base::isOfName);
     if (more > 0) return wrong(end + suffix + more, "this is neither a number nor a name");
     Token number = token(TokenKind::number, end + suffix);
     number.number = value;
@@ -140,8 +136,8 @@ Token Lexer::next() {
     Token result;
     if (isDigit(rest[0]) || (rest.size() > 1 && rest[0] == '.' && isDigit(rest[1]))) {
         result = number();
-    } else if (beginsName(rest[0])) {
-        result = token(TokenKind::name, countWhile(rest, 0, continuesName));
+    } else if (base::beginsName(rest[0])) {
+        result = token(TokenKind::name, countWhile(rest, 0, base::isOfName));
     } else {
         for (const std::string_view sign : kSigns)
             if (result.kind == TokenKind::end && rest.starts_with(sign))

@@ -129,7 +129,16 @@ void addControls(const scene::Scene& scene, Description& to) {
             control.kind = Kind::truth;
         } else if (each.form == glib::UniformForm::color) {
             control.kind = Kind::color;
-        } else if (each.form != glib::UniformForm::range || each.written.size() != 3) {
+        } else if (each.form == glib::UniformForm::range && each.current.size() > 1) {
+            // A row per component, as in the window.
+            for (std::size_t i = 0; i < each.current.size(); ++i)
+                to.controls.push_back({{},
+                                       each.name + "." + "xyzw" [i],
+                                       Kind::range,
+                                       { each.least(), each.statedValues()[i], each.largest() },
+                                       {}});
+            continue;
+        } else if (each.form != glib::UniformForm::range) {
             continue;
         }
         to.controls.push_back(std::move(control));

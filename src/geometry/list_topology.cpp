@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include "base/text.h"
+
 namespace glibra::geometry {
 namespace {
 
@@ -32,10 +34,6 @@ constexpr std::array<Word, 15> kWords{{
     {"patches", ListTopology::patches},
 }};
 
-char lower(char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
 using Indices = std::vector<std::uint32_t>;
 
 void putIndices(Indices& indices, std::initializer_list<std::uint32_t> more) {
@@ -59,7 +57,7 @@ void putStripAdjacency(Indices& indices, std::uint32_t i, std::uint32_t count) {
 
 std::optional<ListTopology> listTopology(std::string_view word) {
     std::string plain(word.substr(0, 64));
-    std::transform(plain.begin(), plain.end(), plain.begin(), lower);
+    plain = base::lower(plain);
     std::string_view bare = plain;
     if (bare.starts_with("gl_")) bare.remove_prefix(3);
     for (const Word& each : kWords)

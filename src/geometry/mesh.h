@@ -11,6 +11,24 @@ namespace glibra::geometry {
 
 /// How consecutive indices form primitives. Quads, strips, fans and polygons have been split into these.
 enum class Topology { points, lines, linesAdjacency, triangles, trianglesAdjacency, patches };
+/// "triangles with adjacency"
+constexpr std::string_view wordsOf(Topology topology) {
+    switch (topology) {
+        case Topology::points:
+            return "points";
+        case Topology::lines:
+            return "lines";
+        case Topology::linesAdjacency:
+            return "lines with adjacency";
+        case Topology::triangles:
+            return "triangles";
+        case Topology::trianglesAdjacency:
+            return "triangles with adjacency";
+        case Topology::patches:
+            break;
+    }
+    return "patches";
+}
 
 /// Names of the attributes. A mesh holds only those that vary over it. A missing colour reads as the current
 /// colour, a missing FaceIndex as 0, every other missing attribute as (0, 0, 0, 1).

@@ -23,12 +23,12 @@ enum class CommandId {
     // noise, time, messages
     noise2D, noise3D, timer, messageBox, verbose,
     // modern statements: rows of modern/statement_table.h
-    let, bound, set, material, group, endGroup, draw, repeat, endRepeat, when, elseBranch, endWhen,
-    include, use, key, multMatrix, fps, camera,
+    let, bound, set, material, light, group, endGroup, draw, repeat, endRepeat, when, elseBranch, endWhen,
+    include, glslText, use, key, multMatrix, fps, camera,
     namedTexture1D, namedTexture2D, namedTexture3D, textureArray1D, textureArray, textureRect, namedCubeMap, sampler,
     pass, endPass, fill, clearParts, viewport, scissor, state,
     instances, vertices, attribute, tessLevels,
-    buffer, compute, dispatch, once, endOnce, step, endStep, expect,
+    buffer, mesh, compute, dispatch, once, endOnce, step, endStep, expect, print,
     firstPrimitive,
 };
 // clang-format on

@@ -58,7 +58,7 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"glib-W21", "uAd: current value 1 is outside .01 ... .5; it is kept"},
     {"glib-W22", "uA: minimum .1 is above maximum .01; they are exchanged"},
     {"glib-W23", "no shader of 'Dots' has a uniform 'ushrink'; did you mean 'uShrink'?"},
-    {"glib-W24", "uniform 'uKs' is declared but unused, so the tag has no effect"},
+    {"glib-W24", "uniform 'uKs' is declared in 'Lit' but unused, so its value has no effect"},
     {"glib-W25", "glibra supplies 'Timer'; set its period with the command 'Timer 10'"},
     {"glib-W26", "Color: component 2 outside 0..1, kept"},
     {"glib-W27", "10.5 is cut to 10"},
@@ -78,6 +78,7 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"glib-W40",
      "'k' is a counter or parameter here; from this Let on to the end of the scope, 'k' is the variable of "
      "the scene; choose another name"},
+    {"glib-W44", "Camera 'eye' stands after everything that is drawn, so nothing is seen by it; move it up"},
     {"glib-N01", "MessageBox: Move the scene back"},
     {"glib-N02", "Sphere: 3719 vertices, 7080 triangles, program 'Dots'"},
     // Expressions
@@ -105,6 +106,10 @@ constexpr CatalogueRow kCatalogueRows[] = {
      "fragment output 'color' is of type vec4, but target 'ids' (line 4) holds unsigned integers; declare "
      "the "
      "output as uvec4"},
+    {"draw-E12",
+     "Vertices: an attribute reads the member 'speed' of buffer 'birds', which has none of that name; its "
+     "members "
+     "are place, velocity"},
     {"draw-W01", "Program 'Dots' has no fragment stage; a flat colour is used"},
     {"draw-W02", "sampler 'uTexUnit' reads unit 5 / 3D, which is empty"},
     {"draw-W03", "vertex input 'aPos' is not supplied; it reads 0 0 0 1"},
@@ -340,6 +345,11 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"suite-E23",
      "the goldens of 'Oval' and 'oval' would be one file on disks that ignore upper and lower case; rename "
      "one"},
+    {"suite-E24", "the check asks for uses and avoids; each check asks for one thing"},
+    {"suite-E25", "there are two checks 'is drawn'"},
+    {"suite-E26", "the check 'changes with uAd': no two pictures differ in 'uAd' alone; --sweep draws them"},
+    {"suite-E27", "this is no file of marks: unexpected end of input"},
+    {"suite-E30", "cannot serve a page: the module that speaks HTTP is not installed"},
     {"suite-W01", "this is not a line of accepted pixels; it is ignored"},
     // Results of suites
     {"result-E01", "this is not a line of results: 'verdict': there is no verdict 'good'"},
@@ -360,9 +370,11 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"check-W01", "Expect pixel 10 20 [1 0 0] is not answered: group 'row' is not drawn"},
     {"check-N01",
      "Expect pixel 10 20 [1 0 0] is not answered: the condition of the When on line 12 is false"},
+    {"check-N02", "Particles[3]: 0.5 1 0 1"},
     // Run time against error
     {"bench-E01", "unknown subject 'primitve'; did you mean 'primitives'?"},
     {"bench-E02", "this is not a run of glibra bench; --against takes its bench.json"},
+    {"bench-E03", "--sweep 'steps': expected a name and its values, as steps=[8,16,32]"},
     // The window
     {"view-E01", "the value of 'uKd' is no longer at this place; reload the scene"},
     {"view-E02",
@@ -373,9 +385,15 @@ constexpr CatalogueRow kCatalogueRows[] = {
      "stopped, because the graphics driver reset the device while line 7 was drawn; change a value or the "
      "text, "
      "or reload the scene, to draw it again"},
+    {"view-E05",
+     "this loop may not end: drawing was stopped after 2 seconds; change a value or the text, or press F5 to "
+     "draw for up to 20 seconds"},
     {"view-W01",
      "Sphere is left out of the debug view 'texture coordinates': its stages pass no vST to the fragment "
      "stage"},
+    {"view-W02",
+     "this loop never ends, because nothing in it changes its condition; compilers remove it with all that "
+     "follows, so uniforms are unused"},
 };
 
 }  // namespace

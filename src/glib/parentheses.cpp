@@ -7,16 +7,13 @@
 namespace glibra::glib {
 namespace {
 
-constexpr bool isWordByte(char c) {
-    return isLetter(c) || isDigit(c) || c == '_';
-}
 constexpr bool isSign(char c) {
     return c == '+' || c == '-';
 }
 
 /// Returns the offset after a number and letters that stand directly after it.
 std::size_t numberEnd(std::string_view code, std::size_t at) {
-    while (at < code.size() && (isWordByte(code[at]) || code[at] == '.' ||
+    while (at < code.size() && (isOfName(code[at]) || code[at] == '.' ||
                                 (isSign(code[at]) && lower(code[at - 1]) == 'e' && at + 1 < code.size() &&
                                  isDigit(code[at + 1]))))
         ++at;
@@ -56,7 +53,7 @@ void ExpressionFinder::look(std::string_view code) {
             at = close == std::string_view::npos ? code.size() : close + 1;
         } else if (isLetter(c) || c == '_') {
             const std::size_t begin = at;
-            while (at < code.size() && isWordByte(code[at])) ++at;
+            while (at < code.size() && isOfName(code[at])) ++at;
             const std::string_view word = code.substr(begin, at - begin);
             if (!sameWord(word, "true") && !sameWord(word, "false")) signs.push_back(begin);
         } else if (beginsNumber(code, at)) {

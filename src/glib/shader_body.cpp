@@ -59,6 +59,8 @@ bool statesAnother(const std::vector<std::string_view>& words) {
     if (words.size() < 2) return false;
     const StatementRow* row = anyRowOf(words[0]);
     if (row == nullptr) return false;
+    if (row->id == CommandId::glslText)
+        return words.size() == 3 && isIdentifier(words[1]) && sameWord(words[2], "inline");
     if (isStageRow(row)) {
         if (words.size() > 2) return false;
         if (sameWord(words[1], "inline")) return true;

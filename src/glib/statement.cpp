@@ -197,11 +197,13 @@ void StatementReader::joinModernLines(Statement& statement, bool pending, Positi
         backslash = line->backslash;
         joinLine(statement);
     }
-    const bool isInline = !statement.arguments.empty() &&
-                          statement.arguments.front().kind == TokenKind::word &&
-                          sameWord(statement.arguments.front().text, "inline");
     const CommandId id = statement.modern->id;
-    if (isInline && (statement.row || id == CommandId::compute)) readBody(statement);
+    const std::size_t at = id == CommandId::glslText ? 1 : 0;
+    const bool isInline = statement.arguments.size() > at &&
+                          statement.arguments[at].kind == TokenKind::word &&
+                          sameWord(statement.arguments[at].text, "inline");
+    if (isInline && (statement.row || id == CommandId::compute || id == CommandId::glslText))
+        readBody(statement);
 }
 
 /// Takes the lines up to one that holds only the end word.

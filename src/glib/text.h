@@ -1,53 +1,17 @@
 #pragma once
-// Letters and words of the language: ASCII only, in any locale.
+// Letters and words of the language are those of all texts.
 
-#include <string>
-#include <string_view>
+#include "base/text.h"
 
 namespace glibra::glib {
 
-constexpr char lower(char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
-constexpr bool isLetter(char c) {
-    return lower(c) >= 'a' && lower(c) <= 'z';
-}
-
-constexpr bool isDigit(char c) {
-    return c >= '0' && c <= '9';
-}
-
-/// True if the words are equal, ignoring the case of ASCII letters.
-constexpr bool sameWord(std::string_view a, std::string_view b) {
-    if (a.size() != b.size()) return false;
-    for (std::size_t i = 0; i < a.size(); ++i)
-        if (lower(a[i]) != lower(b[i])) return false;
-    return true;
-}
-
-inline std::string lower(std::string_view word) {
-    std::string text(word);
-    for (char& c : text) c = lower(c);
-    return text;
-}
-
-/// Returns the text in single quotes for a message. A long text is cut, between characters of UTF-8.
-inline std::string inQuotes(std::string_view text) {
-    constexpr std::size_t kShown = 60;
-    std::size_t end = text.size();
-    if (end > kShown) {
-        end = kShown;
-        while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80U) --end;
-    }
-    std::string result = "'";
-    result.append(text.substr(0, end)).append(end < text.size() ? "...'" : "'");
-    return result;
-}
-
-/// Returns "1 number", "2 numbers".
-inline std::string counted(std::size_t count, std::string_view noun) {
-    return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
-}
+using base::beginsName;
+using base::counted;
+using base::inQuotes;
+using base::isDigit;
+using base::isLetter;
+using base::isOfName;
+using base::lower;
+using base::sameWord;
 
 }  // namespace glibra::glib

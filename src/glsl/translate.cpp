@@ -88,6 +88,28 @@ void supplyVertexStage(ProgramUnits& program) {
     program.units.insert(program.units.begin(), std::move(vertex));
 }
 
+/// Adds the stage that a program with one end of the pipeline lacks, if it wants one.
+void supplyMissingStage(ProgramUnits& program) {
+    if (program.units.empty()) return;
+    Unit supplied;
+    supplied.request = program.request;
+    if (program.request->suppliesFragment && program.units.back().stage != Stage::fragment &&
+        program.units.front().stage == Stage::vertex) {
+        readSource({Stage::fragment, "default.frag", defaultFragment(program.units.back())}, supplied,
+                   program.report);
+        parse(supplied);
+        supplied.isSupplied = true;
+        program.result->suppliedColor = suppliedColor(program.units.back());
+        program.units.push_back(std::move(supplied));
+    } else if (program.request->suppliesFixedVertex && program.units.size() == 1 &&
+               program.units.front().stage == Stage::fragment) {
+        readSource({Stage::vertex, "default.vert", fixedVertex(program.units.front())}, supplied,
+                   program.report);
+        parse(supplied);
+        program.units.insert(program.units.begin(), std::move(supplied));
+    }
+}
+
 /// Records the emitted names that differ from the user's, for messages and tags.
 void recordUserNames(const Unit& unit, TranslatedProgram& result) {
     for (const auto& [user, emitted] : unit.renames)
@@ -193,6 +215,7 @@ TranslatedProgram translate(const ProgramRequest& request) {
     if (!program.report.failed()) {
         for (Unit& unit : program.units) parse(unit);
         supplyVertexStage(program);
+        supplyMissingStage(program);
         if (request.shim) {
             applyRules(program);
         } else {

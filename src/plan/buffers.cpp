@@ -302,27 +302,47 @@ class LayoutFinder {
     Diagnostics diagnostics_;
 };
 
-/// Checks that a buffer begins with that many counts. Nothing if it does, or has no layout.
-std::optional<Diagnostic> countsProblem(const scene::Scene& scene, const scene::BufferView& from,
+/// The number of a buffer that begins at this byte; nothing if none does.
+std::optional<MemoryNumber> numberAt(const BufferLayout& layout, std::uint64_t offset) {
+    // Numbers have at least four bytes, and those of later elements lie behind those of earlier ones.
+    std::uint64_t first = 0, last = std::min(offset / 4 + 1, layout.pattern.numbers(layout.elements));
+    while (first < last) {
+        const std::uint64_t middle = first + (last - first) / 2;
+        if (layout.pattern.at(middle).offset < offset)
+            first = middle + 1;
+        else
+            last = middle;
+    }
+    if (first >= layout.pattern.numbers(layout.elements)) return std::nullopt;
+    const MemoryNumber found = layout.pattern.at(first);
+    return found.offset == offset ? std::optional(found) : std::nullopt;
+}
+
+/// Checks that a buffer has that many counts there. Nothing if it does, or has no layout.
+std::optional<Diagnostic> countsProblem(const scene::Scene& scene, const scene::CountFrom& from,
                                         const BufferLayout* layout, std::uint64_t counts,
                                         const std::string& word, const Place& place) {
     if (layout == nullptr) return std::nullopt;
-    const std::string& name = scene.buffers[from.buffer].name;
-    const std::uint64_t bytes = counts * sizeof(std::uint32_t);
+    const std::string& name = scene.buffers[from.buffer.buffer].name;
+    const std::uint64_t bytes = (from.word + counts) * sizeof(std::uint32_t);
+    const std::string where = from.word == 0 ? "" : fmt::format(" from word {} on", from.word);
     if (layout->bytes < bytes)
+        return diagnose(
+            "memory-E12",
+            fmt::format("{}: buffer '{}' has {}, but {}{} need{} {}", word, name,
+                        countedText(layout->bytes, "byte", "bytes"), countedText(counts, "count", "counts"),
+                        where, counts == 1 ? "s" : "", bytes),
+            place);
+    for (std::uint64_t i = 0; i < counts; ++i) {
+        const auto number = numberAt(*layout, (from.word + i) * sizeof(std::uint32_t));
+        if (number && (number->kind == NumberKind::unsignedInteger || number->kind == NumberKind::integer))
+            continue;
+        const std::string lack =
+            from.word == 0
+                ? fmt::format("does not begin with {} of type uint", countedText(counts, "number", "numbers"))
+                : fmt::format("has no {} of type uint{}", counts == 1 ? "number" : "numbers", where);
         return diagnose("memory-E12",
-                        fmt::format("{}: buffer '{}' has {}, but {} need{} {}", word, name,
-                                    countedText(layout->bytes, "byte", "bytes"),
-                                    countedText(counts, "count", "counts"), counts == 1 ? "s" : "", bytes),
-                        place);
-    const std::uint64_t numbers = std::min(counts, layout->pattern.numbers(layout->elements));
-    for (std::uint64_t i = 0; i < numbers; ++i) {
-        const MemoryNumber number = layout->pattern.at(i);
-        const bool isWhole = number.kind == NumberKind::unsignedInteger || number.kind == NumberKind::integer;
-        if (isWhole && number.offset == i * sizeof(std::uint32_t)) continue;
-        return diagnose("memory-E12",
-                        fmt::format("{}: buffer '{}' does not begin with {} of type uint ({} decides)", word,
-                                    name, countedText(counts, "number", "numbers"), layout->from),
+                        fmt::format("{}: buffer '{}' {} ({} decides)", word, name, lack, layout->from),
                         place);
     }
     return std::nullopt;
@@ -331,16 +351,16 @@ std::optional<Diagnostic> countsProblem(const scene::Scene& scene, const scene::
 /// memory-E12 for draws and dispatches whose counts their buffers do not hold.
 Diagnostics countsProblems(const scene::Scene& scene, const FramePlan& plan, const BufferLayouts& layouts) {
     Diagnostics problems;
-    const auto check = [&](const scene::BufferView& from, std::uint64_t counts, const std::string& word,
+    const auto check = [&](const scene::CountFrom& from, std::uint64_t counts, const std::string& word,
                            const Place& place) {
-        if (!from.buffer) return;
-        if (auto problem = countsProblem(scene, from, layouts.find(from.buffer), counts, word, place))
+        if (!from) return;
+        if (auto problem = countsProblem(scene, from, layouts.find(from.buffer.buffer), counts, word, place))
             problems.push_back(*std::move(problem));
     };
     for (const PlannedDispatch& each : plan.dispatches) {
         const scene::Dispatch& dispatch = plan.dispatchOf(each);
         if (const auto* groups = std::get_if<scene::GroupsFrom>(&dispatch.groups))
-            check(groups->buffer, 3, "Dispatch", dispatch.place);
+            check(groups->first, 3, "Dispatch", dispatch.place);
     }
     for (const PlannedPass& pass : plan.passes)
         for (const auto& step : pass.steps)

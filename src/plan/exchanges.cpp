@@ -80,15 +80,19 @@ class WholeWrites {
     const std::vector<TextureUse>& textures_;
 };
 
-/// True if a draw of the pass gives each texel of its only target a new colour.
-bool isFilledWhole(const scene::Scene& scene, const FramePlan& plan, const PlannedPass& planned) {
+/// True if a draw of the pass gives each texel of the target a new colour.
+bool isFilledWhole(const scene::Scene& scene, const FramePlan& plan, const PlannedPass& planned,
+                   const Object& object) {
     const scene::Pass& pass = plan.passOf(planned);
-    if (pass.targets.size() != 1) return false;
-    const scene::Texture& target = scene.textures[pass.targets.front()];
+    const auto found = std::find_if(pass.targets.begin(), pass.targets.end(),
+                                    [&](scene::TextureIndex each) { return Object(each) == object; });
+    if (found == pass.targets.end()) return false;
+    const auto index = static_cast<std::size_t>(found - pass.targets.begin());
+    const scene::Texture& target = scene.textures[*found];
     const auto* empty = std::get_if<scene::EmptySource>(&target.source);
     const bool isPlane = empty != nullptr && target.target == scene::TextureTarget::texture2D &&
                          target.levels == 1 && target.samples == 1;
-    if (!isPlane || (!pass.parts.empty() && pass.parts.front() != scene::TargetPart{})) return false;
+    if (!isPlane || (!pass.parts.empty() && pass.parts[index] != scene::TargetPart{})) return false;
     return std::any_of(planned.steps.begin(), planned.steps.end(), [&](const auto& step) {
         const auto* drawn = std::get_if<PlannedDraw>(&step);
         if (drawn == nullptr) return false;
@@ -99,7 +103,7 @@ bool isFilledWhole(const scene::Scene& scene, const FramePlan& plan, const Plann
             return false;
         scene::RasterState plain;
         plain.depthTest = plain.depthWrite = false;
-        return draw.raster == plain && draw.instances == 1 && !draw.instancesFrom.buffer;
+        return draw.raster == plain && draw.instances == 1 && !draw.instancesFrom;
     });
 }
 
@@ -124,10 +128,7 @@ std::vector<std::vector<PlannedExchange>> exchangesOf(const scene::Scene& scene,
                 if (exchange.keepsContent && !everything)
                     exchange.whole = WholeWrites(scene, plan, planned).find(object);
             } else if (at.kind == scene::NodeIndex::Kind::pass && exchange.keepsContent && !everything) {
-                const PlannedPass& planned = plan.passes[at.index];
-                const std::vector<scene::TextureIndex>& targets = plan.passOf(planned).targets;
-                exchange.isFilled = targets.size() == 1 && Object(targets.front()) == object &&
-                                    isFilledWhole(scene, plan, planned);
+                exchange.isFilled = isFilledWhole(scene, plan, plan.passes[at.index], object);
             }
             exchanges[node].push_back(std::move(exchange));
             isAny = true;

@@ -49,7 +49,7 @@ std::string glslTypeOf(BaseType kind, int components) {
 
 bool isWritten(const scene::Draw& draw, std::size_t target) {
     const base::ColorMask& mask = draw.raster.write.at(target);
-    return mask.red || mask.green || mask.blue || mask.alpha;
+    return !draw.raster.discard && (mask.red || mask.green || mask.blue || mask.alpha);
 }
 
 }  // namespace

@@ -169,7 +169,7 @@ class FramePlanner {
         const ProgramInterface& interface = *programs_[index].interface;
         const scene::Program* program = programs_.declared(programs_[index].variant.program);
         announce(index);
-        reportMissingStage(draw, pass);
+        reportMissingStage(draw, interface);
 
         if (!interface.usable) return planUnusable(step, index, result);
         const Result<Submission> submission = submissionOf(scene_, draw, program, interface);
@@ -211,9 +211,13 @@ class FramePlanner {
         for (const Diagnostic& each : programs_.state(program).diagnostics) report(each);
     }
 
-    /// Reports draw-W01 once per program.
-    void reportMissingStage(const scene::Draw& draw, const scene::Pass& pass) {
-        if (!draw.program || !usesBuiltin(scene_, draw, pass) || !incomplete_.insert(draw.program).second)
+    /// Reports draw-W01 once per program: where the built-in program draws, and where the colour of a
+    /// supplied fragment stage is a guess.
+    void reportMissingStage(const scene::Draw& draw, const ProgramInterface& interface) {
+        const std::optional<std::string>& color = interface.facts.suppliedColor;
+        const bool isGuess = color && *color != "gl_FrontColor";
+        if (!draw.program || !(usesBuiltin(scene_, draw) || isGuess) ||
+            !incomplete_.insert(draw.program).second)
             return;
         const scene::Program& program = *programs_.declared(draw.program);
         const bool hasVertex = program.hasStage(glsl::Stage::vertex);
@@ -221,8 +225,11 @@ class FramePlanner {
         const char* missing = hasVertex     ? "no fragment stage"
                               : hasFragment ? "no vertex stage"
                                             : "no vertex and no fragment stage";
+        const std::string used = !isGuess         ? "a flat colour"
+                                 : color->empty() ? "the current colour"
+                                                  : fmt::format("its output '{}'", *color);
         report(diagnose("draw-W01",
-                        fmt::format("Program '{}' has {}; a flat colour is used{}", program.name, missing,
+                        fmt::format("Program '{}' has {}; {} is used{}", program.name, missing, used,
                                     hasVertex || hasFragment || !scene_.hasStages
                                         ? ""
                                         : "; the statements Vertex and Fragment stand before their Program"),
@@ -468,7 +475,7 @@ class FramePlanner {
         for (const scene::StepBlock& each : scene_.steps) drawn.merge(programsOf(each.nodes));
         for (const scene::ProgramIndex i : scene_.programs.indices()) {
             const scene::Program& program = scene_.programs[i];
-            const bool isFullScreen = isWithoutVertexStage(scene_, program);
+            const bool isFullScreen = scene_.isModern && isWithoutVertexStage(program);
             const bool isCompute = program.hasStage(glsl::Stage::compute) && options_.lacksCompute.empty();
             const bool isDrawable = program.hasStage(glsl::Stage::fragment) &&
                                     (program.hasStage(glsl::Stage::vertex) || isFullScreen);
@@ -501,14 +508,16 @@ class FramePlanner {
 }  // namespace
 
 ProgramVariant variantOf(const scene::Scene& scene, const scene::Draw& draw, const scene::Pass& pass) {
-    const bool isBuiltin = usesBuiltin(scene, draw, pass);
+    const bool isBuiltin = usesBuiltin(scene, draw);
     const bool coversTarget = scene.isModern && std::holds_alternative<scene::ClipSpace>(draw.projection);
     ProgramVariant variant{.flatColors = draw.flatColors,
                            .colorTargets = std::max<int>(1, static_cast<int>(pass.targets.size()))};
     if (isBuiltin) return variant;
-    const std::vector<scene::StageFile>& stages = scene.programs[draw.program].stages;
+    const scene::Program& program = scene.programs[draw.program];
+    const std::vector<scene::StageFile>& stages = program.stages;
     variant.program = draw.program;
-    variant.isFullScreen = coversTarget || isWithoutVertexStage(scene, scene.programs[draw.program]);
+    variant.isFullScreen = coversTarget || (scene.shapes[draw.shape].bare && isWithoutVertexStage(program));
+    variant.suppliesFragment = !program.hasStage(glsl::Stage::fragment) && needsFragments(scene, draw, pass);
     variant.isFill =
         draw.isFill && std::any_of(stages.begin(), stages.end(), scene::Program::isLeftOutByFill);
     return variant;

@@ -28,9 +28,10 @@ struct ProgramVariant {
     scene::ProgramIndex program{};  ///< none: the built-in program
     bool flatColors = false;
     int colorTargets = 1;
-    bool isFullScreen = false;  ///< a vertex stage that covers the whole target may be supplied
-    bool inPieces = false;      ///< a compute program that runs in several dispatches
-    bool isFill = false;        ///< Program::isLeftOutByFill: these stages are left out
+    bool isFullScreen = false;      ///< a vertex stage that covers the whole target may be supplied
+    bool inPieces = false;          ///< a compute program that runs in several dispatches
+    bool isFill = false;            ///< Program::isLeftOutByFill: these stages are left out
+    bool suppliesFragment = false;  ///< a fragment stage is missing and needed
     friend bool operator==(const ProgramVariant&, const ProgramVariant&) = default;
 };
 
@@ -49,7 +50,7 @@ struct TextureUse {
     base::TexelFormat bufferFormat = base::TexelFormat::rgba32f;
     scene::TextureTarget target = scene::TextureTarget::texture2D;  ///< that the shader reads
     base::SamplerState sampler{};
-    bool compares = false;      ///< the shader compares depth: 1 where its value is less or equal
+    bool compares = false;      ///< the shader compares depth, as the sampler says
     bool readsSamples = false;  ///< the shader reads the single samples of a multisampled texture
     bool isImage = false;
     /// Of an image: the format that the shader declares; nothing: the texture's own.

@@ -21,6 +21,7 @@ const scene::AttributeBinding* bindingOf(const scene::Scene& scene, scene::Attri
 InputSource given(const scene::AttributeBinding& binding) {
     InputSource source;
     source.isPerInstance = binding.isPerInstance;
+    source.part = binding.part;
     if (const auto* role = std::get_if<std::string>(&binding.source)) {
         source.from = *role;
     } else if (const auto* numbers = std::get_if<std::vector<double>>(&binding.source)) {

@@ -17,6 +17,7 @@ struct InputSource {
     /// (0, 0, 0, 1), and the current colour where it is geometry::kColor.
     std::variant<std::string, std::array<double, 4>, scene::BufferView> from;
     bool isPerInstance = false;  ///< of a buffer
+    scene::ElementPart part{};   ///< of a buffer
     bool isKnown = true;         ///< false: nothing feeds it but perhaps a list with an attribute of its name
     friend bool operator==(const InputSource&, const InputSource&) = default;
 };

@@ -90,8 +90,8 @@ class LiveFinder {
                            [this](scene::TextureIndex each) { return liveTextures_[each]; });
     }
 
-    bool mayWrite(const scene::Draw& draw, const scene::Pass& pass) const {
-        return !usesBuiltin(scene_, draw, pass) && questions_.mayWriteImages &&
+    bool mayWrite(const scene::Draw& draw) const {
+        return !usesBuiltin(scene_, draw) && questions_.mayWriteImages &&
                questions_.mayWriteImages(draw.program);
     }
     [[nodiscard]] std::vector<ObjectUse> usesOf(const scene::Draw& draw, const scene::Pass& pass) const {
@@ -103,7 +103,7 @@ class LiveFinder {
     }
     /// True if the draw stores into something that is read later.
     bool hasEffect(const scene::Draw& draw, const scene::Pass& pass) const {
-        if (!mayWrite(draw, pass)) return false;
+        if (!mayWrite(draw)) return false;
         const std::vector<ObjectUse> uses = usesOf(draw, pass);
         return std::any_of(uses.begin(), uses.end(),
                            [this](const ObjectUse& each) { return each.writes && isLive(each.object); });

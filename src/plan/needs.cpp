@@ -59,8 +59,8 @@ class NeedFinder {
             }
     }
 
-    bool mayWrite(const scene::Draw& draw, const scene::Pass& pass) {
-        if (usesBuiltin(scene_, draw, pass)) return false;
+    bool mayWrite(const scene::Draw& draw) {
+        if (usesBuiltin(scene_, draw)) return false;
         const auto [entry, isNew] = writes_.try_emplace(draw.program, false);
         if (isNew) entry->second = questions_.mayWriteImages && questions_.mayWriteImages(draw.program);
         return entry->second;
@@ -83,9 +83,7 @@ class NeedFinder {
         for (std::size_t i = lastClear.value_or(0); i > 0 && kept == 0; --i) {
             const auto [pass, step] = window[i - 1];
             const scene::Draw* draw = drawAt(window[i - 1]);
-            if (draw != nullptr && needs_.steps[pass][step] == StepNeed::needed &&
-                mayWrite(*draw, nodes_.passes[pass]))
-                kept = i;
+            if (draw != nullptr && needs_.steps[pass][step] == StepNeed::needed && mayWrite(*draw)) kept = i;
         }
         for (std::size_t i = kept; lastClear && i < *lastClear; ++i) {
             StepNeed& need = needs_.steps[window[i].pass][window[i].step];
@@ -167,8 +165,7 @@ class NeedFinder {
             if (needs_.passes[pass] || isWindow(pass)) continue;
             for (std::size_t step = 0; step < nodes_.passes[pass].steps.size(); ++step) {
                 const scene::Draw* draw = drawAt({pass, step});
-                if (draw == nullptr || needs_.steps[pass][step] != StepNeed::needed ||
-                    !mayWrite(*draw, nodes_.passes[pass]))
+                if (draw == nullptr || needs_.steps[pass][step] != StepNeed::needed || !mayWrite(*draw))
                     continue;
                 needs_.passes[pass] = true;
                 return true;
@@ -195,22 +192,23 @@ bool usesStencil(const scene::Pass& pass) {
     });
 }
 
-bool isWithoutVertexStage(const scene::Scene& scene, const scene::Program& program, bool isFill) {
+bool isWithoutVertexStage(const scene::Program& program, bool isFill) {
     const auto isUsed = [&](const scene::StageFile& each) {
         return !(isFill && scene::Program::isLeftOutByFill(each));
     };
-    return scene.isModern && program.hasStage(glsl::Stage::fragment) &&
+    return program.hasStage(glsl::Stage::fragment) &&
            std::count_if(program.stages.begin(), program.stages.end(), isUsed) == 1;
 }
 
-bool usesBuiltin(const scene::Scene& scene, const scene::Draw& draw, const scene::Pass& pass) {
+bool needsFragments(const scene::Scene& scene, const scene::Draw& draw, const scene::Pass& pass) {
+    return !draw.raster.discard && (!scene.isModern || pass.isWindow || !pass.targets.empty());
+}
+
+bool usesBuiltin(const scene::Scene& scene, const scene::Draw& draw) {
     if (!draw.program) return true;
     const scene::Program& program = scene.programs[draw.program];
-    if (!program.hasStage(glsl::Stage::vertex, draw.isFill))
-        return !isWithoutVertexStage(scene, program, draw.isFill) ||
-               !(scene.shapes[draw.shape].bare || std::holds_alternative<scene::ClipSpace>(draw.projection));
-    const bool needsFragments = !scene.isModern || pass.isWindow || !pass.targets.empty();
-    return needsFragments && !program.hasStage(glsl::Stage::fragment);
+    if (draw.isFill && !program.hasStage(glsl::Stage::fragment)) return true;
+    return !program.hasStage(glsl::Stage::vertex, draw.isFill) && !isWithoutVertexStage(program, draw.isFill);
 }
 
 Needs findNeeds(const scene::Scene& scene, const scene::NodeList& nodes, const NeedQuestions& questions,

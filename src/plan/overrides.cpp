@@ -38,10 +38,8 @@ std::optional<double> readDecimal(std::string_view token) {
 
 /// True for a word that may be one of a choice. Spellings of what is not finite are none.
 bool isChoiceWord(std::string_view text) {
-    if (text.empty() || !(glib::isLetter(text[0]) || text[0] == '_')) return false;
-    const bool isWord = std::all_of(text.begin(), text.end(), [](char each) {
-        return glib::isLetter(each) || each == '_' || (each >= '0' && each <= '9');
-    });
+    if (text.empty() || !glib::beginsName(text[0])) return false;
+    const bool isWord = std::all_of(text.begin(), text.end(), glib::isOfName);
     return isWord && !glib::sameWord(text, "nan") && !glib::sameWord(text, "inf") &&
            !glib::sameWord(text, "infinity");
 }

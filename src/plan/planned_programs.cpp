@@ -40,7 +40,7 @@ PlannedProgramIndex PlannedPrograms::of(const ProgramVariant& variant, scene::Un
     if (!variant.program) uniforms = {};  // the built-in program reads none of them
     PlannedProgramIndex& index =
         programs_[VariantKey{variant.program, variant.flatColors, variant.colorTargets, variant.isFullScreen,
-                             variant.inPieces, variant.isFill, uniforms}];
+                             variant.inPieces, variant.isFill, variant.suppliesFragment, uniforms}];
     if (index) return index;
     const ProgramInterface& interface = interfaceOf_(variant);
     PlannedProgram program{variant, &interface, {}, {}, {}};

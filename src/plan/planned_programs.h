@@ -74,7 +74,8 @@ class PlannedPrograms {
     std::vector<ObjectUse> usesOf(const scene::Dispatch& dispatch);
 
   private:
-    using VariantKey = std::tuple<scene::ProgramIndex, bool, int, bool, bool, bool, scene::UniformSetIndex>;
+    using VariantKey =
+        std::tuple<scene::ProgramIndex, bool, int, bool, bool, bool, bool, scene::UniformSetIndex>;
 
     void resolve(PlannedProgram& program, State& state, scene::UniformSetIndex uniforms);
     std::vector<ObjectUse> shaderUsesOf(PlannedProgramIndex program, const std::vector<TextureUse>& textures);

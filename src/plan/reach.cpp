@@ -60,9 +60,9 @@ class ReachCheck {
     [[nodiscard]] Extent extentOf(const scene::Draw& draw) const {
         Extent extent;
         const scene::Shape& shape = scene_.shapes[draw.shape];
-        if (shape.bare && !draw.verticesFrom.buffer && !draw.indices.buffer && !shape.numbers.empty())
+        if (shape.bare && !draw.verticesFrom && !draw.indices.buffer && !shape.numbers.empty())
             extent.vertices = static_cast<std::uint64_t>(std::max(0., shape.numbers.front()));
-        if (!draw.instancesFrom.buffer && draw.instances > 0)
+        if (!draw.instancesFrom && draw.instances > 0)
             extent.instances = static_cast<std::uint64_t>(draw.instances);
         return extent;
     }

@@ -231,8 +231,7 @@ std::optional<Diagnostic> bindingProblem(const scene::Scene& scene, const Progra
     const SamplerType type = samplerTypeOf(uniform.type.word);
     const bool isImage = uniform.type.base == BaseType::image;
     const auto format = formatOf(texture);
-    const bool isDepth = format && hasDepth(*format);
-    if (isImage && (isDepth || texture.isSrgb || format == base::TexelFormat::srgb8_alpha8))
+    if (isImage && (texture.isSrgb || (format && !base::isImageFormat(*format))))
         return say("; images take neither depth nor sRGB");
     if (isImage && texture.samples > 1) return say("; images take no samples");
     const auto declared = isImage ? imageFormatOf(interface, uniform) : std::nullopt;
@@ -258,11 +257,10 @@ void useNamed(const scene::Scene& scene, const scene::TextureView& view, const V
     if (texelsOf(texture) != BaseType::floating)
         use.sampler.filter =
             use.sampler.readsMipmaps() ? base::Filter::nearestMipmapNearest : base::Filter::nearest;
-    const bool isWrapped = std::any_of(use.sampler.wrap.begin(), use.sampler.wrap.end(),
-                                       [](base::Wrap each) { return each != base::Wrap::repeat; });
-    if (use.compares && !isWrapped) {
+    // A depth texture has its wrapping, stated or not.
+    if (use.compares && view.sampler && !scene.samplers[view.sampler].statesWrap) {
         use.sampler.wrap.fill(base::Wrap::clampToBorder);
-        use.sampler.border.fill(1);
+        use.sampler.border.fill(base::farthestDepth(use.sampler.compare));
     }
     if (texture.target == TextureTarget::cube || texture.target == TextureTarget::cubeArray)
         use.sampler.wrap.fill(base::Wrap::clampToEdge);

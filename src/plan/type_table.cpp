@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "base/text.h"
 #include "glib/limits.h"
 
 namespace glibra::plan {
@@ -58,10 +59,6 @@ const char* brackets(UniformForm form) {
     }
 }
 
-std::string countText(std::size_t count) {
-    return fmt::format("{} value{}", count, count == 1 ? "" : "s");
-}
-
 struct Range {
     double minimum = 0, current = 0, maximum = 1;
 };
@@ -103,10 +100,10 @@ class ValueReader {
         if (!given_.typed.empty())
             return warn("glib-W15",
                         fmt::format("--set {}={}: {}; {}", given_.tag, given_.typed,
-                                    countText(given_.values.size()), text),
+                                    base::counted(given_.values.size(), "value"), text),
                         given_.valuePlace);
         warn("glib-W15",
-             fmt::format("{}: {} in {}; {}", given_.tag, countText(given_.values.size()),
+             fmt::format("{}: {} in {}; {}", given_.tag, base::counted(given_.values.size(), "value"),
                          brackets(given_.form), text),
              given_.valuePlace);
     }

@@ -100,7 +100,8 @@ void UniformMessages::unknown(const GivenValue& given, std::string_view resemble
                     given.tagPlace, tag, search->suggestion);
     if (member.empty() && isDeclared(tag))
         return warn("glib-W24",
-                    fmt::format("uniform '{}' is declared but unused, so the tag has no effect", tag),
+                    fmt::format("uniform '{}' is declared in '{}' but unused, so its value has no effect",
+                                tag, program_.name),
                     given.tagPlace);
     if (member.empty() && !resembles.empty()) return misspelt(tag, resembles, given.tagPlace);
     const std::string near = member.empty() ? nearestUniform(tag, knownNames()) : member;
@@ -133,7 +134,7 @@ void UniformMessages::oneUnset(const ActiveUniform& each) {
     warn(
         "glib-W37",
         fmt::format("uniform '{}' of '{}' is not set; it is 0{}", each.name, program_.name, modernHint(each)),
-        program_.place);
+        program_.place, each.name);
 }
 
 bool UniformMessages::isUnreadPart(std::string_view tag) const {

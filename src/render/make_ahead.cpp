@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/text.h"
 #include "plan/needs.h"
 #include "plan/texture_uses.h"
 #include "plan/uniforms.h"
@@ -21,11 +22,10 @@ namespace {
 
 /// The words of a GLSL text, in order.
 std::vector<std::string_view> wordsOf(std::string_view text) {
-    const auto isOfWord = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
     std::vector<std::string_view> words;
     for (std::size_t i = 0; i < text.size();) {
         const std::size_t begin = i;
-        while (i < text.size() && isOfWord(text[i])) ++i;
+        while (i < text.size() && base::isOfName(text[i])) ++i;
         if (i > begin)
             words.push_back(text.substr(begin, i - begin));
         else

@@ -57,7 +57,7 @@ plan::FramePlan Pipeline::planList(const scene::NodeList& nodes, const plan::Pla
 }
 
 Diagnostics Pipeline::planSimulation(const plan::PlanOptions& planOptions, bool framesDiffer) {
-    if (scene.once.empty() && scene.steps.empty()) return {};
+    if (!hasBlocks()) return {};
     if (simulation) return simulation->check(plan);
     plan::PlanOptions listOptions = planOptions;
     listOptions.outOfSight = nullptr;
@@ -69,7 +69,11 @@ Diagnostics Pipeline::planSimulation(const plan::PlanOptions& planOptions, bool 
                                            return planList(nodes, listOptions);
                                        }},
                        options.steps);
-    return simulation->plan(plan, framesDiffer, planOptions.roots);
+    Diagnostics diagnostics = simulation->plan(plan, framesDiffer, planOptions.roots);
+    std::vector<const plan::FramePlan*> all = simulation->plans();
+    all.push_back(&plan);
+    append(diagnostics, plan::reportNames(scene, all, planOptions.overrides));
+    return diagnostics;
 }
 
 std::vector<const plan::FramePlan*> Pipeline::plans() const {

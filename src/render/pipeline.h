@@ -70,6 +70,9 @@ struct Pipeline {
     int loopLimit();
     [[nodiscard]] plan::FramePlan planList(const scene::NodeList& nodes,
                                            const plan::PlanOptions& planOptions);
+    /// True if the scene has Once or Step blocks. planSimulation() then reports what plan::reportNames()
+    /// finds in all lists, so the plan of the frame must not (PlanOptions::reportsNames).
+    [[nodiscard]] bool hasBlocks() const { return !scene.once.empty() || !scene.steps.empty(); }
     /// Plans the Once and Step blocks, if there are any, or checks the frame's plan against them.
     /// `framesDiffer`: Simulation::plan.
     Diagnostics planSimulation(const plan::PlanOptions& planOptions, bool framesDiffer);

@@ -86,6 +86,8 @@ class SceneRenderer {
     /// The content of a buffer after the last picture, with the members that the first program which uses it
     /// declares. The buffer must be among options.wantedObjects or seen in the picture. Waits for the device.
     Result<BufferContent> bufferContent(const scene::BufferView& view);
+    /// The notes of the Print statements (check-N02) about what the buffers hold now.
+    Diagnostics printed();
 
     /// True if the scene has Expect statements that run, or may do so at a time that they name.
     [[nodiscard]] bool hasChecks() const;

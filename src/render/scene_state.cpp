@@ -82,9 +82,10 @@ Diagnostics SceneRenderer::State::preparePlan(Stats& stats, bool everything) {
         for (const scene::Check& check : scene.checks)
             for (const scene::BufferIndex each : check.reads)
                 planOptions.roots.emplace_back(scene::BufferView{each});
+    for (const scene::Print& each : scene.prints) planOptions.roots.emplace_back(each.buffer);
     planOptions.everything = everything || !options.skip;
     planOptions.shareMeshes = options.skip;
-    planOptions.reportsNames = scene.once.empty() && scene.steps.empty();
+    planOptions.reportsNames = !hasBlocks();
     planOptions.shareTargets = options.skip && !options.checkNan;  // the search looks into every target
     Diagnostics diagnostics;
     if (options.checkUndefined && !context.capabilities().compute)
@@ -163,9 +164,6 @@ Diagnostics SceneRenderer::State::planBlocks(const plan::PlanOptions& planOption
     const bool isFirst = !simulation;
     Diagnostics diagnostics = planSimulation(planOptions, changesWithTime);
     if (!isFirst || !simulation) return diagnostics;
-    std::vector<const plan::FramePlan*> all = simulation->plans();
-    all.push_back(&plan);
-    append(diagnostics, reportNames(scene, all, planOptions.overrides));
     explainSimulation(stats);
     return diagnostics;
 }

@@ -1,12 +1,18 @@
 #pragma once
 // Cameras (language, 12.3): a place, a direction, and a projection, as matrices in double precision.
 
+#include <cstddef>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
+#include <string>
+#include <utility>
 
 #include "scene/scene.h"
 
 namespace glibra::scene {
+
+/// A camera, and its element if it belongs to an array.
+using CameraName = std::pair<std::string, std::size_t>;
 
 /// Everything that an expression may ask of a camera. All in world space, angles in degrees.
 struct CameraValues {

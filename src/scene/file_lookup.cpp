@@ -10,6 +10,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/text.h"
 #include "scene/near_files.h"
 
 namespace glibra::scene {
@@ -272,12 +273,6 @@ Diagnostic notFound(const CleanName& name, std::string_view written, const Searc
 
 }  // namespace
 
-std::string lowerCase(std::string_view text) {
-    std::string lower(text);
-    for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return lower;
-}
-
 bool isOrdinaryFile(const fs::path& path) {
     std::error_code failure;
     return fs::is_regular_file(path, failure);
@@ -312,10 +307,10 @@ std::vector<std::string> FolderListings::namesWithoutCase(const fs::path& folder
     Listing& found = listing(folder);
     if (found.byLowerCase.size() != found.names.size()) {
         for (std::size_t i = 0; i < found.names.size(); ++i)
-            found.byLowerCase.emplace_back(lowerCase(found.names[i]), i);
+            found.byLowerCase.emplace_back(base::lower(found.names[i]), i);
         std::sort(found.byLowerCase.begin(), found.byLowerCase.end());
     }
-    const std::string lower = lowerCase(name);
+    const std::string lower = base::lower(name);
     std::vector<std::string> names;
     for (auto each = std::lower_bound(found.byLowerCase.begin(), found.byLowerCase.end(),
                                       std::pair(lower, std::size_t{0}));

@@ -95,7 +95,4 @@ FileReference findInclude(std::string_view name, std::string_view includingPath,
 /// True if the path leads to an ordinary file. Links are followed.
 bool isOrdinaryFile(const std::filesystem::path& path);
 
-/// The name of a file with small letters, for names that may differ in case.
-std::string lowerCase(std::string_view name);
-
 }  // namespace glibra::scene

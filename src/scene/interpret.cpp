@@ -147,9 +147,10 @@ std::vector<CommandAction> allActions() {
     for (const auto& some :
          {viewActions(), drawActions(), listActions(), passActions(), textureActions(), programActions()})
         for (const CommandAction& each : some) all.at(static_cast<std::size_t>(each.id)) = each;
-    for (const auto& some : {structureActions(), variableActions(), tagActions(), cameraActions(),
-                             objectActions(), targetActions(), stateActions(), vertexActions(),
-                             bufferActions(), blockActions(), keyActions(), checkActions()})
+    for (const auto& some :
+         {structureActions(), variableActions(), tagActions(), lightActions(), cameraActions(),
+          objectActions(), targetActions(), stateActions(), vertexActions(), bufferActions(), meshActions(),
+          blockActions(), keyActions(), checkActions()})
         for (CommandAction each : some) {
             each.isModern = true;
             all.at(static_cast<std::size_t>(each.id)) = each;
@@ -330,6 +331,7 @@ Scene Interpretation::State::run(const FrameInputs& inputs) {
         if (!hasError(script.diagnostics) && in.log.errorCount() == 0) {  // else they may be consequences
             reportIdlePrograms(in);
             reportUnusedCameras(in);
+            reportLateEye(in);
             reportUnusedRaster(in);
             reportStagesWithoutProgram(in);
         }

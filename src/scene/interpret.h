@@ -39,6 +39,9 @@ struct FrameInputs {
     /// beyond the end. `time` inside such a block is tick / rate. Variables that are computed outside of it
     /// have the values of `time` above, which should therefore be tick / rate, too.
     std::vector<std::int64_t> ticks{};
+    /// The step since which each Step block runs, because its values after `reset` have changed; 0 for those
+    /// beyond the end. `tick` counts from it.
+    std::vector<std::int64_t> firstTicks{};
     /// Seconds since the step before, for `camera.prev` in a Step block; 0: those since the frame before.
     double sinceStepBefore = 0;
     friend bool operator==(const FrameInputs&, const FrameInputs&) = default;

@@ -44,7 +44,7 @@ bool isSameMesh(const geometry::Mesh& a, const geometry::Mesh& b) {
 }
 
 /// Shapes that the view does not place as others.
-void placeBySpace(const Interpreter& in, Draw& made, glib::CommandId command) {
+void placeBySpace(Interpreter& in, Draw& made, glib::CommandId command) {
     const geometry::PrimitiveSpec* spec = glib::primitiveOf(command);
     if (spec == nullptr || spec->space == geometry::Space::model) return;
     if (spec->space == geometry::Space::clip) {
@@ -78,24 +78,6 @@ ShapeIndex shareShape(Interpreter& in, Shape shape) {
     ShapeIndex& index = in.shapes[{shape.command, shape.numbers, std::move(file)}];
     if (!index) index = in.scene.shapes.add(std::move(shape));
     return index;
-}
-
-std::string_view primitiveWord(geometry::Topology topology) {
-    switch (topology) {
-        case geometry::Topology::points:
-            return "points";
-        case geometry::Topology::lines:
-            return "lines";
-        case geometry::Topology::linesAdjacency:
-            return "lines with adjacency";
-        case geometry::Topology::triangles:
-            return "triangles";
-        case geometry::Topology::trianglesAdjacency:
-            return "triangles with adjacency";
-        case geometry::Topology::patches:
-            break;
-    }
-    return "patches";
 }
 
 DrawId nextDrawId(Interpreter& in, const Place& place) {
@@ -182,7 +164,7 @@ void doPrimitive(Interpreter& in, const glib::Command& command) {
     const geometry::Counts counts = countsOf(shape).value_or(geometry::Counts{});
     if (!countVertices(in, command, counts.vertices)) return;
     const std::string size = fmt::format("{} vertices, {} {}", counts.vertices, counts.primitives,
-                                         primitiveWord(topologyOf(command.id)));
+                                         geometry::wordsOf(topologyOf(command.id)));
     draw(in, command, {shareShape(in, std::move(shape)), command.word, size, {}});
 }
 
@@ -216,8 +198,9 @@ void doPointGroups(Interpreter& in, const glib::Command& command) {
     points.resize(points.size() - points.size() % (isTriangles ? 3 : 4));
     geometry::Mesh mesh =
         isTriangles ? geometry::trianglesList(points) : geometry::linesAdjacencyList(points);
-    const std::string size = fmt::format("{} vertices, {} {}", points.size(),
-                                         points.size() / (isTriangles ? 3 : 4), primitiveWord(mesh.topology));
+    const std::string size =
+        fmt::format("{} vertices, {} {}", points.size(), points.size() / (isTriangles ? 3 : 4),
+                    geometry::wordsOf(mesh.topology));
     draw(in, command, {shapeOfMesh(in, command.id, std::move(mesh)), command.word, size, {}});
 }
 

@@ -41,6 +41,18 @@ FileIndex inlineShader(Interpreter& in, const glib::Command& command) {
 
 namespace {
 
+/// Keeps a text that shaders include by its name.
+void doGlsl(Interpreter& in, const glib::Command& command) {
+    const glib::Value& name = command.values.front();
+    const FileReference& text = in.scene.files[inlineShader(in, command)];
+    const auto [known, isNew] = in.scene.glslTexts.try_emplace(name.text, text);
+    if (isNew || known->second.place == text.place) return;
+    in.report(diagnose(
+        "glib-E27",
+        fmt::format("'{}' is declared on line {} already, as Glsl", name.text, known->second.place.line),
+        in.script->place(name.position)));
+}
+
 void doStage(Interpreter& in, const glib::Command& command) {
     const glsl::Stage stage = stageOf(command.id);
     // In a modern scene the vertex stage of another program begins a new pipeline: stages between it and the
@@ -111,6 +123,7 @@ constexpr CommandAction kProgramActions[] = {
     {glib::CommandId::tessEvaluation, doStage},
     {glib::CommandId::geometry, doStage},
     {glib::CommandId::fragment, doStage},
+    {.id = glib::CommandId::glslText, .handler = doGlsl, .isModern = true},
     {glib::CommandId::program, doProgram, InList::isWrong},
     {glib::CommandId::geometryInput, doGeometryInput},
     {glib::CommandId::geometryOutput, doGeometryOutput},

@@ -64,8 +64,8 @@ struct Draw {
     std::size_t givenNumbers = 0;  ///< how many of the shape's numbers the scene gives; the rest are defaults
     // The rest is of modern scenes.
     int instances = 1;
-    BufferView instancesFrom{};      ///< its first word is the number of instances
-    BufferView verticesFrom{};       ///< of `Vertices`: its first word is the number of vertices
+    CountFrom instancesFrom{};       ///< the number of instances
+    CountFrom verticesFrom{};        ///< of `Vertices`: the number of vertices
     BufferView indices{};            ///< of `Vertices`: 32-bit numbers of the vertices, in order
     bool drawsAllIndices = false;    ///< as many vertices as that buffer has elements
     AttributeSetIndex attributes{};  ///< none: only those of the mesh
@@ -74,7 +74,7 @@ struct Draw {
     bool isFill = false;  ///< of `Fill`: stages that the program inherits are left out (Program::hasStage)
     /// The buffers that the draw reads besides those of its program and its attributes; some may be none.
     [[nodiscard]] std::array<BufferView, 3> ownBuffers() const {
-        return {instancesFrom, verticesFrom, indices};
+        return {instancesFrom.buffer, verticesFrom.buffer, indices};
     }
     friend bool operator==(const Draw&, const Draw&) = default;
 };
@@ -128,7 +128,7 @@ struct Over {
 };
 /// Three group counts that a buffer holds.
 struct GroupsFrom {
-    BufferView buffer;
+    CountFrom first;
     friend bool operator==(const GroupsFrom&, const GroupsFrom&) = default;
 };
 
@@ -157,7 +157,7 @@ struct Check {
     enum class Kind {
         pixel,       ///< `numbers` x y; all pixels count from the lower left corner
         mean,        ///< `numbers` x y width height
-        count,       ///< `numbers` n: pixels of the colour `wanted`
+        count,       ///< `numbers` least and largest: pixels of the colour `wanted`
         buffer,      ///< `numbers` empty or the index of the first element
         range,       ///< `numbers` least and largest
         sum,         ///< `wanted` per component
@@ -186,6 +186,15 @@ struct Check {
     /// and Include statements that lead to it. No two checks have equal places and paths.
     std::vector<std::size_t> path{};
     [[nodiscard]] bool isSame(const Check& check) const { return place == check.place && path == check.path; }
+};
+
+/// A Print statement.
+struct Print {
+    Place place;
+    BufferView buffer;
+    std::string name;  ///< of the buffer, as written
+    std::uint64_t first = 0;
+    std::uint64_t count = 0;  ///< elements; 0: all
 };
 
 /// An Expect statement that has not run.
@@ -252,6 +261,8 @@ struct StepBlock {
     Place place;
     NodeList nodes;
     bool dependsOnTick = false;  ///< the nodes of another tick may have other values
+    /// The values after `reset`. Where they differ from those at the step before, the block begins anew.
+    std::vector<double> resets{};
     /// The camera of a Fill changes with the tick, which matters if the program of the Fill reads it.
     bool fillsDependOnTick = false;
 };

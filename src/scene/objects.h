@@ -124,6 +124,7 @@ struct Sampler {
     std::string name;
     base::SamplerState state;
     Place place;
+    bool statesWrap = false;  ///< otherwise what compares reads 1 outside of a texture
 };
 
 /// Memory that shaders read and write.
@@ -156,6 +157,14 @@ struct BufferView {
     friend bool operator==(const BufferView&, const BufferView&) = default;
 };
 
+/// A count that a buffer holds: its 32-bit word of that number, counted from 0.
+struct CountFrom {
+    BufferView buffer{};
+    std::uint64_t word = 0;
+    explicit operator bool() const { return static_cast<bool>(buffer.buffer); }
+    friend bool operator==(const CountFrom&, const CountFrom&) = default;
+};
+
 using ObjectView = std::variant<TextureView, BufferView>;
 
 /// A sampler, image or block of a program that a tag binds to an object.
@@ -178,11 +187,20 @@ struct UniformSet {
 };
 
 /// A vertex input that an Attribute statement gives.
+/// What a vertex input reads of the elements of a buffer.
+struct ElementPart {
+    std::string member{};                  ///< of a structure; empty: all of the element
+    std::uint64_t offset = 0, stride = 0;  ///< bytes; stride 0: that of the elements
+    [[nodiscard]] bool isBytes() const { return offset != 0 || stride != 0; }
+    friend bool operator==(const ElementPart&, const ElementPart&) = default;
+};
+
 struct AttributeBinding {
     std::string name;
     /// A mesh attribute (geometry's name), one to four numbers, or a buffer.
     std::variant<std::string, std::vector<double>, BufferView> source;
     bool isPerInstance = false;  ///< of a buffer
+    ElementPart part{};          ///< of a buffer
     Place place;
 };
 struct AttributeSet {

@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,8 @@ struct KeyBinding {
     std::string key;                          ///< as written: "k", "space"
     std::string variable;                     ///< that it sets; empty if it restarts
     std::vector<std::vector<double>> values;  ///< one after another, with each press; one value: that one
-    bool restarts = false;                    ///< time and steps begin at 0
+    bool isHeld = false;    ///< moves the variable while it is down: by value - current in a second
+    bool restarts = false;  ///< time and steps begin at 0
     Place place;
 };
 
@@ -30,7 +32,8 @@ struct KeyBinding {
 struct Variable {
     std::string name;
     glib::UniformForm form = glib::UniformForm::number;
-    std::vector<double> written;     ///< least, current and largest of a range; otherwise the components
+    /// Least, current and largest of a range, with one current value per component; otherwise the components.
+    std::vector<double> written;
     std::vector<double> current;     ///< the components that the frame has
     std::vector<std::string> words;  ///< of a choice, which is a range that counts them from 0
     Place place;                     ///< of the value
@@ -40,6 +43,15 @@ struct Variable {
         bool isWhole = false;             ///< all its values are whole numbers
     };
     std::optional<Fineness> bound{};
+
+    /// The components that the script states.
+    [[nodiscard]] std::span<const double> statedValues() const {
+        const std::span<const double> all(written);
+        return form == glib::UniformForm::range ? all.subspan(1, all.size() - 2) : all;
+    }
+    /// The limits of a range, which are the same for all components.
+    [[nodiscard]] double least() const { return written.front(); }
+    [[nodiscard]] double largest() const { return written.back(); }
 };
 
 /// A statement that needs a file and names none. A window asks its user for the file.
@@ -55,7 +67,9 @@ struct Scene : Declarations {
     NodeList frame;                ///< the last content of the window is the picture
     std::vector<OnceBlock> once;   ///< before the frame; what they write lasts
     std::vector<StepBlock> steps;  ///< between Once and the frame; what they write lasts
+    std::map<std::string, FileReference, std::less<>> glslTexts;  ///< of Glsl statements, by name
     std::vector<Check> checks;
+    std::vector<Print> prints;
     std::vector<IdleCheck> idleChecks;
     std::vector<KeyBinding> keys;
     std::vector<std::string> messages;      ///< of the MessageBox statements that ran
@@ -69,8 +83,9 @@ struct Scene : Declarations {
     std::vector<Variable> variables;
     /// The names of FrameInputs::variables that exist, each with the number of its components.
     std::map<std::string, std::size_t, std::less<>> usedVariables;
-    bool isModern = false;                          ///< it has a modern statement or an expression
-    bool hasStages = false;                         ///< a Vertex or Fragment statement has a shader
+    bool isModern = false;    ///< it has a modern statement or an expression
+    bool hasStages = false;   ///< a Vertex or Fragment statement has a shader
+    bool setsLights = false;  ///< Light, Material, or Set of a name that begins with gl_
     std::set<std::string, std::less<>> localNames;  ///< the counters of Repeat and the parameters of groups
     /// What statements that do not run in this frame write in others: other values of variables decide.
     std::set<TextureIndex> mayBeWritten;

@@ -44,7 +44,7 @@ struct TargetList {
 struct LocalState {
     bool isBlendStated = false;  ///< otherwise the target decides how draws outside of Pass are blended
     int instances = 1;
-    BufferView instancesFrom{};
+    CountFrom instancesFrom{};
     AttributeSetIndex attributes{};
     std::optional<std::array<double, 6>> tessellationLevels{};
     /// The statements State, Viewport and Scissor that decide the raster state; null: none does.
@@ -205,6 +205,7 @@ std::span<const CommandAction> programActions();    // interpret_programs.cpp
 std::span<const CommandAction> structureActions();  // modern/structure.cpp
 std::span<const CommandAction> variableActions();   // modern/variables.cpp
 std::span<const CommandAction> tagActions();        // modern/tags.cpp
+std::span<const CommandAction> lightActions();      // modern/lights.cpp
 std::span<const CommandAction> cameraActions();     // modern/cameras.cpp
 std::span<const CommandAction> objectActions();     // modern/textures.cpp
 std::span<const CommandAction> targetActions();     // modern/passes.cpp
@@ -213,6 +214,7 @@ std::span<const CommandAction> vertexActions();     // modern/draws.cpp
 std::span<const CommandAction> bufferActions();     // modern/buffers.cpp
 std::span<const CommandAction> blockActions();      // modern/blocks.cpp
 std::span<const CommandAction> keyActions();        // modern/keys.cpp
+std::span<const CommandAction> meshActions();       // modern/meshes.cpp
 std::span<const CommandAction> checkActions();      // modern/checks.cpp
 
 /// The action of a command; null if there is none.
@@ -275,7 +277,7 @@ struct Drawing {
     std::string word;
     std::string size;
     std::optional<glm::dvec4> color;
-    BufferView verticesFrom{};
+    CountFrom verticesFrom{};
     BufferView indices{};
     bool drawsAllIndices = false;
 };
@@ -286,7 +288,6 @@ ShapeIndex shareShape(Interpreter&, Shape shape);
 DrawId nextDrawId(Interpreter&, const Place& place);
 /// The index of the current slot table.
 SlotTableIndex currentSlots(Interpreter&);
-std::string_view primitiveWord(geometry::Topology topology);
 /// Adds the vertices to those of the scene. Returns false and reports glib-E15 if a limit is exceeded.
 bool countVertices(Interpreter&, const glib::Command&, std::uint64_t vertices);
 /// Returns the shape with that mesh; equal meshes share one shape.

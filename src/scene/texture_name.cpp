@@ -96,6 +96,7 @@ Result<ObjectView> objectNamed(const Scene& scene, std::string_view text) {
     const bool isTexture = std::find(names.begin(), names.end(), name) != names.end();
     for (const BufferIndex each : scene.buffers.indices()) {
         const Buffer& buffer = scene.buffers[each];
+        if (buffer.name == text) return ObjectView(BufferView{each});  // of a mesh: "teapot.position"
         names.push_back(buffer.name);
         if (isTexture || name.empty() || buffer.name != name) continue;
         if (part.empty()) return ObjectView(BufferView{each});

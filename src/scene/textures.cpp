@@ -13,6 +13,7 @@
 #include <string>
 #include <system_error>
 
+#include "base/text.h"
 #include "image/format.h"
 #include "noise/noise.h"
 #include "scene/file_lookup.h"
@@ -164,7 +165,7 @@ bool holdsNoise(const std::filesystem::path& path, int dimensions, int size) {
 std::optional<NoiseName> noiseNameOf(std::string_view fileName) {
     constexpr std::string_view kMiddle = "d.";
     constexpr std::string_view kSuffix = ".tex";
-    const std::string name = lowerCase(fileName.substr(fileName.find_last_of("/\\") + 1));
+    const std::string name = base::lower(fileName.substr(fileName.find_last_of("/\\") + 1));
     NoiseName noise;
     if (name.starts_with("noise2"))
         noise.dimensions = 2;

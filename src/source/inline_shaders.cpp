@@ -49,11 +49,17 @@ std::optional<glsl::Stage> stageOfEndWord(std::string_view word) {
 
 std::optional<glsl::Stage> InlineShaders::next(std::string_view line) {
     if (stage_) {
-        if (stageOfEndWord(takeWord(line)) != stage_ || !takeWord(line).empty()) return stage_;
+        const std::string_view word = takeWord(line);
+        const bool isEnd = isShared_ ? glib::sameWord(word, "EndGlsl") : stageOfEndWord(word) == stage_;
+        if (!isEnd || !takeWord(line).empty()) return stage_;
         stage_.reset();
         return std::nullopt;
     }
-    const std::optional<glsl::Stage> begun = stageOfWord(takeWord(line));
+    const std::string_view word = takeWord(line);
+    isShared_ = glib::sameWord(word, "Glsl");
+    if (isShared_) takeWord(line);  // its name
+    const std::optional<glsl::Stage> begun =
+        isShared_ ? std::optional(glsl::Stage::fragment) : stageOfWord(word);
     if (begun && glib::sameWord(takeWord(line), "inline")) stage_ = begun;
     return std::nullopt;
 }

@@ -18,11 +18,13 @@ std::optional<glsl::Stage> stageOfEndWord(std::string_view word);
 class InlineShaders {
   public:
     /// The stage of the shader that the next line belongs to. Nothing: the line is the scene's own, as those
-    /// that begin and end a shader are.
+    /// that begin and end a shader are. A text of Glsl, which any stage may include, counts as a fragment
+    /// shader.
     std::optional<glsl::Stage> next(std::string_view line);
 
   private:
     std::optional<glsl::Stage> stage_;
+    bool isShared_ = false;  ///< of Glsl
 };
 
 }  // namespace glibra::source

@@ -42,7 +42,7 @@ bool isRow(std::string_view word) {
     return at < word.size() && glib::isDigit(word[at]) &&
            std::all_of(
                word.begin() + static_cast<std::ptrdiff_t>(at), word.end(),
-               [](char c) { return c == '.' || c == '_' || glib::isDigit(c) || glib::isLetter(c); });
+               [](char c) { return c == '.' || glib::isOfName(c); });
 }
 
 /// The text up to its first full stop that a blank follows.

@@ -19,20 +19,14 @@ constexpr std::array<std::string_view, 34> kKeywords{
     "default",   "true",    "false",      "noperspective", "patch",
     "buffer",    "shared",  "subroutine", "precision"};
 
-bool isDigit(char c) {
-    return c >= '0' && c <= '9';
-}
-bool isWord(char c) {
-    return glib::isLetter(c) || isDigit(c) || c == '_';
-}
-
 bool isType(std::string_view word) {
     if (word == "void" || word == "float" || word == "int" || word == "uint" || word == "bool" ||
         word == "double")
         return true;
     for (const std::string_view start : {"vec", "ivec", "uvec", "bvec", "dvec", "mat", "dmat", "sampler",
                                          "isampler", "usampler", "image", "iimage", "uimage"})
-        if (word.starts_with(start) && word.size() > start.size() && isDigit(word[start.size()])) return true;
+        if (word.starts_with(start) && word.size() > start.size() && glib::isDigit(word[start.size()]))
+            return true;
     return word == "samplerCube" || word == "samplerCubeShadow" || word == "imageCube";
 }
 
@@ -87,16 +81,17 @@ class Scanner {
             const std::size_t end = std::min(line_.find("//", at_), line_.size());
             return add(end, SyntaxKind::directive);
         }
-        const bool isNumber = isDigit(c) || ((c == '.' || (c == '-' && language_ == CodeLanguage::glib)) &&
-                                             rest.size() > 1 && (isDigit(rest[1]) || rest[1] == '.'));
+        const bool isNumber =
+            glib::isDigit(c) || ((c == '.' || (c == '-' && language_ == CodeLanguage::glib)) &&
+                                 rest.size() > 1 && (glib::isDigit(rest[1]) || rest[1] == '.'));
         if (isNumber) {
             ++at_;
-            const std::size_t end = endOf([](char each) { return isWord(each) || each == '.'; });
+            const std::size_t end = endOf([](char each) { return glib::isOfName(each) || each == '.'; });
             --at_;
             return add(end, SyntaxKind::number);
         }
-        if (glib::isLetter(c) || c == '_') {
-            const std::size_t end = endOf(isWord);
+        if (glib::beginsName(c)) {
+            const std::size_t end = endOf(glib::isOfName);
             return add(end, kindOf(line_.substr(at_, end - at_), language_, isFirst));
         }
         ++at_;

@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "bench/core/fit.h"
+#include "bench/core/front.h"
+#include "bench/core/recommendation.h"
 #include "bench/report/log_axis.h"
 #include "bench/subjects/subjects.h"
 #include "samples.h"
@@ -31,7 +33,7 @@ std::string frontOf(Figure figure) {
 TEST(Front, HoldsPointsThatNothingCheaperBeats) {
     Figure figure;
     figure.curves = {{"a", {timedPoint(1, .5, 1), timedPoint(2, .1, 4), timedPoint(3, .05, 9)}},
-                     {"b", {timedPoint(1, .6, 2), timedPoint(2, .2, 3), timedPoint(3, .05, 10)}}};
+                     {"b", {timedPoint(1, .6, 2), timedPoint(2, .2, 3), timedPoint(3, .05, 12)}}};
     EXPECT_EQ(frontOf(figure), "*** .*. ");
 }
 
@@ -49,6 +51,58 @@ TEST(Front, HoldsEqualPointsTogetherAndNeverOneWithoutError) {
         {"a", {timedPoint(1, .1, 1), timedPoint(2, .1, 2)}},
         {"b", {timedPoint(1, .1, 1), timedPoint(1, std::numeric_limits<double>::quiet_NaN(), .1)}}};
     EXPECT_EQ(frontOf(figure), "*. *. ");
+}
+
+TEST(Front, KnowsTheSpreadOfTheTimes) {
+    Figure figure;
+    figure.curves = {{"a", {timedPoint(1, 89.9, .99), timedPoint(2, .1, 1), timedPoint(3, 60, .5)}}};
+    for (Point& each : figure.curves[0].points) each.time->low = each.time->high = each.time->median;
+    EXPECT_EQ(frontOf(figure), ".** ") << "one percent faster is not faster";
+    figure.curves[0].points[0].time = Timing{.8, .7, 1.05, 9};
+    EXPECT_EQ(frontOf(figure), ".** ") << "the spreads overlap";
+    figure.curves[0].points[0].time = Timing{.3, .29, .31, 9};
+    EXPECT_EQ(frontOf(figure), "*** ");
+}
+
+TEST(Front, IsNotEmptyWhereOneTimeOverlapsTheNext) {
+    // Each time overlaps the next one, and the last is ten times the first.
+    Figure figure;
+    Curve& curve = figure.curves.emplace_back(Curve{"a", {}});
+    for (int i = 0; i < 30; ++i) {
+        Point& point = curve.points.emplace_back(timedPoint(i, 1. / (i + 1), 1 + .3 * i));
+        point.time = Timing{1 + .3 * i, .8 + .3 * i, 1.2 + .3 * i, 9};
+    }
+    markFront(figure);
+    const auto front = std::count_if(curve.points.begin(), curve.points.end(),
+                                     [](const Point& each) { return each.isOnFront; });
+    EXPECT_GT(front, 5);
+    EXPECT_LT(front, 30);
+    EXPECT_TRUE(curve.points.back().isOnFront);
+}
+
+TEST(Recommendation, SaysWhatToUseAndWhatTheEndsOfTheFrontGive) {
+    Figure figure;
+    figure.errorName = "largest distance";
+    figure.errorUnit = "pixels";
+    figure.curves = {{"fine", {timedPoint(1, .001, 1), timedPoint(2, .0001, 100)}},
+                     {"coarse", {timedPoint(1, 5, .1)}}};
+    markFront(figure);
+    const std::string text = recommendation(figure);
+    EXPECT_EQ(text.rfind("In short: use fine (", 0), 0U) << text;
+    EXPECT_NE(text.find("; most accurate is fine ("), std::string::npos) << text;
+    EXPECT_NE(text.find("; cheapest is coarse ("), std::string::npos) << text;
+    figure.alternatives = Alternatives::none;
+    EXPECT_EQ(recommendation(figure), "");
+}
+
+TEST(Recommendation, IsTheCurveOfMostSettingsWhereTheseAreDifficulties) {
+    Figure figure;
+    figure.settingName = "distance";
+    figure.alternatives = Alternatives::setting;
+    figure.curves = {{"a", {pointAt(1, .1), pointAt(2, .1), pointAt(3, .3)}},
+                     {"b", {pointAt(1, .2), pointAt(2, .2), pointAt(3, .1)}}};
+    markFront(figure);
+    EXPECT_EQ(recommendation(figure), "In short: use a, the best choice for 2 of 3 settings of distance");
 }
 
 TEST(Front, HoldsNoTheory) {

@@ -41,12 +41,12 @@ Classroom sample() {
     room.reference.pictures = {drawn("pictures/0000-1.png"), drawn("pictures/0000-2.png")};
     room.reference.programs = {{"Dots", {"vertex", "fragment"}, {{"uTol", "float"}, {"uMore", "vec3"}}}};
     room.entries.push_back(entryNamed("<img src=x onerror=alert(1)>"));
-    room.entries[0].pictures = {drawn("pictures/0001-1.png", Score{0.25, 0.5}),
-                                drawn("pictures/0001-2.png", Score{0.75, 0.25})};
+    room.entries[0].pictures = {drawn("pictures/0001-1.png", Score{0.25, 0.5, 0.75}),
+                                drawn("pictures/0001-2.png", Score{0.75, 0.25, 0.25})};
     room.entries[0].programs = {{"</script>", {"fragment"}, {{"uTol", "float"}}}};
     room.entries[0].diagnostics = {diagnose("glib-W02", "a \"<b>warning</b>\"", {"class/x/a.glib", 2, 1})};
     room.entries.push_back(entryNamed("=HYPERLINK(\"http://x\")"));
-    room.entries[1].pictures = {drawn("pictures/0002-1.png", Score{0, 0}), Picture{}};
+    room.entries[1].pictures = {drawn("pictures/0002-1.png", Score{0, 0, 1}), Picture{}};
     room.entries[1].pictures[1].verdict = Verdict::crashed;
     room.entries[1].pictures[1].reason = "the process that drew it ended, by signal 11";
     room.entries.push_back({{"cem", "class/cem", {}, "the folder has no scene"}, {}, {}, {}, {}, {}, {}});
@@ -73,16 +73,17 @@ TEST(ClassPage, ShowsEveryoneAndWhatStrangersWroteAsText) {
     const std::string page = classPage(sample());
     EXPECT_FALSE(contains(page, "<img src=x"));
     EXPECT_FALSE(contains(page, "<b>warning"));
-    EXPECT_FALSE(contains(page, "</script>"));
+    EXPECT_EQ(page.find("</script>"), page.rfind("</script>")) << "the end of its own";
     EXPECT_FALSE(contains(page, "{{"));
     EXPECT_TRUE(contains(page, "&lt;img src=x onerror=alert(1)&gt;"));
     EXPECT_TRUE(contains(page, "Only in the reference: <code>uMore</code>"));
     EXPECT_TRUE(contains(page, "1 of 2 drawn"));
     EXPECT_TRUE(contains(page, "the folder has no scene"));
     EXPECT_TRUE(contains(page, "the process that drew it ended, by signal 11"));
-    EXPECT_TRUE(contains(page, "FLIP 0.250, structure 0.500"));
+    EXPECT_TRUE(contains(page, "likeness 0.750, FLIP 0.250, structure 0.500"));
     for (int i = 1; i <= 3; ++i) EXPECT_TRUE(contains(page, "id=\"s000" + std::to_string(i) + "\"")) << i;
-    EXPECT_FALSE(contains(page, "<script")) << "it has to work without";
+    EXPECT_EQ(page.find("<script"), page.rfind("<script")) << "only its own";
+    EXPECT_TRUE(contains(page, "<script src=\"class.js\" defer></script>"));
 }
 
 TEST(ClassPage, ItsFirstPicturesDoNotWaitUntilTheyAreInView) {
@@ -125,7 +126,8 @@ TEST(ClassPage, PassagesAreReadFromTheSubmissionsOwnFoldersOnly) {
         give(1, folder / "bob", outside);
         const std::string page = classPage(room);
         EXPECT_TRUE(contains(page, "one &lt;line&gt;"));
-        EXPECT_FALSE(contains(page, "three")) << "a line that is not in the passage";
+        EXPECT_TRUE(contains(page, "<li data-line=\"2\" class=\"p0\">two</li>")) << "a line of the passage";
+        EXPECT_TRUE(contains(page, "<li data-line=\"3\">three</li>")) << "one that is not in it";
         EXPECT_TRUE(contains(page, "the file cannot be read")) << outside;
         EXPECT_FALSE(contains(page, "secret\n") || contains(page, "the secret") || contains(page, "root:"))
             << outside;
@@ -136,15 +138,17 @@ TEST(Grades, HaveALinePerSubmissionAndColumnsPerMoment) {
     const std::string table = gradesCsv(sample());
     EXPECT_EQ(
         table,
-        "submission,state,reason,scene,pictures,drawn,flip,worst flip,structure,worst structure,errors,"
+        "submission,state,reason,scene,pictures,drawn,flip,worst flip,structure,worst "
+        "structure,likeness,errors,"
         "warnings,stages,uniforms,most similar,similarity,not compared,flip uTol=0,structure uTol=0,flip "
         "uTol=0.1,structure uTol=0.1\r\n"
-        "<img src=x onerror=alert(1)>,drawn,,a.glib,2,2,0.50000,0.75000,0.37500,0.50000,0,1,fragment,uTol,,,,"
+        "<img src=x "
+        "onerror=alert(1)>,drawn,,a.glib,2,2,0.50000,0.75000,0.37500,0.50000,0.50000,0,1,fragment,uTol,,,,"
         "0.25000,0.50000,0.75000,0.25000\r\n"
         "\"'=HYPERLINK(\"\"http://x\"\")\",crashed,\"the process that drew it ended, by signal "
         "11\",a.glib,2,1,"
-        "0.00000,0.00000,0.00000,0.00000,0,0,,,,,,0.00000,0.00000,,\r\n"
-        "cem,no-scene,the folder has no scene,,2,0,,,,,0,0,,,,,,,,,\r\n");
+        "0.00000,0.00000,0.00000,0.00000,1.00000,0,0,,,,,,0.00000,0.00000,,\r\n"
+        "cem,no-scene,the folder has no scene,,2,0,,,,,,0,0,,,,,,,,,\r\n");
 }
 
 TEST(Grades, AFieldIsNeverAFormulaNorALine) {
@@ -167,7 +171,9 @@ TEST(Reviews, ComeBackAsTheyWereAndDamagedOnesAreNone) {
     Review made;
     made.programs = {{"Dots", {"vertex", "tessellation control"}, {{"uTol", "float"}}}};
     made.files = {{"a.frag", {{4'000'000'000U, 3}, {7, 12}}}};
-    made.scores = {Score{0.125, 1}, std::nullopt};
+    made.scores = {Score{0.125, 1, 0.5}, std::nullopt};
+    made.showNothing = {false, true};
+    made.reactions = {0.25, std::nullopt};
     const std::optional<Review> back = parseReview(toText(made));
     ASSERT_TRUE(back);
     EXPECT_EQ(back->programs[0].name, "Dots");
@@ -175,7 +181,10 @@ TEST(Reviews, ComeBackAsTheyWereAndDamagedOnesAreNone) {
     EXPECT_EQ(back->programs[0].uniforms, made.programs[0].uniforms);
     EXPECT_EQ(back->files[0].tokens, made.files[0].tokens);
     EXPECT_EQ(back->scores[0]->flip, 0.125);
+    EXPECT_EQ(back->scores[0]->likeness, 0.5);
     EXPECT_FALSE(back->scores[1]);
+    EXPECT_EQ(back->showNothing, made.showNothing);
+    EXPECT_EQ(back->reactions, made.reactions);
     for (const char* each :
          {"", "{", "[]", "{\"programs\":[],\"files\":[]}", "{\"programs\":1,\"files\":[],\"scores\":[]}",
           "{\"programs\":[],\"files\":[{\"path\":\"a\",\"codes\":[1],\"lines\":[]}],\"scores\":[]}",

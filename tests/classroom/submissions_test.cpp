@@ -53,16 +53,16 @@ TEST_F(SubmissionsTest, TheNameOfTheReferenceDecidesThenTheStudentsNameThenTheDe
     write("ana/b/ana.glib");
     write("ana/c/sub.glib");
     write("ana/solution.glib");
-    EXPECT_EQ(sceneOf({.scene = {}, .reference = "x/solution.glib", .others = {}}), "ana/solution.glib");
-    EXPECT_EQ(sceneOf({.scene = {}, .reference = "x/other.glib", .others = {}}), "ana/b/ana.glib");
+    EXPECT_EQ(sceneOf({.scenes = {}, .reference = "x/solution.glib", .others = {}}), "ana/solution.glib");
+    EXPECT_EQ(sceneOf({.scenes = {}, .reference = "x/other.glib", .others = {}}), "ana/b/ana.glib");
     fs::remove(folder / "ana/b/ana.glib");
-    EXPECT_EQ(sceneOf({.scene = {}, .reference = "x/other.glib", .others = {}}), "ana/solution.glib");
+    EXPECT_EQ(sceneOf({.scenes = {}, .reference = "x/other.glib", .others = {}}), "ana/solution.glib");
 }
 
 TEST_F(SubmissionsTest, ScenesBetweenWhichNothingDecidesAreNamed) {
     write("ana/a.glib");
     write("ana/b.glib");
-    EXPECT_EQ(sceneOf({.scene = {}, .reference = "solution.glib", .others = {}}),
+    EXPECT_EQ(sceneOf({.scenes = {}, .reference = "solution.glib", .others = {}}),
               "the folder has 2 scenes: 'a.glib', 'b.glib'; expected one, or one named 'solution.glib' or "
               "'ana.glib'; --scene chooses");
 }
@@ -70,10 +70,45 @@ TEST_F(SubmissionsTest, ScenesBetweenWhichNothingDecidesAreNamed) {
 TEST_F(SubmissionsTest, APatternChooses) {
     write("ana/a.glib");
     write("ana/src/b.glib");
-    EXPECT_EQ(sceneOf({.scene = "b.*", .reference = {}, .others = {}}), "ana/src/b.glib");
-    EXPECT_EQ(sceneOf({.scene = "src/*.glib", .reference = {}, .others = {}}), "ana/src/b.glib");
-    EXPECT_EQ(sceneOf({.scene = "c.glib", .reference = {}, .others = {}}),
-              "no scene fits --scene 'c.glib'; found 'a.glib', 'src/b.glib'");
+    EXPECT_EQ(sceneOf({.scenes = {"b.*"}, .reference = {}, .others = {}}), "ana/src/b.glib");
+    EXPECT_EQ(sceneOf({.scenes = {"src/*.glib"}, .reference = {}, .others = {}}), "ana/src/b.glib");
+    EXPECT_EQ(sceneOf({.scenes = {"final.glib", "b.*", "a.*"}, .reference = {}, .others = {}}),
+              "ana/src/b.glib");
+}
+
+TEST_F(SubmissionsTest, APatternThatFitsNothingLeavesTheOtherRules) {
+    write("ana/a.glib");
+    EXPECT_EQ(sceneOf({.scenes = {"project2.glib"}, .reference = {}, .others = {}}), "ana/a.glib");
+    write("ana/deep/b.glib");
+    EXPECT_EQ(sceneOf({.scenes = {"project2.glib"}, .reference = {}, .others = {}}), "ana/a.glib");
+    write("ana/c.glib");
+    EXPECT_NE(sceneOf({.scenes = {"project2.glib"}, .reference = {}, .others = {}}).find("has 3 scenes"),
+              std::string::npos);
+}
+
+TEST_F(SubmissionsTest, AStudentMayHaveAPatternOfTheirOwn) {
+    write("ana/a.glib");
+    write("ana/b.glib");
+    SubmissionOptions options{.scenes = {"a.glib"}, .reference = {}, .others = {}};
+    options.sceneOf = {{"ana", "b.*"}};
+    EXPECT_EQ(sceneOf(options), "ana/b.glib");
+    options.sceneOf = {{"ana", "c.*"}};
+    EXPECT_EQ(sceneOf(options), "no scene fits --scene-of 'ana=c.*'; found 'a.glib', 'b.glib'");
+}
+
+TEST_F(SubmissionsTest, AFolderWithoutASceneNamesWhatMayHaveBeenMeant) {
+    write("ana/x.glib.txt");
+    EXPECT_EQ(sceneOf(),
+              "the folder has no scene: expected a file whose name ends with '.glib'; found 'x.glib.txt', "
+              "which has another ending");
+    write("ana/one.zip");
+    write("ana/two.ZIP");
+    EXPECT_NE(sceneOf().find("found 'one.zip', 'two.ZIP', which are not unpacked"), std::string::npos)
+        << sceneOf();
+    fs::remove_all(folder / "ana");
+    write("bob.glib.txt");
+    EXPECT_EQ(sceneOf(), "'bob.glib.txt' is no scene: expected a name that ends with '.glib'");
+    EXPECT_EQ(found()[0].name, "bob");
 }
 
 TEST_F(SubmissionsTest, AnEmptyFolderIsASubmissionWithoutAScene) {
@@ -100,7 +135,7 @@ TEST_F(SubmissionsTest, TheReferenceAndWhatIsNamedAreNoSubmissions) {
     write("solution/solution.glib");
     write("ana/a.glib");
     write("site/index.glib");
-    const std::vector<Submission> all = found({.scene = {},
+    const std::vector<Submission> all = found({.scenes = {},
                                                .reference = folder / "solution/solution.glib",
                                                .others = {folder / "site", folder / "solution"}});
     ASSERT_EQ(all.size(), 1U);

@@ -30,6 +30,41 @@ TEST(BenchCommand, SuggestsASubject) {
     EXPECT_EQ(run.out, "");
 }
 
+/// A picture that is white up to the share that `steps` halvings leave of it.
+constexpr const char* kSteps =
+    "WindowSize 64 8\nLet steps <1 4 16>\nFragment inline\n#version 330\nin vec2 vST;\nuniform float steps;\n"
+    "out vec4 c;\nvoid main() { c = vec4(floor(vST.s*steps)/steps); }\nEndFragment\nProgram P\n"
+    "Fill window with P\n";
+
+TEST(BenchCommand, MeasuresASceneAgainstItsFinestValue) {
+    const Folder folder;
+    folder.write("a.glib", kSteps);
+    const Finished run =
+        glibra(folder.path(), "bench --quick --scene a.glib --sweep 'steps=[2, 4,8,16]' -o out");
+    ASSERT_EQ(run.status, 0) << run.err;
+    const auto report = nlohmann::json::parse(readFile(folder / "out/bench.json"));
+    const auto& points = report.at("subjects").at(0).at("figures").at(0).at("curves").at(0).at("points");
+    ASSERT_EQ(points.size(), 4U) << run.out;
+    // The difference of two staircases: errors fall, and the last one is the reference.
+    for (std::size_t i = 0; i + 1 < 4; ++i)
+        EXPECT_GT(points.at(i).at("error").get<double>(), points.at(i + 1).at("error").get<double>()) << i;
+    EXPECT_EQ(points.at(3).at("error").get<double>(), 0);
+    EXPECT_GT(points.at(0).at("time").at("median").get<double>(), 0);
+}
+
+TEST(BenchCommand, ReportsASweepThatItCannotRead) {
+    const Folder folder;
+    folder.write("a.glib", kSteps);
+    for (const char* sweep : {"steps", "steps=[4]", "=1,2", "steps=[1,x]"}) {
+        const Finished run =
+            glibra(folder.path(), "bench --quick --scene a.glib --sweep '" + std::string(sweep) + "'");
+        EXPECT_EQ(run.status, 2) << sweep << run.out;
+        EXPECT_TRUE(contains(run.err, "[bench-E03]")) << sweep << run.err;
+    }
+    EXPECT_EQ(glibra(folder.path(), "bench --quick --scene a.glib").status, 2);
+    EXPECT_EQ(glibra(folder.path(), "bench --quick --scene none.glib --sweep 'steps=1,2'").status, 3);
+}
+
 TEST(BenchCommand, WritesItsFilesAndComparesWithThem) {
     const Folder folder;
     const Finished run = glibra(folder.path(), "bench --quick ray-sphere -o out/deep --csv more.csv");

@@ -36,7 +36,7 @@ TEST(BuiltinProgram, DrawsSilentlyWithoutAProgram) {
 TEST(BuiltinProgram, ReplacesAnIncompleteProgramAndIsReportedOnce) {
     SceneByHand hand;
     Programs programs;
-    hand.program("Dots", {Stage::vertex});
+    hand.program("Dots", {Stage::geometry, Stage::fragment});
     hand.scene.programs.back().uniforms.push_back(number("uUnknown", 1));
     hand.sphere();
     const Place first = hand.sphere().place;
@@ -44,21 +44,28 @@ TEST(BuiltinProgram, ReplacesAnIncompleteProgramAndIsReportedOnce) {
     const FramePlan plan = programs.plan(hand.scene);
     EXPECT_EQ(programs.askedPrograms(), std::vector{scene::ProgramIndex()});
     EXPECT_EQ(ids(plan.diagnostics), "draw-W01");
-    EXPECT_EQ(plan.diagnostics[0].text, "Program 'Dots' has no fragment stage; a flat colour is used");
+    EXPECT_EQ(plan.diagnostics[0].text, "Program 'Dots' has no vertex stage; a flat colour is used");
     EXPECT_EQ(plan.diagnostics[0].place.line, first.line - 1);
 }
 TEST(BuiltinProgram, IsReportedWithTheMissingStages) {
     SceneByHand hand;
     Programs programs;
-    hand.program("A", {Stage::fragment});
-    hand.sphere();
     hand.program("B", {});
     hand.sphere();
     const FramePlan plan = programs.plan(hand.scene);
-    ASSERT_EQ(plan.diagnostics.size(), 2U);
-    EXPECT_EQ(plan.diagnostics[0].text, "Program 'A' has no vertex stage; a flat colour is used");
-    EXPECT_EQ(plan.diagnostics[1].text,
+    ASSERT_EQ(plan.diagnostics.size(), 1U);
+    EXPECT_EQ(plan.diagnostics[0].text,
               "Program 'B' has no vertex and no fragment stage; a flat colour is used");
+}
+TEST(BuiltinProgram, IsNotUsedForAProgramWithOneEndOfThePipeline) {
+    for (const Stage stage : {Stage::vertex, Stage::fragment}) {
+        SceneByHand hand;
+        Programs programs;
+        const auto program = hand.program("A", {stage});
+        hand.sphere();
+        programs.plan(hand.scene);
+        EXPECT_EQ(programs.askedPrograms(), std::vector{program});
+    }
 }
 
 TEST(PlannedTexture, IsWhatTheSlotHoldsAtEachDraw) {

@@ -107,7 +107,7 @@ TEST(Tag, OfADeclaredButUnusedUniformHasNoEffect) {
     interface.facts.uniforms["uKs"] = {};
     const UniformResolution result = resolve(interface, {number("uKs", 1)});
     EXPECT_EQ(textOf(result.diagnostics, "glib-W24"),
-              "uniform 'uKs' is declared but unused, so the tag has no effect");
+              "uniform 'uKs' is declared in 'Dots' but unused, so its value has no effect");
 }
 TEST(Tag, OfAnUnusedMemberHasNoEffect) {
     ProgramInterface interface = interfaceWith({{"uLight.power", "float"}});

@@ -55,7 +55,7 @@ TEST_F(ModernCompute, CountsOfDrawsComeFromBuffers) {
     ComputeScene made = squares(true);
     scene::Draw& draw = std::get<scene::Draw>(made.scene.frame.passes.back().steps.back());
     draw.instances = 1;
-    draw.instancesFrom.buffer = made.buffer("count", "uint", {}, {16});
+    draw.instancesFrom.buffer.buffer = made.buffer("count", "uint", {}, {16});
     auto indirect = load(made);
     ASSERT_TRUE(given && indirect);
     EXPECT_EQ(this->draw(*given), this->draw(*indirect));
@@ -76,7 +76,7 @@ void main() {
         made.window();
         scene::Draw& draw = made.square(program);
         draw.shape = made.bare(geometry::Topology::triangles, isFromBuffer ? 0 : 3);
-        if (isFromBuffer) draw.verticesFrom.buffer = made.buffer("count", "uint", {}, {3});
+        if (isFromBuffer) draw.verticesFrom.buffer.buffer = made.buffer("count", "uint", {}, {3});
         auto scene = load(made);
         ASSERT_TRUE(scene);
         const std::vector<std::byte> bytes = this->draw(*scene);

@@ -94,6 +94,34 @@ TEST(Modern, VariablesOfEveryForm) {
     EXPECT_EQ(scene.variables[3].form, glib::UniformForm::color);
 }
 
+TEST(Modern, ARangeOfAVectorHasACurrentValuePerComponent) {
+    constexpr std::array<const char*, 3> kCurrent{"0 3", "0 3 2", "0 3 2 1"};
+    for (std::size_t i = 0; i < kCurrent.size(); ++i) {
+        Interpretation script = scriptOf(std::string("Let v <-5 ") + kCurrent.at(i) +
+                                         " 5>\nTranslate (v.y) (v.x) (dot(v, v))\nBox\n");
+        const Scene& scene = script.at({});
+        EXPECT_EQ(textsOf(scene.diagnostics), "");
+        ASSERT_EQ(scene.variables.size(), 1U);
+        const Variable& variable = scene.variables.front();
+        EXPECT_EQ(variable.current.size(), i + 2);
+        EXPECT_EQ(variable.least(), -5);
+        EXPECT_EQ(variable.largest(), 5);
+        EXPECT_EQ(placeOf(drawsOf(scene).front()), glm::dvec3(3, 0, i == 0 ? 9 : i == 1 ? 13 : 14));
+        FrameInputs inputs;
+        inputs.variables["v"] = std::vector<double>(i + 2, 1);
+        EXPECT_EQ(placeOf(drawsOf(script.at(inputs)).front()), glm::dvec3(1, 1, static_cast<double>(i) + 2));
+    }
+    EXPECT_EQ(textsOf(run("Let v <0 (vec2(3, 9)) 5>\nTranslate (v) 0\nBox\n").diagnostics),
+              "1:7 glib-W21 v: current value 9 is outside 0 ... 5; it is kept");
+    EXPECT_EQ(idsOf(run("Let v <5 1 1 0>\nTranslate (v) 0\nBox\n").diagnostics), "glib-E26");
+    EXPECT_EQ(idsOf(run("Let v <0 1 1 1 1 1 5>\nBox\n").diagnostics), "glib-E20");
+    EXPECT_EQ(idsOf(run("Bound v <1 2 3 4>\nBox (v)\n").diagnostics), "glib-E26");
+    EXPECT_EQ(textsOf(run("Let v <0 1 1 5>\nKey k v (v + 9)\nTranslate (v) 0\nBox\n").diagnostics), "")
+        << "steps stop at the ends";
+    EXPECT_EQ(idsOf(run("Let v <0 1 1 5>\nKey k v [1 9]\nTranslate (v) 0\nBox\n").diagnostics), "glib-E26");
+    EXPECT_EQ(idsOf(run("Let v <0 1 1 5>\nKey k v 3\nTranslate (v) 0\nBox\n").diagnostics), "glib-E26");
+}
+
 TEST(Modern, CurrentValuesAndNumbersOfChoicesOutsideTheirRangesAreReported) {
     EXPECT_EQ(textsOf(run("Let a <1 90 25>\nBox (a)\n").diagnostics),
               "1:7 glib-W21 a: current value 90 is outside 1 ... 25; it is kept");

@@ -137,6 +137,32 @@ TEST_F(SumInAWindow, KeysSetVariablesAndRestart) {
     EXPECT_EQ(sumAt(session, .25), 1) << "the steps so far are forgotten";
 }
 
+TEST_F(SumInAWindow, HeldKeysMoveVariablesWithinTheirRanges) {
+    folder.write("scene.glib", sumScene("10") +
+                                   "Let z <-1 0 1>\nLet speed 2\nKey w held z (z + speed)\n"
+                                   "Key s z (z - .75)\n");
+    ASSERT_TRUE(session.reload());
+    const auto z = [&] { return session.knobs()[knobIndex(session, "z")].current.front(); };
+    EXPECT_TRUE(session.pressKey("w"));
+    EXPECT_EQ(z(), 0) << "a press alone moves nothing, but belongs to the scene";
+    session.holdKey("W", .125);
+    EXPECT_EQ(z(), .25);
+    sumAt(session, .1);
+    session.holdKey("w", .25);
+    EXPECT_EQ(z(), .75) << "the speed stays the same";
+    sumAt(session, .1);
+    session.holdKey("w", 1);
+    EXPECT_EQ(z(), 1) << "the end of the slider";
+    session.holdKey("x", 1);
+    sumAt(session, .1);
+    for (const double expected : {.25, -.5, -1., -1.}) {
+        EXPECT_TRUE(session.pressKey("s"));
+        EXPECT_EQ(z(), expected) << "steps stop at the end, too";
+        sumAt(session, .1);
+        EXPECT_TRUE(session.diagnostics().empty());
+    }
+}
+
 TEST_F(SumInAWindow, GoesFromStepToStep) {
     sumAt(session, .45);
     session.nextStep();

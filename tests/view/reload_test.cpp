@@ -90,6 +90,45 @@ TEST(Reload, OfASceneKeepsValuesWhoseSpecificationIsUnchanged) {
     EXPECT_EQ(session.knob("", "uG")->current.front(), .6);
 }
 
+/// A scene of programs, each with a uniform uR at .25, in that order.
+std::string programsScene(const std::vector<std::string>& names) {
+    std::string text = "WindowSize 20 20\nOrtho -1 1 -1 1 -1 1\n";
+    for (const std::string& each : names)
+        text += "Vertex a.vert\nFragment a.frag\nProgram " + each + " uR <0 .25 1>\nQuadXY 0 .2\n";
+    return text;
+}
+
+TEST(Reload, ValuesGoWithTheirProgramsWhenOthersAreInsertedRemovedOrRenamed) {
+    const SceneFolder folder(
+        programsScene({"A", "B", "A"}),
+        {{"a.vert", kPlainVertex},
+         {"a.frag", "#version 330\nuniform float uR; out vec4 c;\nvoid main() { c = vec4(uR); }\n"}});
+    Session session(context(), {});
+    ASSERT_TRUE(session.open(folder.scene()));
+    ASSERT_EQ(session.knobs().size(), 3U);
+    session.setValue(0, {.5});
+    session.setValue(1, {.6});
+    session.setValue(2, {.7});
+    session.animate(1, true);
+    const auto valuesWith = [&](const std::vector<std::string>& names) {
+        folder.write("scene.glib", programsScene(names));
+        EXPECT_TRUE(session.reload());
+        std::vector<double> values;
+        for (std::size_t i = 0; i < session.knobs().size(); ++i)
+            values.push_back(session.restingValue(i).front());
+        return values;
+    };
+    using Values = std::vector<double>;
+    EXPECT_EQ(valuesWith({"New", "A", "B", "A"}), (Values{.25, .5, .6, .7}));
+    EXPECT_TRUE(session.isAnimated(2)) << "an animation goes with its program";
+    EXPECT_EQ(valuesWith({"New", "A", "Renamed", "A"}), (Values{.25, .5, .6, .7}));
+    EXPECT_EQ(valuesWith({"A", "Renamed", "A"}), (Values{.5, .6, .7}));
+    EXPECT_EQ(valuesWith({"A", "A"}), (Values{.5, .7}));
+    EXPECT_EQ(valuesWith({"A", "Renamed", "A", "A"}), (Values{.5, .6, .7, .25}));
+    EXPECT_EQ(valuesWith({"First", "Second", "Third", "A"}), (Values{.25, .25, .25, .5}))
+        << "another order of names is no renaming";
+}
+
 TEST(Reload, ATagThatIsGoneGivesTheUniformItsFirstValueBack) {
     const SceneFolder folder(kReloadedScene,
                              {{"a.vert", kPlainVertex}, {"a.frag", knobFragment("uR, uG, 0.")}});

@@ -41,11 +41,42 @@ TEST(SavedValues, ReplaceTheirOwnTextAndNothingElse) {
     EXPECT_EQ(
         folder.read("scene.glib"),
         "WindowSize 16 16  # small\r\nOrtho -1 1 -1 1\nVertex a.vert\nFragment a.frag\n"
-        "Program P uA <0 0.75 1> \\\n\tuI <-3 -2 9>   uOn <false> uC {0.1 0.2 0.3} uV [5 -6.5] uN 0.001\n"
+        "Program P uA <0 0.75 1> \\\n\tuI < -3 -2 9 >   uOn <false> uC {0.1 0.2 0.3} uV [5 -6.5] uN 0.001\n"
         "QuadXY 0 1\n");
     ASSERT_TRUE(session.reload());
     for (const view::Knob& each : session.knobs()) EXPECT_FALSE(each.isChanged()) << each.tag;
     EXPECT_EQ(session.knob("", "uV")->current, (std::vector<double>{5, -6.5}));
+}
+
+TEST(SavedValues, OfVectorsAndExpressionsKeepTheirBrackets) {
+    const SceneFolder folder(
+        "Let v <-5 0 3 2 5>  # a vector\nLet w <0 (min(1, .5)) 2>\nTranslate (v)\nBox (w)\n", {});
+    Session session(context(), {});
+    ASSERT_TRUE(session.open(folder.scene()));
+    session.setValue(knobIndex(session, "v"), {1, 1, 1});
+    session.setValue(knobIndex(session, "w"), {1.5});
+    const Diagnostics problems = view::saveValues(session.path(), session.knobs());
+    ASSERT_TRUE(problems.empty()) << text(problems);
+    EXPECT_EQ(folder.read("scene.glib"),
+              "Let v <-5 1 1 1 5>  # a vector\nLet w <0 1.5 2>\nTranslate (v)\nBox (w)\n");
+}
+
+TEST(SavedValues, LeaveUntouchedNumbersAsTheyWereWritten) {
+    const SceneFolder folder(
+        "WindowSize 16 16\nOrtho -1. 1. -1. 1.\nVertex a.vert\nFragment a.frag\n"
+        "Program P uA <0. .250 1.> uI <0 +1 9> uOn <true> uC {1. .50 0.} uV [1e0 2.0]\nQuadXY 0 1\n",
+        kTextFiles);
+    Session session(context(), {});
+    ASSERT_TRUE(session.open(folder.scene()));
+    session.setValue(knobIndex(session, "uA"), {.75});
+    session.setValue(knobIndex(session, "uC"), {1, .5, .25});
+    session.setValue(knobIndex(session, "uV"), {1, -6.5});
+    const Diagnostics problems = view::saveValues(session.path(), session.knobs());
+    ASSERT_TRUE(problems.empty()) << text(problems);
+    EXPECT_EQ(
+        folder.read("scene.glib"),
+        "WindowSize 16 16\nOrtho -1. 1. -1. 1.\nVertex a.vert\nFragment a.frag\n"
+        "Program P uA <0. 0.75 1.> uI <0 +1 9> uOn <true> uC {1. .50 0.25} uV [1e0 -6.5]\nQuadXY 0 1\n");
 }
 
 TEST(SavedValues, AreRefusedWhenTheSceneHasBecomeShorter) {

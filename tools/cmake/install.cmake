@@ -1,6 +1,6 @@
 # cmake --install, in components:
-#   runtime  the programs, the module for picture formats, example scenes with all that they read, manual pages, what shells
-#            complete with, and the window's entry for desktops
+#   runtime  the programs, their modules, example scenes with all that they read, manual pages, what shells
+#            complete with, grammars for editors, and the window's entry for desktops
 #   library  the shared library
 #   devel    its headers, CMake package and pkg-config file
 
@@ -37,6 +37,9 @@ endforeach()
 if(TARGET glibra_openimageio)
     install(TARGETS glibra_openimageio LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/glibra COMPONENT runtime)
 endif()
+if(TARGET glibra_server)
+    install(TARGETS glibra_server LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/glibra COMPONENT runtime)
+endif()
 # The example scenes with all they read, as a library root; the shaders that glibra itself draws with, for reading; and the
 # samples of README.md and of the pages.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/glib ${PROJECT_SOURCE_DIR}/shaders ${PROJECT_SOURCE_DIR}/textures
@@ -62,8 +65,18 @@ if(NOT CMAKE_CROSSCOMPILING)
         get_filename_component(name ${${shell}_place} NAME)
         install(FILES ${file} DESTINATION ${CMAKE_INSTALL_DATADIR}/${folder} RENAME ${name} COMPONENT runtime)
     endforeach()
-    file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/man ${PROJECT_BINARY_DIR}/completion)
-    add_custom_target(glibra_pages ALL DEPENDS ${manual} ${completions})
+    # The grammars of editors, which the program writes from its tables.
+    set(grammars)
+    foreach(editor vscode vim kate)
+        set(folder ${PROJECT_BINARY_DIR}/editors/${editor})
+        add_custom_command(OUTPUT ${folder}/stamp
+                           COMMAND glibra_program language --grammar ${editor} -o ${folder}
+                           COMMAND ${CMAKE_COMMAND} -E touch ${folder}/stamp DEPENDS glibra_program VERBATIM)
+        list(APPEND grammars ${folder}/stamp)
+    endforeach()
+    install(DIRECTORY ${PROJECT_BINARY_DIR}/editors DESTINATION ${share} COMPONENT runtime PATTERN stamp EXCLUDE)
+    file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/man ${PROJECT_BINARY_DIR}/completion ${PROJECT_BINARY_DIR}/editors)
+    add_custom_target(glibra_pages ALL DEPENDS ${manual} ${completions} ${grammars})
 endif()
 
 # What desktops and file managers show: the window's entry, its icon, the type of .glib files and their thumbnails.

@@ -1,5 +1,23 @@
-# The image module: the picture formats that libraries of others read. src/image loads it when a file needs it, so that a
-# process that renders to PNG never pays for the start-up of OpenImageIO, OpenEXR and libwebp.
+# Modules are loaded when they are needed, so that other processes never pay for the start-up of the libraries behind them.
+
+# The server module: HTTP, for pages that glibra serves on this machine. src/suite/serve loads it.
+if(GLIBRA_SERVER_MODULE)
+    pkg_check_modules(httplib IMPORTED_TARGET cpp-httplib)
+    if(httplib_FOUND)
+        set(http_library PkgConfig::httplib)
+    else()
+        find_package(httplib REQUIRED)
+        set(http_library httplib::httplib)
+    endif()
+    add_library(glibra_server MODULE ${PROJECT_SOURCE_DIR}/src/suite/module/server.cpp)
+    glibra_compile_options(glibra_server)
+    target_include_directories(glibra_server PRIVATE ${PROJECT_SOURCE_DIR}/src)
+    target_link_libraries(glibra_server PRIVATE ${http_library} Threads::Threads)
+    set_target_properties(glibra_server PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
+endif()
+
+# The image module: the picture formats that libraries of others read. src/image loads it when a file needs it: OpenImageIO,
+# OpenEXR and libwebp.
 
 # The program looks for the module beside itself first, so that an installation may be moved, then in both folders,
 # whether or not this build makes it.

@@ -6,6 +6,7 @@
 
 #include "bench/core/bench.h"
 #include "bench/report/comparison.h"
+#include "suite/suite.h"
 
 namespace glibra::bench {
 
@@ -13,6 +14,8 @@ struct MeasureArguments {
     std::vector<std::string> subjects;  ///< names; empty: all subjects
     bool list = false;                  ///< prints the names of the subjects only
     BenchOptions options;
+    std::string scene, sweep;             ///< of --scene and --sweep; empty: subjects are measured
+    suite::Shot picture;                  ///< options of its picture
     std::string folder, csv, json, html;  ///< files to write; empty: none
     std::string against;                  ///< bench.json of an earlier run; empty: no comparison
     ComparisonOptions comparison;

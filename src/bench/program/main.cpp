@@ -9,12 +9,18 @@
 #include "bench/program/commands.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
+#include "cli/picture_options.h"
 
 namespace glibra::bench {
 namespace {
 
 void addMeasure(cli::CommandLine& line, MeasureArguments& to) {
     line.list("SUBJECT", to.subjects, "what to measure; all subjects if none is named");
+    line.option("--scene", to.scene, "measure a scene instead: with each value of --sweep");
+    line.option("--sweep", to.sweep,
+                "with --scene: a variable or uniform and its values, the finest last, as steps=[8,16,32,64]");
+    for (const char* each : {"size", "time", "steps", "set", "samples"})
+        cli::addPictureOption(line, each, to.picture);
     line.flag("--list", to.list, "print the names of the subjects");
     line.flag("--quick", to.options.quick, "fewer settings and measurements: seconds, for CI");
     line.option("-o,--output", to.folder, "folder for bench.csv, bench.json and bench.html").written();
@@ -39,6 +45,7 @@ int runProgram(int argc, char** argv) {
         "run time against error: curves and their Pareto fronts",
         "glibra bench --list\n"
         "glibra bench --quick transforms -o out/\n"
+        "glibra bench --scene fog.glib --sweep 'steps=[8,16,32,256]'\n"
         "glibra bench --against out/bench.json           # what changed since an earlier run",
         "glibra bench");
     cli::CommandLine line = program.line();

@@ -2,10 +2,13 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <optional>
 #include <span>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,6 +20,7 @@
 #include "bench/report/html_report.h"
 #include "bench/report/json_report.h"
 #include "bench/report/text_report.h"
+#include "bench/subjects/scene_sweep.h"
 #include "bench/subjects/subjects.h"
 #include "cli/commands.h"
 #include "cli/written_files.h"
@@ -111,17 +115,59 @@ Diagnostics writeFiles(const MeasureArguments& arguments, const Report& report,
     return problems;
 }
 
+/// Reads NAME=[a, b, ...]. bench-E03.
+Result<SceneSweep> readSweep(const MeasureArguments& arguments) {
+    const auto wrong = [&](const std::string& why) {
+        return diagnose("bench-E03", fmt::format("--sweep '{}': {}", arguments.sweep, why));
+    };
+    SceneSweep sweep{arguments.scene, arguments.picture.options, {}, {}};
+    const std::string& text = arguments.sweep;
+    const std::size_t equals = text.find('=');
+    if (equals == 0 || equals == std::string::npos)
+        return wrong("expected a name and its values, as steps=[8,16,32]");
+    sweep.name = text.substr(0, equals);
+    std::string values = text.substr(equals + 1);
+    const bool isList = values.size() > 1 && values.front() == '[' && values.back() == ']';
+    if (isList) values = values.substr(1, values.size() - 2);
+    std::replace(values.begin(), values.end(), ',', ' ');
+    std::istringstream words(values);
+    for (std::string word; words >> word;) {
+        char* end = nullptr;
+        const double value = std::strtod(word.c_str(), &end);
+        if (*end != '\0' || !std::isfinite(value)) return wrong(fmt::format("'{}' is no number", word));
+        sweep.values.push_back(value);
+    }
+    if (sweep.values.size() < 2) return wrong("expected at least two values, the finest last");
+    for (std::filesystem::path& each : cli::libraryRoots())
+        sweep.options.libraryRoots.push_back(std::move(each));
+    return sweep;
+}
+
+/// The report of the scene or of the subjects. bench-E01, bench-E03.
+Result<Report> measured(const MeasureArguments& arguments) {
+    if (arguments.scene.empty() && arguments.sweep.empty()) {
+        const Result<std::vector<const Subject*>> chosen = choose(arguments.subjects);
+        if (!chosen) return chosen.diagnostics;
+        return measureAll(*chosen, arguments.options);
+    }
+    if (arguments.scene.empty() || arguments.sweep.empty() || !arguments.subjects.empty())
+        return diagnose("bench-E03",
+                        "--scene and --sweep belong together, and subjects are not measured then");
+    const Result<SceneSweep> sweep = readSweep(arguments);
+    if (!sweep) return sweep.diagnostics;
+    Report report = runOne(
+        "scene", fmt::format("{}: {}", arguments.scene, arguments.sweep),
+        [&](Bench& bench) { return measureSweep(bench, *sweep); }, arguments.options);
+    report.glibra = GLIBRA_VERSION;
+    return report;
+}
+
 }  // namespace
 
 int measure(const MeasureArguments& arguments) {
     if (arguments.list) {
         printSubjects();
         return cli::kDone;
-    }
-    const Result<std::vector<const Subject*>> chosen = choose(arguments.subjects);
-    if (!chosen) {
-        cli::print(chosen.diagnostics);
-        return cli::kWrongUsage;
     }
     if (const Diagnostics problems = overwritten(arguments); !problems.empty()) {
         cli::print(problems);
@@ -135,7 +181,12 @@ int measure(const MeasureArguments& arguments) {
         earlier = std::move(*read);
     }
 
-    const Report report = measureAll(*chosen, arguments.options);
+    const Result<Report> made = measured(arguments);
+    if (!made) {
+        cli::print(made.diagnostics);
+        return cli::kWrongUsage;
+    }
+    const Report& report = *made;
     fmt::print("glibra {} on {}\n", report.glibra, machineLine(report.machine));
     Diagnostics problems;
     for (const SubjectRun& each : report.subjects) {

@@ -7,7 +7,9 @@
 #include <span>
 #include <string_view>
 
+#include "base/escape_xml.h"
 #include "base/page_template.h"
+#include "base/text.h"
 #include "bench/core/fit.h"
 #include "bench/report/plot.h"
 #include "embedded/bench_page.h"
@@ -20,7 +22,7 @@ std::string machineDetails(const Report& report) {
     std::string html = "<dl class=\"machine\">";
     const auto add = [&](std::string_view title, const std::string& value) {
         if (!value.empty())
-            html += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>", title, escapeHtml(value));
+            html += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>", title, base::escapeXml(value));
     };
     add("Processor", machine.processor);
     if (machine.cores > 0) add("Cores", std::to_string(machine.cores));
@@ -37,7 +39,7 @@ std::string machineDetails(const Report& report) {
 
 /// Escapes the text and raises exponents such as "^-2.00".
 std::string withPowers(std::string_view text) {
-    const std::string escaped = escapeHtml(text);
+    const std::string escaped = base::escapeXml(text);
     std::string html;
     for (std::size_t i = 0; i < escaped.size(); ++i) {
         const std::size_t end =
@@ -53,10 +55,6 @@ std::string withPowers(std::string_view text) {
     return html;
 }
 
-std::string counted(std::size_t count, std::string_view what) {
-    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
-
 std::string list(const std::vector<std::string>& items, std::string_view style) {
     if (items.empty()) return {};
     std::string html = fmt::format("<ul class=\"{}\">", style);
@@ -68,7 +66,7 @@ std::string legend(const Figure& figure) {
     std::string html = "<ul class=\"legend\">";
     for (std::size_t i = 0; i < figure.curves.size(); ++i)
         html += fmt::format("<li data-curve=\"{}\">{}{}</li>", i, legendSign(figure, i),
-                            escapeHtml(figure.curves[i].name));
+                            base::escapeXml(figure.curves[i].name));
     return html + "</ul>\n";
 }
 
@@ -92,8 +90,8 @@ std::string table(const Figure& figure) {
     for (const Curve& curve : figure.curves)
         for (const Point& point : curve.points) {
             rows += fmt::format("<tr{}><th scope=\"row\">{}</th><td class=\"label\">{}</td><td>{}</td>",
-                                point.isOnFront ? " class=\"on\"" : "", escapeHtml(curve.name),
-                                escapeHtml(point.label), numberText(point.error));
+                                point.isOnFront ? " class=\"on\"" : "", base::escapeXml(curve.name),
+                                base::escapeXml(point.label), numberText(point.error));
             if (hasTime) rows += point.time ? timeCell(*point.time) : "<td></td>";
             if (hasGpuTime)
                 rows += fmt::format("<td>{}</td>", point.gpuTime ? secondsText(*point.gpuTime, true) : "");
@@ -101,12 +99,12 @@ std::string table(const Figure& figure) {
             rows += fmt::format("<td class=\"mark\">{}</td></tr>\n", point.isOnFront ? "front" : "");
         }
     const std::string unit =
-        figure.errorUnit.empty() ? "" : fmt::format(" ({})", escapeHtml(figure.errorUnit));
+        figure.errorUnit.empty() ? "" : fmt::format(" ({})", base::escapeXml(figure.errorUnit));
     return fmt::format(
         "<details><summary>{} points</summary><div class=\"table\"><table><thead><tr><th>curve</th>"
         "<th>{}</th><th class=\"number\">{}{}</th>{}{}{}<th></th></tr></thead><tbody>\n{}</tbody></table>"
         "</div></details>\n",
-        count, escapeHtml(figure.settingName), escapeHtml(figure.errorName), unit,
+        count, base::escapeXml(figure.settingName), base::escapeXml(figure.errorName), unit,
         hasTime ? "<th class=\"number\">median time</th>" : "",
         hasGpuTime ? "<th class=\"number\">GPU time</th>" : "",
         hasMemory ? "<th class=\"number\">memory</th>" : "", rows);
@@ -127,20 +125,20 @@ std::string_view frontNote(const Figure& figure) {
 }
 
 std::string section(const Figure& figure, const std::string& subject) {
-    std::string html = fmt::format("<article id=\"{0}.{1}\"><h3>{2}</h3>\n", escapeHtml(subject),
-                                   escapeHtml(figure.name), escapeHtml(figure.title));
+    std::string html = fmt::format("<article id=\"{0}.{1}\"><h3>{2}</h3>\n", base::escapeXml(subject),
+                                   base::escapeXml(figure.name), base::escapeXml(figure.title));
     html += list(figure.findings, "findings");
     html += "<div class=\"plots\">" + plot(figure, Abscissa::setting) + plot(figure, Abscissa::time) +
             "</div>\n" + legend(figure);
     if (!figure.reference.empty())
-        html += fmt::format("<p class=\"reference\">Reference: {}.{}</p>\n", escapeHtml(figure.reference),
-                            frontNote(figure));
+        html += fmt::format("<p class=\"reference\">Reference: {}.{}</p>\n",
+                            base::escapeXml(figure.reference), frontNote(figure));
     return html + table(figure) + "</article>\n";
 }
 
 std::string section(const SubjectRun& subject) {
-    std::string html =
-        fmt::format("<section id=\"{}\"><h2>{}</h2>\n", escapeHtml(subject.name), escapeHtml(subject.title));
+    std::string html = fmt::format("<section id=\"{}\"><h2>{}</h2>\n", base::escapeXml(subject.name),
+                                   base::escapeXml(subject.title));
     std::vector<std::string> problems;
     for (const Diagnostic& each : subject.diagnostics) problems.push_back(toString(each));
     html += list(problems, "problems");
@@ -151,11 +149,11 @@ std::string section(const SubjectRun& subject) {
 std::string contents(const Report& report) {
     std::string html;
     for (const SubjectRun& subject : report.subjects) {
-        html += fmt::format("<li><a href=\"#{}\">{}</a><ul>", escapeHtml(subject.name),
-                            escapeHtml(subject.title.substr(0, subject.title.find(':'))));
+        html += fmt::format("<li><a href=\"#{}\">{}</a><ul>", base::escapeXml(subject.name),
+                            base::escapeXml(subject.title.substr(0, subject.title.find(':'))));
         for (const Figure& figure : subject.figures)
-            html += fmt::format("<li><a href=\"#{}.{}\">{}</a></li>", escapeHtml(subject.name),
-                                escapeHtml(figure.name), escapeHtml(figure.title));
+            html += fmt::format("<li><a href=\"#{}.{}\">{}</a></li>", base::escapeXml(subject.name),
+                                base::escapeXml(figure.name), base::escapeXml(figure.title));
         html += "</ul></li>\n";
     }
     return html;
@@ -164,7 +162,7 @@ std::string contents(const Report& report) {
 std::string comparisonSection(const RunComparison& comparison) {
     return fmt::format(
         "<section id=\"comparison\"><h2>Against the earlier run: {}</h2><pre>{}</pre></section>\n",
-        isWorse(comparison) ? "worse" : "nothing is worse", escapeHtml(comparisonText(comparison)));
+        isWorse(comparison) ? "worse" : "nothing is worse", base::escapeXml(comparisonText(comparison)));
 }
 
 }  // namespace
@@ -181,8 +179,8 @@ std::string htmlReport(const Report& report, const RunComparison* comparison) {
     const base::Slot slots[] = {
         {"style", std::string(bench_page::bench_css())},
         {"script", std::string(bench_page::bench_js())},
-        {"extent", counted(report.subjects.size(), "subject") + ", " + counted(figures, "diagram") + ", " +
-                       counted(points, "measured point")},
+        {"extent", base::counted(report.subjects.size(), "subject") + ", " +
+                       base::counted(figures, "diagram") + ", " + base::counted(points, "measured point")},
         {"machine", machineDetails(report)},
         {"contents", contents(report)},
         {"body", std::move(body)},

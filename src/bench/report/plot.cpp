@@ -6,8 +6,9 @@
 #include <cmath>
 #include <vector>
 
+#include "base/escape_xml.h"
 #include "bench/core/fit.h"
-#include "bench/core/run.h"
+#include "bench/core/front.h"
 #include "bench/report/log_axis.h"
 
 namespace glibra::bench {
@@ -62,7 +63,7 @@ std::string tip(const Figure& figure, const Curve& curve, const Point& point) {
                             point.time->repeats);
     if (point.memory) text += "\nmemory: " + bytesText(*point.memory);
     if (point.isOnFront) text += "\non the Pareto front";
-    return escapeHtml(text);
+    return base::escapeXml(text);
 }
 
 std::string gridLines(const LogAxis& across, const LogAxis& up, bool hasZero) {
@@ -98,8 +99,8 @@ std::string axisNames(const Figure& figure, Abscissa abscissa) {
     return fmt::format(
         "<g class=\"names\"><text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>"
         "<text x=\"{}\" y=\"{}\">{}</text></g>",
-        kLeft + (kPlotWidth - kRight - kLeft) / 2, kPlotHeight - 12, escapeHtml(across), kLeft, kTop - 10,
-        escapeHtml(up));
+        kLeft + (kPlotWidth - kRight - kLeft) / 2, kPlotHeight - 12, base::escapeXml(across), kLeft,
+        kTop - 10, base::escapeXml(up));
 }
 
 std::string pathThrough(const std::vector<Placed>& points, std::string_view style) {
@@ -184,8 +185,8 @@ std::string plot(const Figure& figure, Abscissa abscissa) {
     }
     if (hasFront && figure.alternatives == Alternatives::figure) fronts = frontLine(std::move(all));
     return fmt::format("<svg class=\"plot\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{} against {}\">",
-                       kPlotWidth, kPlotHeight, escapeHtml(figure.errorName),
-                       abscissa == Abscissa::time ? "time" : escapeHtml(figure.settingName)) +
+                       kPlotWidth, kPlotHeight, base::escapeXml(figure.errorName),
+                       abscissa == Abscissa::time ? "time" : base::escapeXml(figure.settingName)) +
            gridLines(across, up, std::ranges::find(errors, 0.) != errors.end()) +
            axisNames(figure, abscissa) + fronts + curves + "</svg>";
 }
@@ -197,30 +198,6 @@ std::string legendSign(const Figure& figure, std::size_t index) {
         "<path class=\"line{}\" d=\"M1 6H25\"/>{}</g></svg>",
         styleOf(figure, index), isTheory ? " theory" : "",
         isTheory ? std::string() : sign(index, 13, 6, " class=\"point on\""));
-}
-
-std::string escapeHtml(std::string_view text) {
-    std::string html;
-    for (const char each : text) switch (each) {
-            case '&':
-                html += "&amp;";
-                break;
-            case '<':
-                html += "&lt;";
-                break;
-            case '>':
-                html += "&gt;";
-                break;
-            case '"':
-                html += "&quot;";
-                break;
-            case '\'':
-                html += "&#39;";
-                break;
-            default:
-                html += each;
-        }
-    return html;
 }
 
 }  // namespace glibra::bench

@@ -19,7 +19,4 @@ std::string plot(const Figure& figure, Abscissa abscissa);
 /// The symbol of curve `index` as a small picture for a legend.
 std::string legendSign(const Figure& figure, std::size_t index);
 
-/// Escapes & < > " ' for content and attributes.
-std::string escapeHtml(std::string_view text);
-
 }  // namespace glibra::bench

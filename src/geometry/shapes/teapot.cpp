@@ -119,7 +119,7 @@ Mesh wireTeapot() {
 
 namespace {
 
-constexpr ShapeArgument kTeapotArguments[] = {fixedCount("cells per side", 16, 2, 16)};
+constexpr ShapeArgument kTeapotArguments[] = {countArgument("cells", 16, 2, 16)};
 
 /// Patches that meet need the same number of cells along the seam, so the most bent ones, those of the spout,
 /// decide for all. The theorem's bound would be 1.41 / cells^2; the factors here are those measured on meshes

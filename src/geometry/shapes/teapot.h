@@ -18,7 +18,7 @@ constexpr Counts wireTeapotCounts() {
 glm::dvec3 teapotPlace(const glm::dvec3& original);
 
 /// Makes the 32 patches of `teapotPatches` in their order, as triangles that are counter-clockwise seen from
-/// outside. Each patch is a grid of cells x cells with its own vertices (cells >= 2; the language fixes 16),
+/// outside. Each patch is a grid of cells x cells with its own vertices (cells >= 2),
 /// moved by `teapotPlace`: y up, from -.75 to .825, the spout toward +x. s and t run from 0 to 1 on every
 /// patch. Normals are the cross product of the derivatives. Triangles without area, at the knob and at the
 /// centre of the bottom, are left out. Neighbouring patches have equal positions along their common edge.

@@ -31,10 +31,9 @@ bool isUnquoted(const Value& value) {
 bool looksLikeExpression(std::string_view word) {
     if (isCompleteNumber(word)) return false;
     const std::size_t at = word.find_first_of("*/%+-");
-    const auto isOperand = [](char c) { return isLetter(c) || (c >= '0' && c <= '9') || c == '_'; };
     return at != std::string_view::npos && at + 1 < word.size() &&
-           (isOperand(word[at + 1]) || word[at + 1] == '.' || word[at + 1] == '-' || word[at + 1] == '(') &&
-           std::any_of(word.begin(), word.end(), isOperand);
+           (isOfName(word[at + 1]) || word[at + 1] == '.' || word[at + 1] == '-' || word[at + 1] == '(') &&
+           std::any_of(word.begin(), word.end(), isOfName);
 }
 
 std::string_view expressionAt(std::string_view text, std::span<const Token> tokens, const Token& first) {

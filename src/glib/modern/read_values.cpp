@@ -184,9 +184,14 @@ class PieceReader {
             return range;
         }
         const bool isChoice = std::all_of(range.items.begin(), range.items.end(), isWord);
-        if (isChoice || (allNumericOrWords(range) && range.items.size() == 3)) return range;
-        return refuse("glib-E20", "< > needs three numbers (min cur max), or words, or true or false",
-                      range.position);
+        // A vector has two to four current values between its limits.
+        if (isChoice || (allNumericOrWords(range) && range.items.size() >= 3 && range.items.size() <= 6))
+            return range;
+        return refuse(
+            "glib-E20",
+            "< > needs three numbers (min cur max), up to six for a vector (min x y z w max), or words, "
+            "or true or false",
+            range.position);
     }
 
     std::optional<Value> checkedColor(Value color) {
@@ -221,9 +226,7 @@ std::optional<std::vector<Piece>> readPieces(std::span<const Token> tokens, Mess
 }
 
 bool isIdentifier(std::string_view text) {
-    if (text.empty() || (!isLetter(text.front()) && text.front() != '_')) return false;
-    return std::all_of(text.begin(), text.end(),
-                       [](char c) { return isLetter(c) || (c >= '0' && c <= '9') || c == '_'; });
+    return !text.empty() && beginsName(text.front()) && std::all_of(text.begin(), text.end(), isOfName);
 }
 
 }  // namespace glibra::glib

@@ -31,7 +31,7 @@ constexpr Fragment kFragments[] = {
      "(nearest | linear | mipmap | nearest_mipmap_nearest | linear_mipmap_nearest | nearest_mipmap_linear | "
      "linear_mipmap_linear)"},
     {"wrap", "(repeat | mirror | clamp | border [color:components])..."},
-    {"sampling", "$filter | aniso limit:number | $wrap"},
+    {"sampling", "$filter | aniso limit:number | compare test:$compare | $wrap"},
     {"options",
      "{$sampling | flip | srgb | samples count:number | levels count:number | generate | history}"},
     {"blending",
@@ -61,8 +61,16 @@ constexpr StatementRow kStatementRows[] = {
      .summary = "uniform variables of the following draws of the scope"},
     {.id = CommandId::material,
      .name = "Material",
-     .syntax = "(preset:word | preset:expression)",
-     .summary = "sets material.* to a preset"},
+     .syntax = "({ambient color:components | diffuse color:components | specular color:components | emission "
+               "color:components | shininess exponent:number}+ | preset:word | preset:expression)",
+     .summary = "sets material.*, gl_FrontMaterial and gl_BackMaterial, by a preset or value by value"},
+    {.id = CommandId::light,
+     .name = "Light",
+     .syntax =
+         "(ambient color:components | number:number {position place:number+4 | ambient color:components "
+         "| diffuse color:components | specular color:components | spot direction:number*3 | cutoff "
+         "angle:number | exponent value:number | attenuation factors:number*3}+)",
+     .summary = "sets gl_LightSource[number]; without a number gl_LightModel.ambient"},
     {.id = CommandId::group,
      .name = "Group",
      .syntax = "[name:name pairs]",
@@ -132,6 +140,11 @@ constexpr StatementRow kStatementRows[] = {
      .syntax = "inline",
      .summary = "a fragment shader in the script, up to EndFragment",
      .standing = Standing::declaration},
+    {.id = CommandId::glslText,
+     .name = "Glsl",
+     .syntax = "name:name inline",
+     .summary = "GLSL in the script that shaders of the scene include by this name, up to EndGlsl",
+     .standing = Standing::declaration},
     {.id = CommandId::program,
      .name = "Program",
      .syntax = "name:program pairs",
@@ -143,8 +156,8 @@ constexpr StatementRow kStatementRows[] = {
      .summary = "makes an earlier program current"},
     {.id = CommandId::key,
      .name = "Key",
-     .syntax = "key:key (restart | variable:name values:any...)",
-     .summary = "a key of the keyboard that sets or cycles a variable, or restarts",
+     .syntax = "key:key (restart | held variable:name value:any | variable:name values:any...)",
+     .summary = "a key of the keyboard that sets, cycles or moves a variable, or restarts",
      .standing = Standing::declaration},
     {.id = CommandId::multMatrix,
      .name = "MultMatrix",
@@ -228,8 +241,8 @@ constexpr StatementRow kStatementRows[] = {
      .opener = CommandId::pass},
     {.id = CommandId::fill,
      .name = "Fill",
-     .syntax = "target:object with program:program pairs",
-     .summary = "fills a target with one full-screen triangle",
+     .syntax = "targets:object... with program:program pairs",
+     .summary = "fills targets with one full-screen triangle",
      .standing = Standing::notInPass},
     {.id = CommandId::clearParts,
      .name = "Clear",
@@ -254,20 +267,21 @@ constexpr StatementRow kStatementRows[] = {
          "stencilop.front,back fail:$operation depthfail:$operation pass:$operation | "
          "stencilwrite.front,back mask:number | mark value:number | where value:number | write.# "
          "components:$mask | provoking vertex:first,last | samples on:$switch | alphatocoverage "
-         "on:$switch}+)",
+         "on:$switch | discard on:$switch}+)",
      .summary = "how fragments are tested, blended and written, until the scope ends"},
     {.id = CommandId::instances,
      .name = "Instances",
-     .syntax = "(from buffer:object | count:number)",
+     .syntax = "(from buffer:object [at word:number] | count:number)",
      .summary = "how often each following shape is drawn"},
     {.id = CommandId::vertices,
      .name = "Vertices",
-     .syntax = "topology:$topology (indices index:object | (from buffer:object | count:number) [indices "
-               "index:object])",
+     .syntax = "topology:$topology (indices index:object | (from buffer:object [at word:number] | "
+               "count:number) [indices index:object])",
      .summary = "draws vertices without data of their own, in order or by indices"},
     {.id = CommandId::attribute,
      .name = "Attribute",
-     .syntax = "name:name (as role:word | values:number+4 | buffer:object [per instance])",
+     .syntax = "name:name (as role:word | values:number+4 | buffer:object {per instance | "
+               "offset bytes:number | stride bytes:number})",
      .summary = "a vertex input: values, a role, or a buffer"},
     {.id = CommandId::tessLevels,
      .name = "TessLevels",
@@ -281,6 +295,12 @@ constexpr StatementRow kStatementRows[] = {
      .summary = "a buffer with a name",
      .standing = Standing::declaration,
      .declaresName = true},
+    {.id = CommandId::mesh,
+     .name = "Mesh",
+     .syntax = "name:name shape:word (sizes:number... | [file:file])",
+     .summary = "the vertices and indices of a shape as buffers, NAME.position and so on",
+     .standing = Standing::declaration,
+     .declaresName = true},
     {.id = CommandId::compute,
      .name = "Compute",
      .syntax = "(inline | file:file)",
@@ -288,8 +308,9 @@ constexpr StatementRow kStatementRows[] = {
      .standing = Standing::declaration},
     {.id = CommandId::dispatch,
      .name = "Dispatch",
-     .syntax = "program:program (over (size:number+3 | object:object) | from buffer:object | "
-               "groups:number+3) [tiles count:number] [discard] pairs",
+     .syntax =
+         "program:program (over (size:number+3 | object:object) | from buffer:object [at word:number] | "
+         "groups:number+3) [tiles count:number] [discard] pairs",
      .summary = "runs a compute program"},
     {.id = CommandId::once,
      .name = "Once",
@@ -303,8 +324,8 @@ constexpr StatementRow kStatementRows[] = {
      .opener = CommandId::once},
     {.id = CommandId::step,
      .name = "Step",
-     .syntax = "rate:number",
-     .summary = "statements that run `rate` times per second of scene time",
+     .syntax = "rate:number [reset values:any...]",
+     .summary = "statements that run `rate` times per second of scene time, anew when the values change",
      .role = BlockRole::opens,
      .standing = Standing::outermost},
     {.id = CommandId::endStep,
@@ -316,7 +337,7 @@ constexpr StatementRow kStatementRows[] = {
     {.id = CommandId::expect,
      .name = "Expect",
      .syntax = "(pixel place:number*2 color:components $tolerance | mean area:number*4 color:components "
-               "$tolerance | count color:components number:number $tolerance | buffer name:object (at "
+               "$tolerance | count color:components number:number+2 $tolerance | buffer name:object (at "
                "index:number values:list | values:list) $within | range name:object bounds:number*2 | sum "
                "name:object (values:list | total:number) $within | "
                "same a:object b:object $within | different a:object b:object $within | finite name:object | "
@@ -324,6 +345,10 @@ constexpr StatementRow kStatementRows[] = {
                "condition:expression) [at "
                "seconds:number]",
      .summary = "a check of the picture, a buffer, a count or a condition"},
+    {.id = CommandId::print,
+     .name = "Print",
+     .syntax = "(buffer:object [range:number+2] | value:expression) [at seconds:number]",
+     .summary = "reports elements of a buffer, or the value of an expression"},
 };
 
 /// The rows whose words begin with a letter, for a quick answer to words that are none.
@@ -379,6 +404,17 @@ std::string_view syntaxFragment(std::string_view name) {
     for (const Fragment& each : kFragments)
         if (each.name == name) return each.text;
     return {};
+}
+
+std::vector<std::string_view> wordsOfFragment(std::string_view name) {
+    std::vector<std::string_view> words;
+    std::string_view text = syntaxFragment(name);
+    while (!text.empty()) {
+        const std::size_t comma = std::min(text.find(','), text.size());
+        words.push_back(text.substr(0, comma));
+        text.remove_prefix(std::min(comma + 1, text.size()));
+    }
+    return words;
 }
 
 }  // namespace glibra::glib

@@ -65,6 +65,8 @@ const StatementRow* statementOf(CommandId id);
 
 /// The text that the notation's `$name` stands for; empty if there is no such fragment.
 std::string_view syntaxFragment(std::string_view name);
+/// The words of such a fragment that is a list of words, in their order.
+std::vector<std::string_view> wordsOfFragment(std::string_view name);
 
 /// The syntax as the reference shows it, with the statement's word and without types. A long list of words is
 /// shown by its name.

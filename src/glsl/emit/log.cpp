@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/text.h"
 #include "glsl/emit/emit.h"
 #include "glsl/emit/log_advice.h"
 #include "glsl/emit/log_line.h"
@@ -35,8 +36,8 @@ std::string inUserNames(const TranslatedProgram& program, std::string_view text)
         result += text.substr(at, found - at);
         if (found == std::string_view::npos) break;
         std::size_t end = found;
-        while (end < text.size() && isWordPart(text[end])) ++end;
-        const bool whole = found == 0 || !isWordPart(text[found - 1]);
+        while (end < text.size() && base::isOfName(text[end])) ++end;
+        const bool whole = found == 0 || !base::isOfName(text[found - 1]);
         const std::string name(text.substr(found, end - found));
         result += whole ? userName(program, name) : name;
         at = end;

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <limits>
 
+#include "base/text.h"
 #include "glsl/read/token.h"
 
 namespace glibra::glsl {
@@ -184,8 +185,8 @@ int nearestWord(std::string_view text, std::string_view word, int column) {
     int distance = std::numeric_limits<int>::max();
     if (word.empty()) return column;
     for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
-        const bool whole = (at == 0 || !isWordPart(text[at - 1])) &&
-                           (at + word.size() >= text.size() || !isWordPart(text[at + word.size()]));
+        const bool whole = (at == 0 || !base::isOfName(text[at - 1])) &&
+                           (at + word.size() >= text.size() || !base::isOfName(text[at + word.size()]));
         const int here = static_cast<int>(at) + 1;
         if (whole && std::abs(here - column) < distance) {
             distance = std::abs(here - column);
@@ -253,7 +254,7 @@ std::string_view quotedWord(std::string_view text) {
     for (std::size_t i = 0; i + 1 < text.size(); ++i) {
         if (text[i] != '`' && text[i] != '\'' && text[i] != '"') continue;
         std::size_t end = i + 1;
-        while (end < text.size() && isWordPart(text[end])) ++end;
+        while (end < text.size() && base::isOfName(text[end])) ++end;
         if (end > i + 1 && end < text.size() && (text[end] == '\'' || text[end] == '"'))
             return text.substr(i + 1, end - i - 1);
         i = end;

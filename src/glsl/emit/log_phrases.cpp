@@ -4,6 +4,7 @@
 #include <array>
 #include <span>
 
+#include "base/text.h"
 #include "glsl/read/token.h"
 
 namespace glibra::glsl {
@@ -64,7 +65,7 @@ std::string_view nameIn(std::string_view message, const NamePhrase& phrase) {
          at = message.find(phrase.before, at + 1)) {
         const std::size_t first = at + phrase.before.size();
         std::size_t end = first;
-        while (end < message.size() && isWordPart(message[end])) ++end;
+        while (end < message.size() && base::isOfName(message[end])) ++end;
         if (end > first && message.substr(end).starts_with(phrase.after))
             return message.substr(first, end - first);
     }

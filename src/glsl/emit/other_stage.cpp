@@ -6,6 +6,7 @@
 #include <array>
 #include <string_view>
 
+#include "base/text.h"
 #include "glsl/read/token.h"
 
 namespace glibra::glsl {
@@ -38,8 +39,8 @@ constexpr std::array<std::string_view, kStageCount> kStageNames{
 std::size_t findWord(std::string_view text, std::string_view word) {
     for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
         const std::size_t end = at + word.size();
-        const bool begins = at == 0 || !isWordPart(text[at - 1]);
-        if (begins && (end == text.size() || !isWordPart(text[end]))) return at;
+        const bool begins = at == 0 || !base::isOfName(text[at - 1]);
+        if (begins && (end == text.size() || !base::isOfName(text[end]))) return at;
     }
     return std::string_view::npos;
 }

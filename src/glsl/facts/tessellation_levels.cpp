@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/text.h"
 #include "glsl/facts/facts.h"
 #include "glsl/parse/usage.h"
 
@@ -17,8 +18,7 @@ namespace {
 using Tokens = std::vector<std::string_view>;
 
 bool isWord(std::string_view token) {
-    const char c = token.empty() ? '\0' : token.front();
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+    return !token.empty() && base::beginsName(token.front());
 }
 
 template <std::size_t count>

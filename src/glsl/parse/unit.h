@@ -36,6 +36,7 @@ struct Unit : StageText {
     std::set<std::uint32_t> keptSpelling;  ///< tokens that `renames` leaves alone
     std::set<std::uint32_t> layoutWords;   ///< tokens of layout(...) that both leave alone
 
+    bool isSupplied = false;            ///< the translator wrote the text
     std::vector<std::string> prologue;  ///< lines of GLSL before the user's text
     int mostVertices = 0;               ///< max_vertices of the emitted geometry stage; 0: not known
     int varyingComponents = 0;          ///< number of components of the outputs that the translator adds

@@ -4,6 +4,7 @@
 #include <deque>
 #include <utility>
 
+#include "base/text.h"
 #include "glsl/read/predefined.h"
 
 namespace glibra::glsl {
@@ -17,11 +18,7 @@ bool needBlank(const Token& left, const Token& right) {
     if (left.text.empty() || right.text.empty()) return false;
     const char next = right.text.front();
     return growTogether(left.text.back(), next) ||
-           (left.kind == TokenKind::number && (isWordPart(next) || next == '.'));
-}
-
-std::string counted(std::size_t number, const char* what) {
-    return std::to_string(number) + " " + what + (number == 1 ? "" : "s");
+           (left.kind == TokenKind::number && (base::isOfName(next) || next == '.'));
 }
 
 }  // namespace
@@ -135,7 +132,7 @@ void Expander::name(Piece piece, Reach reach, Pieces& out) {
             if (piece.token.body == kNone || reported_.insert(piece.token.body).second)
                 complain_("glsl-E15",
                           "macro '" + std::string(piece.token.text) + "' takes " +
-                              counted(macro->parameters.size(), "argument") + ", found " +
+                              base::counted(macro->parameters.size(), "argument") + ", found " +
                               std::to_string(arguments.size()),
                           piece.token);
             return;

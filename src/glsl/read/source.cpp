@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/suggest.h"
+#include "base/text.h"
 #include "glsl/read/condition.h"
 #include "glsl/read/extensions.h"
 #include "glsl/read/preprocessor.h"
@@ -28,10 +29,7 @@ constexpr std::array<std::string_view, 14> kDirectives{"define", "undef",  "if",
 /// The last part of a path, in lower case.
 std::string lowerName(std::string_view path) {
     const std::size_t slash = path.find_last_of("/\\");
-    std::string name(slash == std::string_view::npos ? path : path.substr(slash + 1));
-    for (char& c : name)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return name;
+    return base::lower(slash == std::string_view::npos ? path : path.substr(slash + 1));
 }
 
 /// A file that is being read.
@@ -42,6 +40,7 @@ struct Frame {
     std::int32_t shift = 0;    ///< from the lines of the file to those that #line directives count
     long long fileNumber = 0;  ///< __FILE__
     std::vector<Token> after;  ///< what follows in the text of the including file
+    std::string id{};          ///< of an included file
 };
 
 class SourceReader {
@@ -259,7 +258,8 @@ class SourceReader {
     /// Passes #pragma and #error on to the driver, in one line.
     void passOn(const SourceLine& line) {
         if (line.word(1) == "pragma" && line.word(2) == "once") {
-            once_.insert(stage_.files[line.token(0).file]);
+            const std::string& id = frames_.empty() ? std::string() : frames_.back().id;
+            once_.insert(id.empty() ? stage_.files[line.token(0).file] : id);
             return addBlankLine(line);
         }
         if (!shim()) return addBlankLine(line);
@@ -370,12 +370,13 @@ class SourceReader {
         if (const IncludeReader& reader = stage_.request->include)
             found = reader(name, stage_.files[hash.file]);
         if (!found) return refuse("cannot find the included file '" + name + "'");
-        if (once_.contains(found->path)) return end();
-        if (std::find(including_.begin(), including_.end(), found->path) != including_.end() ||
-            found->path == stage_.path) {
+        if (found->id.empty()) found->id = found->path;
+        if (once_.contains(found->id)) return end();
+        if (std::find(including_.begin(), including_.end(), found->id) != including_.end() ||
+            found->id == stage_.path) {
             std::string names = stage_.path;
             for (const std::string& each : including_) names += ", " + each;
-            report_.report("glsl-E04", "#include cycle: " + names + ", " + found->path, placeOf(hash));
+            report_.report("glsl-E04", "#include cycle: " + names + ", " + found->id, placeOf(hash));
             return end();
         }
         bytes_ += found->text.size();
@@ -423,7 +424,8 @@ class SourceReader {
                   lineDirective(stage_, last.file, static_cast<long long>(last.line) + 1, emittedVersion())),
               TokenKind::other);
         if (last.kind == TokenKind::newline) frame.after.push_back(last);
-        including_.push_back(std::move(found.path));
+        frame.id = found.id;
+        including_.push_back(std::move(found.id));
         frames_.push_back(std::move(frame));
     }
 

@@ -11,7 +11,11 @@ std::string SourceLine::includedName() const {
         if (each->kind != TokenKind::splice && each->kind != TokenKind::newline)
             end = each->text.data() + each->text.size();
     const std::string_view rest(begin, static_cast<std::size_t>(end - begin));
-    if (rest.empty() || (rest.front() != '<' && rest.front() != '"')) return {};
+    if (rest.empty()) return {};
+    if (rest.front() != '<' && rest.front() != '"')
+        return significant.size() == 3 && significant[2]->kind == TokenKind::word
+                   ? std::string(significant[2]->text)
+                   : std::string();
     const std::size_t close = rest.find(rest.front() == '<' ? '>' : '"', 1);
     return close == std::string_view::npos ? std::string{} : std::string(rest.substr(1, close - 1));
 }

@@ -23,7 +23,8 @@ struct SourceLine {
     [[nodiscard]] const Token& token(std::size_t i) const {
         return *significant[i < significant.size() ? i : significant.size() - 1];
     }
-    /// The text between the quotes or angle brackets of an #include; empty if there is none.
+    /// The text between the quotes or angle brackets of an #include, or the word in place of them; empty if
+    /// there is none.
     [[nodiscard]] std::string includedName() const;
     /// The text of a directive in one line, without comments.
     [[nodiscard]] std::string joined() const;

@@ -4,15 +4,11 @@
 #include <array>
 #include <span>
 
+#include "base/text.h"
+
 namespace glibra::glsl {
 namespace {
 
-constexpr bool isDigit(char c) {
-    return c >= '0' && c <= '9';
-}
-constexpr bool isWordStart(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
 constexpr bool isBlank(char c) {
     return c == ' ' || c == '\t' || c == '\v' || c == '\f';
 }
@@ -123,9 +119,9 @@ class Lexer {
             lineComment();
         } else if (c == '/' && peek(1) == '*') {
             blockComment();
-        } else if (isWordStart(c)) {
+        } else if (base::beginsName(c)) {
             push(TokenKind::word, lengthOf(TokenKind::word));
-        } else if (isDigit(c) || (c == '.' && isDigit(peek(1)))) {
+        } else if (base::isDigit(c) || (c == '.' && base::isDigit(peek(1)))) {
             push(TokenKind::number, lengthOf(TokenKind::number));
         } else {
             punctuator();
@@ -162,7 +158,7 @@ class Lexer {
             const char c = text_[i];
             const bool sign = kind == TokenKind::number && (c == '+' || c == '-') && i > at_ &&
                               (text_[i - 1] == 'e' || text_[i - 1] == 'E') && !hexadecimal;
-            if (!isWordPart(c) && !(kind == TokenKind::number && c == '.') && !sign) break;
+            if (!base::isOfName(c) && !(kind == TokenKind::number && c == '.') && !sign) break;
         }
         return i - at_;
     }

@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/text.h"
+
 namespace glibra::glsl {
 
 enum class TokenKind : std::uint8_t { word, number, punctuator, blank, splice, newline, comment, other };
@@ -51,15 +53,10 @@ constexpr bool isSignificant(TokenKind kind) {
            kind == TokenKind::other;
 }
 
-/// True for letters, digits and '_'.
-constexpr bool isWordPart(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-}
-
 /// True if the two characters may belong to one token, so that text that ends in the first one and text that
 /// begins with the second one need a blank between them.
 constexpr bool growTogether(char left, char right) {
-    if (isWordPart(left)) return isWordPart(right);
+    if (base::isOfName(left)) return base::isOfName(right);
     if (left == '.') return right == '.' || (right >= '0' && right <= '9');
     if (right == '=') return std::string_view("+-*/%<>=!&|^").find(left) != std::string_view::npos;
     if (left == right) return std::string_view("+-<>&|^#/").find(left) != std::string_view::npos;

@@ -266,6 +266,7 @@ class Varyings {
         warn(unit, std::string(unit.text(at)), at);
     }
     void warn(Unit& unit, const std::string& what, std::uint32_t at) {
+        if (unit.isSupplied) return;
         program_.report.reportOnce(unit.path + what, "glsl-W13", what + " is written by no stage",
                                    unit.place(at));
     }

@@ -1,6 +1,8 @@
-// Lights, materials, fog and other state of the fixed pipeline, as constants with GL's initial values
-// (language, 7.6; OpenGL 2.1 specification, state tables 6.9 to 6.11 and 6.22).
+// Lights, materials, fog and other state of the fixed pipeline, with GL's initial values: uniform variables
+// where scenes can set them, otherwise constants (language, 7.6; OpenGL 2.1 specification, state tables 6.9
+// to 6.11 and 6.22).
 
+#include <algorithm>
 #include <array>
 
 #include "glsl/rules/rules.h"
@@ -83,6 +85,18 @@ constexpr std::array kValues = std::to_array<Value>({
     {"gl_NormalScale", "float", 0, "1.", ""},
 });
 
+/// What Light and Material set.
+constexpr std::array<std::string_view, 4> kSettable = {"gl_LightSource", "gl_LightModel", "gl_FrontMaterial",
+                                                       "gl_BackMaterial"};
+
+bool isSettable(std::string_view user) {
+    return std::find(kSettable.begin(), kSettable.end(), user) != kSettable.end();
+}
+/// "gl_FrontLightModelProduct" and "gl_FrontLightProduct", which GL computes from what is settable.
+bool isProduct(std::string_view user) {
+    return user.ends_with("Product");
+}
+
 constexpr std::array<std::string_view, 4> kLimits = {"gl_MaxLights", "gl_MaxClipPlanes", "gl_MaxTextureUnits",
                                                      "gl_MaxTextureCoords"};
 
@@ -122,6 +136,8 @@ class FixedState {
                 unit_.declare(std::string(each.definition));
                 type = emittedName(each.user);
             }
+        if (unit_.request->hasLights && isProduct(row.user)) return product(row, type);
+        const bool isUniform = unit_.request->hasLights && isSettable(row.user);
         const bool point = row.user == "gl_Point";
         if (point) unit_.declare("uniform float glibra_PointSize;");
         std::string text(row.first);
@@ -131,14 +147,44 @@ class FixedState {
             text += ")";
         }
         const std::string size = row.size > 0 ? "[" + std::to_string(row.size) + "]" : "";
-        unit_.declare((point ? "" : "const ") + type + " " + emittedName(row.user) + size + " = " + text +
-                      ";");
+        unit_.declare((isUniform ? "uniform "
+                       : point   ? ""
+                                 : "const ") +
+                      type + " " + emittedName(row.user) + size + " = " + text + ";");
         unit_.renames[std::string(row.user)] = emittedName(row.user);
+        if (unit_.request->setsLights && isSettable(row.user)) return;
         const auto use = unit_.uses.find(row.user);
         report_.reportOnce(
             unit_.path + std::string(row.user), "glsl-W04",
             std::string(row.user) + " has GL's initial values; scenes define no " + what(row.user),
             use == unit_.uses.end() ? unit_.start() : unit_.place(use->second.front()));
+    }
+
+    void product(const Value& row, const std::string& type) {
+        const std::string material =
+            row.user.starts_with("gl_Front") ? "glibra_FrontMaterial" : "glibra_BackMaterial";
+        for (const Value& each : kValues)
+            if (emittedName(each.user) == material ||
+                each.user == (row.size > 0 ? "gl_LightSource" : "gl_LightModel"))
+                value(each);
+        std::string text;
+        if (row.size == 0) {
+            text =
+                type + "(" + material + ".emission + " + material + ".ambient * glibra_LightModel.ambient)";
+        } else {
+            text = type + "[" + std::to_string(row.size) + "](";
+            for (int i = 0; i < row.size; ++i) {
+                const std::string light = "glibra_LightSource[" + std::to_string(i) + "].";
+                text += (i > 0 ? ", " : "") + type + "(";
+                for (const char* member : {"ambient", "diffuse", "specular"})
+                    text += (*member == 'a' ? "" : ", ") + (material + "." + member) + " * " + light + member;
+                text += ")";
+            }
+            text += ")";
+        }
+        unit_.declare(type + " " + emittedName(row.user) +
+                      (row.size > 0 ? "[" + std::to_string(row.size) + "]" : "") + " = " + text + ";");
+        unit_.renames[std::string(row.user)] = emittedName(row.user);
     }
 
     static std::string what(std::string_view user) {

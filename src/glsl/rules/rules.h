@@ -80,6 +80,15 @@ void chooseOverloads(Unit& unit, Report& report);
 void limitSharedSubscripts(Unit& unit, const TokenWalk& walk, TranslatedProgram& result, Report& report);
 /// The text of a vertex stage for ProgramRequest::suppliesFullScreenVertex, and for this fragment stage.
 std::string fullScreenVertex(const Unit& fragment);
+/// The text of a fragment stage for ProgramRequest::suppliesFragment, after this stage: its colour is
+/// gl_FrontColor if the stage writes it, otherwise an output with `color` in its name, otherwise the current
+/// colour.
+std::string defaultFragment(const Unit& last);
+/// "gl_FrontColor", the name of that output, or nothing for the current colour.
+std::string suppliedColor(const Unit& last);
+/// The text of a vertex stage for ProgramRequest::suppliesFixedVertex: what the fixed pipeline did without
+/// light.
+std::string fixedVertex(const Unit& fragment);
 /// True if the fragment stage reads `vST`, which the vertex stage does not declare.
 bool lacksPlace(const Unit& vertex, const Unit& fragment);
 /// Rewrites what targets below 4.20, 4.30 and 4.40 do not accept (language, 7.10).

@@ -23,8 +23,9 @@ struct StageSource {
 
 /// A file that an #include names.
 struct IncludedFile {
-    std::string path;
+    std::string path;  ///< that messages name
     std::string text;
+    std::string id{};  ///< tells texts of one path apart, in messages too; empty: the path does
 };
 /// Finds the file that `includingPath` includes as `name`; nothing if there is no such file.
 using IncludeReader =
@@ -50,6 +51,14 @@ struct ProgramRequest {
     IncludeReader include;
     Target target;
     bool shim = true;  ///< false (--no-shim): only the #version and #include lines are translated
+    /// Lights and materials of older GLSL (gl_LightSource and its kin) are uniform variables with GL's
+    /// initial values; otherwise they are constants.
+    bool hasLights = false;
+    bool setsLights = false;  ///< the scene gives them values: no glsl-W04
+    /// A program with a vertex stage gets a fragment stage that draws the colour which it gives.
+    bool suppliesFragment = false;
+    /// A fragment stage alone gets the vertex stage of the fixed pipeline.
+    bool suppliesFixedVertex = false;
     /// Storage blocks and atomic counters are accepted: the scene can have buffers. A compute program always
     /// accepts them.
     bool acceptsStorage = false;

@@ -134,12 +134,15 @@ struct TranslatedProgram {
     std::vector<WholeWrite> wholeWrites;        ///< of a compute stage
     bool inPieces = false;                      ///< a compute program that may run in several dispatches
     std::map<std::string, Place> vertexInputs;  ///< the inputs that the user's vertex stage declares
-    bool suppliesVertexStage = false;           ///< it is that of ProgramRequest::suppliesFullScreenVertex
-    bool mayReadTangents = false;               ///< the vertex stage names the tangent input
-    bool writesPointSize = false;               ///< in the last stage before rasterisation
-    bool writesLayer = false;                   ///< in the last stage before rasterisation
-    int clipDistances = 0;                      ///< number of gl_ClipDistance elements that this stage writes
-    int patchVertices = 0;                      ///< layout(vertices = n) of the control stage; 0: none
+    /// Of a program that got a fragment stage (ProgramRequest::suppliesFragment): "gl_FrontColor" or the
+    /// output that it draws; empty for the current colour.
+    std::optional<std::string> suppliedColor{};
+    bool suppliesVertexStage = false;  ///< it is that of ProgramRequest::suppliesFullScreenVertex
+    bool mayReadTangents = false;      ///< the vertex stage names the tangent input
+    bool writesPointSize = false;      ///< in the last stage before rasterisation
+    bool writesLayer = false;          ///< in the last stage before rasterisation
+    int clipDistances = 0;             ///< number of gl_ClipDistance elements that this stage writes
+    int patchVertices = 0;             ///< layout(vertices = n) of the control stage; 0: none
     /// The vertices of a patch that the first tessellation stage reads, as far as its subscripts show it, and
     /// where it reads the last of them, as "gl_in[3]".
     int patchVerticesRead = 0;

@@ -5,6 +5,8 @@
 #include <cstdarg>
 #include <utility>
 
+#include "gpu/context/call_trace.h"
+
 namespace glibra::gpu {
 namespace {
 
@@ -63,10 +65,16 @@ bool is(GLADapiproc called, Function function) {
     return called == reinterpret_cast<GLADapiproc>(function);
 }
 
-void count(const char* /*name*/, GLADapiproc called, int argumentCount, ...) {
+void count(const char* name, GLADapiproc called, int argumentCount, ...) {
     if (active == nullptr) return;
     ++active->calls;
     va_list arguments;
+    if (CallTrace* trace = activeTrace()) {
+        CallArguments traced;
+        va_start(traced.list, argumentCount);
+        trace->add(name, argumentCount, traced);
+        va_end(traced.list);
+    }
     va_start(arguments, argumentCount);
     if (is(called, glad_glDrawElements) || is(called, glad_glDrawArrays) ||
         is(called, glad_glDrawElementsInstanced) || is(called, glad_glDrawArraysInstanced) ||

@@ -6,6 +6,8 @@
 #include <array>
 #include <charconv>
 
+#include "base/text.h"
+
 namespace glibra::gpu {
 namespace {
 
@@ -33,16 +35,9 @@ int glslNumber(std::string_view words) {
     return major * 100 + (minor < 10 ? minor * 10 : minor);
 }
 
-std::string lowered(std::string_view words) {
-    std::string low(words);
-    for (char& c : low)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return low;
-}
-
 std::string familyOf(const Capabilities& driver, bool throughOsmesa) {
-    const std::string renderer = lowered(driver.renderer);
-    const std::string vendor = lowered(driver.vendor);
+    const std::string renderer = base::lower(driver.renderer);
+    const std::string vendor = base::lower(driver.vendor);
     const auto in = [](const std::string& words, std::string_view word) {
         return words.find(word) != std::string::npos;
     };
@@ -107,6 +102,12 @@ void readStages(Capabilities& driver) {
     driver.maxGeometryTotalOutputComponents = integerOf(GL_MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS);
     driver.maxTessellationLevel = integerOf(GL_MAX_TESS_GEN_LEVEL);
     driver.maxPatchVertices = integerOf(GL_MAX_PATCH_VERTICES);
+    driver.maxControlInputComponents = integerOf(GL_MAX_TESS_CONTROL_INPUT_COMPONENTS);
+    driver.maxControlOutputComponents = integerOf(GL_MAX_TESS_CONTROL_OUTPUT_COMPONENTS);
+    driver.maxControlPatchComponents = integerOf(GL_MAX_TESS_PATCH_COMPONENTS);
+    driver.maxControlTotalOutputComponents = integerOf(GL_MAX_TESS_CONTROL_TOTAL_OUTPUT_COMPONENTS);
+    driver.maxEvaluationInputComponents = integerOf(GL_MAX_TESS_EVALUATION_INPUT_COMPONENTS);
+    driver.maxEvaluationOutputComponents = integerOf(GL_MAX_TESS_EVALUATION_OUTPUT_COMPONENTS);
     driver.maxClipDistances = integerOf(GL_MAX_CLIP_DISTANCES);
     driver.maxVertexUniformComponents = integerOf(GL_MAX_VERTEX_UNIFORM_COMPONENTS);
     driver.maxFragmentUniformComponents = integerOf(GL_MAX_FRAGMENT_UNIFORM_COMPONENTS);

@@ -44,6 +44,10 @@ struct Capabilities {
     int maxGeometryTotalOutputComponents = 1024;
     int maxTessellationLevel = 64;
     int maxPatchVertices = 32;
+    int maxControlInputComponents = 0, maxControlOutputComponents = 0;  ///< per vertex, control stage
+    int maxControlPatchComponents = 0;        ///< per-patch outputs of the control stage
+    int maxControlTotalOutputComponents = 0;  ///< of all vertices and the patch
+    int maxEvaluationInputComponents = 0, maxEvaluationOutputComponents = 0;
     int maxClipDistances = 8;
     int maxVertexUniformComponents = 0, maxFragmentUniformComponents = 0;
     int maxUniformBlockBytes = 16384;

@@ -30,6 +30,7 @@ class DebugLog {
 
     /// Sets the place in the scene that later messages belong to.
     void setPlace(const Place& place);
+    [[nodiscard]] const Place& place() const { return place_; }
     /// The places since the device was known to be idle.
     struct Unfinished {
         Place first;       ///< without a file: none

@@ -71,12 +71,44 @@ std::vector<InfoEntry> describe(const Context& context) {
           driver.maxGeometryTotalOutputComponents);
     count("maxTessellationLevel", "tessellation level", driver.maxTessellationLevel);
     count("maxPatchVertices", "vertices per patch", driver.maxPatchVertices);
+    count("maxControlInputComponents", "control stage, components in per vertex",
+          driver.maxControlInputComponents);
+    count("maxControlOutputComponents", "control stage, components out per vertex",
+          driver.maxControlOutputComponents);
+    count("maxControlPatchComponents", "control stage, components out per patch",
+          driver.maxControlPatchComponents);
+    count("maxControlTotalOutputComponents", "control stage, components out in all",
+          driver.maxControlTotalOutputComponents);
+    count("maxEvaluationInputComponents", "evaluation stage, components in per vertex",
+          driver.maxEvaluationInputComponents);
+    count("maxEvaluationOutputComponents", "evaluation stage, components out per vertex",
+          driver.maxEvaluationOutputComponents);
     count("maxClipDistances", "clip distances", driver.maxClipDistances);
     count("maxVertexUniformComponents", "uniform components, vertex stage",
           driver.maxVertexUniformComponents);
     count("maxFragmentUniformComponents", "uniform components, fragment stage",
           driver.maxFragmentUniformComponents);
     count("maxUniformBlockBytes", "bytes of a uniform block", driver.maxUniformBlockBytes);
+    truth("compute", "compute stages", driver.compute);
+    if (driver.compute) {
+        constexpr std::array<const char*, 3> kAxes{"X", "Y", "Z"};
+        constexpr std::array<const char*, 3> kGroups{
+            "work groups per dispatch, x", "work groups per dispatch, y", "work groups per dispatch, z"};
+        constexpr std::array<const char*, 3> kSizes{"invocations per work group, x",
+                                                    "invocations per work group, y",
+                                                    "invocations per work group, z"};
+        for (std::size_t axis = 0; axis < kAxes.size(); ++axis)
+            entries.push_back({std::string("maxComputeGroups") + kAxes[axis], kGroups[axis],
+                               static_cast<std::int64_t>(driver.maxComputeGroups.at(axis))});
+        for (std::size_t axis = 0; axis < kAxes.size(); ++axis)
+            entries.push_back({std::string("maxComputeLocalSize") + kAxes[axis], kSizes[axis],
+                               static_cast<std::int64_t>(driver.maxComputeLocalSize.at(axis))});
+        count("maxComputeInvocations", "invocations per work group, all axes", driver.maxComputeInvocations);
+        count("maxComputeSharedBytes", "bytes of shared variables", driver.maxComputeSharedBytes);
+        count("maxStorageBufferBindings", "storage buffers at once", driver.maxStorageBufferBindings);
+        entries.push_back({"maxStorageBlockBytes", "bytes of a storage block", driver.maxStorageBlockBytes});
+        count("maxAtomicCounterBindings", "atomic counter buffers at once", driver.maxAtomicCounterBindings);
+    }
     truth("wideLines", "lines wider than 1 pixel", driver.wideLines);
     number("maxLineWidth", "widest line, pixels", driver.maxLineWidth);
     number("maxPointSize", "largest point, pixels", driver.maxPointSize);

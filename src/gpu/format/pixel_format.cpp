@@ -5,66 +5,16 @@
 namespace glibra::gpu {
 namespace {
 
-/// One row of GL numbers: the internal format, and the layout in memory that loses nothing.
+/// GL's numbers: the internal format, and the layout in memory that loses nothing.
 struct GlRow {
-    TexelFormat format;
     GLenum internal, transferFormat, transferType;
 };
 
 constexpr std::array<GlRow, base::kTexelFormatCount> kRows{{
-    {TexelFormat::r8, GL_R8, GL_RED, GL_UNSIGNED_BYTE},
-    {TexelFormat::rg8, GL_RG8, GL_RG, GL_UNSIGNED_BYTE},
-    {TexelFormat::rgba8, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE},
-    {TexelFormat::r16, GL_R16, GL_RED, GL_UNSIGNED_SHORT},
-    {TexelFormat::rg16, GL_RG16, GL_RG, GL_UNSIGNED_SHORT},
-    {TexelFormat::rgba16, GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT},
-    {TexelFormat::r8_snorm, GL_R8_SNORM, GL_RED, GL_BYTE},
-    {TexelFormat::rg8_snorm, GL_RG8_SNORM, GL_RG, GL_BYTE},
-    {TexelFormat::rgba8_snorm, GL_RGBA8_SNORM, GL_RGBA, GL_BYTE},
-    {TexelFormat::r16_snorm, GL_R16_SNORM, GL_RED, GL_SHORT},
-    {TexelFormat::rg16_snorm, GL_RG16_SNORM, GL_RG, GL_SHORT},
-    {TexelFormat::rgba16_snorm, GL_RGBA16_SNORM, GL_RGBA, GL_SHORT},
-    {TexelFormat::r16f, GL_R16F, GL_RED, GL_HALF_FLOAT},
-    {TexelFormat::rg16f, GL_RG16F, GL_RG, GL_HALF_FLOAT},
-    {TexelFormat::rgba16f, GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT},
-    {TexelFormat::r32f, GL_R32F, GL_RED, GL_FLOAT},
-    {TexelFormat::rg32f, GL_RG32F, GL_RG, GL_FLOAT},
-    {TexelFormat::rgba32f, GL_RGBA32F, GL_RGBA, GL_FLOAT},
-    {TexelFormat::r8i, GL_R8I, GL_RED_INTEGER, GL_BYTE},
-    {TexelFormat::rg8i, GL_RG8I, GL_RG_INTEGER, GL_BYTE},
-    {TexelFormat::rgba8i, GL_RGBA8I, GL_RGBA_INTEGER, GL_BYTE},
-    {TexelFormat::r16i, GL_R16I, GL_RED_INTEGER, GL_SHORT},
-    {TexelFormat::rg16i, GL_RG16I, GL_RG_INTEGER, GL_SHORT},
-    {TexelFormat::rgba16i, GL_RGBA16I, GL_RGBA_INTEGER, GL_SHORT},
-    {TexelFormat::r32i, GL_R32I, GL_RED_INTEGER, GL_INT},
-    {TexelFormat::rg32i, GL_RG32I, GL_RG_INTEGER, GL_INT},
-    {TexelFormat::rgba32i, GL_RGBA32I, GL_RGBA_INTEGER, GL_INT},
-    {TexelFormat::r8ui, GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE},
-    {TexelFormat::rg8ui, GL_RG8UI, GL_RG_INTEGER, GL_UNSIGNED_BYTE},
-    {TexelFormat::rgba8ui, GL_RGBA8UI, GL_RGBA_INTEGER, GL_UNSIGNED_BYTE},
-    {TexelFormat::r16ui, GL_R16UI, GL_RED_INTEGER, GL_UNSIGNED_SHORT},
-    {TexelFormat::rg16ui, GL_RG16UI, GL_RG_INTEGER, GL_UNSIGNED_SHORT},
-    {TexelFormat::rgba16ui, GL_RGBA16UI, GL_RGBA_INTEGER, GL_UNSIGNED_SHORT},
-    {TexelFormat::r32ui, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT},
-    {TexelFormat::rg32ui, GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT},
-    {TexelFormat::rgba32ui, GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT},
-    {TexelFormat::srgb8_alpha8, GL_SRGB8_ALPHA8, GL_RGBA, GL_UNSIGNED_BYTE},
-    {TexelFormat::r11f_g11f_b10f, GL_R11F_G11F_B10F, GL_RGB, GL_UNSIGNED_INT_10F_11F_11F_REV},
-    {TexelFormat::rgb10_a2, GL_RGB10_A2, GL_RGBA, GL_UNSIGNED_INT_2_10_10_10_REV},
-    {TexelFormat::depth16, GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT},
-    {TexelFormat::depth24, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT},
-    {TexelFormat::depth32f, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT},
-    {TexelFormat::depth24_stencil8, GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8},
-    {TexelFormat::depth32f_stencil8, GL_DEPTH32F_STENCIL8, GL_DEPTH_STENCIL,
-     GL_FLOAT_32_UNSIGNED_INT_24_8_REV},
+#define GLIBRA_TEXEL_FORMAT(name, kind, components, bytes, bits, ...) {__VA_ARGS__},
+#include "base/texel_formats.def"
+#undef GLIBRA_TEXEL_FORMAT
 }};
-
-constexpr bool isInOrder() {
-    for (std::size_t i = 0; i < kRows.size(); ++i)
-        if (static_cast<std::size_t>(kRows[i].format) != i) return false;
-    return true;
-}
-static_assert(isInOrder());
 
 const GlRow& glRowOf(TexelFormat format) {
     return kRows.at(static_cast<std::size_t>(format));
@@ -86,7 +36,7 @@ FormatUse guaranteedUse(const Capabilities& capabilities, TexelFormat format) {
     use.color = !use.depth && row.kind != base::TexelClass::signedNormalized;
     use.filter = !isInteger(format);
     use.blend = use.color && !isInteger(format);
-    use.image = capabilities.imageUnits > 0 && !use.depth && format != TexelFormat::srgb8_alpha8;
+    use.image = capabilities.imageUnits > 0 && isImageFormat(format);
     if (use.color || use.depth)
         use.samples = isInteger(format) ? capabilities.maxIntegerSamples : capabilities.maxSamples;
     return use;

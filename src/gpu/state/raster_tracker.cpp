@@ -117,6 +117,7 @@ void RasterTracker::apply(const base::RasterState& state) {
 }
 
 void RasterTracker::openForClears() {
+    enable(known_.discard, GL_RASTERIZER_DISCARD, false);  // it also stops clears
     change(known_.depthWrite, true, [] { glDepthMask(GL_TRUE); });
     applyWriteMasks({});
     base::StencilFace front = known_.stencilFront.value_or(base::StencilFace{});
@@ -140,6 +141,8 @@ void RasterTracker::applyFaces(const base::RasterState& state) {
     const GLenum provoking = state.provoking == base::ProvokingVertex::first ? GL_FIRST_VERTEX_CONVENTION
                                                                              : GL_LAST_VERTEX_CONVENTION;
     change(known_.provoking, provoking, [&] { glProvokingVertex(provoking); });
+
+    enable(known_.discard, GL_RASTERIZER_DISCARD, state.discard);
 
     const std::array offset{static_cast<float>(state.offsetFactor), static_cast<float>(state.offsetUnits)};
     const bool offsets = offset[0] != 0 || offset[1] != 0;

@@ -66,8 +66,8 @@ class RasterTracker {
 
     /// What has been set; nothing where it is not known.
     struct Known {
-        std::optional<bool> cullOn, offsetOn, depthTest, depthWrite, depthClamp, stencilTest, multisample,
-            alphaToCoverage, sampleShadingOn, scissorOn, programPointSize;
+        std::optional<bool> cullOn, discard, offsetOn, depthTest, depthWrite, depthClamp, stencilTest,
+            multisample, alphaToCoverage, sampleShadingOn, scissorOn, programPointSize;
         std::optional<GLenum> cullFace, frontFace, polygonMode, provoking, depthFunction;
         std::optional<std::array<float, 2>> offset;
         std::optional<std::array<double, 2>> depthRange;

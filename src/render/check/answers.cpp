@@ -20,7 +20,8 @@ using Numbers = std::span<const double>;
 /// Half of the distance of stored values, and what the conversion to float may add.
 constexpr double kHalfStep = .5 + 1e-4;
 
-constexpr std::size_t kMostShown = 8;  // numbers in a message
+constexpr std::size_t kMostShown = 8;         // numbers in a message
+constexpr std::uint64_t kMostPrinted = 1000;  // elements of a Print
 
 /// A number with as many digits as tell it from its neighbours: all of a whole number, nine of others.
 std::string shownNumber(double number) {
@@ -175,8 +176,13 @@ class Answerer {
         std::size_t found = 0;
         for (std::size_t i = 0; i < content.size(); ++i)
             found += equal(check_.wanted, content.at(i), content) ? 1U : 0U;
-        if (static_cast<double>(found) == check_.numbers.at(0)) return std::nullopt;
-        return wrong(shownNumber(check_.numbers.at(0)) + " pixels", fmt::format("{}", found));
+        const double least = check_.numbers.at(0), most = check_.numbers.back();
+        const auto number = static_cast<double>(found);
+        if (number >= least && number <= most) return std::nullopt;
+        const std::string wanted = least == most
+                                       ? shownNumber(least)
+                                       : fmt::format("{} to {}", shownNumber(least), shownNumber(most));
+        return wrong(wanted + " pixels", fmt::format("{}", found));
     }
 
     [[nodiscard]] Answer elements(const Content& content) const {
@@ -317,6 +323,28 @@ class Answerer {
 
 std::optional<Diagnostic> answer(const Check& check, const CheckQuestions& questions) {
     return Answerer(check, questions).answer();
+}
+
+Diagnostics printedElements(const scene::Print& print, const Content& content) {
+    const std::uint64_t all = content.size();
+    if (print.first >= all && print.count > 0)
+        return {diagnose("check-N02",
+                         fmt::format("Print {}: it has {}", print.name, glib::counted(all, "element")),
+                         print.place)};
+    const std::uint64_t count =
+        std::min(print.count > 0 ? print.count : all, all - std::min(print.first, all));
+    Diagnostics notes;
+    for (std::uint64_t i = print.first; i < print.first + std::min(count, kMostPrinted); ++i) {
+        std::string text = fmt::format("{}[{}]:", print.name, i);
+        for (const double each : content.at(i)) text += " " + shownNumber(each);
+        notes.push_back(diagnose("check-N02", std::move(text), print.place));
+    }
+    if (count > kMostPrinted)
+        notes.push_back(diagnose("check-N02",
+                                 fmt::format("Print {0}: {1} more elements; --save {0}=FILE.csv writes all",
+                                             print.name, count - kMostPrinted),
+                                 print.place));
+    return notes;
 }
 
 Diagnostics withoutExpected(const std::vector<Check>& checks, Diagnostics diagnostics) {

@@ -31,6 +31,9 @@ Diagnostics withoutExpected(const std::vector<scene::Check>& checks, Diagnostics
 /// The same if these checks have no picture to look at. If no error is left, check-E02 for each of them.
 Diagnostics withoutPicture(const std::vector<scene::Check>& checks, Diagnostics diagnostics);
 
+/// check-N02 for each element that a Print asks for, up to 1000.
+Diagnostics printedElements(const scene::Print& print, const Content& content);
+
 /// check-W01 for each Expect that has not run, or check-N01 if another time or value may make it run.
 Diagnostics reportIdle(const std::vector<scene::IdleCheck>& checks);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <span>
@@ -20,24 +21,10 @@ std::vector<double> doublesOf(std::span<const std::byte> bytes) {
 
 /// The distance of neighbouring values of a normalised format; 0 for floats and integers.
 double stepOf(base::TexelFormat format) {
-    switch (format) {
-        case base::TexelFormat::rgb10_a2:
-            return 1.0 / 1023;
-        case base::TexelFormat::srgb8_alpha8:
-            return 1.0 / 255;
-        case base::TexelFormat::depth16:
-            return 1.0 / 65535;
-        case base::TexelFormat::depth24:
-        case base::TexelFormat::depth24_stencil8:
-            return 1.0 / 16777215;
-        default:
-            break;
-    }
     const base::TexelFormatRow& row = base::rowOf(format);
-    const double levels = row.bytes / row.components == 1 ? 255 : 65535;
-    if (row.kind == base::TexelClass::normalized) return 1 / levels;
-    if (row.kind == base::TexelClass::signedNormalized) return 2 / (levels - 1);
-    return 0;
+    if (row.bits == 0 || base::isInteger(format)) return 0;
+    const double largest = std::exp2(row.bits) - 1;
+    return row.kind == base::TexelClass::signedNormalized ? 2 / (largest - 1) : 1 / largest;
 }
 
 Result<Content> textureContent(const scene::Scene& scene, DeviceScene& device,

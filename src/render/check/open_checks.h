@@ -15,6 +15,8 @@ class OpenChecks {
     /// `scene`: as it is at `time`, that of the picture.
     OpenChecks(const scene::Scene& scene, double time);
 
+    /// That of the picture.
+    [[nodiscard]] double time() const { return time_; }
     /// The times of pictures to look at, at least one: those of the checks, and those that statements name
     /// which have not run.
     [[nodiscard]] const std::set<double>& times() const { return times_; }

@@ -9,6 +9,7 @@
 #include "render/check/answers.h"
 #include "render/check/object_content.h"
 #include "render/check/open_checks.h"
+#include "render/probe/nan_search.h"
 #include "render/scene_state.h"
 
 namespace glibra::render {
@@ -53,6 +54,19 @@ bool SceneRenderer::hasChecks() const {
 
 bool SceneRenderer::hasIdleChecks() const {
     return !state_->scene.idleChecks.empty();
+}
+
+Diagnostics SceneRenderer::printed() {
+    State& state = *state_;
+    Diagnostics notes;
+    for (const scene::Print& each : state.scene.prints) {
+        const Result<Content> content = contentOf(state.scene, state.device, each.buffer);
+        if (content)
+            append(notes, printedElements(each, *content));
+        else
+            append(notes, content.diagnostics);
+    }
+    return notes;
 }
 
 Diagnostics SceneRenderer::answerChecks(double time, Diagnostics& reported, Stats& stats) {
@@ -125,6 +139,7 @@ Diagnostics SceneRenderer::answerAt(double moment, OpenChecks& open, Stats& stat
         });
     };
     Diagnostics wrong = std::move(picture.diagnostics);
+    if (moment == open.time()) append(wrong, printed());
     for (const scene::Check& each : open.take(moment, state.scene.checks))
         if (std::optional<Diagnostic> found = answer(each, questions)) wrong.push_back(std::move(*found));
     return wrong;
@@ -162,6 +177,9 @@ Diagnostics runChecks(gpu::Context& context, const std::filesystem::path& path, 
     if (!renderer) return answerWithoutPicture(path, options, std::move(reported));
     Diagnostics wrong = renderer->answerChecks(options.time, reported, stats);
     append(reported, std::move(wrong));
+    if (options.checkNan)
+        if (Result<NanSearch> search = NanSearch::load(context, path, options))
+            append(reported, search->at(options.time));
     return reported;
 }
 

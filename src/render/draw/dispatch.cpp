@@ -98,14 +98,14 @@ Diagnostics FrameDrawer::dispatch(const plan::PlannedDispatch& planned) {
     bindTextures(planned.textures, *built);
     Diagnostics remarks;
     if (const auto* from = std::get_if<scene::GroupsFrom>(&dispatch.groups)) {
-        if (const gpu::Buffer* counts = device_.buffers().buffer(from->buffer)) {
+        if (const gpu::Buffer* counts = device_.buffers().buffer(from->first.buffer)) {
             GroupCounts groups{};
             for (std::size_t axis = 0; axis < groups.size(); ++axis)
-                groups.at(axis) = countIn(from->buffer, axis);
+                groups.at(axis) = countIn(from->first, axis);
             const auto checked = checkedGroups(groups, context_.capabilities(), dispatch.place);
             if (!checked) return checked.diagnostics;
             append(remarks, checked.diagnostics);
-            gpu::dispatchFrom(*counts);
+            gpu::dispatchFrom(*counts, from->first.word * sizeof(GLuint));
         }
     } else {
         remarks = dispatchPieces(*built, groupsOf(planned, *built), dispatch);

@@ -191,7 +191,7 @@ class FrameDrawer {
     [[nodiscard]] bool mayTakeLong(const plan::PlannedDraw& planned, const BuiltProgram& built);
     void submitDirect(const plan::PlannedDraw& planned, const Elements& elements, GLenum mode) const;
     /// The word of that number of a buffer; 0 if the buffer has not been made. Waits for the device.
-    [[nodiscard]] std::uint32_t countIn(const scene::BufferView& from, std::size_t word) const;
+    [[nodiscard]] std::uint32_t countIn(const scene::CountFrom& from, std::uint64_t after = 0) const;
     /// memory-E06 if a buffer gives the draw more vertices or instances than a scene may state, memory-E15 if
     /// more indices than there are.
     [[nodiscard]] Diagnostics checkCounts(const scene::Draw& draw) const;

@@ -155,17 +155,17 @@ FrameDrawer::Elements FrameDrawer::elementsOf(const plan::PlannedDraw& planned) 
     return {true, own.offset, wanted};
 }
 
-std::uint32_t FrameDrawer::countIn(const scene::BufferView& from, std::size_t word) const {
+std::uint32_t FrameDrawer::countIn(const scene::CountFrom& from, std::uint64_t after) const {
     std::uint32_t count = 0;
-    if (const gpu::Buffer* buffer = device_.buffers().buffer(from))
-        buffer->read(word * sizeof count, std::as_writable_bytes(std::span(&count, 1)));
+    if (const gpu::Buffer* buffer = device_.buffers().buffer(from.buffer))
+        buffer->read((from.word + after) * sizeof count, std::as_writable_bytes(std::span(&count, 1)));
     return count;
 }
 
 Diagnostics FrameDrawer::checkCounts(const scene::Draw& draw) const {
     Diagnostics diagnostics;
-    const auto check = [&](const scene::BufferView& from, int most, const char* word, const char* things) {
-        const std::uint32_t count = from.buffer ? countIn(from, 0) : 0;
+    const auto check = [&](const scene::CountFrom& from, int most, const char* word, const char* things) {
+        const std::uint32_t count = from ? countIn(from) : 0;
         if (count > static_cast<std::uint32_t>(most))
             diagnostics.push_back(
                 diagnose("memory-E06",
@@ -214,7 +214,7 @@ void FrameDrawer::submit(const plan::PlannedDraw& planned, bool withPoints) cons
 
 void FrameDrawer::submitPart(const plan::PlannedDraw& planned, const Elements& elements, GLenum mode) const {
     const scene::Draw& draw = plan_.drawOf(planned);
-    if (draw.instancesFrom.buffer || draw.verticesFrom.buffer)
+    if (draw.instancesFrom || draw.verticesFrom)
         submitIndirect(draw, elements, mode);
     else if (draw.instances > 0)
         submitDirect(planned, elements, mode);
@@ -255,9 +255,9 @@ void FrameDrawer::submitIndirect(const scene::Draw& draw, const Elements& elemen
         command_ = std::move(*made);
     }
     command_->update(0, bytes);
-    const auto take = [&](const scene::BufferView& from, std::size_t at) {
-        if (const gpu::Buffer* buffer = from.buffer ? device_.buffers().buffer(from) : nullptr)
-            command_->copyFrom(*buffer, 0, at, sizeof(GLuint));
+    const auto take = [&](const scene::CountFrom& from, std::size_t at) {
+        if (const gpu::Buffer* buffer = from ? device_.buffers().buffer(from.buffer) : nullptr)
+            command_->copyFrom(*buffer, from.word * sizeof(GLuint), at, sizeof(GLuint));
     };
     take(draw.verticesFrom, 0);
     take(draw.instancesFrom, sizeof(GLuint));

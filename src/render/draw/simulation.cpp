@@ -21,6 +21,18 @@ bool hasObject(const std::vector<scene::ObjectView>& list, const scene::ObjectVi
     return std::any_of(list.begin(), list.end(), [&](const auto& each) { return each == object; });
 }
 
+/// True if the list has the object, whole or a part of it.
+bool writes(const std::vector<scene::ObjectView>& list, const scene::ObjectView& object) {
+    return std::any_of(list.begin(), list.end(),
+                       [&](const auto& each) { return plan::objectOf(each) == plan::objectOf(object); });
+}
+
+/// True if the values are the same. One that is not a number is equal to itself.
+bool isSame(const std::vector<double>& a, const std::vector<double>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); });
+}
+
 void addReads(const plan::FramePlan& plan, std::vector<scene::ObjectView>& roots) {
     for (std::size_t i = 0; i < plan.order.size(); ++i)
         for (const plan::ObjectUse& each : usesOf(plan, i))
@@ -86,6 +98,10 @@ struct Simulation::Block {
     scene::NodeList nodes;
     plan::FramePlan plan;
     std::optional<FrameDrawer> drawer;
+    std::vector<scene::ObjectView> written;     ///< by any of its plans so far
+    std::optional<std::vector<double>> resets;  ///< StepBlock::resets at the last step
+    std::int64_t firstTick = 0;                 ///< of the step since which it runs
+    bool isOfStep = false;                      ///< a Once that was planned while a step ran
     glm::dmat4 view{1.0};
     std::optional<ViewMatrices> seen;  ///< by `view`; made when the block first runs
 };
@@ -178,9 +194,10 @@ Diagnostics Simulation::planAll() {
     return diagnostics;
 }
 
-void Simulation::noteWrites(const Block& block) {
+void Simulation::noteWrites(Block& block) {
     for (std::size_t node = 0; node < block.plan.order.size(); ++node)
         for (const plan::ObjectUse& each : usesOf(block.plan, node)) {
+            if (each.writes && !writes(block.written, each.object)) block.written.push_back(each.object);
             const bool isKnown = std::any_of(lasting_.begin(), lasting_.end(), [&](const Lasting& known) {
                 return plan::objectOf(known.object) == plan::objectOf(each.object);
             });
@@ -300,6 +317,10 @@ void Simulation::takeOver(Simulation& previous) {
     if (!previous.hasRun_ || previous.done_.size() != done_.size()) return;
     for (const Lasting& each : lasting_) parts_.device.takeOver(previous.parts_.device, each.object);
     done_ = previous.done_;
+    for (std::size_t i = 0; i < steps_.size(); ++i) {
+        steps_[i]->resets = previous.steps_[i]->resets;
+        steps_[i]->firstTick = previous.steps_[i]->firstTick;
+    }
     onceReads_ = previous.onceReads_;
     hasRun_ = true;
 }
@@ -334,6 +355,9 @@ Diagnostics Simulation::advance(const scene::FrameInputs& inputs) {
             steps_[static_cast<std::size_t>(slowest - to.begin())]->place));
         return diagnostics;
     }
+    std::vector<std::vector<double>> resets;  // of blocks whose steps have the scene of the frame
+    for (const scene::StepBlock& each : parts_.scene.steps) resets.push_back(each.resets);
+    resets.resize(steps_.size());
     // Steps that depend on their tick need a scene of their own.
     std::optional<scene::Scene> frame;
     inOrderOfTime(rates, done_, to, [&](const StepNumber& step) {
@@ -341,6 +365,9 @@ Diagnostics Simulation::advance(const scene::FrameInputs& inputs) {
             frame = std::exchange(parts_.scene, {});
             parts_.device.forgetShapes();
         }
+        if (Block& block = *steps_[step.block];
+            !block.dependsOnTick && hasOtherResets(block, resets[step.block]))
+            append(diagnostics, beginAnew(block, step.tick));
         append(diagnostics, runStep(step, inputs));
         if (!parts_.context.capabilities().isSoftware) queue_.endStep();
         return !hasError(diagnostics);
@@ -363,13 +390,56 @@ Diagnostics Simulation::restart(bool plansAgain) {
     ++changes_;
     hasRun_ = true;
     done_.assign(steps_.size(), 0);
+    for (const auto& each : steps_) {
+        each->resets.reset();
+        each->firstTick = 0;
+    }
     for (const Lasting& each : lasting_)
         if (parts_.device.hasBeenWritten(plan::objectOf(each.object)))
             append(diagnostics, parts_.device.reset(each.object));
     for (const auto& block : once_) {
-        if (plansAgain && block->index < parts_.scene.once.size())
+        if ((plansAgain || std::exchange(block->isOfStep, false)) && block->index < parts_.scene.once.size())
             append(diagnostics, planAgain(*block, parts_.scene.once[block->index].nodes));
         if (!hasError(diagnostics)) append(diagnostics, run(*block, 0));
+    }
+    return diagnostics;
+}
+
+bool Simulation::hasOtherResets(Block& block, const std::vector<double>& now) {
+    const bool isOther = block.resets && !isSame(*block.resets, now);
+    block.resets = now;
+    return isOther;
+}
+
+/// What the block writes becomes as declared, and the Once blocks run that write any of it.
+Diagnostics Simulation::beginAnew(Block& step, std::int64_t tick) {
+    step.firstTick = tick;
+    std::vector<scene::ObjectView> objects = step.written;
+    std::vector<bool> runs(once_.size());
+    for (bool grows = true; grows;) {
+        grows = false;
+        for (const auto& each : once_) {
+            const auto isShared = [&](const scene::ObjectView& object) { return writes(objects, object); };
+            if (runs[each->index] || std::none_of(each->written.begin(), each->written.end(), isShared))
+                continue;
+            runs[each->index] = grows = true;
+            objects.insert(objects.end(), each->written.begin(), each->written.end());
+        }
+    }
+    closeDrawer();
+    Diagnostics diagnostics;
+    std::vector<scene::ObjectView> done;
+    for (const scene::ObjectView& each : objects) {
+        if (writes(done, each)) continue;
+        done.push_back(each);
+        if (parts_.device.hasBeenWritten(plan::objectOf(each)))
+            append(diagnostics, parts_.device.reset(each));
+    }
+    for (const auto& each : once_) {
+        if (!runs[each->index] || each->index >= parts_.scene.once.size() || hasError(diagnostics)) continue;
+        each->isOfStep = true;  // the scene may be that of the step
+        append(diagnostics, planAgain(*each, parts_.scene.once[each->index].nodes));
+        if (!hasError(diagnostics)) append(diagnostics, run(*each, 0));
     }
     return diagnostics;
 }
@@ -419,10 +489,19 @@ Diagnostics Simulation::runStep(const StepNumber& step, scene::FrameInputs input
     inputs.time = time;
     inputs.ticks.assign(steps_.size(), 0);
     inputs.ticks[step.block] = step.tick;
+    inputs.firstTicks.assign(steps_.size(), 0);
+    inputs.firstTicks[step.block] = block.firstTick;
     inputs.sinceStepBefore = 1 / block.rate;
     parts_.scene = parts_.source->at(inputs);
     Diagnostics diagnostics = std::move(parts_.scene.diagnostics);
-    if (step.block >= parts_.scene.steps.size() || hasError(diagnostics)) return diagnostics;
+    const auto isLost = [&] { return step.block >= parts_.scene.steps.size() || hasError(diagnostics); };
+    if (isLost()) return diagnostics;
+    if (hasOtherResets(block, parts_.scene.steps[step.block].resets)) {
+        append(diagnostics, beginAnew(block, step.tick));
+        inputs.firstTicks[step.block] = step.tick;
+        parts_.scene = parts_.source->at(inputs);
+        if (isLost()) return diagnostics;
+    }
     append(diagnostics, planAgain(block, parts_.scene.steps[step.block].nodes));
     if (!hasError(diagnostics)) append(diagnostics, run(block, time));
     return diagnostics;

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "gpu/context/call_counter.h"
+#include "gpu/context/call_trace.h"
 #include "image/format.h"
 #include "image/inspect.h"
 #include "image/video/video_file.h"
@@ -146,8 +147,9 @@ class JobRun {
         options_.floatPixels = options_.floatPixels || image::holdsFloats(job.output);
         if (job.frames > 1) options_.lastTime = timeOf(job.frames - 1);
         for (const Job::Save& each : job.saves) options_.wantedObjects.push_back(each.object);
+        if (job.trace) counter_.emplace();
         if (job.explain || job.stats) {
-            counter_.emplace();
+            if (!counter_) counter_.emplace();
             gpuTimes_.emplace(context.capabilities());
         }
     }
@@ -176,6 +178,7 @@ class JobRun {
         countCalls();
         if (gpuTimes_ && gpuTimes_->measures()) stats_.gpu = gpuTimes_->finish();
         if (job_.explain) result_.explanation = job_.scene.string() + "\n" + toText(stats_);
+        result_.explanation += trace_;
         if (job_.stats)
             result_.statsJson = toJson(stats_, job_.scene.string(), loaded->width(), loaded->height(),
                                        context_.capabilities().renderer);
@@ -185,7 +188,11 @@ class JobRun {
   private:
     /// Draws frame `index`; nothing if it must not be written.
     std::optional<image::Image> draw(SceneRenderer& scene, int index) {
+        std::optional<gpu::CallTrace> trace;
+        if (job_.trace && index == job_.frames - 1) trace.emplace(context_.debugLog());
         Result<image::Image> picture = scene.draw(timeOf(index), stats_);
+        if (trace) trace_ = trace->text();
+        trace.reset();
         return take(scene, index, std::move(picture), whyNothingIsSeen(scene.plan()));
     }
 
@@ -194,6 +201,7 @@ class JobRun {
                                      const std::string& whyNothing) {
         Diagnostics remarks = std::move(picture.diagnostics);
         if (search_) append(remarks, search_->at(timeOf(index)));
+        if (picture) append(remarks, scene.printed());
         if (picture) append(remarks, remarksOn(*picture, job_.scene, whyNothing, options_.checkNan));
         applyStrict(remarks, options_.strict);
         if (picture && (!hasError(remarks) || options_.incomplete)) append(remarks, save(scene, index));
@@ -301,7 +309,8 @@ class JobRun {
             : run_(run),
               scene_(scene),
               give_(std::move(give)),
-              isAhead_(scene.gainsFromDrawingAhead() && !run.search_ && run.job_.saves.empty()) {}
+              isAhead_(scene.gainsFromDrawingAhead() && !run.search_ && run.job_.saves.empty() &&
+                       !run.job_.trace && scene.scene().prints.empty()) {}
 
         /// False if no more frames are to be drawn.
         bool draw(int frame) {
@@ -431,6 +440,7 @@ class JobRun {
     std::optional<GpuTimes> gpuTimes_;
     Result<NanSearch> search_;
     JobResult result_;
+    std::string trace_;
     std::map<Subject, int> reported_;  ///< the first frame of each subject
 };
 

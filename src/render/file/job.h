@@ -30,6 +30,7 @@ struct Job {
     /// processor and no frame depends on earlier ones; otherwise part 0 draws all.
     int part = 0, parts = 1;
     bool explain = false;
+    bool trace = false;  ///< lists the GL calls of the last frame
     bool stats = false;
     /// The content of a texture or buffer, which goes into a file after each picture
     /// (RenderOptions::wantedObjects).
@@ -49,7 +50,7 @@ struct JobResult {
     Diagnostics diagnostics;  ///< for an animation, those that belong to no single frame
     /// For an animation, the diagnostics that a frame is the first to have, by the frame's number.
     std::map<int, Diagnostics> ofFrames;
-    std::string explanation;  ///< --explain
+    std::string explanation;  ///< --explain, --trace
     std::string statsJson;    ///< --stats
 };
 

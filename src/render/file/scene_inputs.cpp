@@ -121,6 +121,7 @@ ReadByScene filesReadBy(const fs::path& path, const RenderOptions& options) {
             else
                 addShader(file.path);
         }
+    for (const auto& [name, each] : scene.glslTexts) open.emplace_back(each.path, *each.text);
     while (!open.empty()) {
         const auto [file, text] = std::move(open.back());
         open.pop_back();

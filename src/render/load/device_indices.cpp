@@ -7,8 +7,10 @@
 #include <limits>
 #include <set>
 
+#include "base/suggest.h"
 #include "glib/number.h"
 #include "plan/accesses.h"
+#include "plan/buffer_table.h"
 #include "render/load/device_scene.h"
 
 namespace glibra::render {
@@ -54,19 +56,49 @@ std::optional<std::string> DeviceScene::elementsProblem(const plan::FramePlan& p
     const scene::Shape& shape = scene_.shapes[draw.shape];
     if (!planned.inputs) return std::nullopt;
     std::uint64_t vertices = 0, instances = 0;  // 0: not known here
-    if (!draw.instancesFrom.buffer) instances = static_cast<std::uint64_t>(draw.instances);
-    if (shape.bare && !draw.verticesFrom.buffer && !draw.indices.buffer && !shape.numbers.empty())
+    if (!draw.instancesFrom) instances = static_cast<std::uint64_t>(draw.instances);
+    if (shape.bare && !draw.verticesFrom && !draw.indices.buffer && !shape.numbers.empty())
         vertices = static_cast<std::uint64_t>(shape.numbers[0]);
     for (const plan::InputSource& each : plan.inputs[planned.inputs].sources) {
-        const auto* view = std::get_if<scene::BufferView>(&each.from);
-        const plan::BufferLayout* of = view != nullptr ? buffers_.layout(view->buffer) : nullptr;
+        const std::optional<Elements> of = elementsOf(plan, each);
         const std::uint64_t needed = each.isPerInstance ? instances : vertices;
-        if (of == nullptr || of->pattern.element.empty() || needed <= of->elements) continue;
+        if (!of || needed <= of->count) continue;
         return fmt::format("{}: {} {} are more than the {} elements of '{}'", draw.word, grouped(needed),
-                           each.isPerInstance ? "instances" : "vertices", grouped(of->elements),
-                           scene_.buffers[view->buffer].name);
+                           each.isPerInstance ? "instances" : "vertices", grouped(of->count),
+                           scene_.buffers[std::get<scene::BufferView>(each.from).buffer].name);
     }
     return std::nullopt;
+}
+
+Diagnostics DeviceScene::membersProblems(const plan::FramePlan& plan,
+                                         const plan::PlannedDraw& planned) const {
+    Diagnostics problems;
+    if (!planned.inputs) return problems;
+    const scene::Draw& draw = plan.drawOf(planned);
+    for (const plan::InputSource& each : plan.inputs[planned.inputs].sources) {
+        const auto* view = std::get_if<scene::BufferView>(&each.from);
+        const plan::BufferLayout* layout = view != nullptr ? buffers_.layout(view->buffer) : nullptr;
+        if (layout == nullptr || each.part.member.empty() || elementsOf(plan, each)) continue;
+        const std::optional<base::StorageBlock> block = plan::blockOf(plan, view->buffer);
+        std::string advice =
+            "; its members have names where a block of a program holds it, and otherwise 'offset' and "
+            "'stride' "
+            "say which numbers are meant";
+        if (block) {
+            const plan::BufferTable table = plan::tableOf(*layout, &*block, layout->pattern.element.size());
+            std::vector<std::string_view> names;
+            for (const plan::BufferColumn& column : table.columns) names.push_back(column.name);
+            advice = base::suggestion(each.part.member, names);
+            if (advice.empty()) advice = fmt::format("; its members are {}", fmt::join(names, ", "));
+        }
+        problems.push_back(
+            diagnose("draw-E12",
+                     fmt::format("{}: an attribute reads the member '{}' of buffer '{}', which has "
+                                 "none of that name{}",
+                                 draw.word, each.part.member, scene_.buffers[view->buffer].name, advice),
+                     draw.place));
+    }
+    return problems;
 }
 
 Diagnostics DeviceScene::checkElements(const plan::FramePlan& plan) const {
@@ -78,6 +110,8 @@ Diagnostics DeviceScene::checkElements(const plan::FramePlan& plan) const {
             if (planned == nullptr) continue;
             std::optional<std::string> problem = elementsProblem(plan, *planned);
             const Place& place = plan.drawOf(*planned).place;
+            for (Diagnostic& each : membersProblems(plan, *planned))
+                if (reported.emplace(place.line, each.text).second) diagnostics.push_back(std::move(each));
             if (problem && reported.emplace(place.line, *problem).second)
                 diagnostics.push_back(diagnose("memory-E13", std::move(*problem), place));
         }
@@ -124,16 +158,14 @@ std::optional<std::string> DeviceScene::indexProblem(const plan::FramePlan& plan
     std::optional<std::uint64_t> vertices;  // of the shortest buffer with attributes
     scene::BufferIndex shortest;
     for (const plan::InputSource& each : plan.inputs[planned.inputs].sources) {
-        const auto* view = std::get_if<scene::BufferView>(&each.from);
-        const plan::BufferLayout* of =
-            view != nullptr && !each.isPerInstance ? buffers_.layout(view->buffer) : nullptr;
-        if (of == nullptr || (vertices && *vertices <= of->elements)) continue;
-        vertices = of->elements;
-        shortest = view->buffer;
+        const std::optional<Elements> of = each.isPerInstance ? std::nullopt : elementsOf(plan, each);
+        if (!of || (vertices && *vertices <= of->count)) continue;
+        vertices = of->count;
+        shortest = std::get<scene::BufferView>(each.from).buffer;
     }
     if (!vertices) return std::nullopt;
     const bool restarts = planned.submission.topology != geometry::Topology::patches;
-    const std::uint64_t count = draw.drawsAllIndices || draw.verticesFrom.buffer ? layout.elements : given;
+    const std::uint64_t count = draw.drawsAllIndices || draw.verticesFrom ? layout.elements : given;
     const auto beyond = firstIndexFrom(draw.indices.buffer, count, *vertices, restarts);
     if (!beyond) return std::nullopt;
     return fmt::format("{}: element {} of '{}' is vertex {}, but '{}' has {} elements", draw.word,

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "geometry/adjacency.h"
+#include "plan/buffer_table.h"
 #include "plan/submission.h"
 #include "plan/uniform_names.h"
 #include "render/load/reuse.h"
@@ -371,8 +372,8 @@ const gpu::VertexArray& DeviceScene::vertexArray(const plan::FramePlan& plan,
         if (input.location < 0) continue;
         if (const auto* name = std::get_if<std::string>(&feeds[i].from))
             addMeshSource(mesh, *name, input, sources);
-        else if (const auto* view = std::get_if<scene::BufferView>(&feeds[i].from))
-            addBufferSources(*view, feeds[i].isPerInstance, input, sources);
+        else if (const auto elements = elementsOf(plan, feeds[i]))
+            addBufferSources(*elements, feeds[i].isPerInstance, input, sources);
     }
     const gpu::Buffer* indices = own ? own->buffer : mesh.indices ? &*mesh.indices : nullptr;
     return parts.vertexArrays.try_emplace({planned.mesh, inputs, buffers}, gpu::VertexArray(sources, indices))
@@ -388,25 +389,59 @@ const std::vector<plan::InputSource>& DeviceScene::inputSources(const plan::Fram
     return entry->second;
 }
 
-void DeviceScene::addBufferSources(const scene::BufferView& view, bool isPerInstance,
-                                   const base::ActiveInput& input,
-                                   std::vector<gpu::AttributeSource>& sources) const {
-    const gpu::Buffer* buffer = buffers_.buffer(view);
-    const plan::BufferLayout* layout = buffers_.layout(view.buffer);
-    if (!buffer || !layout || layout->pattern.element.empty()) return;
+std::optional<DeviceScene::Elements> DeviceScene::elementsOf(const plan::FramePlan& plan,
+                                                             const plan::InputSource& source) const {
+    const auto* view = std::get_if<scene::BufferView>(&source.from);
+    const plan::BufferLayout* layout = view != nullptr ? buffers_.layout(view->buffer) : nullptr;
+    if (layout == nullptr || layout->pattern.element.empty()) return std::nullopt;
     const plan::MemoryPattern& pattern = layout->pattern;
+    const scene::ElementPart& part = source.part;
+    Elements elements{
+        buffers_.buffer(*view), pattern.elementsAt + part.offset, pattern.stride, layout->elements, {}};
+    std::size_t first = 0, count = pattern.element.size();
+    if (!part.member.empty()) {
+        const std::optional<base::StorageBlock> block = plan::blockOf(plan, view->buffer);
+        const plan::BufferTable table =
+            plan::tableOf(*layout, block ? &*block : nullptr, pattern.element.size());
+        const auto found = std::find_if(table.columns.begin(), table.columns.end(),
+                                        [&](const auto& each) { return each.name == part.member; });
+        if (!block || found == table.columns.end()) return std::nullopt;
+        first = found->first;
+        count = found->count;
+    }
+    if (part.stride != 0) elements.stride = part.stride;
+    if (!part.isBytes()) {
+        elements.numbers.assign(pattern.element.begin() + static_cast<std::ptrdiff_t>(first),
+                                pattern.element.begin() + static_cast<std::ptrdiff_t>(first + count));
+        return elements;
+    }
+    // Numbers one after another, as in glVertexAttribPointer.
+    const plan::MemoryNumber& begin = pattern.element[first];
+    const std::uint64_t end = pattern.elementsAt + layout->elements * pattern.stride;
+    const std::uint64_t at = elements.at + begin.offset + plan::sizeOf(begin.kind);
+    elements.count = at > end ? 0 : (end - at) / elements.stride + 1;
+    constexpr std::uint64_t kMostNumbers = 16;  // of a mat4
+    for (std::uint64_t i = 0; i < kMostNumbers; ++i)
+        elements.numbers.push_back({begin.offset + i * plan::sizeOf(begin.kind), begin.kind});
+    return elements;
+}
+
+void DeviceScene::addBufferSources(const Elements& elements, bool isPerInstance,
+                                   const base::ActiveInput& input,
+                                   std::vector<gpu::AttributeSource>& sources) {
+    if (elements.buffer == nullptr) return;
     const auto rows = static_cast<std::size_t>(input.type.rows);
     for (std::size_t column = 0; column < static_cast<std::size_t>(input.type.columns); ++column) {
         const std::size_t first = column * rows;
-        if (first >= pattern.element.size()) return;
+        if (first >= elements.numbers.size()) return;
         gpu::AttributeSource source;
-        source.buffer = buffer;
+        source.buffer = elements.buffer;
         source.location = static_cast<GLuint>(input.location) + static_cast<GLuint>(column);
-        source.components = static_cast<int>(std::min(rows, pattern.element.size() - first));
-        source.offset = pattern.elementsAt + pattern.element[first].offset;
-        source.stride = pattern.stride;
+        source.components = static_cast<int>(std::min(rows, elements.numbers.size() - first));
+        source.offset = elements.at + elements.numbers[first].offset;
+        source.stride = elements.stride;
         source.divisor = isPerInstance ? 1 : 0;
-        source.type = sourceTypeOf(pattern.element[first].kind, input.type);
+        source.type = sourceTypeOf(elements.numbers[first].kind, input.type);
         sources.push_back(source);
     }
 }

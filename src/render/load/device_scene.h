@@ -166,9 +166,20 @@ class DeviceScene {
     [[nodiscard]] const std::string& nameOfIndices(const scene::Draw& draw) const {
         return scene_.buffers[draw.indices.buffer].name;
     }
-    /// Adds what feeds an input from a buffer of the scene, one source per column.
-    void addBufferSources(const scene::BufferView& view, bool isPerInstance, const base::ActiveInput& input,
-                          std::vector<gpu::AttributeSource>& sources) const;
+    /// What a vertex input reads of a buffer.
+    struct Elements {
+        const gpu::Buffer* buffer = nullptr;
+        std::uint64_t at = 0;      ///< byte at which the first element begins
+        std::uint64_t stride = 0;  ///< bytes
+        std::uint64_t count = 0;
+        std::vector<plan::MemoryNumber> numbers;  ///< counted from where an element begins
+    };
+    /// Nothing for other sources, and for a member that the buffer does not have.
+    [[nodiscard]] std::optional<Elements> elementsOf(const plan::FramePlan& plan,
+                                                     const plan::InputSource& source) const;
+    /// Adds what feeds an input from them, one source per column.
+    static void addBufferSources(const Elements& elements, bool isPerInstance, const base::ActiveInput& input,
+                                 std::vector<gpu::AttributeSource>& sources);
     /// What feeds the inputs of the program; without `inputs` what glibra supplies.
     const std::vector<plan::InputSource>& inputSources(const plan::FramePlan& plan,
                                                        plan::PlannedInputsIndex inputs,
@@ -213,6 +224,9 @@ class DeviceScene {
     /// memory-E13 for draws with more vertices or instances than a buffer that feeds an input has elements,
     /// where the script gives the counts.
     [[nodiscard]] Diagnostics checkElements(const plan::FramePlan& plan) const;
+    /// draw-E12 for attributes that name members which their buffers do not have.
+    [[nodiscard]] Diagnostics membersProblems(const plan::FramePlan& plan,
+                                              const plan::PlannedDraw& planned) const;
     [[nodiscard]] std::optional<std::string> elementsProblem(const plan::FramePlan& plan,
                                                              const plan::PlannedDraw& planned) const;
     /// memory-E13 for draws whose indices are no indices, are too few, or lie outside of their attributes.

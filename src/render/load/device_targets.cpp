@@ -49,7 +49,7 @@ PictureLayout layoutOf(gpu::TexelFormat format) {
     // Pictures of two components would be grey and alpha.
     layout.components = hasDepth(format) ? 1 : row.components == 2 ? 3 : row.components;
     if (row.kind == base::TexelClass::normalized) {
-        const bool isBytes = row.bytes == row.components && format != gpu::TexelFormat::rgb10_a2;
+        const bool isBytes = row.bits == 8;
         layout.type = isBytes ? image::Component::u8 : image::Component::u16;
         layout.texels = isBytes ? gpu::TexelType::u8 : gpu::TexelType::u16;
     }
@@ -233,7 +233,7 @@ const gpu::Sampler& DeviceScene::sampler(const base::SamplerState& state, bool c
         if (each.compares == compares && each.state == state) return each.sampler;
     base::SamplerState possible = state;
     possible.anisotropy = std::min<double>(state.anisotropy, context_.capabilities().maxAnisotropy);
-    const auto compare = compares ? std::optional(base::Comparison::lequal) : std::nullopt;
+    const auto compare = compares ? std::optional(state.compare) : std::nullopt;
     return samplers_.emplace_back(MadeSampler{state, compares, gpu::Sampler(possible, compare)}).sampler;
 }
 

@@ -102,14 +102,6 @@ bool ProgramLibrary::mayReadTangents(const plan::ProgramVariant& variant) {
     return !translation.program || translation.program->mayReadTangents;
 }
 
-std::vector<std::filesystem::path> ProgramLibrary::filesRead() const {
-    std::vector<std::filesystem::path> files;
-    for (const auto& [path, text] : included_) files.push_back(path);
-    for (const auto& [file, source] : sources_)
-        if (!source.path.empty()) files.emplace_back(source.path);
-    return files;
-}
-
 std::vector<glsl::EmittedLine> ProgramLibrary::refusedLines(const Place& place) const {
     for (const auto& [variant, built] : programs_)
         for (const glsl::TranslatedStage& stage : built->refused)

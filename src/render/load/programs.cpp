@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <embedded/builtin_shaders.h>
 #include <algorithm>
 #include <utility>
 
@@ -10,22 +9,12 @@
 #include "glsl/facts/stage_variables.h"
 #include "gpu/object/reflection.h"
 #include "gpu/object/uniform.h"
-#include "image/file.h"
 #include "plan/accesses.h"
 #include "render/load/bounded_filter.h"
 #include "render/load/gl_names.h"
-#include "render/load/hidden_text.h"
-#include "scene/file_lookup.h"
 
 namespace glibra::render {
 namespace {
-
-/// The bytes as text, without a UTF-8 byte order mark.
-std::string asText(const std::vector<std::byte>& bytes) {
-    std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
-    return text;
-}
 
 glsl::Target glslTargetOf(const gpu::Capabilities& capabilities) {
     glsl::Target target;
@@ -43,24 +32,6 @@ glsl::Target glslTargetOf(const gpu::Capabilities& capabilities) {
                (capabilities.atLeast(4, 2) || !isImage);
     };
     return target;
-}
-
-glsl::SamplerKind samplerKind(scene::TextureTarget target) {
-    switch (target) {
-        case scene::TextureTarget::texture1D:
-            return glsl::SamplerKind::sampler1D;
-        case scene::TextureTarget::texture2D:
-        case scene::TextureTarget::texture1DArray:  // these are never on a unit
-        case scene::TextureTarget::texture2DArray:
-        case scene::TextureTarget::cubeArray:
-        case scene::TextureTarget::rectangle:
-            return glsl::SamplerKind::sampler2D;
-        case scene::TextureTarget::texture3D:
-            return glsl::SamplerKind::sampler3D;
-        case scene::TextureTarget::cube:
-            break;
-    }
-    return glsl::SamplerKind::samplerCube;
 }
 
 /// The name that the user wrote. An emitted name may be "glibra_x" or "block.glibra_x[2].glibra_y", and the
@@ -133,129 +104,11 @@ ProgramLibrary::ProgramLibrary(const gpu::Context& context, const scene::Scene& 
       tiled_(tiled),
       stats_(stats),
       shared_(shared),
-      shown_(scene::shownRoots(scene::searchFolders(scene.path, {.libraryRoots = options.libraryRoots}))) {}
-
-void ProgramLibrary::noteIfHidden(scene::ProgramIndex program, const std::string& file) {
-    if (!shown_.contains(file)) hidden_.emplace(program, file);
-}
-
-std::string ProgramLibrary::hiddenSource(scene::ProgramIndex program) const {
-    const auto found = hidden_.find(program);
-    return found == hidden_.end() ? std::string() : found->second;
-}
-
-void ProgramLibrary::hideTexts(scene::ProgramIndex program, Diagnostics& diagnostics) const {
-    const std::string hidden = hiddenSource(program);
-    if (hidden.empty()) return;
-    HiddenWords words;
-    const auto add = [&](const std::string& file, const std::string& text) {
-        if (shown_.contains(file))
-            words.addShown(text);
-        else
-            words.addHidden(text);
-    };
-    for (const auto& [index, source] : sources_)
-        if (source.text) add(source.path, *source.text);
-    for (const auto& [path, text] : included_) add(path.string(), text);
-    const std::string why = fmt::format(
-        "'{}', which lies outside of the scene's folder and the library; add its folder to GLIBRA_PATH",
-        hidden);
-    for (Diagnostic& each : diagnostics) {
-        // Messages about finding and opening a file name the file and nothing else.
-        if (each.id.starts_with("file-")) continue;
-        if (!each.place.file.empty() && !shown_.contains(each.place.file)) {
-            each.text = fmt::format("{}, because it may quote {}", kHiddenText, why);
-        } else if (std::string text = words.removedFrom(each.text); text != each.text) {
-            each.text = fmt::format("{} (\"...\" stands for words of {})", text, why);
-        }
-    }
-}
-
-const ProgramLibrary::SourceFile& ProgramLibrary::sourceFile(scene::FileIndex file) {
-    const auto [entry, isNew] = sources_.try_emplace(file);
-    SourceFile& source = entry->second;
-    if (!isNew) return source;
-    const scene::FileReference& reference = scene_.files[file];
-    source.diagnostics = reference.remarks;
-    source.path = reference.path.string();
-    if (reference.text) source.text = reference.text;
-    if (reference.path.empty() || reference.text) return source;
-    if (const auto edited = options_.texts.find(reference.path); edited != options_.texts.end()) {
-        source.text = edited->second;
-        return source;
-    }
-    stats_.add("files read", 1);
-    auto bytes = image::readFile(reference.path, {reference.name, reference.place}, kLargestSource);
-    append(source.diagnostics, std::move(bytes.diagnostics));
-    if (bytes) source.text = asText(*bytes);
-    return source;
-}
-
-std::vector<glsl::SamplerKind> ProgramLibrary::samplerKinds(scene::ProgramIndex program,
-                                                            std::string_view tag) const {
-    std::vector<glsl::SamplerKind> kinds;
-    int unit = 0;
-    for (const glib::UniformSpec& each : scene_.programs[program].uniforms)
-        if (each.tag == tag && !each.values.empty()) unit = static_cast<int>(each.values.front());
-    for (const scene::Texture& each : scene_.textures) {
-        if (each.unit != unit) continue;
-        const glsl::SamplerKind kind = samplerKind(each.target);
-        if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) kinds.push_back(kind);
-    }
-    return kinds;
-}
+      sources_(scene, options, stats) {}
 
 glsl::ProgramRequest ProgramLibrary::request(const plan::ProgramVariant& variant, Diagnostics& diagnostics) {
-    glsl::ProgramRequest request;
+    glsl::ProgramRequest request = sources_.request(variant, tiled_, diagnostics);
     request.target = glslTargetOf(context_.capabilities());
-    request.flatColors = variant.flatColors;
-    request.colorTargets = variant.colorTargets;
-    request.tiled = tiled_;
-    request.inPieces = variant.inPieces;
-    if (!variant.program) {
-        request.name = "built-in";
-        request.stages = {{glsl::Stage::vertex, "flat.vert", std::string(builtin_shaders::flat_vert())},
-                          {glsl::Stage::fragment, "flat.frag", std::string(builtin_shaders::flat_frag())}};
-        return request;
-    }
-    const scene::Program& program = scene_.programs[variant.program];
-    request.name = program.name;
-    request.place = program.place;
-    request.shim = options_.shim;
-    request.checksUndefined = options_.checkUndefined;
-    request.suppliesFullScreenVertex = variant.isFullScreen;
-    request.acceptsStorage = scene_.isModern;
-    request.geometryInput = program.geometryInput;
-    request.geometryOutput = program.geometryOutput;
-    request.geometryVerticesOut = program.geometryVerticesOut;
-    request.reportsGeometryConflicts = !program.sharesGeometryWords;
-    for (const scene::StageFile& stage : program.stages) {
-        if (variant.isFill && scene::Program::isLeftOutByFill(stage)) continue;
-        const SourceFile& source = sourceFile(stage.file);
-        append(diagnostics, source.diagnostics);
-        if (!source.path.empty()) noteIfHidden(variant.program, source.path);
-        if (source.text) request.stages.push_back({stage.stage, source.path, *source.text});
-    }
-    request.include = [this, program = variant.program](
-                          std::string_view name, std::string_view from) -> std::optional<glsl::IncludedFile> {
-        const scene::FileReference found = scene::findInclude(
-            name, from, scene_.path, {options_.libraryRoots, options_.within, options_.texts}, listings_);
-        if (found.path.empty()) return std::nullopt;
-        stats_.add("files read", 1);
-        noteIfHidden(program, found.path.string());
-        std::string& text = included_[found.path];
-        if (const auto edited = options_.texts.find(found.path); edited != options_.texts.end()) {
-            text = edited->second;
-        } else {
-            const auto bytes = image::readFile(found.path, {found.name, found.place}, kLargestSource);
-            if (!bytes) return std::nullopt;
-            text = asText(*bytes);
-        }
-        return glsl::IncludedFile{found.path.string(), text};
-    };
-    request.samplerKindsOfTag = [this, program = variant.program](std::string_view tag) {
-        return samplerKinds(program, tag);
-    };
     return request;
 }
 
@@ -300,10 +153,14 @@ void ProgramLibrary::build(const plan::ProgramVariant& variant, BuiltProgram& bu
     if (translation.program) {
         translated = *translation.program;
         for (Diagnostic& each : translated.diagnostics)
-            if (variant.isFill && each.id == "glsl-W11")
+            if (each.id != "glsl-W11")
+                continue;
+            else if (variant.isFill)
                 each.text +=
                     "; Fill leaves out the stages before an earlier Program, so write them again "
                     "before this one";
+            else if (translated.suppliesVertexStage && each.suggestion.empty())
+                each.text += "; the vertex stage that covers the target gives vST alone";
         append(diagnostics, std::move(translated.diagnostics));
     }
     if (!hasError(diagnostics)) {
@@ -330,8 +187,8 @@ void ProgramLibrary::build(const plan::ProgramVariant& variant, BuiltProgram& bu
         append(diagnostics, built.remarks);
     }
     const bool isBuiltin = !variant.program;
-    hideTexts(variant.program, diagnostics);
-    if (!hiddenSource(variant.program).empty()) built.refused.clear();
+    sources_.hideTexts(variant.program, diagnostics);
+    if (!sources_.hiddenSource(variant.program).empty()) built.refused.clear();
     if (BuiltProgram* earlier = built.program ? nullptr : lastGoodOf(variant)) {
         built.program = std::exchange(earlier->program, std::nullopt);
         built.interface = std::move(earlier->interface);
@@ -382,7 +239,7 @@ bool ProgramLibrary::mayWriteImages(scene::ProgramIndex program) {
         return translation.program != nullptr && plan::writesMemory(*translation.program);
     }
     for (const scene::StageFile& stage : scene_.programs[program].stages) {
-        const SourceFile& source = sourceFile(stage.file);
+        const ProgramSources::SourceFile& source = sources_.file(stage.file);
         if (source.text && source.text->find("image") != std::string::npos &&
             (source.text->find("imageStore") != std::string::npos ||
              source.text->find("imageAtomic") != std::string::npos ||

@@ -20,15 +20,12 @@
 #include "gpu/object/buffer.h"
 #include "gpu/object/program.h"
 #include "plan/frame_plan.h"
+#include "render/load/program_sources.h"
 #include "render/load/shared_parts.h"
 #include "render/stats.h"
-#include "scene/file_lookup.h"
 #include "scene/scene.h"
 
 namespace glibra::render {
-
-/// The largest shader file, in bytes (language, 11).
-inline constexpr std::uint64_t kLargestSource = 4ULL << 20;
 
 /// The value of an element of a uniform after linking.
 struct InitialValue {
@@ -71,7 +68,7 @@ class ProgramLibrary {
     void inherit(ProgramLibrary& previous) { previous_ = &previous; }
     void forgetPrevious() { previous_ = nullptr; }
     /// Every file that was read for a program, including #include files.
-    [[nodiscard]] std::vector<std::filesystem::path> filesRead() const;
+    [[nodiscard]] std::vector<std::filesystem::path> filesRead() const { return sources_.filesRead(); }
     /// How the program places its vertices. This translates the program but does not compile it.
     glsl::Placement placementOf(const plan::ProgramVariant& variant);
     /// The translation; null if a source is missing.
@@ -91,38 +88,26 @@ class ProgramLibrary {
     /// fragment stage does more. Returns false, and changes nothing, if the driver does not link it.
     bool observe(const BuiltProgram& program, const glsl::MainWrapper& fragment);
     void stopObserving() { observed_.reset(); }
-    /// A source of the program whose text may not be shown, because it lies outside of the scene's folder and
-    /// the library; empty if there is none. It is known after interfaceOf.
     /// What the programs did since the last call that GLSL leaves undefined: glsl-W29 ... W32.
     Diagnostics takeUndefined();
-    [[nodiscard]] std::string hiddenSource(scene::ProgramIndex program) const;
+    /// ProgramSources::hiddenSource; it is known after interfaceOf.
+    [[nodiscard]] std::string hiddenSource(scene::ProgramIndex program) const {
+        return sources_.hiddenSource(program);
+    }
     /// True if the program may write to an image, a storage block or an atomic counter. In a classic scene:
     /// if a source names an image function.
     bool mayWriteImages(scene::ProgramIndex program);
 
   private:
-    /// A shader file as read, or the diagnostics that prevented it.
-    struct SourceFile {
-        std::optional<std::string> text;
-        std::string path;
-        Diagnostics diagnostics;
-    };
     /// A translated program; null if a source is missing, with the reasons in `diagnostics`.
     struct Translation {
         std::shared_ptr<const glsl::TranslatedProgram> program;
         Diagnostics diagnostics;
     };
-    const SourceFile& sourceFile(scene::FileIndex file);
-    /// Notes that the program has a source that may not be shown (scene::shownRoots), if the file is one.
-    void noteIfHidden(scene::ProgramIndex program, const std::string& file);
-    /// Removes what messages about a program with such a source may quote of it.
-    void hideTexts(scene::ProgramIndex program, Diagnostics& diagnostics) const;
     const Translation& translationOf(const plan::ProgramVariant& variant);
     std::shared_ptr<const glsl::TranslatedProgram> translate(glsl::ProgramRequest asked);
     bool borrow(const plan::ProgramVariant& variant, BuiltProgram& built);
     [[nodiscard]] glsl::ProgramRequest request(const plan::ProgramVariant& variant, Diagnostics& diagnostics);
-    [[nodiscard]] std::vector<glsl::SamplerKind> samplerKinds(scene::ProgramIndex program,
-                                                              std::string_view tag) const;
     void build(const plan::ProgramVariant& variant, BuiltProgram& built);
     [[nodiscard]] std::string keyOf(const plan::ProgramVariant& variant,
                                     const glsl::TranslatedProgram& translated) const;
@@ -143,11 +128,7 @@ class ProgramLibrary {
     Stats& stats_;
     SharedParts* shared_;
     ProgramLibrary* previous_ = nullptr;
-    std::map<scene::FileIndex, SourceFile> sources_;
-    std::map<std::filesystem::path, std::string> included_;  ///< what #include has read, with its text
-    scene::FolderListings listings_;
-    base::Roots shown_;
-    std::map<scene::ProgramIndex, std::string> hidden_;  ///< programs with a source that may not be shown
+    ProgramSources sources_;
     std::vector<std::pair<plan::ProgramVariant, std::unique_ptr<Translation>>> translations_;
     using KnownProgram = std::pair<plan::ProgramVariant, std::unique_ptr<BuiltProgram>>;
     std::vector<KnownProgram> programs_;

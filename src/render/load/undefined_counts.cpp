@@ -86,7 +86,7 @@ Diagnostics ProgramLibrary::takeUndefined() {
                 found.push_back(reportOf(sites[i], numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]));
         std::fill(numbers.begin(), numbers.end(), 0);
         built->undefined->update(0, std::as_bytes(std::span(numbers)));
-        hideTexts(variant.program, found);
+        sources_.hideTexts(variant.program, found);
     }
     return found;
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -52,9 +53,29 @@ void runBlock(Interpreter& in, const Command& command, OpenBlock& block, NodeLis
     setTime(in);
 }
 
-void forgetWindow(Interpreter& in, const std::string& why) {
-    for (const char* name : {"window", "aspect", "mouse", "mouse.down", "frame"})
-        in.shared->environment.forget(name, why);
+void forgetInputs(Interpreter& in, const std::string& why) {
+    for (const char* name : {"mouse", "mouse.down", "frame"}) in.shared->environment.forget(name, why);
+}
+
+/// The values after `reset`: expressions, or the names of variables and cameras.
+std::vector<double> resetValues(Interpreter& in, const glib::KeyedValues& key) {
+    std::vector<double> values;
+    const auto add = [&](std::span<const double> more) {
+        values.insert(values.end(), more.begin(), more.end());
+    };
+    for (const glib::Value& each : key.values) {
+        if (namesCamera(in, each) || choosesCamera(in, each)) {
+            const auto camera = cameraNamed(in, each);
+            if (!camera) continue;
+            const CameraValues now = valuesOf(*camera, 1);
+            for (const glm::dmat4* matrix : {&now.view, &now.projection}) add({&(*matrix)[0][0], 16});
+        } else if (each.kind == glib::Value::Kind::word) {
+            if (const auto value = evaluate(in, each)) add(value->all());
+        } else if (const auto numbers = numbersOf(in, {&each, 1})) {
+            add(*numbers);
+        }
+    }
+    return values;
 }
 
 void doOnce(Interpreter& in, const Command& command) {
@@ -64,7 +85,7 @@ void doOnce(Interpreter& in, const Command& command) {
     block.word = "Once";
     block.place = once.place;
     const std::string why = "what Once writes lasts, so it cannot depend on this";
-    forgetWindow(in, why);
+    forgetInputs(in, why);
     for (const char* name : {"time", "tick", "dt"}) in.shared->environment.forget(name, why);
     runBlock(in, command, block, once.nodes);
     once.reads = std::move(block.reads);
@@ -88,11 +109,19 @@ void doStep(Interpreter& in, const Command& command) {
     block.place = step.place;
     block.isStep = true;
     const std::size_t number = in.scene.steps.size();
-    const auto tick = static_cast<double>(number < in.inputs.ticks.size() ? in.inputs.ticks[number] : 0);
-    forgetWindow(in, "a step is the same for every window; use a variable");
-    in.shared->environment.setNumber("tick", tick);
+    const auto of = [&](const std::vector<std::int64_t>& ticks) {
+        return static_cast<double>(number < ticks.size() ? ticks[number] : 0);
+    };
+    const double tick = of(in.inputs.ticks);
+    forgetInputs(in, "a step is the same whatever frames are drawn; use a variable");
+    in.shared->environment.setNumber("tick", std::max(0.0, tick - of(in.inputs.firstTicks)));
     in.shared->environment.setNumber("time", tick / step.rate);
     in.shared->environment.setNumber("dt", 1 / step.rate);
+    if (const glib::KeyedValues* reset = command.key("reset")) {
+        in.modern.block = &block;  // which depends on what these values depend on
+        step.resets = resetValues(in, *reset);
+        in.modern.block = nullptr;
+    }
     runBlock(in, command, block, step.nodes);
     step.dependsOnTick = any(block.depends & (Depends::time | Depends::tick));
     step.fillsDependOnTick = any(block.fillDepends & (Depends::time | Depends::tick));

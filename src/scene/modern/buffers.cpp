@@ -228,10 +228,10 @@ std::optional<std::array<std::uint64_t, 3>> groupCounts(Interpreter& in, const C
 }
 
 std::optional<decltype(Dispatch::groups)> groupsOf(Interpreter& in, const Command& command) {
-    if (const KeyedValues* from = command.key("from")) {
-        const auto buffer = bufferNamed(in, from->values.front());
-        if (!buffer) return std::nullopt;
-        return GroupsFrom{*buffer};
+    if (command.key("from") != nullptr) {
+        const auto first = countFrom(in, command);
+        if (!first) return std::nullopt;
+        return GroupsFrom{*first};
     }
     const KeyedValues* over = command.key("over");
     if (over == nullptr) {
@@ -317,6 +317,16 @@ void doClearObject(Interpreter& in, const Command& command) {
         clear.object = std::get<BufferView>(*object).buffer;
     in.implicitPass.reset();
     in.nodes->add(std::move(clear));
+}
+
+std::optional<CountFrom> countFrom(Interpreter& in, const Command& command) {
+    const auto buffer = bufferNamed(in, command.key("from")->values.front());
+    const KeyedValues* at = command.key("at");
+    if (!buffer || at == nullptr) return buffer ? std::optional(CountFrom{*buffer}) : std::nullopt;
+    constexpr auto kMostWords = static_cast<double>(kLargestBuffer / sizeof(std::uint32_t));
+    const auto word = numberIn(in, at->values.front(), command.word + ": at", 0, kMostWords);
+    if (!word) return std::nullopt;
+    return CountFrom{*buffer, static_cast<std::uint64_t>(*word)};
 }
 
 std::span<const CommandAction> bufferActions() {

@@ -11,6 +11,7 @@
 
 #include "base/matrices.h"
 #include "base/suggest.h"
+#include "base/text.h"
 #include "expression/name_table.h"
 #include "scene/camera.h"
 #include "scene/matrices.h"
@@ -253,10 +254,7 @@ void doCamera(Interpreter& in, const Command& command) {
 }
 
 bool holdsWord(std::string_view text, std::string_view word) {
-    const auto isPart = [&](std::size_t at) {
-        return at < text.size() &&
-               (std::isalnum(static_cast<unsigned char>(text[at])) != 0 || text[at] == '_');
-    };
+    const auto isPart = [&](std::size_t at) { return at < text.size() && base::isOfName(text[at]); };
     for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1))
         if (!(at > 0 && isPart(at - 1)) && !isPart(at + word.size())) return true;
     return false;
@@ -303,7 +301,18 @@ void reportUnusedCameras(Interpreter& in) {
     }
 }
 
+void reportLateEye(Interpreter& in) {
+    const auto known = in.modern.names.find("eye");
+    if (known == in.modern.names.end() || in.modern.usesEye || !in.modern.drawsClassicView) return;
+    in.report(
+        diagnose("glib-W44",
+                 "Camera 'eye' stands after everything that is drawn, so nothing is seen by it; move it "
+                 "up",
+                 known->second.place));
+}
+
 void noteCameraDepends(Interpreter& in, const CameraName& name) {
+    if (name.first == "eye") in.modern.usesEye = true;
     if (const auto* symbol = in.shared->environment.lookUpInScene(name.first + ".view"))
         addDepends(in, in.shared->environment.dependsOf(symbol->slot));
 }
@@ -314,6 +323,36 @@ SceneCamera classicCamera(const Interpreter& in) {
     camera.projection = in.state.projection;
     camera.name = camera.root = {"eye", 0};
     return camera;
+}
+
+namespace {
+
+/// The camera that a parameter of this name stands for; null if it is none.
+const CameraName* cameraOfScope(const Interpreter& in, std::string_view name) {
+    const Environment& names = in.shared->environment;
+    const auto slot = names.findLocal(name);
+    return slot && names.cameraOf(*slot) ? &*names.cameraOf(*slot) : nullptr;
+}
+
+/// True if the name means a camera here.
+bool isCameraHere(const Interpreter& in, std::string_view name) {
+    if (cameraOfScope(in, name) != nullptr) return true;
+    if (in.shared->environment.findLocal(name)) return false;
+    const DeclaredName* declared = declaredName(in, name);
+    return name == "eye" || (declared != nullptr && declared->kind == DeclaredName::Kind::camera);
+}
+
+}  // namespace
+
+bool namesCamera(const Interpreter& in, const glib::Value& value) {
+    return value.kind == glib::Value::Kind::word && value.path.size() < 2 &&
+           isCameraHere(in, value.path.empty() ? value.text : value.path.front().name);
+}
+
+bool choosesCamera(Interpreter& in, const glib::Value& value) {
+    if (value.kind != glib::Value::Kind::word || !value.path.empty() || namesCamera(in, value)) return false;
+    const std::string word = wordBehind(in, value.text);
+    return word != value.text && isCameraHere(in, word);
 }
 
 std::optional<SceneCamera> cameraNamed(Interpreter& in, const glib::Value& value) {
@@ -333,6 +372,14 @@ std::optional<SceneCamera> cameraNamed(Interpreter& in, const glib::Value& value
     const bool isEye = name.first == "eye" && !isCamera("eye");
     if (value.path.size() > 1)
         return refuse(fmt::format("expected a camera, found '{}', which is a part of one", value.text));
+    const CameraName* given = cameraOfScope(in, first.name);
+    if (given == nullptr && isWord) given = cameraOfScope(in, name.first);
+    if (given != nullptr) {
+        if (!first.index.empty()) return refuse(fmt::format("'{}' is one camera, not an array", first.name));
+        noteCameraDepends(in, *given);
+        const SceneCamera* const found = findCamera(in, *given);
+        return found != nullptr ? *found : classicCamera(in);
+    }
     if (isEye && first.index.empty()) return classicCamera(in);
     if (isLost(in, name.first)) return std::nullopt;
     if (!isCamera(name.first)) {
@@ -407,8 +454,9 @@ void noteAspect(Interpreter& in, const SceneCamera& camera, double aspect) {
     if (followsTarget(camera)) in.shared->foundAspects[camera.name].insert(aspect);
 }
 
-ClipSpace coveringSpace(const Interpreter& in, double aspect) {
+ClipSpace coveringSpace(Interpreter& in, double aspect) {
     const SceneCamera camera = currentCamera(in);
+    if (camera.name.first == "eye" && findCamera(in, camera.name) != nullptr) in.modern.usesEye = true;
     ClipSpace space;
     space.view = camera.view;
     if (camera.clip || camera.aspect)
@@ -426,6 +474,8 @@ void lookAt(Interpreter& in, Draw& draw) {
     const SceneCamera* camera =
         findCamera(in, in.modern.pass ? in.modern.pass->camera : CameraName{"eye", 0});
     draw.model = in.state.model;
+    if (camera == nullptr || camera->name.first == "eye")
+        (camera == nullptr ? in.modern.drawsClassicView : in.modern.usesEye) = true;
     if (camera == nullptr) {
         draw.modelView = in.state.modelView;
         draw.projection = in.state.projection;

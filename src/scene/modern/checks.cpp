@@ -23,6 +23,8 @@ using glib::KeyedValues;
 using glib::Value;
 using CheckKind = Check::Kind;
 
+constexpr double kMostPrintedIndex = 1e12;
+
 struct KindRow {
     std::string_view key;
     CheckKind kind;
@@ -121,14 +123,19 @@ class CheckReader {
     bool readCount(const KeyedValues& key) {
         if (key.values.size() < 2) return false;
         const auto wanted = numbersOf(in_, std::span(key.values).first(1));
-        const auto number = numberOf(in_, key.values[1]);
-        if (!wanted || !number) return false;
+        const auto numbers = numbersOf(in_, std::span(key.values).subspan(1));
+        if (!wanted || !numbers) return false;
         if (wanted->empty() || wanted->size() > 4)
             return refuse(key.values.front(),
                           fmt::format("a colour has 1 to 4 components, not {}", wanted->size()));
-        if (!isCount(key.values[1], *number)) return false;
+        if (numbers->empty() || numbers->size() > 2)
+            return refuse(key.values[1], "count needs one number, or the least and the largest");
+        for (const double each : *numbers)
+            if (!isCount(key.values[1], each)) return false;
+        if (numbers->front() > numbers->back())
+            return refuse(key.values[1], "count needs the least number before the largest");
         check_.wanted = *wanted;
-        check_.numbers = {*number};
+        check_.numbers = {numbers->front(), numbers->back()};
         return true;
     }
 
@@ -292,7 +299,27 @@ const Command* idleBodyAround(const ChecksOfRun& checks, const std::vector<Comma
     return nullptr;
 }
 
-constexpr CommandAction kCheckActions[] = {{CommandId::expect, doExpect}};
+void doPrint(Interpreter& in, const Command& command) {
+    const auto buffer = bufferNamed(in, command.values.front());
+    if (!buffer) return;
+    Print made{in.place(command), *buffer, command.values.front().text};
+    const std::span<const Value> range = std::span(command.values).subspan(1);
+    if (!range.empty()) {
+        const auto numbers = numbersOf(in, range);
+        if (!numbers) return;
+        const double first = std::trunc(numbers->front()), last = std::trunc(numbers->back());
+        if (numbers->size() > 2 || !(first >= 0 && last >= first && last < kMostPrintedIndex)) {
+            refuse(in, "glib-E26", command, range.front().position,
+                   "needs the first and the last element, from 0 on");
+            return;
+        }
+        made.first = static_cast<std::uint64_t>(first);
+        made.count = static_cast<std::uint64_t>(last - first) + 1;
+    }
+    in.scene.prints.push_back(std::move(made));
+}
+
+constexpr CommandAction kCheckActions[] = {{CommandId::expect, doExpect}, {CommandId::print, doPrint}};
 
 }  // namespace
 

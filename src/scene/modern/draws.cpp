@@ -26,15 +26,10 @@ using glib::CommandId;
 using glib::KeyedValues;
 using glib::Value;
 
-/// The buffer after the key `from`.
-std::optional<BufferView> fromBuffer(Interpreter& in, const KeyedValues& key) {
-    return bufferNamed(in, key.values.front());
-}
-
 void doInstances(Interpreter& in, const Command& command) {
     LocalState& local = in.state.local;
-    if (const KeyedValues* from = command.key("from")) {
-        if (const auto buffer = fromBuffer(in, *from)) local.instancesFrom = *buffer;
+    if (command.key("from") != nullptr) {
+        if (const auto count = countFrom(in, command)) local.instancesFrom = *count;
         return;
     }
     const auto count = integerIn(in, command.values.front(), "Instances:", 0, kMostInstances);
@@ -101,9 +96,9 @@ void doVertices(Interpreter& in, const Command& command) {
     Drawing drawing;
     std::optional<int> count;
     if (from != nullptr) {
-        const auto buffer = fromBuffer(in, *from);
-        if (!buffer) return;
-        drawing.verticesFrom = *buffer;
+        const auto counted = countFrom(in, command);
+        if (!counted) return;
+        drawing.verticesFrom = *counted;
     } else if (command.values.size() > 1) {
         count = integerIn(in, command.values[1], "Vertices:", 0, kMostVertices);
         if (!count) return;
@@ -150,6 +145,7 @@ std::vector<std::pair<std::string, std::vector<double>>> keyOfAttributes(const A
         } else {
             const auto& view = std::get<BufferView>(each.source);
             name += view.isPrevious ? " previous buffer" : " buffer";
+            name += fmt::format(" {} {} {}", each.part.member, each.part.offset, each.part.stride);
             numbers = {static_cast<double>(view.buffer.position())};
         }
         key.emplace_back(std::move(name), std::move(numbers));
@@ -167,6 +163,45 @@ void bind(Interpreter& in, AttributeBinding binding) {
     in.state.local.attributes = index;
 }
 
+/// Takes the member from "particles.velocity" and leaves the name of the buffer. Nothing with the reason
+/// reported.
+std::optional<std::string> takeMember(Interpreter& in, const Command& command, Value& name) {
+    std::size_t own = std::min<std::size_t>(1, name.path.size());
+    if (own < name.path.size() && name.path[own].name == "prev") ++own;
+    std::string member;
+    for (std::size_t i = own; i < name.path.size(); ++i) {
+        if (!name.path[i].index.empty())
+            return refuse(in, "glib-E26", command, name.position,
+                          fmt::format("'{}' has a subscript; an attribute reads a whole member", name.text));
+        member += (member.empty() ? "" : ".") + name.path[i].name;
+    }
+    if (member.empty()) return member;
+    name.path.resize(own);
+    name.text = name.path.front().name + (own > 1 ? ".prev" : "");
+    return member;
+}
+
+/// `offset` and `stride`. Nothing with the reason reported.
+bool readBytes(Interpreter& in, const Command& command, ElementPart& part) {
+    constexpr double kMostBytes = 1 << 30;
+    for (const char* word : {"offset", "stride"}) {
+        const KeyedValues* key = command.key(word);
+        if (key == nullptr) continue;
+        const bool isOffset = *word == 'o';
+        const auto bytes = numberIn(in, key->values.front(), fmt::format("Attribute: {}", word),
+                                    isOffset ? 0 : 4, kMostBytes);
+        if (!bytes) return false;
+        const auto whole = static_cast<std::uint64_t>(*bytes);
+        if (whole % 4 != 0) {
+            refuse(in, "glib-E26", command, key->position,
+                   fmt::format("{} counts bytes and is a multiple of 4, because numbers have 4 bytes", word));
+            return false;
+        }
+        (isOffset ? part.offset : part.stride) = whole;
+    }
+    return true;
+}
+
 void doAttribute(Interpreter& in, const Command& command) {
     AttributeBinding binding;
     binding.name = command.values.front().text;
@@ -179,9 +214,12 @@ void doAttribute(Interpreter& in, const Command& command) {
         return bind(in, std::move(binding));
     }
     if (!values.empty() && values.front().kind == Value::Kind::word) {
-        const auto buffer = bufferNamed(in, values.front());
-        if (!buffer) return;
+        Value name = values.front();
+        const auto member = takeMember(in, command, name);
+        const auto buffer = member ? bufferNamed(in, name) : std::nullopt;
+        if (!buffer || !readBytes(in, command, binding.part)) return;
         binding.source = *buffer;
+        binding.part.member = *member;
         binding.isPerInstance = command.key("per") != nullptr || command.key("instance") != nullptr;
         if (in.list) {
             in.reportAt(command, "glib-E07", "Attribute: a vertex of a list takes numbers, not a buffer");

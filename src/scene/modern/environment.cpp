@@ -84,6 +84,7 @@ void Environment::clear(Variable& variable) {
     variable.why = isBuffer(variable.symbol) ? kWhoReadsElements : "";
     variable.depends = Depends::nothing;
     variable.object.reset();
+    variable.camera.reset();
 }
 
 void Environment::beginFrame() {
@@ -180,6 +181,13 @@ bool Environment::declareBuffer(std::string_view name, const std::optional<Type>
     return isNew && declare(std::string(name) + ".count", symbolOf(Type::number(), Depends::buffer));
 }
 
+bool Environment::declareMesh(std::string_view name) {
+    const auto number = [&](const char* field) {
+        return declare(std::string(name) + field, symbolOf(Type::number(), Depends::texture)).has_value();
+    };
+    return declare(name, record("mesh")) && number(".vertices") && number(".primitives");
+}
+
 void Environment::beginBlock() {
     isInBlock_ = true;
 }
@@ -254,6 +262,28 @@ void Environment::bind(std::string_view name, Slot slot) {
                                     [&](std::uint32_t each) { return nodes_[each].slot == slot; });
     node_ =
         known != children.end() ? *known : children.emplace_back(addNode({node_, std::string(name), slot}));
+}
+
+void Environment::bindCamera(std::string_view name, const CameraName& camera) {
+    const auto& [own, element] = camera;
+    const std::string to(name);
+    variables_[bind(to, record("camera"))].camera = camera;
+    bind(to + ".prev", record("camera"));
+    for (const expression::NameRow& each : expression::cameraFields())
+        for (const char* moment : {".", ".prev."}) {
+            const std::string field = moment + std::string(each.path);
+            const Slot* const known = slotIn(scene_, own + field);
+            if (known == nullptr) continue;
+            const Slot source = *known;
+            if (variables_[source].symbol.count == 0) {
+                bind(to + field, source);
+                continue;
+            }
+            const Slot slot = bind(to + field, symbolOf(each.type, each.depends));
+            variables_[slot].depends = variables_[source].depends;
+            variables_[slot].why = variables_[source].why;
+            if (const double* value = find(source, element)) set(slot, {value, each.type.size()});
+        }
 }
 
 const Environment::Slot* Environment::slotFrom(std::uint32_t node, std::string_view path,

@@ -62,6 +62,8 @@ class Environment final : public expression::Names, public expression::Values {
     /// an array, whose elements have no values while a scene is interpreted. False if the name is declared
     /// with another type.
     bool declareBuffer(std::string_view name, const std::optional<expression::Type>& element);
+    /// Declares the name of a mesh with its fields NAME.vertices and NAME.primitives, which are numbers.
+    bool declareMesh(std::string_view name);
     /// True for an array of the elements of a buffer.
     static bool isBuffer(const expression::Symbol& symbol);
 
@@ -95,6 +97,12 @@ class Environment final : public expression::Names, public expression::Values {
     void setObject(Slot slot, const ObjectView& object) { variables_.at(slot).object = object; }
     [[nodiscard]] const std::optional<ObjectView>& objectOf(Slot slot) const {
         return variables_.at(slot).object;
+    }
+    /// Makes a name stand for a camera of the scene from here on, with all its fields.
+    void bindCamera(std::string_view name, const CameraName& camera);
+    /// The camera that a name of a scope stands for.
+    [[nodiscard]] const std::optional<CameraName>& cameraOf(Slot slot) const {
+        return variables_.at(slot).camera;
     }
     /// The slot of a name that a scope gives a meaning, by rules 1 and 3; nothing if the scene does.
     [[nodiscard]] std::optional<Slot> findLocal(std::string_view name) const;
@@ -146,6 +154,7 @@ class Environment final : public expression::Names, public expression::Values {
         std::vector<bool> has;           ///< one per element
         std::string why;                 ///< there is no value, if that is known
         std::optional<ObjectView> object;
+        std::optional<CameraName> camera;
     };
     /// A name of the scene, with the slots that it has had so far.
     struct Entry {

@@ -20,7 +20,7 @@ void supply(Interpreter& in, expression::Depends depends) {
     using expression::Depends;
     Environment& names = in.shared->environment;
     if (any(depends & Depends::model)) names.set("model", {&in.state.model[0][0], 16});
-    if (any(depends & Depends::window) && in.modern.block == nullptr) {
+    if (any(depends & Depends::window)) {
         const std::array window{
             static_cast<double>(in.inputs.width > 0 ? in.inputs.width : in.scene.width),
             static_cast<double>(in.inputs.height > 0 ? in.inputs.height : in.scene.height)};
@@ -50,10 +50,12 @@ bool readsShape(std::string_view path) {
 expression::Depends dependsOf(Interpreter& in, const expression::Expression& expression) {
     expression::Depends depends = expression.depends();
     for (const expression::Use& each : expression.uses()) {
+        if (each.path.starts_with("eye.")) in.modern.usesEye = true;
         const expression::Depends now = in.shared->environment.dependsOf(each.symbol.slot);
         depends = depends | now;
         using expression::Depends;
-        if (any(now & (Depends::variable | Depends::camera | Depends::texture | Depends::buffer)))
+        if (any(now &
+                (Depends::variable | Depends::camera | Depends::texture | Depends::buffer | Depends::window)))
             noteRead(in, each.path, each.symbol.slot, expression.origin());
     }
     return depends;
@@ -85,10 +87,9 @@ ReadExpression& readExpression(Interpreter& in, const glib::Value& value, const 
 /// True if the expression reads what a faulty statement would have declared.
 bool readsLostName(const Interpreter& in, std::string_view text) {
     if (in.modern.lostNames.empty()) return false;
-    const auto isPartOfName = [](char c) { return glib::isLetter(c) || (c >= '0' && c <= '9') || c == '_'; };
     for (std::size_t at = 0; at < text.size();) {
         std::size_t end = at;
-        while (end < text.size() && isPartOfName(text[end])) ++end;
+        while (end < text.size() && glib::isOfName(text[end])) ++end;
         if (end > at && isLost(in, text.substr(at, end - at))) return true;
         at = end + 1;
     }
@@ -177,10 +178,15 @@ std::shared_ptr<const ConditionNames> namesOfCondition(Interpreter& in, const gl
     for (const expression::Use& each : entry.expression->uses()) {
         ConditionNames::Name name{each.path, each.symbol, {}};
         if (any(each.symbol.depends & expression::Depends::buffer)) {
-            const std::string head = each.path.substr(0, each.path.find('.'));
+            constexpr std::string_view kCount = ".count";
+            const std::string head = each.path.ends_with(kCount)
+                                         ? each.path.substr(0, each.path.size() - kCount.size())
+                                         : each.path;
             glib::Value word;
             word.kind = glib::Value::Kind::word;
             word.text = head;
+            if (const std::size_t point = head.find('.'); point != std::string::npos)
+                word.path = {{head.substr(0, point), {}}, {head.substr(point + 1), {}}};
             word.position = value.position;
             const auto object = objectNamed(in, word);
             if (const auto* view = object ? std::get_if<BufferView>(&*object) : nullptr)

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <string>
 #include <string_view>
@@ -35,8 +36,8 @@ const Variable* variableNamed(Interpreter& in, const Value& value) {
 }
 
 /// The components of a value that the key sets.
-std::optional<std::vector<double>> valueForKey(Interpreter& in, const Value& value,
-                                               const Variable& variable) {
+std::optional<std::vector<double>> valueForKey(Interpreter& in, const Value& value, const Variable& variable,
+                                               bool isSpeed) {
     if (value.kind == Value::Kind::word) {
         for (std::size_t i = 0; i < variable.words.size(); ++i)
             if (glib::sameWord(variable.words[i], value.text)) return std::vector{static_cast<double>(i)};
@@ -50,14 +51,18 @@ std::optional<std::vector<double>> valueForKey(Interpreter& in, const Value& val
     auto numbers = numbersOf(in, {&value, 1});
     if (!numbers) return std::nullopt;
     const bool isSlider = variable.form == glib::UniformForm::range && variable.words.empty();
-    if (isSlider && numbers->size() == 1 &&
-        !(numbers->front() >= variable.written[0] && numbers->front() <= variable.written[2])) {
-        in.report(
-            diagnose("glib-E26",
-                     fmt::format("Key: {} is not between {} and {}, which '{}' allows",
-                                 glib::numberText(numbers->front()), glib::numberText(variable.written[0]),
-                                 glib::numberText(variable.written[2]), variable.name),
-                     in.script->place(value.position)));
+    for (double& each : *numbers) {
+        if (!isSlider || isSpeed || (each >= variable.least() && each <= variable.largest())) continue;
+        // What is computed from the present value stops at the ends of the slider.
+        if (value.kind == Value::Kind::expression && std::isfinite(each)) {
+            each = std::clamp(each, variable.least(), variable.largest());
+            continue;
+        }
+        in.report(diagnose("glib-E26",
+                           fmt::format("Key: {} is not between {} and {}, which '{}' allows",
+                                       glib::numberText(each), glib::numberText(variable.least()),
+                                       glib::numberText(variable.largest()), variable.name),
+                           in.script->place(value.position)));
         return std::nullopt;
     }
     if (numbers->size() == variable.current.size()) return numbers;
@@ -96,13 +101,24 @@ void doKey(Interpreter& in, const Command& command) {
         in.scene.keys.push_back(std::move(binding));
         return;
     }
-    const std::span<const Value> rest = std::span(command.values).subspan(1);
+    binding.isHeld = command.key("held") != nullptr;
+    const std::span<const Value> rest =
+        binding.isHeld ? std::span(command.key("held")->values) : std::span(command.values).subspan(1);
     if (rest.size() < 2) return;
     const Variable* variable = variableNamed(in, rest.front());
     if (variable == nullptr) return;
     binding.variable = variable->name;
+    const bool isNumeric = variable->words.empty() && variable->form != glib::UniformForm::truth;
+    if (binding.isHeld && !isNumeric) {
+        in.report(diagnose("glib-E26",
+                           fmt::format("Key: '{}' has no values between its {}, through which a held key "
+                                       "could move it",
+                                       variable->name, variable->words.empty() ? "two" : "words"),
+                           in.script->place(rest.front().position)));
+        return;
+    }
     for (const Value& each : rest.subspan(1)) {
-        auto value = valueForKey(in, each, *variable);
+        auto value = valueForKey(in, each, *variable, binding.isHeld);
         if (!value) return;
         binding.values.push_back(std::move(*value));
     }

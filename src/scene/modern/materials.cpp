@@ -25,28 +25,19 @@ constexpr MaterialNumbers kMaterials[] = {
     {"pearl", {.25, .2073, .2073, .922}, {1, .829, .829, .922}, {.2966, .2966, .2966, .922}, 11.264},
 };
 
-glib::KeyedValues tag(const char* name, std::span<const double> numbers) {
-    glib::KeyedValues result;
-    result.key = name;
-    glib::Value list;
-    list.kind = glib::Value::Kind::list;
-    for (const double each : numbers) {
-        glib::Value number;
-        number.number = each;
-        list.items.push_back(number);
-    }
-    result.values.push_back(numbers.size() == 1 ? list.items.front() : list);
-    return result;
+MaterialMember member(const char* name, std::span<const double> numbers) {
+    MaterialMember made{name, {numbers.begin(), numbers.end()}, {}};
+    made.tag.key = name;
+    return made;
 }
 
 const std::vector<MaterialRow>& rows() {
     static const std::vector<MaterialRow> kRows = [] {
         std::vector<MaterialRow> made;
         for (const MaterialNumbers& each : kMaterials)
-            made.push_back(
-                {each.name,
-                 {tag("material.ambient", each.ambient), tag("material.diffuse", each.diffuse),
-                  tag("material.specular", each.specular), tag("material.shininess", {&each.shininess, 1})}});
+            made.push_back({each.name,
+                            {member("ambient", each.ambient), member("diffuse", each.diffuse),
+                             member("specular", each.specular), member("shininess", {&each.shininess, 1})}});
         return made;
     }();
     return kRows;

@@ -2,6 +2,7 @@
 // The named materials (language, 12.1).
 
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -9,11 +10,14 @@
 
 namespace glibra::scene {
 
-/// A material as the tags that `Material` sets.
+struct MaterialMember {
+    std::string name;  ///< "ambient", "diffuse", "specular" (4 components), "shininess"
+    std::vector<double> numbers;
+    glib::KeyedValues tag;  ///< without a place, for ScopedTag
+};
 struct MaterialRow {
     std::string_view name;
-    std::vector<glib::KeyedValues>
-        tags;  ///< material.ambient, .diffuse, .specular (4 components), .shininess
+    std::vector<MaterialMember> members;
 };
 
 /// The material of that name, in any case; null if there is none.

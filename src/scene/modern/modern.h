@@ -28,9 +28,6 @@ namespace glibra::scene {
 
 struct Interpreter;
 
-/// A camera, and its element if it belongs to an array.
-using CameraName = std::pair<std::string, std::size_t>;
-
 /// The values of `Buffer name type n (expression of i)`, which are computed again only if what the expression
 /// reads has changed.
 struct ComputedElements {
@@ -39,6 +36,17 @@ struct ComputedElements {
     std::vector<Environment::Slot> slots;  ///< of these variables
     std::vector<double> reads, values;
     expression::Depends depends = expression::Depends::nothing;
+};
+
+/// The buffers of a Mesh statement.
+struct MeshContent {
+    struct Part {
+        std::string name;  ///< "position"
+        std::string type;  ///< of an element
+        std::vector<double> values;
+    };
+    std::size_t vertices = 0, primitives = 0;
+    std::vector<Part> parts;
 };
 
 /// What all frames of a script share.
@@ -62,6 +70,7 @@ struct SharedState {
     /// are taken to be while a frame is interpreted.
     std::map<CameraName, std::set<double>> foundAspects, aspects;
     std::map<WrittenAt, ComputedElements> elements;
+    std::map<std::string, std::optional<MeshContent>> meshes;  ///< nothing: the shape cannot be made
 };
 
 /// A camera of a Camera statement.
@@ -79,7 +88,7 @@ struct SceneCamera {
 
 /// A name of the namespace that variables, cameras, textures, samplers and buffers share.
 struct DeclaredName {
-    enum class Kind { variable, computed, camera, texture, sampler, buffer };
+    enum class Kind { variable, computed, camera, texture, sampler, buffer, mesh };
     Kind kind = Kind::variable;
     Place place;
     const glib::Command* command = nullptr;
@@ -125,13 +134,23 @@ struct GroupDefinition {
     bool isRunning = false;      ///< a group cannot draw itself
 };
 
-/// A tag of Set or Material with the script that it stands in.
+/// How the numbers of a tag reach the eye space of the camera that a draw has.
+enum class EyeSpace : std::uint8_t {
+    asGiven,
+    place,       ///< four numbers of a place in the world (w = 0: of a direction)
+    direction,   ///< three numbers of a direction in the world
+    halfVector,  ///< four numbers of a place; the result lies between the direction to it and that to the eye
+};
+
+/// A tag of Set, Material or Light with the script that it stands in.
 struct ScopedTag {
     const glib::KeyedValues* tag = nullptr;
     std::string key;  ///< the tag with the subscripts that its expressions had where the Set stands
     const glib::Script* script = nullptr;
     Environment::Point names{};          ///< where the Set stands
     std::optional<ObjectView> object{};  ///< what its value names there
+    std::vector<double> numbers{};       ///< of Material and Light: the value, in place of that of `tag`
+    EyeSpace space = EyeSpace::asGiven;  ///< of `numbers`
 };
 
 /// A Program statement with tags that are evaluated at its draws.
@@ -179,6 +198,8 @@ struct ModernState {
     std::map<const glib::Command*, LostRaster> rasterLost;
     std::set<const glib::Command*> rasterUsed;  ///< statements that decide how something is drawn
     expression::Depends conditions = expression::Depends::nothing;  ///< of the When around the statement
+    bool drawsClassicView = false;  ///< something is drawn that no Camera `eye` before it sees
+    bool usesEye = false;           ///< something is seen by the Camera `eye`, or reads it
     std::optional<OpenPass> pass;
     OpenBlock* block = nullptr;
     std::shared_ptr<const GivenVariables> given;  ///< RunningFile::given of the current script
@@ -243,6 +264,12 @@ const SceneCamera* findCamera(const Interpreter&, const CameraName& name);
 /// Reports glib-W38 for each camera whose name stands nowhere else in the scene, if no camera `eye` is
 /// declared.
 void reportUnusedCameras(Interpreter&);
+/// Reports glib-W44 for a Camera `eye` that stands after all draws.
+void reportLateEye(Interpreter&);
+/// True if the value names a camera, not a part of one.
+bool namesCamera(const Interpreter& in, const glib::Value& value);
+/// True if the value names a choice, or the counter of a Repeat over words, whose word names a camera.
+bool choosesCamera(Interpreter& in, const glib::Value& value);
 /// The camera that a value names. Nothing with the reason reported.
 std::optional<SceneCamera> cameraNamed(Interpreter&, const glib::Value& name);
 /// Remembers that the scene, or the block that is open, depends on what the camera depends on.
@@ -263,7 +290,7 @@ glm::dmat4 projectionOf(const SceneCamera& camera, double aspect);
 /// Remembers the shape of a target that the camera sees.
 void noteAspect(Interpreter&, const SceneCamera& camera, double aspect);
 /// The space of a draw that covers a target of this shape (width / height), seen by the current camera.
-ClipSpace coveringSpace(const Interpreter&, double aspect);
+ClipSpace coveringSpace(Interpreter&, double aspect);
 /// Sets what the current camera decides for a draw: its matrices, and the winding if it is mirrored.
 void lookAt(Interpreter&, Draw& draw);
 
@@ -298,6 +325,8 @@ bool choosesObject(Interpreter&, const glib::Value& value);
 std::optional<ObjectView> objectNamed(Interpreter&, const glib::Value& value);
 std::optional<TextureView> textureNamed(Interpreter&, const glib::Value& value);
 std::optional<BufferView> bufferNamed(Interpreter&, const glib::Value& value);
+/// What a statement says with `from BUFFER [at n]`. Nothing with the reason reported.
+std::optional<CountFrom> countFrom(Interpreter&, const glib::Command& command);
 /// A texture, buffer, camera or variable of the scene that the name means here; null if a scope gives the
 /// name another meaning, or nothing has the name.
 const DeclaredName* declaredName(const Interpreter&, std::string_view name);

@@ -1,6 +1,7 @@
 // The names of objects and of their parts (language, 12.4).
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -31,6 +32,8 @@ const char* wordOfKind(NameKind kind) {
             return "a sampler";
         case NameKind::buffer:
             return "a buffer";
+        case NameKind::mesh:
+            return "a mesh";
         case NameKind::variable:
         case NameKind::computed:
             break;
@@ -59,6 +62,15 @@ const ObjectView* objectOfScope(const Interpreter& in, std::string_view name) {
     return slot && names.objectOf(*slot) ? &*names.objectOf(*slot) : nullptr;
 }
 
+/// The name that the value begins with; of a mesh and a buffer of it, `teapot.position`.
+std::string headOf(const Interpreter& in, const Value& value) {
+    if (value.path.empty()) return value.text;
+    const std::string& first = value.path.front().name;
+    if (value.path.size() < 2) return first;
+    const DeclaredName* const declared = declaredName(in, first);
+    return declared != nullptr && declared->kind == NameKind::mesh ? first + "." + value.path[1].name : first;
+}
+
 /// Reads the parts after the name of an object: `.level(2)`, `.prev`, `.crisp`.
 class PartReader {
   public:
@@ -72,6 +84,13 @@ class PartReader {
             name_.name = wordBehind(in_, name_.name);
             if (const ObjectView* object = objectOfScope(in_, name_.name)) return readOf(*object);
             declared = declaredName(in_, name_.name);
+        }
+        if (declared != nullptr && declared->kind == NameKind::mesh) {
+            name_.name = headOf(in_, value_);
+            const auto part = in_.modern.names.find(name_.name);
+            if (value_.path.size() < 2 || part == in_.modern.names.end()) return noBuffer();
+            declared = &part->second;
+            firstPart_ = 2;
         }
         if (declared == nullptr) return unknown();
         if (declared->kind != NameKind::texture && declared->kind != NameKind::buffer)
@@ -110,6 +129,17 @@ class PartReader {
                                               name_.name, base::suggestion(name_.name, names)));
     }
 
+    /// A mesh without one of its buffers.
+    std::nullopt_t noBuffer() {
+        const std::string mesh = nameOf(value_).name + ".";
+        std::vector<std::string_view> names;
+        for (const auto& [name, declared] : in_.modern.names)
+            if (name.starts_with(mesh)) names.push_back(name);
+        if (names.empty()) return std::nullopt;  // the mesh has an error
+        return refuse("glib-E27",
+                      fmt::format("'{}' is no buffer; the mesh has {}", value_.text, fmt::join(names, ", ")));
+    }
+
     std::optional<ObjectView> readParts(const ObjectView& of) {
         if (const auto* buffer = std::get_if<BufferView>(&of)) return readBuffer(*buffer);
         return readTexture(std::get<TextureView>(of));
@@ -117,7 +147,7 @@ class PartReader {
 
     std::optional<ObjectView> readBuffer(BufferView view) {
         const BufferIndex index = view.buffer;
-        for (std::size_t i = 1; i < value_.path.size(); ++i) {
+        for (std::size_t i = firstPart_; i < value_.path.size(); ++i) {
             const NamePart& part = value_.path[i];
             if (part.name != "prev" || !in_.scene.buffers[index].hasHistory)
                 return noPart(part, {"prev"}, in_.scene.buffers[index].hasHistory);
@@ -225,6 +255,7 @@ class PartReader {
     Interpreter& in_;
     const Value& value_;
     NamePart name_;                   ///< its subscript is never evaluated
+    std::size_t firstPart_ = 1;       ///< after the name, in the path
     std::optional<int> cube_, face_;  ///< of several cube maps
 };
 
@@ -294,8 +325,7 @@ bool isObject(const Interpreter& in, std::string_view name) {
 }  // namespace
 
 bool namesObject(const Interpreter& in, const Value& value) {
-    return value.kind == Value::Kind::word &&
-           isObject(in, value.path.empty() ? value.text : value.path.front().name);
+    return value.kind == Value::Kind::word && isObject(in, headOf(in, value));
 }
 
 bool choosesObject(Interpreter& in, const Value& value) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "base/text.h"
 #include "glib/command_table.h"
 #include "glib/limits.h"
 #include "scene/modern/evaluate.h"
@@ -33,10 +34,6 @@ struct Targets {
     int width = 0, height = 0;  ///< of textures
     int samples = 1, layers = 1;
 };
-
-std::string counted(int count, std::string_view what) {
-    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
 
 class TargetReader {
   public:
@@ -121,12 +118,14 @@ class TargetReader {
                    false;
         if (layers != targets.layers)
             return refuse(value, fmt::format("'{}' has {}, '{}' has {}; all must have as many", first_,
-                                             counted(targets.layers, "layer"), value.text, layers)),
+                                             base::counted(static_cast<std::size_t>(targets.layers), "layer"),
+                                             value.text, layers)),
                    false;
         if (texture.samples != targets.samples)
             return refuse(value,
                           fmt::format("'{}' has {}, '{}' has {}; all must have as many", first_,
-                                      counted(targets.samples, "sample"), value.text, texture.samples)),
+                                      base::counted(static_cast<std::size_t>(targets.samples), "sample"),
+                                      value.text, texture.samples)),
                    false;
         return true;
     }
@@ -349,12 +348,16 @@ void doPass(Interpreter& in, const Command& command) {
 void doFill(Interpreter& in, const Command& command) {
     if (!mayBegin(in, command)) return;
     const KeyedValues* with = command.key("with");
-    const auto targets = TargetReader(in, command).read(std::span(command.values).first(1));
+    const auto targets = TargetReader(in, command).read(command.values);
     if (!targets || with == nullptr) return;
     if (targets->depth) {
+        const auto depth = std::find_if(command.values.begin(), command.values.end(), [&](const Value& each) {
+            const auto view = textureNamed(in, each);
+            return view && base::hasDepth(formatOf(in, *view));
+        });
         in.report(diagnose("glib-E11",
                            fmt::format("{}: a depth texture has no colours to fill", command.word),
-                           in.script->place(command.values.front().position)));
+                           in.script->place(depth->position)));
         return;
     }
     const auto program = programNamed(in, with->values.front(), false);

@@ -29,19 +29,9 @@ using glib::CommandId;
 using glib::KeyedValues;
 using glib::Value;
 
-/// The words of a list of the statement table, whose order is that of the enumeration they stand for, except
-/// for those below.
-std::vector<std::string_view> wordsOfFragment(std::string_view fragment) {
-    std::vector<std::string_view> words;
-    std::string_view text = glib::syntaxFragment(fragment);
-    while (!text.empty()) {
-        const std::size_t comma = std::min(text.find(','), text.size());
-        words.push_back(text.substr(0, comma));
-        text.remove_prefix(std::min(comma + 1, text.size()));
-    }
-    return words;
-}
+using glib::wordsOfFragment;
 
+/// In the order of the words of the statement table; other enumerations have the order of their words.
 constexpr std::array kStencilActions = {StencilAction::keep,          StencilAction::zero,
                                         StencilAction::replace,       StencilAction::increment,
                                         StencilAction::incrementWrap, StencilAction::decrement,
@@ -140,6 +130,7 @@ class StateReader {
         if (name == "depthclamp") return readSwitch(first, state.depthClamp);
         if (name == "samples") return readSwitch(first, state.multisample);
         if (name == "alphatocoverage") return readSwitch(first, state.alphaToCoverage);
+        if (name == "discard") return readSwitch(first, state.discard);
         if (name == "offset" || name == "depthrange") return readPair(key, state);
         if (name == "blend") return readBlend(key, alpha, state);
         if (name == "blendcolor") {

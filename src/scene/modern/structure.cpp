@@ -52,14 +52,28 @@ void doGroup(Interpreter& in, const Command& command) {
     runBody(in, index + 1, command.partner);
 }
 
-/// What a parameter is given: a value, or a texture or buffer.
-using Argument = std::variant<expression::Value, ObjectView>;
+/// What a parameter is given: a value, a texture or buffer, or a camera.
+using Argument = std::variant<expression::Value, ObjectView, CameraName>;
 
-/// `wantsObject`: a choice, or the counter of a Repeat over words, is the texture or buffer that its word
-/// names.
-std::optional<Argument> argumentOf(Interpreter& in, std::span<const glib::Value> values, bool wantsObject) {
+/// What a choice, or the counter of a Repeat over words, stands for where it is given to a parameter: its
+/// value, or what its word names.
+enum class Wanted { value, object, camera };
+
+/// What the default of a parameter is.
+Wanted kindOf(Interpreter& in, const glib::Value& usual) {
+    if (namesObject(in, usual) || choosesObject(in, usual)) return Wanted::object;
+    return namesCamera(in, usual) || choosesCamera(in, usual) ? Wanted::camera : Wanted::value;
+}
+
+std::optional<Argument> argumentOf(Interpreter& in, std::span<const glib::Value> values, Wanted wanted) {
     const bool isWord = values.size() == 1 && values.front().kind == glib::Value::Kind::word;
     const bool isPart = isWord && values.front().path.size() > 1;
+    const bool wantsObject = wanted == Wanted::object;
+    if (isWord && (namesCamera(in, values.front()) ||
+                   (wanted == Wanted::camera && choosesCamera(in, values.front())))) {
+        const auto camera = cameraNamed(in, values.front());
+        return camera ? std::optional<Argument>(camera->name) : std::nullopt;
+    }
     if (isWord &&
         (namesObject(in, values.front()) || ((wantsObject || isPart) && choosesObject(in, values.front())))) {
         const auto object = objectNamed(in, values.front());
@@ -123,16 +137,16 @@ void bindObject(Interpreter& in, const glib::KeyedValues& parameter, const Objec
 using Arguments = std::vector<std::optional<std::pair<Argument, expression::Depends>>>;
 
 std::optional<std::pair<Argument, expression::Depends>> argumentWithDepends(
-    Interpreter& in, std::span<const glib::Value> values, bool wantsObject) {
+    Interpreter& in, std::span<const glib::Value> values, Wanted wanted) {
     const DependsOnly depends(in);
-    auto argument = argumentOf(in, values, wantsObject);
+    auto argument = argumentOf(in, values, wanted);
     if (!argument) return std::nullopt;
     return std::pair{*std::move(argument), depends.depends()};
 }
 
-/// Evaluates what Draw gives, where the Draw stands. `wantsObject`: by parameter.
+/// Evaluates what Draw gives, where the Draw stands. `wanted`: by parameter.
 std::optional<Arguments> givenArguments(Interpreter& in, const Command& group, const Command& call,
-                                        const std::vector<bool>& wantsObject) {
+                                        const std::vector<Wanted>& wanted) {
     std::vector<std::string_view> names;
     for (const glib::KeyedValues& each : group.tags) names.push_back(each.key);
     if (!haveParameters(in, call.tags, names,
@@ -144,7 +158,7 @@ std::optional<Arguments> givenArguments(Interpreter& in, const Command& group, c
             std::find_if(call.tags.begin(), call.tags.end(),
                          [&](const glib::KeyedValues& each) { return each.key == group.tags[i].key; });
         if (given == call.tags.end()) continue;
-        arguments[i] = argumentWithDepends(in, given->values, wantsObject[i]);
+        arguments[i] = argumentWithDepends(in, given->values, wanted[i]);
         if (!arguments[i]) return std::nullopt;
     }
     return arguments;
@@ -152,17 +166,19 @@ std::optional<Arguments> givenArguments(Interpreter& in, const Command& group, c
 
 /// Gives the parameters of a group their values, where the group stands. False with the reason reported.
 bool bindParameters(Interpreter& in, const Command& group, Arguments arguments,
-                    const std::vector<bool>& wantsObject) {
+                    const std::vector<Wanted>& wanted) {
     // No default reads a parameter.
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         if (arguments[i]) continue;
-        arguments[i] = argumentWithDepends(in, group.tags[i].values, wantsObject[i]);
+        arguments[i] = argumentWithDepends(in, group.tags[i].values, wanted[i]);
         if (!arguments[i]) return false;
     }
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const auto& [argument, depends] = *arguments[i];
         if (const auto* value = std::get_if<expression::Value>(&argument))
             bindValue(in.shared->environment, group.tags[i], *value, depends);
+        else if (const auto* camera = std::get_if<CameraName>(&argument))
+            in.shared->environment.bindCamera(group.tags[i].key, *camera);
         else
             bindObject(in, group.tags[i], std::get<ObjectView>(argument));
     }
@@ -173,21 +189,19 @@ bool bindParameters(Interpreter& in, const Command& group, Arguments arguments,
 void runGroup(Interpreter& in, const GroupDefinition& group, const Command& call) {
     Environment& names = in.shared->environment;
     const Command& definition = group.file.script->commands[group.command];
-    std::vector<bool> wantsObject;
+    std::vector<Wanted> wanted;
     {
         const InFile file(in, group.file);
         const InnerNames inner(in);
         names.enterGroup(group.names, &definition);
-        for (const glib::KeyedValues& each : definition.tags) {
-            const glib::Value& usual = each.values.front();
-            wantsObject.push_back(namesObject(in, usual) || choosesObject(in, usual));
-        }
+        for (const glib::KeyedValues& each : definition.tags)
+            wanted.push_back(kindOf(in, each.values.front()));
     }
-    auto arguments = givenArguments(in, definition, call, wantsObject);
+    auto arguments = givenArguments(in, definition, call, wanted);
     if (!arguments) return;
     const InFile file(in, group.file);
     names.enterGroup(group.names, &definition);
-    if (bindParameters(in, definition, *std::move(arguments), wantsObject))
+    if (bindParameters(in, definition, *std::move(arguments), wanted))
         runBody(in, group.command + 1, definition.partner);
 }
 

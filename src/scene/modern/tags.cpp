@@ -11,7 +11,7 @@
 #include "base/suggest.h"
 #include "glib/modern/read_values.h"
 #include "scene/modern/evaluate.h"
-#include "scene/modern/materials.h"
+#include "scene/modern/lights.h"
 #include "scene/modern/modern.h"
 #include "scene/modern/scope.h"
 #include "scene/state.h"
@@ -50,6 +50,7 @@ void addTags(Interpreter& in, std::span<const glib::KeyedValues> tags) {
         std::optional<std::string> key = keyOf(in, each);
         if (!key) continue;
         std::erase_if(in.state.set, [&](const ScopedTag& other) { return other.key == *key; });
+        if (key->starts_with("gl_")) in.scene.setsLights = true;
         ScopedTag scoped{&each, *std::move(key), in.script, in.shared->environment.here()};
         if (namesObject(in, each.values.front())) {
             scoped.object = objectNamed(in, each.values.front());
@@ -66,27 +67,8 @@ void doSet(Interpreter& in, const Command& command) {
             in.scene.setNames.try_emplace(each.key, in.script->place(each.tag->position));
 }
 
-void doMaterial(Interpreter& in, const Command& command) {
-    const Value& preset = command.values.front();
-    std::string name = wordBehind(in, preset.text);
-    if (preset.kind == Value::Kind::expression) {
-        const auto chosen = wordOf(in, preset, materialNames());
-        if (!chosen) return;
-        name = materialNames()[*chosen];
-    }
-    const MaterialRow* row = findMaterial(name);
-    if (row == nullptr) {
-        const std::string hint = base::suggestion(name, materialNames());
-        in.report(diagnose("glib-E27", fmt::format("no material '{}'{}", name, hint),
-                           in.place(command.values.front())));
-        return;
-    }
-    addTags(in, row->tags);
-}
-
 constexpr CommandAction kTagActions[] = {
     {CommandId::set, doSet},
-    {CommandId::material, doMaterial},
 };
 
 /// The form of a variable that is a colour stays a colour, so that it fits three and four components.
@@ -173,6 +155,15 @@ std::optional<glib::UniformSpec> specOf(Interpreter& in, const glib::KeyedValues
     } else {
         const auto numbers = numbersOf(in, tag.values);
         if (!numbers) return std::nullopt;
+        if (first.kind == Value::Kind::range && numbers->size() > 3) {
+            in.report(
+                diagnose("glib-E26",
+                         fmt::format("'{0}': a range on a tag has three numbers; write 'Let {0} < >' for a "
+                                     "vector with sliders",
+                                     tag.key),
+                         in.place(first)));
+            return std::nullopt;
+        }
         spec.values = *numbers;
         spec.form = first.kind == Value::Kind::color   ? glib::UniformForm::color
                     : first.kind == Value::Kind::truth ? glib::UniformForm::truth
@@ -272,6 +263,16 @@ UniformSetIndex uniformsOf(Interpreter& in, ProgramIndex program, std::span<cons
         }
         if (!isGiven(key)) set.lost.push_back(key);
     };
+    const auto addNumbers = [&](const ScopedTag& tag) {
+        glib::UniformSpec spec;
+        spec.tag = tag.key;
+        spec.tagPosition = spec.valuePosition = tag.tag->position;
+        spec.form = tag.numbers.size() == 1 ? glib::UniformForm::number : glib::UniformForm::list;
+        spec.values = numbersInEye(in, tag);
+        spec.mayBeUnknown = true;
+        std::erase_if(set.values, [&](const auto& each) { return each.tag == tag.key; });
+        set.values.push_back(std::move(spec));
+    };
     const auto addOwn = [&](const glib::KeyedValues& tag, bool mayBeUnknown) {
         if (const auto key = keyOf(in, tag)) add(tag, *key, mayBeUnknown);
     };
@@ -281,6 +282,10 @@ UniformSetIndex uniformsOf(Interpreter& in, ProgramIndex program, std::span<cons
             addOwn(each, false);
         }
     for (const ScopedTag& each : in.state.set) {
+        if (!each.numbers.empty()) {
+            addNumbers(each);
+            continue;
+        }
         const NamesOfTag names(in, *each.tag, each.names, each.script);
         add(*each.tag, each.key, true, each.object);
     }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/suggest.h"
+#include "glib/modern/statement_table.h"
 #include "glib/number.h"
 #include "glib/text.h"
 #include "scene/modern/evaluate.h"
@@ -87,6 +88,8 @@ struct Options {
     std::vector<Wrap> wraps;
     std::optional<std::array<double, 4>> border;
     std::optional<double> anisotropy;
+    std::optional<base::Comparison> compare;
+    glib::Position comparePosition;
     std::optional<int> samples, levels;
     const KeyedValues *flip = nullptr, *srgb = nullptr, *generate = nullptr, *history = nullptr;
     const KeyedValues *samplesKey = nullptr, *levelsKey = nullptr;
@@ -133,6 +136,11 @@ std::optional<Options> readOptions(Interpreter& in, const Command& command, std:
             options.anisotropy =
                 numberIn(in, key.values.front(), command.word + ": aniso", 1, kMostAnisotropy);
             if (!options.anisotropy) return std::nullopt;
+        } else if (key.key == "compare") {
+            const auto test = wordOf(in, key.values.front(), glib::wordsOfFragment("compare"));
+            if (!test) return std::nullopt;
+            options.compare = static_cast<base::Comparison>(*test);
+            options.comparePosition = key.position;
         } else if (key.key == "samples") {
             options.samples = integer(key, kMostSamples);
             options.samplesKey = &key;
@@ -163,6 +171,7 @@ base::SamplerState stateOf(const Options& options, base::SamplerState state) {
     if (options.filter) state.filter = *options.filter;
     if (options.anisotropy) state.anisotropy = *options.anisotropy;
     if (options.border) state.border = *options.border;
+    if (options.compare) state.compare = *options.compare;
     for (std::size_t i = 0; i < state.wrap.size() && !options.wraps.empty(); ++i)
         state.wrap[i] = options.wraps[std::min(i, options.wraps.size() - 1)];
     return state;
@@ -246,6 +255,13 @@ std::uint64_t bytesOf(const Texture& texture) {
     return texels * base::bytesPerTexel(source.format) * static_cast<std::uint64_t>(texture.samples);
 }
 
+/// Reports `compare` of a texture without depth.
+bool mayCompare(Interpreter& in, const Command& command, const Options& options, bool isDepth) {
+    if (!options.compare || isDepth) return true;
+    refuse(in, "glib-E26", command, options.comparePosition, "only textures of depth are compared");
+    return false;
+}
+
 /// Reports options that a rectangle cannot have: levels, and wrap modes that repeat.
 bool fitsRectangle(Interpreter& in, const Command& command, const Options& options, const Texture& texture) {
     if (texture.target != TextureTarget::rectangle) return true;
@@ -288,11 +304,12 @@ bool applyToEmpty(Interpreter& in, const Command& command, const Options& option
     }
     if (options.generate && (isInteger || base::hasDepth(source.format)))
         return deny(*options.generate, fmt::format("'{}' has no mipmaps", base::name(source.format)));
+    if (!mayCompare(in, command, options, base::hasDepth(source.format))) return false;
     if (base::hasDepth(source.format) && options.wraps.empty()) {
         texture.sampler.wrap.fill(Wrap::clampToBorder);
-        texture.sampler.border.fill(1);
+        texture.sampler.border.fill(base::farthestDepth(texture.sampler.compare));
     } else if (base::hasDepth(source.format) && !options.border) {
-        texture.sampler.border.fill(1);
+        texture.sampler.border.fill(base::farthestDepth(texture.sampler.compare));
     }
     if (!fitsRectangle(in, command, options, texture)) return false;
     texture.hasMipmaps = options.generate != nullptr;
@@ -324,6 +341,7 @@ bool applyToPicture(Interpreter& in, const Command& command, const Options& opti
         return false;
     };
     if (!deny(options.samplesKey) || !deny(options.levelsKey) || !deny(options.history)) return false;
+    if (!mayCompare(in, command, options, false)) return false;
     if (!fitsRectangle(in, command, options, texture)) return false;
     texture.isFlipped = options.flip != nullptr;
     texture.isSrgb = options.srgb != nullptr;
@@ -434,7 +452,9 @@ void doSampler(Interpreter& in, const Command& command) {
     if (!declareName(in, command, name, DeclaredName::Kind::sampler)) return;
     const auto options = readOptions(in, command, 3);
     if (!options) return;
-    setObject(in, name, in.scene.samplers.add({name, stateOf(*options, {}), in.place(command)}));
+    setObject(
+        in, name,
+        in.scene.samplers.add({name, stateOf(*options, {}), in.place(command), !options->wraps.empty()}));
 }
 
 constexpr CommandAction kObjectActions[] = {

@@ -110,8 +110,7 @@ class WriteSearch {
         const bool isPass = command.id == CommandId::pass || command.id == CommandId::fill;
         const bool isClear = command.id == CommandId::clearParts && !command.values.empty();
         if (!command.isModern || (!isPass && !isClear)) return;
-        const std::size_t count = command.id == CommandId::fill ? 1 : command.values.size();
-        for (std::size_t i = 0; i < count; ++i) addName(command.values[i], onlyChosen);
+        for (const Value& each : command.values) addName(each, onlyChosen);
     }
 
     void addImages(const Command& command) {

@@ -102,13 +102,15 @@ bool countsWord(Interpreter& in, const Variable& variable, double number) {
 
 /// Reports glib-W21 for a range whose current value is outside.
 void checkCurrent(Interpreter& in, const Variable& variable) {
-    const std::vector<double>& range = variable.written;
-    if (range[1] >= range[0] && range[1] <= range[2]) return;
-    in.report(diagnose(
-        "glib-W21",
-        fmt::format("{}: current value {} is outside {} ... {}; it is kept", variable.name,
-                    glib::numberText(range[1]), glib::numberText(range[0]), glib::numberText(range[2])),
-        variable.place));
+    for (const double each : variable.statedValues()) {
+        if (each >= variable.least() && each <= variable.largest()) continue;
+        in.report(diagnose("glib-W21",
+                           fmt::format("{}: current value {} is outside {} ... {}; it is kept", variable.name,
+                                       glib::numberText(each), glib::numberText(variable.least()),
+                                       glib::numberText(variable.largest())),
+                           variable.place));
+        return;
+    }
 }
 
 /// The range of Bound: three numbers above 0, from the one that costs least to the one with the finest
@@ -174,16 +176,22 @@ void declareControl(Interpreter& in, const Command& command, const std::string& 
         symbol = variable(expression::Type::boolean());
     } else {
         made.form = glib::UniformForm::range;
-        symbol = variable(expression::Type::number());
-        if (made.written.size() != 3 || made.written[0] > made.written[2]) {
-            in.report(diagnose("glib-E26", fmt::format("'{}' needs <least current largest>", name),
-                               in.place(value)));
+        if (made.written.size() < 3 || made.written.size() > 6 || made.least() > made.largest()) {
+            in.report(
+                diagnose("glib-E26",
+                         fmt::format("'{}' needs <least current largest>; a vector has two to four current "
+                                     "values, one per component",
+                                     name),
+                         in.place(value)));
             return;
         }
+        const std::size_t components = made.statedValues().size();
+        symbol =
+            variable(components == 1 ? expression::Type::number() : expression::Type::vector(components));
         checkCurrent(in, made);
     }
-    const bool isRange = made.form == glib::UniformForm::range;
-    made.current = isRange ? std::vector<double>{made.written[1]} : made.written;
+    const std::span<const double> stated = made.statedValues();
+    made.current.assign(stated.begin(), stated.end());
     const std::vector<double>* chosen = chosenValue(in, name, made.current.size());
     if (chosen != nullptr && countsWord(in, made, chosen->front())) made.current = *chosen;
     if (const auto word = chosenWord(in, made)) made.current = {*word};

@@ -22,9 +22,8 @@ constexpr std::size_t kMostNumbers = 4096;  // as --set
 
 /// "Dots" or "12": a program's name or line, where letters and digits are enough for it.
 bool isProgram(std::string_view text) {
-    return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
-        return glib::isLetter(c) || (c >= '0' && c <= '9') || c == '_' || c == '-';
-    });
+    return !text.empty() &&
+           std::all_of(text.begin(), text.end(), [](char c) { return glib::isOfName(c) || c == '-'; });
 }
 
 /// A name as GLSL has it, with parts and indices: "uKd", "light.color", "uWeights[2]"; a program may stand

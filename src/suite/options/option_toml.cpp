@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <system_error>
 
+#include "base/text.h"
 #include "suite/options/option_words.h"
 
 namespace glibra::suite {
@@ -19,9 +20,7 @@ std::string list(const auto& values) {
 
 /// A key that needs no quotes is written without them.
 std::string keyText(std::string_view key) {
-    const bool isBare = !key.empty() && std::all_of(key.begin(), key.end(), [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-    });
+    const bool isBare = !key.empty() && std::all_of(key.begin(), key.end(), base::isOfName);
     return isBare ? std::string(key) : tomlText(key);
 }
 

@@ -61,6 +61,11 @@ bool isExample(const fs::path& file) {
            (first == "scenes" && *std::next(inside.begin()) == "models");
 }
 
+Diagnostics writingProblem(const fs::path& file) {
+    if (!isExample(file)) return {};
+    return {diagnose("view-E03", "the folders of the examples are not written to; choose another one")};
+}
+
 std::vector<ExampleScene> exampleScenes(const fs::path& root) {
     std::vector<ExampleScene> scenes;
     const fs::path folder = root / "glib";

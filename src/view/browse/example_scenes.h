@@ -1,6 +1,8 @@
 #pragma once
 // Lists the example scenes that ship with glibra.
 
+#include <glibra/diagnostic.h>
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -24,9 +26,11 @@ std::filesystem::path exampleRoot(const std::vector<std::filesystem::path>& root
 /// The file of the running program.
 std::filesystem::path programFile();
 
-/// True for the scenes, shaders, textures and models that ship with the running program. They are not written
-/// to.
+/// True for the scenes, shaders, textures and models that ship with the running program, and for any other
+/// file in their folders, whether it exists or not. They are not written to.
 bool isExample(const std::filesystem::path& file);
+/// view-E03 if the file may not be written, because it is in such a folder.
+Diagnostics writingProblem(const std::filesystem::path& file);
 
 /// All scenes in ROOT/glib and its folders, sorted by topic and name, with the topic "start" first. Their
 /// sources are those that the table in ROOT/glib/README.md states.

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <system_error>
 #include <utility>
 
 #include "image/file.h"
@@ -155,8 +156,11 @@ bool EditedFile::lookAtDisk() {
     if (!readBytes(bytes)) {
         // A missing file may come back soon. Until then the text here is kept.
         whyReadOnly_ = std::move(why);
+        std::error_code failure;
+        isGone_ = whyReadOnly_.empty() && !std::filesystem::exists(path_, failure);
         return false;
     }
+    isGone_ = false;
     if (bytes == diskBytes_) return false;
     if (isChanged() && bytes != encoded()) {
         hasConflict_ = true;
@@ -201,6 +205,7 @@ Diagnostics EditedFile::save() {
     if (!problems.empty()) return problems;
     diskBytes_ = written;
     savedText_ = text_;
+    isGone_ = false;
     return {};
 }
 

@@ -22,8 +22,10 @@ class EditedFile {
     std::string& text() { return text_; }
     /// A sentence that says why the text cannot be edited; empty if it can.
     [[nodiscard]] const std::string& whyReadOnly() const { return whyReadOnly_; }
-    /// True if the text has changes that are not saved.
-    [[nodiscard]] bool isChanged() const { return whyReadOnly_.empty() && text_ != savedText_; }
+    /// True if the text is not on the disk: it has changes that are not saved, or the file is gone.
+    [[nodiscard]] bool isChanged() const { return whyReadOnly_.empty() && (isGone_ || text_ != savedText_); }
+    /// True if the file was removed after it was read. save() writes it again.
+    [[nodiscard]] bool isGone() const { return isGone_; }
     /// True if both the user and another program have changed the file since it was last read. keepMine() or
     /// takeDisk() resolves the conflict.
     [[nodiscard]] bool hasConflict() const { return hasConflict_; }
@@ -57,7 +59,8 @@ class EditedFile {
     std::string diskBytes_;  ///< what the file had when it was last read or saved
     std::string whyReadOnly_;
     TextHistory history_{std::string()};
-    bool hasMark_ = false, hasCarriageReturns_ = false, isLatin_ = false, hasConflict_ = false;
+    bool hasMark_ = false, hasCarriageReturns_ = false, isLatin_ = false, hasConflict_ = false,
+         isGone_ = false;
 };
 
 }  // namespace glibra::view

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <map>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "image/file.h"
@@ -30,15 +32,60 @@ std::optional<std::size_t> offsetOf(std::string_view text, const Place& place) {
     return at < text.size() ? std::optional(at) : std::nullopt;
 }
 
+/// The numbers and words of a value, as positions in its text.
+std::vector<std::pair<std::size_t, std::size_t>> piecesOf(std::string_view value) {
+    std::vector<std::pair<std::size_t, std::size_t>> pieces;
+    constexpr std::string_view kBetween = " \t\v\f\r\n<>[]{}()\\,";
+    for (std::size_t at = 0; at < value.size();) {
+        const std::size_t begin = value.find_first_not_of(kBetween, at);
+        if (begin == std::string_view::npos) break;
+        at = std::min(value.find_first_of(kBetween, begin), value.size());
+        pieces.emplace_back(begin, at);
+    }
+    return pieces;
+}
+
+std::optional<double> numberIn(std::string_view text) {
+    if (text.starts_with('+')) text.remove_prefix(1);
+    double number = 0;
+    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (failure != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    return number;
+}
+
+/// The new text of a value: the old one, in which only the numbers that differ are replaced. If the two are
+/// not of the same form, it is `wanted`.
+std::string changedText(std::string_view old, std::string_view wanted) {
+    const auto before = piecesOf(old), after = piecesOf(wanted);
+    if (before.size() != after.size() || old.front() != wanted.front()) return std::string(wanted);
+    std::string text;
+    std::size_t copied = 0;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        const auto [begin, end] = before[i];
+        const std::string_view piece = wanted.substr(after[i].first, after[i].second - after[i].first);
+        const auto was = numberIn(old.substr(begin, end - begin)), is = numberIn(piece);
+        if (was && is && *was == *is) continue;
+        text += old.substr(copied, begin - copied);
+        text += piece;
+        copied = end;
+    }
+    return text + std::string(old.substr(copied));
+}
+
 /// The end of the value that begins at `begin`: after its closing bracket, or at the end of the number.
 std::optional<std::size_t> valueEnd(std::string_view text, std::size_t begin) {
     constexpr std::string_view kOpening = "<[{(";
     constexpr std::string_view kClosing = ">]})";
     if (kOpening.find(text[begin]) != std::string_view::npos) {
-        const std::size_t end = text.find_first_of(">]})#", begin);
-        if (end == std::string_view::npos || kClosing.find(text[end]) == std::string_view::npos)
-            return std::nullopt;
-        return end + 1;
+        int depth = 0;  // of expressions, which may have brackets of their own
+        for (std::size_t at = begin; at < text.size() && text[at] != '#'; ++at) {
+            const bool isInside = depth > 1 || (depth == 1 && text[begin] == '(');
+            if (text[at] == '(' || at == begin) ++depth;
+            const bool closes =
+                isInside ? text[at] == ')' : kClosing.find(text[at]) != std::string_view::npos;
+            if (closes && --depth == 0) return at + 1;
+        }
+        return std::nullopt;
     }
     const std::size_t end = text.find_first_of(" \t\v\f\r\n<>[]{}()#\"", begin);
     return std::min(end, text.size());
@@ -94,7 +141,8 @@ Result<std::string> withValues(std::string_view text, std::span<const Knob> knob
                 "view-E01",
                 fmt::format("the value of '{}' is no longer at this place; reload the scene", each.tag),
                 each.place);
-        replacements.push_back({*begin, *end, valueText(each)});
+        replacements.push_back(
+            {*begin, *end, changedText(text.substr(*begin, *end - *begin), valueText(each))});
     }
     std::sort(replacements.begin(), replacements.end(),
               [](const Replacement& a, const Replacement& b) { return a.begin > b.begin; });

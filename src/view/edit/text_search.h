@@ -6,13 +6,11 @@
 #include <string_view>
 #include <vector>
 
+#include "editor/text_range.h"
+
 namespace glibra::view {
 
-/// Byte offsets in a text.
-struct TextRange {
-    std::size_t begin = 0, end = 0;
-    friend bool operator==(const TextRange&, const TextRange&) = default;
-};
+using editor::TextRange;
 
 struct TextSearch {
     std::string words;         ///< searched literally

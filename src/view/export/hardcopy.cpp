@@ -24,6 +24,7 @@ std::string renderCommand(const Session& session, const Hardcopy& wanted) {
     suite::Shot shot;
     shot.options = session.renderOptions(wanted.width, wanted.height);
     if (!session.live().isAnimated()) shot.options.time = 0;
+    if (wanted.samples > 1) shot.options.samples = wanted.samples;
     std::string text = fmt::format("glibra render {} -o {}", suite::shellWord(session.path().string()),
                                    suite::shellWord(wanted.file.string()));
     if (wanted.frames > 1)

@@ -13,6 +13,7 @@ struct Hardcopy {
     int width = 0, height = 0;  ///< pixels; 0: the size on the screen
     int frames = 1;             ///< from the current time on; several become NAME_0000.png ... or one film
     double framesPerSecond = 30;
+    int samples = 1;  ///< per pixel, limited to what the driver has
 };
 
 /// The command line that writes the same files: "glibra render scene.glib -o out.png --size 800x600 ...".

@@ -82,6 +82,7 @@ Result<HardcopyJob> HardcopyJob::begin(gpu::Context& context, const Session& ses
     auto state = std::make_unique<State>();
     state->wanted = wanted;
     state->options = session.renderOptions(wanted.width, wanted.height);
+    if (wanted.samples > 1) state->options.samples = wanted.samples;
     state->options.floatPixels = image::holdsFloats(wanted.file);
     state->writing.comment = renderCommand(session, wanted);
     state->writing.png.text = {{"Software", "glibra"}, {"Comment", state->writing.comment}};

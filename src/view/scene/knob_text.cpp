@@ -41,9 +41,12 @@ std::string valueText(const Knob& knob) {
             if (knob.bound)  // its finest value may be the smaller one
                 return fmt::format("<{} {} {}>", exact(knob.bound->coarsest), exact(knob.current.front()),
                                    exact(knob.bound->finest));
-            if (sameValues(knob.current))
-                return fmt::format("<{} {} {}>", exact(knob.minimum), exact(knob.current.front()),
+            if (!knob.program || sameValues(knob.current)) {
+                // A variable has a value per component, a uniform variable one for all.
+                const std::size_t count = knob.program ? 1 : knob.current.size();
+                return fmt::format("<{} {} {}>", exact(knob.minimum), joined(knob.current, count, " "),
                                    exact(knob.maximum));
+            }
             break;
         case glib::UniformForm::truth:
             return knob.current.front() != 0 ? "<true>" : "<false>";

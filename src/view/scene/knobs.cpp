@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "plan/type_table.h"
 #include "plan/uniform_names.h"
@@ -11,11 +12,6 @@
 
 namespace glibra::view {
 namespace {
-
-/// Empty for variables, which belong to no program.
-std::string programName(const scene::Scene& scene, scene::ProgramIndex program) {
-    return program ? scene.programs[program].name : std::string();
-}
 
 Widget widgetOf(const glib::UniformSpec& spec, const plan::ActiveUniform& uniform,
                 const plan::Control* control) {
@@ -114,7 +110,8 @@ Knob knobOf(const scene::Variable& variable) {
     knob.form = variable.form;
     knob.written = variable.written;
     const bool isRange = variable.form == glib::UniformForm::range;
-    knob.initial = isRange ? std::vector<double>{variable.written[1]} : variable.written;
+    const std::span<const double> stated = variable.statedValues();
+    knob.initial.assign(stated.begin(), stated.end());
     knob.current = variable.current;
     knob.place = variable.place;
     knob.type.base = variable.form == glib::UniformForm::truth ? plan::BaseType::boolean
@@ -126,8 +123,8 @@ Knob knobOf(const scene::Variable& variable) {
     knob.bound = variable.bound;
     if (isRange) {
         knob.widget = Widget::slider;
-        knob.minimum = variable.written[0];
-        knob.maximum = variable.written[2];
+        knob.minimum = variable.least();
+        knob.maximum = variable.largest();
     } else if (variable.form == glib::UniformForm::truth) {
         knob.widget = Widget::checkBox;
     } else if (variable.form == glib::UniformForm::color) {
@@ -186,9 +183,49 @@ std::vector<plan::PlannedProgramIndex> apply(const scene::Scene& scene, std::spa
     return changed;
 }
 
+std::vector<KeptValues::Owner> KeptValues::ownersOf(const scene::Scene& scene) {
+    std::vector<Owner> owners;
+    std::map<std::string, int> seen;
+    for (const scene::Program& each : scene.programs) owners.emplace_back(each.name, seen[each.name]++);
+    return owners;
+}
+
+/// Gives the values of programs that have another name now to those names: between two programs that both
+/// scenes have, as many names are gone as are new.
+void KeptValues::rename(const std::vector<Owner>& now) {
+    const auto isIn = [](const std::vector<Owner>& owners, const Owner& owner) {
+        return std::find(owners.begin(), owners.end(), owner) != owners.end();
+    };
+    const auto gapsOf = [&](const std::vector<Owner>& owners, const std::vector<Owner>& others) {
+        std::vector<std::vector<Owner>> gaps(1);
+        for (const Owner& each : owners) {
+            if (isIn(others, each))
+                gaps.emplace_back();
+            else
+                gaps.back().push_back(each);
+        }
+        return gaps;
+    };
+    const auto before = gapsOf(owners_, now), after = gapsOf(now, owners_);
+    std::vector<std::pair<Owner, Owner>> renamed;
+    for (std::size_t gap = 0; gap < std::min(before.size(), after.size()); ++gap)
+        for (std::size_t i = 0; before[gap].size() == after[gap].size() && i < before[gap].size(); ++i)
+            renamed.emplace_back(before[gap][i], after[gap][i]);
+    std::map<std::pair<Owner, std::string>, Kept> moved;
+    for (auto& [key, kept] : values_) {
+        const auto known =
+            std::find_if(renamed.begin(), renamed.end(),
+                         [&, &owner = key.first](const auto& each) { return each.first == owner; });
+        moved.insert_or_assign({known == renamed.end() ? key.first : known->second, key.second},
+                               std::move(kept));
+    }
+    values_ = std::move(moved);
+}
+
 void KeptValues::keep(const scene::Scene& scene, std::span<const Knob> knobs) {
+    owners_ = ownersOf(scene);
     for (const Knob& each : knobs) {
-        const std::tuple key(each.program, programName(scene, each.program), each.tag);
+        const std::pair key(each.program ? owners_[each.program.position()] : Owner(), each.tag);
         if (each.isChanged())
             values_[key] = {each.form, each.written, each.current};
         else
@@ -196,9 +233,12 @@ void KeptValues::keep(const scene::Scene& scene, std::span<const Knob> knobs) {
     }
 }
 
-void KeptValues::restore(const scene::Scene& scene, std::span<Knob> knobs) const {
+void KeptValues::restore(const scene::Scene& scene, std::span<Knob> knobs) {
+    const std::vector<Owner> owners = ownersOf(scene);
+    rename(owners);
+    owners_ = owners;
     for (Knob& each : knobs) {
-        const auto found = values_.find({each.program, programName(scene, each.program), each.tag});
+        const auto found = values_.find({each.program ? owners[each.program.position()] : Owner(), each.tag});
         if (found == values_.end()) continue;
         const Kept& kept = found->second;
         if (kept.form == each.form && kept.written == each.written &&

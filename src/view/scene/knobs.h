@@ -6,7 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "plan/frame_plan.h"
@@ -52,20 +52,28 @@ std::vector<Knob> knobsOf(const scene::Scene& scene, std::span<const plan::Frame
 std::vector<plan::PlannedProgramIndex> apply(const scene::Scene& scene, std::span<const Knob> knobs,
                                              plan::FramePlan& plan);
 
-/// The values that a user has set, kept while a scene is read again. A value returns if program position,
-/// program name, tag and the specification in the file are the same.
+/// The values that a user has set, kept while a scene is read again. A value returns if the program, the tag
+/// and the specification in the file are the same. Programs are known by their names, and those of one name
+/// by their order. Between two programs that stay, programs are renamed if as many names are gone as are new,
+/// in their order.
 class KeptValues {
   public:
     void keep(const scene::Scene& scene, std::span<const Knob> knobs);
-    void restore(const scene::Scene& scene, std::span<Knob> knobs) const;
+    void restore(const scene::Scene& scene, std::span<Knob> knobs);
     void forget() { values_.clear(); }
 
   private:
+    /// The name, and the index among the programs of that name; empty for variables.
+    using Owner = std::pair<std::string, int>;
+    static std::vector<Owner> ownersOf(const scene::Scene& scene);
+    void rename(const std::vector<Owner>& now);
+
     struct Kept {
         glib::UniformForm form{};
         std::vector<double> written, current;
     };
-    std::map<std::tuple<scene::ProgramIndex, std::string, std::string>, Kept> values_;
+    std::map<std::pair<Owner, std::string>, Kept> values_;
+    std::vector<Owner> owners_;  ///< the programs of the scene that keep() was called with, in its order
 };
 
 /// "<0 0.25 1>": the knob's current value in the form that the file uses.

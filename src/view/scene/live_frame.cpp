@@ -17,13 +17,18 @@ Diagnostics LiveScene::State::drawFrame(const gpu::Target& target, double time) 
     return diagnostics;
 }
 
+bool LiveScene::look(int width, int height, const ViewState& view, double time, Diagnostics& diagnostics) {
+    State& state = *state_;
+    const bool isNew = moveTo(width, height, time, diagnostics);
+    state.placeEye(static_cast<double>(width) / height, diagnostics, state.drawStats);
+    state.lookFrom(view);
+    return isNew;
+}
+
 Diagnostics LiveScene::draw(const gpu::Target& target, const ViewState& view, double time, bool axes) {
     State& state = *state_;
     Diagnostics diagnostics;
-    moveTo(target.width(), target.height(), time, diagnostics);
-    const double aspect = static_cast<double>(target.width()) / target.height();
-    state.placeEye(aspect, diagnostics, state.drawStats);
-    state.lookFrom(view);
+    look(target.width(), target.height(), view, time, diagnostics);
     const render::Tile whole{0, 0, target.width(), target.height()};
     if (state.simulation && !state.isSimulationWrong) {
         state.inputs.time = time;

@@ -25,7 +25,9 @@ Diagnostics LiveScene::State::prepare(State* previous) {
 
 /// Interprets the scene for other inputs, if it depends on what has changed, and plans it.
 bool LiveScene::State::moveTo(const scene::FrameInputs& wanted, Diagnostics& diagnostics) {
-    const bool variablesDiffer = wanted.variables != inputs.variables;
+    // A step may read the size of the window.
+    const bool variablesDiffer = wanted.variables != inputs.variables || wanted.width != inputs.width ||
+                                 wanted.height != inputs.height;
     if (!interpret(wanted, diagnostics, drawStats)) return false;
     cameras = source->cameras();
     lookThrough();
@@ -36,13 +38,14 @@ bool LiveScene::State::moveTo(const scene::FrameInputs& wanted, Diagnostics& dia
 Diagnostics LiveScene::State::makePlan(bool variablesDiffer) {
     plan::PlanOptions planOptions = driverOptions();
     planOptions.shareTargets = !keepsTextures;
+    planOptions.reportsNames = !hasBlocks();
     plan = planList(scene.frame, planOptions);
     // Picking draws the window's passes again, after the frame.
     if (!render::texturesComeFirst(plan)) plan.sharing.clear();
     Diagnostics diagnostics = std::move(plan.diagnostics);
     plan.diagnostics.clear();
     const bool isNew = !simulation;
-    if (!scene.once.empty() || !scene.steps.empty()) {
+    if (hasBlocks()) {
         // Frames of a window may differ in what they read, so all nodes that write something are kept.
         const Diagnostics ofSteps = planSimulation(planOptions, true);
         isSimulationWrong = hasError(ofSteps);

@@ -78,6 +78,11 @@ class LiveScene {
     void setRunHook(render::Simulation::RunHook hook);
     /// The warnings about loops that the driver would end too early with the current values (draw-W08).
     Diagnostics longLoops();
+    /// The loops of its shaders that may not end with the current values, or only after a long time; see
+    /// open_loops.h.
+    [[nodiscard]] std::vector<Place> openLoops();
+    /// Makes the plan and the matrices of a frame without drawing it. Returns what moveTo() does.
+    bool look(int width, int height, const ViewState& view, double time, Diagnostics& diagnostics);
     /// From now on no texture shares memory with another one, so that each keeps its content after a frame.
     /// Also holds for scenes that are loaded with this one as `previous`. Returns true if the plan is a new
     /// one.
@@ -123,6 +128,7 @@ class LiveScene {
 
   private:
     struct State;
+    static void explainRemovedLoops(Loading& loading);
     explicit LiveScene(std::unique_ptr<State> state);
     std::unique_ptr<State> state_;
 };

@@ -30,6 +30,7 @@ bool drawsFrame(CommandId id) {
         case CommandId::state:
         case CommandId::vertices:
         case CommandId::expect:
+        case CommandId::print:
         case CommandId::key:
         case CommandId::background:
         case CommandId::messageBox:

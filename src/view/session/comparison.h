@@ -21,6 +21,9 @@ class Comparison {
     /// Shows that scene. Returns why it cannot be read; empty on success.
     std::string open(const std::filesystem::path& scene);
     [[nodiscard]] const std::filesystem::path& path() const { return other_.path(); }
+    /// Session::setContained for the other scene, and Session::isDrawing.
+    void setContained(bool on) { other_.setContained(on); }
+    [[nodiscard]] bool isDrawing() const { return other_.isDrawing(); }
 
     /// Draws the other scene like `own`, and keeps both pictures. Returns true if one of them is new. Values
     /// go to what has their name there.

@@ -67,6 +67,9 @@ bool Session::open(const std::filesystem::path& path) {
         return false;
     }
     path_ = path;
+    process_.end();
+    drawLimit_ = kUsualDrawLimit;
+    drawsItself_ = false;
     chosenFiles_.clear();
     isVerbose_ = false;
     kept_.forget();
@@ -97,6 +100,7 @@ void Session::dropScene() {
     knobs_.clear();
     animations_.clear();
     picked_.reset();
+    isWaiting_ = false;
     live_.reset();
 }
 
@@ -107,6 +111,8 @@ void Session::releaseDevice() {
     objectTimer_.reset();
     live_.reset();
     target_.reset();
+    received_.reset();
+    process_.end();
     plain_.reset();
 }
 
@@ -115,7 +121,8 @@ void Session::restoreDevice() {
     Diagnostics before = diagnostics_;
     if (!reload() || !wasStopped) return;
     isStopped_ = true;
-    std::erase_if(before, [](const Diagnostic& each) { return each.id != "view-E04"; });
+    std::erase_if(before,
+                  [](const Diagnostic& each) { return each.id != "view-E04" && each.id != "view-E05"; });
     append(diagnostics_, std::move(before));
 }
 
@@ -136,7 +143,8 @@ void Session::take(LiveScene::Loading loading, bool sameScene) {
     } else if (!sameScene || !isReleased_) {
         kept_.forget();
     }
-    isReleased_ = isStopped_ = false;
+    isReleased_ = isStopped_ = isWaiting_ = false;
+    openLoops_.reset();
     if (picked_) {
         const std::vector<const scene::Draw*> draws = windowDraws(loading.scene->scene());
         const auto ordinal = static_cast<std::size_t>(picked_->ordinal);
@@ -149,8 +157,26 @@ void Session::take(LiveScene::Loading loading, bool sameScene) {
     if (objectTimer_) objectTimer_->forget();
     live_ = std::move(loading.scene);
     diagnostics_ = std::move(loading.diagnostics);
-    knobs_ = live_->knobs();
+    const std::vector<Knob> before = std::exchange(knobs_, live_->knobs());
     kept_.restore(live_->scene(), knobs_);
+    for (Animation& each : animations_) {  // they go with their program, wherever it stands now
+        const auto old =
+            std::find_if(before.begin(), before.end(), [&](const Knob& knob) { return each.isOf(knob); });
+        if (old == before.end()) continue;
+        const auto now = std::find_if(knobs_.begin(), knobs_.end(), [&](const Knob& knob) {
+            return knob.title == old->title && knob.tag == old->tag;
+        });
+        const auto hasTitle = [](const Knob& here) {
+            return [&here](const Knob& knob) { return knob.title == here.title; };
+        };
+        const bool isRenamed = std::any_of(knobs_.begin(), knobs_.end(), [&](const Knob& knob) {
+            return each.isOf(knob) && std::none_of(before.begin(), before.end(), hasTitle(knob));
+        });
+        if (now != knobs_.end())
+            each.program = now->program;
+        else if (!isRenamed)
+            each.tag.clear();  // it ends
+    }
     std::erase_if(animations_, [&](const Animation& each) {
         return std::none_of(knobs_.begin(), knobs_.end(), [&](const Knob& knob) {
             return each.isOf(knob) && knob.widget == Widget::slider &&

@@ -15,6 +15,7 @@
 #include "base/device_lost.h"
 #include "gpu/context/context.h"
 #include "gpu/object/target.h"
+#include "gpu/object/texture.h"
 #include "view/debug_view/debug_renderer.h"
 #include "view/debug_view/pixel_probe.h"
 #include "view/edit/save_values.h"
@@ -24,9 +25,13 @@
 #include "view/scene/transforms.h"
 #include "view/session/animation.h"
 #include "view/session/clock.h"
+#include "view/session/drawing_process.h"
+#include "view/session/drawing_service.h"
 #include "view/session/object_timer.h"
 
 namespace glibra::view {
+
+inline constexpr double kUsualDrawLimit = 2, kLongDrawLimit = 20;  ///< seconds
 
 class Session {
   public:
@@ -48,6 +53,13 @@ class Session {
     /// This ends with a value that is set, or when the scene is loaded again.
     void stop(const base::DeviceLost& lost);
     [[nodiscard]] bool isStopped() const { return isStopped_; }
+    /// Scenes with loops that may not end (LiveScene::openLoops) are drawn by a process of their own, which
+    /// is ended after two seconds. The last picture stays then, and view-E05 names the loops.
+    void setContained(bool on) { isContained_ = on; }
+    /// True while that process draws a picture that is wanted; drawIfNeeded() asks for its result.
+    [[nodiscard]] bool isDrawing() const { return isWaiting_; }
+    /// A scene that was stopped because it took too long is drawn again, for up to 20 seconds.
+    void drawLonger();
     /// Chooses a file for a statement of the scene that names none; the next reload() uses it. Returns what
     /// is wrong; empty on success. open() forgets the choices.
     std::string chooseFile(const Place& place, const std::filesystem::path& file);
@@ -58,7 +70,7 @@ class Session {
     void setVerbose(bool on) { isVerbose_ = on; }
     /// The next loading takes these texts in place of what the files have (RenderOptions::texts). open()
     /// forgets them.
-    void setTexts(std::map<std::filesystem::path, std::string> texts) { options_.texts = std::move(texts); }
+    void setTexts(std::map<std::filesystem::path, std::string> texts);
     [[nodiscard]] const std::map<std::filesystem::path, std::string>& texts() const { return options_.texts; }
     [[nodiscard]] bool hasScene() const { return live_ != nullptr; }
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
@@ -145,6 +157,9 @@ class Session {
     /// Does what the scene's Key statements say about that key; the name is compared without case. Returns
     /// false if there is none.
     bool pressKey(std::string_view key);
+    /// The key has been down for these seconds, since the last call or since it was pressed: does what `held`
+    /// says about it.
+    void holdKey(std::string_view key, double seconds);
 
     /// Sets the time to 0; what lasts begins anew.
     void restart();
@@ -204,6 +219,12 @@ class Session {
     Diagnostics drawShown();
     [[nodiscard]] ViewState shownView() const;
     [[nodiscard]] double shrinking() const;
+    enum class Elsewhere { no, waits, tried, shown };
+    Elsewhere drawElsewhere();
+    [[nodiscard]] DrawnState drawnState() const;
+    const std::vector<Place>& openLoops();
+    bool showReceived(const DrawingOrder& order);
+    void stopOpenLoops(DrawingProcess::State why);
     bool makeTarget(std::optional<gpu::Target>& target, int samples);
     void moveAnimations();
     void applyValue(std::size_t knob);
@@ -237,10 +258,18 @@ class Session {
     int width_ = 600, height_ = 600;
     int samples_ = 1;
     double wholeShape_ = 0, drawnShrinking_ = 1;
+    std::optional<gpu::Texture> received_;  ///< the picture of process_; target_ refers to it
     std::optional<gpu::Target> target_;
     std::optional<gpu::Target> plain_;  ///< plainPicture() of frame number `plainFrame_`
     std::uint64_t plainFrame_ = 0;
     std::vector<Animation> animations_;
+    DrawingProcess process_;
+    std::optional<std::vector<Place>> openLoops_;  ///< with the current values, if they are known
+    std::string tried_;                            ///< what the process has drawn
+    double drawLimit_ = kUsualDrawLimit;           ///< seconds
+    bool isContained_ = false, isWaiting_ = false;
+    bool drawsItself_ = false;  ///< others read what frames leave on the device
+    bool hasOtherSamples_ = false;
     bool isStale_ = true;
     bool isStopped_ = false;
     bool isReleased_ = false;  ///< kept_ has the values of a scene that is on no device

@@ -33,6 +33,8 @@ void Session::setMeasuresObjects(bool on) {
 
 void Session::keepTextures() {
     if (!live_) return;
+    isStale_ = isStale_ || (!drawsItself_ && received_);
+    drawsItself_ = true;
     Diagnostics diagnostics;
     if (live_->keepTextures(diagnostics)) {
         debugRenderer_.reset();
@@ -82,7 +84,7 @@ void Session::setSamples(int samples) {
     samples = std::clamp(samples, 1, context_.capabilities().maxSamples);
     if (samples == samples_) return;
     samples_ = samples;
-    target_.reset();
+    hasOtherSamples_ = true;  // the last picture stays until there is another one
     isStale_ = true;
 }
 
@@ -137,6 +139,12 @@ bool Session::makeTarget(std::optional<gpu::Target>& target, int samples) {
 
 bool Session::drawIfNeeded() {
     if (!isStale_ || !live_ || isStopped_) return false;
+    const Elsewhere elsewhere = drawElsewhere();
+    isWaiting_ = elsewhere == Elsewhere::waits && !isStopped_;
+    if (elsewhere == Elsewhere::waits) return false;
+    if (elsewhere == Elsewhere::shown) return true;
+    if (std::exchange(hasOtherSamples_, false) || received_) target_.reset();
+    received_.reset();
     // Debug views show numbers, which must not be mixed.
     const bool isMixed = debugView_ == DebugView::picture || debugView_ == DebugView::normals;
     if (!makeTarget(target_, isMixed ? samples_ : 1)) {
@@ -150,7 +158,8 @@ bool Session::drawIfNeeded() {
 }
 
 const gpu::Target* Session::plainPicture() {
-    if (!live_ || !target_ || target_->samples() == 1) return picture();
+    if (!live_ || !target_ || (target_->samples() == 1 && !received_)) return picture();
+    if (isWaiting_ || isStopped_) return nullptr;
     if (plain_ && plainFrame_ == framesDrawn_ && plain_->width() == width_ && plain_->height() == height_)
         return &*plain_;
     if (!makeTarget(plain_, 1)) return nullptr;
@@ -162,6 +171,7 @@ const gpu::Target* Session::plainPicture() {
 
 void Session::pickAt(int x, int y) {
     drawIfNeeded();
+    if (isWaiting_ || isStopped_) return;
     if (const gpu::Target* plain = plainPicture(); live_ && plain)
         picked_ = pick(*live_, *plain, clock_.time(), x, y);
     plainFrame_ = 0;
@@ -171,7 +181,7 @@ void Session::pickAt(int x, int y) {
 
 ProbedPixel Session::probe(int x, int y) {
     drawIfNeeded();
-    if (!live_ || !target_) return {};
+    if (!live_ || !target_ || isWaiting_ || isStopped_) return {};
     ProbedPixel pixel =
         probePixel(context_, *live_, target_->width(), target_->height(), clock_.time(), x, y);
     if (debugRenderer_) debugRenderer_->forgetPlan();

@@ -20,8 +20,10 @@ const Knob* Session::knob(std::string_view program, std::string_view tag) const 
 void Session::applyValue(std::size_t knob) {
     live_->setValue(knobs_[knob]);
     isStopped_ = false;
-    std::erase_if(diagnostics_,
-                  [](const Diagnostic& each) { return each.id == "draw-W08" || each.id == "view-E04"; });
+    openLoops_.reset();
+    std::erase_if(diagnostics_, [](const Diagnostic& each) {
+        return each.id == "draw-W08" || each.id == "view-E04" || each.id == "view-E05";
+    });
     append(diagnostics_, live_->longLoops());
     isStale_ = true;
 }
@@ -130,6 +132,7 @@ bool Session::pressKey(std::string_view key) {
         if (!glib::sameWord(each.key, key)) continue;
         isBound = true;
         if (each.restarts) restart();
+        if (each.isHeld) continue;
         for (std::size_t i = 0; i < knobs_.size() && !each.values.empty(); ++i) {
             if (knobs_[i].program || knobs_[i].tag != each.variable) continue;
             const auto now = std::find(each.values.begin(), each.values.end(), knobs_[i].current);
@@ -139,6 +142,30 @@ bool Session::pressKey(std::string_view key) {
         }
     }
     return isBound;
+}
+
+void Session::holdKey(std::string_view key, double seconds) {
+    if (!live_) return;
+    const std::vector<scene::KeyBinding> bindings = live_->scene().keys;
+    for (const scene::KeyBinding& each : bindings) {
+        if (!each.isHeld || !glib::sameWord(each.key, key)) continue;
+        for (std::size_t i = 0; i < knobs_.size(); ++i) {
+            const Knob& knob = knobs_[i];
+            if (knob.program || knob.tag != each.variable || each.values.empty()) continue;
+            std::vector<double> moved = knob.current;
+            const std::vector<double>& aim = each.values.front();
+            for (std::size_t k = 0; k < moved.size() && k < aim.size(); ++k) {
+                moved[k] += (aim[k] - moved[k]) * seconds;
+                // A value that the scene states outside of its range can come back into it.
+                if (knob.widget == Widget::slider)
+                    moved[k] = std::clamp(moved[k], std::min(knob.minimum, knob.current[k]),
+                                          std::max(knob.maximum, knob.current[k]));
+            }
+            if (moved == knob.current) continue;
+            animate(i, false);
+            setValue(i, std::move(moved));
+        }
+    }
 }
 
 }  // namespace glibra::view

@@ -38,9 +38,8 @@ std::optional<Question> beforeClosing(const Tabs& tabs, std::size_t tab) {
 }
 
 std::optional<Question> beforeQuitting(const Tabs& tabs) {
-    Question question{Question::About::quit, {}, 0, tabs.unsaved(), {}, {}};
-    for (std::size_t i = 0; i < tabs.count(); ++i) addOwnValues(question.values, tabs.at(i).session);
-    return asked(std::move(question));
+    // The tabs come back with their values.
+    return asked({Question::About::quit, {}, 0, tabs.unsaved(), {}, {}});
 }
 
 }  // namespace glibra::view

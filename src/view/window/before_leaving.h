@@ -13,7 +13,7 @@ namespace glibra::view {
 std::optional<Question> beforeOpening(const Tabs& tabs, const std::filesystem::path& scene);
 /// Before a tab is closed. The values of an example do not count, because they cannot be saved into it.
 std::optional<Question> beforeClosing(const Tabs& tabs, std::size_t tab);
-/// The same before all are closed.
+/// Before all are closed: only unsaved text counts, because the tabs come back with their values.
 std::optional<Question> beforeQuitting(const Tabs& tabs);
 
 }  // namespace glibra::view

@@ -14,6 +14,7 @@
 #include "cli/command_line.h"
 #include "cli/written_files.h"
 #include "view/browse/thumbnail_maker.h"
+#include "view/session/drawing_service.h"
 #include "view/window/window.h"
 
 namespace {
@@ -87,6 +88,10 @@ int start(int argc, char** argv) {
     line.list("SCENE", scenes, "scene files (.glib), one tab each");
     // The window starts this program with --thumbnails to make pictures of scenes; see thumbnail_maker.h.
     line.option("--thumbnails", thumbnails, "").hidden();
+    // The window starts this program with --draw-for-window to draw shaders that may not end; see
+    // drawing_process.h.
+    bool drawsForWindow = false;
+    line.flag("--draw-for-window", drawsForWindow, "").hidden();
     line.repeated("--set", arguments.set,
                   "value of a uniform: NAME=VALUE, or PROGRAM:NAME=VALUE for one program");
     line.option("--size", size, "size of the picture in pixels: WIDTHxHEIGHT");
@@ -108,6 +113,7 @@ int start(int argc, char** argv) {
     line.option("--replay", arguments.replayFile, "play the recorded input of this file, then quit")
         .existingFile();
     if (const std::optional<int> status = program.parse(argc, argv)) return *status;
+    if (drawsForWindow) return glibra::view::serveDrawing();
     if (samples >= 0) arguments.samples = samples;
     arguments.scenes.assign(scenes.begin(), scenes.end());
     if (!thumbnails.empty())

@@ -37,12 +37,24 @@ std::size_t Tabs::find(const fs::path& scene) const {
 
 void Tabs::add() {
     tabs_.push_back(std::make_unique<Tab>(context_, options_, shared_, sharedPanels_, nextId_++));
+    tabs_.back()->session.setContained(true);
     show(tabs_.size() - 1);
 }
 
 void Tabs::show(std::size_t tab) {
     if (tab >= tabs_.size()) return;
     shown_ = tab;
+    shared_.tabChanged = true;
+}
+
+void Tabs::move(std::size_t from, std::size_t to) {
+    to = std::min(to, tabs_.size() - 1);
+    if (from >= tabs_.size() || from == to) return;
+    const Tab* shown = tabs_[shown_].get();
+    std::unique_ptr<Tab> moved = std::move(tabs_[from]);
+    tabs_.erase(tabs_.begin() + static_cast<std::ptrdiff_t>(from));
+    tabs_.insert(tabs_.begin() + static_cast<std::ptrdiff_t>(to), std::move(moved));
+    while (tabs_[shown_].get() != shown) shown_ = (shown_ + 1) % tabs_.size();
     shared_.tabChanged = true;
 }
 

@@ -46,6 +46,8 @@ class Tabs {
     /// Adds an empty tab and shows it.
     void add();
     void show(std::size_t tab);
+    /// Moves a tab to another place among them; what is shown stays so.
+    void move(std::size_t from, std::size_t to);
     /// Closes a tab; the only tab is replaced by an empty one.
     void close(std::size_t tab);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <system_error>
 
 #include "base/device_lost.h"
 #include "gpu/context/context.h"
@@ -44,6 +45,7 @@ void Window::updateForShownScene() {
     const std::string name = session().hasScene() ? session().path().filename().string() : "";
     display_.setTitle(name.empty() ? "glibra" : name + " - glibra");
     tabs_.watch(watch_);
+    keepTabs();
     framesWanted_ = kFramesAfterEvent;
 }
 
@@ -72,8 +74,79 @@ void Window::openScene(const std::filesystem::path& path, bool inNewTab) {
 
 void Window::closeTab(std::size_t tab) {
     if (ask(beforeClosing(tabs_, tab))) return;
+    closeNow(tab);
+}
+
+void Window::closeNow(std::size_t tab) {
+    if (tab >= tabs_.count()) return;
+    constexpr std::size_t kMostClosed = 50;
+    if (const Session& session = tabs_.at(tab).session; session.hasScene()) {
+        ClosedTab closed{session.path(),  tab, session.knobs(), session.view(), session.clock(),
+                         session.camera()};
+        std::erase_if(closed.knobs, [](const Knob& each) { return !each.isChanged(); });
+        closed_.push_back(std::move(closed));
+        if (closed_.size() > kMostClosed) closed_.erase(closed_.begin());
+    }
     tabs_.close(tab);
     updateForShownScene();
+}
+
+/// Opens the tab again that was closed last, with its values, view and time.
+void Window::reopenTab() {
+    if (closed_.empty()) {
+        ui().notice = "no tab was closed";
+        return;
+    }
+    const ClosedTab closed = std::move(closed_.back());
+    closed_.pop_back();
+    openScene(closed.scene, true);
+    if (session().path() != closed.scene || !session().hasScene()) return;
+    for (const Knob& each : closed.knobs)
+        for (std::size_t i = 0; i < session().knobs().size(); ++i)
+            if (const Knob& known = session().knobs()[i]; known.title == each.title && known.tag == each.tag)
+                session().setValue(i, each.current);
+    session().setView(closed.view);
+    session().setClock(closed.clock);
+    session().setCamera(closed.camera);
+    tabs_.move(tabs_.shownIndex(), closed.index);
+    keepTabs();
+}
+
+/// Opens the tabs of the last run.
+void Window::restoreTabs() {
+    const std::vector<Settings::Tab> files = shared_.settings.tabs;
+    const int shown = shared_.settings.shownTab;
+    const std::vector<std::string> recent = shared_.settings.recent;
+    std::size_t wanted = 0;
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        std::error_code failure;
+        if (!std::filesystem::exists(files[i].scene, failure)) continue;
+        openScene(files[i].scene, true);
+        if (!session().hasScene()) continue;
+        for (const std::string& each : files[i].set) session().setByText(each);
+        if (static_cast<int>(i) == shown) wanted = tabs_.shownIndex();
+    }
+    shared_.settings.recent = recent;
+    tabs_.show(wanted);
+}
+
+/// Writes the settings when other tabs are open, so that they come back even if the program is ended.
+void Window::keepTabs() {
+    if (!isStarted_) return;
+    std::vector<Settings::Tab> files;
+    int shown = 0;
+    for (std::size_t i = 0; i < tabs_.count(); ++i) {
+        if (!tabs_.at(i).session.hasScene()) continue;
+        if (i == tabs_.shownIndex()) shown = static_cast<int>(files.size());
+        std::error_code failure;
+        const Session& session = tabs_.at(i).session;
+        files.push_back(
+            {std::filesystem::absolute(session.path(), failure).string(), session.renderOptions().set});
+    }
+    if (files == shared_.settings.tabs && shown == shared_.settings.shownTab) return;
+    shared_.settings.tabs = std::move(files);
+    shared_.settings.shownTab = shown;
+    saveSettings();
 }
 
 void Window::quit() {
@@ -99,8 +172,7 @@ void Window::handleAnswer() {
             if (answer->inNewTab) tabs_.add();
             return showScene(answer->question.scene);
         case Question::About::closeTab:
-            tabs_.close(answer->question.tab);
-            return updateForShownScene();
+            return closeNow(answer->question.tab);
         case Question::About::quit:
             quits_ = true;
             return display_.close();
@@ -154,8 +226,10 @@ void Window::handleRequests() {
     }
     if (requests.open) openScene(*requests.open, requests.inNewTab);
     if (requests.closeTab) closeTab(*requests.closeTab);
+    if (requests.reopenTab) reopenTab();
+    if (requests.fullScreen) display_.setFullScreen(!display_.isFullScreen());
     if (!quits_ && (requests.close || !display_.isOpen())) quit();
-    if (isAny(ui(), &Panel::needsFrames)) framesWanted_ = kFramesAfterEvent;
+    if (requests.frames || isAny(ui(), &Panel::needsFrames)) framesWanted_ = kFramesAfterEvent;
     if (shared_.settings.lightTheme != lightTheme_) {
         lightTheme_ = shared_.settings.lightTheme;
         applyTheme(lightTheme_, scale_);
@@ -176,7 +250,7 @@ void Window::followScale() {
 
 void Window::saveSettings() {
     Settings kept = shared_.settings;
-    std::tie(kept.windowWidth, kept.windowHeight) = display_.size();
+    if (!display_.isFullScreen()) std::tie(kept.windowWidth, kept.windowHeight) = display_.size();
     kept.layout = ImGui::SaveIniSettingsToMemory();
     kept.layoutScale = scale_;
     kept.scaleSizes(1 / scale_);
@@ -184,10 +258,13 @@ void Window::saveSettings() {
 }
 
 void Window::openInitialScenes() {
+    const bool isEmpty = arguments_.scenes.empty() && replay_.isDone();
     for (const std::filesystem::path& each : arguments_.scenes) openScene(each, true);
     tabs_.show(0);
+    if (isEmpty) restoreTabs();
+    isStarted_ = arguments_.replayFile.empty();
     updateForShownScene();
-    toolWindow(ui(), "examples").isOpen = arguments_.scenes.empty() && replay_.isDone();
+    toolWindow(ui(), "examples").isOpen = isEmpty && !session().hasScene();
     if (!session().hasScene()) return;
     for (const std::string& each : arguments_.set) append(setProblems_, session().setByText(each));
     Clock clock = session().clock();
@@ -257,6 +334,7 @@ Diagnostics Window::run() {
         writeState();
         if (!arguments_.replayFile.empty() && replay_.isDone()) break;
     }
+    keepTabs();
     saveSettings();
     return std::move(setProblems_);
 }

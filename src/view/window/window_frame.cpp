@@ -35,7 +35,8 @@ double now() {
 bool Window::hasWork() {
     for (std::size_t i = 0; i < tabs_.count(); ++i)
         if (isAny(tabs_.at(i).ui, &Panel::isWorking)) return true;
-    return framesWanted_ > 0 || ui().frame.isFollowed || session().isMoving() || !replay_.isDone();
+    return framesWanted_ > 0 || ui().frame.isFollowed || session().isMoving() || session().isDrawing() ||
+           !replay_.isDone();
 }
 
 void Window::waitForWork() {
@@ -105,6 +106,9 @@ void Window::drawFrame() {
     tabs_.updateTitles();
     // Outside of text fields, Tab chooses sliders (value_slider.h).
     keepTabFromFocus();
+    ImGuiConfigFlags& flags = ImGui::GetIO().ConfigFlags;
+    flags = shared_.isMenuOpen ? flags | ImGuiConfigFlags_NavEnableKeyboard
+                               : flags & ~ImGuiConfigFlags_NavEnableKeyboard;
     ImGui::NewFrame();
     showAll(ui);
     if (!ImGui::IsAnyItemActive() && !ui.frame.isDragging && ui.session.hasScene())
@@ -123,7 +127,7 @@ void Window::drawFrame() {
     ui.session.setWholeShape(shared_.settings.pictureShape == PictureShape::fill ? shapeOf(ui) : 0);
     const RealClock::time_point start = RealClock::now();
     if (!isPassedOver()) ui.session.drawIfNeeded();
-    if (changeSaved_) {
+    if (changeSaved_ && !ui.session.isDrawing()) {
         // Drivers compile a program at its first draw; this measures how long that takes.
         glFinish();
         loop_.firstDrawMilliseconds = secondsSince(start) * kMilliseconds;
@@ -157,6 +161,7 @@ void Window::present() {
     display_.present();
     gpu::expectDevice();
     ++loop_.framesPresented;
+    if (session().isDrawing()) return;
     if (const auto saved = std::exchange(changeSaved_, std::nullopt)) {
         glFinish();
         loop_.editToPictureMilliseconds = secondsSince(*saved) * kMilliseconds;

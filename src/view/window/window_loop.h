@@ -38,6 +38,16 @@ inline bool isAny(const Ui& ui, bool (Panel::*is)() const) {
                        [&](const PanelUse& each) { return (each.panel->*is)(); });
 }
 
+/// A tab that was closed, as it was.
+struct ClosedTab {
+    std::filesystem::path scene;
+    std::size_t index = 0;
+    std::vector<Knob> knobs;  ///< that were changed
+    ViewState view;
+    Clock clock;
+    std::string camera;
+};
+
 class Window {
   public:
     Window(const WindowArguments& arguments, Display& display, gpu::Context& context);
@@ -51,6 +61,10 @@ class Window {
     void openScene(const std::filesystem::path& path, bool inNewTab);
     void showScene(const std::filesystem::path& path);
     void closeTab(std::size_t tab);
+    void closeNow(std::size_t tab);
+    void reopenTab();
+    void restoreTabs();
+    void keepTabs();
     bool ask(std::optional<Question> question);
     void updateForShownScene();
     void reloadIfNeeded();
@@ -94,6 +108,8 @@ class Window {
     std::size_t drawn_ = 0;  ///< the tab that draws now
     float scale_ = 1;
     Diagnostics setProblems_;
+    std::vector<ClosedTab> closed_;  ///< the last one last
+    bool isStarted_ = false;         ///< the first scenes are open
 };
 
 }  // namespace glibra::view

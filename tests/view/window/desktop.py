@@ -49,7 +49,8 @@ class Window:
             (self.folder / "glibra").mkdir()
             (self.folder / "glibra/view.json").write_text(SETTINGS)
         self.environment = dict(desktop.environment, XDG_CONFIG_HOME=str(self.settings),
-                                XDG_CACHE_HOME=str(self.folder / "cache"), **(variables or {}))
+                                **{"XDG_CACHE_HOME": str(self.folder / "cache"),
+                                   "XDG_STATE_HOME": str(self.folder / "state"), **(variables or {})})
         self.process = subprocess.Popen(
             [program, "view", *([str(scene)] if scene else []), "--state", str(self.state_file), *arguments],
             env=self.environment, stderr=subprocess.PIPE, text=True)

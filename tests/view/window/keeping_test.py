@@ -236,26 +236,31 @@ class Files(KeepingTest):
         window.wait(lambda s: s["scene"].endswith("two.glib"))
         self.assertNotIn("<0. .25 1.>", (self.files / "one.glib").read_text())
 
-    def test_quitting_asks_about_changed_values(self):
-        window = self.open(self.files / "one.glib", "--size", "520x560")
+    def test_closing_asks_about_changed_values_and_quitting_keeps_them(self):
+        settings = self.files / "settings"
+        settings.mkdir()
+        window = self.open(self.files / "one.glib", "--size", "520x560", settings=settings)
         window.drag_widget("uniform/Plain/uBlue", 0.25, 0.8)
         window.wait_knob("uBlue", lambda v: v[0] > 0.7)
         window.move(20, 20)
-        for key in ("ctrl+w", "ctrl+q"):
-            window.key(key)
-            window.wait(lambda s: s["question"])
-            window.settle()
-            window.click("question/cancel")
-            window.wait(lambda s: not s["question"])
-        self.assertGreater(window.knob("uBlue")[0], 0.7)
-        window.xdotool("key", "ctrl+q")
+        window.key("ctrl+w")
         window.wait(lambda s: s["question"])
         window.settle()
-        window.move(*window.point("question/save"))
-        window.press()
-        window.xdotool("mouseup", "1")
+        window.click("question/cancel")
+        window.wait(lambda s: not s["question"])
+        value = window.knob("uBlue")[0]
+        self.assertGreater(value, 0.7)
+        window.xdotool("key", "ctrl+q")
         self.assertEqual(window.process.wait(), 0)
-        self.assertNotIn("<0. .25 1.>", (self.files / "one.glib").read_text())
+        self.assertIn("<0. .25 1.>", (self.files / "one.glib").read_text())
+        window = self.open(None, settings=settings)
+        window.wait(lambda s: s["scene"].endswith("one.glib") and s["knobs"][0]["current"] == [value])
+        window.key("ctrl+w")
+        window.wait(lambda s: s["question"])
+        window.settle()
+        window.click("question/save")
+        window.wait(lambda s: not s["question"])
+        self.assertRegex((self.files / "one.glib").read_text(), r"<0\. 0\.[0-9]+ 1\.>")
 
     def test_a_copy_that_is_refused_keeps_the_dialog_open(self):
         (self.here / "glaze.frag").write_text("// mine\n")

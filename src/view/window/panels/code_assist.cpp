@@ -9,9 +9,9 @@
 #include <string>
 #include <utility>
 
+#include "editor/scene_check.h"
 #include "glib/text.h"
 #include "view/edit/comment_lines.h"
-#include "view/edit/declared_names.h"
 #include "view/window/panels/syntax_colors.h"
 #include "view/window/panels/ui.h"
 #include "view/window/platform/keys.h"
@@ -28,15 +28,6 @@ CodeContext contextOf(const Ui& ui, const EditedFile& file) {
     CodeContext context;
     context.language =
         glib::sameWord(file.path().extension().string(), ".glib") ? CodeLanguage::glib : CodeLanguage::glsl;
-    const scene::Scene& scene = ui.session.live().scene();
-    std::vector<const scene::Program*> programs;
-    for (const scene::Program& program : scene.programs)
-        for (const scene::StageFile& each : program.stages)
-            if (scene.files[each.file].path == file.path()) {
-                context.stage = each.stage;
-                programs.push_back(&program);
-            }
-    const bool isScene = context.language == CodeLanguage::glib;
     for (const Knob& each : ui.session.knobs()) {
         std::string value;
         for (const double number : each.current)
@@ -47,29 +38,12 @@ CodeContext contextOf(const Ui& ui, const EditedFile& file) {
         if (each.program) context.names.push_back({each.tag, type, what, value, CodeLanguage::glsl});
         context.names.push_back({each.tag, type, what, value, CodeLanguage::glib});
     }
-    // What the other stages of the program declare at their interfaces.
-    for (const scene::Program& program : scene.programs) {
-        if (!isScene && std::find(programs.begin(), programs.end(), &program) == programs.end()) continue;
-        if (isScene && !program.name.empty())
-            context.names.push_back({program.name,
-                                     "Program",
-                                     fmt::format("line {}", program.place.line),
-                                     {},
-                                     CodeLanguage::glib});
-        for (const scene::StageFile& each : program.stages) {
-            const std::filesystem::path& path = scene.files[each.file].path;
-            const auto known = ui.shared.sources.find(path);
-            if (path == file.path() || known == ui.shared.sources.end()) continue;
-            for (const DeclaredName& name : declaredNames(known->second.text()))
-                if (name.isInterface)
-                    context.names.push_back(
-                        {name.name,
-                         name.type,
-                         fmt::format("{} in {}", name.declaration, path.filename().string()),
-                         {},
-                         isScene ? CodeLanguage::glib : CodeLanguage::glsl});
-        }
-    }
+    editor::addProgramNames(context, editor::namesOf(ui.session.live().scene()).programs, file.path(),
+                            [&](const std::filesystem::path& path) {
+                                const auto known = ui.shared.sources.find(path);
+                                return known == ui.shared.sources.end() ? std::string()
+                                                                        : known->second.text();
+                            });
     return context;
 }
 

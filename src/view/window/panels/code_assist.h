@@ -7,8 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "view/edit/completion.h"
-#include "view/edit/reference.h"
+#include "view/edit/code_words.h"
 #include "view/edit/syntax.h"
 #include "view/window/panels/code_view.h"
 

@@ -31,7 +31,7 @@ struct Editing {
     int pageLines = 1;
 };
 
-/// After Enter, indents the new line like the one before.
+/// After Enter, indents the new line like the one before, and by four more after an opening brace.
 void indent(ImGuiInputTextCallbackData& data, const CodeView& view) {
     const bool isEnter = data.BufTextLen == view.previousSize + 1 && data.CursorPos == view.cursor + 1 &&
                          data.CursorPos > 0 && data.Buf[data.CursorPos - 1] == '\n';
@@ -39,9 +39,22 @@ void indent(ImGuiInputTextCallbackData& data, const CodeView& view) {
     const std::string_view before(data.Buf, static_cast<std::size_t>(data.CursorPos - 1));
     const std::size_t end = before.rfind('\n');
     std::string_view line = end == std::string_view::npos ? before : before.substr(end + 1);
+    const std::size_t last = line.find_last_not_of(" \t");
+    const bool isOpening = last != std::string_view::npos && line[last] == '{';
     line = line.substr(0, std::min(line.find_first_not_of(" \t"), line.size()));
-    const std::string blanks(line);
+    const std::string blanks = std::string(line) + (isOpening ? "    " : "");
     data.InsertChars(data.CursorPos, blanks.c_str());
+}
+
+/// A closing brace that is typed as the first character of a line takes four blanks back.
+void unindent(ImGuiInputTextCallbackData& data, const CodeView& view) {
+    const bool isTyped = data.BufTextLen == view.previousSize + 1 && data.CursorPos == view.cursor + 1 &&
+                         data.CursorPos > 4 && data.Buf[data.CursorPos - 1] == '}';
+    if (!isTyped) return;
+    const std::string_view before(data.Buf, static_cast<std::size_t>(data.CursorPos - 1));
+    const std::string_view line = before.substr(before.rfind('\n') + 1);
+    const bool isBlank = line.find_first_not_of(' ') == std::string_view::npos;
+    if (isBlank && line.size() >= 4) data.DeleteChars(data.CursorPos - 5, 4);
 }
 
 /// Moves by the visible lines on Page Up and Page Down. ImGui would take the whole text as visible.
@@ -82,6 +95,7 @@ int onEdit(ImGuiInputTextCallbackData* data) {
         view.goTo.reset();
     } else if (view.isActive) {
         indent(*data, view);
+        unindent(*data, view);
         turnPage(*data, editing);
     }
     view.cursor = data->CursorPos;

@@ -60,7 +60,9 @@ void picture(Ui& ui, const char* title, const char* name, const std::optional<gp
 /// Both pictures, as large as the window shows them side by side, and how they differ.
 void sideBySide(Ui& ui, CompareWindow& window) {
     Comparison& comparison = *window.comparison;
-    if (comparison.follow(ui.session)) {
+    const bool isNew = comparison.follow(ui.session);
+    ui.frame.isFollowed = ui.frame.isFollowed || comparison.isDrawing();
+    if (isNew) {
         upload(ui.context.capabilities(), comparison.own(), window.own);
         upload(ui.context.capabilities(), comparison.other(), window.other);
         window.needsFrames = true;  // the tab's own picture may still be drawn in this frame
@@ -90,6 +92,7 @@ class ComparePanel final : public Panel {
         const fs::path& scene = *ui.wanted.compared;
         window_ = {};
         window_.comparison = std::make_unique<Comparison>(ui.context, ui.session.renderOptions());
+        window_.comparison->setContained(true);
         window_.problem = window_.comparison->open(scene);
         window_.isSolution = scene == solutionOf(ui.session.path());
         isOpen = true;

@@ -70,8 +70,11 @@ void costPanel(Ui& ui, std::optional<FrameCost>& measured) {
     if (!section(ui, "Frame rate", "cost", false)) return;
     constexpr int kLeastFrames = 20;
     constexpr double kLeastSeconds = .5;
+    // Nothing would end the frames of a shader that does not end.
+    ImGui::BeginDisabled(ui.session.isStopped() || ui.session.isDrawing());
     if (ImGui::Button("Measure"))
         measured = measureFrames(ui.session, ui.context.capabilities(), kLeastFrames, kLeastSeconds);
+    ImGui::EndDisabled();
     mark(ui, "cost/measure");
     ImGui::SameLine();
     bool isLive = ui.session.measuresObjects();

@@ -4,7 +4,9 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <span>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -24,6 +26,7 @@ namespace fs = std::filesystem;
 /// Makes a scene from a template, which is an example, and opens it. Returns the problem; empty on success.
 std::string copyTemplate(Ui& ui, const fs::path& from, fs::path target) {
     if (!target.has_extension()) target += ".glib";
+    if (const Diagnostics problems = writingProblem(target); !problems.empty()) return problems.front().text;
     Session session(ui.context, ui.session.renderOptions());
     const auto bytes = image::readFile(from, {from.string(), {}});
     if (!bytes || !session.open(from)) return "cannot read " + from.string();
@@ -38,6 +41,26 @@ std::string copyTemplate(Ui& ui, const fs::path& from, fs::path target) {
     return {};
 }
 
+/// A scene to write into. It draws nothing yet, which is no mistake.
+constexpr std::string_view kEmptyScene =
+    "# A new scene.\n\nPerspective 50\nLookAt 0 0 4  0 0 0  0 1 0\n\n# Vertex, Fragment and Program, and "
+    "then "
+    "what they draw:\n\n";
+
+/// Makes an empty scene and opens it with its source. Returns the problem; empty on success.
+std::string makeEmptyScene(Ui& ui, fs::path target) {
+    if (!target.has_extension()) target += ".glib";
+    Diagnostics problems = writingProblem(target);
+    if (problems.empty())
+        problems = image::writeFileAtomically(target, std::as_bytes(std::span(kEmptyScene)));
+    if (!problems.empty()) return problems.front().text;
+    ui.notice = fmt::format("made {}", target.string());
+    ui.settings.showSource = true;
+    ui.requests.open = target;
+    ui.requests.inNewTab = true;
+    return {};
+}
+
 /// The templates are the scenes in the folder "start" of the examples.
 void newMenu(Ui& ui, std::optional<std::vector<ExampleScene>>& templates) {
     if (!templates) {
@@ -45,6 +68,8 @@ void newMenu(Ui& ui, std::optional<std::vector<ExampleScene>>& templates) {
         templates = root.empty() ? std::vector<ExampleScene>() : exampleScenes(root);
         std::erase_if(*templates, [](const ExampleScene& each) { return each.topic != "start"; });
     }
+    if (ImGui::MenuItem("Empty scene")) askEmptyScene(ui);
+    mark(ui, "file/new/empty");
     for (const ExampleScene& each : *templates) {
         const std::string label = each.summary.substr(0, each.summary.find(':'));
         if (ImGui::MenuItem((label + "##" + each.name).c_str()))
@@ -106,11 +131,25 @@ bool item(Ui& ui, const char* label, const char* key, const char* name, bool isE
 
 }  // namespace
 
+void askEmptyScene(Ui& ui) {
+    ui.wanted.file = FileRequest{FileQuestion{.kind = FileQuestion::Kind::save,
+                                              .title = "A new, empty scene",
+                                              .button = "Save",
+                                              .hint = "The scene is written into this folder.",
+                                              .endings = ".glib",
+                                              .entry = "scene.glib",
+                                              .chosen = makeEmptyScene},
+                                 false, ownFolder(ui)};
+}
+
 void fileMenu(Ui& ui, FileMenu& menu) {
-    if (ImGui::Button("File")) ImGui::OpenPopup("file menu");
+    ui.shared.isMenuOpen = false;
+    if (ImGui::Button("File") || menu.opens) ImGui::OpenPopup("file menu");
     mark(ui, "file");
     ImGui::SetNextWindowPos({ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y}, ImGuiCond_Appearing);
     if (!ImGui::BeginPopup("file menu")) return;
+    ui.shared.isMenuOpen = true;
+    if (std::exchange(menu.opens, false)) ImGui::SetKeyboardFocusHere();
     const bool isOpen = ImGui::BeginMenu("New");
     mark(ui, "file/new");
     if (isOpen) {
@@ -118,6 +157,7 @@ void fileMenu(Ui& ui, FileMenu& menu) {
         ImGui::EndMenu();
     }
     if (item(ui, "Open...", "Ctrl+O", "file/open")) openDialog(ui, false);
+    if (item(ui, "Reopen closed tab", "Ctrl+Shift+T", "file/reopen")) ui.requests.reopenTab = true;
     if (item(ui, "Examples", "X", "file/examples")) toolWindow(ui, "examples").isOpen = true;
     ImGui::Separator();
     const bool hasScene = ui.session.hasScene();

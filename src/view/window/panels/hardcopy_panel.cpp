@@ -18,6 +18,7 @@
 #include <utility>
 
 #include "image/video/video_file.h"
+#include "view/browse/example_scenes.h"
 #include "view/edit/detached_process.h"
 #include "view/export/hardcopy.h"
 #include "view/export/hardcopy_job.h"
@@ -40,6 +41,7 @@ struct HardcopyEntries {
     int width = 1920, height = 1080;  ///< of the preset "other"
     int frames = 1;
     float framesPerSecond = 30;
+    std::optional<int> samples;      ///< per pixel; without, as on the screen
     std::optional<HardcopyJob> job;  ///< running now
     std::string message;             ///< the result of the last hardcopy
     std::string note;                ///< what the running one leaves out
@@ -84,17 +86,27 @@ constexpr std::array kEndings{Ending{".png", "PNG"},         Ending{".bmp", "BMP
 /// not be written to.
 fs::path folderOf(const Settings& settings) {
     std::error_code failure;
-    if (const fs::path chosen = settings.hardcopyFolder; fs::is_directory(chosen, failure)) return chosen;
+    if (const fs::path chosen = settings.hardcopyFolder;
+        fs::is_directory(chosen, failure) && !isExample(chosen / "picture.png"))
+        return chosen;
     const fs::path current = fs::current_path(failure);
-    if (::access(current.c_str(), W_OK) == 0) return current;
+    if (::access(current.c_str(), W_OK) == 0 && !isExample(current / "picture.png")) return current;
     const char* home = std::getenv("HOME");
     return home ? fs::path(home) : current;
 }
 
+int samplesOfScreen(const Ui& ui) {
+    return std::max(1, ui.shared.samples.value_or(ui.settings.samples));
+}
+
 Hardcopy wanted(const Ui& ui, const HardcopyEntries& entries) {
     const auto [width, height] = sizeOf(ui, entries, static_cast<std::size_t>(entries.preset));
-    return {folderOf(ui.settings) / entries.file.data(), width, height, entries.frames,
-            static_cast<double>(entries.framesPerSecond)};
+    return {folderOf(ui.settings) / entries.file.data(),
+            width,
+            height,
+            entries.frames,
+            static_cast<double>(entries.framesPerSecond),
+            entries.samples.value_or(samplesOfScreen(ui))};
 }
 
 /// Puts the path of a free name into the entry: the name alone if it is in the folder of hardcopies.
@@ -140,6 +152,12 @@ void beginHardcopy(Ui& ui, HardcopyEntries& entries, const Hardcopy& hardcopy) {
     entries.last.clear();
     ui.notice = {};
     entries.note = ui.session.onlyOnScreen();
+    if (Diagnostics problems = writingProblem(hardcopy.file); !problems.empty())
+        return endHardcopy(ui, entries, problems, {});
+    if (ui.session.isStopped()) {
+        ui.notice = {"no hardcopy is written, because the scene is stopped", true};
+        return;
+    }
     Result<HardcopyJob> job = HardcopyJob::begin(ui.context, ui.session, hardcopy);
     if (!job) return endHardcopy(ui, entries, job.diagnostics, {});
     entries.job = std::move(job.value);
@@ -253,6 +271,26 @@ void sizeEntry(Ui& ui, HardcopyEntries& entries) {
     mark(ui, "hardcopy/pixels");
 }
 
+void samplesEntry(Ui& ui, HardcopyEntries& entries) {
+    const auto labelOf = [](int samples) {
+        return samples <= 1 ? std::string("one sample") : fmt::format("{} samples", samples);
+    };
+    const std::string screen = labelOf(samplesOfScreen(ui)) + " (as on the screen)";
+    if (ImGui::BeginCombo("Smooth", entries.samples ? labelOf(*entries.samples).c_str() : screen.c_str())) {
+        if (ImGui::Selectable(screen.c_str(), !entries.samples)) entries.samples.reset();
+        mark(ui, "hardcopy/samples/screen");
+        for (int samples = 1; samples <= ui.context.capabilities().maxSamples; samples *= 2) {
+            if (ImGui::Selectable(labelOf(samples).c_str(), entries.samples == samples))
+                entries.samples = samples;
+            mark(ui, "hardcopy/samples/{}", samples);
+        }
+        ImGui::EndCombo();
+    }
+    markField(ui, "hardcopy/samples", "Smooth");
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("Samples per pixel, which make edges smooth: `glibra render --samples`");
+}
+
 void framesEntry(Ui& ui, HardcopyEntries& entries) {
     ImGui::InputInt("Frames", &entries.frames, 0);
     entries.frames = std::clamp(entries.frames, 1, 1'000'000);
@@ -358,6 +396,7 @@ void hardcopyPanel(Ui& ui, HardcopyEntries& entries) {
     ImGui::PushItemWidth(-ImGui::CalcTextSize("Per second ").x);
     fileEntry(ui, entries);
     sizeEntry(ui, entries);
+    samplesEntry(ui, entries);
     framesEntry(ui, entries);
     labelsEntry(ui);
     ImGui::PopItemWidth();

@@ -7,11 +7,19 @@
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <span>
 #include <string>
+#include <system_error>
 
+#include "image/file.h"
+#include "view/browse/example_scenes.h"
 #include "view/edit/external_editor.h"
+#include "view/edit/message_fixes.h"
 #include "view/edit/source_lines.h"
+#include "view/window/panels/icons.h"
 #include "view/window/panels/messages.h"
+#include "view/window/panels/source_header.h"
 #include "view/window/panels/syntax_colors.h"
 #include "view/window/panels/ui.h"
 #include "view/window/platform/theme.h"
@@ -78,6 +86,65 @@ void translatedLines(Ui& ui, const Place& place, const std::string& name) {
     ImGui::PopFont();
 }
 
+/// Carries out what a button below a message says.
+void apply(Ui& ui, const MessageFix& fix) {
+    if (const Diagnostics problems = writingProblem(fix.file); !problems.empty()) {
+        ui.notice = {"Examples are not changed; save a copy first", true};
+        return;
+    }
+    std::error_code failure;
+    if (!fix.made.empty()) {
+        Diagnostics problems;
+        if (std::filesystem::exists(fix.file, failure))
+            ui.notice = {fix.file.filename().string() + " exists already", true};
+        else
+            problems = image::writeFileAtomically(fix.file, std::as_bytes(std::span(fix.made)));
+        if (!problems.empty()) ui.notice = problems.front();
+        ui.requests.reload = true;
+    } else {
+        EditedFile& file = ui.shared.sources.try_emplace(fix.file, fix.file).first->second;
+        const bool wasChanged = file.isChanged();
+        file.text() = withFix(file.text(), fix);
+        file.history().endStep();
+        file.history().record(file.text());
+        file.history().endStep();
+        if (!wasChanged) saveSource(ui, fix.file);
+    }
+    showSource(ui, {fix.file.string(), std::max(1, fix.line), 1});
+}
+
+/// The folders in which a missing file was looked for, and buttons for what can be done.
+void fixes(Ui& ui, const Diagnostic& each, const std::string& name) {
+    if (!ui.session.hasScene() || each.subject.empty()) return;
+    if (ui.fixes.loaded != ui.session.timesLoaded()) ui.fixes = {ui.session.timesLoaded(), {}};
+    const auto [known, isNew] = ui.fixes.known.try_emplace(each.text);
+    if (isNew) known->second = {fixesOf(each, ui.session.live()), searchedFor(each, ui.session.live())};
+    int index = 0;
+    std::optional<MessageFix> chosen;
+    for (const MessageFix& fix : known->second.fixes) {
+        if (index > 0) continueRowForButton(fix.label.c_str());
+        if (ImGui::SmallButton(fix.label.c_str())) chosen = fix;
+        mark(ui, "{}/fix/{}", name, index++);
+    }
+    if (const std::string& searched = known->second.searched; !searched.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, packed(palette().dim));
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        const float width = ImGui::GetContentRegionAvail().x;
+        ImGui::Dummy({width, ImGui::GetTextLineHeight()});
+        const bool isHovered = ImGui::IsItemHovered();
+        lineOfText(searched.c_str(), at, at.x + width);
+        ImGui::PopStyleColor();
+        if (isHovered) {
+            ImGui::BeginTooltip();
+            ImGui::PushTextWrapPos(ImGui::GetFontSize() * 32);
+            ImGui::TextUnformatted(searched.c_str());
+            ImGui::PopTextWrapPos();
+            ImGui::EndTooltip();
+        }
+    }
+    if (chosen) apply(ui, *chosen);
+}
+
 /// A message as a button that goes to its place. `file`: the shown one, whose name is left out.
 void listed(Ui& ui, const Diagnostic& each, const std::filesystem::path& file, int index) {
     const std::string name = fmt::format("source/message/{}", index);
@@ -99,6 +166,7 @@ void listed(Ui& ui, const Diagnostic& each, const std::filesystem::path& file, i
     ImGui::TextWrapped("%s", text.c_str());
     ImGui::PopStyleColor();
     if (each.severity == Severity::error) translatedLines(ui, place, name);
+    fixes(ui, each, name);
     ImGui::PopID();
 }
 
@@ -111,6 +179,7 @@ void detailed(Ui& ui, const Diagnostic& each, int index) {
     ImGui::TextWrapped("%s", toString(each).c_str());
     ImGui::PopStyleColor();
     mark(ui, name);
+    fixes(ui, each, name);
     if (!each.place.file.empty()) {
         sourceExcerpt(ui, each.place);
         if (isError) translatedLines(ui, each.place, name);

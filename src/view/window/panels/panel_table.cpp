@@ -10,7 +10,8 @@ std::span<const PanelRow* const> panelRows() {
         &kTimeRow,       &kHardcopyRow,  &kSuiteRow,      &kTabBarRow,    &kSourceRow,
         &kBannerRow,     &kDebugViewRow, &kInspectorRow,  &kCompareRow,   &kCostRow,
         &kProbeRow,      &kNoiseRow,     &kExamplesRow,   &kVerboseRow,   &kFileDialogRow,
-        &kMessageBoxRow, &kQuestionRow,  &kWindowKeysRow, &kHelpRow,      &kPictureRow,
+        &kMessageBoxRow, &kQuestionRow,  &kWindowKeysRow, &kHelpRow,      &kCommandPaletteRow,
+        &kNoticeRow,     &kWelcomeRow,   &kPictureRow,    &kRecoveryRow,
     };
     return kRows;
 }

@@ -37,11 +37,9 @@ std::string save(Ui& ui, fs::path target) {
     const Session& session = ui.session;
     const Result<std::string> text = textToSave(ui);
     Diagnostics problems = text.diagnostics;
+    if (text) problems = writingProblem(target);
     std::vector<CopiedFile> files;
-    if (isExample(target)) {
-        problems.push_back(
-            diagnose("view-E03", "the folder of the examples is not written to; choose another one"));
-    } else if (text) {
+    if (problems.empty()) {
         files = filesOfCopy(session.live(), target, isExample(session.path()),
                             session.renderOptions().libraryRoots);
         problems = writeCopy(*text, target, files);

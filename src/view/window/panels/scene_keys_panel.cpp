@@ -16,6 +16,7 @@ void keysPanel(Ui& ui) {
         ImGui::PushID(static_cast<int>(i));
         if (ImGui::SmallButton(keys[i].key.c_str())) ui.session.pressKey(keys[i].key);
         mark(ui, "key/{}", keys[i].key);
+        if (keys[i].isHeld && ImGui::IsItemActive()) holdKey(ui, keys[i].key);
         ImGui::PopID();
         ImGui::SameLine();
         ImGui::TextUnformatted(effectOf(keys[i]).c_str());

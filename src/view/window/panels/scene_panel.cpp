@@ -8,6 +8,7 @@
 
 #include "view/window/panels/file_menu.h"
 #include "view/window/panels/icons.h"
+#include "view/window/panels/save_scene.h"
 #include "view/window/panels/ui.h"
 
 namespace glibra::view {
@@ -34,8 +35,10 @@ void scenePanel(Ui& ui, FileMenu& menu) {
     ImGui::EndDisabled();
     mark(ui, "scene/source");
     continueRowForIcon();
-    if (iconButton(Icon::reload, "Reload", "Load the scene and its files again (F5)"))
+    if (iconButton(Icon::reload, "Reload", "Load the scene and its files again (F5)")) {
+        ui.session.drawLonger();
         ui.requests.reload = true;
+    }
     mark(ui, "scene/reload");
     continueRowForIcon();
     if (iconButton(Icon::help, "?", "Keys and mouse (?)")) toggleOpen(ui, toolWindow(ui, "help"));
@@ -45,16 +48,35 @@ void scenePanel(Ui& ui, FileMenu& menu) {
 class Tools final : public Panel {
   public:
     void show(Ui& ui) override { scenePanel(ui, menu_); }
+    void openMenu(Ui& ui) {
+        ui.shared.showPanel = true;
+        menu_.opens = true;
+    }
 
   private:
     FileMenu menu_;
 };
 
+void openTab(Ui& ui, Panel& /*panel*/) {
+    if (ImGui::GetIO().KeyShift)
+        ui.requests.reopenTab = true;
+    else
+        openDialog(ui, true);
+}
+
+constexpr int kNoKey = GLFW_KEY_UNKNOWN - 1;
+
 constexpr auto kToolKeys = std::to_array<Shortcut>({
     {KeyGroup::scenes, GLFW_KEY_O, true, "Ctrl+O", "open a scene",
      [](Ui& ui, Panel&) { openDialog(ui, false); }, true},
-    {KeyGroup::scenes, GLFW_KEY_T, true, "Ctrl+T", "open a scene in a new tab",
-     [](Ui& ui, Panel&) { openDialog(ui, true); }, true},
+    {KeyGroup::scenes, GLFW_KEY_T, true, "Ctrl+T, Ctrl+Shift+T",
+     "open a scene in a new tab; open the tab again that was closed last", openTab, true},
+    // Without keys: for the list of commands.
+    {KeyGroup::scenes, kNoKey, false, "", "save the values in the scene",
+     [](Ui& ui, Panel&) { saveScene(ui); }},
+    {KeyGroup::scenes, kNoKey, false, "", "save the scene as another file, or save a copy of an example",
+     [](Ui& ui, Panel&) { saveSceneAs(ui); }},
+    {KeyGroup::window, GLFW_KEY_F10, false, "F10", "the menu File", call<&Tools::openMenu>, true},
 });
 
 }  // namespace

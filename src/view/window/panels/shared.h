@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "view/edit/edited_file.h"
+#include "view/edit/recovery.h"
 #include "view/edit/save_values.h"
 #include "view/scene/knobs.h"
 #include "view/window/platform/settings.h"
@@ -55,10 +56,12 @@ struct Shared {
         samples;  ///< per pixel on the screen, instead of the setting, as the command line says
     std::optional<double>
         shape;  ///< width / height of pictures, instead of the scene's, as the command line says
-    std::map<std::filesystem::path, EditedFile> sources;  ///< the files that source panels have shown
+    std::map<std::filesystem::path, EditedFile> sources;       ///< the files that source panels have shown
+    std::map<std::filesystem::path, RecoveredText> recovered;  ///< offered, until the user has decided
     std::vector<TabTitle> tabs;
     std::size_t shownTab = 0;
     bool marksWidgets = false;  ///< positions of widgets are stored, for `--state`
+    bool isMenuOpen = false;    ///< the arrow keys and Enter choose in the menu "File"
     bool tabChanged = false;    ///< the tab bar has to select the shown tab
     std::optional<Question> question;
     std::optional<Answer> answer;

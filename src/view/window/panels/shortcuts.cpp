@@ -25,6 +25,26 @@ std::string keyName(int key) {
     return {};
 }
 
+/// The keys that a Key statement may name, by their GLFW codes.
+constexpr std::pair<int, int> kNamedKeys[] = {{GLFW_KEY_A, GLFW_KEY_Z},
+                                              {GLFW_KEY_0, GLFW_KEY_9},
+                                              {GLFW_KEY_SPACE, GLFW_KEY_SPACE},
+                                              {GLFW_KEY_ENTER, GLFW_KEY_ENTER},
+                                              {GLFW_KEY_RIGHT, GLFW_KEY_UP}};
+
+/// Lets the keys of the scene act that are down.
+void holdKeys(Ui& ui) {
+    const std::vector<scene::KeyBinding>& keys = sceneKeys(ui);
+    const auto isHeld = [](const scene::KeyBinding& each) { return each.isHeld; };
+    const ImGuiIO& io = ImGui::GetIO();
+    if (io.KeyCtrl || io.KeyShift || std::none_of(keys.begin(), keys.end(), isHeld)) return;
+    for (const auto& [first, last] : kNamedKeys)
+        for (int key = first; key <= last; ++key) {
+            if (!isKeyDown(key)) continue;
+            holdKey(ui, keyName(key));
+        }
+}
+
 void press(Ui& ui, const Display::KeyPress& key, bool isTyping) {
     for (const PanelUse& panel : ui.panels)
         for (const Shortcut& each : panel.row->keys)
@@ -50,7 +70,15 @@ std::string takenKey(const Ui& ui, const Shortcut& shortcut) {
 
 std::string effectOf(const scene::KeyBinding& key) {
     if (key.restarts) return "begin the scene anew";
+    if (key.isHeld) return "hold to move " + key.variable;
     return (key.values.size() > 1 ? "next value of " : "set ") + key.variable;
+}
+
+void holdKey(Ui& ui, const std::string& key) {
+    // The time of the first frame after a pause is that of the pause.
+    constexpr double kMostSeconds = .1;
+    ui.session.holdKey(key, std::min(static_cast<double>(ImGui::GetIO().DeltaTime), kMostSeconds));
+    ui.requests.frames = true;
 }
 
 void shortcuts(Ui& ui) {
@@ -59,6 +87,7 @@ void shortcuts(Ui& ui) {
                                         [](const PanelUse& each) { return each.panel->blocksKeys(); });
     if (ui.shared.question || areBlocked) return;
     const bool isTyping = ImGui::GetIO().WantTextInput;
+    if (!isTyping) holdKeys(ui);
     for (const Display::KeyPress& each : pressed) {
         const bool isPlain = !isTyping && !each.control && !each.shift;
         const std::string name = isPlain ? keyName(each.key) : std::string();

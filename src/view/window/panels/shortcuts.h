@@ -9,6 +9,8 @@
 
 namespace glibra::view {
 
+/// Lets a key act that is down in this frame, as the scene's Key statements with `held` say.
+void holdKey(Ui& ui, const std::string& key);
 /// Handles the keys that were pressed since the last frame.
 void shortcuts(Ui& ui);
 

@@ -71,6 +71,34 @@ void conflict(Ui& ui, EditedFile& file, CodeView& view) {
     mark(ui, "source/takeDisk");
 }
 
+void recovered(Ui& ui, EditedFile& file, CodeView& view) {
+    const auto found = ui.shared.recovered.find(file.path());
+    if (found == ui.shared.recovered.end()) return;
+    const std::string words =
+        fmt::format("A text of {} was not saved when the window ended.", found->second.when);
+    ImGui::PushStyleColor(ImGuiCol_Text, packed(palette().warning));
+    ImGui::TextWrapped("%s", words.c_str());
+    ImGui::PopStyleColor();
+    const bool takes = ImGui::Button("Restore");
+    mark(ui, "source/restore");
+    ImGui::SameLine();
+    const bool leaves = ImGui::Button("Discard it");
+    mark(ui, "source/discard");
+    if (takes) {
+        file.text() = std::move(found->second.text);
+        file.history().endStep();
+        file.history().record(file.text());
+        file.history().endStep();
+        ++view.generation;
+    }
+    if (leaves) forgetText(recoveryFolder(), file.path());
+    if (takes || leaves) ui.shared.recovered.erase(found);
+}
+
+std::string savedNotice(const std::filesystem::path& file) {
+    return file.filename().string() + " saved";
+}
+
 void saveSource(Ui& ui, const std::filesystem::path& chosen) {
     const auto found = ui.shared.sources.find(chosen);
     if (found == ui.shared.sources.end() || !found->second.isChanged()) return;
@@ -81,7 +109,7 @@ void saveSource(Ui& ui, const std::filesystem::path& chosen) {
     else if (found->second.hasConflict())
         ui.notice = {name + " was not saved: another program has changed it", true};
     else
-        ui.notice = name + " saved";
+        ui.notice = savedNotice(chosen);
     if (problems.empty() && !found->second.hasConflict()) ui.requests.saved = chosen;
 }
 
@@ -117,7 +145,9 @@ void sourceButtons(Ui& ui, const SourceState& panel, EditedFile& file, CodeView&
     std::array<char, 192> state{};  // in every frame, so without the heap
     if (file.whyReadOnly().empty())
         fmt::format_to_n(state.data(), state.size() - 1, "{}:{}{}", view.line, view.column,
-                         file.isChanged() ? "   not saved" : "");
+                         file.isGone()      ? "   removed from the disk"
+                         : file.isChanged() ? "   not saved"
+                                            : "");
     else
         fmt::format_to_n(state.data(), state.size() - 1, "Read only. {}", file.whyReadOnly());
     constexpr float kLeast = 90;

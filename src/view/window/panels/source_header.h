@@ -2,6 +2,7 @@
 // What stands above the text in the source panel: the tabs of the files, and the buttons.
 
 #include <filesystem>
+#include <string>
 
 #include "view/edit/edited_file.h"
 #include "view/window/panels/source_state.h"
@@ -16,6 +17,10 @@ void fileTabs(Ui& ui, SourceState& panel);
 void sourceButtons(Ui& ui, const SourceState& panel, EditedFile& file, CodeView& view);
 /// What to do about a change that another program has made.
 void conflict(Ui& ui, EditedFile& file, CodeView& view);
+/// What to do with a text that an earlier run of the window has kept.
+void recovered(Ui& ui, EditedFile& file, CodeView& view);
+/// What the status line says after a file was saved.
+std::string savedNotice(const std::filesystem::path& file);
 /// Saves the file that is shown.
 void saveSource(Ui& ui, const std::filesystem::path& chosen);
 

@@ -35,16 +35,18 @@ void refresh(Ui& ui, SourceState& panel) {
     if (panel.loaded != ui.session.timesLoaded()) {
         panel.loaded = ui.session.timesLoaded();
         std::vector<SourceFile> files = sourceFiles(ui.session.live());
+        for (auto& [path, file] : ui.shared.sources)
+            if (file.lookAtDisk() && !file.hasConflict()) ++panel.views[path].generation;
         for (const SourceFile& old : ui.files) {
             const auto kept = ui.shared.sources.find(old.path);
             const bool isThere = std::any_of(files.begin(), files.end(),
                                              [&](const SourceFile& each) { return each.path == old.path; });
             if (!isThere && kept != ui.shared.sources.end() && kept->second.isChanged())
-                files.push_back({old.path, old.label, "no longer used by the scene"});
+                files.push_back({old.path, old.label,
+                                 kept->second.isGone() ? "removed from the disk; Save writes it again"
+                                                       : "no longer used by the scene"});
         }
         ui.files = std::move(files);
-        for (auto& [path, file] : ui.shared.sources)
-            if (file.lookAtDisk() && !file.hasConflict()) ++panel.views[path].generation;
     }
     const auto isChosen = [&](const SourceFile& each) { return each.path == panel.chosen; };
     if (std::none_of(ui.files.begin(), ui.files.end(), isChosen)) {
@@ -89,6 +91,7 @@ void sourceContent(Ui& ui, SourceState& panel) {
     CodeView& view = panel.views[panel.chosen];
     sourceButtons(ui, panel, file, view);
     conflict(ui, file, view);
+    recovered(ui, file, view);
     findBar(ui, panel.find, file, view);
     std::vector<CodeMark> marks;
     for (const Diagnostic& each : ui.session.diagnostics())
@@ -101,7 +104,7 @@ void sourceContent(Ui& ui, SourceState& panel) {
     const float line = ImGui::GetTextLineHeightWithSpacing();
     const float below = messages == 0 ? 0
                                       : std::min(ImGui::GetContentRegionAvail().y * .4F,
-                                                 line * (2 * static_cast<float>(messages) + .5F));
+                                                 line * (2 * static_cast<float>(messages) + 2.5F));
     const CodeLanguage language =
         glib::sameWord(file.path().extension().string(), ".glib") ? CodeLanguage::glib : CodeLanguage::glsl;
     const FindBar& find = panel.find;
@@ -111,6 +114,7 @@ void sourceContent(Ui& ui, SourceState& panel) {
         codeEditor(panel.chosen.string().c_str(), file.text(), view, {marks, find.found, find.shown},
                    language, !file.whyReadOnly().empty(), below);
     mark(ui, "source/text");
+    if (isChanged && ui.notice.text == savedNotice(panel.chosen)) ui.notice = {};
     if (isChanged)
         file.history().record(file.text());
     else if (view.cursor != cursorBefore)

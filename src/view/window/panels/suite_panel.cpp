@@ -9,8 +9,10 @@
 #include <string>
 #include <string_view>
 
+#include "view/browse/example_scenes.h"
 #include "view/export/suite_shot.h"
 #include "view/window/panels/icons.h"
+#include "view/window/panels/save_scene.h"
 #include "view/window/panels/ui.h"
 
 namespace glibra::view {
@@ -30,19 +32,22 @@ void put(std::array<char, size>& field, std::string_view text) {
     field[text.copy(field.data(), size - 1)] = 0;
 }
 
-/// Proposes a suite in the scene's folder, and a name that the suite does not have yet.
-void proposeShot(const Session& session, SuiteEntries& entries) {
+/// Proposes a suite in the scene's folder, or in one of the user's if the scene is an example, and a name
+/// that the suite does not have yet.
+void proposeShot(const Ui& ui, SuiteEntries& entries) {
+    const Session& session = ui.session;
     if (entries.scene == session.path()) return;
     entries.scene = session.path();
     entries.message.clear();
-    put(entries.file, (session.path().parent_path() / "pictures.toml").string());
+    put(entries.file, (ownFolder(ui) / "pictures.toml").string());
     put(entries.name, freeShotName(entries.file.data(), session));
 }
 
 void addShot(const Session& session, SuiteEntries& entries) {
     const std::filesystem::path file = entries.file.data();
     const std::string name = entries.name.data();
-    const Diagnostics problems = appendShot(file, name, session);
+    Diagnostics problems = writingProblem(file);
+    if (problems.empty()) problems = appendShot(file, name, session);
     entries.failed = !problems.empty();
     entries.message = entries.failed
                           ? toString(problems.front())
@@ -55,7 +60,7 @@ void addShot(const Session& session, SuiteEntries& entries) {
 
 void suitePanel(Ui& ui, SuiteEntries& entries) {
     if (!section(ui, "Suite shot", "suite", false)) return;
-    proposeShot(ui.session, entries);
+    proposeShot(ui, entries);
     ImGui::PushItemWidth(-ImGui::CalcTextSize("Suite ").x);
     ImGui::InputTextWithHint("Suite", "pictures.toml", entries.file.data(), entries.file.size());
     markField(ui, "suite/file", "Suite");

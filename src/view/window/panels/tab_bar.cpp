@@ -2,14 +2,51 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include "view/window/panels/ui.h"
 #include "view/window/platform/theme.h"
 
 namespace glibra::view {
 namespace {
+
+/// The text with an ellipsis in its middle, if it is wider than that.
+std::string shortened(const std::string& text, float width) {
+    if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
+    const auto isInside = [&](std::size_t at) {
+        return (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U;
+    };
+    for (std::size_t kept = text.size(); kept > 2; --kept) {
+        std::size_t left = (kept + 1) / 2, right = text.size() - kept / 2;
+        while (left > 1 && left < text.size() && isInside(left)) --left;
+        while (right < text.size() && isInside(right)) ++right;
+        std::string made = text.substr(0, left) + ".." + text.substr(right);
+        if (ImGui::CalcTextSize(made.c_str()).x <= width) return made;
+    }
+    return text.substr(0, 1);
+}
+
+/// The room for the names of the tabs: all of it, or equally little for the long ones if the bar is too
+/// narrow.
+float roomForNames(const Ui& ui, float width) {
+    constexpr float kLeast = 48;
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float beside = 2 * style.FramePadding.x + style.ItemInnerSpacing.x * 2 + ImGui::GetFontSize() + 2;
+    std::vector<float> names;
+    for (const TabTitle& each : ui.shared.tabs) names.push_back(ImGui::CalcTextSize(each.label.c_str()).x);
+    std::sort(names.begin(), names.end());
+    float left = width - ImGui::GetFrameHeight() * 2 - beside * static_cast<float>(names.size());
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const float share = left / static_cast<float>(names.size() - i);
+        if (names[i] > share) return std::max(share, kLeast * ui.shared.scale);
+        left -= names[i];
+    }
+    return names.empty() ? 0 : names.back() + 1;
+}
 
 void tabBar(Ui& ui) {
     Rectangle& free = ui.frame.room;
@@ -25,6 +62,7 @@ void tabBar(Ui& ui) {
             ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoBringToFrontOnFocus);
     ImGui::PopStyleVar(2);
     if (isOpen && ImGui::BeginTabBar("scenes", ImGuiTabBarFlags_FittingPolicyScroll)) {
+        const float room = roomForNames(ui, free[2]);
         for (std::size_t i = 0; i < ui.shared.tabs.size(); ++i) {
             const TabTitle& each = ui.shared.tabs[i];
             ImGuiTabItemFlags flags = each.isUnsaved ? ImGuiTabItemFlags_UnsavedDocument : 0;
@@ -32,8 +70,8 @@ void tabBar(Ui& ui) {
             if (ui.shared.tabChanged && isShown) flags |= ImGuiTabItemFlags_SetSelected;
             bool stays = true;
             if (each.hasError) ImGui::PushStyleColor(ImGuiCol_Text, asVector(palette().error));
-            const bool isChosen =
-                ImGui::BeginTabItem(fmt::format("{}###{}", each.label, each.id).c_str(), &stays, flags);
+            const bool isChosen = ImGui::BeginTabItem(
+                fmt::format("{}###{}", shortened(each.label, room), each.id).c_str(), &stays, flags);
             if (each.hasError) ImGui::PopStyleColor();
             mark(ui, "tab/{}", i);
             if (ImGui::IsItemHovered() && !each.path.empty()) ImGui::SetTooltip("%s", each.path.c_str());
@@ -44,7 +82,11 @@ void tabBar(Ui& ui) {
         if (ImGui::TabItemButton("+", ImGuiTabItemFlags_Trailing)) openDialog(ui, true);
         mark(ui, "tab/new");
         ui.shared.tabChanged = false;
+        // Dear ImGui moves a bar that is too long to the shown tab little by little. Frames are drawn for
+        // events only, so the bar would stop halfway, and move on under the mouse later.
+        ImGuiTabBar* bar = ImGui::GetCurrentContext()->CurrentTabBar;
         ImGui::EndTabBar();
+        bar->ScrollingAnim = bar->ScrollingTarget;
     }
     ImGui::End();
     free[1] += height;

@@ -7,6 +7,7 @@
 #include <imgui.h>
 
 #include <array>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <string_view>
@@ -14,6 +15,7 @@
 #include <vector>
 
 #include "gpu/context/context.h"
+#include "view/edit/message_fixes.h"
 #include "view/edit/source_files.h"
 #include "view/session/history.h"
 #include "view/session/session.h"
@@ -72,6 +74,15 @@ struct Ui {
     TransformMode mode = TransformMode::eye;  ///< what the mouse moves
     std::vector<SourceFile> files;            ///< the texts that the tab shows, once it has shown any
     std::vector<PanelUse> panels;
+    /// What can be done about the messages of that loading, by their texts, as far as they were shown.
+    struct Fixes {
+        std::uint64_t loaded = 0;
+        struct Known {
+            std::vector<MessageFix> fixes;
+            std::string searched;
+        };
+        std::map<std::string, Known> known;
+    } fixes;
 };
 
 /// The tool window of that name, which must exist.

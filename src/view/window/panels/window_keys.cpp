@@ -60,7 +60,9 @@ bool closeFront(Ui& ui) {
     const std::string_view owner = focused ? focused->RootWindow->Name : "";
     const bool isTyping = ImGui::GetIO().WantTextInput;
     if (isTyping && owner.starts_with("Source") && close(ui, Closing::bar)) return true;
-    if (isTyping && !owner.starts_with("Source") && owner != "Example scenes") return false;
+    if (isTyping && !owner.starts_with("Source") && owner != "Example scenes" &&
+        owner != kCommandPaletteRow.title)
+        return false;
     if (closeToolWindow(ui) || close(ui, Closing::bar)) return true;
     ui.session.clearPick();
     return false;
@@ -85,11 +87,17 @@ constexpr auto kWindowKeys = std::to_array<Shortcut>({
      [](Ui& ui, Panel&) { undo(ui, ImGui::GetIO().KeyShift); }, true},
     {KeyGroup::values, GLFW_KEY_Y, true, "Ctrl+Y", "redo", [](Ui& ui, Panel&) { undo(ui, true); }, true},
     {KeyGroup::scenes, GLFW_KEY_F5, false, "F5", "reload the scene",
-     [](Ui& ui, Panel&) { ui.requests.reload = true; }, true},
+     [](Ui& ui, Panel&) {
+         ui.session.drawLonger();
+         ui.requests.reload = true;
+     },
+     true},
     {KeyGroup::scenes, GLFW_KEY_W, true, "Ctrl+W", "close the tab",
      [](Ui& ui, Panel&) { ui.requests.closeTab = ui.shared.shownTab; }, true},
     {KeyGroup::scenes, GLFW_KEY_PAGE_DOWN, true, "Ctrl+PgDn", "next tab", goToTab<1>, true},
     {KeyGroup::scenes, GLFW_KEY_PAGE_UP, true, "Ctrl+PgUp", "previous tab", goToTab<-1>, true},
+    {KeyGroup::window, GLFW_KEY_F11, false, "F11", "full screen, and back",
+     [](Ui& ui, Panel&) { ui.requests.fullScreen = true; }, true},
     {KeyGroup::window, GLFW_KEY_B, true, "Ctrl+B", "show or hide the panel",
      [](Ui& ui, Panel&) { ui.shared.showPanel = !ui.shared.showPanel; }, true},
     {KeyGroup::window, GLFW_KEY_EQUAL, true, "Ctrl+=", "larger texts and widgets",

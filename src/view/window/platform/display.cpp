@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cmath>
 #include <thread>
+#include <tuple>
 #include <utility>
 
 namespace glibra::view {
@@ -141,11 +142,13 @@ Display::Display(GLFWwindow* window, std::unique_ptr<Events> events)
 Display::Display(Display&& other) noexcept
     : window_(std::exchange(other.window_, nullptr)),
       events_(std::move(other.events_)),
-      title_(std::move(other.title_)) {}
+      title_(std::move(other.title_)),
+      before_(other.before_) {}
 Display& Display::operator=(Display&& other) noexcept {
     std::swap(window_, other.window_);
     std::swap(events_, other.events_);
     std::swap(title_, other.title_);
+    std::swap(before_, other.before_);
     return *this;
 }
 Display::~Display() {
@@ -173,6 +176,39 @@ void Display::setTitle(const std::string& title) {
 }
 void Display::setSize(int width, int height) {
     glfwSetWindowSize(window_, std::max(1, width), std::max(1, height));
+}
+void Display::setFullScreen(bool on) {
+    if (on == isFullScreen()) return;
+    if (!on) {
+        const auto [left, top, width, height] = before_;
+        return glfwSetWindowMonitor(window_, nullptr, left, top, width, height, GLFW_DONT_CARE);
+    }
+    glfwGetWindowPos(window_, &before_[0], &before_[1]);
+    std::tie(before_[2], before_[3]) = size();
+    int count = 0;
+    GLFWmonitor** const monitors = glfwGetMonitors(&count);
+    GLFWmonitor* best = nullptr;
+    long most = -1;
+    for (int i = 0; i < count; ++i) {
+        const GLFWvidmode* mode = glfwGetVideoMode(monitors[i]);
+        if (mode == nullptr) continue;
+        int left = 0, top = 0;
+        glfwGetMonitorPos(monitors[i], &left, &top);
+        const auto shared = [](int a, int aSize, int b, int bSize) {
+            return static_cast<long>(std::max(0, std::min(a + aSize, b + bSize) - std::max(a, b)));
+        };
+        const long area = shared(before_[0], before_[2], left, mode->width) *
+                          shared(before_[1], before_[3], top, mode->height);
+        if (area <= most) continue;
+        most = area;
+        best = monitors[i];
+    }
+    if (best == nullptr) return;
+    const GLFWvidmode* mode = glfwGetVideoMode(best);
+    glfwSetWindowMonitor(window_, best, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+bool Display::isFullScreen() const {
+    return glfwGetWindowMonitor(window_) != nullptr;
 }
 std::pair<int, int> Display::size() const {
     std::pair<int, int> size;

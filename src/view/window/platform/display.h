@@ -3,6 +3,7 @@
 
 #include <glibra/result.h>
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -42,6 +43,9 @@ class Display {
     void keepOpen();
     void setTitle(const std::string& title);
     void setSize(int width, int height);
+    /// Covers the monitor that most of the window is on, or gives the window its place back.
+    void setFullScreen(bool on);
+    [[nodiscard]] bool isFullScreen() const;
     /// Screen coordinates.
     [[nodiscard]] std::pair<int, int> size() const;
     /// Pixels.
@@ -94,6 +98,7 @@ class Display {
     GLFWwindow* window_ = nullptr;
     std::unique_ptr<Events> events_;
     std::string title_;
+    std::array<int, 4> before_{};  ///< place and size before full screen
 };
 
 }  // namespace glibra::view

@@ -142,6 +142,11 @@ bool isKeyPressed(int key, bool repeats) {
     return to != ImGuiKey_None && ImGui::IsKeyPressed(to, repeats);
 }
 
+bool isKeyDown(int key) {
+    const ImGuiKey to = keyOf(key);
+    return to != ImGuiKey_None && ImGui::IsKeyDown(to);
+}
+
 void keepTabFromFocus() {
     // ImGui moves its focus only by keys that nobody owns.
     if (!ImGui::GetIO().WantTextInput) ImGui::SetKeyOwner(ImGuiKey_Tab, ImHashStr("sliders"));
@@ -184,6 +189,10 @@ void giveToImGui(const FrameInput& input) {
 
 bool isKeyPressed(int key, bool repeats) {
     return ImGui::IsKeyPressed(key, repeats);
+}
+
+bool isKeyDown(int key) {
+    return ImGui::IsKeyDown(key);
 }
 
 void keepTabFromFocus() {

@@ -20,6 +20,9 @@ void giveToImGui(const FrameInput& input);
 /// True if the key is pressed in this frame, or, if `repeats`, held so long that it is pressed again.
 bool isKeyPressed(int key, bool repeats = true);
 
+/// True if the key is down in this frame.
+bool isKeyDown(int key);
+
 /// Call it before ImGui::NewFrame(): outside of text fields, Tab does not move ImGui's keyboard focus in that
 /// frame.
 void keepTabFromFocus();

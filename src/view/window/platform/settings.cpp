@@ -15,6 +15,8 @@ namespace {
 namespace fs = std::filesystem;
 constexpr std::size_t kMostRecent = 12;
 constexpr std::size_t kMostFolds = 500;
+constexpr std::size_t kMostTabs = 50;
+constexpr std::size_t kMostValues = 2000;
 
 }  // namespace
 
@@ -88,15 +90,28 @@ Settings readSettings(const fs::path& file) {
     settings.lightTheme = truth("lightTheme");
     settings.showSource = truth("showSource");
     settings.compilesWhileTyping = truth("compilesWhileTyping");
-    if (const auto found = json.find("recent"); found != json.end() && found->is_array())
+    const auto texts = [](const nlohmann::json& in, const char* key, std::size_t most) {
+        std::vector<std::string> read;
+        if (const auto found = in.find(key); found != in.end() && found->is_array())
+            for (const auto& each : *found)
+                if (each.is_string() && read.size() < most) read.push_back(each.get<std::string>());
+        return read;
+    };
+    if (const auto found = json.find("tabs"); found != json.end() && found->is_array())
         for (const auto& each : *found)
-            if (each.is_string() && settings.recent.size() < kMostRecent)
-                settings.recent.push_back(each.get<std::string>());
+            if (each.is_object() && each.contains("scene") && each["scene"].is_string() &&
+                settings.tabs.size() < kMostTabs)
+                settings.tabs.push_back({each["scene"].get<std::string>(), texts(each, "set", kMostValues)});
+    settings.shownTab = static_cast<int>(number("shownTab", kMostTabs));
+    settings.recent = texts(json, "recent", kMostRecent);
     return settings;
 }
 
 void writeSettings(const Settings& settings, const fs::path& file) {
     if (file.empty()) return;
+    nlohmann::ordered_json tabs = nlohmann::ordered_json::array();
+    for (const Settings::Tab& each : settings.tabs)
+        tabs.push_back({{"scene", each.scene}, {"set", each.set}});
     const bool isFilled = settings.pictureShape == PictureShape::fill;
     const nlohmann::ordered_json json{{"windowWidth", settings.windowWidth},
                                       {"windowHeight", settings.windowHeight},
@@ -114,6 +129,8 @@ void writeSettings(const Settings& settings, const fs::path& file) {
                                       {"folds", settings.folds},
                                       {"layout", settings.layout},
                                       {"layoutScale", settings.layoutScale},
+                                      {"tabs", tabs},
+                                      {"shownTab", settings.shownTab},
                                       {"recent", settings.recent}};
     std::error_code failure;
     fs::create_directories(file.parent_path(), failure);

@@ -1,0 +1,120 @@
+#include "classroom/archive.h"
+
+#include <fmt/format.h>
+#include <minizip/unzip.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <system_error>
+#include <type_traits>
+#include <vector>
+
+#include "glib/text.h"
+
+namespace glibra::classroom {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr unsigned kEncrypted = 1U;
+constexpr std::size_t kLongestPath = 1'000;
+constexpr int kDeepestEntry = 32;
+
+struct CloseArchive {
+    void operator()(void* file) const { unzClose(file); }
+};
+using Archive = std::unique_ptr<std::remove_pointer_t<unzFile>, CloseArchive>;
+
+/// The path of an entry below the folder; nothing for one that is left out. Windows writes backslashes.
+std::optional<fs::path> pathOf(std::string name) {
+    std::replace(name.begin(), name.end(), '\\', '/');
+    if (name.empty() || name.front() == '/' || name.find('\0') != std::string::npos) return std::nullopt;
+    fs::path path;
+    int depth = 0;
+    for (const fs::path& each : fs::path(name)) {
+        const std::string part = each.string();
+        if (part.empty() || part == ".") continue;
+        if (part.front() == '.' || part == "__MACOSX" || part.size() > 255 || ++depth > kDeepestEntry)
+            return std::nullopt;
+        path /= each;
+    }
+    if (path.empty()) return std::nullopt;
+    return path;
+}
+
+/// True for the entry of a link: Unix keeps the mode in the upper half.
+bool isLink(const unz_file_info64& info) {
+    constexpr unsigned kUnix = 3, kFormat = 0170000, kLink = 0120000;
+    return (info.version >> 8U) == kUnix && ((info.external_fa >> 16U) & kFormat) == kLink;
+}
+
+std::string megabytes(std::uint64_t bytes) {
+    return fmt::format("{} MB", std::max<std::uint64_t>(1, bytes >> 20U));
+}
+
+/// Writes the current entry. Returns what went wrong.
+std::string writeEntry(unzFile file, const fs::path& to, UnpackLimits& limits, std::uint64_t allowed) {
+    std::error_code failure;
+    fs::create_directories(to.parent_path(), failure);
+    std::ofstream out(to, std::ios::binary | std::ios::trunc);
+    if (!out) return {};  // a file of this name is a folder already; the scene misses it and says so
+    if (unzOpenCurrentFile(file) != UNZ_OK)
+        return fmt::format("'{}' in the zip file is packed in a way that is not known",
+                           to.filename().string());
+    std::vector<char> buffer(std::size_t{1} << 16U);
+    for (;;) {
+        const int count = unzReadCurrentFile(file, buffer.data(), static_cast<unsigned>(buffer.size()));
+        if (count == 0) break;
+        const bool isDamaged = count < 0;
+        if (isDamaged || static_cast<std::uint64_t>(count) > limits.bytes) {
+            unzCloseCurrentFile(file);
+            return isDamaged ? fmt::format("the zip file is damaged at '{}'", to.filename().string())
+                             : fmt::format("the zip file unpacks to more than {}", megabytes(allowed));
+        }
+        limits.bytes -= static_cast<std::uint64_t>(count);
+        out.write(buffer.data(), count);
+    }
+    if (unzCloseCurrentFile(file) != UNZ_OK)
+        return fmt::format("the zip file is damaged at '{}': its checksum is wrong", to.filename().string());
+    out.close();
+    return out ? std::string() : fmt::format("cannot write '{}'", to.string());
+}
+
+}  // namespace
+
+bool isArchive(const fs::path& file) {
+    return glib::sameWord(file.extension().string(), ".zip");
+}
+
+std::string unpackArchive(const fs::path& archive, const fs::path& into, UnpackLimits& limits) {
+    const std::uint64_t allowed = limits.bytes;
+    const std::size_t allowedEntries = limits.entries;
+    const Archive file(unzOpen64(archive.c_str()));
+    if (!file) return fmt::format("'{}' is no zip file", archive.filename().string());
+    int status = unzGoToFirstFile(file.get());
+    if (status == UNZ_END_OF_LIST_OF_FILE) return {};
+    for (; status == UNZ_OK; status = unzGoToNextFile(file.get())) {
+        if (limits.entries == 0)
+            return fmt::format("the zip file has more than {} files and folders", allowedEntries);
+        --limits.entries;
+        unz_file_info64 info{};
+        std::array<char, kLongestPath + 1> name{};
+        if (unzGetCurrentFileInfo64(file.get(), &info, name.data(), kLongestPath, nullptr, 0, nullptr, 0) !=
+            UNZ_OK)
+            return "the zip file is damaged";
+        if (info.size_filename >= kLongestPath || isLink(info)) continue;
+        const std::string text(name.data(), info.size_filename);
+        const std::optional<fs::path> path = pathOf(text);
+        if (!path) continue;
+        if (text.back() == '/' || text.back() == '\\') continue;
+        if ((info.flag & kEncrypted) != 0) return "the zip file is encrypted";
+        if (std::string problem = writeEntry(file.get(), into / *path, limits, allowed); !problem.empty())
+            return problem;
+    }
+    return status == UNZ_END_OF_LIST_OF_FILE ? std::string() : "the zip file is damaged";
+}
+
+}  // namespace glibra::classroom

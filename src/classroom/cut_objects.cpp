@@ -1,0 +1,183 @@
+#include "classroom/cut_objects.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <map>
+#include <utility>
+
+namespace glibra::classroom {
+namespace {
+
+constexpr float kBackground = 6.0F / 255;
+
+float component(const image::Image& image, const std::byte* at) {
+    switch (image.type) {
+        case image::Component::u8:
+            return static_cast<float>(std::to_integer<int>(*at)) / 255;
+        case image::Component::u16: {
+            std::uint16_t value = 0;
+            std::memcpy(&value, at, sizeof value);
+            return static_cast<float>(value) / 65535;
+        }
+        case image::Component::f32:
+            break;
+    }
+    float value = 0;
+    std::memcpy(&value, at, sizeof value);
+    return std::isfinite(value) ? std::clamp(value, 0.0F, 1.0F) : 0;
+}
+
+/// Adds gaps between parts of an object: pixels between two of its pixels in the row and in the column that
+/// are near to each other. A shader that discards its dots leaves such.
+void closeGaps(const Colors& colors, std::vector<char>& isObject) {
+    int left = colors.width, right = -1, top = colors.height, bottom = -1;
+    for (int y = 0; y < colors.height; ++y)
+        for (int x = 0; x < colors.width; ++x) {
+            if (isObject[colors.index(x, y)] == 0) continue;
+            left = std::min(left, x);
+            right = std::max(right, x);
+            top = std::min(top, y);
+            bottom = std::max(bottom, y);
+        }
+    const int nearby = std::max(right - left, bottom - top) * 3 / 10;
+    std::vector<char> between(isObject.size(), 0);
+    const auto scan = [&](int lines, int length, const auto& index) {
+        for (int line = 0; line < lines; ++line) {
+            int last = -1;
+            for (int i = 0; i < length; ++i) {
+                if (isObject[index(line, i)] == 0) continue;
+                if (last >= 0 && i - last <= nearby)
+                    for (int gap = last + 1; gap < i; ++gap) ++between[index(line, gap)];
+                last = i;
+            }
+        }
+    };
+    scan(colors.height, colors.width, [&](int line, int i) { return colors.index(i, line); });
+    scan(colors.width, colors.height, [&](int line, int i) { return colors.index(line, i); });
+    for (std::size_t i = 0; i < isObject.size(); ++i)
+        if (between[i] == 2) isObject[i] = 1;
+}
+
+/// 1 for each pixel that cannot be reached from the border over pixels of the background: a dot in the colour
+/// of the background belongs to the object that is around it.
+std::vector<char> objectPixels(const Colors& colors, const Color& background) {
+    std::vector<char> isObject(colors.at.size(), 1);
+    std::vector<std::pair<int, int>> open;
+    const auto reach = [&](int x, int y) {
+        if (x < 0 || y < 0 || x >= colors.width || y >= colors.height) return;
+        char& pixel = isObject[colors.index(x, y)];
+        if (pixel == 0 || colorDistance(colors.pixel(x, y), background) > kBackground) return;
+        pixel = 0;
+        open.emplace_back(x, y);
+    };
+    for (int x = 0; x < colors.width; ++x) {
+        reach(x, 0);
+        reach(x, colors.height - 1);
+    }
+    for (int y = 0; y < colors.height; ++y) {
+        reach(0, y);
+        reach(colors.width - 1, y);
+    }
+    while (!open.empty()) {
+        const auto [x, y] = open.back();
+        open.pop_back();
+        reach(x + 1, y);
+        reach(x - 1, y);
+        reach(x, y + 1);
+        reach(x, y - 1);
+    }
+    closeGaps(colors, isObject);
+    return isObject;
+}
+
+}  // namespace
+
+Colors colorsOf(const image::Image& image) {
+    Colors colors{image.width, image.height, {}};
+    colors.at.reserve(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
+    const std::size_t bytes = image::bytesOf(image.type);
+    for (int y = 0; y < image.height; ++y) {
+        const std::byte* at = image.row(y).data();
+        for (int x = 0; x < image.width; ++x, at += bytes * static_cast<std::size_t>(image.components)) {
+            Color color{};
+            for (std::size_t i = 0; i < 3; ++i)
+                color[i] = component(image, at + (image.components < 3 ? 0 : i) * bytes);
+            colors.at.push_back(color);
+        }
+    }
+    return colors;
+}
+
+float colorDistance(const Color& a, const Color& b) {
+    return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])});
+}
+
+Color backgroundOf(const Colors& colors) {
+    std::map<std::array<int, 3>, std::pair<int, Color>> counts;
+    const auto count = [&](int x, int y) {
+        const Color& color = colors.pixel(x, y);
+        std::array<int, 3> key{};
+        for (std::size_t i = 0; i < 3; ++i) key[i] = static_cast<int>(color[i] * 63.5F);
+        auto& [number, first] = counts[key];
+        if (number++ == 0) first = color;
+    };
+    for (int x = 0; x < colors.width; ++x) {
+        count(x, 0);
+        count(x, colors.height - 1);
+    }
+    for (int y = 0; y < colors.height; ++y) {
+        count(0, y);
+        count(colors.width - 1, y);
+    }
+    return std::max_element(counts.begin(), counts.end(),
+                            [](const auto& a, const auto& b) { return a.second.first < b.second.first; })
+        ->second.second;
+}
+
+std::optional<Scale> objectsOf(const Colors& colors) {
+    if (colors.width < 2 || colors.height < 2) return std::nullopt;
+    const Color background = backgroundOf(colors);
+    const std::vector<char> isObject = objectPixels(colors, background);
+    int left = colors.width, right = -1, top = colors.height, bottom = -1;
+    for (int y = 0; y < colors.height; ++y)
+        for (int x = 0; x < colors.width; ++x) {
+            if (isObject[colors.index(x, y)] == 0) continue;
+            left = std::min(left, x);
+            right = std::max(right, x);
+            top = std::min(top, y);
+            bottom = std::max(bottom, y);
+        }
+    if (right < left) return std::nullopt;
+    const double width = right - left + 1, height = bottom - top + 1;
+    const double step = std::max(width, height) / kSide;
+    const double x0 = left + width / 2 - step * kSide / 2, y0 = top + height / 2 - step * kSide / 2;
+    Scale made{kSide, {}, {}};
+    for (int y = 0; y < kSide; ++y)
+        for (int x = 0; x < kSide; ++x) {
+            // The mean of the pixels whose centres are in the cell; of the nearest one if there is none.
+            Color sum{};
+            float inside = 0;
+            int count = 0;
+            const auto first = [](double from) { return static_cast<int>(std::ceil(from - 0.5)); };
+            int beginX = first(x0 + x * step), endX = first(x0 + (x + 1) * step);
+            int beginY = first(y0 + y * step), endY = first(y0 + (y + 1) * step);
+            if (beginX == endX) endX = (beginX = static_cast<int>(std::floor(x0 + (x + 0.5) * step))) + 1;
+            if (beginY == endY) endY = (beginY = static_cast<int>(std::floor(y0 + (y + 0.5) * step))) + 1;
+            for (int v = std::max(beginY, 0); v < std::min(endY, colors.height); ++v)
+                for (int u = std::max(beginX, 0); u < std::min(endX, colors.width); ++u) {
+                    const Color& color = colors.pixel(u, v);
+                    for (std::size_t i = 0; i < 3; ++i) sum[i] += color[i];
+                    inside += isObject[colors.index(u, v)];
+                    ++count;
+                }
+            if (count > 0)
+                for (float& each : sum) each /= static_cast<float>(count);
+            made.colors.push_back(count > 0 ? sum : background);
+            made.inside.push_back(count > 0 ? inside / static_cast<float>(count) : 0);
+        }
+    return made;
+}
+
+}  // namespace glibra::classroom

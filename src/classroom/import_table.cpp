@@ -1,0 +1,214 @@
+#include "classroom/import_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/utf8.h"
+#include "classroom/grades.h"
+
+namespace glibra::classroom {
+namespace {
+
+/// One record: fields of strangers are made harmless, those of the platform's own table stay as they are.
+class Record {
+  public:
+    void ours(std::string_view text) { add(csvField(base::printableText(text))); }
+    void theirs(std::string_view text) {
+        std::string field;
+        const bool isQuoted = text.find_first_of(",\"\r\n;") != std::string_view::npos;
+        for (const char each : text) {
+            if (each == '"') field += '"';
+            field += each;
+        }
+        add(isQuoted ? "\"" + field + "\"" : field);
+    }
+    std::string end() { return line_ + "\r\n"; }
+
+  private:
+    void add(const std::string& field) {
+        line_ += isFirst_ ? field : "," + field;
+        isFirst_ = false;
+    }
+    std::string line_;
+    bool isFirst_ = true;
+};
+
+std::string gradeOf(const Classroom& room, const std::optional<std::size_t>& entry) {
+    if (!entry) return {};
+    const std::optional<double> points = pointsOf(room.entries[*entry]);
+    return points ? fmt::format("{:.2f}", *points) : std::string();
+}
+
+/// Columns that are filled in, by the names that a platform gives them.
+struct Filled {
+    const char* column;
+    bool isGrade;
+};
+
+std::vector<Filled> filledColumns(const ImportOptions& options) {
+    switch (options.book) {
+        case GradeBook::moodle:
+            return {{"grade", true}, {"feedback comments", false}};
+        case GradeBook::canvas:
+            return {{options.assignment.c_str(), true}};
+        case GradeBook::gradescope:
+            return {{"total score", true}, {"comments", false}};
+        case GradeBook::none:
+            break;
+    }
+    return {};
+}
+
+/// The platform's own table with the grades in it.
+std::string filledTable(const Classroom& room, const ImportOptions& options) {
+    const Roster& roster = *options.roster;
+    std::vector<std::string> head = roster.records.front();
+    std::vector<std::pair<std::size_t, bool>> columns;
+    for (const Filled& each : filledColumns(options)) {
+        const auto known = columnOf(roster, each.column);
+        columns.emplace_back(known.value_or(head.size()), each.isGrade);
+        if (!known)
+            head.emplace_back(options.book == GradeBook::canvas ? options.assignment
+                              : each.isGrade                    ? "Grade"
+                                                                : "Feedback comments");
+    }
+    std::string table;
+    const auto add = [&](const std::vector<std::string>& record, std::optional<std::size_t> entry,
+                         bool isHead) {
+        Record line;
+        for (std::size_t i = 0; i < head.size(); ++i) {
+            const auto filled = std::find_if(columns.begin(), columns.end(),
+                                             [&](const auto& each) { return each.first == i; });
+            const std::string old = isHead ? head[i] : i < record.size() ? record[i] : "";
+            if (isHead || filled == columns.end() || !entry)
+                line.theirs(old);
+            else if (filled->second)
+                line.ours(gradeOf(room, entry).empty() ? old : gradeOf(room, entry));
+            else
+                line.ours(feedbackOf(room, *entry));
+        }
+        table += line.end();
+    };
+    add(head, std::nullopt, true);
+    std::vector<std::optional<std::size_t>> entryOf(roster.records.size());
+    for (std::size_t i = 0; i < roster.students.size() && i < options.handed.size(); ++i)
+        entryOf[roster.students[i].record] = options.handed[i];
+    for (std::size_t i = 1; i < roster.records.size(); ++i) add(roster.records[i], entryOf[i], false);
+    return table;
+}
+
+/// True if the roster is a table of the platform.
+bool isOwnTable(const ImportOptions& options) {
+    if (!options.roster) return false;
+    switch (options.book) {
+        case GradeBook::moodle:
+            return columnOf(*options.roster, "identifier") && columnOf(*options.roster, "grade");
+        case GradeBook::canvas:
+            return columnOf(*options.roster, "student") && columnOf(*options.roster, "id");
+        case GradeBook::gradescope:
+            return columnOf(*options.roster, "sid") && columnOf(*options.roster, "total score");
+        case GradeBook::none:
+            break;
+    }
+    return false;
+}
+
+/// "Ana Maria", "Lee" of "Ana Maria Lee" and of "Lee, Ana Maria".
+std::pair<std::string, std::string> firstAndLast(const std::string& name) {
+    if (const std::size_t comma = name.find(", "); comma != std::string::npos)
+        return {name.substr(comma + 2), name.substr(0, comma)};
+    const std::size_t blank = name.rfind(' ');
+    if (blank == std::string::npos) return {name, {}};
+    return {name.substr(0, blank), name.substr(blank + 1)};
+}
+
+}  // namespace
+
+std::string importFile(GradeBook book) {
+    return fmt::format("import-{}.csv", name(book));
+}
+
+std::string feedbackOf(const Classroom& room, std::size_t index) {
+    const Entry& entry = room.entries[index];
+    std::string text;
+    for (const Mark& each : entry.marks)
+        text += fmt::format("{}{}: {:g} of {:g}{}{}", text.empty() ? "" : "; ", each.check, each.points,
+                            each.most, each.reason.empty() ? "" : ", ", each.reason);
+    if (entry.marks.empty()) {
+        text = stateOf(entry);
+        if (const std::string reason = reasonOf(entry); !reason.empty()) text += ": " + reason;
+    }
+    if (!entry.lateReason.empty()) text += "; " + entry.lateReason;
+    if (!entry.comment.empty()) text += ". " + entry.comment;
+    return text;
+}
+
+std::string importTable(const Classroom& room, const ImportOptions& options) {
+    if (isOwnTable(options)) return filledTable(room, options);
+    Record head;
+    switch (options.book) {
+        case GradeBook::moodle:
+            for (const char* each :
+                 {"Identifier", "Full name", "Email address", "Grade", "Feedback comments"})
+                head.theirs(each);
+            break;
+        case GradeBook::canvas:
+            for (const char* each : {"Student", "ID", "SIS User ID", "SIS Login ID", "Section"})
+                head.theirs(each);
+            head.ours(options.assignment);
+            break;
+        case GradeBook::gradescope:
+            for (const char* each :
+                 {"First Name", "Last Name", "SID", "Email", "Total Score", "Max Points", "Comments"})
+                head.theirs(each);
+            break;
+        case GradeBook::none:
+            return {};
+    }
+    std::string table = head.end();
+    if (options.book == GradeBook::canvas && mostPoints(room) > 0) {
+        Record most;
+        most.theirs("    Points Possible");
+        for (int i = 0; i < 4; ++i) most.ours("");
+        most.ours(fmt::format("{:g}", mostPoints(room)));
+        table += most.end();
+    }
+    for (std::size_t i = 0; i < room.entries.size(); ++i) {
+        const Submission& of = room.entries[i].submission;
+        const std::string grade = gradeOf(room, i);
+        Record line;
+        switch (options.book) {
+            case GradeBook::moodle:
+                line.ours(of.number.empty() ? "" : "Participant " + of.number);
+                line.ours(of.name);
+                line.ours(of.email);
+                line.ours(grade);
+                line.ours(feedbackOf(room, i));
+                break;
+            case GradeBook::canvas:
+                line.ours(of.name);
+                line.ours(of.number);
+                for (int empty = 0; empty < 3; ++empty) line.ours("");
+                line.ours(grade);
+                break;
+            case GradeBook::gradescope: {
+                const auto [first, last] = firstAndLast(of.name);
+                line.ours(first);
+                line.ours(last);
+                line.ours(of.number);
+                line.ours(of.email);
+                line.ours(grade);
+                line.ours(mostPoints(room) > 0 ? fmt::format("{:g}", mostPoints(room)) : "");
+                line.ours(feedbackOf(room, i));
+                break;
+            }
+            case GradeBook::none:
+                break;
+        }
+        table += line.end();
+    }
+    return table;
+}
+
+}  // namespace glibra::classroom

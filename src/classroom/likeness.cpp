@@ -1,0 +1,272 @@
+#include "classroom/likeness.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "classroom/cut_objects.h"
+
+namespace glibra::classroom {
+namespace {
+
+constexpr int kScales = 4;    // each half as large as the one before
+constexpr int kCompared = 3;  // in the last one, shading looks like an edge
+constexpr int kTurns = 12;    // directions of edges in half a turn
+/// An edge between two colours has about 1 per pixel, where colours have the deviation 1; shading that goes
+/// over the whole object has at most 0.25.
+constexpr float kEdge = 0.5F;
+constexpr float kShading = 0.15F;  // what the correlation of edges leaves out
+
+/// Divides the colours of the objects by their deviation. False if they have one colour.
+bool normalize(Scale& scale) {
+    Color mean{};
+    double count = 0;
+    for (std::size_t i = 0; i < scale.colors.size(); ++i) {
+        if (scale.inside[i] < 1) continue;
+        for (std::size_t k = 0; k < 3; ++k) mean[k] += scale.colors[i][k];
+        ++count;
+    }
+    if (count < 16) return false;
+    for (float& each : mean) each /= static_cast<float>(count);
+    double variance = 0;
+    for (std::size_t i = 0; i < scale.colors.size(); ++i)
+        if (scale.inside[i] >= 1)
+            for (std::size_t k = 0; k < 3; ++k)
+                variance += std::pow(static_cast<double>(scale.colors[i][k] - mean[k]), 2);
+    const double deviation = std::sqrt(variance / count);
+    if (deviation < 2.0 / 255) return false;
+    for (Color& each : scale.colors)
+        for (std::size_t k = 0; k < 3; ++k) each[k] = (each[k] - mean[k]) / static_cast<float>(deviation);
+    return true;
+}
+
+Scale halved(const Scale& from) {
+    Scale made{from.side / 2, {}, {}};
+    for (int y = 0; y < made.side; ++y)
+        for (int x = 0; x < made.side; ++x) {
+            Color sum{};
+            float inside = 0;
+            for (const std::size_t each : {from.index(2 * x, 2 * y), from.index(2 * x + 1, 2 * y),
+                                           from.index(2 * x, 2 * y + 1), from.index(2 * x + 1, 2 * y + 1)}) {
+                for (std::size_t k = 0; k < 3; ++k) sum[k] += from.colors[each][k] / 4;
+                inside += from.inside[each] / 4;
+            }
+            made.colors.push_back(sum);
+            made.inside.push_back(inside);
+        }
+    return made;
+}
+
+/// The edges inside of the objects: outlines are those of the model, which is free.
+void findEdges(Scale& scale) {
+    scale.edges.assign(scale.colors.size(), 0);
+    scale.angles.assign(scale.colors.size(), 0);
+    for (int y = 1; y + 1 < scale.side; ++y)
+        for (int x = 1; x + 1 < scale.side; ++x) {
+            bool isInside = true;
+            for (int v = -1; v <= 1; ++v)
+                for (int u = -1; u <= 1; ++u)
+                    isInside = isInside && scale.inside[scale.index(x + u, y + v)] >= 1;
+            if (!isInside) continue;
+            // Di Zenzo: the direction in which the colour changes most.
+            double xx = 0, xy = 0, yy = 0;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const double dx =
+                    (scale.colors[scale.index(x + 1, y)][k] - scale.colors[scale.index(x - 1, y)][k]) / 2;
+                const double dy =
+                    (scale.colors[scale.index(x, y + 1)][k] - scale.colors[scale.index(x, y - 1)][k]) / 2;
+                xx += dx * dx;
+                xy += dx * dy;
+                yy += dy * dy;
+            }
+            const double most = (xx + yy + std::hypot(xx - yy, 2 * xy)) / 2;
+            double angle = std::atan2(2 * xy, xx - yy) / 2;
+            if (angle < 0) angle += std::numbers::pi;
+            scale.edges[scale.index(x, y)] = static_cast<float>(std::sqrt(most));
+            scale.angles[scale.index(x, y)] = static_cast<float>(angle);
+        }
+}
+
+/// What is measured of one picture.
+struct Pattern {
+    std::vector<Scale> scales;
+    std::array<double, kScales> edges{};  ///< share of the pixels inside that have an edge
+    std::array<double, kTurns> turns{};   ///< shares of the directions of edges
+    double minority = 0;                  ///< share of the rarer of the two main colours, up to 0.5
+    bool isPlain = false;                 ///< the objects have one colour
+};
+
+/// The share of the rarer of two colours that divide the objects best (k-means, from the colours at both ends
+/// of the widest component).
+double minorityOf(const Scale& scale) {
+    std::array<Color, 2> centres{};
+    float range = -1;
+    for (std::size_t k = 0; k < 3; ++k) {
+        float least = 1e9F, largest = -1e9F;
+        std::array<Color, 2> ends{};
+        for (std::size_t i = 0; i < scale.colors.size(); ++i) {
+            if (scale.inside[i] < 1) continue;
+            if (scale.colors[i][k] < least) least = (ends[0] = scale.colors[i])[k];
+            if (scale.colors[i][k] > largest) largest = (ends[1] = scale.colors[i])[k];
+        }
+        if (largest - least > range) {
+            range = largest - least;
+            centres = ends;
+        }
+    }
+    std::array<double, 2> counts{};
+    for (int round = 0; round < 8; ++round) {
+        std::array<std::array<double, 3>, 2> sums{};
+        counts = {};
+        for (std::size_t i = 0; i < scale.colors.size(); ++i) {
+            if (scale.inside[i] < 1) continue;
+            const auto squared = [&](const Color& centre) {
+                double sum = 0;
+                for (std::size_t k = 0; k < 3; ++k)
+                    sum += std::pow(static_cast<double>(scale.colors[i][k] - centre[k]), 2);
+                return sum;
+            };
+            const std::size_t own = squared(centres[0]) <= squared(centres[1]) ? 0 : 1;
+            for (std::size_t k = 0; k < 3; ++k) sums[own][k] += scale.colors[i][k];
+            ++counts[own];
+        }
+        for (std::size_t own = 0; own < 2; ++own)
+            for (std::size_t k = 0; k < 3 && counts[own] > 0; ++k)
+                centres[own][k] = static_cast<float>(sums[own][k] / counts[own]);
+    }
+    const double all = counts[0] + counts[1];
+    return all > 0 ? std::min(counts[0], counts[1]) / all : 0;
+}
+
+Pattern patternOf(Scale objects) {
+    Pattern pattern;
+    pattern.isPlain = !normalize(objects);
+    pattern.scales.push_back(std::move(objects));
+    for (int i = 1; i < kScales; ++i) pattern.scales.push_back(halved(pattern.scales.back()));
+    if (pattern.isPlain) return pattern;
+    pattern.minority = minorityOf(pattern.scales[0]);
+    double directed = 0;
+    for (std::size_t s = 0; s < pattern.scales.size(); ++s) {
+        Scale& scale = pattern.scales[s];
+        findEdges(scale);
+        double inside = 0, found = 0;
+        for (std::size_t i = 0; i < scale.edges.size(); ++i) {
+            inside += scale.inside[i] >= 1 ? 1 : 0;
+            if (scale.edges[i] < kEdge) continue;
+            ++found;
+            if (s > 1) continue;
+            const int turn = std::min(kTurns - 1, static_cast<int>(static_cast<double>(scale.angles[i]) /
+                                                                   std::numbers::pi * kTurns));
+            pattern.turns[static_cast<std::size_t>(turn)] += scale.edges[i];
+            directed += scale.edges[i];
+        }
+        pattern.edges[s] = inside > 0 ? found / inside : 0;
+    }
+    if (directed > 0)
+        for (double& each : pattern.turns) each /= directed;
+    return pattern;
+}
+
+constexpr double kOtherSize = 0.8;  // what a pattern keeps that is twice or half as large
+
+double ratio(double a, double b, double least) {
+    return (std::min(a, b) + least) / (std::max(a, b) + least);
+}
+
+/// How alike the patterns are, wherever they are.
+double patternLikeness(const Pattern& a, const Pattern& b) {
+    if (a.isPlain || b.isPlain) return a.isPlain && b.isPlain ? 1 : 0;
+    // A pattern of half the size has in one scale what the other has in the next.
+    double density = 0;
+    for (int shift = -1; shift <= 1; ++shift) {
+        double sum = 0;
+        int count = 0;
+        for (int i = 0; i < kCompared; ++i) {
+            const int k = i + shift;
+            if (k < 0 || k >= kCompared) continue;
+            sum += ratio(a.edges[static_cast<std::size_t>(i)], b.edges[static_cast<std::size_t>(k)], 0.004);
+            ++count;
+        }
+        density = std::max(density, std::pow(kOtherSize, std::abs(shift)) * sum / count);
+    }
+    double turns = 0;
+    for (std::size_t by = 0; by < kTurns; ++by) {
+        double common = 0;
+        for (std::size_t i = 0; i < kTurns; ++i) common += std::min(a.turns[i], b.turns[(i + by) % kTurns]);
+        turns = std::max(turns, common);
+    }
+    return density * (0.3 + 0.45 * turns + 0.25 * ratio(a.minority, b.minority, 0.05));
+}
+
+/// The correlation of the edges of two pictures in one scale, at the best shift.
+double correlation(const Scale& a, const Scale& b) {
+    constexpr int kShift = 3;
+    double best = 0;
+    for (int v = -kShift; v <= kShift; ++v)
+        for (int u = -kShift; u <= kShift; ++u) {
+            double n = 0, sumA = 0, sumB = 0, aa = 0, bb = 0, ab = 0;
+            for (int y = std::max(0, -v); y < std::min(a.side, a.side - v); ++y)
+                for (int x = std::max(0, -u); x < std::min(a.side, a.side - u); ++x) {
+                    const std::size_t i = a.index(x, y), k = b.index(x + u, y + v);
+                    if (a.inside[i] < 1 && b.inside[k] < 1) continue;
+                    const double p = std::clamp(a.edges[i] - kShading, 0.0F, 1.0F);
+                    const double q = std::clamp(b.edges[k] - kShading, 0.0F, 1.0F);
+                    ++n;
+                    sumA += p;
+                    sumB += q;
+                    aa += p * p;
+                    bb += q * q;
+                    ab += p * q;
+                }
+            if (n < 16) continue;
+            const double varianceA = aa - sumA * sumA / n, varianceB = bb - sumB * sumB / n;
+            if (varianceA <= 0 || varianceB <= 0) continue;
+            best = std::max(best, (ab - sumA * sumB / n) / std::sqrt(varianceA * varianceB));
+        }
+    return best;
+}
+
+double overlap(const Scale& a, const Scale& b) {
+    double both = 0, any = 0;
+    for (std::size_t i = 0; i < a.inside.size(); ++i) {
+        both += std::min(a.inside[i], b.inside[i]);
+        any += std::max(a.inside[i], b.inside[i]);
+    }
+    return any > 0 ? both / any : 0;
+}
+
+double alignedLikeness(const Pattern& a, const Pattern& b) {
+    if (a.isPlain || b.isPlain) return a.isPlain && b.isPlain ? overlap(a.scales[0], b.scales[0]) : 0;
+    return (correlation(a.scales[1], b.scales[1]) + correlation(a.scales[2], b.scales[2])) / 2 *
+           overlap(a.scales[0], b.scales[0]);
+}
+
+}  // namespace
+
+bool showsNothing(const image::Image& picture) {
+    const Colors colors = colorsOf(picture);
+    if (colors.at.empty()) return true;
+    // The most frequent colour of the border: a stray pixel in a corner is no background.
+    const Color background = backgroundOf(colors);
+    const auto others = std::count_if(colors.at.begin(), colors.at.end(), [&](const Color& each) {
+        return colorDistance(each, background) > 2.5F / 255;
+    });
+    return static_cast<std::size_t>(others) <= colors.at.size() / 5'000;
+}
+
+double likeness(const image::Image& expected, const image::Image& got) {
+    const bool nothing = showsNothing(expected);
+    if (nothing || showsNothing(got)) return nothing && showsNothing(got) ? 1 : 0;
+    std::optional<Scale> a = objectsOf(colorsOf(expected)), b = objectsOf(colorsOf(got));
+    if (!a || !b) return 0;
+    const Pattern expectedPattern = patternOf(std::move(*a)), gotPattern = patternOf(std::move(*b));
+    return std::clamp(std::max(alignedLikeness(expectedPattern, gotPattern),
+                               0.9 * patternLikeness(expectedPattern, gotPattern)),
+                      0.0, 1.0);
+}
+
+}  // namespace glibra::classroom

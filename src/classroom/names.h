@@ -1,0 +1,54 @@
+#pragma once
+// Splits the names that learning platforms give to the files and folders of their exports into the student
+// and the number by which the platform knows the student.
+
+#include <glibra/result.h>
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace glibra::classroom {
+
+/// The grade books whose names and tables are known.
+enum class GradeBook { none, moodle, canvas, gradescope };
+std::string_view name(GradeBook book);
+
+/// Who handed something in, as the name of a file or folder says.
+struct Person {
+    std::string name, number;
+    std::string email{};
+    std::string file{};   ///< the name that the student gave to the file; empty for a folder
+    bool isLate = false;  ///< the platform says so
+};
+
+/// A rule that splits names. Copies share what they were made of.
+///   moodle      "Ana Lee_1234567_assignsubmission_file_", for a file with the student's name after it
+///   canvas      "leeana_LATE_123_456_a.glib": the sortable name, the user's id, the id of the file
+///   gradescope  "submission_123"; submission_metadata.yml beside it has names, student ids and addresses
+/// Any other text is a regular expression (ECMAScript) that fits the whole name: group 1 is the name, group 2
+/// the number, group 3 the student's own file name; 2 and 3 may be left out.
+class NameRule {
+  public:
+    /// The rule that keeps names as they are.
+    NameRule() = default;
+    /// Error: the text is neither a platform nor a regular expression with a group.
+    static Result<NameRule> of(const std::string& text);
+
+    [[nodiscard]] GradeBook book() const { return book_; }
+    /// Reads what the platform has put beside the submissions.
+    void readBeside(const std::filesystem::path& folder);
+    /// Nothing if the name does not fit.
+    [[nodiscard]] std::optional<Person> split(const std::string& name) const;
+
+  private:
+    struct Pattern;
+    GradeBook book_ = GradeBook::none;
+    std::shared_ptr<const Pattern> pattern_;
+    std::map<std::string, Person> people_;  ///< of submission_metadata.yml, by the name of the folder
+};
+
+}  // namespace glibra::classroom

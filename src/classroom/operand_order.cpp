@@ -1,0 +1,254 @@
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "classroom/normal_form.h"
+
+namespace glibra::classroom {
+namespace {
+
+using Code = std::vector<CodeToken>;
+
+constexpr int kDeepestNesting = 32;
+
+/// What stands between expressions, and is left where it is.
+bool separates(const CodeToken& token) {
+    static const std::set<std::string_view> kSigns{
+        ";",   "{", "}", ",",  "=",  "+=", "-=", "*=", "/=",     "%=",   "&=",   "|=", "^=",   "<<=",
+        ">>=", "?", ":", "<",  ">",  "<=", ">=", "==", "!=",     "&&",   "||",   "^^", "!",    "&",
+        "|",   "^", "~", "<<", ">>", "%",  "++", "--", "return", "else", "case", "do", "const"};
+    return token.isDirective || kSigns.contains(token.text);
+}
+
+/// True if `a` comes before `b`: by what the tokens are compared by.
+bool isBefore(const Code& a, const Code& b) {
+    return std::lexicographical_compare(
+        a.begin(), a.end(), b.begin(), b.end(),
+        [](const CodeToken& one, const CodeToken& other) { return one.code < other.code; });
+}
+
+std::optional<double> numberOf(const Code& code) {
+    if (code.size() != 1 || !code[0].isNumber) return std::nullopt;
+    double value = 0;
+    const std::string_view text = code[0].text;
+    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (problem != std::errc() || end == text.data()) return std::nullopt;
+    return value;
+}
+
+class Sorter {
+  public:
+    explicit Sorter(std::uint32_t number) : number_(number) {}
+
+    /// The tokens of a file or of a bracket.
+    Code sorted(std::span<const CodeToken> tokens) {
+        if (++depth_ > kDeepestNesting) {
+            --depth_;
+            return {tokens.begin(), tokens.end()};
+        }
+        Code made;
+        Code target;  // of the statement, for "a += b"
+        std::size_t statement = 0;
+        for (std::size_t i = 0; i < tokens.size();) {
+            if (separates(tokens[i])) {
+                const std::string_view sign = tokens[i].text;
+                if ((sign == "+=" || sign == "-=" || sign == "*=") && made.size() > statement &&
+                    made.size() - statement <= 8) {
+                    i = writeOut(tokens, i,
+                                 {made.begin() + static_cast<std::ptrdiff_t>(statement), made.end()}, made);
+                    continue;
+                }
+                made.push_back(tokens[i++]);
+                if (sign == ";" || sign == "{" || sign == "}") statement = made.size();
+                continue;
+            }
+            const std::size_t end = endOfExpression(tokens, i);
+            append(made, sum(tokens.subspan(i, end - i)));
+            i = end;
+        }
+        --depth_;
+        return made;
+    }
+
+  private:
+    static void append(Code& to, const Code& code) { to.insert(to.end(), code.begin(), code.end()); }
+
+    static std::size_t afterBracket(std::span<const CodeToken> tokens, std::size_t open) {
+        int depth = 0;
+        for (std::size_t i = open; i < tokens.size(); ++i) {
+            const std::string_view each = tokens[i].text;
+            if (each == "(" || each == "[") ++depth;
+            if (each == ")" || each == "]") --depth;
+            if (depth == 0) return i + 1;
+        }
+        return tokens.size();
+    }
+
+    static std::size_t endOfExpression(std::span<const CodeToken> tokens, std::size_t begin) {
+        std::size_t i = begin;
+        while (i < tokens.size() && !separates(tokens[i]))
+            i = tokens[i].text == "(" || tokens[i].text == "[" ? afterBracket(tokens, i) : i + 1;
+        return std::max(i, begin + 1);
+    }
+
+    [[nodiscard]] CodeToken sign(std::string_view text, std::int32_t line) const {
+        std::uint32_t code = 2166136261U;  // as comparableTokens codes it
+        for (const char each : text) code = (code ^ static_cast<unsigned char>(each)) * 16777619U;
+        return {text, code, line, false, false, false};
+    }
+
+    /// "a += b" as "a = a + b". Returns the token after b.
+    std::size_t writeOut(std::span<const CodeToken> tokens, std::size_t at, const Code& target, Code& made) {
+        const std::int32_t line = tokens[at].line;
+        const std::size_t end = endOfExpression(tokens, at + 1);
+        Code whole = target;
+        whole.push_back(sign(tokens[at].text.substr(0, 1), line));
+        const bool isProduct = tokens[at].text == "*=" || tokens[at].text == "-=";
+        if (isProduct) whole.push_back(sign("(", line));
+        whole.insert(whole.end(), tokens.begin() + static_cast<std::ptrdiff_t>(at) + 1,
+                     tokens.begin() + static_cast<std::ptrdiff_t>(std::min(end, tokens.size())));
+        if (isProduct) whole.push_back(sign(")", line));
+        made.push_back(sign("=", line));
+        append(made, sum(whole));
+        return std::min(end, tokens.size());
+    }
+
+    struct Operand {
+        Code code;
+        bool isInverse = false;  ///< subtracted, or divided by
+    };
+
+    /// Splits at the signs outside of brackets.
+    static std::vector<std::pair<std::span<const CodeToken>, bool>> split(std::span<const CodeToken> tokens,
+                                                                          std::string_view plain,
+                                                                          std::string_view inverse) {
+        std::vector<std::pair<std::span<const CodeToken>, bool>> parts;
+        std::size_t begin = 0;
+        bool isInverse = false;
+        for (std::size_t i = 0; i < tokens.size();) {
+            const std::string_view each = tokens[i].text;
+            if (each == plain || each == inverse) {
+                // A sign at the beginning, or after another operator, belongs to the operand.
+                if (i > begin) parts.emplace_back(tokens.subspan(begin, i - begin), isInverse);
+                isInverse = (i > begin || !isInverse) ? each == inverse : each != inverse;
+                begin = ++i;
+                continue;
+            }
+            i = each == "(" || each == "[" ? afterBracket(tokens, i) : i + 1;
+        }
+        if (begin < tokens.size()) parts.emplace_back(tokens.subspan(begin), isInverse);
+        return parts;
+    }
+
+    Code sum(std::span<const CodeToken> tokens) {
+        // "a * -b": the minus is no difference. Such terms keep their order.
+        for (std::size_t i = 0; i + 1 < tokens.size(); ++i)
+            if ((tokens[i].text == "*" || tokens[i].text == "/") &&
+                (tokens[i + 1].text == "-" || tokens[i + 1].text == "+"))
+                return kept(tokens);
+        std::vector<Operand> terms;
+        double constant = 0;
+        bool hasConstant = false;
+        std::int32_t line = tokens.front().line;
+        for (const auto& [part, isInverse] : split(tokens, "+", "-")) {
+            Code term = product(part);
+            if (const std::optional<double> value = numberOf(term)) {
+                constant += isInverse ? -*value : *value;
+                hasConstant = true;
+                line = term[0].line;
+                continue;
+            }
+            terms.push_back({std::move(term), isInverse});
+        }
+        if (hasConstant && (constant != 0 || terms.empty()))
+            terms.push_back({{number(constant, line)}, terms.empty() ? constant < 0 : false});
+        return joined(std::move(terms), "+", "-", tokens.front().line);
+    }
+
+    Code product(std::span<const CodeToken> tokens) {
+        std::vector<Operand> factors;
+        double constant = 1;
+        bool hasConstant = false;
+        std::int32_t line = tokens.front().line;
+        for (const auto& [part, isInverse] : split(tokens, "*", "/")) {
+            Code factor = atom(part);
+            if (const std::optional<double> value = numberOf(factor); value && (!isInverse || *value != 0)) {
+                constant *= isInverse ? 1 / *value : *value;
+                hasConstant = true;
+                line = factor[0].line;
+                continue;
+            }
+            factors.push_back({std::move(factor), isInverse});
+        }
+        const bool isAlone = factors.empty() || (factors.size() == 1 && factors[0].isInverse);
+        if (hasConstant && (std::abs(constant - 1) > 1e-12 || isAlone))
+            factors.push_back({{number(constant, line)}, false});
+        return joined(std::move(factors), "*", "/", tokens.front().line);
+    }
+
+    /// A factor: its brackets are sorted, and those around one operand are left out.
+    Code atom(std::span<const CodeToken> tokens) {
+        if (tokens.size() > 2 && tokens.front().text == "(" && afterBracket(tokens, 0) == tokens.size()) {
+            Code inner = sorted(tokens.subspan(1, tokens.size() - 2));
+            if (inner.size() == 1) return inner;
+            Code made{tokens.front()};
+            append(made, inner);
+            made.push_back(tokens.back());
+            return made;
+        }
+        return kept(tokens);
+    }
+
+    /// The same order, with sorted brackets.
+    Code kept(std::span<const CodeToken> tokens) {
+        Code made;
+        for (std::size_t i = 0; i < tokens.size();) {
+            if (tokens[i].text != "(" && tokens[i].text != "[") {
+                made.push_back(tokens[i++]);
+                continue;
+            }
+            const std::size_t end = afterBracket(tokens, i);
+            made.push_back(tokens[i]);
+            const bool isClosed = end > i + 1 && (tokens[end - 1].text == ")" || tokens[end - 1].text == "]");
+            append(made, sorted(tokens.subspan(i + 1, end - i - (isClosed ? 2 : 1))));
+            if (isClosed) made.push_back(tokens[end - 1]);
+            i = end;
+        }
+        return made;
+    }
+
+    [[nodiscard]] CodeToken number(double value, std::int32_t line) const {
+        // Only its own value counts again: whether it is 0 or 1.
+        return {value == 0 ? "0" : value == 1 ? "1" : "2", number_, line, false, true, false};
+    }
+
+    Code joined(std::vector<Operand> operands, std::string_view plain, std::string_view inverse,
+                std::int32_t line) const {
+        std::stable_sort(operands.begin(), operands.end(), [](const Operand& a, const Operand& b) {
+            return a.isInverse != b.isInverse ? b.isInverse : isBefore(a.code, b.code);
+        });
+        Code made;
+        for (const Operand& each : operands) {
+            const std::int32_t at = each.code.empty() ? line : each.code.front().line;
+            if (each.isInverse && made.empty() && inverse == "/") made.push_back(number(1, at));
+            if (!made.empty() || each.isInverse) made.push_back(sign(each.isInverse ? inverse : plain, at));
+            append(made, each.code);
+        }
+        return made;
+    }
+
+    std::uint32_t number_;
+    int depth_ = 0;
+};
+
+}  // namespace
+
+std::vector<CodeToken> inOrder(const std::vector<CodeToken>& tokens, std::uint32_t number) {
+    return Sorter(number).sorted(tokens);
+}
+
+}  // namespace glibra::classroom

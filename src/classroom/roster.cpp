@@ -1,0 +1,196 @@
+#include "classroom/roster.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <initializer_list>
+#include <iterator>
+
+#include "glib/text.h"
+
+namespace glibra::classroom {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string withoutBlanks(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(" \t\r\n");
+    if (first == std::string_view::npos) return {};
+    return std::string(text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1));
+}
+
+/// "Participant 1234567", as Moodle's table has it, is 1234567.
+std::string numberOf(std::string text) {
+    constexpr std::string_view kParticipant = "Participant ";
+    return text.starts_with(kParticipant) ? text.substr(kParticipant.size()) : text;
+}
+
+/// The letters and digits of a name without their order: "Lee, Ana" and "leeana" have the same. Letters
+/// beyond ASCII stay bytes.
+std::string sortedLetters(std::string_view name) {
+    std::string letters;
+    for (const char each : name) {
+        if (each >= 'A' && each <= 'Z')
+            letters += static_cast<char>(each - 'A' + 'a');
+        else if ((each >= 'a' && each <= 'z') || (each >= '0' && each <= '9') || each < 0)
+            letters += each;
+    }
+    std::sort(letters.begin(), letters.end());
+    return letters;
+}
+
+std::optional<std::size_t> firstColumn(const Roster& roster, std::initializer_list<const char*> names) {
+    for (const char* each : names)
+        if (const auto column = columnOf(roster, each)) return column;
+    return std::nullopt;
+}
+
+Diagnostic wrong(const fs::path& file, const std::string& text) {
+    return withoutId(Severity::error, text, {file.string(), 1, 1});
+}
+
+}  // namespace
+
+std::vector<std::vector<std::string>> csvRecords(std::string_view text) {
+    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+    const std::string_view head = text.substr(0, text.find('\n'));
+    char separator = ',';
+    for (const char each : {';', '\t'})
+        if (std::count(head.begin(), head.end(), each) > std::count(head.begin(), head.end(), separator))
+            separator = each;
+    std::vector<std::vector<std::string>> records;
+    std::vector<std::string> record;
+    std::string field;
+    bool quoted = false, any = false;
+    const auto endRecord = [&] {
+        if (!any) return;
+        record.push_back(std::move(field));
+        records.push_back(std::move(record));
+        record.clear();
+        field.clear();
+        any = false;
+    };
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char each = text[i];
+        if (quoted) {
+            if (each != '"')
+                field += each;
+            else if (i + 1 < text.size() && text[i + 1] == '"')
+                field += text[++i];
+            else
+                quoted = false;
+        } else if (each == '"' && field.empty()) {
+            quoted = any = true;
+        } else if (each == separator) {
+            record.push_back(std::move(field));
+            field.clear();
+            any = true;
+        } else if (each == '\n') {
+            endRecord();
+        } else if (each != '\r') {
+            field += each;
+            any = true;
+        }
+    }
+    endRecord();
+    return records;
+}
+
+std::optional<std::size_t> columnOf(const Roster& roster, std::string_view name) {
+    if (roster.records.empty()) return std::nullopt;
+    const std::vector<std::string>& head = roster.records.front();
+    for (std::size_t i = 0; i < head.size(); ++i)
+        if (glib::sameWord(withoutBlanks(head[i]), name)) return i;
+    return std::nullopt;
+}
+
+Result<Roster> readRoster(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    const std::string text((std::istreambuf_iterator<char>(in)), {});
+    if (!in) return wrong(file, fmt::format("cannot read the roster '{}'", file.string()));
+    Roster roster{csvRecords(text), {}};
+    const auto name = firstColumn(roster, {"full name", "name", "student", "student name"});
+    const auto first = firstColumn(roster, {"first name", "given name"});
+    const auto last = firstColumn(roster, {"last name", "surname", "family name"});
+    const auto number = firstColumn(
+        roster, {"identifier", "id", "number", "sid", "student id", "id number", "sis user id", "user id"});
+    const auto email = firstColumn(roster, {"email", "email address", "e-mail", "sis login id"});
+    const auto scene = columnOf(roster, "scene");
+    const auto days = columnOf(roster, "days late");
+    const auto time = columnOf(roster, "submitted");
+    if (!name && !first && !last && !number)
+        return wrong(file, fmt::format("the roster '{}' has no column 'name' or 'number'; its first line has "
+                                       "the names of the columns",
+                                       file.string()));
+    for (std::size_t i = 1; i < roster.records.size(); ++i) {
+        const auto field = [&](const std::optional<std::size_t>& column) {
+            return column && *column < roster.records[i].size() ? withoutBlanks(roster.records[i][*column])
+                                                                : std::string();
+        };
+        Student student{field(name), numberOf(field(number)), field(email), field(scene), {}, {}, i};
+        if (student.name.empty()) student.name = withoutBlanks(field(first) + " " + field(last));
+        if (student.name.empty() && student.number.empty()) continue;
+        // The second line of Canvas's table has the most points.
+        if (student.number.empty() && glib::sameWord(student.name, "points possible")) continue;
+        if (const std::string text_ = field(days); !text_.empty()) {
+            double value = 0;
+            const auto [end, problem] = std::from_chars(text_.data(), text_.data() + text_.size(), value);
+            if (problem == std::errc() && end == text_.data() + text_.size() && value >= 0 && value < 1e4)
+                student.daysLate = value;
+        }
+        if (std::string text_ = field(time); !text_.empty()) student.time = std::move(text_);
+        roster.students.push_back(std::move(student));
+    }
+    return roster;
+}
+
+std::optional<std::size_t> studentOf(const Roster& roster, const Submission& submission) {
+    const auto only = [&](const auto& fits) -> std::optional<std::size_t> {
+        std::optional<std::size_t> found;
+        for (std::size_t i = 0; i < roster.students.size(); ++i) {
+            if (!fits(roster.students[i])) continue;
+            if (found) return std::nullopt;
+            found = i;
+        }
+        return found;
+    };
+    const auto isSame = [](const std::string& a, const std::string& b) {
+        return !a.empty() && glib::sameWord(a, b);
+    };
+    if (const auto found = only([&](const Student& each) { return isSame(submission.number, each.number); }))
+        return found;
+    // A folder may be named by the number alone.
+    if (const auto found = only([&](const Student& each) { return isSame(submission.name, each.number); }))
+        return found;
+    if (const auto found = only([&](const Student& each) { return isSame(submission.email, each.email); }))
+        return found;
+    const std::string letters = sortedLetters(submission.name);
+    if (letters.empty()) return std::nullopt;
+    return only([&](const Student& each) { return sortedLetters(each.name) == letters; });
+}
+
+std::vector<std::optional<std::size_t>> applyRoster(const Roster& roster, Submissions& submissions) {
+    for (Submission& each : submissions.all) {
+        const auto found = studentOf(roster, each);
+        if (!found) continue;
+        const Student& student = roster.students[*found];
+        if (!student.number.empty()) each.number = student.number;
+        if (!student.email.empty()) each.email = student.email;
+        if (!student.name.empty() &&
+            std::none_of(submissions.all.begin(), submissions.all.end(), [&](const Submission& other) {
+                return &other != &each && other.name == student.name;
+            }))
+            each.name = student.name;
+    }
+    std::sort(submissions.all.begin(), submissions.all.end(),
+              [](const Submission& a, const Submission& b) { return a.name < b.name; });
+    std::vector<std::optional<std::size_t>> handed(roster.students.size());
+    for (std::size_t i = 0; i < submissions.all.size(); ++i)
+        if (const auto found = studentOf(roster, submissions.all[i]); found && !handed[*found])
+            handed[*found] = i;
+    return handed;
+}
+
+}  // namespace glibra::classroom

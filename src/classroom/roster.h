@@ -1,0 +1,52 @@
+#pragma once
+// The list of a class as a learning platform or a teacher keeps it, and which of its students handed
+// something in.
+
+#include <glibra/result.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "classroom/submissions.h"
+
+namespace glibra::classroom {
+
+/// The records of comma-separated values (RFC 4180), of a table whose separator is a semicolon, or of one
+/// with tabs: the character that the first line has most often. A byte order mark is left out.
+std::vector<std::vector<std::string>> csvRecords(std::string_view text);
+
+struct Student {
+    std::string name, number, email;
+    std::string scene;                ///< pattern for --scene-of, or empty
+    std::optional<double> daysLate;   ///< of the column "days late"
+    std::optional<std::string> time;  ///< of the column "submitted": "2026-11-20 23:59"
+    std::size_t record = 0;           ///< in Roster::records
+};
+
+/// A roster. Its columns are found by their names, in any order and case: "name", "full name" or "student",
+/// or "first name" and "last name" or "surname"; "number", "id", "id number", "sid", "identifier", "sis user
+/// id"; "email", "email address"; "scene", "days late", "submitted".
+struct Roster {
+    std::vector<std::vector<std::string>> records;  ///< of the file; the first has the names of the columns
+    std::vector<Student> students;
+};
+
+/// Errors: the file cannot be read, or has no column of names or numbers.
+Result<Roster> readRoster(const std::filesystem::path& file);
+
+/// The column of that name, in any case, or nothing.
+std::optional<std::size_t> columnOf(const Roster& roster, std::string_view name);
+
+/// The student of a submission: the one with its number, else its address, else its name, in whatever order
+/// the parts of the name stand ("leeana", "Lee, Ana", "Ana Lee"); nothing if none or several fit.
+std::optional<std::size_t> studentOf(const Roster& roster, const Submission& submission);
+
+/// Gives the submissions the names, numbers and addresses of the roster. Returns for each student the
+/// submission, or nothing if nothing was handed in.
+std::vector<std::optional<std::size_t>> applyRoster(const Roster& roster, Submissions& submissions);
+
+}  // namespace glibra::classroom

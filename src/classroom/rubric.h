@@ -1,0 +1,98 @@
+#pragma once
+// The checks of an assignment with their points, from a TOML file, and the marks that they give.
+//
+//     [[check]]
+//     name = "the dots grow with uAd"
+//     points = 3
+//     reacts = "uAd"
+//
+//     [late]
+//     due = "2026-11-20 23:59"
+//     per-day = 0.1
+
+#include <glibra/result.h>
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "classroom/classroom.h"
+
+namespace glibra::classroom {
+
+/// One check: exactly one of these is asked for.
+struct Check {
+    enum class Kind { drawn, slider, stage, reacts, ignores, like, without, uses, avoids, byHand };
+    Kind kind = Kind::drawn;
+    std::string name;
+    double points = 1;
+    bool isBonus = false;
+    /// The uniform, the stage ("tessellation" is either of its two), the function, or what like is measured
+    /// by: "likeness" or "flip".
+    std::string of;
+    std::optional<std::pair<double, double>> range;  ///< of a slider
+    std::vector<std::string> ids;                    ///< of messages; "*" in them is any text
+    double full = 0, none = 0;    ///< like: the figures from which on there are all points, and none
+    std::vector<std::string> at;  ///< like: labels of moments; empty: all
+};
+
+/// What handing in late costs.
+struct LateRule {
+    std::string due;      ///< "2026-11-20 23:59", or empty
+    double perDay = 0.1;  ///< the part of the points that each begun day takes
+    double most = 1;      ///< the largest part
+};
+
+struct Rubric {
+    std::vector<Check> checks;
+    std::optional<LateRule> late;
+};
+
+/// Errors: suite-E01 to suite-E04, suite-E24 (a check asks for nothing, or for several things), suite-E25
+/// (two checks of one name).
+Result<Rubric> readRubric(const std::filesystem::path& file);
+Result<Rubric> readRubricText(std::string_view text, const std::string& file);
+
+/// The checks that name a moment or a slider which the class does not draw (suite-E26).
+Diagnostics problemsOf(const Rubric& rubric, const std::vector<Moment>& moments,
+                       const std::vector<Slider>& sliders, bool hasReference);
+
+/// When a submission was handed in, as a roster or a learning platform says.
+struct HandedIn {
+    std::optional<double> daysLate;
+    std::optional<std::string> time;  ///< "2026-11-21 08:00"
+    bool isLate = false;              ///< late, but nobody says how much
+};
+
+/// Days between two times "2026-11-20 23:59" (also with a T between, seconds, or no time of day), begun days
+/// counted as whole; 0 if the second is not later. Nothing if one cannot be read.
+std::optional<double> daysBetween(std::string_view due, std::string_view time);
+
+/// Sets marks, lateFactor and lateReason of an entry.
+void giveMarks(const Rubric& rubric, const Classroom& classroom, const HandedIn& handedIn, Entry& entry);
+
+/// What a teacher has typed about one submission.
+struct OwnMarks {
+    std::map<std::string, double> points;  ///< by the name of the check, instead of what the check gave
+    std::string comment;
+};
+/// By the name of the submission.
+using TeacherMarks = std::map<std::string, OwnMarks>;
+
+/// The file beside the page that keeps what a teacher has typed.
+inline constexpr const char* kMarksFile = "marks.json";
+
+/// No marks if there is no such file; error: it cannot be read (suite-E27).
+Result<TeacherMarks> readTeacherMarks(const std::filesystem::path& site);
+Result<TeacherMarks> parseTeacherMarks(std::string_view text);
+std::string toText(const TeacherMarks& marks);
+
+/// Replaces points and adds comments; points stay within 0 and the most of the check. Names that are no check
+/// any more are left out.
+void applyTeacherMarks(const TeacherMarks& marks, Entry& entry);
+
+}  // namespace glibra::classroom

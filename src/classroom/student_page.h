@@ -1,0 +1,25 @@
+#pragma once
+// Pages that leave the teacher's hands: one per student, and a class without names.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "classroom/classroom.h"
+
+namespace glibra::classroom {
+
+inline constexpr const char* kStudentPages = "students";
+
+/// The page of one submission, to send back: its pictures beside the reference's, points, comment and
+/// messages, all in one file. It has nothing of other submissions.
+std::string studentPage(const Classroom& classroom, std::size_t entry, const std::filesystem::path& site);
+
+/// The name of its file: "Ana Lee.html".
+std::string studentFile(const Classroom& classroom, std::size_t entry);
+
+/// The class with "Submission 01" and so on for names, in an order that does not show the names, without
+/// numbers, addresses, commands and folders. `keys` are the names in the new order.
+Classroom anonymous(const Classroom& classroom, std::vector<std::string>& keys);
+
+}  // namespace glibra::classroom

@@ -1,0 +1,124 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <fstream>
+#include <system_error>
+#include <vector>
+
+#include "base/contained.h"
+#include "base/memory_limit.h"
+#include "base/workers.h"
+#include "classroom/archive.h"
+#include "classroom/submissions.h"
+#include "suite/run/run.h"
+
+namespace glibra::classroom {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t kMostBytes = std::uint64_t{4} << 30U;  // of a class
+constexpr const char* kMark = "made-by-glibra";
+
+/// A name for the folder of a submission: one part of a path that is not hidden.
+std::string folderName(const std::string& name, std::size_t number) {
+    std::string text = name.substr(0, 200);
+    for (char& each : text)
+        if (each == '/' || each == '\\' || static_cast<unsigned char>(each) < ' ') each = '_';
+    return text.empty() || text.front() == '.' ? fmt::format("{:04}", number + 1) : text;
+}
+
+/// Makes SITE/unpacked anew. The mark says that a folder of this name is ours, so that nobody loses theirs.
+Diagnostics makeFolder(const fs::path& site) {
+    const fs::path folder = site / kUnpacked;
+    const auto fail = [&](const std::string& why) {
+        return Diagnostics{
+            diagnose("file-E10", fmt::format("cannot write into '{}': {}", folder.string(), why))};
+    };
+    std::error_code failure;
+    const fs::file_type type = fs::symlink_status(folder, failure).type();
+    if (type == fs::file_type::directory) {
+        if (!fs::exists(folder / kMark, failure) && !fs::is_empty(folder, failure))
+            return fail("it was not made by glibra; name another folder with -o");
+        fs::remove_all(folder, failure);
+    } else if (type != fs::file_type::not_found) {
+        return fail("it is no folder");
+    }
+    const int problem = base::writeBeneath(site, fs::path(kUnpacked) / kMark, {});
+    return problem == 0 ? Diagnostics{} : fail(std::generic_category().message(problem));
+}
+
+/// Copies an ordinary file by reading and writing alone, which is all that a sandbox allows.
+std::string copy(const fs::path& from, const fs::path& to, UnpackLimits& limits) {
+    std::vector<std::byte> bytes;
+    const base::Descriptor file = base::openBeneath(from.parent_path(), from.filename());
+    if (!file || base::readAll(file, limits.bytes, bytes) != 0)
+        return fmt::format("cannot read '{}', or it is too large", from.filename().string());
+    limits.bytes -= bytes.size();
+    std::ofstream out(to, std::ios::binary | std::ios::trunc);
+    out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    out.close();
+    return out ? std::string() : fmt::format("cannot write '{}'", to.string());
+}
+
+std::string unpack(const Submission& submission, const UnpackLimits& allowed) {
+    UnpackLimits limits = allowed;
+    for (const Submission::Part& each : submission.parts) {
+        if (isArchive(each.file)) {
+            if (std::string why = unpackArchive(each.file, submission.folder, limits); !why.empty())
+                return why;
+            continue;
+        }
+        const fs::path name = fs::path(each.name).filename();
+        if (name.empty() || name.string().front() == '.') continue;
+        if (std::string why = copy(each.file, submission.folder / name, limits); !why.empty()) return why;
+    }
+    return {};
+}
+
+}  // namespace
+
+Diagnostics unpackSubmissions(Submissions& submissions, const SubmissionOptions& find,
+                              const UnpackOptions& options) {
+    std::vector<Submission*> packed;
+    for (Submission& each : submissions.all)
+        if (!each.parts.empty()) packed.push_back(&each);
+    std::error_code failure;
+    if (packed.empty() && !fs::exists(options.site / kUnpacked / kMark, failure)) return {};
+    if (Diagnostics problems = makeFolder(options.site); !problems.empty() || packed.empty()) return problems;
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < packed.size(); ++i) {
+        std::string name = folderName(packed[i]->name, i);
+        if (name == kMark || std::find(names.begin(), names.end(), name) != names.end())
+            name = fmt::format("{:04}", i + 1);
+        names.push_back(name);
+        packed[i]->folder = options.site / kUnpacked / name;
+        fs::create_directory(packed[i]->folder, failure);
+        if (failure)
+            return {diagnose("file-E10", fmt::format("cannot write '{}': {}", packed[i]->folder.string(),
+                                                     failure.message()))};
+    }
+    UnpackLimits allowed;
+    allowed.bytes = std::min(allowed.bytes, kMostBytes / packed.size());
+    const int jobs = suite::readingJobs(options.jobs);
+    base::runInWorkers(
+        packed.size(),
+        {.workers = jobs,
+         .timeout = options.timeout,
+         .memory = base::memoryShare(jobs, packed.size()),
+         .stop = options.stop,
+         .sandbox = options.sandbox},
+        [&](std::size_t index, const base::Step&) { return unpack(*packed[index], allowed); },
+        [&](std::size_t index, const base::Outcome& outcome) {
+            packed[index]->problem = outcome.end == base::Outcome::End::finished
+                                         ? outcome.answer
+                                         : "the zip file could not be unpacked within the limits";
+        },
+        [](std::size_t, const std::string&) {});
+    for (Submission* each : packed)
+        if (each->problem.empty()) findScene(*each, find);
+    return {};
+}
+
+}  // namespace glibra::classroom

@@ -1,0 +1,89 @@
+// `glibra language-server`: the language server between standard input and standard output.
+
+#include <poll.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "cli/command_line.h"
+#include "cli/commands.h"
+#include "editor/language_server.h"
+#include "editor/message_reader.h"
+
+namespace glibra::cli {
+namespace {
+
+constexpr int kPause = 150;  // milliseconds without a key before scenes are checked
+
+/// False if the client reads no more.
+bool writeAll(std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t count = ::write(STDOUT_FILENO, bytes.data(), bytes.size());
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) return false;
+        bytes.remove_prefix(static_cast<std::size_t>(count));
+    }
+    return true;
+}
+
+/// Takes what has arrived within the time; -1 waits for ever. False at the end of the input.
+bool takeInput(editor::MessageReader& reader, int milliseconds) {
+    pollfd input{STDIN_FILENO, POLLIN, 0};
+    const int ready = ::poll(&input, 1, milliseconds);
+    if (ready == 0 || (ready < 0 && errno == EINTR)) return true;
+    std::array<char, 65536> block;
+    const ssize_t count = ::read(STDIN_FILENO, block.data(), block.size());
+    if (count < 0) return errno == EINTR;
+    reader.add({block.data(), static_cast<std::size_t>(count)});
+    return count > 0;
+}
+
+/// True if more input is there, or comes within the time.
+bool isTyping(int milliseconds) {
+    pollfd input{STDIN_FILENO, POLLIN, 0};
+    return ::poll(&input, 1, milliseconds) > 0;
+}
+
+int serve() {
+    editor::ServerOptions options;
+    options.version = GLIBRA_VERSION;
+    options.libraryRoots = libraryRoots();
+    editor::LanguageServer server(std::move(options));
+    editor::MessageReader reader;
+    const auto deliver = [&] {
+        std::string bytes;
+        for (const std::string& each : server.takeOutput()) bytes += editor::framed(each);
+        return writeAll(bytes);
+    };
+    for (bool isOpen = true; isOpen && !server.exitStatus();) {
+        isOpen = takeInput(reader, -1);
+        while (const std::optional<std::string> message = reader.next())
+            if (!server.receive(*message)) reader.refuse(*message);
+        server.answer();
+        if (!deliver()) return kDiffers;
+        while (server.hasWork() && isOpen && !server.exitStatus() && !isTyping(kPause)) {
+            server.work();
+            if (!deliver()) return kDiffers;
+        }
+    }
+    // A client that is gone without `exit` has not ended the session.
+    return server.exitStatus().value_or(kDiffers);
+}
+
+}  // namespace
+
+void addLanguageServer(CommandLine& program, int& status) {
+    CommandLine command = program.subcommand(
+        "language-server", "serves editors by the Language Server Protocol, on standard input and output",
+        "glibra language-server                 # started by an editor: see docs/editors.md");
+    const auto isStandard = std::make_shared<bool>(false);
+    command.flag("--stdio", *isStandard, "what some editors add; it is the only way of talking");
+    command.onRun([isStandard, &status] { status = serve(); });
+}
+
+}  // namespace glibra::cli

@@ -1,0 +1,47 @@
+#pragma once
+// The options that `glibra class` and `glibra gallery` share: both draw scenes, perhaps of strangers, and
+// make a site of them.
+
+#include <glibra/driver.h>
+
+#include <filesystem>
+#include <initializer_list>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "base/sandbox.h"
+#include "cli/command_line.h"
+#include "suite/suite.h"
+
+namespace glibra::cli {
+
+struct SiteOptions {
+    std::string site;
+    bool siteIsNamed = false;  ///< by the user
+    suite::Shot picture{};
+    double timeout = 20;  ///< seconds: a class has a submission that never ends sooner than a suite has
+    Driver driver = Driver::automatic;
+    int jobs = 0;
+    bool untrusted = false;
+};
+
+/// Adds -o, the options of a picture with these names, and how scenes are drawn. `to` must outlive the
+/// command.
+void addSiteOptions(CommandLine& command, SiteOptions& to, const char* siteHelp,
+                    std::initializer_list<const char*> picture);
+
+/// False if the site may not be written: it is a link that the user has not named. The reason has been
+/// printed.
+bool mayWriteSite(const SiteOptions& options);
+
+/// What confines the workers: those that draw, and those that only read. Nothing without --untrusted.
+struct Confinement {
+    std::optional<base::Sandbox> drawing, reading;
+    [[nodiscard]] const base::Sandbox* forDrawing() const { return drawing ? &*drawing : nullptr; }
+    [[nodiscard]] const base::Sandbox* forReading() const { return reading ? &*reading : nullptr; }
+};
+/// `drawing` has everything but SITE/pictures, which it may write and the others may read.
+Confinement confinement(base::Sandbox drawing, const std::filesystem::path& site);
+
+}  // namespace glibra::cli

@@ -1,0 +1,61 @@
+#pragma once
+// The words that an editor proposes while a shader or a scene is written.
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "editor/text_range.h"
+#include "glsl/types/stage.h"
+#include "source/syntax.h"
+
+namespace glibra::editor {
+
+using source::CodeLanguage;
+
+/// A name that the scene gives to the text: a uniform that it sets, a variable, a texture, a program.
+struct KnownName {
+    std::string name;
+    std::string type;   ///< "vec3", "Texture2D"
+    std::string what;   ///< a sentence, such as where it is declared
+    std::string value;  ///< its current value; empty: it has none
+    /// Which text reads it: a shader or a scene.
+    CodeLanguage in = CodeLanguage::glsl;
+};
+
+/// What an editor knows about the text besides the text itself.
+struct CodeContext {
+    CodeLanguage language = CodeLanguage::glsl;  ///< of the file
+    std::optional<glsl::Stage> stage;            ///< of a shader; nothing: not known
+    std::vector<KnownName> names;
+};
+
+struct Completion {
+    std::string word;
+    std::string type;  ///< "vec3", "T sin(T angle)", "keyword", "command"
+    std::string what;  ///< one line; may be empty
+};
+
+/// The word that touches the byte; empty if there is none.
+TextRange wordAt(std::string_view text, std::size_t byte);
+/// The same, or else the last name before the byte in its line; empty if there is none. Numbers are no names.
+TextRange nameNear(std::string_view text, std::size_t byte);
+/// The part of that word before the byte.
+TextRange wordBefore(std::string_view text, std::size_t byte);
+
+/// The language at a byte: scenes may contain shaders (InlineShaders). `stage` is that shader's.
+struct LanguageAt {
+    CodeLanguage language = CodeLanguage::glsl;
+    std::optional<glsl::Stage> stage;
+    TextRange part;  ///< the shader's text, or the whole text
+};
+LanguageAt languageAt(std::string_view text, std::size_t byte, const CodeContext& context);
+
+/// The words that may stand at the cursor and begin with what stands before it, in any case: names that the
+/// text declares first, then those of the scene, then what the language has. Words of a shader are those of
+/// its version and stage. Empty in comments, in numbers and after a '.', and if the only one stands there
+/// already.
+std::vector<Completion> completionsAt(std::string_view text, std::size_t cursor, const CodeContext& context);
+
+}  // namespace glibra::editor

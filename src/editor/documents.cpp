@@ -1,0 +1,147 @@
+#include "editor/documents.h"
+
+#include <algorithm>
+#include <cctype>
+#include <system_error>
+
+#include "glib/limits.h"
+#include "glib/text.h"
+#include "image/file.h"
+
+namespace glibra::editor {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::string_view kFileScheme = "file://";
+
+int hexDigit(char c) {
+    if (glib::isDigit(c)) return c - '0';
+    const char small = glib::lower(c);
+    return small >= 'a' && small <= 'f' ? small - 'a' + 10 : -1;
+}
+
+CodeLanguage languageOf(const std::filesystem::path& file, const std::string& id) {
+    if (id == "glib") return CodeLanguage::glib;
+    if (id == "glsl") return CodeLanguage::glsl;
+    return glib::sameWord(file.extension().string(), ".glib") ? CodeLanguage::glib : CodeLanguage::glsl;
+}
+
+}  // namespace
+
+std::filesystem::path fileOf(std::string_view uri) {
+    const bool isFile = uri.starts_with(kFileScheme);
+    if (isFile) uri.remove_prefix(kFileScheme.size());
+    if (isFile && !uri.starts_with('/')) uri.remove_prefix(std::min(uri.find('/'), uri.size()));  // a host
+    std::string path;
+    for (std::size_t i = 0; i < uri.size(); ++i) {
+        const int high = uri[i] == '%' && i + 2 < uri.size() ? hexDigit(uri[i + 1]) : -1;
+        const int low = high >= 0 ? hexDigit(uri[i + 2]) : -1;
+        if (low >= 0) {
+            path += static_cast<char>(high * 16 + low);
+            i += 2;
+        } else {
+            path += uri[i];
+        }
+    }
+    std::erase(path, '\0');
+    if (isFile) return std::filesystem::path(path).lexically_normal();
+    std::replace(path.begin(), path.end(), '/', '_');
+    std::error_code failure;
+    return std::filesystem::current_path(failure) / path;
+}
+
+std::string uriOf(const std::filesystem::path& file) {
+    constexpr std::string_view kPlain = "/-._~!$&'()*+,;=@";
+    std::string uri(kFileScheme);
+    std::error_code failure;
+    const std::filesystem::path whole = std::filesystem::absolute(file, failure);
+    for (const char c : whole.lexically_normal().string()) {
+        if (glib::isLetter(c) || glib::isDigit(c) || kPlain.find(c) != std::string_view::npos) {
+            uri += c;
+            continue;
+        }
+        constexpr std::string_view kDigits = "0123456789ABCDEF";
+        const auto byte = static_cast<unsigned char>(c);
+        uri += '%';
+        uri += kDigits[byte >> 4U];
+        uri += kDigits[byte & 15U];
+    }
+    return uri;
+}
+
+const Document& Documents::open(const json& parameters) {
+    const json& item = parameters.at("textDocument");
+    Document document{
+        .uri = item.at("uri").get<std::string>(), .file = {}, .text = item.at("text").get<std::string>()};
+    document.file = fileOf(document.uri);
+    document.version = item.value("version", 0LL);
+    document.language = languageOf(document.file, item.value("languageId", std::string()));
+    Document& kept = documents_[document.uri];
+    kept = std::move(document);
+    return kept;
+}
+
+const Document* Documents::change(const json& parameters) {
+    const json& item = parameters.at("textDocument");
+    const auto found = documents_.find(item.at("uri").get<std::string>());
+    if (found == documents_.end()) return nullptr;
+    Document& document = found->second;
+    for (const json& each : parameters.at("contentChanges")) {
+        const auto& text = each.at("text").get_ref<const std::string&>();
+        if (!each.contains("range")) {
+            document.text = text;
+            continue;
+        }
+        const TextLines lines(document.text);
+        const std::size_t begin = lines.byte(positionIn(each.at("range").at("start")));
+        const std::size_t end = std::max(begin, lines.byte(positionIn(each.at("range").at("end"))));
+        document.text.replace(begin, end - begin, text);
+    }
+    if (item.contains("version") && item.at("version").is_number_integer())
+        document.version = item.at("version").get<long long>();
+    return &document;
+}
+
+void Documents::close(const std::string& uri) {
+    documents_.erase(uri);
+}
+
+const Document* Documents::find(const std::string& uri) const {
+    const auto found = documents_.find(uri);
+    return found == documents_.end() ? nullptr : &found->second;
+}
+
+const Document* Documents::findFile(const std::filesystem::path& file) const {
+    for (const auto& [uri, each] : documents_)
+        if (each.file == file) return &each;
+    return nullptr;
+}
+
+std::string Documents::textOf(const std::filesystem::path& file) const {
+    if (const Document* open = findFile(file)) return open->text;
+    const auto bytes = image::readFile(file, {file.string(), {}}, glib::kLargestFile);
+    return bytes ? std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size()) : std::string();
+}
+
+std::string Documents::uriOf(const std::filesystem::path& file) const {
+    const Document* open = findFile(file);
+    return open ? open->uri : editor::uriOf(file);
+}
+
+TextPosition positionIn(const json& position) {
+    const auto number = [&](const char* name) {
+        return static_cast<std::size_t>(std::clamp(position.at(name).get<long long>(), 0LL, 1LL << 31U));
+    };
+    return {number("line"), number("character")};
+}
+
+json toJson(const TextPosition& position) {
+    return {{"line", position.line}, {"character", position.unit}};
+}
+
+json toJson(const TextLines& lines, const TextRange& range) {
+    return {{"start", toJson(lines.position(range.begin))}, {"end", toJson(lines.position(range.end))}};
+}
+
+}  // namespace glibra::editor

@@ -1,0 +1,53 @@
+#pragma once
+// The texts that an editor has opened, with the names that it gives to their files.
+
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "editor/completion.h"
+#include "editor/text_lines.h"
+
+namespace glibra::editor {
+
+/// The file of a URI: "file:///a%20b.glib" is /a b.glib. Another URI, as of a text without a name, is a file
+/// of the current folder that need not exist.
+std::filesystem::path fileOf(std::string_view uri);
+std::string uriOf(const std::filesystem::path& file);
+
+struct Document {
+    std::string uri;
+    std::filesystem::path file;
+    std::string text;
+    long long version = 0;
+    CodeLanguage language = CodeLanguage::glib;
+};
+
+class Documents {
+  public:
+    /// The parameters of textDocument/didOpen, didChange and didClose (LSP 3.17). They throw json::exception
+    /// if the parameters are not as they should be.
+    const Document& open(const nlohmann::json& parameters);
+    const Document* change(const nlohmann::json& parameters);
+    void close(const std::string& uri);
+
+    [[nodiscard]] const Document* find(const std::string& uri) const;
+    [[nodiscard]] const Document* findFile(const std::filesystem::path& file) const;
+    [[nodiscard]] const std::map<std::string, Document>& all() const { return documents_; }
+    /// The text of a file as the editor has it, or else as it is saved; empty if it cannot be read.
+    [[nodiscard]] std::string textOf(const std::filesystem::path& file) const;
+    /// The URI of a file as the editor writes it.
+    [[nodiscard]] std::string uriOf(const std::filesystem::path& file) const;
+
+  private:
+    std::map<std::string, Document> documents_;
+};
+
+TextPosition positionIn(const nlohmann::json& position);
+nlohmann::json toJson(const TextPosition& position);
+nlohmann::json toJson(const TextLines& lines, const TextRange& range);
+
+}  // namespace glibra::editor

@@ -1,0 +1,338 @@
+#include "editor/language_server.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "base/utf8.h"
+#include "glib/text.h"
+#include "suite/file/glob.h"
+
+namespace glibra::editor {
+namespace {
+
+using nlohmann::json;
+
+// Codes of errors (JSON-RPC 2.0 and LSP 3.17).
+constexpr int kParseError = -32700, kInvalidRequest = -32600, kMethodNotFound = -32601,
+              kInvalidParameters = -32602, kInternalError = -32603, kNotInitialized = -32002,
+              kRequestCancelled = -32800;
+
+/// The text with U+FFFD for each byte that is no UTF-8.
+std::string repaired(std::string_view text) {
+    std::string to;
+    while (!text.empty()) {
+        const base::Character character = base::firstCharacter(text);
+        if (character.valid)
+            to += text.substr(0, character.bytes);
+        else
+            base::appendUtf8(to, 0xfffd);
+        text.remove_prefix(character.bytes);
+    }
+    return to;
+}
+
+/// How deep arrays and objects are nested.
+std::size_t nestingOf(std::string_view text) {
+    std::size_t depth = 0, most = 0;
+    for (std::size_t at = 0; at < text.size(); ++at) {
+        const char c = text[at];
+        if (c == '"') {
+            for (++at; at < text.size() && text[at] != '"'; ++at)
+                if (text[at] == '\\') ++at;
+        } else if (c == '[' || c == '{') {
+            most = std::max(most, ++depth);
+        } else if ((c == ']' || c == '}') && depth > 0) {
+            --depth;
+        }
+    }
+    return most;
+}
+
+}  // namespace
+
+struct LanguageServer::Method {
+    std::string_view name;
+    Answer answer;
+};
+
+const LanguageServer::Method* LanguageServer::findMethod(std::string_view name) {
+    static constexpr std::array kMethods{
+        Method{"initialize", &LanguageServer::initialize},
+        Method{"shutdown", &LanguageServer::shutDown},
+        Method{"textDocument/completion", &LanguageServer::complete},
+        Method{"textDocument/hover", &LanguageServer::hover},
+        Method{"textDocument/definition", &LanguageServer::definition},
+        Method{"textDocument/declaration", &LanguageServer::definition},
+        Method{"textDocument/documentSymbol", &LanguageServer::symbols},
+        Method{"textDocument/documentColor", &LanguageServer::colors},
+        Method{"textDocument/colorPresentation", &LanguageServer::colorPresentations},
+        Method{"textDocument/documentLink", &LanguageServer::links},
+        Method{"textDocument/formatting", &LanguageServer::format},
+    };
+    const auto* const found =
+        std::find_if(kMethods.begin(), kMethods.end(), [&](const Method& each) { return each.name == name; });
+    return found == kMethods.end() ? nullptr : found;
+}
+
+LanguageServer::LanguageServer(ServerOptions options) : options_(std::move(options)) {
+    if (!options_.check) options_.check = checkContained;
+}
+
+void LanguageServer::send(const json& message) {
+    output_.push_back(message.dump(-1, ' ', false, json::error_handler_t::replace));
+}
+
+void LanguageServer::fail(const json& id, int code, const std::string& text) {
+    send({{"jsonrpc", "2.0"}, {"id", id}, {"error", {{"code", code}, {"message", text}}}});
+}
+
+std::vector<std::string> LanguageServer::takeOutput() {
+    return std::exchange(output_, {});
+}
+
+bool LanguageServer::receive(std::string_view message) {
+    constexpr std::size_t kDeepest = 256;
+    json read =
+        nestingOf(message) > kDeepest ? json(json::value_t::discarded) : json::parse(message, nullptr, false);
+    if (read.is_discarded() && !base::isUtf8(message)) read = json::parse(repaired(message), nullptr, false);
+    if (read.is_discarded()) {
+        fail(nullptr, kParseError, "the message is no JSON");
+        return false;
+    }
+    if (read.is_object() && read.value("method", json()) == "$/cancelRequest") {
+        const json parameters = read.value("params", json());
+        if (parameters.is_object() && parameters.contains("id"))
+            cancelled_.insert(parameters.at("id").dump());
+        return true;
+    }
+    waiting_.push_back(std::move(read));
+    return true;
+}
+
+void LanguageServer::answer() {
+    for (const json& each : std::exchange(waiting_, {}))
+        if (!exitStatus_) handle(each);
+    cancelled_.clear();
+}
+
+void LanguageServer::handle(const json& message) {
+    const json id = message.is_object() ? message.value("id", json()) : json();
+    const bool isRequest = message.is_object() && message.contains("id");
+    if (!message.is_object() || !message.contains("method") || !message.at("method").is_string()) {
+        // An answer to a request of the server would have no method; the server has no requests.
+        const bool isAnswer = isRequest && (message.contains("result") || message.contains("error"));
+        if (!isAnswer) fail(id, kInvalidRequest, "the message is no request");
+        return;
+    }
+    const auto method = message.at("method").get<std::string>();
+    const json parameters = message.value("params", json::object());
+    try {
+        if (isRequest)
+            request(method, id, parameters);
+        else
+            notify(method, parameters);
+    } catch (const json::exception& wrong) {
+        if (isRequest) fail(id, kInvalidParameters, wrong.what());
+    } catch (const std::exception& failure) {
+        if (isRequest) fail(id, kInternalError, failure.what());
+    }
+}
+
+void LanguageServer::request(const std::string& method, const json& id, const json& parameters) {
+    const bool begins = method == "initialize";
+    if (cancelled_.contains(id.dump())) return fail(id, kRequestCancelled, "the request is cancelled");
+    if (isShutDown_) return fail(id, kInvalidRequest, "the server is shut down");
+    if (!isInitialized_ && !begins) return fail(id, kNotInitialized, "the server is not initialized");
+    if (isInitialized_ && begins) return fail(id, kInvalidRequest, "the server is initialized");
+    const Method* known = findMethod(method);
+    if (!known) return fail(id, kMethodNotFound, fmt::format("there is no method '{}'", method));
+    json result = (this->*known->answer)(parameters);
+    send({{"jsonrpc", "2.0"}, {"id", id}, {"result", std::move(result)}});
+}
+
+void LanguageServer::notify(const std::string& method, const json& parameters) {
+    if (method == "exit") {
+        exitStatus_ = isShutDown_ ? 0 : 1;
+        return;
+    }
+    if (!isInitialized_ || isShutDown_) return;
+    if (method == "textDocument/didOpen") {
+        changed(documents_.open(parameters));
+    } else if (method == "textDocument/didChange") {
+        if (const Document* document = documents_.change(parameters)) changed(*document);
+    } else if (method == "textDocument/didSave") {
+        changed(documentOf(parameters));
+    } else if (method == "textDocument/didClose") {
+        const auto uri = parameters.at("textDocument").at("uri").get<std::string>();
+        const Document* document = documents_.find(uri);
+        if (!document) return;
+        const std::filesystem::path file = document->file;
+        documents_.close(uri);
+        forget(file);
+        for (const auto& [scene, check] : checks_)
+            if (std::find(check.files.begin(), check.files.end(), file) != check.files.end())
+                due_.insert(scene);
+        // Scenes that were checked for the sake of a shader that is open no more.
+        std::vector<std::filesystem::path> unused;
+        for (const auto& [scene, check] : checks_) {
+            const bool isUsed = documents_.findFile(scene) != nullptr ||
+                                std::any_of(check.files.begin(), check.files.end(), [&](const auto& each) {
+                                    return documents_.findFile(each) != nullptr;
+                                });
+            if (!isUsed) unused.push_back(scene);
+        }
+        for (const std::filesystem::path& each : unused) forget(each);
+    } else if (method == "workspace/didChangeWatchedFiles") {
+        for (const auto& [scene, check] : checks_) due_.insert(scene);
+    }
+}
+
+json LanguageServer::initialize(const json&) {
+    isInitialized_ = true;
+    json capabilities = {
+        {"positionEncoding", "utf-16"},
+        {"textDocumentSync", {{"openClose", true}, {"change", 2}, {"save", {{"includeText", false}}}}},
+        {"completionProvider", json::object()},
+        {"hoverProvider", true},
+        {"definitionProvider", true},
+        {"declarationProvider", true},
+        {"documentSymbolProvider", true},
+        {"documentLinkProvider", json::object()},
+        {"colorProvider", true},
+        {"documentFormattingProvider", true},
+    };
+    return {{"capabilities", std::move(capabilities)},
+            {"serverInfo", {{"name", "glibra"}, {"version", options_.version}}}};
+}
+
+json LanguageServer::shutDown(const json&) {
+    isShutDown_ = true;
+    due_.clear();
+    return nullptr;
+}
+
+// ---- Checks
+
+void LanguageServer::changed(const Document& document) {
+    if (document.language == CodeLanguage::glib) due_.insert(document.file);
+    bool isUsed = document.language == CodeLanguage::glib;
+    for (const auto& [scene, check] : checks_) {
+        if (std::find(check.files.begin(), check.files.end(), document.file) == check.files.end()) continue;
+        due_.insert(scene);
+        isUsed = true;
+    }
+    if (!isUsed) findScenesOf(document);
+}
+
+void LanguageServer::findScenesOf(const Document& shader) {
+    constexpr std::size_t kMostScenes = 3;
+    // Open scenes may begin to use it.
+    for (const auto& [uri, each] : documents_.all())
+        if (each.language == CodeLanguage::glib) due_.insert(each.file);
+    std::filesystem::path root = shader.file.parent_path();
+    std::error_code failure;
+    for (std::filesystem::path above = root; above != above.root_path(); above = above.parent_path())
+        if (std::filesystem::is_directory(above / "glib", failure)) {
+            root = above / "glib";
+            break;
+        }
+    if (root == root.root_path()) return;
+    const Result<std::vector<std::filesystem::path>> scenes = suite::scenesBelow(root);
+    if (!scenes) return;
+    const std::string name = shader.file.filename().string();
+    std::size_t count = 0;
+    for (const std::filesystem::path& each : *scenes) {
+        if (count >= kMostScenes) return;
+        if (documents_.findFile(each) || documents_.textOf(each).find(name) == std::string::npos) continue;
+        due_.insert(each);
+        ++count;
+    }
+}
+
+void LanguageServer::work() {
+    if (due_.empty()) return;
+    const std::filesystem::path scene = *due_.begin();
+    due_.erase(due_.begin());
+    RenderOptions options;
+    options.libraryRoots = options_.libraryRoots;
+    for (const auto& [uri, each] : documents_.all()) options.texts[each.file] = each.text;
+    ContainedCheck checked = options_.check(scene, options);
+    if (!checked.failure.empty()) {
+        // Its last messages and names are better than none.
+        if (const auto last = checks_.find(scene); last != checks_.end()) checked.check = last->second;
+        send(
+            {{"jsonrpc", "2.0"},
+             {"method", "window/logMessage"},
+             {"params", {{"type", 2}, {"message", fmt::format("{}: {}", scene.string(), checked.failure)}}}});
+    }
+    report(scene, checked.check);
+}
+
+void LanguageServer::report(const std::filesystem::path& scene, const SceneCheck& check) {
+    // A scene that only mentions the name of an open shader is not shown.
+    const bool isShown = documents_.findFile(scene) != nullptr ||
+                         std::any_of(check.files.begin(), check.files.end(),
+                                     [&](const auto& each) { return documents_.findFile(each) != nullptr; });
+    std::set<std::filesystem::path> files;
+    if (const auto last = checks_.find(scene); last != checks_.end())
+        for (const Diagnostic& each : last->second.diagnostics) files.insert(each.place.file);
+    if (!isShown) {
+        checks_.erase(scene);
+    } else {
+        for (const Diagnostic& each : check.diagnostics) files.insert(each.place.file);
+        if (documents_.findFile(scene)) files.insert(scene);
+        checks_[scene] = check;
+    }
+    publish(files);
+}
+
+void LanguageServer::forget(const std::filesystem::path& scene) {
+    due_.erase(scene);
+    const auto last = checks_.find(scene);
+    if (last == checks_.end()) return;
+    std::set<std::filesystem::path> files;
+    for (const Diagnostic& each : last->second.diagnostics) files.insert(each.place.file);
+    checks_.erase(last);
+    publish(files);
+}
+
+void LanguageServer::publish(const std::set<std::filesystem::path>& files) {
+    for (const std::filesystem::path& file : files) {
+        if (file.empty()) continue;
+        const std::string text = documents_.textOf(file);
+        const TextLines lines(text);
+        json messages = json::array();
+        std::set<std::string> seen;
+        for (const auto& [scene, check] : checks_)
+            for (const Diagnostic& each : check.diagnostics) {
+                if (std::filesystem::path(each.place.file) != file || !seen.insert(toString(each)).second)
+                    continue;
+                const TextRange line = lines.line(static_cast<std::size_t>(std::max(each.place.line, 1)) - 1);
+                const std::size_t begin = std::min(
+                    line.begin + static_cast<std::size_t>(std::max(each.place.column, 1)) - 1, line.end);
+                TextRange place = wordAt(text, begin);
+                place.begin = begin;
+                if (place.end <= begin) place.end = std::min(begin + 1, line.end);
+                constexpr std::array kSeverities{3, 2, 1};  // note, warning, error
+                json message = {{"range", toJson(lines, place)},
+                                {"severity", kSeverities[static_cast<std::size_t>(each.severity)]},
+                                {"source", "glibra"},
+                                {"message", each.text}};
+                if (!each.id.empty()) message["code"] = each.id;
+                messages.push_back(std::move(message));
+            }
+        if (messages.empty() && !published_.contains(file) && !documents_.findFile(file)) continue;
+        if (messages.empty())
+            published_.erase(file);
+        else
+            published_.insert(file);
+        json parameters = {{"uri", documents_.uriOf(file)}, {"diagnostics", std::move(messages)}};
+        if (const Document* open = documents_.findFile(file)) parameters["version"] = open->version;
+        send({{"jsonrpc", "2.0"}, {"method", "textDocument/publishDiagnostics"}, {"params", parameters}});
+    }
+}
+
+}  // namespace glibra::editor

@@ -1,0 +1,92 @@
+#pragma once
+// A server of the Language Server Protocol 3.17 for scenes and their shaders: what the client says goes in,
+// what it is told comes out. Reading and writing is the caller's.
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "editor/documents.h"
+#include "editor/scene_check.h"
+
+namespace glibra::editor {
+
+struct ServerOptions {
+    std::vector<std::filesystem::path> libraryRoots{};
+    std::string version{};
+    /// Checks a scene; the default is checkContained.
+    std::function<ContainedCheck(const std::filesystem::path&, const RenderOptions&)> check{};
+};
+
+class LanguageServer {
+  public:
+    explicit LanguageServer(ServerOptions options);
+
+    /// Takes a message of the client. Returns false if it is no JSON; the client is told so.
+    bool receive(std::string_view message);
+    /// Answers the messages that have been received, in their order.
+    void answer();
+    /// True if scenes have changed since they were checked.
+    [[nodiscard]] bool hasWork() const { return !due_.empty(); }
+    /// Checks one of them, and reports what is wrong with it and its shaders.
+    void work();
+    /// What the client is told since the last call, a JSON text each.
+    std::vector<std::string> takeOutput();
+    /// The exit status, once the client has said `exit`: 0 after `shutdown`, otherwise 1.
+    [[nodiscard]] std::optional<int> exitStatus() const { return exitStatus_; }
+
+  private:
+    using json = nlohmann::json;
+    using Answer = json (LanguageServer::*)(const json& parameters);
+    struct Method;
+    static const Method* findMethod(std::string_view name);
+
+    void send(const json& message);
+    void fail(const json& id, int code, const std::string& text);
+    void handle(const json& message);
+    void request(const std::string& method, const json& id, const json& parameters);
+    void notify(const std::string& method, const json& parameters);
+
+    json initialize(const json& parameters);
+    json shutDown(const json& parameters);
+    json complete(const json& parameters);
+    json hover(const json& parameters);
+    json definition(const json& parameters);
+    json symbols(const json& parameters);
+    json colors(const json& parameters);
+    json colorPresentations(const json& parameters);
+    json format(const json& parameters);
+    json links(const json& parameters);
+
+    [[nodiscard]] const Document& documentOf(const json& parameters) const;
+    [[nodiscard]] CodeContext contextOf(const Document& document) const;
+    [[nodiscard]] std::filesystem::path found(const Document& from, const std::string& name) const;
+    [[nodiscard]] json linkTo(const std::filesystem::path& file, std::string_view text,
+                              const TextRange& place) const;
+    void changed(const Document& document);
+    /// Scenes that are not open and use the shader: those of the folders of the library around it.
+    void findScenesOf(const Document& shader);
+    void report(const std::filesystem::path& scene, const SceneCheck& check);
+    void publish(const std::set<std::filesystem::path>& files);
+    void forget(const std::filesystem::path& scene);
+
+    ServerOptions options_;
+    Documents documents_;
+    std::vector<json> waiting_;
+    std::set<std::string> cancelled_;  ///< ids of requests, as JSON texts
+    std::vector<std::string> output_;
+    std::set<std::filesystem::path> due_;                 ///< scenes to check
+    std::map<std::filesystem::path, SceneCheck> checks_;  ///< of scenes
+    std::set<std::filesystem::path> published_;           ///< files with messages
+    bool isInitialized_ = false;
+    bool isShutDown_ = false;
+    std::optional<int> exitStatus_;
+};
+
+}  // namespace glibra::editor

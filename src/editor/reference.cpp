@@ -1,0 +1,158 @@
+#include "editor/reference.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "base/suggest.h"
+#include "editor/declared_names.h"
+#include "editor/glsl_reference.h"
+#include "expression/functions.h"
+#include "expression/name_table.h"
+#include "glib/command_table.h"
+#include "glib/modern/statement_table.h"
+#include "glsl/read/words.h"
+#include "scene/shader_names.h"
+
+namespace glibra::editor {
+namespace {
+
+/// "Sphere radius = 1, slices = 60, stacks = 60".
+std::string usageOf(const glib::CommandRow& row) {
+    std::string text(row.name());
+    for (const glib::Argument& each : row.arguments) {
+        text += each.name == row.arguments.front().name ? " " : ", ";
+        const bool mayMiss = each.optional || each.byDefault || each.filler;
+        text += mayMiss ? fmt::format("[{}", each.name) : std::string(each.name);
+        if (each.byDefault || each.filler)
+            text += fmt::format(" = {:g}", each.byDefault ? *each.byDefault : *each.filler);
+        if (mayMiss) text += "]";
+        if (!each.unit.empty()) text += fmt::format(" ({})", each.unit);
+    }
+    if (!row.words.empty()) text += fmt::format(" {}", fmt::join(row.words, " | "));
+    return text;
+}
+
+void addTo(ReferenceEntry& entry, std::string_view sentence) {
+    if (sentence.empty()) return;
+    if (!entry.text.empty()) entry.text += "\n";
+    entry.text += sentence;
+}
+
+ReferenceEntry glibEntry(std::string_view word) {
+    ReferenceEntry entry;
+    const glib::CommandRow* command = glib::findCommand(word);
+    const glib::StatementRow* statement = command ? glib::modernFormOf(word) : glib::findStatement(word);
+    if (command) {
+        entry.word = command->name();
+        entry.code.push_back(usageOf(*command));
+        addTo(entry, command->summary);
+        entry.chapter = "docs/language.md, section 3";
+    }
+    if (statement) {
+        entry.word = statement->name;
+        entry.code.push_back(glib::usage(*statement));
+        for (const glib::WordList& each : glib::wordLists(*statement))
+            entry.code.push_back(fmt::format("{}: {}", each.name, fmt::join(each.words, " ")));
+        addTo(entry, statement->summary);
+        entry.chapter = "docs/language.md, section 12";
+    }
+    if (!entry.word.empty()) return entry;
+    for (const expression::FunctionRow& each : expression::functionsNamed(word)) {
+        entry.word = word;
+        entry.code.emplace_back(each.prototype);
+        addTo(entry, each.summary);
+        entry.chapter = "docs/language.md, section 1.8";
+    }
+    for (const expression::NameRow& each : expression::sceneNames())
+        if (each.path == word) {
+            entry.word = word;
+            entry.code.push_back(fmt::format("{} {}", expression::name(each.type), each.path));
+            addTo(entry, each.summary);
+            entry.chapter = "docs/language.md, section 1.8";
+        }
+    return entry;
+}
+
+ReferenceEntry glslEntry(std::string_view word) {
+    ReferenceEntry entry;
+    for (const scene::ShaderName& each : scene::shaderNames()) {
+        if (std::find(each.names.begin(), each.names.end(), word) == each.names.end()) continue;
+        entry.word = word;
+        entry.code.push_back(fmt::format("{} {} {}", each.isInput ? "in" : "uniform", each.type, word));
+        addTo(entry, each.meaning + "; glibra supplies it, it needs no declaration");
+        entry.chapter = "docs/language.md, section 6";
+    }
+    if (!entry.word.empty()) return entry;
+    if (const GlslRow* row = findGlsl(word)) {
+        entry.word = word;
+        entry.code.emplace_back(row->signature);
+        entry.text = row->summary;
+        entry.chapter = fmt::format("GLSL, from version {}", row->since);
+        if (row->until < 1000) entry.chapter += fmt::format(" to before {}", row->until);
+    } else if (const int since = glsl::keywordSince(word); since > 0 && since != glsl::kReserved) {
+        entry.word = word;
+        entry.text = glsl::isTypeWord(word) ? "a type of GLSL" : "a keyword of GLSL";
+        entry.chapter = fmt::format("GLSL, from version {}", since);
+    }
+    return entry;
+}
+
+std::string nearest(std::string_view word, CodeLanguage language) {
+    std::vector<std::string_view> known;
+    const std::vector<scene::ShaderName> names = scene::shaderNames();
+    if (language == CodeLanguage::glsl) {
+        for (const GlslRow& each : glslTable()) known.push_back(each.name);
+        for (const scene::ShaderName& each : names)
+            known.insert(known.end(), each.names.begin(), each.names.end());
+    } else if (const std::string_view command = glib::nearestCommand(word); !command.empty()) {
+        known.push_back(command);
+    }
+    return base::suggestion(word, known);
+}
+
+}  // namespace
+
+ReferenceEntry referenceOf(std::string_view word, CodeLanguage language, const CodeContext& context) {
+    ReferenceEntry entry = language == CodeLanguage::glib ? glibEntry(word) : glslEntry(word);
+    for (const KnownName& each : context.names) {
+        if (each.name != word || each.in != language) continue;
+        if (entry.word.empty()) {
+            entry.word = each.name;
+            entry.code.push_back(fmt::format("{} {}", each.type, each.name));
+            entry.text = each.what;
+        }
+        if (entry.value.empty()) entry.value = each.value;
+    }
+    if (entry.word.empty() && !word.empty())
+        entry.text = fmt::format("there is no entry for '{}'{}", word, nearest(word, language));
+    return entry;
+}
+
+ReferenceEntry referenceAt(std::string_view text, std::size_t byte, const CodeContext& context) {
+    const TextRange range = wordAt(text, byte);
+    const std::string_view word = text.substr(range.begin, range.end - range.begin);
+    const LanguageAt at = languageAt(text, byte, context);
+    ReferenceEntry entry = referenceOf(word, at.language, context);
+    if (at.language == CodeLanguage::glib || word.empty()) return entry;
+    const std::string_view part = text.substr(at.part.begin, at.part.end - at.part.begin);
+    const auto line =
+        1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(range.begin), '\n');
+    const auto firstLine =
+        std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at.part.begin), '\n');
+    // The last declaration up to the line; without one the first after it.
+    std::vector<DeclaredName> all = declaredNames(part);
+    std::erase_if(all, [&](const DeclaredName& each) { return each.name != word; });
+    if (all.empty()) return entry;
+    const DeclaredName* declared = &all.front();
+    for (const DeclaredName& each : all)
+        if (each.line + firstLine <= line) declared = &each;
+    entry.word = word;
+    entry.code = {declared->declaration};
+    entry.text = fmt::format("declared in line {}", declared->line + firstLine);
+    entry.chapter.clear();
+    return entry;
+}
+
+}  // namespace glibra::editor

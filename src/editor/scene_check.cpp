@@ -1,0 +1,261 @@
+#include "editor/scene_check.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <utility>
+
+#include "base/contained_call.h"
+#include "editor/declared_names.h"
+#include "glib/limits.h"
+#include "glib/number.h"
+#include "glsl/translate.h"
+#include "plan/frame_plan.h"
+#include "render/load/program_sources.h"
+#include "render/scene_renderer.h"
+#include "scene/interpret.h"
+
+namespace glibra::editor {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kLargestAnswer = std::size_t{16} << 20U;
+constexpr double kSeconds = 10;
+
+/// The variants of all programs: those that draws and dispatches use, then the others.
+std::vector<plan::ProgramVariant> variantsOf(const scene::Scene& scene) {
+    std::vector<plan::ProgramVariant> variants;
+    std::set<scene::ProgramIndex> used;
+    const auto add = [&](const plan::ProgramVariant& variant) {
+        if (!variant.program) return;
+        used.insert(variant.program);
+        if (std::find(variants.begin(), variants.end(), variant) == variants.end())
+            variants.push_back(variant);
+    };
+    const auto addAll = [&](const scene::NodeList& nodes) {
+        for (const scene::Pass& pass : nodes.passes)
+            for (const auto& step : pass.steps)
+                if (const auto* draw = std::get_if<scene::Draw>(&step))
+                    add(plan::variantOf(scene, *draw, pass));
+        for (const scene::Dispatch& each : nodes.dispatches) add({.program = each.program});
+    };
+    addAll(scene.frame);
+    for (const scene::OnceBlock& each : scene.once) addAll(each.nodes);
+    for (const scene::StepBlock& each : scene.steps) addAll(each.nodes);
+    for (const scene::ProgramIndex each : scene.programs.indices())
+        if (!used.contains(each))
+            add({.program = each, .isFullScreen = !scene.programs[each].hasStage(glsl::Stage::vertex)});
+    return variants;
+}
+
+/// Translates the programs as for a driver that can do all that GLSL 4.50 and its extensions have.
+void translateAll(const scene::Scene& scene, const RenderOptions& options, render::Stats& stats,
+                  SceneCheck& check) {
+    render::ProgramSources sources(scene, options, stats);
+    for (const plan::ProgramVariant& each : variantsOf(scene)) {
+        const scene::Program& program = scene.programs[each.program];
+        const bool isDrawn = program.hasStage(glsl::Stage::fragment) &&
+                             (program.hasStage(glsl::Stage::vertex) || each.isFullScreen);
+        if (!isDrawn && !program.hasStage(glsl::Stage::compute)) continue;
+        Diagnostics found;
+        glsl::ProgramRequest request = sources.request(each, false, found);
+        request.target.hasExtension = [](std::string_view) { return true; };
+        if (!hasError(found)) append(found, glsl::translate(request).diagnostics);
+        sources.hideTexts(each.program, found);
+        append(check.diagnostics, std::move(found));
+    }
+    for (std::filesystem::path& each : sources.filesRead())
+        if (std::find(check.files.begin(), check.files.end(), each) == check.files.end())
+            check.files.push_back(std::move(each));
+}
+
+std::string valueText(const std::vector<double>& numbers, glib::UniformForm form) {
+    std::string text;
+    for (const double each : numbers) text += fmt::format("{}{:.6g}", text.empty() ? "" : " ", each);
+    switch (form) {
+        case glib::UniformForm::range:
+            return "<" + text + ">";
+        case glib::UniformForm::color:
+            return "{" + text + "}";
+        case glib::UniformForm::list:
+            return "[" + text + "]";
+        case glib::UniformForm::truth:
+            return !numbers.empty() && numbers.front() != 0 ? "<true>" : "<false>";
+        case glib::UniformForm::number:
+            break;
+    }
+    return text;
+}
+
+/// A message about several places, each with its text once.
+void removeEqual(Diagnostics& diagnostics) {
+    std::set<std::string> seen;
+    std::erase_if(diagnostics, [&](const Diagnostic& each) { return !seen.insert(toString(each)).second; });
+}
+
+// ---- What the process of its own answers
+
+json toJson(const SceneCheck& check) {
+    json answer = {{"messages", json::array()},
+                   {"files", json::array()},
+                   {"programs", json::array()},
+                   {"values", json::array()}};
+    for (const Diagnostic& each : check.diagnostics)
+        answer["messages"].push_back({static_cast<int>(each.severity), each.id, each.text, each.place.file,
+                                      each.place.line, each.place.column});
+    for (const std::filesystem::path& each : check.files) answer["files"].push_back(each.string());
+    for (const SceneProgram& each : check.names.programs) {
+        json stages = json::array();
+        for (const SceneProgram::Stage& stage : each.stages)
+            stages.push_back({static_cast<int>(stage.stage), stage.file.string()});
+        answer["programs"].push_back({each.name, each.file, each.line, stages});
+    }
+    for (const KnownName& each : check.names.values)
+        answer["values"].push_back({each.name, each.type, each.what, each.value, static_cast<int>(each.in)});
+    return answer;
+}
+
+SceneCheck fromJson(const json& answer) {
+    SceneCheck check;
+    for (const json& each : answer.at("messages")) {
+        const auto severity = each.at(0).get<int>();
+        check.diagnostics.push_back({static_cast<Severity>(severity),
+                                     each.at(1),
+                                     each.at(2),
+                                     {each.at(3), each.at(4).get<int>(), each.at(5).get<int>()}});
+    }
+    for (const json& each : answer.at("files")) check.files.emplace_back(each.get<std::string>());
+    for (const json& each : answer.at("programs")) {
+        SceneProgram program{each.at(0), each.at(1), each.at(2).get<int>(), {}};
+        for (const json& stage : each.at(3))
+            program.stages.push_back(
+                {static_cast<glsl::Stage>(stage.at(0).get<int>()), stage.at(1).get<std::string>()});
+        check.names.programs.push_back(std::move(program));
+    }
+    for (const json& each : answer.at("values"))
+        check.names.values.push_back({each.at(0), each.at(1), each.at(2), each.at(3),
+                                      static_cast<CodeLanguage>(each.at(4).get<int>())});
+    return check;
+}
+
+}  // namespace
+
+SceneNames namesOf(const scene::Scene& scene) {
+    SceneNames names;
+    for (const scene::Program& each : scene.programs) {
+        SceneProgram program{each.name, each.place.file, each.place.line, {}};
+        for (const scene::StageFile& stage : each.stages)
+            if (!scene.files[stage.file].path.empty())
+                program.stages.push_back({stage.stage, scene.files[stage.file].path});
+        names.programs.push_back(std::move(program));
+        for (const glib::UniformSpec& value : each.uniforms) {
+            const KnownName name{value.tag, "uniform", "a uniform of " + each.name,
+                                 value.word.empty() ? valueText(value.values, value.form) : value.word,
+                                 CodeLanguage::glsl};
+            names.values.push_back(name);
+            names.values.push_back(name);
+            names.values.back().in = CodeLanguage::glib;
+        }
+    }
+    for (const scene::Variable& each : scene.variables)
+        names.values.push_back({each.name, "variable", "a variable of the scene",
+                                each.words.empty() ? valueText(each.written, each.form)
+                                                   : fmt::format("<{}>", fmt::join(each.words, " ")),
+                                CodeLanguage::glib});
+    return names;
+}
+
+void addProgramNames(CodeContext& context, const std::vector<SceneProgram>& programs,
+                     const std::filesystem::path& file,
+                     const std::function<std::string(const std::filesystem::path&)>& textOf) {
+    const bool isScene = context.language == CodeLanguage::glib;
+    for (const SceneProgram& program : programs) {
+        const auto own = std::find_if(program.stages.begin(), program.stages.end(),
+                                      [&](const SceneProgram::Stage& each) { return each.file == file; });
+        if (!isScene && own == program.stages.end()) continue;
+        if (isScene && !program.name.empty())
+            context.names.push_back(
+                {program.name, "Program", fmt::format("line {}", program.line), {}, CodeLanguage::glib});
+        if (!isScene) context.stage = own->stage;
+        for (const SceneProgram::Stage& each : program.stages) {
+            if (each.file == file) continue;
+            for (const DeclaredName& name : declaredNames(textOf(each.file)))
+                if (name.isInterface)
+                    context.names.push_back(
+                        {name.name,
+                         name.type,
+                         fmt::format("{} in {}", name.declaration, each.file.filename().string()),
+                         {},
+                         context.language});
+        }
+    }
+}
+
+SceneCheck checkScene(const std::filesystem::path& scene, const RenderOptions& options) {
+    SceneCheck check;
+    const auto text = options.texts.find(scene);
+    if (text != options.texts.end() && text->second.size() > glib::kLargestFile) {
+        check.diagnostics.push_back(
+            diagnose("glib-E15",
+                     fmt::format("the scene has more than {} bytes",
+                                 glib::groupedText(static_cast<long long>(glib::kLargestFile))),
+                     {scene.string(), 1, 1}));
+        return check;
+    }
+    render::Stats stats;
+    Result<render::InterpretedScene> interpreted = render::interpretFile(scene, options, stats);
+    check.diagnostics = std::move(interpreted.diagnostics);
+    if (interpreted) {
+        // A scene with errors in its text is checked further, because its shaders may have errors too.
+        check.names = namesOf(interpreted->scene);
+        if (interpreted->source)
+            for (const glib::Script* each : interpreted->source->scripts())
+                if (each->path != scene.string()) check.files.emplace_back(each->path);
+        for (const scene::FileReference& each : interpreted->scene.files)
+            append(check.diagnostics, each.remarks);
+        translateAll(interpreted->scene, options, stats, check);
+    }
+    removeEqual(check.diagnostics);
+    render::applyStrict(check.diagnostics, options.strict);
+    return check;
+}
+
+ContainedCheck checkContained(const std::filesystem::path& scene, const RenderOptions& options) {
+    const base::SharedMemory memory(kLargestAnswer);
+    const std::span<std::byte> bytes = memory.bytes();
+    ContainedCheck result;
+    if (bytes.empty()) {
+        result.failure = "there is no memory";
+        return result;
+    }
+    // The first bytes are the length of the answer. It is written last.
+    const base::CallEnd end = base::runContained({.seconds = kSeconds}, [&] {
+        const std::string answer =
+            toJson(checkScene(scene, options)).dump(-1, ' ', false, json::error_handler_t::replace);
+        const std::size_t length = answer.size();
+        if (length + sizeof length > bytes.size()) return;
+        std::memcpy(bytes.data() + sizeof length, answer.data(), length);
+        std::memcpy(bytes.data(), &length, sizeof length);
+    });
+    std::size_t length = 0;
+    std::memcpy(&length, bytes.data(), sizeof length);
+    if (end.kind == base::CallEnd::Kind::finished && length > 0 && length <= bytes.size() - sizeof length) {
+        const auto* const begin = reinterpret_cast<const char*>(bytes.data()) + sizeof length;
+        const json answer = json::parse(begin, begin + length, nullptr, false);
+        if (!answer.is_discarded()) {
+            result.check = fromJson(answer);
+            return result;
+        }
+    }
+    result.failure = end.kind == base::CallEnd::Kind::timedOut
+                         ? fmt::format("checking the scene takes more than {} seconds", kSeconds)
+                         : "checking the scene failed";
+    return result;
+}
+
+}  // namespace glibra::editor

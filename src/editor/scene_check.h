@@ -1,0 +1,62 @@
+#pragma once
+// What can be said about a scene and its shaders without a graphics driver: the messages of `glibra check`
+// that come from the text of the scene, its files and the translation of its shaders, and the names that it
+// gives to them. What a driver says of a shader or a plan of a picture is left out.
+
+#include <glibra/render.h>
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "editor/completion.h"
+#include "scene/scene.h"
+
+namespace glibra::editor {
+
+/// A program of a scene.
+struct SceneProgram {
+    struct Stage {
+        glsl::Stage stage = glsl::Stage::vertex;
+        std::filesystem::path file;  ///< the scene itself if the shader stands in it
+    };
+    std::string name;
+    std::string file;  ///< of its Program statement
+    int line = 1;
+    std::vector<Stage> stages;
+};
+
+/// The names of a scene.
+struct SceneNames {
+    std::vector<SceneProgram> programs;
+    std::vector<KnownName>
+        values;  ///< uniforms that Program statements set, and variables, with their values
+};
+SceneNames namesOf(const scene::Scene& scene);
+
+/// Adds the programs to what an editor knows about a text, and what their shaders declare at their
+/// interfaces: all of them for a scene, those of the same programs for a shader. `textOf` gives the text of a
+/// file, or an empty one.
+void addProgramNames(CodeContext& context, const std::vector<SceneProgram>& programs,
+                     const std::filesystem::path& file,
+                     const std::function<std::string(const std::filesystem::path&)>& textOf);
+
+struct SceneCheck {
+    Diagnostics diagnostics;
+    std::vector<std::filesystem::path> files;  ///< shaders, what they include, and included scenes
+    SceneNames names;
+};
+
+/// Checks a scene. RenderOptions::texts has the texts that are not saved. Does not throw.
+SceneCheck checkScene(const std::filesystem::path& scene, const RenderOptions& options);
+
+/// The same in a process of its own, so that a scene that takes too long, or all memory, affects nothing
+/// else. It then has no diagnostics, and `failure` says why.
+struct ContainedCheck {
+    SceneCheck check;
+    std::string failure;
+};
+ContainedCheck checkContained(const std::filesystem::path& scene, const RenderOptions& options);
+
+}  // namespace glibra::editor

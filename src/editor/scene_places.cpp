@@ -1,0 +1,187 @@
+#include "editor/scene_places.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <utility>
+
+#include "glib/arguments.h"
+#include "glib/number.h"
+#include "glib/script.h"
+#include "glib/statement.h"
+#include "glib/text.h"
+
+namespace glibra::editor {
+namespace {
+
+using glib::CommandId;
+using glib::Token;
+using glib::TokenKind;
+
+void visitStatements(std::string_view scene, const std::function<void(const glib::Statement&)>& visit) {
+    const bool isModern = glib::parse(scene, {}).isModern;
+    glib::MessageLog unused{""};
+    glib::StatementReader reader(scene, isModern, unused);
+    while (const std::optional<glib::Statement> each = reader.next()) visit(*each);
+}
+
+bool hasText(const glib::Statement& statement, std::string_view word) {
+    return !statement.arguments.empty() && glib::sameWord(statement.arguments.front().text, word);
+}
+
+std::optional<double> plainNumber(const Token& token) {
+    if (token.kind != TokenKind::number || glib::numberLength(token.text) != token.text.size())
+        return std::nullopt;
+    glib::MessageLog unused{""};
+    return glib::readNumber(token, unused).value;
+}
+
+/// The numbers from `begin` on, up to `most`.
+std::vector<double> numbersFrom(const std::vector<Token>& tokens, std::size_t begin, std::size_t most) {
+    std::vector<double> numbers;
+    for (std::size_t i = begin; i < tokens.size() && numbers.size() < most; ++i) {
+        const std::optional<double> number = plainNumber(tokens[i]);
+        if (!number) break;
+        numbers.push_back(*number);
+    }
+    return numbers;
+}
+
+WrittenColor colorOf(const std::vector<double>& numbers, TextRange place) {
+    WrittenColor color{place};
+    std::copy(numbers.begin(), numbers.end(), color.components.begin());
+    return color;
+}
+
+bool isColor(const std::vector<double>& numbers) {
+    return numbers.size() >= 3 &&
+           std::all_of(numbers.begin(), numbers.end(), [](double each) { return each >= 0 && each <= 1; });
+}
+
+bool statesColor(const glib::Statement& statement) {
+    if (!statement.row) return false;
+    const CommandId id = statement.row->id;
+    return id == CommandId::color || id == CommandId::background || id == CommandId::glColor;
+}
+
+/// True for statements whose quoted or last words are names of files.
+bool namesFiles(const glib::Statement& statement) {
+    if (statement.modern)
+        return statement.modern->syntax.find(":file") != std::string_view::npos ||
+               statement.modern->id == CommandId::compute;
+    if (!statement.row) return false;
+    const glib::ArgumentForm form = statement.row->form;
+    return form == glib::ArgumentForm::file || form == glib::ArgumentForm::texture ||
+           form == glib::ArgumentForm::cubeMap;
+}
+
+}  // namespace
+
+std::vector<Declaration> declarationsOf(std::string_view scene) {
+    std::vector<Declaration> found;
+    visitStatements(scene, [&](const glib::Statement& statement) {
+        const glib::StatementRow* row = statement.modern;
+        const std::string_view word = row             ? row->name
+                                      : statement.row ? statement.row->name()
+                                                      : std::string_view();
+        if (word.empty()) return;
+        const bool isShader = statement.body.data() != nullptr;
+        const bool isBlock = (row && row->role == glib::BlockRole::opens) || isShader;
+        const bool declares =
+            (row && row->declaresName) || glib::sameWord(word, "Program") || (isBlock && !isShader);
+        if (!declares && !isBlock) return;
+        const Token* name = !isShader && !statement.arguments.empty() && statement.arguments.front().isWord()
+                                ? &statement.arguments.front()
+                                : &statement.word;
+        if (name == &statement.word && declares && !isBlock && !glib::sameWord(word, "Program")) return;
+        found.push_back({isShader || name == &statement.word ? std::string(word) : std::string(name->text),
+                         std::string(word),
+                         {statement.word.begin, std::max(statement.end, name->end)},
+                         {name->begin, name->end},
+                         isBlock});
+    });
+    return found;
+}
+
+std::vector<WrittenColor> colorsOf(std::string_view scene) {
+    std::vector<WrittenColor> found;
+    visitStatements(scene, [&](const glib::Statement& statement) {
+        const std::vector<Token>& tokens = statement.arguments;
+        if (statesColor(statement)) {
+            const std::vector<double> numbers = numbersFrom(tokens, 0, 4);
+            if (isColor(numbers))
+                found.push_back(colorOf(numbers, {tokens.front().begin, tokens[numbers.size() - 1].end}));
+            return;
+        }
+        for (std::size_t i = 0; i < tokens.size(); ++i) {
+            if (tokens[i].kind != TokenKind::open || tokens[i].text != "{") continue;
+            const std::vector<double> numbers = numbersFrom(tokens, i + 1, 4);
+            const std::size_t close = i + 1 + numbers.size();
+            if (!isColor(numbers) || close >= tokens.size() || tokens[close].text != "}") continue;
+            found.push_back(colorOf(numbers, {tokens[i].begin, tokens[close].end}));
+        }
+    });
+    return found;
+}
+
+std::string colorText(const std::array<double, 4>& components, std::string_view written) {
+    const auto numbersIn = [](std::string_view text) {
+        std::size_t count = 0;
+        bool isInside = false;
+        for (const char c : text) {
+            const bool isOfNumber = std::string_view(" \t{},").find(c) == std::string_view::npos;
+            count += isOfNumber && !isInside ? 1 : 0;
+            isInside = isOfNumber;
+        }
+        return count;
+    };
+    const std::size_t count = numbersIn(written) == 3 && components[3] >= 1 ? 3 : 4;
+    std::string text;
+    for (std::size_t i = 0; i < count; ++i) {
+        std::string number = fmt::format("{:.3f}", std::clamp(components[i], 0., 1.));
+        number.erase(number.find_last_not_of('0') + 1);
+        if (number.ends_with('.')) number.pop_back();
+        if (number.starts_with("0.")) number.erase(0, 1);
+        text += (i == 0 ? "" : " ") + number;
+    }
+    return written.starts_with('{') ? "{" + text + "}" : text;
+}
+
+std::vector<NamedFile> filesIn(std::string_view scene) {
+    std::vector<NamedFile> found;
+    visitStatements(scene, [&](const glib::Statement& statement) {
+        if (!namesFiles(statement) || hasText(statement, "inline")) return;
+        for (const Token& each : statement.arguments) {
+            const bool isFile =
+                each.kind == TokenKind::quoted ||
+                (each.kind == TokenKind::word && each.text.find('.') != std::string_view::npos);
+            if (isFile) found.push_back({std::string(each.text), {each.begin, each.end}});
+        }
+    });
+    return found;
+}
+
+std::vector<NamedFile> includesIn(std::string_view shader) {
+    std::vector<NamedFile> found;
+    for (std::size_t begin = 0; begin < shader.size();) {
+        const std::size_t end = std::min(shader.find_first_of("\r\n", begin), shader.size());
+        const std::string_view line = shader.substr(begin, end - begin);
+        const std::size_t hash = line.find_first_not_of(" \t");
+        if (hash != std::string_view::npos && line[hash] == '#') {
+            const std::size_t word = line.find_first_not_of(" \t", hash + 1);
+            const std::size_t open = line.find_first_of("\"<");
+            const std::size_t close =
+                open == std::string_view::npos ? open : line.find(line[open] == '<' ? '>' : '"', open + 1);
+            if (word != std::string_view::npos && line.substr(word).starts_with("include") &&
+                close != std::string_view::npos)
+                found.push_back({std::string(line.substr(open + 1, close - open - 1)),
+                                 {begin + open + 1, begin + close}});
+        }
+        begin = end + 1;
+    }
+    return found;
+}
+
+}  // namespace glibra::editor

@@ -1,0 +1,189 @@
+#include "render/load/program_sources.h"
+
+#include <fmt/format.h>
+
+#include <embedded/builtin_shaders.h>
+#include <algorithm>
+#include <utility>
+
+#include "image/file.h"
+#include "render/load/hidden_text.h"
+
+namespace glibra::render {
+namespace {
+
+/// The bytes as text, without a UTF-8 byte order mark.
+std::string asText(const std::vector<std::byte>& bytes) {
+    std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
+    return text;
+}
+
+glsl::SamplerKind samplerKind(scene::TextureTarget target) {
+    switch (target) {
+        case scene::TextureTarget::texture1D:
+            return glsl::SamplerKind::sampler1D;
+        case scene::TextureTarget::texture2D:
+        case scene::TextureTarget::texture1DArray:  // these are never on a unit
+        case scene::TextureTarget::texture2DArray:
+        case scene::TextureTarget::cubeArray:
+        case scene::TextureTarget::rectangle:
+            return glsl::SamplerKind::sampler2D;
+        case scene::TextureTarget::texture3D:
+            return glsl::SamplerKind::sampler3D;
+        case scene::TextureTarget::cube:
+            break;
+    }
+    return glsl::SamplerKind::samplerCube;
+}
+
+}  // namespace
+
+ProgramSources::ProgramSources(const scene::Scene& scene, const RenderOptions& options, Stats& stats)
+    : scene_(scene),
+      options_(options),
+      stats_(stats),
+      shown_(scene::shownRoots(scene::searchFolders(scene.path, {.libraryRoots = options.libraryRoots}))) {}
+
+std::vector<std::filesystem::path> ProgramSources::filesRead() const {
+    std::vector<std::filesystem::path> files;
+    for (const auto& [path, text] : included_) files.push_back(path);
+    for (const auto& [file, source] : sources_)
+        if (!source.path.empty()) files.emplace_back(source.path);
+    return files;
+}
+
+void ProgramSources::noteIfHidden(scene::ProgramIndex program, const std::string& file) {
+    if (!shown_.contains(file)) hidden_.emplace(program, file);
+}
+
+std::string ProgramSources::hiddenSource(scene::ProgramIndex program) const {
+    const auto found = hidden_.find(program);
+    return found == hidden_.end() ? std::string() : found->second;
+}
+
+void ProgramSources::hideTexts(scene::ProgramIndex program, Diagnostics& diagnostics) const {
+    const std::string hidden = hiddenSource(program);
+    if (hidden.empty()) return;
+    HiddenWords words;
+    const auto add = [&](const std::string& file, const std::string& text) {
+        if (shown_.contains(file))
+            words.addShown(text);
+        else
+            words.addHidden(text);
+    };
+    for (const auto& [index, source] : sources_)
+        if (source.text) add(source.path, *source.text);
+    for (const auto& [path, text] : included_) add(path.string(), text);
+    const std::string why = fmt::format(
+        "'{}', which lies outside of the scene's folder and the library; add its folder to GLIBRA_PATH",
+        hidden);
+    for (Diagnostic& each : diagnostics) {
+        // Messages about finding and opening a file name the file and nothing else.
+        if (each.id.starts_with("file-")) continue;
+        if (!each.place.file.empty() && !shown_.contains(each.place.file)) {
+            each.text = fmt::format("{}, because it may quote {}", kHiddenText, why);
+        } else if (std::string text = words.removedFrom(each.text); text != each.text) {
+            each.text = fmt::format("{} (\"...\" stands for words of {})", text, why);
+        }
+    }
+}
+
+const ProgramSources::SourceFile& ProgramSources::file(scene::FileIndex index) {
+    const auto [entry, isNew] = sources_.try_emplace(index);
+    SourceFile& source = entry->second;
+    if (!isNew) return source;
+    const scene::FileReference& reference = scene_.files[index];
+    source.diagnostics = reference.remarks;
+    source.path = reference.path.string();
+    if (reference.text) source.text = reference.text;
+    if (reference.path.empty() || reference.text) return source;
+    if (const auto edited = options_.texts.find(reference.path); edited != options_.texts.end()) {
+        source.text = edited->second;
+        return source;
+    }
+    stats_.add("files read", 1);
+    auto bytes = image::readFile(reference.path, {reference.name, reference.place}, kLargestSource);
+    append(source.diagnostics, std::move(bytes.diagnostics));
+    if (bytes) source.text = asText(*bytes);
+    return source;
+}
+
+std::vector<glsl::SamplerKind> ProgramSources::samplerKinds(scene::ProgramIndex program,
+                                                            std::string_view tag) const {
+    std::vector<glsl::SamplerKind> kinds;
+    int unit = 0;
+    for (const glib::UniformSpec& each : scene_.programs[program].uniforms)
+        if (each.tag == tag && !each.values.empty()) unit = static_cast<int>(each.values.front());
+    for (const scene::Texture& each : scene_.textures) {
+        if (each.unit != unit) continue;
+        const glsl::SamplerKind kind = samplerKind(each.target);
+        if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) kinds.push_back(kind);
+    }
+    return kinds;
+}
+
+glsl::ProgramRequest ProgramSources::request(const plan::ProgramVariant& variant, bool tiled,
+                                             Diagnostics& diagnostics) {
+    glsl::ProgramRequest request;
+    request.flatColors = variant.flatColors;
+    request.colorTargets = variant.colorTargets;
+    request.tiled = tiled;
+    request.inPieces = variant.inPieces;
+    if (!variant.program) {
+        request.name = "built-in";
+        request.stages = {{glsl::Stage::vertex, "flat.vert", std::string(builtin_shaders::flat_vert())},
+                          {glsl::Stage::fragment, "flat.frag", std::string(builtin_shaders::flat_frag())}};
+        return request;
+    }
+    const scene::Program& program = scene_.programs[variant.program];
+    request.name = program.name;
+    request.place = program.place;
+    request.shim = options_.shim;
+    request.checksUndefined = options_.checkUndefined;
+    request.suppliesFullScreenVertex = variant.isFullScreen;
+    request.suppliesFragment = variant.suppliesFragment && options_.shim;
+    request.suppliesFixedVertex = !variant.isFullScreen && options_.shim;
+    request.hasLights = scene_.isModern;
+    request.setsLights = scene_.setsLights;
+    request.acceptsStorage = scene_.isModern;
+    request.geometryInput = program.geometryInput;
+    request.geometryOutput = program.geometryOutput;
+    request.geometryVerticesOut = program.geometryVerticesOut;
+    request.reportsGeometryConflicts = !program.sharesGeometryWords;
+    for (const scene::StageFile& stage : program.stages) {
+        if (variant.isFill && scene::Program::isLeftOutByFill(stage)) continue;
+        const SourceFile& source = file(stage.file);
+        append(diagnostics, source.diagnostics);
+        if (!source.path.empty()) noteIfHidden(variant.program, source.path);
+        if (source.text) request.stages.push_back({stage.stage, source.path, *source.text});
+    }
+    request.include = [this, program = variant.program](
+                          std::string_view name, std::string_view from) -> std::optional<glsl::IncludedFile> {
+        if (const auto given = scene_.glslTexts.find(name); given != scene_.glslTexts.end()) {
+            noteIfHidden(program, given->second.path.string());
+            return glsl::IncludedFile{given->second.path.string(), *given->second.text,
+                                      fmt::format("Glsl {} (line {})", name, given->second.place.line)};
+        }
+        const scene::FileReference found = scene::findInclude(
+            name, from, scene_.path, {options_.libraryRoots, options_.within, options_.texts}, listings_);
+        if (found.path.empty()) return std::nullopt;
+        stats_.add("files read", 1);
+        noteIfHidden(program, found.path.string());
+        std::string& text = included_[found.path];
+        if (const auto edited = options_.texts.find(found.path); edited != options_.texts.end()) {
+            text = edited->second;
+        } else {
+            const auto bytes = image::readFile(found.path, {found.name, found.place}, kLargestSource);
+            if (!bytes) return std::nullopt;
+            text = asText(*bytes);
+        }
+        return glsl::IncludedFile{found.path.string(), text};
+    };
+    request.samplerKindsOfTag = [this, program = variant.program](std::string_view tag) {
+        return samplerKinds(program, tag);
+    };
+    return request;
+}
+
+}  // namespace glibra::render

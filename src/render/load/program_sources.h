@@ -1,0 +1,67 @@
+#pragma once
+// Reads the shaders of a scene's programs and what they include, and says for each program how it is to be
+// translated. This needs no GL.
+
+#include <glibra/render.h>
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "glsl/types/request.h"
+#include "plan/frame_plan.h"
+#include "render/stats.h"
+#include "scene/file_lookup.h"
+#include "scene/scene.h"
+
+namespace glibra::render {
+
+/// The largest shader file, in bytes (language, 11).
+inline constexpr std::uint64_t kLargestSource = 4ULL << 20;
+
+class ProgramSources {
+  public:
+    /// All of them must outlive the object.
+    ProgramSources(const scene::Scene& scene, const RenderOptions& options, Stats& stats);
+    ProgramSources(const ProgramSources&) = delete;
+    ProgramSources& operator=(const ProgramSources&) = delete;
+
+    /// A shader file as read, or the diagnostics that prevented it.
+    struct SourceFile {
+        std::optional<std::string> text;
+        std::string path;
+        Diagnostics diagnostics;
+    };
+    const SourceFile& file(scene::FileIndex index);
+    /// The request for a variant, without its target. Its functions refer to this object. `tiled`: the
+    /// program can draw a part of a larger picture. `diagnostics` receives those of the files.
+    [[nodiscard]] glsl::ProgramRequest request(const plan::ProgramVariant& variant, bool tiled,
+                                               Diagnostics& diagnostics);
+    /// A source of the program whose text may not be shown, because it lies outside of the scene's folder and
+    /// the library; empty if there is none. It is known after the program's translation.
+    [[nodiscard]] std::string hiddenSource(scene::ProgramIndex program) const;
+    /// Removes what messages about a program with such a source may quote of it.
+    void hideTexts(scene::ProgramIndex program, Diagnostics& diagnostics) const;
+    /// Every file that was read for a program, including #include files.
+    [[nodiscard]] std::vector<std::filesystem::path> filesRead() const;
+
+  private:
+    /// Notes that the program has a source that may not be shown (scene::shownRoots), if the file is one.
+    void noteIfHidden(scene::ProgramIndex program, const std::string& file);
+    [[nodiscard]] std::vector<glsl::SamplerKind> samplerKinds(scene::ProgramIndex program,
+                                                              std::string_view tag) const;
+
+    const scene::Scene& scene_;
+    const RenderOptions& options_;
+    Stats& stats_;
+    std::map<scene::FileIndex, SourceFile> sources_;
+    std::map<std::filesystem::path, std::string> included_;  ///< what #include has read, with its text
+    scene::FolderListings listings_;
+    base::Roots shown_;
+    std::map<scene::ProgramIndex, std::string> hidden_;  ///< programs with a source that may not be shown
+};
+
+}  // namespace glibra::render

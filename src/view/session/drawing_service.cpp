@@ -1,0 +1,183 @@
+#include "view/session/drawing_service.h"
+
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+#include <cstring>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
+
+#include "gpu/context/context.h"
+#include "gpu/object/readback.h"
+#include "view/session/drawing_messages.h"
+
+namespace glibra::view {
+namespace {
+
+using Order = nlohmann::json;
+
+constexpr int kNoContext = 4;  ///< exit status
+/// Seconds after which the process ends itself, in case that nobody watches it any more.
+constexpr unsigned kLongestDraw = 120;
+
+Order jsonOf(const ViewState& view) {
+    Order json{{"scene", view.scene},
+               {"eye", view.eye},
+               {"texture", view.texture},
+               {"projection", static_cast<int>(view.projection)},
+               {"objects", Order::array()}};
+    for (const ViewState::Object& each : view.objects)
+        json["objects"].push_back({each.line, each.file, each.counter, each.matrix});
+    if (view.background) json["background"] = *view.background;
+    return json;
+}
+
+ViewState viewOf(const Order& json) {
+    ViewState view;
+    view.scene = json.at("scene").get<Matrix>();
+    view.eye = json.at("eye").get<Matrix>();
+    view.texture = json.at("texture").get<Matrix>();
+    view.projection = static_cast<ProjectionMode>(json.at("projection").get<int>());
+    for (const Order& each : json.at("objects"))
+        view.objects.emplace_back(DrawId{each[0].get<int>(), each[1].get<int>(), each[2].get<int>()},
+                                  each[3].get<Matrix>());
+    if (json.contains("background")) view.background = json["background"].get<std::array<double, 4>>();
+    return view;
+}
+
+RenderOptions optionsOf(const Order& json) {
+    RenderOptions options;
+    options.view = json.at("glman").get<bool>() ? ViewPolicy::glman : ViewPolicy::automatic;
+    options.shim = json.at("shim").get<bool>();
+    for (const Order& each : json.at("roots")) options.libraryRoots.emplace_back(each.get<std::string>());
+    for (const Order& each : json.at("texts"))
+        options.texts[each[0].get<std::string>()] = each[1].get<std::string>();
+    if (json.contains("text")) options.sceneText = json["text"].get<std::string>();
+    return options;
+}
+
+/// The scene that the process draws, and what it was drawn with last.
+class Drawing {
+  public:
+    explicit Drawing(gpu::Context& context) : context_(context) {}
+
+    /// Draws what is asked for. Returns the diagnostics.
+    Diagnostics draw(const Order& order) {
+        Diagnostics diagnostics;
+        if (const auto loading = order.at("loading").get<std::uint64_t>(); !live_ || loading != loading_) {
+            LiveScene::Loading loaded = LiveScene::load(context_, order.at("path").get<std::string>(),
+                                                        optionsOf(order.at("options")), live_.get());
+            if (!loaded.scene) return std::move(loaded.diagnostics);
+            live_ = std::move(loaded.scene);
+            knobs_ = live_->knobs();
+            loading_ = loading;
+        }
+        for (const Order& each : order.at("knobs")) set(each);
+        live_->setCamera(order.at("camera").get<std::string>());
+        const Order& mouse = order.at("mouse");
+        live_->setMouse(mouse[0].get<double>(), mouse[1].get<double>(), mouse[2].get<bool>());
+        live_->drawer().setWireframe(order.at("wireframe").get<bool>());
+        const int width = order.at("width").get<int>(), height = order.at("height").get<int>();
+        const int samples = order.at("samples").get<int>();
+        if (!target_ || target_->width() != width || target_->height() != height || samples != samples_) {
+            samples_ = samples;
+            target_.reset();
+            Result<gpu::Target> made =
+                gpu::Target::window(context_.capabilities(), width, height, gpu::TexelFormat::rgba8, samples,
+                                    gpu::TexelFormat::depth24_stencil8);
+            if (!made) return std::move(made.diagnostics);
+            target_ = std::move(made.value);
+        }
+        ::alarm(kLongestDraw);
+        sendMessage(kDrawingSocket, R"({"begins":true})");
+        append(diagnostics, live_->draw(*target_, viewOf(order.at("view")), order.at("time").get<double>(),
+                                        order.at("axes").get<bool>()));
+        append(diagnostics, copyPicture());
+        ::alarm(0);
+        return diagnostics;
+    }
+
+  private:
+    void set(const Order& value) {
+        for (Knob& each : knobs_) {
+            if (each.title != value[0] || each.tag != value[1]) continue;
+            auto wanted = value[2].get<std::vector<double>>();
+            if (wanted == each.current || wanted.size() != each.current.size()) return;
+            each.current = std::move(wanted);
+            return live_->setValue(each);
+        }
+    }
+
+    [[nodiscard]] Diagnostics copyPicture() const {
+        Result<std::vector<std::byte>> rows =
+            gpu::readPixels(context_.capabilities(), target_->readable(), 0,
+                            {0, 0, target_->width(), target_->height()}, {4, gpu::TexelType::u8});
+        if (!rows) return std::move(rows.diagnostics);
+        void* const memory =
+            ::mmap(nullptr, rows->size(), PROT_READ | PROT_WRITE, MAP_SHARED, kDrawingMemory, 0);
+        if (memory == MAP_FAILED) return {diagnose("draw-E05", "out of memory")};
+        const std::size_t row = static_cast<std::size_t>(target_->width()) * 4;
+        auto* to = static_cast<std::byte*>(memory);
+        for (std::size_t at = rows->size(); at > 0; at -= row, to += row)
+            std::memcpy(to, rows->data() + at - row, row);
+        ::munmap(memory, rows->size());
+        return std::move(rows.diagnostics);
+    }
+
+    gpu::Context& context_;
+    std::unique_ptr<LiveScene> live_;
+    std::vector<Knob> knobs_;
+    std::uint64_t loading_ = 0;
+    std::optional<gpu::Target> target_;
+    int samples_ = 0;
+};
+
+}  // namespace
+
+std::string orderText(const DrawnState& state) {
+    Order texts = Order::array(), knobs = Order::array(), roots = Order::array();
+    for (const auto& [path, text] : state.options.texts) texts.push_back({path.string(), text});
+    for (const std::filesystem::path& each : state.options.libraryRoots) roots.push_back(each.string());
+    for (const Knob& each : state.knobs) knobs.push_back({each.title, each.tag, each.current});
+    Order options{{"glman", state.options.view == ViewPolicy::glman},
+                  {"shim", state.options.shim},
+                  {"roots", roots},
+                  {"texts", texts}};
+    if (state.options.sceneText) options["text"] = *state.options.sceneText;
+    const Order order{
+        {"path", state.scene.string()}, {"loading", state.loading},
+        {"options", options},           {"knobs", knobs},
+        {"view", jsonOf(state.view)},   {"camera", state.camera},
+        {"time", state.time},           {"axes", state.axes},
+        {"wireframe", state.wireframe}, {"mouse", {state.mouseX, state.mouseY, state.isMouseDown}},
+        {"width", state.width},         {"height", state.height},
+        {"samples", state.samples}};
+    return order.dump(-1, ' ', false, Order::error_handler_t::replace);
+}
+
+int serveDrawing() {
+    // The process belongs to the window, also while it draws and does not read the socket.
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    const rlimit noCore{0, 0};
+    ::setrlimit(RLIMIT_CORE, &noCore);
+    gpu::prepareEnvironment();
+    Result<gpu::Context> context = gpu::openContext();
+    if (!context) return kNoContext;
+    Drawing drawing(*context);
+    while (const std::optional<std::string> text = receiveMessage(kDrawingSocket)) {
+        const Order order = Order::parse(*text, nullptr, false);
+        if (!order.is_object()) return kNoContext;
+        if (!sendMessage(kDrawingSocket, answerText(drawing.draw(order)))) break;
+    }
+    return 0;
+}
+
+}  // namespace glibra::view

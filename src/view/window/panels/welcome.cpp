@@ -1,0 +1,54 @@
+// What the window offers while it has no scene.
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+
+#include "view/window/panels/file_menu.h"
+#include "view/window/panels/ui.h"
+
+namespace glibra::view {
+namespace {
+
+void welcome(Ui& ui) {
+    if (ui.session.hasScene() || toolWindow(ui, "examples").isOpen) return;
+    const Rectangle& room = ui.frame.room;
+    // Below the hint that stands in the middle.
+    ImGui::SetNextWindowPos(
+        {room[0] + room[2] / 2, room[1] + room[3] / 2 + 2 * ImGui::GetTextLineHeightWithSpacing()},
+        ImGuiCond_Always, {.5F, 0});
+    constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                        ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
+                                        ImGuiWindowFlags_NoBringToFrontOnFocus |
+                                        ImGuiWindowFlags_NoFocusOnAppearing;
+    if (ImGui::Begin("##welcome", nullptr, kFlags)) {
+        if (ImGui::Button("New scene...")) askEmptyScene(ui);
+        mark(ui, "welcome/new");
+        ImGui::SameLine();
+        if (ImGui::Button("Open...")) openDialog(ui, false);
+        mark(ui, "welcome/open");
+        ImGui::SameLine();
+        if (ImGui::Button("Examples")) toolWindow(ui, "examples").isOpen = true;
+        mark(ui, "welcome/examples");
+        constexpr std::size_t kMost = 8;
+        if (!ui.settings.recent.empty()) ImGui::TextDisabled("Recent scenes");
+        for (std::size_t i = 0; i < std::min(kMost, ui.settings.recent.size()); ++i) {
+            const std::filesystem::path file = ui.settings.recent[i];
+            ImGui::PushID(static_cast<int>(i));
+            if (ImGui::Selectable(file.filename().c_str())) ui.requests.open = file;
+            mark(ui, "welcome/recent/{}", i);
+            ImGui::SameLine();
+            ImGui::TextDisabled("%s", file.parent_path().c_str());
+            ImGui::PopID();
+        }
+    }
+    ImGui::End();
+}
+
+}  // namespace
+
+const PanelRow kWelcomeRow{.name = "welcome", .place = PanelPlace::floating, .make = make<Drawn<welcome>>};
+
+}  // namespace glibra::view

@@ -1,0 +1,147 @@
+// The tables that grade books import, read by strict readers of their documented columns.
+
+#include "classroom/import_table.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "../suite/folder.h"
+
+namespace glibra::classroom {
+namespace {
+
+/// RFC 4180 and nothing else: every record has as many fields as the first, lines end with CR LF, a quote
+/// stands only around a field or doubled in one.
+std::vector<std::map<std::string, std::string>> strictly(const std::string& text) {
+    std::vector<std::vector<std::string>> records(1);
+    std::size_t at = 0;
+    while (at < text.size()) {
+        std::string field;
+        if (text[at] == '"') {
+            for (++at;; ++at) {
+                if (at >= text.size()) throw std::runtime_error("a quote is not closed");
+                if (text[at] != '"')
+                    field += text[at];
+                else if (text.compare(at, 2, "\"\"") == 0)
+                    field += text[at++];
+                else
+                    break;
+            }
+            ++at;
+        } else {
+            const std::size_t end = text.find_first_of(",\r\n\"", at);
+            field = text.substr(at, end - at);
+            at = end;
+        }
+        records.back().push_back(field);
+        if (text.compare(at, 1, ",") == 0) {
+            ++at;
+        } else if (text.compare(at, 2, "\r\n") == 0) {
+            at += 2;
+            records.emplace_back();
+        } else {
+            throw std::runtime_error("neither a comma nor a line end at " + std::to_string(at));
+        }
+    }
+    records.pop_back();
+    std::vector<std::map<std::string, std::string>> rows;
+    for (std::size_t i = 1; i < records.size(); ++i) {
+        if (records[i].size() != records[0].size()) throw std::runtime_error("a record of another length");
+        std::map<std::string, std::string>& row = rows.emplace_back();
+        for (std::size_t k = 0; k < records[0].size(); ++k)
+            if (!row.emplace(records[0][k], records[i][k]).second) throw std::runtime_error("two columns");
+    }
+    return rows;
+}
+
+/// As assignfeedback_offline of Moodle reads it: lines without a known identifier are skipped, an empty grade
+/// changes nothing.
+std::map<std::string, double> moodleGrades(const std::string& table) {
+    std::map<std::string, double> grades;
+    for (const auto& row : strictly(table)) {
+        const std::string id = row.at("Identifier");
+        if (!id.starts_with("Participant ")) continue;
+        (void)row.at("Feedback comments");
+        if (!row.at("Grade").empty()) grades[id.substr(12)] = std::stod(row.at("Grade"));
+    }
+    return grades;
+}
+
+Classroom markedClass() {
+    Classroom room;
+    const auto add = [&](const std::string& name, const std::string& number, double points) {
+        Entry& entry = room.entries.emplace_back();
+        entry.submission = {name, {}, "a.glib", {}};
+        entry.submission.number = number;
+        entry.marks = {{"dots, \"round\"", points, 8, false, "like the reference", {}, false},
+                       {"more", 1, 2, true, "", {}, false}};
+    };
+    add("Ana Lee", "7", 6.5);
+    add("=Bob; Ray", "8", 3);
+    room.entries[1].lateFactor = .5;
+    room.entries[1].lateReason = "2 days late";
+    room.entries[1].comment = "nice, but late";
+    return room;
+}
+
+TEST(ImportTables, MoodleHasIdentifiersGradesAndComments) {
+    const std::string table = importTable(markedClass(), {.book = GradeBook::moodle, .assignment = {}});
+    EXPECT_NE(table.substr(0, 3), "\xEF\xBB\xBF");
+    EXPECT_EQ(moodleGrades(table), (std::map<std::string, double>{{"7", 7.5}, {"8", 2}}));
+    const auto rows = strictly(table);
+    EXPECT_EQ(rows[1].at("Full name"), "'=Bob; Ray");
+    EXPECT_EQ(rows[1].at("Feedback comments"),
+              "dots, \"round\": 3 of 8, like the reference; more: 1 of 2; 2 days late. nice, but late");
+}
+
+TEST(ImportTables, CanvasHasItsFiveColumnsTheAssignmentAndThePointsPossible) {
+    const auto rows =
+        strictly(importTable(markedClass(), {.book = GradeBook::canvas, .assignment = "P2 (991)"}));
+    ASSERT_EQ(rows.size(), 3U);
+    EXPECT_EQ(rows[0].at("Student"), "    Points Possible");
+    EXPECT_EQ(rows[0].at("P2 (991)"), "8");
+    EXPECT_EQ(rows[1].at("ID"), "7");
+    EXPECT_EQ(rows[1].at("P2 (991)"), "7.50");
+    for (const char* each : {"SIS User ID", "SIS Login ID", "Section"}) EXPECT_EQ(rows[1].at(each), "");
+}
+
+TEST(ImportTables, GradescopeHasFirstAndLastNames) {
+    const auto rows = strictly(importTable(markedClass(), {.book = GradeBook::gradescope, .assignment = {}}));
+    EXPECT_EQ(rows[0].at("First Name"), "Ana");
+    EXPECT_EQ(rows[0].at("Last Name"), "Lee");
+    EXPECT_EQ(rows[0].at("SID"), "7");
+    EXPECT_EQ(rows[0].at("Total Score"), "7.50");
+    EXPECT_EQ(rows[0].at("Max Points"), "8");
+}
+
+TEST(ImportTables, ThePlatformsOwnTableKeepsItsColumnsAndLines) {
+    const suite::Folder made;
+    suite::writeText(
+        made / "grades.csv",
+        "Identifier,Full name,Status,Grade,Maximum Grade,Last modified (grade),Feedback comments\r\n"
+        "Participant 7,\"Lee, Ana\",Submitted,,10.00,-,\r\n"
+        "Participant 9,Zoe,No submission,4,10.00,-,\"a \"\"b\"\"\"\r\n");
+    const Roster roster = *readRoster(made / "grades.csv");
+    const ImportOptions options{
+        .book = GradeBook::moodle, .assignment = {}, .roster = &roster, .handed = {0, std::nullopt}};
+    const std::string table = importTable(markedClass(), options);
+    EXPECT_EQ(moodleGrades(table), (std::map<std::string, double>{{"7", 7.5}, {"9", 4}}));
+    const auto rows = strictly(table);
+    EXPECT_EQ(rows[0].at("Full name"), "Lee, Ana");
+    EXPECT_EQ(rows[0].at("Maximum Grade"), "10.00");
+    EXPECT_EQ(rows[1].at("Feedback comments"), "a \"b\"");
+}
+
+TEST(ImportTables, WithoutARubricTheGradeIsEmptyAndTheStateIsTheComment) {
+    Classroom room = markedClass();
+    for (Entry& each : room.entries) each.marks.clear();
+    room.entries[0].submission.scene.clear();
+    room.entries[0].submission.problem = "the folder has no scene";
+    const std::string table = importTable(room, {.book = GradeBook::moodle, .assignment = {}});
+    EXPECT_TRUE(moodleGrades(table).empty());
+    EXPECT_EQ(strictly(table)[0].at("Feedback comments"), "no-scene: the folder has no scene");
+}
+
+}  // namespace
+}  // namespace glibra::classroom

@@ -1,0 +1,122 @@
+// The names that learning platforms give to what was handed in, and rosters.
+
+#include "classroom/names.h"
+
+#include <gtest/gtest.h>
+
+#include "../suite/folder.h"
+#include "classroom/roster.h"
+
+namespace glibra::classroom {
+namespace {
+
+namespace fs = std::filesystem;
+
+Person split(const std::string& rule, const std::string& name) {
+    const Result<NameRule> made = NameRule::of(rule);
+    if (!made) return {"no rule", {}};
+    return made->split(name).value_or(Person{"no match", {}});
+}
+
+TEST(NameRules, SplitTheNamesOfMoodle) {
+    const Person folder = split("moodle", "Ana-Maria Lee_1234567_assignsubmission_file_");
+    EXPECT_EQ(folder.name, "Ana-Maria Lee");
+    EXPECT_EQ(folder.number, "1234567");
+    EXPECT_EQ(folder.file, "");
+    EXPECT_EQ(split("moodle", "Ana_Lee_12_assignsubmission_file").name, "Ana_Lee");
+    const Person file = split("moodle", "Bob_12_assignsubmission_file_my_scene.glib");
+    EXPECT_EQ(file.name, "Bob");
+    EXPECT_EQ(file.file, "my_scene.glib");
+    EXPECT_EQ(split("moodle", "handout").name, "no match");
+}
+
+TEST(NameRules, SplitTheNamesOfCanvas) {
+    const Person early = split("canvas", "leeana_123_45678_my_scene-1.glib");
+    EXPECT_EQ(early.name, "leeana");
+    EXPECT_EQ(early.number, "123");
+    EXPECT_EQ(early.file, "my_scene-1.glib");
+    EXPECT_FALSE(early.isLate);
+    EXPECT_TRUE(split("canvas", "leeana_LATE_123_45678_a.zip").isLate);
+    EXPECT_EQ(split("canvas", "leeana_LATE_123_45678_a.zip").number, "123");
+    EXPECT_EQ(split("canvas", "readme.txt").name, "no match");
+}
+
+TEST(NameRules, SplitTheNamesOfGradescope) {
+    EXPECT_EQ(split("gradescope", "submission_77").number, "77");
+    const suite::Folder made;
+    suite::writeText(made / "submission_metadata.yml",
+                     "---\nsubmission_77:\n  :submitters:\n  - :name: Ana Lee\n    :sid: '0042'\n"
+                     "    :email: ana@example.org\n  - :name: Bob Ray\n    :sid: '0043'\n  :score: 1.0\n"
+                     "submission_78:\n  :submitters:\n  - :name: \"Cem \xC3\x96z\"\n    :sid:\n");
+    NameRule rule = *NameRule::of("gradescope");
+    rule.readBeside(made.path());
+    EXPECT_EQ(rule.split("submission_77")->name, "Ana Lee, Bob Ray");
+    EXPECT_EQ(rule.split("submission_77")->number, "0042");
+    EXPECT_EQ(rule.split("submission_77")->email, "ana@example.org");
+    EXPECT_EQ(rule.split("submission_78")->name, "Cem \xC3\x96z");
+    EXPECT_EQ(rule.split("submission_78")->number, "78");
+}
+
+TEST(NameRules, AnExpressionHasGroups) {
+    EXPECT_EQ(split("(.*)-([0-9]+)", "ana-7").name, "ana");
+    EXPECT_EQ(split("(.*)-([0-9]+)", "ana-7").number, "7");
+    EXPECT_EQ(split("w\\d\\d (.*)", "w07 ana").name, "ana");
+    EXPECT_FALSE(NameRule::of("moodel"));
+    EXPECT_FALSE(NameRule::of("(.*"));
+    EXPECT_EQ(split("(.*)", std::string(100'000, 'a')).name, "no match");
+}
+
+TEST(Rosters, AreReadByTheNamesOfTheirColumns) {
+    const suite::Folder made;
+    suite::writeText(made / "a.csv",
+                     "\xEF\xBB\xBFSurname;First name;ID number;Email address\r\n"
+                     "Lee;Ana;007;ana@example.org\r\n\"O\"\"Neil; jr\";Bob;8;\r\n\r\n");
+    const Result<Roster> roster = readRoster(made / "a.csv");
+    ASSERT_TRUE(roster);
+    ASSERT_EQ(roster->students.size(), 2U);
+    EXPECT_EQ(roster->students[0].name, "Ana Lee");
+    EXPECT_EQ(roster->students[0].number, "007");
+    EXPECT_EQ(roster->students[1].name, "Bob O\"Neil; jr");
+    suite::writeText(made / "b.csv", "colour,size\nred,1\n");
+    EXPECT_FALSE(readRoster(made / "b.csv"));
+    EXPECT_FALSE(readRoster(made / "missing.csv"));
+}
+
+TEST(Rosters, KnowTheirStudents) {
+    const Roster roster{{},
+                        {{"Ana Lee", "7", "", "", {}, {}, 1},
+                         {"Lee, Bob", "8", "", "", {}, {}, 2},
+                         {"Cem \xC3\x96z", "9", "cem@x.org", "", {}, {}, 3},
+                         {"Dora Ray", "10", "", "", {}, {}, 4},
+                         {"Ray Dora", "11", "", "", {}, {}, 5}}};
+    const auto student = [&](const std::string& name, const std::string& number = {},
+                             const std::string& email = {}) {
+        Submission made{name, {}, {}, {}};
+        made.number = number;
+        made.email = email;
+        const auto found = studentOf(roster, made);
+        return found ? static_cast<int>(*found) : -1;
+    };
+    EXPECT_EQ(student("somebody", "7"), 0);
+    EXPECT_EQ(student("leebob"), 1);
+    EXPECT_EQ(student("\xC3\x96z Cem"), 2);
+    EXPECT_EQ(student("x", "", "CEM@x.org"), 2);
+    EXPECT_EQ(student("9"), 2) << "a folder named by the number";
+    EXPECT_EQ(student("Dora Ray"), -1) << "two have these letters";
+    EXPECT_EQ(student("nobody"), -1);
+}
+
+TEST(Rosters, GiveNamesAndShowWhoIsAbsent) {
+    const Roster roster{{}, {{"Ana Lee", "7", "a@x", "", {}, {}, 1}, {"Bob Ray", "8", "", "", {}, {}, 2}}};
+    Submissions all;
+    all.all = {{"leeana", {}, {}, {}}, {"zoe", {}, {}, {}}};
+    const auto handed = applyRoster(roster, all);
+    EXPECT_EQ(all.all[0].name, "Ana Lee");
+    EXPECT_EQ(all.all[0].number, "7");
+    EXPECT_EQ(all.all[0].email, "a@x");
+    EXPECT_EQ(handed[0], std::optional<std::size_t>(0));
+    EXPECT_FALSE(handed[1]);
+}
+
+}  // namespace
+}  // namespace glibra::classroom

@@ -1,0 +1,161 @@
+// What hides a copy does not hide it: dead statements, swapped operands, constants in another form.
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "classroom/compare_sources.h"
+#include "classroom/similarity.h"
+#include "classroom/tokens.h"
+
+namespace glibra::classroom {
+namespace {
+
+std::vector<std::uint32_t> normalCodes(const std::string& text) {
+    std::vector<std::uint32_t> codes;
+    for (const SourceToken& each : comparableTokens(text)) codes.push_back(each.code);
+    return codes;
+}
+
+/// The body of a function that reads a and b and writes the global o.
+std::string body(const std::string& statements) {
+    return "float helper(float x) { return x; }\nvoid main() { float a = sin(o), b = cos(o);\n" + statements +
+           "\n}\n";
+}
+
+struct SamePair {
+    const char* one;
+    const char* other;
+};
+
+TEST(NormalForm, EvasionsDoNotCount) {
+    const SamePair kPairs[] = {
+        // dead statements
+        {"o = a * b;", "float unused = 3.; o = a * b;"},
+        {"o = a * b;", "float u = 3.; u = u * 2. + a; u += 1.; o = a * b;"},
+        {"o = a * b;", "float u = a; float v = u * 2.; float w = v + u; o = a * b;"},
+        {"o = a * b;", "a = a; ; a + b; o = a * b;"},
+        {"o = a * b;", "if (false) { o = 7.; } o = a * b;"},
+        {"o = a * b; return;", "o = a * b; return; o = 3.; { o = 4.; }"},
+        {"if (a > b) { discard; } o = b;", "if (a > b) { discard; o = a; } o = b;"},
+        {"o = a * b;", "vec3 u; u.x = a; o = a * b;"},
+        // order and form of operands
+        {"o = a * sin(b) + b;", "o = b + sin(b) * a;"},
+        {"o = a + b - sin(a);", "o = b - sin(a) + a;"},
+        {"o = a * sin(b) / cos(a);", "o = sin(b) / cos(a) * a;"},
+        {"o = sin(a * cos(b) + 2.);", "o = sin(2. + cos(b) * a);"},
+        {"o += a * sin(b);", "o = o + sin(b) * a;"},
+        {"o *= a + sin(b);", "o = (sin(b) + a) * o;"},
+        {"o = (a) * (b);", "o = a * b;"},
+        // constants
+        {"o = a * 6.;", "o = 2. * a * 3.;"},
+        {"o = a / 2.;", "o = .5 * a;"},
+        {"o = a;", "o = 1. * a + 0.;"},
+        {"o = a - 0. + sin(b);", "o = sin(b) / 1. + a;"},
+        {"o = a + 3.;", "o = 1. + a + 2.;"},
+        {"o = smoothstep(.2, .5, a);", "o = smoothstep(.1 + .1, 1. / 2., a);"},
+    };
+    for (const SamePair& each : kPairs)
+        EXPECT_EQ(normalCodes(body(each.one)), normalCodes(body(each.other)))
+            << each.one << " | " << each.other;
+}
+
+TEST(NormalForm, WhatHasAnEffectStays) {
+    const SamePair kPairs[] = {
+        {"o = a * b;", "o = a + b;"},
+        {"o = a - sin(b);", "o = sin(b) - a;"},
+        {"o = a / sin(b);", "o = sin(b) / a;"},
+        {"o = a * b;", "helper(a); o = a * b;"},
+        {"o = a * b;", "float u = helper(a); o = a * b;"},
+        {"o = a * b;", "float u = a; o = u * b;"},
+        {"o = a * b;", "EmitVertex(); o = a * b;"},
+        {"if (a > b) o = a; o = b;", "if (a > b) ; o = b;"},
+        {"if (a > b) return; o = b;", "if (a > b) return;"},
+        {"o = a * 2.;", "o = a;"},
+        {"o = a * 0.;", "o = a;"},
+        {"switch (1) { case 1: o = a; break; default: o = b; }",
+         "switch (1) { case 1: break; default: o = b; }"},
+    };
+    for (const SamePair& each : kPairs)
+        EXPECT_NE(normalCodes(body(each.one)), normalCodes(body(each.other)))
+            << each.one << " | " << each.other;
+}
+
+TEST(NormalForm, EndsInTimeForWhatIsNoCode) {
+    for (const char* each :
+         {"(", ")", "{", "}", "[", "+", "*", "a=", "if(", "f(){", "+=", "case ", "-", "#define x ("}) {
+        std::string text = "void main() {";
+        for (int i = 0; i < 100'000; ++i) text += each;
+        (void)comparableTokens(text);
+    }
+    std::string sum = "void main() { o = a";
+    for (int i = 0; i < 100'000; ++i) sum += "+b*a";
+    EXPECT_GT(comparableTokens(sum + "; }").size(), 100'000U);
+}
+
+TEST(NormalForm, ACopyWithDeadStatementsBetweenItsOwnIsWhollySimilar) {
+    const char* kOriginal =
+        "void main() {\n  vec2 st = vST * 2.;\n  float d = length(st - vec2(.5));\n  float e = "
+        "smoothstep(.2, .3, d);\n"
+        "  vec3 c = mix(vec3(1., .5, 0.), vec3(1.), e);\n  c *= .2 + .8 * abs(normalize(vN).z);\n"
+        "  if (d > .9) discard;\n  float g = pow(max(dot(c, vec3(.3, .6, .1)), 0.), 2.2);\n"
+        "  f = vec4(mix(c, vec3(g), uGrey), 1.);\n}\n";
+    std::string evaded;
+    int line = 0;
+    for (const char* at = kOriginal; *at; ++at) {
+        evaded += *at;
+        if (*at == ';')
+            evaded += " float junk" + std::to_string(line++) + " = fract(vST.x * 7.) + cos(vST.y);";
+    }
+    std::vector<std::vector<Fingerprint>> prints;
+    for (const std::string& each : {std::string(kOriginal), evaded})
+        prints.push_back(fingerprintsOf(std::vector<SourceFile>{{"a.frag", comparableTokens(each)}}, {}));
+    const std::vector<SimilarPair> pairs = similarPairs(prints);
+    ASSERT_EQ(pairs.size(), 1U);
+    EXPECT_EQ(pairs[0].ofA, 1);
+    EXPECT_EQ(pairs[0].ofB, 1);
+}
+
+/// Code whose tokens are all different, so that only copies are similar.
+SourceFile ownCode(std::uint32_t seed, std::size_t tokens) {
+    SourceFile file{"own" + std::to_string(seed) + ".frag", {}};
+    for (std::size_t i = 0; i < tokens; ++i)
+        file.tokens.push_back({seed * 100'000 + static_cast<std::uint32_t>(i), static_cast<std::int32_t>(i)});
+    return file;
+}
+
+TEST(CommonCode, ALectureFunctionMarksNobodyButACopyIsFound) {
+    // 27 of a class; 21 have the function of a lecture, and two of these have copied from each other.
+    Classroom room;
+    for (std::uint32_t i = 0; i < 27; ++i) {
+        Entry& entry = room.entries.emplace_back();
+        entry.submission.name = "s" + std::to_string(i);
+        SourceFile file = ownCode(i == 5 ? 4 : i + 1, 100);
+        if (i < 21) {
+            const SourceFile lecture = ownCode(999, 120);
+            file.tokens.insert(file.tokens.end(), lecture.tokens.begin(), lecture.tokens.end());
+        }
+        file.path = "x" + std::to_string(i) + ".frag";
+        entry.files.push_back(file);
+    }
+    room.entries[3].files[0].tokens = room.entries[5].files[0].tokens;
+    Classroom all = room;
+    compareSources(room, {}, 0);
+    ASSERT_EQ(room.pairs.size(), 1U);
+    EXPECT_EQ(room.pairs[0].a, 3U);
+    EXPECT_EQ(room.pairs[0].b, 5U);
+    EXPECT_GT(room.commonFingerprints, 10U);
+    EXPECT_EQ(room.common, 9U);
+    compareSources(all, {}, 1'000);
+    EXPECT_EQ(all.pairs.size(), 210U) << "each pair of the 21";
+}
+
+TEST(CommonCode, SmallClassesHaveNone) {
+    EXPECT_EQ(usualCommon(2), 4U);
+    EXPECT_EQ(usualCommon(27), 9U);
+    EXPECT_EQ(usualCommon(500), 10U);
+}
+
+}  // namespace
+}  // namespace glibra::classroom

@@ -1,0 +1,181 @@
+// Rubrics: how they are read, and which marks they give.
+
+#include "classroom/rubric.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "../suite/folder.h"
+
+namespace glibra::classroom {
+namespace {
+
+Picture pictureWith(double flip, double likenessOf) {
+    Picture picture;
+    picture.verdict = suite::Verdict::passed;
+    picture.file = "pictures/0001-1.png";
+    picture.score = Score{flip, 0, likenessOf};
+    return picture;
+}
+
+/// A class of one, with two moments that vary uAd.
+Classroom classOfOne() {
+    Classroom room;
+    room.reference.submission.scene = "solution.glib";
+    room.reference.reactions = {0.1};
+    room.moments.resize(2);
+    room.moments[0].label = "uAd=0.1";
+    room.moments[1].label = "uAd=0.3";
+    room.sliders = {{"uAd", {{0, 1}}}};
+    Entry& entry = room.entries.emplace_back();
+    entry.submission = {"ana", "all/ana", "all/ana/a.glib", {}};
+    entry.pictures = {pictureWith(0.01, 0.9), pictureWith(0.09, 0.6)};
+    entry.reactions = {0.08};
+    entry.ranges = {{"uAd", 0.01, 0.5}};
+    entry.calls = {"main", "mix", "smoothstep"};
+    entry.programs = {
+        {"P", {"vertex", "tessellation control", "fragment"}, {{"uAd", "float"}, {"uBd", "float"}}}};
+    return room;
+}
+
+Mark markOf(const std::string& check, const Classroom& room = classOfOne()) {
+    const Result<Rubric> rubric = readRubricText("[[check]]\npoints = 4\n" + check, "class.toml");
+    EXPECT_TRUE(rubric) << check;
+    if (!rubric) return {};
+    Entry entry = room.entries[0];
+    giveMarks(*rubric, room, {}, entry);
+    return entry.marks.at(0);
+}
+
+TEST(Rubrics, GivePointsForEachKindOfCheck) {
+    EXPECT_EQ(markOf("drawn = true").points, 4);
+    EXPECT_EQ(markOf("slider = \"uAd\"").points, 4);
+    EXPECT_EQ(markOf("slider = \"uAd\"\nrange = [0.01, 0.5]").points, 4);
+    EXPECT_EQ(markOf("slider = \"uAd\"\nrange = [0, 1]").points, 2) << "the name is right";
+    EXPECT_EQ(markOf("slider = \"uBd\"").points, 2) << "a uniform without a range";
+    EXPECT_EQ(markOf("slider = \"uTol\"").points, 0);
+    EXPECT_EQ(markOf("stage = \"tessellation\"").points, 4);
+    EXPECT_EQ(markOf("stage = \"geometry\"").points, 0);
+    EXPECT_EQ(markOf("reacts = \"uAd\"").points, 4);
+    EXPECT_EQ(markOf("ignores = \"uAd\"").points, 0);
+    EXPECT_EQ(markOf("uses = \"smoothstep\"").points, 4);
+    EXPECT_EQ(markOf("uses = \"texture\"").points, 0);
+    EXPECT_EQ(markOf("avoids = \"texture\"").points, 4);
+    EXPECT_EQ(markOf("avoids = \"mix\"").points, 0);
+    EXPECT_EQ(markOf("without = \"glib-W*\"").points, 4);
+    EXPECT_EQ(markOf("by-hand = true").points, 0);
+}
+
+TEST(Rubrics, GivePartialCreditForLikeness) {
+    // 1 at 0.8 and more, 0 at 0.4 and less.
+    EXPECT_EQ(markOf("like = 0.8").points, 3) << "1 and 0.5";
+    EXPECT_EQ(markOf("like = 0.8\nat = \"uAd=0.1\"").points, 4);
+    const Mark worst = markOf("like = 0.8\nat = [\"uAd=0.3\"]");
+    EXPECT_EQ(worst.points, 2);
+    EXPECT_EQ(worst.moment, std::optional<std::size_t>(1));
+    EXPECT_EQ(worst.reason, "likeness 0.600");
+    EXPECT_EQ(markOf("like = 0.8\nnone = 0.7").points, 2);
+    EXPECT_EQ(markOf("like = 0.05\nmeasure = \"flip\"\nat = \"uAd=0.1\"").points, 4);
+    EXPECT_EQ(markOf("like = 0.05\nmeasure = \"flip\"").points, 3.6) << "(0.25 - 0.09) / 0.2 of the other";
+    Classroom room = classOfOne();
+    room.entries[0].drawsNothing = true;
+    EXPECT_EQ(markOf("like = 0.1", room).points, 0);
+    EXPECT_EQ(markOf("drawn = true", room).points, 0);
+}
+
+TEST(Rubrics, WeakReactionsAndSingleWarningsAreHalf) {
+    Classroom room = classOfOne();
+    room.entries[0].reactions = {0.01};
+    EXPECT_EQ(markOf("reacts = \"uAd\"", room).points, 2);
+    room.entries[0].reactions = {0.0};
+    EXPECT_EQ(markOf("reacts = \"uAd\"", room).points, 0);
+    EXPECT_EQ(markOf("ignores = \"uAd\"", room).points, 4);
+    room.entries[0].reactions = {std::nullopt};
+    EXPECT_EQ(markOf("ignores = \"uAd\"", room).points, 0) << "a picture that was not drawn ignores nothing";
+    room.entries[0].diagnostics = {diagnose("glib-W23", "a")};
+    EXPECT_EQ(markOf("without = [\"glib-W23\"]", room).points, 2);
+    EXPECT_EQ(markOf("without = \"glib-W02\"", room).points, 4);
+    room.entries[0].diagnostics.push_back(diagnose("glib-W23", "b"));
+    EXPECT_EQ(markOf("without = [\"glib-W23\"]", room).points, 0);
+}
+
+TEST(Rubrics, BonusIsNotAmongTheMostAndLateTakesItsPart) {
+    Classroom room = classOfOne();
+    const Result<Rubric> rubric = readRubricText(
+        "[[check]]\ndrawn = true\npoints = 8\n[[check]]\nuses = \"mix\"\npoints = 2\nbonus = true\n"
+        "[late]\ndue = \"2026-11-20 23:59\"\nper-day = 0.1\nmost = 0.5\n",
+        "class.toml");
+    ASSERT_TRUE(rubric);
+    Entry& entry = room.entries[0];
+    const auto pointsFor = [&](const HandedIn& handedIn) {
+        giveMarks(*rubric, room, handedIn, entry);
+        return std::round(pointsOf(entry).value_or(-1) * 100) / 100;
+    };
+    EXPECT_EQ(pointsFor({}), 10);
+    EXPECT_EQ(mostPoints(room), 8);
+    EXPECT_EQ(pointsFor({{}, "2026-11-20 23:59", false}), 10);
+    EXPECT_EQ(pointsFor({{}, "2026-11-21 00:00", false}), 9);
+    EXPECT_EQ(entry.lateReason, "1 day late, 10 % less");
+    EXPECT_EQ(pointsFor({{}, "2026-11-22T00:00:10Z", false}), 8);
+    EXPECT_EQ(pointsFor({3.0, {}, false}), 7);
+    EXPECT_EQ(pointsFor({{}, {}, true}), 9);
+    EXPECT_EQ(pointsFor({400.0, {}, false}), 5);
+}
+
+TEST(Rubrics, TimesAreRead) {
+    EXPECT_EQ(daysBetween("2026-02-28", "2026-03-01 00:00"), 1);
+    EXPECT_EQ(daysBetween("2028-02-28", "2028-03-01 23:59"), 2) << "a leap year";
+    EXPECT_EQ(daysBetween("2026-11-20", "2026-11-01"), 0);
+    for (const char* each : {"", "soon", "2026-13-01", "2026-02-30", "2026-11-20 25:00", "2026-11"})
+        EXPECT_FALSE(daysBetween(each, "2026-11-20")) << each;
+}
+
+TEST(Rubrics, MistakesHaveTheirPlace) {
+    const auto idOf = [](const std::string& text) {
+        const Result<Rubric> rubric = readRubricText(text, "class.toml");
+        return rubric || rubric.diagnostics.empty() ? std::string("none") : rubric.diagnostics[0].id;
+    };
+    EXPECT_EQ(idOf("[[check]]\nuses = \"mix\"\navoids = \"mix\"\n"), "suite-E24");
+    EXPECT_EQ(idOf("[[check]]\nname = \"x\"\n"), "suite-E24");
+    EXPECT_EQ(idOf(""), "suite-E24");
+    EXPECT_EQ(idOf("[[check]]\ndrawn = true\n[[check]]\ndrawn = true\n"), "suite-E25");
+    EXPECT_EQ(idOf("[[check]]\ndrawn = true\npoint = 3\n"), "suite-E02");
+    EXPECT_EQ(idOf("[[check]]\nstage = \"pixel\"\n"), "suite-E03");
+    EXPECT_EQ(idOf("[[check]]\nlike = 2\n"), "suite-E04");
+    EXPECT_EQ(idOf("[[check]]\nlike"), "suite-E01");
+    EXPECT_EQ(idOf("[[check]]\ndrawn = true\n[late]\ndue = \"tomorrow\"\n"), "suite-E03");
+    const Result<Rubric> rubric = readRubricText(
+        "[[check]]\nreacts = \"uBd\"\n[[check]]\nlike = 0.5\nat = \"uAd=7\"\n[[check]]\nreacts = \"uAd\"\n",
+        "x");
+    ASSERT_TRUE(rubric);
+    const Classroom room = classOfOne();
+    EXPECT_EQ(problemsOf(*rubric, room.moments, room.sliders, true).size(), 2U);
+    EXPECT_EQ(problemsOf(*rubric, room.moments, room.sliders, false).size(), 3U);
+}
+
+TEST(TeachersMarks, ReplacePointsAndSurvive) {
+    const suite::Folder made;
+    TeacherMarks marks;
+    marks["ana"] = {{{"is drawn", 1.5}, {"gone", 3}}, "well\ndone \"x\""};
+    suite::writeText(made / kMarksFile, toText(marks));
+    const Result<TeacherMarks> read = readTeacherMarks(made.path());
+    ASSERT_TRUE(read);
+    Classroom room = classOfOne();
+    Entry& entry = room.entries[0];
+    giveMarks(*readRubricText("[[check]]\ndrawn = true\npoints = 2\n", "x"), room, {}, entry);
+    applyTeacherMarks(*read, entry);
+    EXPECT_EQ(pointsOf(entry), 1.5);
+    EXPECT_TRUE(entry.marks[0].isOwn);
+    EXPECT_EQ(entry.comment, "well\ndone \"x\"");
+    TeacherMarks wild;
+    wild["ana"].points["is drawn"] = 1e9;
+    applyTeacherMarks(wild, entry);
+    EXPECT_EQ(pointsOf(entry), 2);
+    EXPECT_TRUE(readTeacherMarks(made / "missing")->empty());
+    suite::writeText(made / kMarksFile, "{\"ana\": 3}");
+    EXPECT_FALSE(readTeacherMarks(made.path()));
+}
+
+}  // namespace
+}  // namespace glibra::classroom

@@ -1,0 +1,351 @@
+// `glibra class` with what learning platforms export, with free colours, models and cameras, and with
+// rubrics.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "base/sandbox.h"
+#include "program.h"
+
+namespace glibra::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Dots of an assignment: their sizes are sliders.
+std::string dots(const std::string& ground, const std::string& spot, const std::string& size = "uAd",
+                 const std::string& shade = ".3 + .7 * abs(normalize(vN).z)") {
+    return "#version 330 core\nin vec3 vN; in vec2 vST; out vec4 f;\nuniform float uAd, uTol;\nvoid main() "
+           "{\n"
+           "  float d = " +
+           size +
+           ";\n"
+           "  vec2 at = (floor(vST / d) + .5) * d;\n  float e = length((vST - at) / (d / 2.));\n"
+           "  float t = 1. - smoothstep(1. - uTol, 1. + uTol, e);\n"
+           "  f = vec4((" +
+           shade + ") * mix(vec3(" + ground + "), vec3(" + spot + "), t), 1.);\n}\n";
+}
+
+class ClassInput : public testing::Test {
+  protected:
+    static std::string sceneWith(const std::string& model = "Sphere 1 60 60",
+                                 const std::string& eye = "0 0 2.6") {
+        return "Perspective 70\nLookAt " + eye +
+               " 0 0 0 0 1 0\nVertex a.vert\nFragment a.frag\n"
+               "Program P uAd <.01 .12 .5> uTol <0. .05 1.>\n" +
+               model + "\n";
+    }
+    void writeScene(const std::string& where, const std::string& fragment,
+                    const std::string& scene = sceneWith()) const {
+        folder.write(where + "a.vert",
+                     "#version 330 core\nout vec3 vN; out vec2 vST;\nvoid main() { vN = uNormalMatrix * "
+                     "aNormal; vST = "
+                     "aTexCoord0.st; gl_Position = uModelViewProjectionMatrix * aVertex; }\n");
+        folder.write(where + "a.frag", fragment);
+        folder.write(where + "a.glib", scene);
+    }
+    void SetUp() override { writeScene("ref/", kReference); }
+    [[nodiscard]] Finished run(const std::string& more,
+                               const std::string& reference = "--reference ref/a.glib ") const {
+        return glibra(folder.path(), "class all " + reference + "-o site --size 128x128 " + more);
+    }
+    /// The fields of the table by submission and column. The names of this file have no commas.
+    [[nodiscard]] std::map<std::string, std::map<std::string, std::string>> grades() const {
+        std::map<std::string, std::map<std::string, std::string>> all;
+        std::vector<std::vector<std::string>> rows;
+        std::string text = readFile(folder / "site/grades.csv");
+        if (text.starts_with("\xEF\xBB\xBF")) text = text.substr(3);
+        bool quoted = false;
+        rows.push_back({""});
+        for (const char each : text) {
+            if (each == '"')
+                quoted = !quoted;
+            else if (each == ',' && !quoted)
+                rows.back().emplace_back();
+            else if (each == '\n')
+                rows.push_back({""});
+            else if (each != '\r')
+                rows.back().back() += each;
+        }
+        for (std::size_t i = 1; i + 1 < rows.size(); ++i)
+            for (std::size_t k = 0; k < std::min(rows[0].size(), rows[i].size()); ++k)
+                all[rows[i][0]][rows[0][k]] = rows[i][k];
+        return all;
+    }
+    [[nodiscard]] std::string page() const { return readFile(folder / "site/index.html"); }
+
+    const std::string kReference = dots("1.,.5,0.", "1.,1.,1.");
+    Folder folder;
+};
+
+TEST_F(ClassInput, LikenessOrdersSubmissionsAsAPersonDoes) {
+    // The best first; those of one letter are about as good.
+    writeScene("all/a1 same/", kReference);
+    writeScene("all/a2 other colours/", dots(".1,.2,.7", ".9,.9,.1"));
+    writeScene("all/a3 inverted/", dots("1.,1.,1.", ".1,.4,.1"));
+    writeScene("all/b1 camera/", kReference, sceneWith("Sphere 1 60 60", "1.6 1.2 1.8"));
+    writeScene("all/b2 farther/", kReference, sceneWith("Sphere 1 60 60", "0 0 4"));
+    writeScene("all/b3 torus/", dots(".2,.3,.9", "1.,1.,1."), sceneWith("Torus 1 .5 40 60", "0 0 3.2"));
+    writeScene("all/c1 half as large/", dots("1.,.5,0.", "1.,1.,1.", "(uAd * 2.5)"));
+    writeScene("all/d1 plain/", dots("1.,.5,0.", "1.,.5,0."));
+    writeScene("all/d2 one colour/", dots("1.,.5,0.", "1.,.5,0.", "uAd", "1."));
+    writeScene("all/e1 nothing/",
+               "#version 330 core\nuniform float uAd, uTol;\nout vec4 f;\nvoid main() { discard; }\n");
+    writeScene("all/e2 behind/", kReference, sceneWith("Translate 0 0 30\nSphere 1 60 60"));
+    const Finished done = run("--sweep 'uAd = [.12, .2]'");
+    ASSERT_EQ(done.status, 0) << done.err;
+    auto table = grades();
+    std::map<char, std::pair<double, double>> range;  // of each letter
+    for (auto& [name, row] : table) {
+        if (name[0] == 'e') {
+            EXPECT_EQ(row["state"], "nothing") << name;
+            EXPECT_EQ(row["likeness"], "0.00000") << name;
+            continue;
+        }
+        EXPECT_EQ(row["state"], "drawn") << name;
+        const double value = std::stod(row["likeness"]);
+        auto [known, isNew] = range.try_emplace(name[0], value, value);
+        known->second.first = std::min(known->second.first, value);
+        known->second.second = std::max(known->second.second, value);
+    }
+    for (char each = 'a'; each < 'd'; ++each)
+        EXPECT_GT(range[each].first, range[static_cast<char>(each + 1)].second)
+            << each << "\n"
+            << readFile(folder / "site/grades.csv");
+    EXPECT_EQ(table["a1 same"]["likeness"], "1.00000");
+    EXPECT_GT(range['a'].first, .85);
+    EXPECT_LT(range['d'].second, .35);
+    for (const char* each : {"a2 other colours", "b3 torus", "c1 half as large"})
+        EXPECT_EQ(table[each]["reacts uAd"], "yes") << each;
+    EXPECT_EQ(table["d1 plain"]["reacts uAd"], "no");
+    EXPECT_TRUE(contains(done.err, "2 drawn without anything to see")) << done.err;
+    // FLIP alone prefers the empty picture to other colours: that is why there is a verdict.
+    EXPECT_TRUE(contains(page(), "it draws nothing that is seen"));
+}
+
+TEST_F(ClassInput, ReactionsAreMeasuredAgainstTheSubmissionItself) {
+    writeScene("all/ana/", dots(".2,.2,.8", "1.,1.,0."));
+    writeScene("all/bob/", dots("1.,.5,0.", "1.,1.,1.", ".12"));
+    writeScene("all/cem/", dots("1.,.5,0.", "1.,1.,1.", "uAd + 0. * uTol"));
+    const Finished done = run("--sweep 'uAd = [.12, .25]' --sweep 'uTol = [0, .6]'");
+    ASSERT_EQ(done.status, 0) << done.err;
+    auto table = grades();
+    EXPECT_EQ(table["ana"]["reacts uAd"], "yes");
+    EXPECT_EQ(table["ana"]["reacts uTol"], "yes");
+    EXPECT_EQ(table["bob"]["reacts uAd"], "no");
+    EXPECT_EQ(table["bob"]["reacts uTol"], "yes");
+}
+
+TEST_F(ClassInput, AMisspeltSliderEndsTheRunBeforeAnythingIsDrawn) {
+    writeScene("all/ana/", kReference);
+    ASSERT_EQ(run("").status, 0);
+    const std::string before = folder.listing(), html = page();
+    for (const char* wrong : {"--set uAdd=.3", "--sweep 'uAdd = [.1, .2]'", "--set P:uAdd=.3",
+                              "--sweep 'uTol = [0, 1]' --sweep 'uAdd = [.1, .2]'"}) {
+        const Finished done = run(wrong);
+        EXPECT_EQ(done.status, 2) << wrong << done.err;
+        EXPECT_TRUE(contains(done.err, "suite-E19")) << done.err;
+        EXPECT_TRUE(contains(done.err, "did you mean 'uAd'?")) << done.err;
+        EXPECT_EQ(folder.listing(), before) << wrong;
+        EXPECT_EQ(page(), html) << wrong;
+        EXPECT_EQ(run(wrong, "").status, 2) << "without a reference, too";
+    }
+    writeScene("all/bob/", "#version 330 core\nout vec4 f;\nvoid main() { f = vec4(1.); }\n");
+    EXPECT_EQ(run("--set uAd=.3").status, 0) << "one that a student lacks is no mistake of the teacher";
+}
+
+TEST_F(ClassInput, WithoutAReferenceThePageIsAContactSheet) {
+    writeScene("all/ana/", kReference);
+    writeScene("all/bob/", dots(".1,.2,.7", ".9,.9,.1"));
+    const Finished done = run("--time 0 --time 1", "");
+    ASSERT_EQ(done.status, 0) << done.err;
+    EXPECT_TRUE(contains(done.err, "2 submissions: 2 drawn"));
+    EXPECT_FALSE(contains(page(), "the reference\""));
+    EXPECT_FALSE(contains(page(), "id=\"reference\""));
+    EXPECT_FALSE(contains(page(), "{{"));
+    EXPECT_TRUE(fs::exists(folder / "site/pictures/0002-2.png"));
+    EXPECT_FALSE(fs::exists(folder / "site/pictures/0000-1.png"));
+    EXPECT_EQ(grades()["ana"]["flip"], "");
+}
+
+TEST_F(ClassInput, IncompleteScenesAreShownAsFarAsTheyCanBeDrawn) {
+    writeScene("all/ana/", kReference, sceneWith("Sphere 1 60 60\nObj missing.obj"));
+    const Finished done = run("");
+    ASSERT_EQ(done.status, 0) << done.err;
+    auto table = grades();
+    EXPECT_EQ(table["ana"]["state"], "failed");
+    EXPECT_EQ(table["ana"]["likeness"], "");
+    EXPECT_TRUE(fs::exists(folder / "site/pictures/0001-1.png"));
+    EXPECT_TRUE(contains(page(), "incomplete: the scene has errors"));
+    const std::string html = page();
+    EXPECT_LT(html.find("missing.obj"), html.find("pictures/0001-1.png")) << "the error comes first";
+    EXPECT_TRUE(contains(html, "class=\"named\">Obj missing.obj")) << "the line of the message";
+}
+
+TEST_F(ClassInput, AnExportOfMoodleBecomesATableThatMoodleImports) {
+    writeScene("all/Ana Lee_1001_assignsubmission_file_/", kReference);
+    writeScene("all/Bob Ray_1002_assignsubmission_file_/", dots(".1,.2,.7", ".9,.9,.1", ".12"));
+    folder.write("all/Cem \xC3\x96z_1003_assignsubmission_file_/a.glib.txt", "Sphere\n");
+    folder.write("grades.csv",
+                 "Identifier,Full name,Email address,Grade,Feedback comments,submitted\r\n"
+                 "Participant 1001,Ana Lee,ana@x.org,,,2026-11-20 12:00\r\n"
+                 "Participant 1002,Bob Ray,bob@x.org,,,2026-11-22 12:00\r\n"
+                 "Participant 1003,Cem \xC3\x96z,cem@x.org,,,\r\nParticipant 1004,Zoe,zoe@x.org,,,\r\n");
+    folder.write(
+        "class.toml",
+        "[[check]]\nname = \"dots\"\nlike = 0.8\npoints = 5\n[[check]]\nreacts = \"uAd\"\npoints = 3\n"
+        "[[check]]\nslider = \"uTol\"\nrange = [0, 1]\npoints = 2\n"
+        "[late]\ndue = \"2026-11-20 23:59\"\nper-day = 0.1\n");
+    const Finished done = run(
+        "--names moodle --roster grades.csv --rubric class.toml --sweep 'uAd = [.12, .3]' --student-pages");
+    ASSERT_EQ(done.status, 0) << done.err;
+    auto table = grades();
+    EXPECT_EQ(table["Ana Lee"]["points"], "10.00000");
+    EXPECT_EQ(table["Ana Lee"]["number"], "1001");
+    EXPECT_EQ(table["Bob Ray"]["points changes with uAd"], "0.00000");
+    EXPECT_EQ(table["Bob Ray"]["late"], "2 days late, 20 % less");
+    EXPECT_EQ(table["Cem \xC3\x96z"]["points"], "0.00000");
+    EXPECT_TRUE(readFile(folder / "site/grades.csv").starts_with("\xEF\xBB\xBF"));
+    const std::string import = readFile(folder / "site/import-moodle.csv");
+    EXPECT_TRUE(
+        import.starts_with("Identifier,Full name,Email address,Grade,Feedback comments,submitted\r\n"));
+    EXPECT_TRUE(contains(import, "Participant 1001,Ana Lee,ana@x.org,10.00,")) << import;
+    EXPECT_TRUE(contains(import, "Participant 1004,Zoe,zoe@x.org,,,\r\n")) << import;
+    EXPECT_TRUE(contains(page(), "These students of the roster handed in nothing"));
+    // Bob's own page says nothing of the others.
+    const std::string own = readFile(folder / "site/students/Bob Ray.html");
+    EXPECT_TRUE(contains(own, "data:image/png;base64,iVBOR"));
+    EXPECT_TRUE(contains(own, "2 days late"));
+    for (const char* each :
+         {"Ana", "Cem", "like that of", "<script", "src=\"pictures", folder.path().c_str()})
+        EXPECT_FALSE(contains(own, each)) << each;
+}
+
+TEST_F(ClassInput, ZipFilesAndFlatFilesAreDrawnInASandboxToo) {
+    writeScene("flat/", kReference);
+    for (const char* each : {"a.glib", "a.frag", "a.vert"})
+        folder.write(fmt::format("all/leeana_12_{}_{}", 30 + each[2], each),
+                     readFile(folder / ("flat/" + std::string(each))));
+    ASSERT_EQ(shell(folder / "flat",
+                    "python3 -m zipfile -c ../all/rayb_LATE_13_99_hand-in.zip a.glib a.frag a.vert")
+                  .status,
+              0);
+    ASSERT_EQ(shell(folder / "flat", "python3 -m zipfile -c ../all/cem.zip a.glib a.frag a.vert").status, 0);
+    std::vector<std::string> ways{""};
+    if (base::missingForSandbox().empty()) ways.emplace_back("--untrusted ");
+    for (const std::string& each : ways) {
+        const Finished done = run(each + "--names canvas --assignment 'P2 (7)'");
+        ASSERT_EQ(done.status, 0) << done.err;
+        auto table = grades();
+        for (const char* name : {"leeana", "rayb", "cem"})
+            EXPECT_EQ(table[name]["likeness"], "1.00000") << each << name << table[name]["reason"];
+        EXPECT_EQ(table["leeana"]["number"], "12");
+        EXPECT_TRUE(readFile(folder / "site/import-canvas.csv")
+                        .starts_with("Student,ID,SIS User ID,SIS Login ID,Section,P2 (7)\r\n"));
+    }
+}
+
+TEST_F(ClassInput, TheTeachersPointsSurviveANewRun) {
+    writeScene("all/ana/", kReference);
+    folder.write(
+        "class.toml",
+        "[[check]]\ndrawn = true\npoints = 4\n[[check]]\nname = \"report\"\nby-hand = true\npoints = 6\n");
+    ASSERT_EQ(run("--rubric class.toml").status, 0);
+    EXPECT_EQ(grades()["ana"]["points"], "4.00000");
+    folder.write("site/marks.json",
+                 "{\"ana\": {\"points\": {\"report\": 5.5}, \"comment\": \"a <b>good</b> text\"}}");
+    ASSERT_EQ(run("--rubric class.toml").status, 0);
+    EXPECT_EQ(grades()["ana"]["points"], "9.50000");
+    EXPECT_EQ(grades()["ana"]["comment"], "a <b>good</b> text");
+    EXPECT_TRUE(contains(page(), "a &lt;b&gt;good&lt;/b&gt; text"));
+    folder.write("site/marks.json", "not JSON");
+    EXPECT_EQ(run("--rubric class.toml").status, 3) << "what was typed is not overwritten";
+    EXPECT_EQ(readFile(folder / "site/marks.json"), "not JSON");
+}
+
+TEST_F(ClassInput, PointsTypedOnTheServedPageAreKept) {
+    writeScene("all/ana/", kReference);
+    writeScene("all/bob/", kReference);
+    folder.write("class.toml", "[[check]]\nname = \"report\"\nby-hand = true\npoints = 6\n");
+    // A browser, and what is none: another origin, a form, a path of the disk, an entry that does not exist.
+    folder.write("browser.py", R"(
+import json, re, signal, subprocess, sys, urllib.error, urllib.request
+run = subprocess.Popen(sys.argv[1:], stderr=subprocess.PIPE, text=True)
+for line in run.stderr:
+    found = re.search(r"http://127.0.0.1:[0-9]+/[0-9a-f]+/", line)
+    if found: break
+else: sys.exit("no address")
+address = found.group()
+def ask(path, body=None, **headers):
+    data = None if body is None else json.dumps(body).encode() if isinstance(body, dict) else body
+    if data is not None: headers.setdefault("Content_Type", "application/json")
+    headers = {name.replace("_", "-"): value for name, value in headers.items()}
+    try:
+        with urllib.request.urlopen(urllib.request.Request(address + path, data, headers)) as reply:
+            return reply.status, reply.read()
+    except urllib.error.HTTPError as problem: return problem.code, problem.read()
+page = ask("")[1].decode()
+assert "grade.js" in page and "connect-src 'self'" in page, page[:800]
+assert ask("grade.js")[0] == ask("class.js")[0] == ask("grades.csv")[0] == 200
+assert ask("pictures/0001-1.png")[1][1:4] == b"PNG"
+change = {"entry": 1, "check": "report", "points": 4.5}
+assert ask("marks", change, Origin="http://example.org")[0] >= 400
+assert ask("marks", b"entry=1", Content_Type="application/x-www-form-urlencoded")[0] >= 400
+for path in ("../class.toml", "marks.json", "class.toml", "%2e%2e/class.toml", "pictures/..%2fmarks.json"):
+    assert ask(path)[0] >= 400, path
+for wrong in ({"entry": 7, "comment": ""}, {"entry": -1, "comment": ""}, {"entry": 1, "check": "x", "points": 1},
+              {"entry": 1, "check": "report"}, {"entry": 1, "check": "report", "points": "many"}, {}):
+    assert ask("marks", wrong)[0] == 400, wrong
+status, reply = ask("marks", change)
+assert status == 200 and json.loads(reply)["points"] == 4.5, reply
+assert ask("marks", {"entry": 0, "comment": "well <done>"})[0] == 200
+assert "well &lt;done&gt;" in ask("")[1].decode()
+run.send_signal(signal.SIGINT)
+assert run.wait(20) == 0
+)");
+    const std::string command =
+        fmt::format("class all --reference ref/a.glib -o site --size 64x64 --rubric class.toml --serve");
+    const Finished done =
+        shell(folder.path(), "timeout 60 python3 browser.py '" GLIBRA_BINARY_DIR "/glibra' " + command);
+    ASSERT_EQ(done.status, 0) << done.out << done.err;
+    EXPECT_EQ(grades()["bob"]["points"], "4.50000") << "the table of the server";
+    EXPECT_TRUE(contains(page(), "well &lt;done&gt;"));
+    ASSERT_EQ(run("--rubric class.toml").status, 0);
+    EXPECT_EQ(grades()["bob"]["points"], "4.50000");
+    EXPECT_EQ(grades()["ana"]["comment"], "well <done>");
+    EXPECT_FALSE(contains(page(), "grade.js"));
+}
+
+TEST_F(ClassInput, AnonymousPagesShowNoNames) {
+    writeScene("all/ana-lee/", kReference);
+    writeScene("all/bob-ray/", "#version 330 core\nout vec4 f;\nvoid main() { f = vec4(nothing); }\n");
+    folder.write("all/cem-oz/readme.txt", "");
+    const Finished done = run("--anonymous");
+    ASSERT_EQ(done.status, 0) << done.err;
+    for (const char* each : {"ana-lee", "bob-ray", "cem-oz"}) {
+        EXPECT_FALSE(contains(page(), each)) << each;
+        EXPECT_TRUE(contains(readFile(folder / "site/names.csv"), each));
+        EXPECT_TRUE(contains(readFile(folder / "site/grades.csv"), each));
+    }
+    for (const char* each : {"Submission 01", "Submission 02", "Submission 03"})
+        EXPECT_TRUE(contains(page(), each));
+}
+
+TEST_F(ClassInput, WrongNamesAndRubricsAreMistakesOfTheCommandLine) {
+    writeScene("all/ana/", kReference);
+    folder.write("bad.toml", "[[check]]\ndrawn = true\nuses = \"mix\"\n");
+    folder.write("sweepless.toml", "[[check]]\nreacts = \"uAd\"\n");
+    folder.write("bad.csv", "colour\nred\n");
+    for (const char* each : {"--names moodel", "--scene-of ana", "--roster bad.csv", "--roster missing.csv",
+                             "--rubric bad.toml", "--rubric sweepless.toml", "--rubric missing.toml"})
+        EXPECT_EQ(run(each).status, 2) << each;
+    EXPECT_FALSE(fs::exists(folder / "site/index.html"));
+}
+
+}  // namespace
+}  // namespace glibra::test

@@ -1,0 +1,204 @@
+#include "editor/completion.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "editor/declared_names.h"
+#include "editor/glsl_reference.h"
+#include "editor/reference.h"
+
+namespace glibra::test {
+namespace {
+
+using editor::CodeContext;
+using editor::Completion;
+using source::CodeLanguage;
+
+/// The completions at the '|' of a text.
+std::vector<Completion> at(std::string text, const CodeContext& context = {}) {
+    const std::size_t cursor = text.find('|');
+    text.erase(cursor, 1);
+    return editor::completionsAt(text, cursor, context);
+}
+
+const Completion* find(const std::vector<Completion>& all, std::string_view word) {
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const Completion& each) { return each.word == word; });
+    return found == all.end() ? nullptr : &*found;
+}
+
+CodeContext scene() {
+    CodeContext context;
+    context.language = CodeLanguage::glib;
+    return context;
+}
+
+TEST(Completion, ProposesWhatTheShaderDeclaresFirst) {
+    const std::string shader =
+        "#version 330\n#define SHARP 2\nuniform float uShare, uKa; in vec3 vNormal[3];\nstruct Light { vec3 "
+        "color; };\n"
+        "float shade(vec3 n, float r) { float shadow = 1.; return sh|";
+    const auto words = at(shader);
+    ASSERT_GE(words.size(), 2U);
+    EXPECT_EQ(words[0].word, "shade");
+    EXPECT_EQ(words[0].type, "float shade(vec3 n, float r)");
+    EXPECT_EQ(words[1].word, "shadow");
+    EXPECT_EQ(words[1].type, "float");
+    EXPECT_TRUE(find(words, "SHARP")) << "in any case";
+    ASSERT_TRUE(find(at("#version 330\nin vec3 vNormal[3];\nvN|"), "vNormal"));
+    EXPECT_EQ(find(at("#version 330\nin vec3 vNormal[3];\nvN|"), "vNormal")->type, "vec3[3]");
+    EXPECT_TRUE(find(at("struct Light { vec3 color; };\nLi|"), "Light"));
+}
+
+TEST(Completion, ShowsTypesOfTheNamesThatGlibraSupplies) {
+    const auto matrices = at("#version 330\nvoid main() { uModelV|");
+    ASSERT_TRUE(find(matrices, "uModelViewMatrix"));
+    EXPECT_EQ(find(matrices, "uModelViewMatrix")->type, "mat4");
+    EXPECT_EQ(find(at("Ti|"), "Timer")->type, "float");
+    CodeContext vertex, fragment;
+    vertex.stage = glsl::Stage::vertex;
+    fragment.stage = glsl::Stage::fragment;
+    EXPECT_TRUE(find(at("aVer|", vertex), "aVertex"));
+    EXPECT_FALSE(find(at("aVer|", fragment), "aVertex")) << "an input of the vertex stage";
+}
+
+TEST(Completion, KnowsTheWordsOfTheVersionAndTheStage) {
+    EXPECT_TRUE(find(at("#version 120\ntexture2|"), "texture2D"));
+    EXPECT_FALSE(find(at("#version 330\ntexture2|"), "texture2D"));
+    EXPECT_FALSE(find(at("#version 120\ntexelF|"), "texelFetch"));
+    EXPECT_EQ(find(at("#version 330\nsmoo|"), "smoothstep")->type, "T smoothstep(T low, T high, T x)");
+    EXPECT_TRUE(find(at("#version 330\nunif|"), "uniform"));
+    EXPECT_TRUE(find(at("#version 400\ndve|"), "dvec3"));
+    EXPECT_FALSE(find(at("#version 330\ndve|"), "dvec3"));
+    CodeContext fragment, vertex;
+    fragment.stage = glsl::Stage::fragment;
+    vertex.stage = glsl::Stage::vertex;
+    EXPECT_TRUE(find(at("#version 330\ndFd|", fragment), "dFdx"));
+    EXPECT_FALSE(find(at("#version 330\ndFd|", vertex), "dFdx"));
+}
+
+TEST(Completion, ProposesNamesOfTheScene) {
+    CodeContext context;
+    context.names = {{"uOvalSize", "float", "a uniform of Ovals", ".25", CodeLanguage::glsl}};
+    const auto words = at("#version 330\nvoid main() { float a = uOv|", context);
+    ASSERT_TRUE(find(words, "uOvalSize"));
+    EXPECT_EQ(find(words, "uOvalSize")->what, "a uniform of Ovals");
+}
+
+TEST(Completion, SaysNothingInCommentsNumbersAndAfterAPoint) {
+    EXPECT_TRUE(at("// mi|").empty());
+    EXPECT_TRUE(at("/* a\nmi| */").empty());
+    EXPECT_FALSE(at("/* a */ mi|").empty());
+    EXPECT_TRUE(at("float a = 1e|").empty());
+    EXPECT_TRUE(at("v.mi|").empty());
+    EXPECT_TRUE(at("uniform float uOnlyThis; uOnlyThis|").empty()) << "it stands there already";
+    EXPECT_TRUE(at("# Sph|", scene()).empty());
+}
+
+TEST(Completion, ProposesCommandsAndStatementsAtTheBeginningOfALine) {
+    const auto words = at("WindowSize 300 300\n  Sph|", scene());
+    ASSERT_TRUE(find(words, "Sphere"));
+    EXPECT_EQ(find(words, "Sphere")->type, "command");
+    EXPECT_FALSE(find(words, "Sphere")->what.empty());
+    EXPECT_TRUE(find(at("EndPa|", scene()), "EndPass"));
+    EXPECT_FALSE(find(at("Sphere Sph|", scene()), "Sphere"));
+}
+
+TEST(Completion, ProposesKeysOfTheStatementAndDeclaredNames) {
+    EXPECT_TRUE(find(at("Camera eye LookAt 0 0 5 0 0 0 0 1 0 Persp|", scene()), "Perspective"));
+    EXPECT_TRUE(find(at("Texture2D glow 64 64 rgba8 lin|", scene()), "linear"));
+    EXPECT_TRUE(find(at("Texture2D glow 64 64 rgba8 \\\n    lin|", scene()), "linear")) << "over two lines";
+    EXPECT_EQ(find(at("Texture2D glow 64 64 rgba8\nPass into gl|", scene()), "glow")->type, "Texture2D");
+    EXPECT_TRUE(find(at("Let size <.2 .5 1>\nSphere (si|", scene()), "size"));
+    EXPECT_EQ(find(at("Sphere (smo|", scene()), "smoothstep")->word, "smoothstep");
+    EXPECT_TRUE(find(at("Sphere (ti|", scene()), "time"));
+}
+
+TEST(Completion, SpeaksGlslInShadersOfTheScene) {
+    const std::string text =
+        "Fragment inline\n#version 330\nuniform float uLocal;\nvoid main() { uLo| }\nEndFragment\nSphere 1\n";
+    const auto words = at(text, scene());
+    ASSERT_TRUE(find(words, "uLocal"));
+    EXPECT_TRUE(find(at("Fragment inline\n#version 330\ndFd|\nEndFragment\n", scene()), "dFdx"));
+    EXPECT_TRUE(find(at("Fragment inline\nvoid main() {}\nEndFragment\nSph|", scene()), "Sphere"));
+    EXPECT_TRUE(find(at("Compute inline\nvoid main() {}\nEndC|", scene()), "EndCompute"));
+    EXPECT_TRUE(find(at("Fragment a.frag\nSph|", scene()), "Sphere")) << "a file begins no shader";
+}
+
+TEST(DeclaredNames, ReadsIncompleteCode) {
+    const auto names = editor::declaredNames(
+        "uniform Block { mat4 m; } inst;\nvoid main( { vec3 n = vec3(1., 2., 3.), k; for (int i = 0");
+    std::string all;
+    for (const editor::DeclaredName& each : names) all += each.type + " " + each.name + "; ";
+    EXPECT_EQ(all, "block Block; mat4 m; void main; vec3 n; vec3 k; int i; ");
+}
+
+TEST(DeclaredNames, KnowsWhatIsAnInterface) {
+    for (const editor::DeclaredName& each : editor::declaredNames(
+             "uniform vec2 uA, uB; flat in int vC; float f(in vec3 n, out float r) { float x; }"))
+        EXPECT_EQ(each.isInterface, each.name == "uA" || each.name == "uB" || each.name == "vC") << each.name;
+}
+
+TEST(GlslTable, HasEveryNameOnceWithItsOwnSignature) {
+    std::vector<std::string_view> names;
+    for (const editor::GlslRow& each : editor::glslTable()) {
+        names.push_back(each.name);
+        EXPECT_NE(each.signature.find(each.name), std::string_view::npos) << each.name;
+        EXPECT_LT(each.since, each.until) << each.name;
+        EXPECT_FALSE(each.summary.empty()) << each.name;
+    }
+    std::sort(names.begin(), names.end());
+    EXPECT_EQ(std::adjacent_find(names.begin(), names.end()), names.end());
+}
+
+TEST(Reference, GivesTheEntryOfAWord) {
+    const auto entry = editor::referenceOf("sphere", CodeLanguage::glib, {});
+    EXPECT_EQ(entry.word, "Sphere");
+    ASSERT_EQ(entry.code.size(), 1U);
+    EXPECT_TRUE(entry.code[0].starts_with("Sphere [radius = 1]")) << entry.code[0];
+    EXPECT_NE(entry.chapter.find("docs/language.md"), std::string::npos);
+    EXPECT_EQ(editor::referenceOf("smoothstep", CodeLanguage::glsl, {}).code.at(0),
+              "T smoothstep(T low, T high, T x)");
+    EXPECT_EQ(editor::referenceOf("Timer", CodeLanguage::glsl, {}).code.at(0), "uniform float Timer");
+    EXPECT_EQ(editor::referenceOf("aVertex", CodeLanguage::glsl, {}).code.at(0), "in vec4 aVertex");
+    EXPECT_EQ(editor::referenceOf("EndPass", CodeLanguage::glib, {}).word, "EndPass");
+}
+
+TEST(Reference, SuggestsTheNearestWord) {
+    const auto entry = editor::referenceOf("smothstep", CodeLanguage::glsl, {});
+    EXPECT_TRUE(entry.word.empty());
+    EXPECT_EQ(entry.text, "there is no entry for 'smothstep'; did you mean 'smoothstep'?");
+}
+
+TEST(Reference, ShowsTheDeclarationAndTheValueOfAName) {
+    CodeContext context;
+    context.names = {{"uKd", "float", "a uniform of P", "0.25", CodeLanguage::glsl}};
+    const std::string text = "#version 330\nuniform float uKd;\nvoid main() { float a = uKd; }\n";
+    const auto entry = editor::referenceAt(text, text.rfind("uKd") + 1, context);
+    EXPECT_EQ(entry.word, "uKd");
+    EXPECT_EQ(entry.code, std::vector<std::string>{"uniform float uKd"});
+    EXPECT_EQ(entry.text, "declared in line 2");
+    EXPECT_EQ(entry.value, "0.25");
+    EXPECT_EQ(editor::referenceAt(text, text.find('{'), context).word, "");
+}
+
+TEST(NameNear, IsTheWordAtTheCursorOrTheLastNameBeforeItInTheLine) {
+    const auto near = [](std::string_view marked) {
+        std::string text(marked);
+        const std::size_t at = text.find('|');
+        text.erase(at, 1);
+        const editor::TextRange range = editor::nameNear(text, at);
+        return text.substr(range.begin, range.end - range.begin);
+    };
+    EXPECT_EQ(near("c = mi|x(a, b)"), "mix");
+    EXPECT_EQ(near("c = mix(|"), "mix");
+    EXPECT_EQ(near("c = mix( .5, 1|0."), "mix") << "numbers are no names";
+    EXPECT_EQ(near("a;\n  |b"), "b");
+    EXPECT_EQ(near("a;\n |"), "") << "the line above is not looked at";
+    EXPECT_EQ(near("|"), "");
+}
+
+}  // namespace
+}  // namespace glibra::test

@@ -1,0 +1,50 @@
+// Compares listed calls with calls made by hand.
+
+#include "gpu/context/call_trace.h"
+
+#include <array>
+
+#include "fixture.h"
+#include "gpu/context/call_counter.h"
+
+namespace glibra::gpu {
+namespace {
+
+class CallTraceTest : public test::GpuTest {};
+
+TEST_F(CallTraceTest, ListsCallsWithArgumentsUnderTheirPlaces) {
+    DebugLog log;
+    const CallCounter counter;
+    const CallTrace trace(log);
+    glEnable(GL_DEPTH_TEST);
+    log.setPlace({"scene.glib", 3, 1});
+    glActiveTexture(GL_TEXTURE0 + 2);
+    glViewport(0, 1, 20, 30);
+    glViewport(0, 1, 20, 30);
+    glPolygonOffset(.5F, -2);
+    log.setPlace({"scene.glib", 7, 1});
+    const std::array<float, 4> color{};
+    glClearBufferfv(GL_COLOR, 0, color.data());
+    glDepthMask(GL_FALSE);
+    EXPECT_EQ(trace.text(),
+              "before the first statement\n  glEnable(GL_DEPTH_TEST)\n"
+              "scene.glib:3\n  glActiveTexture(GL_TEXTURE2)\n  glViewport(0, 1, 20, 30) x 2\n"
+              "  glPolygonOffset(0.5, -2)\n"
+              "scene.glib:7\n  glClearBufferfv(GL_COLOR, 0, ...)\n  glDepthMask(GL_FALSE)\n");
+    glDepthMask(GL_TRUE);
+    glDisable(GL_DEPTH_TEST);
+}
+
+TEST_F(CallTraceTest, ListsNothingAfterItsEnd) {
+    const DebugLog log;
+    const CallCounter counter;
+    {
+        const CallTrace trace(log);
+        EXPECT_EQ(activeTrace(), &trace);
+    }
+    EXPECT_EQ(activeTrace(), nullptr);
+    glGetError();
+}
+
+}  // namespace
+}  // namespace glibra::gpu

@@ -1,0 +1,64 @@
+// Which loops may not end, so that another process draws them (LiveScene::openLoops).
+
+#include "scene_folder.h"
+#include "view/scene/live_scene.h"
+
+namespace glibra::test {
+namespace {
+
+/// The lines of the fragment shader whose loops may not end.
+std::vector<int> openLines(const std::string& body, double rounds = 10) {
+    const SceneFolder folder(
+        kHead + "Vertex a.vert\nFragment a.frag\nProgram P uN " + std::to_string(rounds) + "\nQuadXY 0 1\n",
+        {{"a.vert", kPlainVertex},
+         {"a.frag", "#version 330\nuniform float uN; out vec4 c;\nfloat f(float x) {\n" + body +
+                        "\nreturn x; }\nvoid main() { c = vec4(f(gl_FragCoord.x)); }\n"}});
+    const view::LiveScene::Loading loading = view::LiveScene::load(context(), folder.scene(), {}, nullptr);
+    EXPECT_TRUE(loading.scene && !hasError(loading.diagnostics)) << text(loading.diagnostics);
+    std::vector<int> lines;
+    for (const Place& each : loading.scene->openLoops()) lines.push_back(each.line);
+    return lines;
+}
+
+TEST(OpenLoops, AreThoseWhoseRoundsAreUnknownOrMany) {
+    const std::vector<int> none, first{4};
+    EXPECT_EQ(openLines("x += 1.;"), none);
+    EXPECT_EQ(openLines("for (int i = 0; i < 10; ++i) x *= x;"), none);
+    EXPECT_EQ(openLines("for (int i = 0; i < 10; ++i)\nfor (int j = 0; j < 10; ++j) x *= x + float(j);"),
+              none);
+    EXPECT_EQ(openLines("for (float i = 0.; i < uN; ++i) x *= x;"), none);
+    EXPECT_EQ(openLines("for (float i = 0.; i < uN; ++i) x *= x;", 1e6), first);
+    EXPECT_EQ(openLines("for (int i = 0; i < 100000; ++i) x *= x;"), first);
+    EXPECT_EQ(openLines("for (int i = 0; i < 1000; ++i)\nfor (int j = 0; j < 1000; ++j) x *= x;"), first);
+    EXPECT_EQ(openLines("for (int i = 0; i < 10; ) x *= x + 1.;"), first);
+    EXPECT_EQ(openLines("while (x > 0.) x = abs(sin(x)) + 1.;"), first);
+    EXPECT_EQ(openLines("for (;;) { x *= 2.; if (x > 1e9) break; }"), first);
+    EXPECT_EQ(openLines("do x *= 2.; while (x < 1e9);"), first);
+    EXPECT_EQ(openLines("for (int i = 0; i < 10; ++i) while (x < 9.) x *= 2.;"), first);
+    EXPECT_EQ(openLines("// while (true)\n/* for (;;) */ x += 1.;"), none);
+}
+
+TEST(EndlessLoops, AreThoseWhoseConditionNothingChanges) {
+    const auto linesOf = [](const std::string& body) {
+        const std::string shader =
+            "#version 330\nuniform float uN; out vec4 c;\nvoid main() { float x = uN; int i = 0;\n" + body +
+            "\nc = vec4(x * uN); }\n";
+        const SceneFolder folder(kHead + "Vertex a.vert\nFragment a.frag\nProgram P uN 1\nQuadXY 0 1\n",
+                                 {{"a.vert", kPlainVertex}, {"a.frag", shader}});
+        const view::LiveScene::Loading loading =
+            view::LiveScene::load(context(), folder.scene(), {}, nullptr);
+        std::vector<int> lines;
+        for (const Diagnostic& each : loading.diagnostics)
+            if (each.id == "view-W02") lines.push_back(each.place.line);
+        return lines;
+    };
+    const std::vector<int> none, first{4};
+    EXPECT_EQ(linesOf("for (int j = 0; j < 10; ) x += 1.;"), first);
+    EXPECT_EQ(linesOf("while (i < 10) { x += 1.; }"), first);
+    EXPECT_EQ(linesOf("while (i < 10) { x += 1.; ++i; }"), none);
+    EXPECT_EQ(linesOf("for (int j = 0; j < 10; ++j) x += 1.;"), none);
+    EXPECT_EQ(linesOf("while (i < 10) { x += 1.; if (x > 9.) break; }"), none);
+}
+
+}  // namespace
+}  // namespace glibra::test
