@@ -93,7 +93,7 @@ GLuint bookLocation(std::string_view book) {
 
 }  // namespace
 
-struct GLSLProgram::State {
+struct __attribute__((visibility("hidden"))) GLSLProgram::State {
     bool isVerbose = false;
     bool isGstap = true;
     std::string geometryInput;

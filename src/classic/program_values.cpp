@@ -208,19 +208,22 @@ void ProgramValues::upload(const Slot& slot, std::span<const double> values) con
     const auto count = static_cast<GLsizei>(values.size()) / slot.type.components();
     const int rows = slot.type.rows;
     if (slot.type.base == BaseType::floating) {
-        const std::vector<float> f(values.begin(), values.end());
+        std::array<float, 16> few;  // most values need no memory
+        std::vector<float> many(values.size() > few.size() ? values.size() : 0);
+        float* const f = many.empty() ? few.data() : many.data();
+        std::transform(values.begin(), values.end(), f, [](double each) { return static_cast<float>(each); });
         if (slot.type.columns > 1) {
             if (slot.type.columns == 2)
-                gl_.ProgramUniformMatrix2fv(program_, slot.location, count, GL_FALSE, f.data());
+                gl_.ProgramUniformMatrix2fv(program_, slot.location, count, GL_FALSE, f);
             if (slot.type.columns == 3)
-                gl_.ProgramUniformMatrix3fv(program_, slot.location, count, GL_FALSE, f.data());
+                gl_.ProgramUniformMatrix3fv(program_, slot.location, count, GL_FALSE, f);
             if (slot.type.columns == 4)
-                gl_.ProgramUniformMatrix4fv(program_, slot.location, count, GL_FALSE, f.data());
+                gl_.ProgramUniformMatrix4fv(program_, slot.location, count, GL_FALSE, f);
             return;
         }
         const std::array set{gl_.ProgramUniform1fv, gl_.ProgramUniform2fv, gl_.ProgramUniform3fv,
                              gl_.ProgramUniform4fv};
-        set[static_cast<std::size_t>(rows - 1)](program_, slot.location, count, f.data());
+        set[static_cast<std::size_t>(rows - 1)](program_, slot.location, count, f);
     } else if (slot.type.base == BaseType::unsignedInteger) {
         std::vector<GLuint> u;
         for (const double each : values) u.push_back(static_cast<GLuint>(integerOf(each)));

@@ -57,7 +57,7 @@ class Restored {
 
 }  // namespace
 
-struct VertexArray::State {
+struct __attribute__((visibility("hidden"))) VertexArray::State {
     /// The indices and commands for programs of one kind: those that tessellate and the others.
     struct Variant {
         DrawnIndices drawn;
@@ -173,8 +173,8 @@ void VertexArray::State::uploadVertices() {
             gl.BufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(offsets[i]),
                              static_cast<GLsizeiptr>(values.size() * sizeof(float)), values.data());
     if (isVerbose && !isUploaded)
-        complainOf("VertexArray", fmt::format("{} vertices, {} of them in {} lists are drawn", given.count(),
-                                              all.count, given.lists().size()));
+        complainOf("VertexArray", fmt::format("{} vertices, {} unique, {} lists", given.count(), all.count,
+                                              given.lists().size()));
     isUploaded = true;
 }
 

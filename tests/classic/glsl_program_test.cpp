@@ -218,7 +218,7 @@ TEST_F(ClassicProgram, WithoutGstapOnlyCoreShadersCompile) {
     GLSLProgram program;
     program.SetGstap(false);
     testing::internal::CaptureStderr();
-    EXPECT_FALSE(program.CreateFromText({{"s.vert", kOldVertex}, {"s.frag", "void main() {}\n"}}));
+    EXPECT_FALSE(program.CreateFromText({{"s.vert", kPlainVertex}, {"s.frag", "void main() {}\n"}}));
     testing::internal::GetCapturedStderr();
     EXPECT_TRUE(program.CreateFromText(
         {{"s.vert", "#version 410 core\nin vec4 aVertex; void main() { gl_Position = aVertex; }\n"},

@@ -175,7 +175,7 @@ TEST_F(ClassicArray, TopologiesBecomePatchesOfProgramsThatTessellate) {
     clear();
     points.Use();
     dots.Draw();
-    EXPECT_EQ(drawn(), kSide * kSide / 8);
+    EXPECT_EQ(drawn(), kSide * kSide / 2);
     // The same array, drawn by a program without tessellation.
     GLSLProgram plain = colored();
     clear();
