@@ -147,6 +147,7 @@ def kind(line, column):
         at = found.end()
     return ''
 for word in words:
+    if '.' in word: continue
     assert kind('  ' + word.lower() + ' 1', 3) == 'keyword.control.glib', word
 assert kind('Sphere 1.5e3 # Box', 8) == 'constant.numeric.glib'
 assert kind('Sphere 1.5e3 # Box', 16) == 'comment.line.glib'
