@@ -209,7 +209,13 @@ std::vector<GrammarFile> forVim(const LanguageWords& words) {
         "syntax match glibComment /\\/\\/.*$/\n"
         "syntax match glibComment /\\S\\@1<!\\/.*$/\n"
         "syntax match glibMessage /\\%(^\\s*MessageBox\\)\\@<=\\s.*$/\n";
-    text += vimKeywords("glibKey", words.keys);
+    // A keyword of Vim counts anywhere: a word that also begins statements would hide them.
+    Words keys = words.keys;
+    std::erase_if(keys, [&](const std::string& key) {
+        return std::any_of(words.statements.begin(), words.statements.end(),
+                           [&](const std::string& each) { return glib::sameWord(each, key); });
+    });
+    text += vimKeywords("glibKey", keys);
     text += vimKeywords("glibStatement", words.statements, " contained");
     text += "syntax case match\n";
     text += vimKeywords("glibFunction", words.functions);
@@ -245,7 +251,7 @@ std::vector<GrammarFile> forKate(const LanguageWords& words) {
     };
     std::string text =
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!DOCTYPE language>\n"
-        "<!-- Made by `glibra language --grammar kate`. -->\n"
+        "<!-- Made by the program glibra from its tables. -->\n"
         "<language name=\"GLIB\" version=\"1\" kateversion=\"5.0\" section=\"3D\" extensions=\"*.glib\" "
         "casesensitive=\"0\" license=\"MIT\">\n  <highlighting>\n";
     text += list("statements", words.statements) + list("keys", words.keys) +
