@@ -78,7 +78,7 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"glib-W40",
      "'k' is a counter or parameter here; from this Let on to the end of the scope, 'k' is the variable of "
      "the scene; choose another name"},
-    {"glib-W44", "Camera 'eye' stands after everything that is drawn, so nothing is seen by it; move it up"},
+    {"glib-W41", "Camera 'eye' stands after everything that is drawn, so nothing is seen by it; move it up"},
     {"glib-N01", "MessageBox: Move the scene back"},
     {"glib-N02", "Sphere: 3719 vertices, 7080 triangles, program 'Dots'"},
     // Expressions
@@ -349,10 +349,10 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"suite-E25", "there are two checks 'is drawn'"},
     {"suite-E26", "the check 'changes with uAd': no two pictures differ in 'uAd' alone; --sweep draws them"},
     {"suite-E27", "this is no file of marks: unexpected end of input"},
-    {"suite-E30", "cannot serve a page: the module that speaks HTTP is not installed"},
-    {"suite-E31", "ignore: [200, 0, 100, 20] is not inside of the picture of 256 x 256 pixels"},
-    {"suite-E32", "quarantine: '2026-02-30' is not a day, as \"2026-12-31\""},
-    {"suite-E33", "'oval' has 9 further accepted pictures; remove one before another is added"},
+    {"suite-E28", "cannot serve a page: the module that speaks HTTP is not installed"},
+    {"suite-E29", "ignore: [200, 0, 100, 20] is not inside of the picture of 256 x 256 pixels"},
+    {"suite-E30", "quarantine: '2026-02-30' is not a day, as \"2026-12-31\""},
+    {"suite-E31", "'oval' has 9 further accepted pictures; remove one before another is added"},
     {"suite-W01", "this is not a line of accepted pixels; it is ignored"},
     {"suite-W02", "the quarantine of 'oval' ended on 2026-12-31; remove it from the suite"},
     {"suite-W03", "an ignored rectangle of 'oval' counts again since 2026-12-31; remove it from the suite"},

@@ -296,7 +296,7 @@ TEST(LoopbackServer, SaysThatItsModuleIsMissing) {
     const auto none = LoopbackServer::open(1000, {folder.path()});
     EXPECT_FALSE(none);
     EXPECT_EQ(none.message(),
-              "error: cannot serve a page: the module that speaks HTTP is not installed [suite-E30]");
+              "error: cannot serve a page: the module that speaks HTTP is not installed [suite-E28]");
     writeText(folder / "glibra_server.so", "no library");
     EXPECT_NE(LoopbackServer::open(1000, {folder.path()}).message().find("cannot be loaded"),
               std::string::npos);

@@ -305,7 +305,7 @@ void reportLateEye(Interpreter& in) {
     const auto known = in.modern.names.find("eye");
     if (known == in.modern.names.end() || in.modern.usesEye || !in.modern.drawsClassicView) return;
     in.report(
-        diagnose("glib-W44",
+        diagnose("glib-W41",
                  "Camera 'eye' stands after everything that is drawn, so nothing is seen by it; move it "
                  "up",
                  known->second.place));

@@ -264,7 +264,7 @@ const SceneCamera* findCamera(const Interpreter&, const CameraName& name);
 /// Reports glib-W38 for each camera whose name stands nowhere else in the scene, if no camera `eye` is
 /// declared.
 void reportUnusedCameras(Interpreter&);
-/// Reports glib-W44 for a Camera `eye` that stands after all draws.
+/// Reports glib-W41 for a Camera `eye` that stands after all draws.
 void reportLateEye(Interpreter&);
 /// True if the value names a camera, not a part of one.
 bool namesCamera(const Interpreter& in, const glib::Value& value);

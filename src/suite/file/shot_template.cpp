@@ -154,11 +154,11 @@ void readName(const Context& in, const TomlValue& value) {
     in.to.*field = PlacedText{*text, in.reader.placeOf(value)};
 }
 
-/// A day, or suite-E32.
+/// A day, or suite-E30.
 std::optional<std::string> readDay(const Context& in, const TomlValue& value, std::string_view name) {
     auto day = in.reader.text(value, name);
     if (!day || isDay(*day)) return day;
-    in.reader.report("suite-E32",
+    in.reader.report("suite-E30",
                      fmt::format("{}: {} is not a day, as \"2026-12-31\"", name, glib::inQuotes(*day)),
                      in.reader.placeOf(value));
     return std::nullopt;

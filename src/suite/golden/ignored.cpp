@@ -76,7 +76,7 @@ Result<image::Image> withoutIgnored(const Shot& shot, const image::Image& golden
         if (!isActive(each, day)) continue;
         if (each.width > got.width - each.x || each.height > got.height - each.y)
             return diagnose(
-                "suite-E31",
+                "suite-E29",
                 fmt::format("ignore: [{}, {}, {}, {}] is not inside of the picture of {} x {} pixels", each.x,
                             each.y, each.width, each.height, got.width, got.height),
                 shot.place);
@@ -86,7 +86,7 @@ Result<image::Image> withoutIgnored(const Shot& shot, const image::Image& golden
     const Result<image::Image> mask = image::readImage(shot.mask, shot.place);
     if (!mask) return mask.diagnostics;
     if (mask->width != got.width || mask->height != got.height)
-        return diagnose("suite-E31",
+        return diagnose("suite-E29",
                         fmt::format("mask: '{}' has {} x {} pixels, the picture {} x {}", shot.mask.string(),
                                     mask->width, mask->height, got.width, got.height),
                         shot.place);

@@ -23,7 +23,7 @@ bool drawingsAgree(const Shot& shot, const image::Image& first, const image::Ima
 std::string judgedBy(const Shot& shot);
 /// `got` with the pixels of `expected` where the shot does not look, so that a comparison of the two sees no
 /// difference there. Of pictures with different sizes or types `got` is returned: they differ anyway. Errors:
-/// suite-E31 a rectangle outside of the picture, or a mask of another size; those of image::readImage for the
+/// suite-E29 a rectangle outside of the picture, or a mask of another size; those of image::readImage for the
 /// mask.
 Result<image::Image> withoutIgnored(const Shot& shot, const image::Image& expected, const image::Image& got);
 

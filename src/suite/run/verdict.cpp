@@ -378,7 +378,7 @@ void ShotJudge::update(const Attempt& attempt, const Findings& found, Judged& ju
     if (isFurther && variant.empty()) {
         result.verdict = Verdict::failed;
         result.diagnostics.push_back(
-            diagnose("suite-E33",
+            diagnose("suite-E31",
                      fmt::format("'{}' has {} further accepted pictures; remove one before another is added",
                                  shot.name, kMostFurther),
                      shot.place));

@@ -58,7 +58,7 @@ Result<ServerModule> loadServerModule(const std::vector<fs::path>& folders) {
                             reinterpret_cast<GlibraServerDo>(::dlsym(library, "glibraServerStop")),
                             reinterpret_cast<GlibraServerDo>(::dlsym(library, "glibraServerClose"))};
     }
-    return diagnose("suite-E30", "cannot serve a page: the module that speaks HTTP " + why);
+    return diagnose("suite-E28", "cannot serve a page: the module that speaks HTTP " + why);
 }
 
 /// 128 random bits as 32 hexadecimal digits, or nothing.
@@ -238,7 +238,7 @@ Result<LoopbackServer> LoopbackServer::open(std::size_t largestBody,
     auto module = loadServerModule(moduleFolders.empty() ? image::defaultModuleFolders() : moduleFolders);
     if (!module) return std::move(module.diagnostics);
     auto token = randomToken();
-    if (!token) return diagnose("suite-E30", "cannot serve a page: the system gives no random numbers");
+    if (!token) return diagnose("suite-E28", "cannot serve a page: the system gives no random numbers");
     auto state = std::make_unique<State>();
     state->module = *module;
     state->token = *std::move(token);
@@ -246,7 +246,7 @@ Result<LoopbackServer> LoopbackServer::open(std::size_t largestBody,
     const GlibraServerCalls calls{state.get(), &State::admit, &State::answer, largestBody};
     state->server = module->open(&calls, &state->port);
     if (state->server == nullptr)
-        return diagnose("suite-E30", "cannot serve a page: no port of 127.0.0.1 can be opened");
+        return diagnose("suite-E28", "cannot serve a page: no port of 127.0.0.1 can be opened");
     return LoopbackServer(std::move(state));
 }
 

@@ -43,7 +43,7 @@ class LoopbackServer {
     using Handler = std::function<WebReply(const WebRequest&)>;
 
     /// Binds a free port. `largestBody`: bytes that a POST may have. The server is a module that is loaded
-    /// here, from `moduleFolders` or from image::defaultModuleFolders(). Error: suite-E30.
+    /// here, from `moduleFolders` or from image::defaultModuleFolders(). Error: suite-E28.
     static Result<LoopbackServer> open(std::size_t largestBody = std::size_t{1} << 20,
                                        const std::vector<std::filesystem::path>& moduleFolders = {});
 
