@@ -71,8 +71,10 @@ TEST(ScriptMeshes, AModelComesFromItsFile) {
 
 TEST(ScriptMeshes, MistakesAreReportedAtTheirPlace) {
     const auto of = [](const std::string& text) { return problemsOf(text + "\nPass window\nEndPass\n"); };
-    EXPECT_EQ(of("Mesh m Spher 1"),
-              "scene.glib:1:8: error: Mesh: 'Spher' is no shape; did you mean 'Sphere'? [glib-E26]");
+    EXPECT_NE(
+        of("Mesh m Spher 1")
+            .find("scene.glib:1:8: error: Mesh: 'Spher' is no shape; did you mean 'Sphere'? [glib-E26]"),
+        std::string::npos);
     EXPECT_NE(of("Mesh m Obj none.obj").find("file-E01"), std::string::npos);
     EXPECT_NE(of("Mesh m Obj").find("Obj needs a file [glib-E26]"), std::string::npos);
     EXPECT_NE(of("Mesh m Sphere a.obj").find("takes no file [glib-E26]"), std::string::npos);

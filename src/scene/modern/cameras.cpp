@@ -350,9 +350,11 @@ bool namesCamera(const Interpreter& in, const glib::Value& value) {
 }
 
 bool choosesCamera(Interpreter& in, const glib::Value& value) {
-    if (value.kind != glib::Value::Kind::word || !value.path.empty() || namesCamera(in, value)) return false;
-    const std::string word = wordBehind(in, value.text);
-    return word != value.text && isCameraHere(in, word);
+    if (value.kind != glib::Value::Kind::word || value.path.size() > 1 || namesCamera(in, value))
+        return false;
+    const std::string& name = value.path.empty() ? value.text : value.path.front().name;
+    const std::string word = wordBehind(in, name);
+    return word != name && isCameraHere(in, word);
 }
 
 std::optional<SceneCamera> cameraNamed(Interpreter& in, const glib::Value& value) {
