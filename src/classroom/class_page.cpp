@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/escape_xml.h"
 #include "base/page_template.h"
 #include "base/utf8.h"
 #include "classroom/grades.h"
@@ -21,7 +22,6 @@
 #include "embedded/class_page.h"
 #include "embedded/report_page.h"
 #include "glib/text.h"
-#include "suite/report/escape_xml.h"
 #include "suite/report/plain_page.h"
 #include "suite/results/figures.h"
 
@@ -29,7 +29,7 @@ namespace glibra::classroom {
 namespace {
 
 namespace fs = std::filesystem;
-using suite::escapeXml;
+using base::escapeXml;
 
 constexpr std::size_t kMostPassages = 30;  // of a pair
 constexpr int kMostLines = 400;            // of a file beside another one
@@ -58,15 +58,15 @@ std::string factsHtml(const Classroom& room, const Entry& entry) {
             if (std::none_of(own.begin(), own.end(),
                              [&](const DeclaredUniform& one) { return one.name == each.name; }))
                 missing +=
-                    fmt::format("{}<code>{}</code>", missing.empty() ? "" : ", ", escapeXml(each.name));
+                    fmt::format("{}<code>{}</code>", missing.empty() ? "" : ", ", base::escapeXml(each.name));
     std::string html = programsHtml(entry);
     if (!missing.empty()) html += "<p>Only in the reference: " + missing + "</p>";
     if (!entry.submission.scene.empty())
         html += fmt::format(
             "<p>Scene: <code>{}</code></p>",
-            escapeXml(entry.submission.scene.lexically_relative(entry.submission.folder).string()));
+            base::escapeXml(entry.submission.scene.lexically_relative(entry.submission.folder).string()));
     if (!entry.reproduce.empty())
-        html += fmt::format("<div class=\"command\"><code>{}</code></div>", escapeXml(entry.reproduce));
+        html += fmt::format("<div class=\"command\"><code>{}</code></div>", base::escapeXml(entry.reproduce));
     if (html.empty()) return html;
     return fmt::format("<details><summary>{}, {}</summary>{}</details>",
                        glib::counted(entry.programs.size(), "program"), glib::counted(own.size(), "uniform"),
@@ -75,13 +75,13 @@ std::string factsHtml(const Classroom& room, const Entry& entry) {
 
 std::string cardHtml(const Classroom& room, std::size_t index, SourceLines& sources) {
     const Entry& entry = room.entries[index];
-    std::string html =
-        fmt::format("<article class=\"card\" id=\"{}\" data-name=\"{}\"><h3>{} {}</h3>", anchor(index),
-                    escapeXml(entry.submission.name), nameHtml(entry.submission.name), stateHtml(entry));
+    std::string html = fmt::format("<article class=\"card\" id=\"{}\" data-name=\"{}\"><h3>{} {}</h3>",
+                                   anchor(index), base::escapeXml(entry.submission.name),
+                                   nameHtml(entry.submission.name), stateHtml(entry));
     const std::string reason = reasonOf(entry);
     // The reason is one of the messages, unless the process ended or there is no scene.
     if (!reason.empty() && (entry.diagnostics.empty() || entry.drawsNothing))
-        html += "<p class=\"reason\">" + escapeXml(reason) + "</p>";
+        html += "<p class=\"reason\">" + base::escapeXml(reason) + "</p>";
     // What keeps a scene from being drawn comes before what is left of its pictures.
     const bool isDrawnWell = isDrawn(entry);
     const std::string messages = messagesHtml(entry, sources);
@@ -97,7 +97,7 @@ std::string cardHtml(const Classroom& room, std::size_t index, SourceLines& sour
     if (!entry.notCompared.empty())
         html += fmt::format(
             "<p class=\"near\">Not compared with other submissions: {}</p>",
-            escapeXml(base::printableText(fmt::format("{}", fmt::join(entry.notCompared, "; ")))));
+            base::escapeXml(base::printableText(fmt::format("{}", fmt::join(entry.notCompared, "; ")))));
     return html + factsHtml(room, entry) + "</article>\n";
 }
 
@@ -124,7 +124,7 @@ std::string sideHtml(const Entry& entry, const MarkedLines& marked, SourceLines&
         const SourceFile& file = entry.files[index];
         const std::string path = fs::path(file.path).lexically_relative(entry.submission.folder).string();
         html += fmt::format("<h4>{}, {}</h4>", nameHtml(entry.submission.name),
-                            escapeXml(path.empty() ? file.path : path));
+                            base::escapeXml(path.empty() ? file.path : path));
         const int last = std::max(kMostLines, lines.rbegin()->first);
         const auto text = sources.lines(entry.submission, file.path, 1, std::min(last, 3 * kMostLines));
         if (!text) {
@@ -136,7 +136,7 @@ std::string sideHtml(const Entry& entry, const MarkedLines& marked, SourceLines&
             const auto mark = lines.find(static_cast<int>(i) + 1);
             html += fmt::format("<li data-line=\"{}\"{}>{}</li>", i + 1,
                                 mark == lines.end() ? "" : fmt::format(" class=\"p{}\"", mark->second % 6),
-                                escapeXml((*text)[i]));
+                                base::escapeXml((*text)[i]));
         }
         html += "</ol></div>";
     }
@@ -214,9 +214,9 @@ std::string referenceHtml(const Classroom& room, SourceLines& sources) {
     for (std::size_t i = 0; i < room.reference.pictures.size(); ++i) {
         const Picture& picture = room.reference.pictures[i];
         html += pictureHtml({}, picture, picture, "the reference",
-                            escapeXml(room.moments[i].label.empty()
-                                          ? fmt::format("{} x {} pixels", picture.width, picture.height)
-                                          : room.moments[i].label));
+                            base::escapeXml(room.moments[i].label.empty()
+                                                ? fmt::format("{} x {} pixels", picture.width, picture.height)
+                                                : room.moments[i].label));
     }
     return html + "</div>" + messagesHtml(room.reference, sources) + programsHtml(room.reference);
 }
@@ -250,7 +250,7 @@ std::string leftOutHtml(const Classroom& room) {
 std::string detailsHtml(const Classroom& room) {
     std::string html = "<dl>";
     const auto add = [&](std::string_view title, const std::string& value) {
-        if (!value.empty()) html += fmt::format("<dt>{}</dt><dd>{}</dd>", title, escapeXml(value));
+        if (!value.empty()) html += fmt::format("<dt>{}</dt><dd>{}</dd>", title, base::escapeXml(value));
     };
     if (!room.isAnonymous) add("Submissions", room.folder);
     add("Reference", room.reference.submission.scene.string());
@@ -288,8 +288,8 @@ std::string classPage(const Classroom& room, bool serves) {
                                              {"leftout", "Left out", &leftOut}})
         if (!content->empty()) parts += fmt::format("<a href=\"#{}\">{}</a> ", id, title);
     const base::Slot slots[] = {
-        {"title", escapeXml(summary(room) + " - glibra")},
-        {"headline", escapeXml(summary(room))},
+        {"title", base::escapeXml(summary(room) + " - glibra")},
+        {"headline", base::escapeXml(summary(room))},
         {"runDetails", detailsHtml(room)},
         {"style", std::string(report_page::report_css()) + std::string(class_page::class_css())},
         {"parts", parts},

@@ -8,16 +8,16 @@
 #include <utility>
 
 #include "base/contained.h"
+#include "base/escape_xml.h"
 #include "base/utf8.h"
 #include "classroom/review.h"
 #include "glib/text.h"
-#include "suite/report/escape_xml.h"
 
 namespace glibra::classroom {
 namespace {
 
 namespace fs = std::filesystem;
-using suite::escapeXml;
+using base::escapeXml;
 
 constexpr std::size_t kMostMessages = 30;  // of a submission
 constexpr std::size_t kLongestLine = 400;  // bytes of a source line
@@ -66,7 +66,7 @@ std::string quoteHtml(const Entry& entry, const Place& place, SourceLines& sourc
     for (std::size_t i = 0; i < lines->size(); ++i) {
         const int number = from + static_cast<int>(i);
         html += fmt::format("<li data-line=\"{}\"{}>{}</li>", number,
-                            number == place.line ? " class=\"named\"" : "", escapeXml((*lines)[i]));
+                            number == place.line ? " class=\"named\"" : "", base::escapeXml((*lines)[i]));
     }
     return html + "</ol></div>";
 }
@@ -76,13 +76,13 @@ std::string messageText(const Entry& entry, const Diagnostic& message) {
     Diagnostic shown = message;
     const fs::path inside = fs::path(shown.place.file).lexically_relative(entry.submission.folder);
     if (!inside.empty() && *inside.begin() != "..") shown.place.file = inside.string();
-    return escapeXml(toString(shown));
+    return base::escapeXml(toString(shown));
 }
 
 }  // namespace
 
 std::string nameHtml(std::string_view name) {
-    return "<bdi>" + escapeXml(base::printableText(name)) + "</bdi>";
+    return "<bdi>" + base::escapeXml(base::printableText(name)) + "</bdi>";
 }
 
 std::string figureText(double value) {
@@ -143,10 +143,10 @@ std::string picturesHtml(const PictureSource& source, const Classroom& room, con
     if (std::all_of(entry.pictures.begin(), entry.pictures.end(),
                     [](const Picture& each) { return each.file.empty(); }))
         return html;
-    const std::string name = escapeXml(base::printableText(entry.submission.name));
+    const std::string name = base::escapeXml(base::printableText(entry.submission.name));
     for (std::size_t i = 0; i < std::min(entry.pictures.size(), source.most); ++i) {
         const Picture& picture = entry.pictures[i];
-        const std::string label = escapeXml(room.moments[i].label);
+        const std::string label = base::escapeXml(room.moments[i].label);
         std::string caption =
             picture.score
                 ? fmt::format("likeness {}, FLIP {}, structure {}", figureText(picture.score->likeness),
@@ -202,13 +202,13 @@ std::string messagesHtml(const Entry& entry, SourceLines& sources) {
                                  i == 0 ? quoteHtml(entry, all[i]->place, sources) : "");
         if (all.size() > kMostMessages)
             lines += fmt::format("<li>{} more of this kind</li>", all.size() - kMostMessages);
-        items +=
-            all.size() == 1
-                ? lines
-                : fmt::format(
-                      "<li class=\"remark {}\"><details><summary>{} times {}: {}</summary><ul>{}</ul>"
-                      "</details></li>",
-                      name(all[0]->severity), all.size(), escapeXml(kind), escapeXml(all[0]->text), lines);
+        items += all.size() == 1
+                     ? lines
+                     : fmt::format(
+                           "<li class=\"remark {}\"><details><summary>{} times {}: {}</summary><ul>{}</ul>"
+                           "</details></li>",
+                           name(all[0]->severity), all.size(), base::escapeXml(kind),
+                           base::escapeXml(all[0]->text), lines);
     }
     return items.empty() ? items : "<ul class=\"messages\">" + items + "</ul>";
 }
@@ -217,18 +217,18 @@ std::string marksHtml(const Classroom& room, const Entry& entry, std::string_vie
     if (entry.marks.empty() && entry.comment.empty()) return {};
     std::string rows;
     for (const Mark& each : entry.marks) {
-        std::string reason = escapeXml(each.reason);
+        std::string reason = base::escapeXml(each.reason);
         if (each.moment && *each.moment < entry.pictures.size() &&
             !entry.pictures[*each.moment].file.empty() && !picturePrefix.empty())
-            reason += fmt::format(" <a href=\"{}\">{}</a>", escapeXml(entry.pictures[*each.moment].file),
-                                  room.moments[*each.moment].label.empty()
-                                      ? "picture"
-                                      : escapeXml(room.moments[*each.moment].label));
+            reason += fmt::format(
+                " <a href=\"{}\">{}</a>", base::escapeXml(entry.pictures[*each.moment].file),
+                room.moments[*each.moment].label.empty() ? "picture"
+                                                         : base::escapeXml(room.moments[*each.moment].label));
         rows += fmt::format(
             "<tr{}><th>{}{}</th><td class=\"points\" data-check=\"{}\" data-most=\"{:g}\">{:g}</td><td>of "
             "{:g}</td><td>{}</td></tr>",
-            each.isOwn ? " class=\"own\"" : "", escapeXml(each.check),
-            each.isBonus ? " <small>bonus</small>" : "", escapeXml(each.check), each.most, each.points,
+            each.isOwn ? " class=\"own\"" : "", base::escapeXml(each.check),
+            each.isBonus ? " <small>bonus</small>" : "", base::escapeXml(each.check), each.most, each.points,
             each.most, reason);
     }
     std::string html;
@@ -236,8 +236,8 @@ std::string marksHtml(const Classroom& room, const Entry& entry, std::string_vie
         html = fmt::format(
             "<table class=\"marks\"><tbody>{}</tbody><tfoot><tr><th>points</th><td>{:g}</td><td>of "
             "{:g}</td><td>{}</td></tr></tfoot></table>",
-            rows, pointsOf(entry).value_or(0), mostPoints(room), escapeXml(entry.lateReason));
-    if (!entry.comment.empty()) html += "<p class=\"comment\">" + escapeXml(entry.comment) + "</p>";
+            rows, pointsOf(entry).value_or(0), mostPoints(room), base::escapeXml(entry.lateReason));
+    if (!entry.comment.empty()) html += "<p class=\"comment\">" + base::escapeXml(entry.comment) + "</p>";
     return html;
 }
 
@@ -251,7 +251,7 @@ std::string reactionsHtml(const Classroom& room, const Entry& entry) {
         html += fmt::format("{}<span title=\"{}{}\">{} {}</span>", html.empty() ? "" : ", ",
                             figureText(entry.reactions[i].value_or(0)),
                             expected >= 0 ? ", the reference " + figureText(expected) : "",
-                            escapeXml(room.sliders[i].name), name(reaction));
+                            base::escapeXml(room.sliders[i].name), name(reaction));
     }
     return html;
 }
@@ -262,9 +262,9 @@ std::string programsHtml(const Entry& entry) {
         std::string uniforms;
         for (const DeclaredUniform& one : each.uniforms)
             uniforms += fmt::format("{}<code>{}</code> <small>{}</small>", uniforms.empty() ? "" : ", ",
-                                    escapeXml(one.name), escapeXml(one.type));
-        rows += fmt::format("<tr><th>{}</th><td>{}</td><td>{}</td></tr>", escapeXml(each.name),
-                            escapeXml(fmt::format("{}", fmt::join(each.stages, ", "))),
+                                    base::escapeXml(one.name), base::escapeXml(one.type));
+        rows += fmt::format("<tr><th>{}</th><td>{}</td><td>{}</td></tr>", base::escapeXml(each.name),
+                            base::escapeXml(fmt::format("{}", fmt::join(each.stages, ", "))),
                             uniforms.empty() ? "no uniforms" : uniforms);
     }
     return rows.empty()

@@ -6,12 +6,12 @@
 #include <numeric>
 #include <utility>
 
+#include "base/escape_xml.h"
 #include "base/page_template.h"
 #include "base/utf8.h"
 #include "classroom/page_parts.h"
 #include "embedded/class_page.h"
 #include "embedded/report_page.h"
-#include "suite/report/escape_xml.h"
 
 namespace glibra::classroom {
 namespace {
@@ -48,10 +48,10 @@ std::string studentPage(const Classroom& room, std::size_t index, const std::fil
     std::string body = "<p>" + stateHtml(entry) + "</p>" + marksHtml(room, entry, "");
     const std::string reason = reasonOf(entry);
     if (!reason.empty() && (entry.diagnostics.empty() || entry.drawsNothing))
-        body += "<p class=\"reason\">" + suite::escapeXml(base::printableText(reason)) + "</p>";
+        body += "<p class=\"reason\">" + base::escapeXml(base::printableText(reason)) + "</p>";
     body += messagesHtml(entry, sources) + picturesHtml(source, room, entry) + programsHtml(entry);
     const base::Slot slots[] = {
-        {"title", suite::escapeXml(base::printableText(entry.submission.name))},
+        {"title", base::escapeXml(base::printableText(entry.submission.name))},
         {"headline", nameHtml(entry.submission.name)},
         {"style", std::string(report_page::report_css()) + std::string(class_page::class_css())},
         {"body", body},

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "suite/report/escape_xml.h"
+#include "base/escape_xml.h"
 
 namespace glibra::gallery {
 namespace {
@@ -16,12 +16,12 @@ std::string lineHtml(std::string_view line, source::SyntaxReader& reader) {
     std::string html;
     std::size_t at = 0;
     for (const source::SyntaxPiece& each : reader.next(line)) {
-        html += suite::escapeXml(line.substr(at, each.begin - at));
+        html += base::escapeXml(line.substr(at, each.begin - at));
         html += fmt::format("<span class=\"{}\">{}</span>", kClasses.at(static_cast<std::size_t>(each.kind)),
-                            suite::escapeXml(line.substr(each.begin, each.end - each.begin)));
+                            base::escapeXml(line.substr(each.begin, each.end - each.begin)));
         at = each.end;
     }
-    return html + suite::escapeXml(line.substr(at));
+    return html + base::escapeXml(line.substr(at));
 }
 
 }  // namespace

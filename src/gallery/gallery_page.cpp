@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/contained.h"
+#include "base/escape_xml.h"
 #include "base/page_template.h"
 #include "base/utf8.h"
 #include "embedded/gallery_page.h"
@@ -17,21 +18,20 @@
 #include "gallery/code_html.h"
 #include "glib/number.h"
 #include "glib/text.h"
-#include "suite/report/escape_xml.h"
 #include "suite/report/plain_page.h"
 
 namespace glibra::gallery {
 namespace {
 
 namespace fs = std::filesystem;
-using suite::escapeXml;
+using base::escapeXml;
 
 constexpr std::size_t kMostMessages = 50;  // of a scene
 constexpr std::size_t kLongestSearch = 4'000;
 
 /// A text that a stranger chose. <bdi> keeps its direction to itself.
 std::string nameHtml(std::string_view name) {
-    return "<bdi>" + escapeXml(base::printableText(name)) + "</bdi>";
+    return "<bdi>" + base::escapeXml(base::printableText(name)) + "</bdi>";
 }
 
 std::string stemOf(const GalleryScene& scene) {
@@ -60,12 +60,13 @@ std::string tileHtml(const GalleryScene& scene) {
     const std::string film = scene.film.empty() ? "" : fmt::format(" data-film=\"{}\"", scene.film);
     const std::string frame =
         scene.picture.empty()
-            ? fmt::format("<span class=\"none\">{}</span>", escapeXml(base::printableText(scene.reason)))
+            ? fmt::format("<span class=\"none\">{}</span>",
+                          base::escapeXml(base::printableText(scene.reason)))
             : fmt::format("<img src=\"{}\"{} alt=\"\" loading=\"lazy\">", scene.picture, film);
     return fmt::format(
         "<a class=\"tile\" href=\"{}\" data-text=\"{}\"><span class=\"frame{}\">{}</span><b>{}</b>"
         "<small>{}</small></a>\n",
-        pageOf(scene), escapeXml(searchText(scene)), scene.film.empty() ? "" : " moves", frame,
+        pageOf(scene), base::escapeXml(searchText(scene)), scene.film.empty() ? "" : " moves", frame,
         nameHtml(stemOf(scene)), nameHtml(scene.description.head.summary));
 }
 
@@ -86,7 +87,7 @@ std::string listPage(const Gallery& gallery, const Sections& sections, bool hasC
                               : isChapters ? "<a href=\"index.html\">By topic</a> <b>By chapter</b>"
                                            : "<b>By topic</b> <a href=\"chapters.html\">By chapter</a>";
     const base::Slot slots[] = {
-        {"title", escapeXml(base::printableText(gallery.title))},
+        {"title", base::escapeXml(base::printableText(gallery.title))},
         {"headline", nameHtml(gallery.title)},
         {"pages", pages},
         {"count", glib::counted(gallery.scenes.size(), "scene")},
@@ -123,8 +124,8 @@ std::string controlRow(const Control& control) {
             for (const std::string& each : control.words) words += (words.empty() ? "" : ", ") + each;
             const double number = control.numbers.front();
             const bool isIn = number >= 0 && number < static_cast<double>(control.words.size());
-            cells = fmt::format("<td colspan=\"2\">one of {}</td><td>{}</td>", escapeXml(words),
-                                escapeXml(isIn ? control.words[static_cast<std::size_t>(number)] : ""));
+            cells = fmt::format("<td colspan=\"2\">one of {}</td><td>{}</td>", base::escapeXml(words),
+                                base::escapeXml(isIn ? control.words[static_cast<std::size_t>(number)] : ""));
             break;
         }
         case Control::Kind::truth:
@@ -135,8 +136,8 @@ std::string controlRow(const Control& control) {
             cells = fmt::format("<td colspan=\"2\">a colour</td><td>{}</td>", numbersText(control.numbers));
             break;
     }
-    return fmt::format("<tr><th><code>{}</code></th>{}<td>{}</td></tr>\n", escapeXml(control.name), cells,
-                       nameHtml(control.owner.empty() ? "scene" : control.owner));
+    return fmt::format("<tr><th><code>{}</code></th>{}<td>{}</td></tr>\n", base::escapeXml(control.name),
+                       cells, nameHtml(control.owner.empty() ? "scene" : control.owner));
 }
 
 std::string controlsHtml(const Description& about) {
@@ -151,7 +152,7 @@ std::string controlsHtml(const Description& about) {
     }
     if (!about.keys.empty()) {
         html += "<p>Keys:";
-        for (const std::string& each : about.keys) html += " <kbd>" + escapeXml(each) + "</kbd>";
+        for (const std::string& each : about.keys) html += " <kbd>" + base::escapeXml(each) + "</kbd>";
         html += "</p>\n";
     }
     return html;
@@ -168,13 +169,14 @@ std::string textHtml(const GalleryScene& scene) {
         // The items of a task have a line of their own.
         const bool isItem = each.size() > 1 && glib::isDigit(each[0]) && each[1] == '.';
         if (each.empty() || isItem) end();
-        if (!each.empty()) paragraph += (paragraph.empty() ? "" : " ") + escapeXml(base::printableText(each));
+        if (!each.empty())
+            paragraph += (paragraph.empty() ? "" : " ") + base::escapeXml(base::printableText(each));
     }
     end();
     std::string facts;
     for (const std::string& each : scene.description.head.rows) facts += (facts.empty() ? "" : " ") + each;
     for (const std::string& each : scene.chapters) facts += (facts.empty() ? "" : "; ") + each;
-    if (!facts.empty()) html += "<p><small>" + escapeXml(base::printableText(facts)) + "</small></p>\n";
+    if (!facts.empty()) html += "<p><small>" + base::escapeXml(base::printableText(facts)) + "</small></p>\n";
     return html.empty() ? html : "<div class=\"text\">" + html + "</div>";
 }
 
@@ -195,11 +197,11 @@ std::string picturesHtml(const GalleryScene& scene) {
 std::string messagesHtml(const GalleryScene& scene) {
     std::string items;
     if (scene.diagnostics.empty() && !scene.reason.empty())
-        items = "<li class=\"remark error\">" + escapeXml(base::printableText(scene.reason)) + "</li>";
+        items = "<li class=\"remark error\">" + base::escapeXml(base::printableText(scene.reason)) + "</li>";
     for (std::size_t i = 0; i < std::min(scene.diagnostics.size(), kMostMessages); ++i) {
         const Diagnostic& each = scene.diagnostics[i];
         items += fmt::format("<li class=\"remark {}\">{}</li>\n", name(each.severity),
-                             escapeXml(base::printableText(toString(each), true)));
+                             base::escapeXml(base::printableText(toString(each), true)));
     }
     if (scene.diagnostics.size() > kMostMessages)
         items += fmt::format("<li>{} more</li>", scene.diagnostics.size() - kMostMessages);
@@ -213,7 +215,7 @@ std::string sourcesHtml(const Description& about) {
         html += fmt::format(
             "<details{}><summary><strong>{}</strong> <small>{}</small></summary><div class=\"source\">{}"
             "</div></details>\n",
-            each.role == "included" ? "" : " open", nameHtml(each.name), escapeXml(each.role),
+            each.role == "included" ? "" : " open", nameHtml(each.name), base::escapeXml(each.role),
             codeHtml(each.text, isScene ? source::CodeLanguage::glib : source::CodeLanguage::glsl));
     }
     return html.empty() ? html : "<h2>Sources</h2>" + html;
@@ -264,7 +266,7 @@ std::string scenePage(const Gallery& gallery, std::size_t index) {
     const GalleryScene& scene = gallery.scenes[index];
     const std::string path = fs::path(scene.path).replace_extension().generic_string();
     const base::Slot slots[] = {
-        {"title", escapeXml(base::printableText(path + " - " + gallery.title))},
+        {"title", base::escapeXml(base::printableText(path + " - " + gallery.title))},
         {"headline", nameHtml(path)},
         {"gallery", nameHtml(gallery.title)},
         {"links", linksHtml(gallery, index)},

@@ -7,10 +7,10 @@
 #include <span>
 #include <string_view>
 
+#include "base/escape_xml.h"
 #include "base/page_template.h"
 #include "embedded/report_page.h"
 #include "image/file.h"
-#include "suite/report/escape_xml.h"
 #include "suite/report/plain_page.h"
 #include "suite/report/report_files.h"
 #include "suite/results/figures.h"
@@ -92,14 +92,14 @@ std::string headline(const RunResult& run) {
     if (drawn > 0) text += fmt::format(", {} drawn without a golden", drawn);
     if (const std::size_t missing = missingShots(run).size(); missing > 0)
         text += fmt::format(", {} of {} planned shots have no verdict", missing, plannedCount(run));
-    if (!run.missingShards.empty()) text += ", " + escapeXml(run.missingShards);
+    if (!run.missingShards.empty()) text += ", " + base::escapeXml(run.missingShards);
     return text;
 }
 
 std::string runDetails(const RunResult& run) {
     std::string html = "<dl>";
     const auto add = [&](std::string_view title, const std::string& value) {
-        if (!value.empty()) html += fmt::format("<dt>{}</dt><dd>{}</dd>", title, escapeXml(value));
+        if (!value.empty()) html += fmt::format("<dt>{}</dt><dd>{}</dd>", title, base::escapeXml(value));
     };
     add("Driver", run.driver);
     add("Machine", run.machine);
@@ -125,7 +125,7 @@ Diagnostics writeHtmlReport(const RunResult& run, const std::filesystem::path& r
          {report_page::pixels_js(), report_page::viewer_js(), report_page::list_js(), report_page::main_js()})
         script += part;
     const base::Slot slots[] = {
-        {"title", escapeXml(counts(run) + " - glibra")},
+        {"title", base::escapeXml(counts(run) + " - glibra")},
         {"headline", headline(run)},
         {"run", fmt::format("About this run ({})", readableTime(run.seconds))},
         {"runDetails", runDetails(run)},

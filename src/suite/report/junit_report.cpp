@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "suite/report/escape_xml.h"
+#include "base/escape_xml.h"
 #include "suite/results/figures.h"
 
 namespace glibra::suite {
@@ -66,21 +66,23 @@ std::string details(const ShotResult& shot) {
 }
 
 void putShot(std::string& xml, const ShotResult& shot) {
-    xml += fmt::format("    <testcase name=\"{}\" classname=\"{}\" time=\"{}\"", escapeXml(shot.shot),
-                       escapeXml(shot.suite), seconds(shot.milliseconds / 1000));
+    xml += fmt::format("    <testcase name=\"{}\" classname=\"{}\" time=\"{}\"", base::escapeXml(shot.shot),
+                       base::escapeXml(shot.suite), seconds(shot.milliseconds / 1000));
     std::string inside;
     if (isSkipped(shot.verdict)) {
-        inside += fmt::format("      <skipped message=\"{}\"/>\n", escapeXml(reasonOf(shot)));
+        inside += fmt::format("      <skipped message=\"{}\"/>\n", base::escapeXml(reasonOf(shot)));
     } else if (isFailure(shot.verdict)) {
         const char* element = isError(shot) ? "error" : "failure";
-        inside += fmt::format("      <{0} message=\"{1}\" type=\"{2}\">{3}</{0}>\n", element,
-                              escapeXml(reasonOf(shot)), name(shot.verdict), escapeXml(details(shot)));
+        inside +=
+            fmt::format("      <{0} message=\"{1}\" type=\"{2}\">{3}</{0}>\n", element,
+                        base::escapeXml(reasonOf(shot)), name(shot.verdict), base::escapeXml(details(shot)));
     }
     std::string output;
     if (!isFailure(shot.verdict) && !isSkipped(shot.verdict) && !reasonOf(shot).empty())
         output += reasonOf(shot) + '\n';
     for (const Diagnostic& each : shot.diagnostics) output += toString(each) + '\n';
-    if (!output.empty()) inside += fmt::format("      <system-out>{}</system-out>\n", escapeXml(output));
+    if (!output.empty())
+        inside += fmt::format("      <system-out>{}</system-out>\n", base::escapeXml(output));
     xml += inside.empty() ? "/>\n" : ">\n" + inside + "    </testcase>\n";
 }
 
@@ -103,15 +105,17 @@ std::string toJunit(const RunResult& run) {
         all.errors += sums.errors;
         inside += fmt::format(
             "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\" time=\"{}\"",
-            escapeXml(suite), sums.tests, sums.failures, sums.errors, sums.skipped, seconds(sums.seconds));
-        if (!run.began.empty()) inside += fmt::format(" timestamp=\"{}\"", escapeXml(run.began));
+            base::escapeXml(suite), sums.tests, sums.failures, sums.errors, sums.skipped,
+            seconds(sums.seconds));
+        if (!run.began.empty()) inside += fmt::format(" timestamp=\"{}\"", base::escapeXml(run.began));
         inside += ">\n    <properties>\n";
         for (const auto& [key, value] : {std::pair<const char*, const std::string&>{"driver", run.driver},
                                          {"machine", run.machine},
                                          {"shard", run.shard},
                                          {"command", run.command}})
             if (!value.empty())
-                inside += fmt::format("      <property name=\"{}\" value=\"{}\"/>\n", key, escapeXml(value));
+                inside +=
+                    fmt::format("      <property name=\"{}\" value=\"{}\"/>\n", key, base::escapeXml(value));
         inside += "    </properties>\n";
         for (const ShotResult* shot : shots) putShot(inside, *shot);
         inside += "  </testsuite>\n";
@@ -124,7 +128,7 @@ std::string toJunit(const RunResult& run) {
             "time=\"0.000\">\n"
             "    <testcase name=\"every planned shot has a verdict\" classname=\"glibra\" time=\"0.000\">\n"
             "      <error message=\"{0}\" type=\"incomplete\">{0}</error>\n    </testcase>\n  </testsuite>\n",
-            escapeXml(missing));
+            base::escapeXml(missing));
     }
     return fmt::format(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"

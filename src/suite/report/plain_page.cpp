@@ -5,14 +5,15 @@
 #include <algorithm>
 #include <string_view>
 
-#include "suite/report/escape_xml.h"
+#include "base/escape_xml.h"
 #include "suite/results/figures.h"
 
 namespace glibra::suite {
 namespace {
 
 std::string remarkLine(const Diagnostic& each) {
-    return fmt::format("<li class=\"remark {}\">{}</li>", name(each.severity), escapeXml(toString(each)));
+    return fmt::format("<li class=\"remark {}\">{}</li>", name(each.severity),
+                       base::escapeXml(toString(each)));
 }
 
 std::string picture(std::string_view title, const std::string& file) {
@@ -26,7 +27,7 @@ std::string picture(std::string_view title, const std::string& file) {
 /// The lines of a file, each with its diagnostics below it.
 std::string listing(const Source& source, const Diagnostics& diagnostics) {
     std::string html =
-        fmt::format("<details><summary>{}</summary><div class=\"source\"><ol>", escapeXml(source.file));
+        fmt::format("<details><summary>{}</summary><div class=\"source\"><ol>", base::escapeXml(source.file));
     std::string_view rest = source.text;
     for (int line = 1; !rest.empty(); ++line) {
         const std::size_t end = rest.find('\n');
@@ -35,7 +36,7 @@ std::string listing(const Source& source, const Diagnostics& diagnostics) {
             if (each.place.file == source.file && each.place.line == line) remarks += remarkLine(each);
         html +=
             fmt::format("<li data-line=\"{}\"{}>{}</li>{}", line, remarks.empty() ? "" : " class=\"told\"",
-                        escapeXml(rest.substr(0, end)), remarks);
+                        base::escapeXml(rest.substr(0, end)), remarks);
         if (end == std::string_view::npos) break;
         rest.remove_prefix(end + 1);
     }
@@ -43,9 +44,9 @@ std::string listing(const Source& source, const Diagnostics& diagnostics) {
 }
 
 std::string article(const ShotResult& shot, const ShownShot& shown, std::span<const Source> sources) {
-    std::string html =
-        fmt::format("<article><h2><span class=\"verdict {0}\">{0}</span> {1}</h2><p>{2}</p>",
-                    name(shot.verdict), escapeXml(shot.suite + "/" + shot.shot), escapeXml(reasonOf(shot)));
+    std::string html = fmt::format("<article><h2><span class=\"verdict {0}\">{0}</span> {1}</h2><p>{2}</p>",
+                                   name(shot.verdict), base::escapeXml(shot.suite + "/" + shot.shot),
+                                   base::escapeXml(reasonOf(shot)));
     if (!shown.expected.empty() || !shown.got.empty())
         html += "<div class=\"trio\">" + picture(titlesOf(shot).expected, shown.expected) +
                 picture(titlesOf(shot).got, shown.got) + picture("difference", shown.difference) + "</div>";
@@ -59,7 +60,7 @@ std::string article(const ShotResult& shot, const ShownShot& shown, std::span<co
          {std::pair<const char*, const std::string&>{"Reproduce", shot.reproduce}, {"Accept", shot.accept}})
         if (!command.empty())
             html += fmt::format("<h3>{}</h3><div class=\"command\"><code>{}</code></div>", title,
-                                escapeXml(command));
+                                base::escapeXml(command));
     std::string told;
     for (const Diagnostic& each : shot.diagnostics) told += remarkLine(each);
     if (!told.empty()) html += "<ul>" + told + "</ul>";
@@ -83,7 +84,7 @@ std::string plainPage(const RunResult& run, std::span<const ShownShot> shown,
             const ShotResult& shot = run.shots[i];
             if (shot.verdict != verdict || !isPlain(shot)) continue;
             ++count;
-            const std::string label = escapeXml(shot.suite + "/" + shot.shot);
+            const std::string label = base::escapeXml(shot.suite + "/" + shot.shot);
             names += shown[i].got.empty()
                          ? fmt::format("<li>{}</li>\n", label)
                          : fmt::format("<li><a href=\"{}\">{}</a></li>\n", shown[i].got, label);
