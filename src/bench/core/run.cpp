@@ -36,13 +36,13 @@ Report begin(Bench& bench, const BenchOptions& options) {
 template <class Measure>
 void add(Report& report, Bench& bench, std::string_view name, std::string_view title,
          const Measure& measure) {
-    using Clock = std::chrono::steady_clock;
-    const Clock::time_point start = Clock::now();
+    using Steady = std::chrono::steady_clock;
+    const Steady::time_point start = Steady::now();
     Result<std::vector<Figure>> measured = measure(bench);
     SubjectRun& done = report.subjects.emplace_back();
     done.name = name;
     done.title = title;
-    done.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    done.seconds = std::chrono::duration<double>(Steady::now() - start).count();
     if (measured) done.figures = std::move(*measured);
     done.diagnostics = std::move(measured.diagnostics);
     for (Figure& figure : done.figures) {

@@ -21,17 +21,18 @@ constexpr double kVisible = 8. / 255;
 constexpr double kMostColored = .002;  ///< twice what small pictures allow
 
 /// The names and values of the Bound variables of a scene.
-struct Values {
+struct BoundValues {
     std::vector<std::string> set{}, finest{};  ///< "NAME=VALUE": as they are, and the finest
     bool isKept = false;                       ///< the program reports that something is not chosen
 };
 
-Result<Values> valuesWith(gpu::Context& context, const ShippedScene& scene, const RenderOptions& options) {
+Result<BoundValues> valuesWith(gpu::Context& context, const ShippedScene& scene,
+                               const RenderOptions& options) {
     render::Stats stats;
     const Result<render::SceneRenderer> loaded =
         render::SceneRenderer::load(context, scene.path, options, stats);
     if (!loaded) return loaded.diagnostics;
-    Values values;
+    BoundValues values;
     for (const scene::Variable& each : loaded->scene().variables) {
         if (!each.bound) continue;
         values.set.push_back(fmt::format("{}={}", each.name, each.current.front()));
@@ -44,19 +45,19 @@ Result<Values> valuesWith(gpu::Context& context, const ShippedScene& scene, cons
 }
 
 /// One way of drawing a scene.
-struct Drawn {
+struct DrawnBound {
     image::Image picture{};
     Timing time{};
 };
 
-Result<Drawn> drawnWith(Bench& bench, gpu::Context& context, const ShippedScene& scene,
-                        const std::vector<std::string>& set) {
+Result<DrawnBound> drawnWith(Bench& bench, gpu::Context& context, const ShippedScene& scene,
+                             const std::vector<std::string>& set) {
     RenderOptions options;
     options.set = set;
     options.samples = 1;
     Result<image::Image> picture = scenePicture(context, scene.path, options);
     if (!picture) return std::move(picture.diagnostics);
-    Drawn drawn{std::move(*picture)};
+    DrawnBound drawn{std::move(*picture)};
     drawn.time = bench.time([&] { (void)scenePicture(context, scene.path, options); }, .2);
     return drawn;
 }
@@ -88,19 +89,19 @@ Result<std::vector<Figure>> measureBounds(Bench& bench) {
     std::vector<double> chosenTime(figures.size()), finestTime(figures.size());
     int count = 0;
     for (const ShippedScene& scene : *scenes) {
-        const Result<Values> own = valuesWith(**context, scene, {});
+        const Result<BoundValues> own = valuesWith(**context, scene, {});
         if (!own || own->set.empty()) continue;
         if (bench.isQuick() && count >= 3) break;
         ++count;
-        const Result<Drawn> finest = drawnWith(bench, **context, scene, own->finest);
-        const Result<Drawn> stated = drawnWith(bench, **context, scene, own->set);
+        const Result<DrawnBound> finest = drawnWith(bench, **context, scene, own->finest);
+        const Result<DrawnBound> stated = drawnWith(bench, **context, scene, own->set);
         if (!finest || !stated) {
             const Diagnostics& reasons = finest ? stated.diagnostics : finest.diagnostics;
             failures.push_back(fmt::format("{} cannot be drawn: {}", scene.name,
                                            reasons.empty() ? "" : toString(reasons.front())));
             continue;
         }
-        const auto pointOf = [&](const Drawn& drawn) {
+        const auto pointOf = [&](const DrawnBound& drawn) {
             return Point{
                 .setting = static_cast<double>(count),
                 .label = scene.name,
@@ -110,9 +111,9 @@ Result<std::vector<Figure>> measureBounds(Bench& bench) {
         for (std::size_t i = 0; i < figures.size(); ++i) {
             RenderOptions options;
             options.maxError = figures.size() == 1 ? 1. : std::array{.5, 1., 4.}.at(i);
-            const Result<Values> values = valuesWith(**context, scene, options);
+            const Result<BoundValues> values = valuesWith(**context, scene, options);
             if (!values) return values.diagnostics;
-            const Result<Drawn> chosen = drawnWith(bench, **context, scene, values->set);
+            const Result<DrawnBound> chosen = drawnWith(bench, **context, scene, values->set);
             if (!chosen) return chosen.diagnostics;
             Figure& figure = figures[i];
             figure.curves[0].points.push_back(pointOf(*chosen));
