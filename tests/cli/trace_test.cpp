@@ -9,13 +9,13 @@
 namespace glibra::test {
 namespace {
 
-constexpr const char* kScene =
+constexpr const char* kTracedScene =
     "WindowSize 16 16\nTexture2D t 8 4 rgba8\nFragment inline\n#version 330\nout vec4 c;\n"
     "void main() { c = vec4(1.); }\nEndFragment\nProgram P\nFill t with P\nSphere 1\n";
 
 TEST(Trace, ListsTheCallsOfThePictureByStatement) {
     const Folder folder;
-    folder.write("a.glib", kScene);
+    folder.write("a.glib", kTracedScene);
     const Finished run = glibra(folder.path(), "render a.glib -o a.png --trace --no-skip");
     ASSERT_EQ(run.status, 0) << run.err;
     const std::size_t fill = run.out.find("a.glib:9\n"), sphere = run.out.find("a.glib:10\n");

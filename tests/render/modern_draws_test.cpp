@@ -124,13 +124,14 @@ TEST_F(ModernCompute, AttributesComeFromBuffersAndNumbers) {
             scene::AttributeSet set;
             if (isInstanced) {
                 draw.instances = 3;
-                set.bindings = {
-                    {"iOffset", offset, true, {}}, {"iTurn", turn, true, {}}, {"iColor", color, true, {}}};
+                set.bindings = {{"iOffset", offset, true, {}, {}},
+                                {"iTurn", turn, true, {}, {}},
+                                {"iColor", color, true, {}, {}}};
             } else {
                 const auto& row = rows[i];
-                set.bindings = {{"iOffset", std::vector<double>(row.begin(), row.begin() + 2), false, {}},
-                                {"iTurn", turn, true, {}},
-                                {"iColor", std::vector<double>(row.begin() + 6, row.end()), false, {}}};
+                set.bindings = {{"iOffset", std::vector<double>(row.begin(), row.begin() + 2), false, {}, {}},
+                                {"iTurn", turn, true, {}, {}},
+                                {"iColor", std::vector<double>(row.begin() + 6, row.end()), false, {}, {}}};
                 if (i != 0) continue;  // a matrix cannot be a constant attribute
             }
             draw.attributes = made.scene.attributeSets.add(std::move(set));

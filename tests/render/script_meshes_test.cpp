@@ -14,7 +14,7 @@
 namespace glibra::test {
 namespace {
 
-const std::string kShow =
+const std::string kShowMesh =
     "Camera eye LookAt 1 2 5  0 0 0  0 1 0  Perspective 40 .1 100\n"
     "Vertex inline\n#version 330\nin vec4 aPlace;\nin vec4 aDirection;\nuniform mat4 mvp;\nout vec3 "
     "vNormal;\n"
@@ -25,11 +25,11 @@ const std::string kShow =
 
 TEST(ScriptMeshes, TheBuffersOfAShapeDrawTheShape) {
     for (const char* shape : {"Teapot", "Sphere 1 20 10", "Torus .3 1 8 12", "Box 1 2 1", "Soccerball 1"}) {
-        TextScene buffers("Mesh m " + std::string(shape) + "\n" + kShow +
+        TextScene buffers("Mesh m " + std::string(shape) + "\n" + kShowMesh +
                           "Attribute aPlace m.position\nAttribute aDirection m.normal\n"
                           "Vertices triangles indices m.index\n");
-        TextScene direct(kShow + "Attribute aPlace as position\nAttribute aDirection as normal\n" + shape +
-                         "\n");
+        TextScene direct(kShowMesh + "Attribute aPlace as position\nAttribute aDirection as normal\n" +
+                         shape + "\n");
         const image::Image a = buffers.draw(), b = direct.draw();
         EXPECT_EQ(a.data, b.data) << shape;
         EXPECT_GT(std::set(a.data.begin(), a.data.end()).size(), 10U) << shape;

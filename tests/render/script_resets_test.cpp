@@ -11,7 +11,7 @@ namespace glibra::test {
 namespace {
 
 /// Counts the steps in `steps`, from what Once sets, and keeps the tick and the time of the last one.
-const std::string kCounting =
+const std::string kCountingSteps =
     "Buffer steps float 3\nBuffer others float 1\n"
     "Compute inline\n#version 430\nlayout(local_size_x = 1) in;\n"
     "layout(std430) buffer steps { float s[]; };\nvoid main() { s[0] = 100.; }\nEndCompute\nProgram Begin\n"
@@ -23,7 +23,7 @@ const std::string kCounting =
     "Once\nDispatch Begin 1\nEndOnce\n";
 
 std::string counting(const std::string& before, const std::string& reset) {
-    return before + kCounting + "Step 10 reset " + reset +
+    return before + kCountingSteps + "Step 10 reset " + reset +
            "\nDispatch Count 1  uNow (vec2(tick, time))\nEndStep\n"
            "Step 10\nDispatch Other 1\nEndStep\n"
            "Pass window\nEndPass\n";

@@ -15,7 +15,7 @@ namespace {
 
 // ---- Cameras as parameters of groups.
 
-const std::string kCameras =
+const std::string kSharedCameras =
     "Camera a LookAt 0 0 5  0 0 0  0 1 0  Perspective 50 .1 100\n"
     "Camera b LookAt 4 0 5  4 0 0  0 1 0  Perspective 50 .1 100\n"
     "Camera side[3] LookAt (10 + i) 0 5  (10 + i) 0 0  0 1 0  Perspective 50 .1 100\n"
@@ -46,14 +46,14 @@ TEST(ScriptSharing, AGroupSeesThroughTheCameraThatItIsGiven) {
               "7"},
              {"Let which <a b>\nDraw view cam which", "0"},
          })
-        EXPECT_EQ(problemsOf(kCameras + kView + draws + "\n" + copy + "Fill window with Copy  uT t\n" +
+        EXPECT_EQ(problemsOf(kSharedCameras + kView + draws + "\n" + copy + "Fill window with Copy  uT t\n" +
                              "Expect pixel 4 4 [" + x + " 1 0] of t\n"),
                   "")
             << draws;
 }
 
 TEST(ScriptSharing, ACameraThatIsNoneIsReported) {
-    const auto of = [](const std::string& draw) { return problemsOf(kCameras + kView + draw + "\n"); };
+    const auto of = [](const std::string& draw) { return problemsOf(kSharedCameras + kView + draw + "\n"); };
     EXPECT_NE(of("Draw view cam t").find("no camera 'cam' is declared"), std::string::npos)
         << of("Draw view cam t");
     EXPECT_NE(of("Draw view cam side").find("'side' is an array of cameras; write side[0] to side[2]"),
