@@ -204,6 +204,11 @@ void StatementReader::joinModernLines(Statement& statement, bool pending, Positi
                           sameWord(statement.arguments[at].text, "inline");
     if (isInline && (statement.row || id == CommandId::compute || id == CommandId::glslText))
         readBody(statement);
+    // The lines up to its end are GLSL, whatever is wrong with the statement.
+    LineSplitter rest = lines_;
+    if (!isInline && id == CommandId::glslText &&
+        readShaderBody(text_, rest, statement.modern->name).end == ShaderBody::End::itsWord)
+        readBody(statement);
 }
 
 /// Takes the lines up to one that holds only the end word.

@@ -22,10 +22,11 @@ TEST(Arguments, MissingOneWithoutDefaultIsRefused) {
 
 TEST(Arguments, SurplusIsIgnored) {
     EXPECT_EQ(idsOf("Color 1 1 1 1 1"), Ids{"glib-W07"});
-    EXPECT_EQ(idsOf("Teapot 5"), Ids{"glib-W07"});
+    EXPECT_EQ(idsOf("Teapot 5 5"), Ids{"glib-W07"});
     EXPECT_EQ(idsOf("Obj cow.obj x y"), Ids{"glib-W07"});
     EXPECT_EQ(idsOf("glBegin points points"), Ids{"glib-W07"});
     EXPECT_EQ(idsOf("PopMatrix 1"), Ids{"glib-W07"});
+    EXPECT_EQ(idsOf("Let v <0 1 1 1 1 1 5>"), Ids{"glib-E20"});
     EXPECT_EQ(placeOf("Color 1 1 1 1 1", "glib-W07"), "1:15");
 }
 
@@ -88,7 +89,7 @@ TEST(Defaults, AreThoseOfTheLanguage) {
     check("Cylinder", {1, 1, 60, 20});
     check("Cone", {1, 1, 60, 20});
     check("Torus", {1, .5, 20, 40});
-    check("Teapot", {});
+    check("Teapot", {16});
     check("Soccerball", {1});
     check("DiskXY", {0, 1, 60, 10});
     check("QuadXY", {0, 1, 4, 4});

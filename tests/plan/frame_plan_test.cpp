@@ -62,6 +62,7 @@ TEST(BuiltinProgram, IsNotUsedForAProgramWithOneEndOfThePipeline) {
         SceneByHand hand;
         Programs programs;
         const auto program = hand.program("A", {stage});
+        programs.byIndex[program] = interfaceWith({});
         hand.sphere();
         programs.plan(hand.scene);
         EXPECT_EQ(programs.askedPrograms(), std::vector{program});

@@ -17,7 +17,7 @@ const std::string kEye = "Camera eye LookAt 0 0 5  0 0 0  0 1 0  Perspective 50 
 TEST(Cameras, AnEyeAfterEverythingThatIsDrawnIsReported) {
     const std::string late =
         "2:1 glib-W41 Camera 'eye' stands after everything that is drawn, so nothing is seen by it; move it "
-        "up\n";
+        "up";
     EXPECT_EQ(textsOf(run("Sphere 1\n" + kEye).diagnostics), late);
     EXPECT_EQ(textsOf(run("Repeat 2\nSphere 1\nEndRepeat\n" + kEye).diagnostics).substr(4), late.substr(4));
     for (const char* before : {"", "Sphere 1\n"})

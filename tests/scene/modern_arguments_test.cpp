@@ -158,6 +158,7 @@ constexpr Specimen kSpecimens[] = {
     {"Dispatch Count over 512 512 discard", "Box\n"},
     {"Dispatch Count over points", "Box\n"},
     {"Dispatch Count from counts", "Box\n"},
+    {"Dispatch Count from counts at 0", "Box\n"},
     {"Once", "    Clear counts\nEndOnce\n"},
     {"EndOnce", "Box\n", "Once\n"},
     {"Step 10", "    Clear counts\nEndStep\n"},
@@ -180,6 +181,7 @@ constexpr Specimen kSpecimens[] = {
     {"Expect (counts[0] == 4)", "Box\n"},
     {"Print counts", "Box\n"},
     {"Print counts 0 2", "Box\n"},
+    {"Print counts 0 2 at 1", "Box\n"},
 };
 
 /// A piece of a statement: a word, a number, or a bracket with what stands in it.

@@ -197,6 +197,12 @@ void Mismatch::report(const StatementRow& row, const Pieces& pieces, const Decla
             if (const std::string meant = base::nearestName(pieces[i].text, known); !meant.empty())
                 return reportAt("glib-E16", i,
                                 fmt::format("unknown word {}; did you mean '{}'?", found(pieces, i), meant));
+        // `Material shqniness 20`: the word was read as that of a preset.
+        if (at > 1 && isUnquoted(pieces[at - 1]) && !names.has(pieces[at - 1].text))
+            if (const std::string meant = base::nearestName(pieces[at - 1].text, known); !meant.empty())
+                return reportAt(
+                    "glib-E16", at - 1,
+                    fmt::format("unknown word {}; did you mean '{}'?", found(pieces, at - 1), meant));
         return reportAt("glib-E18", furthest_,
                         fmt::format("surplus argument {}{}", text, surplusHint(pieces, furthest_)));
     }

@@ -166,7 +166,10 @@ void bind(Interpreter& in, AttributeBinding binding) {
 /// Takes the member from "particles.velocity" and leaves the name of the buffer. Nothing with the reason
 /// reported.
 std::optional<std::string> takeMember(Interpreter& in, const Command& command, Value& name) {
-    std::size_t own = std::min<std::size_t>(1, name.path.size());
+    if (name.path.empty()) return std::string();
+    const DeclaredName* declared = declaredName(in, name.path.front().name);
+    const bool isOfMesh = declared != nullptr && declared->kind == NameKind::mesh;  // "pot.position"
+    std::size_t own = std::min<std::size_t>(isOfMesh ? 2 : 1, name.path.size());
     if (own < name.path.size() && name.path[own].name == "prev") ++own;
     std::string member;
     for (std::size_t i = own; i < name.path.size(); ++i) {
@@ -177,7 +180,8 @@ std::optional<std::string> takeMember(Interpreter& in, const Command& command, V
     }
     if (member.empty()) return member;
     name.path.resize(own);
-    name.text = name.path.front().name + (own > 1 ? ".prev" : "");
+    name.text.clear();
+    for (const auto& each : name.path) name.text += (name.text.empty() ? "" : ".") + each.name;
     return member;
 }
 
