@@ -168,7 +168,8 @@ void bind(Interpreter& in, AttributeBinding binding) {
 std::optional<std::string> takeMember(Interpreter& in, const Command& command, Value& name) {
     if (name.path.empty()) return std::string();
     const DeclaredName* declared = declaredName(in, name.path.front().name);
-    const bool isOfMesh = declared != nullptr && declared->kind == NameKind::mesh;  // "pot.position"
+    const bool isOfMesh =
+        declared != nullptr && declared->kind == DeclaredName::Kind::mesh;  // "pot.position"
     std::size_t own = std::min<std::size_t>(isOfMesh ? 2 : 1, name.path.size());
     if (own < name.path.size() && name.path[own].name == "prev") ++own;
     std::string member;
