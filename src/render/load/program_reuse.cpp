@@ -16,11 +16,15 @@ namespace {
 /// Everything that decides a translation, except what the translator asks for: included files and kinds of
 /// textures.
 std::string requestKeyOf(const glsl::ProgramRequest& asked) {
-    std::string key =
-        fmt::format("{}\n{}:{}:{} {}{}{}{}{} {} {} {} {}{}\n", asked.name, asked.place.file, asked.place.line,
-                    asked.place.column, asked.shim + 2 * asked.checksUndefined, asked.flatColors, asked.tiled,
-                    asked.inPieces, asked.suppliesFullScreenVertex, asked.colorTargets, asked.geometryInput,
-                    asked.geometryOutput, asked.geometryVerticesOut, asked.reportsGeometryConflicts);
+    std::string key = fmt::format("{}\n{}:{}:{} {} {} {} {} ", asked.name, asked.place.file, asked.place.line,
+                                  asked.place.column, asked.colorTargets, asked.geometryInput,
+                                  asked.geometryOutput, asked.geometryVerticesOut);
+    for (const bool each :
+         {asked.shim, asked.hasLights, asked.setsLights, asked.suppliesFragment, asked.suppliesFixedVertex,
+          asked.acceptsStorage, asked.suppliesFullScreenVertex, asked.flatColors, asked.tiled, asked.inPieces,
+          asked.checksUndefined, asked.reportsGeometryConflicts})
+        key += each ? '1' : '0';
+    key += '\n';
     for (const glsl::StageSource& each : asked.stages)
         key += fmt::format("{} {}\n", static_cast<int>(each.stage), each.path) + each.text + '\0';
     return key;
