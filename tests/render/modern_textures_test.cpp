@@ -162,6 +162,9 @@ TEST(ModernTextures, OfDepthAreComparedOrReadByTheTypeOfTheSampler) {
     const auto modern = [](const std::string& read) {
         WriteAndRead scene(read);
         const auto shadow = scene.modern.texture("uMap", TexelFormat::depth32f, 8, 8);
+        base::SamplerState& sampler = scene.modern.scene.textures[shadow].sampler;  // as a statement has it
+        sampler.wrap.fill(base::Wrap::clampToBorder);
+        sampler.border.fill(1);
         scene::Pass& pass = scene.modern.pass({}, {});
         pass.depth = TextureView{.texture = shadow};
         scene.modern.square(scene.writer, .5);

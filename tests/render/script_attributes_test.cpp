@@ -52,10 +52,10 @@ TEST(AttributeParts, AreDrawnByIndicesAndPerInstance) {
 TEST(AttributeParts, HaveAsManyElementsAsFit) {
     const std::string data =
         "Buffer data float [9 9  1 2 1 .2 0  5 6 0 .4 1]\nAttribute iPixel data offset 8 stride 20\n";
-    EXPECT_NE(problemsOf(kAttributeScene + kDots + data + "Attribute iTint [1 1 1]\nVertices points 3\n")
-                  .find("memory-E13 Vertices: 3 vertices are more than the 2 elements of 'data'"),
+    EXPECT_NE(problemsOf(kAttributeScene + kDots + data + "Attribute iTint 1 1 1\nVertices points 3\n")
+                  .find("Vertices: 3 vertices are more than the 2 elements of 'data'"),
               std::string::npos)
-        << problemsOf(kAttributeScene + kDots + data + "Attribute iTint [1 1 1]\nVertices points 3\n");
+        << problemsOf(kAttributeScene + kDots + data + "Attribute iTint 1 1 1\nVertices points 3\n");
 }
 
 const std::string kDust =
@@ -85,7 +85,7 @@ TEST(AttributeParts, OfUnknownNamesAreReported) {
                           "\nAttribute iTint Birds.tint\nVertices points 2\n");
     };
     EXPECT_NE(reported("Attribute iPixel Birds.plase")
-                  .find("draw-E12 Vertices: an attribute reads the member 'plase' of buffer 'Birds', which "
+                  .find("Vertices: an attribute reads the member 'plase' of buffer 'Birds', which "
                         "has none of "
                         "that name; did you mean 'place'?"),
               std::string::npos)
@@ -93,11 +93,10 @@ TEST(AttributeParts, OfUnknownNamesAreReported) {
     EXPECT_NE(reported("Attribute iPixel Birds.xyz").find("its members are tint, age, place"),
               std::string::npos);
     EXPECT_NE(reported("Attribute iPixel Birds stride 6").find("multiple of 4"), std::string::npos);
-    EXPECT_NE(
-        problemsOf(kAttributeScene + kDots +
-                   "Buffer b vec2 2\nAttribute iPixel b.x\nAttribute iTint [1 1 1]\nVertices points 2\n")
-            .find("'offset' and 'stride'"),
-        std::string::npos);
+    EXPECT_NE(problemsOf(kAttributeScene + kDots +
+                         "Buffer b vec2 2\nAttribute iPixel b.x\nAttribute iTint 1 1 1\nVertices points 2\n")
+                  .find("'offset' and 'stride'"),
+              std::string::npos);
 }
 
 }  // namespace

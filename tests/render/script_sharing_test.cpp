@@ -87,15 +87,19 @@ TEST(ScriptSharing, ShadersIncludeTheGlslOfTheScene) {
 }
 
 TEST(ScriptSharing, MessagesAboutSharedGlslNameItsLine) {
-    const std::string found = problemsOf(filled(
-        "Glsl wrong inline\n\nfloat f() { return vec2(1.); }\nEndGlsl\n", "vec4(f())", "#include wrong"));
+    const std::string found =
+        problemsOf(filled("Glsl wrong inline\n\nfloat f() { return vec2(1.); }\nEndGlsl\n", "vec4(f())",
+                          "#include wrong") +
+                   "Expect finite t\n");
     EXPECT_NE(found.find("scene.glib:3:"), std::string::npos) << found;
     const std::string cycle =
         problemsOf(filled("Glsl a inline\n#include b\nEndGlsl\nGlsl b inline\n#include a\nEndGlsl\n",
-                          "vec4(1.)", "#include a"));
+                          "vec4(1.)", "#include a") +
+                   "Expect finite t\n");
     EXPECT_NE(cycle.find("Glsl a (line 1), Glsl b (line 4), Glsl a (line 1) [glsl-E04]"), std::string::npos)
         << cycle;
-    EXPECT_NE(problemsOf(filled("", "vec4(1.)", "#include none")).find("'none'"), std::string::npos);
+    EXPECT_NE(problemsOf(filled("", "vec4(1.)", "#include none") + "Expect finite t\n").find("'none'"),
+              std::string::npos);
     const std::string twice =
         problemsOf(filled("Glsl a inline\nEndGlsl\nGlsl a inline\nEndGlsl\n", "vec4(1.)", "#include a"));
     EXPECT_NE(twice.find("scene.glib:3:6: error: 'a' is declared on line 1 already, as Glsl [glib-E27]"),

@@ -198,7 +198,7 @@ void Mismatch::report(const StatementRow& row, const Pieces& pieces, const Decla
                 return reportAt("glib-E16", i,
                                 fmt::format("unknown word {}; did you mean '{}'?", found(pieces, i), meant));
         // `Material shqniness 20`: the word was read as that of a preset.
-        if (at > 1 && isUnquoted(pieces[at - 1]) && !names.has(pieces[at - 1].text))
+        if (at > 0 && isUnquoted(pieces[at - 1]) && !names.has(pieces[at - 1].text))
             if (const std::string meant = base::nearestName(pieces[at - 1].text, known); !meant.empty())
                 return reportAt(
                     "glib-E16", at - 1,
