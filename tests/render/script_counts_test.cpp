@@ -75,8 +75,9 @@ TEST(CountsAtAPlace, LieInsideAStructureToo) {
 }
 
 TEST(CountsAtAPlace, OutsideOfTheBufferAreReported) {
-    const std::string problems = problemsOf(
-        kCountScene + kCounting + "Buffer groups uint [1 1 1 2]\nDispatch Count from groups at 2\n");
+    const std::string problems =
+        problemsOf(kCountScene + kCounting +
+                   "Buffer groups uint [1 1 1 2]\nDispatch Count from groups at 2\nExpect buffer Sum [1]\n");
     EXPECT_NE(problems.find("Dispatch: buffer 'groups' has 16 bytes, but 3 counts from word 2 on need 20"),
               std::string::npos)
         << problems;

@@ -87,11 +87,11 @@ TEST(OneStage, AFragmentStageAloneGetsTheFixedVertexStage) {
 }
 
 TEST(OneStage, ScenesWithoutModernStatementsHaveThemToo) {
-    EXPECT_EQ(
-        problemsOf(
-            "WindowSize 8 8\nOrtho -1 1 -1 1\nVertex red.vert\nProgram Red\nQuadXY 0 2\n",
-            {{"red.vert", "void main() { gl_FrontColor = vec4(1.,0.,0.,1.); gl_Position = ftransform(); }"}}),
-        "");
+    EXPECT_EQ(problemsOf("WindowSize 8 8\nOrtho -1 1 -1 1\nVertex red.vert\nProgram Red\nQuadXY 0 2\n",
+                         {{"red.vert",
+                           "#version 110\nvoid main() { gl_FrontColor = vec4(1.,0.,0.,1.); gl_Position = "
+                           "ftransform(); }"}}),
+              "");
 }
 
 /// Lights the square by the first light, whose direction the shader reads.
