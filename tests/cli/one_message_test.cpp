@@ -110,7 +110,7 @@ TEST(OneMessage, ForAPassThatIsNotRead) {
 }
 
 TEST(OneMessage, ForAFillThatIsMissingOrNotRead) {
-    expectOne(with("Fill glow with Ramp", "Fill glow Ramp"), "48:11", "expected 'with'");
+    expectOne(with("Fill glow with Ramp", "Fill glow Ramp"), "48:1", "expected 'with'");
     const std::string shown = kScene + "Fill window with Show\n";
     EXPECT_EQ(messagesOf(shown), "");
     std::string forgotten = shown;

@@ -97,9 +97,9 @@ TEST(Manual, HasAPageForEachSubcommandWithAllItsOptions) {
         for (const std::string& option : listedOptions(folder, each))
             EXPECT_TRUE(has.contains(option)) << each << " " << option;
     }
-    const Finished whole = glibra(folder.path(), "manual");
-    for (const std::string& each : commands)
-        EXPECT_PRED2(contains, whole.out, "\\fB" + each + "\\fR") << each;
+    const std::string whole =
+        std::regex_replace(glibra(folder.path(), "manual").out, std::regex(R"(\\-)"), "-");
+    for (const std::string& each : commands) EXPECT_PRED2(contains, whole, "\\fB" + each + "\\fR") << each;
     EXPECT_EQ(glibra(folder.path(), "manual rendr").status, 2);
 }
 
