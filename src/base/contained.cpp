@@ -29,13 +29,21 @@ std::vector<std::string> downwards(const fs::path& path) {
     return parts;
 }
 
-Descriptor openFolder(const fs::path& folder) {
-    return Descriptor(::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+/// How a folder is opened that is only gone through: in a sandbox some can be passed and not be listed.
+#ifdef O_PATH
+constexpr int kPassing = O_PATH;
+#else
+constexpr int kPassing = O_RDONLY;
+#endif
+
+Descriptor openFolder(const fs::path& folder, int access = O_RDONLY) {
+    return Descriptor(::open(folder.empty() ? "." : folder.c_str(), access | O_DIRECTORY | O_CLOEXEC));
 }
 
 /// Goes down the folders of `parts`, all but the last. Each is opened from the one before, so that nobody can
 /// put a link in between. errno says why there is no value.
-Descriptor enter(const fs::path& root, const std::vector<std::string>& parts, bool make) {
+Descriptor enter(const fs::path& root, const std::vector<std::string>& parts, bool make,
+                 int access = O_RDONLY) {
     if (parts.empty()) {
         errno = EINVAL;
         return {};
@@ -44,14 +52,14 @@ Descriptor enter(const fs::path& root, const std::vector<std::string>& parts, bo
         std::error_code ignored;  // reported by the next step
         fs::create_directories(root, ignored);
     }
-    Descriptor folder = openFolder(root);
+    Descriptor folder = openFolder(root, access);
     for (std::size_t i = 0; folder && i + 1 < parts.size(); ++i) {
         if (make) ::mkdirat(folder.number(), parts[i].c_str(), 0777);
         struct stat status{};
         const bool isLink = ::fstatat(folder.number(), parts[i].c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0 &&
                             S_ISLNK(status.st_mode);
         Descriptor next(
-            ::openat(folder.number(), parts[i].c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+            ::openat(folder.number(), parts[i].c_str(), access | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
         if (!next && isLink) errno = ELOOP;
         folder = std::move(next);
     }
@@ -93,7 +101,7 @@ Descriptor::~Descriptor() {
 
 Descriptor openBeneath(const fs::path& root, const fs::path& path) {
     const std::vector<std::string> parts = downwards(path);
-    const Descriptor folder = enter(root, parts, false);
+    const Descriptor folder = enter(root, parts, false, kPassing);
     if (!folder) return {};
     // Without O_NONBLOCK, opening a pipe blocks until somebody writes to it.
     Descriptor file(

@@ -153,8 +153,9 @@ TEST_F(ClassInput, AMisspeltSliderEndsTheRunBeforeAnythingIsDrawn) {
         EXPECT_TRUE(contains(done.err, "did you mean 'uAd'?")) << done.err;
         EXPECT_EQ(folder.listing(), before) << wrong;
         EXPECT_EQ(page(), html) << wrong;
-        EXPECT_EQ(run(wrong, "").status, 2) << "without a reference, too";
     }
+    EXPECT_EQ(run("--set uAdd=.3", "").status, 2) << "without a reference, after drawing";
+    EXPECT_EQ(page(), "") << "its pictures would not be those of the page";
     writeScene("all/bob/", "#version 330 core\nout vec4 f;\nvoid main() { f = vec4(1.); }\n");
     EXPECT_EQ(run("--set uAd=.3").status, 0) << "one that a student lacks is no mistake of the teacher";
 }

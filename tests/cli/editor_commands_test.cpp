@@ -29,8 +29,8 @@ TEST(FormatCommand, FormatsInPlaceAndChecks) {
     EXPECT_EQ(readFile(folder / "a.glib"), "Group\n    Sphere\nEndGroup\n");
     EXPECT_EQ(glibra(folder.path(), "format --check .").status, 0);
     folder.write("input", " box 1");
-    EXPECT_EQ(shell(folder.path(), "cat input | " GLIBRA_PROGRAM " format --stdin").out, "Box 1\n");
-    EXPECT_EQ(shell(folder.path(), "cat input | " GLIBRA_PROGRAM " format - --check").status, 1);
+    EXPECT_EQ(shell(folder.path(), "(cat input | " GLIBRA_PROGRAM " format --stdin)").out, "Box 1\n");
+    EXPECT_EQ(shell(folder.path(), "(cat input | " GLIBRA_PROGRAM " format - --check)").status, 1);
     EXPECT_EQ(glibra(folder.path(), "format no.glib").status, 3);
     EXPECT_EQ(glibra(folder.path(), "format").status, 2);
 }

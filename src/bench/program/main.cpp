@@ -44,7 +44,6 @@ int runProgram(int argc, char** argv) {
     cli::Program program(
         "run time against error: curves and their Pareto fronts",
         "glibra bench --list\n"
-        "glibra bench --quick transforms -o out/\n"
         "glibra bench --scene fog.glib --sweep 'steps=[8,16,32,256]'\n"
         "glibra bench --against out/bench.json           # what changed since an earlier run",
         "glibra bench");
