@@ -17,7 +17,7 @@ tree="$place/another place/glibra"
 # with a driver has (C++, zlib).
 find "$tree" -type f \( -path '*/bin/*' -o -path '*/lib/glibra/*' \) ! -path '*/licences/*' >"$place/objects"
 sed 's|.*/||' "$place/objects" | grep '\.so\.' >"$place/inside"
-grep -E '^(libc|libm|ld-linux|libX|libxcb|libEGL|libGL|libOpenGL|libOSMesa)' "$place/inside" >"$place/log" && fail "of the system:"
+grep -E '^(libc\.|libm\.|ld-linux|libX|libxcb|libEGL|libGL|libOpenGL|libOSMesa)' "$place/inside" >"$place/log" && fail "of the system:"
 while read -r each; do
     case $each in */glibra_openimageio.so) continue ;; esac
     readelf -d "$each" | sed -n 's/.*(NEEDED).*\[\(.*\)\]/\1/p'
