@@ -181,7 +181,6 @@ constexpr Specimen kSpecimens[] = {
     {"Expect (counts[0] == 4)", "Box\n"},
     {"Print counts", "Box\n"},
     {"Print counts 0 2", "Box\n"},
-    {"Print counts 0 2 at 1", "Box\n"},
 };
 
 /// A piece of a statement: a word, a number, or a bracket with what stands in it.

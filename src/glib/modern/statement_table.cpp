@@ -347,8 +347,8 @@ constexpr StatementRow kStatementRows[] = {
      .summary = "a check of the picture, a buffer, a count or a condition"},
     {.id = CommandId::print,
      .name = "Print",
-     .syntax = "(buffer:object [range:number+2] | value:expression) [at seconds:number]",
-     .summary = "reports elements of a buffer, or the value of an expression"},
+     .syntax = "buffer:object [range:number+2]",
+     .summary = "reports elements of a buffer"},
 };
 
 /// The rows whose words begin with a letter, for a quick answer to words that are none.
