@@ -24,13 +24,14 @@ TEST_F(CallTraceTest, ListsCallsWithArgumentsUnderTheirPlaces) {
     glPolygonOffset(.5F, -2);
     log.setPlace({"scene.glib", 7, 1});
     const std::array<float, 4> color{};
-    glClearBufferfv(GL_COLOR, 0, color.data());
+    glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, color.data());
     glDepthMask(GL_FALSE);
     EXPECT_EQ(trace.text(),
               "before the first statement\n  glEnable(GL_DEPTH_TEST)\n"
               "scene.glib:3\n  glActiveTexture(GL_TEXTURE2)\n  glViewport(0, 1, 20, 30) x 2\n"
               "  glPolygonOffset(0.5, -2)\n"
-              "scene.glib:7\n  glClearBufferfv(GL_COLOR, 0, ...)\n  glDepthMask(GL_FALSE)\n");
+              "scene.glib:7\n  glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, ...)\n"
+              "  glDepthMask(GL_FALSE)\n");
     glDepthMask(GL_TRUE);
     glDisable(GL_DEPTH_TEST);
 }
