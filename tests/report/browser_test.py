@@ -103,7 +103,7 @@ class Report(unittest.TestCase):
             """ + captions)
         self.assertEqual(told, ["expected", "got", "difference × 8", ""])
         self.shown("sample/deep")
-        self.assertIn("expected, 64 × 48", self.browser.run(captions))
+        self.assertIn("expected, 8 × 8", self.browser.run(captions))
         self.go("sample/missing")
         self.assertIn("expected: no picture", self.browser.run(captions))
 

@@ -76,7 +76,7 @@ class WindowTest(unittest.TestCase):
         cls.desktop.close()
 
     def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
+        self.folder = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)  # a window that was killed may still write
         self.files = pathlib.Path(self.folder.name)
         (self.files / "kinds.glib").write_text(ALL_KINDS)
         (self.files / "moving.glib").write_text(MOVING)
