@@ -64,7 +64,8 @@ class Safety(ScenesTest):
         self.assertTrue(message["file"].endswith("one.frag"))
         self.assertEqual(message["line"], 4)
         window.move(20, 20)
-        self.assertEqual(window.pixels()[2], before[2], "the last good picture stays")
+        seen = len(before[2]) // 2  # the list of messages covers what is below
+        self.assertEqual(window.pixels()[2][:seen], before[2][:seen], "the last good picture stays")
         # The next edit draws again.
         window.click("source/revert")
         window.wait(lambda s: not s["messages"])

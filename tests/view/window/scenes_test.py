@@ -50,7 +50,7 @@ class ScenesTest(WindowTest):
             window.key("e")
         window.wait(lambda s: "source/text" in s["widgets"])
         window.settle()
-        window.move(*window.point("source/text", 0.5, 0.9))
+        window.move(*window.point("source/text", 0.5, 0.4))
         window.press()
         window.release()
         window.wait(lambda s: s["source"]["active"])
