@@ -101,7 +101,7 @@ class Widgets(WindowTest):
         window.wait_knob("uFloat", lambda v: v == [0.5])
         window.click("scene/save")
         window.wait(lambda s: s["reloads"] >= 1)
-        self.assertEqual(scene.read_text(), ALL_KINDS.replace("<0. .25 1.>", "<0 0.5 1>"))
+        self.assertEqual(scene.read_text(), ALL_KINDS.replace("<0. .25 1.>", "<0. 0.5 1.>"))
 
     def test_copies_the_program_line(self):
         window = self.open(self.files / "kinds.glib", "--size", "200x560", "--set", "uInt=5")
