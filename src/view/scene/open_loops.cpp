@@ -10,7 +10,7 @@
 namespace glibra::view {
 namespace {
 
-constexpr double kManyRounds = 5000;
+constexpr double kManyRounds = 20'000;
 
 /// Calls `use(word, offset)` for each word of a GLSL text outside of comments and directives.
 template <class Use>
