@@ -12,7 +12,8 @@
 namespace glibra::view {
 
 /// The places of the loops of a stage whose number of rounds does not follow from its text and the values of
-/// its uniforms, or which run more than 20,000 rounds. `uniform` gives the value of a uniform, if it is known.
+/// its uniforms, or which run more than 20,000 rounds. `uniform` gives the value of a uniform, if it is
+/// known.
 std::vector<Place> openLoops(const glsl::TranslatedStage& stage, const glsl::UniformValue& uniform);
 
 /// The places of the `for` and `while` loops of a stage whose condition nothing in them can change, and which
