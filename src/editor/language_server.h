@@ -1,6 +1,6 @@
 #pragma once
-// A server of the Language Server Protocol 3.17 for scenes and their shaders: what the client says goes in,
-// what it is told comes out. Reading and writing is the caller's.
+// A server of the Language Server Protocol 3.17 for scenes and their shaders. It takes the messages of the
+// client and returns the answers as texts; the caller reads and writes the streams.
 
 #include <filesystem>
 #include <functional>
@@ -28,7 +28,8 @@ class LanguageServer {
   public:
     explicit LanguageServer(ServerOptions options);
 
-    /// Takes a message of the client. Returns false if it is no JSON; the client is told so.
+    /// Takes a message of the client. Returns false, and answers with an error, if it is no
+    /// JSON.
     bool receive(std::string_view message);
     /// Answers the messages that have been received, in their order.
     void answer();
@@ -36,7 +37,7 @@ class LanguageServer {
     [[nodiscard]] bool hasWork() const { return !due_.empty(); }
     /// Checks one of them, and reports what is wrong with it and its shaders.
     void work();
-    /// What the client is told since the last call, a JSON text each.
+    /// The answers and notifications made since the last call, a JSON text each.
     std::vector<std::string> takeOutput();
     /// The exit status, once the client has said `exit`: 0 after `shutdown`, otherwise 1.
     [[nodiscard]] std::optional<int> exitStatus() const { return exitStatus_; }

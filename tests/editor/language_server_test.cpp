@@ -1,4 +1,4 @@
-// The language server without a process: what a client says, and what it is told.
+// The language server without a process: the messages of a client and the answers to them.
 
 #include "editor/language_server.h"
 

@@ -1,6 +1,5 @@
 // The module for loopback servers: cpp-httplib behind the functions of abi.h. It is a file of its own, loaded
-// when a page is served, because linking cpp-httplib and what it is linked with (OpenSSL) costs a process 8
-// ms at every start.
+// when a page is served: programs that are linked with cpp-httplib, and so with OpenSSL, start 8 ms later.
 
 #include <httplib.h>
 #include <sys/socket.h>
