@@ -14,19 +14,23 @@ namespace glibra::render {
 namespace {
 
 /// Everything that decides a translation, except what the translator asks for: included files and kinds of
-/// textures.
+/// textures. It takes the request apart by all of its members, so that one more does not compile until it
+/// stands here.
 std::string requestKeyOf(const glsl::ProgramRequest& asked) {
-    std::string key = fmt::format("{}\n{}:{}:{} {} {} {} {} ", asked.name, asked.place.file, asked.place.line,
-                                  asked.place.column, asked.colorTargets, asked.geometryInput,
-                                  asked.geometryOutput, asked.geometryVerticesOut);
+    const auto& [name, place, stages, include, target, shim, hasLights, setsLights, suppliesFragment,
+                 suppliesFixedVertex, acceptsStorage, suppliesFullScreenVertex, flatColors, colorTargets,
+                 tiled, inPieces, checksUndefined, geometryInput, geometryOutput, geometryVerticesOut,
+                 reportsGeometryConflicts, samplerKindsOfTag] = asked;
+    static_cast<void>(target);  // that of the context, which owns what is shared
+    std::string key = fmt::format("{}\n{}:{}:{} {} {} {} {} ", name, place.file, place.line, place.column,
+                                  colorTargets, geometryInput, geometryOutput, geometryVerticesOut);
     for (const bool each :
-         {asked.shim, asked.hasLights, asked.setsLights, asked.suppliesFragment, asked.suppliesFixedVertex,
-          asked.acceptsStorage, asked.suppliesFullScreenVertex, asked.flatColors, asked.tiled, asked.inPieces,
-          asked.checksUndefined, asked.reportsGeometryConflicts})
+         {shim, hasLights, setsLights, suppliesFragment, suppliesFixedVertex, acceptsStorage,
+          suppliesFullScreenVertex, flatColors, tiled, inPieces, checksUndefined, reportsGeometryConflicts})
         key += each ? '1' : '0';
     key += '\n';
-    for (const glsl::StageSource& each : asked.stages)
-        key += fmt::format("{} {}\n", static_cast<int>(each.stage), each.path) + each.text + '\0';
+    for (const auto& [stage, path, text] : stages)
+        key += fmt::format("{} {}\n", static_cast<int>(stage), path) + text + '\0';
     return key;
 }
 

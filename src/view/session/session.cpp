@@ -99,7 +99,7 @@ void Session::dropScene() {
     debugRenderer_.reset();
     knobs_.clear();
     animations_.clear();
-    picked_.reset();
+    clearPick();
     isWaiting_ = false;
     live_.reset();
 }
@@ -151,7 +151,7 @@ void Session::take(LiveScene::Loading loading, bool sameScene) {
         if (sameScene && ordinal < draws.size() && draws[ordinal]->word == picked_->word)
             picked_->draw = draws[ordinal]->id;
         else
-            picked_.reset();
+            clearPick();
     }
     debugRenderer_.reset();
     if (objectTimer_) objectTimer_->forget();

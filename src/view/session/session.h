@@ -4,6 +4,7 @@
 
 #include <glibra/render.h>
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -198,9 +199,10 @@ class Session {
     [[nodiscard]] std::uint64_t framesDrawn() const { return framesDrawn_; }
 
     /// What the fragment of the last frame at that pixel has: its inputs, outputs and uniforms (probePixel).
-    /// x counts to the right, y downwards.
+    /// x counts to the right, y downwards. Only the place is set while there is no picture yet.
     ProbedPixel probe(int x, int y);
-    /// Picks the object at that pixel (x to the right, y downwards); the background picks none.
+    /// Picks the object at that pixel (x to the right, y downwards); the background picks none. While another
+    /// process draws the picture, the pick waits for it.
     void pickAt(int x, int y);
     void clearPick();
     [[nodiscard]] const std::optional<Picked>& picked() const { return picked_; }
@@ -226,6 +228,7 @@ class Session {
     bool showReceived(const DrawingOrder& order);
     void stopOpenLoops(DrawingProcess::State why);
     bool makeTarget(std::optional<gpu::Target>& target, int samples);
+    void pickWaiting();
     void moveAnimations();
     void applyValue(std::size_t knob);
     [[nodiscard]] std::optional<std::string> textWithFiles() const;
@@ -275,6 +278,7 @@ class Session {
     bool isReleased_ = false;  ///< kept_ has the values of a scene that is on no device
     std::uint64_t framesDrawn_ = 0, timesLoaded_ = 0;
     std::optional<Picked> picked_;
+    std::optional<std::array<int, 2>> pickLater_;  ///< a pixel that waits for its picture
 };
 
 }  // namespace glibra::view

@@ -142,7 +142,10 @@ bool Session::drawIfNeeded() {
     const Elsewhere elsewhere = drawElsewhere();
     isWaiting_ = elsewhere == Elsewhere::waits && !isStopped_;
     if (elsewhere == Elsewhere::waits) return false;
-    if (elsewhere == Elsewhere::shown) return true;
+    if (elsewhere == Elsewhere::shown) {
+        pickWaiting();
+        return true;
+    }
     if (std::exchange(hasOtherSamples_, false) || received_) target_.reset();
     received_.reset();
     // Debug views show numbers, which must not be mixed.
@@ -154,6 +157,7 @@ bool Session::drawIfNeeded() {
     for (Diagnostic& each : drawShown()) addOnce(diagnostics_, std::move(each));
     isStale_ = false;
     ++framesDrawn_;
+    pickWaiting();
     return true;
 }
 
@@ -171,7 +175,12 @@ const gpu::Target* Session::plainPicture() {
 
 void Session::pickAt(int x, int y) {
     drawIfNeeded();
-    if (isWaiting_ || isStopped_) return;
+    pickLater_.reset();
+    if (isStopped_) return;
+    if (isWaiting_) {
+        pickLater_ = {x, y};
+        return;
+    }
     if (const gpu::Target* plain = plainPicture(); live_ && plain)
         picked_ = pick(*live_, *plain, clock_.time(), x, y);
     plainFrame_ = 0;
@@ -179,9 +188,19 @@ void Session::pickAt(int x, int y) {
     if (debugView_ != DebugView::picture) isStale_ = true;
 }
 
+/// Picks what was pointed at while another process drew the picture.
+void Session::pickWaiting() {
+    if (const auto waiting = std::exchange(pickLater_, std::nullopt)) pickAt((*waiting)[0], (*waiting)[1]);
+}
+
 ProbedPixel Session::probe(int x, int y) {
     drawIfNeeded();
-    if (!live_ || !target_ || isWaiting_ || isStopped_) return {};
+    if (!live_ || !target_ || isWaiting_ || isStopped_) {
+        ProbedPixel none;
+        none.x = x;
+        none.y = y;
+        return none;
+    }
     ProbedPixel pixel =
         probePixel(context_, *live_, target_->width(), target_->height(), clock_.time(), x, y);
     if (debugRenderer_) debugRenderer_->forgetPlan();
@@ -189,6 +208,7 @@ ProbedPixel Session::probe(int x, int y) {
 }
 
 void Session::clearPick() {
+    pickLater_.reset();
     picked_.reset();
 }
 
