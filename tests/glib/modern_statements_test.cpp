@@ -136,6 +136,14 @@ TEST(ModernNumbers, OneExpressionMayFillSeveral) {
               "1:1 glib-E17 Viewport: expected number 4 of 4 (area), found the end of the statement");
 }
 
+TEST(ModernNames, MisspeltWordAfterSeveralIsNamed) {
+    const std::string head = "Texture2D a 8 8 rgba8\nTexture2D b 8 8 rgba8\n";
+    EXPECT_EQ(placedMessageOf(head + "Fill a b wiht Ramp"),
+              "3:10 glib-E16 Fill: unknown word 'wiht'; did you mean 'with'?");
+    EXPECT_EQ(placedMessageOf(head + "Fill a b"),
+              "3:1 glib-E17 Fill: expected 'with', found the end of the statement");
+}
+
 TEST(ModernTextures, NameInPlaceOfAUnit) {
     EXPECT_EQ(only("Texture2D 6 512 512 RGBA8").id, CommandId::texture2D);
     EXPECT_EQ(only("Texture2D wood wood.bmp").id, CommandId::namedTexture2D);

@@ -162,6 +162,12 @@ void Mismatch::report(const StatementRow& row, const Pieces& pieces, const Decla
         expected_.clear();
     }
     if (furthest_ >= pieces.size()) {
+        // `Fill glow wiht Ramp`: the misspelt word was read as one more name.
+        for (std::size_t i = 1; i < pieces.size(); ++i)
+            if (const std::string meant = isUnquoted(pieces[i]) ? suggested(pieces[i].text) : std::string();
+                !meant.empty())
+                return reportAt("glib-E16", i,
+                                fmt::format("unknown word {}; did you mean '{}'?", found(pieces, i), meant));
         log.report("glib-E17",
                    fmt::format("{}: expected {}, found the end of the statement", row.name, listOfExpected()),
                    command);

@@ -3,6 +3,7 @@
 #include <glad/gl.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <mutex>
 #include <string>
@@ -87,7 +88,7 @@ std::string identityOf(Backend& backend) {
     const auto string = reinterpret_cast<PFNGLGETSTRINGPROC>(backend.address("glGetString"));
     if (string == nullptr) return {};
     std::string identity = std::to_string(reinterpret_cast<std::uintptr_t>(backend.address("glDrawArrays")));
-    for (const GLenum each : {GL_VENDOR, GL_RENDERER, GL_VERSION})
+    for (const GLenum each : std::array<GLenum, 3>{GL_VENDOR, GL_RENDERER, GL_VERSION})
         if (const GLubyte* words = string(each))
             identity += std::string(" ") + reinterpret_cast<const char*>(words);
     return identity;

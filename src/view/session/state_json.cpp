@@ -75,7 +75,6 @@ nlohmann::ordered_json stateOf(const Session& session) {
                             {"column", each.place.column}});
     Json json{{"scene", session.path().string()},
               {"framesDrawn", session.framesDrawn()},
-              {"drawing", session.isDrawing()},
               {"time", session.clock().time()},
               {"playing", session.clock().isPlaying()},
               {"speed", session.clock().speed()},
