@@ -20,6 +20,8 @@ TEST(Exercises, HaveASolutionWithEveryValueThatTheySweep) {
     for (const auto& each : fs::recursive_directory_iterator(GLIBRA_SOURCE_DIR "/glib/exercises")) {
         if (each.path().extension() != ".glib") continue;
         ++count;
+        EXPECT_EQ(suite::textOf(each.path()).find("../"), std::string::npos)
+            << each.path() << ": a copy elsewhere finds its files in the library";
         const fs::path file = fs::path(each.path()).replace_extension(".toml");
         const Result<std::vector<Moment>> moments = momentsOfSuite(file);
         ASSERT_TRUE(moments) << file << (moments.diagnostics.empty() ? "" : moments.diagnostics.front().text);
