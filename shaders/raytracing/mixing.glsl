@@ -34,8 +34,3 @@ vec3 mixed(vec3 a, vec3 b, int way) {
     if (way == kInk) return max(a + b - 1., 0.);
     return lightOf(min(paintOf(a) + paintOf(b), 1.));
 }
-
-/// Paints share the place on the canvas: there is half of each, not all of both.
-vec3 mixedFairly(vec3 a, vec3 b) {
-    return lightOf(.5 * (paintOf(a) + paintOf(b)));
-}

@@ -8,6 +8,11 @@ uniform float uAspect;  // width / height of the picture
 in vec2 vST;
 out vec4 fColor;
 
+/// Paints share the place on the canvas: there is half of each, not all of both.
+vec3 mixedFairly(vec3 a, vec3 b) {
+    return lightOf(.5 * (paintOf(a) + paintOf(b)));
+}
+
 void main() {
     vec2 place = vec2((fract(2. * vST.s) - .5) * uAspect / 2., vST.t - .5);
     bool first = length(place - vec2(0., .12)) < .25, second = length(place + vec2(0., .12)) < .25;

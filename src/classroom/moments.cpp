@@ -24,13 +24,14 @@ std::string labelOf(std::string_view suffix) {
     return label;
 }
 
-/// The text of a --sweep as TOML has it, where a number has digits on both sides of its point: "[0.5, 1.0]"
-/// for
-/// "[.5, 1.]", which scenes and --set know. Words in quotes and the name stay.
+/// The text of a --sweep as TOML has it, where a number has digits on both sides of its point and a word
+/// stands in quotes: "[0.5, 1.0]" for "[.5, 1.]" and "['sky', 'room']" for "[sky, room]", which scenes and
+/// --set know. What is in quotes and the name stay.
 std::string asToml(std::string_view sweep) {
     const auto isDigitAt = [&](std::size_t at) {
         return at < sweep.size() && sweep[at] >= '0' && sweep[at] <= '9';
     };
+    const auto isLetter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
     std::string text;
     char quote = 0;
     bool isValue = false;
@@ -41,6 +42,16 @@ std::string asToml(std::string_view sweep) {
         else if (c == '"' || c == '\'')
             quote = c;
         isValue = isValue || (c == '=' && quote == 0);
+        if (isValue && quote == 0 && isLetter(c) && !isLetter(sweep[i - 1]) && !isDigitAt(i - 1) &&
+            sweep[i - 1] != '.') {
+            std::size_t end = i;
+            while (end < sweep.size() && (isLetter(sweep[end]) || isDigitAt(end))) ++end;
+            const std::string_view word = sweep.substr(i, end - i);
+            const bool isTomls = word == "true" || word == "false" || word == "inf" || word == "nan";
+            text += isTomls ? std::string(word) : fmt::format("'{}'", word);
+            i = end - 1;
+            continue;
+        }
         const bool isPoint = isValue && quote == 0 && c == '.';
         const bool hasBefore = i > 0 && isDigitAt(i - 1), hasAfter = isDigitAt(i + 1);
         if (isPoint && !hasBefore && hasAfter) text += '0';
@@ -141,7 +152,10 @@ Result<std::vector<Moment>> momentsOfSuite(const std::filesystem::path& file) {
     if (exercise) {
         suite::Shot picture;
         picture.script = exercise->solution;
-        return momentsOf(picture, exercise->times, exercise->sweeps);
+        Result<std::vector<Moment>> moments = momentsOf(picture, exercise->times, exercise->sweeps);
+        for (Diagnostic& each : moments.diagnostics)
+            if (each.place.file == "--sweep") each.place = {file.string(), 1, 1};
+        return moments;
     }
     Result<suite::Suite> read = suite::readSuite(file);
     if (!read) return std::move(read.diagnostics);

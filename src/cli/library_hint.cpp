@@ -32,7 +32,10 @@ fs::path ownLibrary() {
 }
 
 Diagnostics libraryHint(const fs::path& scene, const Diagnostics& diagnostics, const fs::path& library) {
-    const auto isMissing = [](const Diagnostic& each) { return each.id == "file-E01"; };
+    // glsl-E01 has a subject only if a file is not found by #include.
+    const auto isMissing = [](const Diagnostic& each) {
+        return each.id == "file-E01" || (each.id == "glsl-E01" && !each.subject.empty());
+    };
     if (library.empty() || std::none_of(diagnostics.begin(), diagnostics.end(), isMissing)) return {};
     scene::FolderListings listings;
     const scene::SearchFolders folders = scene::searchFolders(scene, {.libraryRoots = {library}});

@@ -41,6 +41,20 @@ TEST(LibraryHint, NamesTheFolderOfATopic) {
     EXPECT_FALSE(libraryIn(run.err, "'wood.frag' as 'noise/wood.frag'").empty()) << run.err;
 }
 
+TEST(LibraryHint, StandsAfterAnInclude) {
+    const Folder folder;
+    folder.write("own.vert", kVertex);
+    folder.write(
+        "b.glib",
+        "Vertex own.vert\nFragment inline\n#version 330\n#include \"raytracing/mixing.glsl\"\n"
+        "out vec4 c;\nvoid main() { c = vec4(paintOf(vec3(1.)), 1.); }\nEndFragment\nProgram P\nSphere 1\n");
+    const std::string library =
+        libraryIn(glibra(folder.path(), "check b.glib").err, "'raytracing/mixing.glsl'");
+    EXPECT_FALSE(library.empty());
+    const Finished found = glibra(folder.path(), "check b.glib --library " + library);
+    EXPECT_EQ(found.status, 0) << found.err;
+}
+
 TEST(LibraryHint, IsSilentWhereItDoesNotHelp) {
     const Folder folder;
     folder.write("b.glib", "Vertex mine.vert\nFragment mine.frag\nProgram P\nSphere 1\n");

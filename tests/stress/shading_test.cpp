@@ -1,5 +1,6 @@
 // Shading formulas compared with double precision: hue at the end of its circle (NM20), attenuation of light
-// and the edge of a spot light (NM31), hyperbolic compression (NM36), and fog (exercises' accuracy table 52).
+// and the edge of a spot light (NM31), hyperbolic compression (NM36), weights of filters (NM37), and fog
+// (exercises' accuracy table 52).
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -213,6 +214,35 @@ TEST(Fog, ByTheDistanceStaysWhenTheCameraTurns) {
     }
     const auto [least, most] = std::minmax_element(byDepth.begin(), byDepth.end());
     EXPECT_GT(*most - *least, .01) << "fog by depth does change, so the turns were seen";
+}
+
+/// What a shader of the library makes of an even picture: the colour of a pixel in the middle.
+std::array<float, 3> ofAnEvenPicture(const std::string& shader, const std::string& values,
+                                     const std::string& color) {
+    const FloatPicture picture =
+        draw("WindowSize 8 8\nTexture2D even 8 8 rgba32f nearest clamp\nFragment f.frag\nProgram P " +
+                 values + "\nPass even clear {" + color + " 1}\nEndPass\nFill window with P\n",
+             {{"f.frag", shipped(shader)}});
+    return picture.width == 8 ? picture.at(4, 4) : std::array<float, 3>{-1, -1, -1};
+}
+
+TEST(ImageWeights, BlurAnEvenPictureToItselfAndFindNoEdgeInIt) {
+    const std::string filter = "uInUnit even uTSharp 0 uTEdge 1 uEdgeDetect ";
+    const auto blurred = ofAnEvenPicture("texture/filter.frag", filter + "false", ".3 .6 .9");
+    const auto edges = ofAnEvenPicture("texture/filter.frag", filter + "true", ".3 .6 .9");
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_NEAR(blurred[i], .3 * static_cast<double>(i + 1), 1e-6);
+        EXPECT_NEAR(edges[i], 0, 1e-6);
+    }
+}
+
+TEST(ImageWeights, OfTheLuminanceAddUpToOne) {
+    const std::string grey = "uImageUnit even uNegative 0 uBrightness 1 uContrast 1 uSaturation 0";
+    double sum = 0;
+    for (const char* each : {"1 0 0", "0 1 0", "0 0 1"})
+        sum += ofAnEvenPicture("image/adjust.frag", grey, each)[0];
+    EXPECT_NEAR(sum, 1, 1e-6);
+    EXPECT_NEAR(ofAnEvenPicture("image/adjust.frag", grey, ".37 .37 .37")[2], .37, 1e-6);
 }
 
 }  // namespace

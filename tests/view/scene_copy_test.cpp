@@ -41,6 +41,24 @@ void openAndDraw(Session& session, const fs::path& scene) {
     EXPECT_FALSE(hasError(session.diagnostics())) << text(session.diagnostics());
 }
 
+TEST(SceneCopy, OfEveryExerciseIsComplete) {
+    const SceneFolder folder("");
+    int count = 0;
+    for (const view::ExampleScene& each : view::exampleScenes(GLIBRA_SOURCE_DIR)) {
+        if (!each.topic.starts_with("exercises/")) continue;
+        ++count;
+        Session original(context(), {}), copy(context(), {});
+        ASSERT_TRUE(original.open(each.file)) << each.file;
+        const fs::path target = folder / (each.topic + "_" + each.name + "/mine.glib");
+        const Diagnostics problems = view::writeCopy(contentOf(each.file), target,
+                                                     view::filesOfCopy(original.live(), target, true, {}));
+        ASSERT_TRUE(problems.empty()) << text(problems);
+        EXPECT_TRUE(copy.open(target)) << each.file << text(copy.diagnostics());
+        EXPECT_FALSE(hasError(copy.diagnostics())) << each.file << text(copy.diagnostics());
+    }
+    EXPECT_GT(count, 60);
+}
+
 TEST(SceneCopy, OfAnExampleIsCompleteAndShowsTheSame) {
     const SceneFolder folder("");
     int count = 0;

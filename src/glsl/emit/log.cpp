@@ -15,6 +15,7 @@
 #include "glsl/emit/log_line.h"
 #include "glsl/emit/log_phrases.h"
 #include "glsl/emit/other_stage.h"
+#include "glsl/read/source.h"
 #include "glsl/read/token.h"
 
 namespace glibra::glsl {
@@ -43,6 +44,14 @@ std::string inUserNames(const TranslatedProgram& program, std::string_view text)
         at = end;
     }
     return result;
+}
+
+/// The file that an #include did not find, if that is what the text says.
+std::string missingInclude(std::string_view text) {
+    const std::size_t at = text.find(kMissingInclude);
+    if (at == std::string_view::npos) return {};
+    const std::string_view name = text.substr(at + std::string_view(kMissingInclude).size());
+    return std::string(name.substr(0, name.rfind('\'')));
 }
 
 /// The file that a log line gives by its name or number; the stage's own if it is unknown.
@@ -177,7 +186,7 @@ Diagnostics explainCompileLog(const TranslatedProgram& program, const Translated
         std::string text = inUserNames(program, line->text);
         if (candidates) text.resize(text.size() - kCandidates.size());
         if (line->isWarning) continue;
-        result.push_back(diagnose("glsl-E01", text, place));
+        result.push_back(about(diagnose("glsl-E01", text, place), missingInclude(line->text)));
         advice.addTo(*line, result.back());
         if (user.macro)
             result.push_back({Severity::note, "glsl-E01", "in the text of macro '" + user.macro->name + "'",

@@ -369,7 +369,7 @@ class SourceReader {
         std::optional<IncludedFile> found;
         if (const IncludeReader& reader = stage_.request->include)
             found = reader(name, stage_.files[hash.file]);
-        if (!found) return refuse("cannot find the included file '" + name + "'");
+        if (!found) return refuse(kMissingInclude + name + "'");
         if (found->id.empty()) found->id = found->path;
         if (once_.contains(found->id)) return end();
         if (std::find(including_.begin(), including_.end(), found->id) != including_.end() ||

@@ -10,6 +10,9 @@
 
 namespace glibra::glsl {
 
+/// How the message on an #include whose file is not found begins; its name and a ' follow.
+inline constexpr const char* kMissingInclude = "cannot find the included file '";
+
 /// Reads a stage whose `request` is set: files, dialect, tokens, view, macros, extensions, and the edits of
 /// its directives.
 void readSource(const StageSource& source, StageText& stage, Report& report);

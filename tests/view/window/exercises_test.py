@@ -1,5 +1,6 @@
 """A student opens the exercise of a chapter, copies and solves it, and sees the own picture beside the solution's."""
 
+import json
 import subprocess
 import sys
 import unittest
@@ -51,6 +52,12 @@ class Exercises(WindowTest):
         window.settle()
         window.click("example/exercises/b07/quad")
         window.wait(lambda s: s["scene"].endswith("b07/quad.glib") and not s["examples"]["open"])
+        window.settle()
+        window.key("e")
+        state = window.wait(lambda s: s["source"]["shown"])
+        self.assertTrue(state["source"]["file"].endswith("b07/quad.glib"), "the task comes first, not a shader")
+        window.key("e")
+        window.wait(lambda s: not s["source"]["shown"])
 
         window.settle()
         window.key("ctrl+shift+s")
@@ -81,6 +88,24 @@ class Exercises(WindowTest):
         window.wait(lambda s: s.get("compare", {}).get("score") == [0, 0])
         window.settle()
         self.assertEqual(self.pixel(window, *window.point("compare/own")), (64, 255, 0))
+
+    def test_pictures_of_the_chosen_chapter_are_drawn_first(self):
+        library = self.library()
+        slow = SOLUTION.replace("QuadXY 0. .7", "Sphere .7 300 300")
+        for i in range(150):
+            (library / f"glib/quads/a{i:03}.glib").write_text(slow)
+        window = self.open(None, "--size", "1000x700", variables={"GLIBRA_PATH": str(library)})
+        window.wait(lambda s: s["examples"]["scenes"] == 153)
+        window.settle()
+        window.click("examples/chapter")
+        window.wait(lambda s: "examples/chapter/Book, chapter 7" in s["widgets"])
+        window.settle()
+        window.click("examples/chapter/Book, chapter 7")
+        window.wait(lambda s: s["examples"]["pictures"] == 153 and not s["examples"]["drawing"])
+        records = sorted((window.folder / "cache/glibra/thumbnails").glob("*.json"), key=lambda r: r.stat().st_mtime_ns)
+        order = [json.loads(each.read_text())["scene"].removeprefix(str(library)) for each in records]
+        self.assertEqual(len(order), 153)
+        self.assertLess(order.index("/glib/quads/quad.glib"), 140, "by name it would be the last")
 
     def test_any_other_scene_may_be_compared(self):
         (self.files / "a.glib").write_text(SOLUTION)

@@ -51,6 +51,33 @@ struct ExampleBrowser {
 constexpr float kTileWidth = 168;
 constexpr float kTileHeight = kTileWidth * kThumbnailHeight / kThumbnailWidth;
 
+/// True if the scene is of the chosen chapter, and each word of the search is in the name, the description or
+/// the source.
+bool isFound(const ExampleScene& scene, const ExampleBrowser& browser) {
+    if (!isOfChapter(scene, browser.chapter)) return false;
+    const std::string_view search = browser.search.data();
+    const std::string text =
+        glib::lower(scene.topic + "/" + scene.name + " " + scene.summary + " " + scene.source);
+    std::istringstream words{glib::lower(search)};
+    for (std::string word; words >> word;)
+        if (text.find(word) == std::string::npos) return false;
+    return true;
+}
+
+/// Starts making the pictures that are missing, those of the scenes that are shown first.
+void makeMissing(ExampleBrowser& browser) {
+    browser.maker.reset();
+    std::vector<std::filesystem::path> missing;
+    for (const bool areShown : {true, false})
+        for (const ExampleBrowser::Tile& each : browser.tiles)
+            if (each.thumbnail.state == Thumbnail::State::missing && isFound(each.scene, browser) == areShown)
+                missing.push_back(each.scene.file);
+    const std::filesystem::path cache = thumbnailFolder();
+    browser.wanted = browser.finished + missing.size();
+    if (!missing.empty() && !cache.empty())
+        browser.maker = std::make_unique<ThumbnailMaker>(cache, std::move(missing), [] { Display::wake(); });
+}
+
 /// Lists the examples on the disk, and starts making the missing pictures.
 void listExamples(const Session& session, ExampleBrowser& browser) {
     browser.isListed = true;
@@ -59,18 +86,14 @@ void listExamples(const Session& session, ExampleBrowser& browser) {
     browser.root = exampleRoot(session.renderOptions().libraryRoots, session.path(), programFile());
     if (browser.root.empty()) return;
     const std::filesystem::path cache = thumbnailFolder();
-    std::vector<std::filesystem::path> missing;
     std::vector<ExampleScene> scenes = exampleScenes(browser.root);
     browser.chapters = chaptersOf(scenes);
     for (ExampleScene& each : scenes) {
         Thumbnail known = findThumbnail(cache, each.file);
-        if (known.state == Thumbnail::State::missing) missing.push_back(each.file);
         browser.tiles.push_back({std::move(each), std::move(known), std::nullopt});
     }
-    browser.wanted = missing.size();
     browser.finished = 0;
-    if (!missing.empty() && !cache.empty())
-        browser.maker = std::make_unique<ThumbnailMaker>(cache, std::move(missing), [] { Display::wake(); });
+    makeMissing(browser);
 }
 
 void takeFinished(ExampleBrowser& browser) {
@@ -100,19 +123,6 @@ void loadPicture(const gpu::Capabilities& capabilities, ExampleBrowser::Tile& ti
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-}
-
-/// True if the scene is of the chosen chapter, and each word of the search is in the name, the description or
-/// the source.
-bool isFound(const ExampleScene& scene, const ExampleBrowser& browser) {
-    if (!isOfChapter(scene, browser.chapter)) return false;
-    const std::string_view search = browser.search.data();
-    const std::string text =
-        glib::lower(scene.topic + "/" + scene.name + " " + scene.summary + " " + scene.source);
-    std::istringstream words{glib::lower(search)};
-    for (std::string word; words >> word;)
-        if (text.find(word) == std::string::npos) return false;
-    return true;
 }
 
 /// Opens an example in a tab of its own, so that the shown scene stays as it is. The tab is that of the shown
@@ -177,12 +187,16 @@ void chapterChoice(Ui& ui, ExampleBrowser& browser) {
                           ImGuiComboFlags_HeightLarge);
     mark(ui, "examples/chapter");
     if (!isOpen) return;
+    const std::string before = browser.chapter;
     if (ImGui::Selectable("all chapters", browser.chapter.empty())) browser.chapter.clear();
     for (const std::string& each : browser.chapters) {
         if (ImGui::Selectable(each.c_str(), each == browser.chapter)) browser.chapter = each;
         mark(ui, "examples/chapter/{}", each);
     }
     ImGui::EndCombo();
+    if (browser.chapter == before || !browser.maker) return;
+    takeFinished(browser);
+    makeMissing(browser);
 }
 
 /// How many scenes are found, and that Enter opens the only one.

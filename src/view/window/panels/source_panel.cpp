@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "glib/text.h"
+#include "view/session/comparison.h"
 #include "view/window/panels/code_editor.h"
 #include "view/window/panels/messages.h"
 #include "view/window/panels/save_scene.h"
@@ -50,11 +51,12 @@ void refresh(Ui& ui, SourceState& panel) {
     }
     const auto isChosen = [&](const SourceFile& each) { return each.path == panel.chosen; };
     if (std::none_of(ui.files.begin(), ui.files.end(), isChosen)) {
-        // People edit the last stage most, so begin with it.
+        // People edit the last stage most, so begin with it; but an exercise begins with its task.
         const auto shader = std::find_if(ui.files.rbegin(), ui.files.rend(), [](const SourceFile& each) {
             return each.role.find("shader") != std::string::npos;
         });
-        panel.chosen = shader == ui.files.rend() ? ui.files.front().path : shader->path;
+        const bool isExercise = !solutionOf(ui.session.path()).empty();
+        panel.chosen = isExercise || shader == ui.files.rend() ? ui.files.front().path : shader->path;
         panel.follow = true;
     }
 }
