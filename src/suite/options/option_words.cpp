@@ -80,12 +80,6 @@ struct TextReader {
         number.member.edit(shot) = *value;
         return {};
     }
-    std::string operator()(const TimeValue& time) const {
-        const auto value = numberOf<double>(text);
-        if (!value || !(*value >= time.least && *value <= time.most)) return "a number from " + limits(row);
-        time.member.edit(shot) = *value;
-        return {};
-    }
     std::string operator()(const SizeValue& size) const {
         const std::size_t x = text.find('x');
         const auto width = numberOf<int>(text.substr(0, x));
@@ -158,9 +152,6 @@ struct TextWriter {
     }
     std::vector<std::string> operator()(const NumberValue& number) const {
         return {fmt::format("{}{}", number.member.get(shot), number.unit)};
-    }
-    std::vector<std::string> operator()(const TimeValue& time) const {
-        return {fmt::format("{}", time.member.get(shot))};
     }
     std::vector<std::string> operator()(const SizeValue& size) const {
         return {fmt::format("{}x{}", size.width.get(shot), size.height.get(shot))};
