@@ -52,10 +52,11 @@ ORDER = {
         "stats": set(),
         "load": {"stats"},
         "draw": {"stats", "load"},
-        "": {"stats", "load", "draw"},  # Pipeline and SceneRenderer
-        "probe": {"stats", "load", "draw", ""},
-        "file": {"stats", "load", "draw", "", "probe"},
-        "check": {"stats", "load", "draw", "", "probe"},
+        "simulation": {"stats", "load", "draw"},
+        "": {"stats", "load", "draw", "simulation"},  # Pipeline and SceneRenderer
+        "probe": {"stats", "load", "draw", "simulation", ""},
+        "file": {"stats", "load", "draw", "simulation", "", "probe"},
+        "check": {"stats", "load", "draw", "simulation", "", "probe"},
     },
     "suite": {
         "": set(),

@@ -27,18 +27,19 @@ namespace {
 
 class FramePlanner {
   public:
-    FramePlanner(const scene::Scene& scene, const scene::NodeList& nodes, const InterfaceOf& interfaceOf,
+    FramePlanner(const scene::Scene& scene, const scene::NodeList& nodes, const PlanQuestions& questions,
                  const PlanOptions& options)
         : scene_(scene),
           nodes_(nodes),
+          questions_(questions),
           options_(options),
-          programs_(scene, interfaceOf, options, plan_),
+          programs_(scene, questions, options, plan_),
           meshOfShape_(scene.shapes.size()),
           reads_(scene.shapes.size()) {}
 
-    FramePlan plan(const MayWriteImages& mayWriteImages) && {
+    FramePlan plan() && {
         plan_.nodes = &nodes_;
-        const Needs needs = this->needs(mayWriteImages);
+        const Needs needs = this->needs();
         for (const scene::NodeIndex& node : nodes_.order) planNode(node, needs);
         if (options_.everything) planUndrawnPrograms();
         for (const scene::TextureIndex each : scene_.textures.indices())
@@ -61,7 +62,7 @@ class FramePlanner {
     }
 
   private:
-    Needs needs(const MayWriteImages& mayWriteImages) {
+    Needs needs() {
         NeedQuestions questions;
         questions.texturesOf = [this](const scene::Draw& draw, const scene::Pass& pass) {
             std::vector<scene::TextureIndex> textures;
@@ -69,8 +70,8 @@ class FramePlanner {
                 textures.push_back(use.view.texture);
             return textures;
         };
-        questions.mayWriteImages = mayWriteImages;
-        if (!options_.everything) questions.outOfSight = options_.outOfSight;
+        questions.mayWriteImages = questions_.mayWriteImages;
+        if (!options_.everything) questions.outOfSight = questions_.outOfSight;
         if (!scene_.isModern) return findNeeds(scene_, nodes_, questions, options_.everything);
         questions.usesOf = [this](const scene::Draw& draw, const scene::Pass& pass) {
             return programs_.usesOf(draw, pass);
@@ -493,6 +494,7 @@ class FramePlanner {
 
     const scene::Scene& scene_;
     const scene::NodeList& nodes_;
+    const PlanQuestions& questions_;
     const PlanOptions& options_;
     FramePlan plan_;
     PlannedPrograms programs_;
@@ -523,9 +525,9 @@ ProgramVariant variantOf(const scene::Scene& scene, const scene::Draw& draw, con
     return variant;
 }
 
-FramePlan planFrame(const scene::Scene& scene, const scene::NodeList& nodes, const InterfaceOf& interfaceOf,
-                    const MayWriteImages& mayWriteImages, const PlanOptions& options) {
-    return FramePlanner(scene, nodes, interfaceOf, options).plan(mayWriteImages);
+FramePlan planFrame(const scene::Scene& scene, const scene::NodeList& nodes, const PlanQuestions& questions,
+                    const PlanOptions& options) {
+    return FramePlanner(scene, nodes, questions, options).plan();
 }
 
 }  // namespace glibra::plan

@@ -1,7 +1,6 @@
 #pragma once
 // Decides which parts of a Scene are made and drawn for one picture, how, and why the rest is skipped. There
-// is no GL here: the plan asks for programs through a function, so that a program is compiled only if
-// something visible needs it.
+// is no GL here: what the plan must know of the driver and of compiled programs it asks by PlanQuestions.
 
 #include <bitset>
 #include <functional>
@@ -35,11 +34,22 @@ struct ProgramVariant {
     friend bool operator==(const ProgramVariant&, const ProgramVariant&) = default;
 };
 
-/// Returns the interface of a program. Called at most once per variant. The reference must stay valid while
-/// the plan is used.
-using InterfaceOf = std::function<const ProgramInterface&(const ProgramVariant&)>;
-/// True if a stage of the program may write to an image. Called before anything is compiled.
-using MayWriteImages = std::function<bool(scene::ProgramIndex)>;
+/// All that a plan asks while it is made. The answers cannot come as values: a program is compiled and a mesh
+/// made only if something visible needs it, and what is visible depends on the answers before.
+struct PlanQuestions {
+    /// The interface of a program. Asked at most once per variant. The reference must stay valid while the
+    /// plan is used.
+    std::function<const ProgramInterface&(const ProgramVariant&)> interfaceOf;
+    /// True if a stage of the program may write to an image. Asked before anything is compiled.
+    std::function<bool(scene::ProgramIndex)> mayWriteImages;
+    /// The number of rounds after which the driver ends a shader's loops, 0 if it never does. Asked at most
+    /// once, and only if a needed program has long loops. May be empty, which means never.
+    std::function<int()> loopLimit{};
+    /// Says in words why nothing of the draw is visible; empty if it may be visible or has effects besides
+    /// those on its target. Asked at most once per draw, before its program is asked for, and never with
+    /// PlanOptions::everything. May be empty.
+    std::function<std::string(const scene::Draw& draw, const scene::Pass& pass)> outOfSight{};
+};
 
 struct TextureUse {
     UniformIndex uniform{};
@@ -195,19 +205,12 @@ struct PlanOptions {
     /// it has them.
     std::string lacksCompute{};
     bool cutsDispatches = false;  ///< compute programs can run in pieces, also without `tiles`
-    /// Returns the number of rounds after which the driver ends a shader's loops, 0 if it never does. Called
-    /// at most once, and only if a needed program has long loops. May be empty, which means never.
-    std::function<int()> loopLimit{};
     /// Objects of a modern scene whose content is wanted besides the window.
     std::vector<scene::ObjectView> roots{};
     bool everything = false;    ///< for `glibra check` and --no-skip: skips nothing
     bool reportsNames = true;   ///< false: one of several lists; reportNames() is called with all plans
     bool shareMeshes = true;    ///< false: one mesh per draw
     bool shareTargets = false;  ///< textures may share memory; only `roots` keep their content
-    /// Returns in words why nothing of the draw is visible; empty if it may be visible or has effects besides
-    /// those on its target. Called at most once per draw, before its program is asked for, and never with
-    /// `everything`.
-    std::function<std::string(const scene::Draw& draw, const scene::Pass& pass)> outOfSight{};
 };
 
 /// The program that draws it in this pass: its own, or the built-in program if its own lacks a stage.
@@ -217,8 +220,8 @@ ProgramVariant variantOf(const scene::Scene& scene, const scene::Draw& draw, con
 /// outlive the plan. Errors are in the diagnostics. A plan with errors is good for a window, which shows the
 /// rest, but not for a file: draws with an error are left out, while draws with an unusable program stay in
 /// the plan.
-FramePlan planFrame(const scene::Scene& scene, const scene::NodeList& nodes, const InterfaceOf& interfaceOf,
-                    const MayWriteImages& mayWriteImages, const PlanOptions& options);
+FramePlan planFrame(const scene::Scene& scene, const scene::NodeList& nodes, const PlanQuestions& questions,
+                    const PlanOptions& options);
 
 /// glib-W23 for `--set` names that no program of the plans has, and glib-W24 for those that are declared but
 /// not active. `plans` are those of the scene's frame and of its Once and Step blocks, made with the same

@@ -36,16 +36,13 @@ struct ObjectUse {
 };
 using UsesOfDraw = std::function<std::vector<ObjectUse>(const scene::Draw& draw, const scene::Pass& pass)>;
 using UsesOfDispatch = std::function<std::vector<ObjectUse>(const scene::Dispatch& dispatch)>;
-/// PlanOptions::outOfSight.
-using OutOfSight = std::function<std::string(const scene::Draw& draw, const scene::Pass& pass)>;
-
 /// What findNeeds asks the planner. `texturesOf` is called once per needed draw, from the last pass to the
 /// first. `mayWriteImages` is called only for draws that seem unnecessary. `outOfSight` may be empty; it is
 /// called once per draw that is needed otherwise. Modern scenes ask `usesOf` in place of `texturesOf`.
 struct NeedQuestions {
     TexturesOf texturesOf;
-    MayWriteImages mayWriteImages;
-    OutOfSight outOfSight{};
+    decltype(PlanQuestions::mayWriteImages) mayWriteImages;
+    decltype(PlanQuestions::outOfSight) outOfSight{};
     UsesOfDraw usesOf{};
     UsesOfDispatch usesOfDispatch{};
 };

@@ -42,7 +42,7 @@ PlannedProgramIndex PlannedPrograms::of(const ProgramVariant& variant, scene::Un
         programs_[VariantKey{variant.program, variant.flatColors, variant.colorTargets, variant.isFullScreen,
                              variant.inPieces, variant.isFill, variant.suppliesFragment, uniforms}];
     if (index) return index;
-    const ProgramInterface& interface = interfaceOf_(variant);
+    const ProgramInterface& interface = questions_.interfaceOf(variant);
     PlannedProgram program{variant, &interface, {}, {}, {}};
     State state;
     state.diagnostics = interface.facts.diagnostics;
@@ -92,7 +92,7 @@ void PlannedPrograms::resolve(PlannedProgram& program, State& state, scene::Unif
 }
 
 int PlannedPrograms::loopLimit() {
-    if (!loopLimit_) loopLimit_ = options_.loopLimit ? options_.loopLimit() : 0;
+    if (!loopLimit_) loopLimit_ = questions_.loopLimit ? questions_.loopLimit() : 0;
     return *loopLimit_;
 }
 

@@ -34,24 +34,22 @@ Pipeline::Pipeline(gpu::Context& usedContext, RenderOptions usedOptions, Interpr
       programs(context, scene, options, setup.isTiled, stats, parts),
       device(context, scene, stats, parts, options.skip) {}
 
-plan::PlanOptions Pipeline::driverOptions() {
-    plan::PlanOptions made = planOptionsOf(context.capabilities());
-    made.loopLimit = [this] { return loopLimit(); };
-    return made;
-}
-
 int Pipeline::loopLimit() {
     if (!loopLimit_) loopLimit_ = gpu::measureLoopLimit(context);
     return *loopLimit_;
 }
 
-plan::FramePlan Pipeline::planList(const scene::NodeList& nodes, const plan::PlanOptions& planOptions) {
+plan::FramePlan Pipeline::planList(const scene::NodeList& nodes, const plan::PlanOptions& planOptions,
+                                   decltype(plan::PlanQuestions::outOfSight) outOfSight) {
     plan::FramePlan made = plan::planFrame(
         scene, nodes,
-        [this](const plan::ProgramVariant& variant) -> const plan::ProgramInterface& {
-            return programs.interfaceOf(variant);
-        },
-        [this](scene::ProgramIndex program) { return programs.mayWriteImages(program); }, planOptions);
+        {.interfaceOf = [this](const plan::ProgramVariant& variant) -> const plan::ProgramInterface& {
+             return programs.interfaceOf(variant);
+         },
+         .mayWriteImages = [this](scene::ProgramIndex program) { return programs.mayWriteImages(program); },
+         .loopLimit = [this] { return loopLimit(); },
+         .outOfSight = std::move(outOfSight)},
+        planOptions);
     if (adjustPlan) adjustPlan(made);
     return made;
 }
@@ -60,7 +58,6 @@ Diagnostics Pipeline::planSimulation(const plan::PlanOptions& planOptions, bool 
     if (!hasBlocks()) return {};
     if (simulation) return simulation->check(plan);
     plan::PlanOptions listOptions = planOptions;
-    listOptions.outOfSight = nullptr;
     listOptions.shareTargets = false;
     simulation.emplace(SimulationParts{context, scene, source.get(), programs, device, loadStats,
                                        [this, listOptions](const scene::NodeList& nodes,

@@ -64,7 +64,7 @@ Diagnostics SceneRenderer::State::preparePlan(Stats& stats, bool everything) {
     isBroken = true;  // until there is a plan
     Result<std::vector<plan::Override>> overrides = parseOverrides(options.set);
     if (!overrides) return std::move(overrides.diagnostics);
-    plan::PlanOptions planOptions = driverOptions();
+    plan::PlanOptions planOptions = planOptionsOf(context.capabilities());
     planOptions.overrides = std::move(*overrides);
     std::erase_if(planOptions.overrides, [&](const plan::Override& each) {
         return each.program.empty() && scene.usedVariables.contains(each.name);
@@ -107,11 +107,12 @@ Diagnostics SceneRenderer::State::preparePlan(Stats& stats, bool everything) {
         options.checks && std::any_of(scene.checks.begin(), scene.checks.end(), [](const scene::Check& each) {
             return each.kind == scene::Check::Kind::primitives;
         });
+    decltype(plan::PlanQuestions::outOfSight) unseen;
     if (!planOptions.everything && !countsPrimitives)
-        planOptions.outOfSight = [&](const scene::Draw& draw, const scene::Pass& pass) {
+        unseen = [&](const scene::Draw& draw, const scene::Pass& pass) {
             return outOfSight(draw, pass, &meshDiagnostics);
         };
-    plan = planList(scene.frame, planOptions);
+    plan = planList(scene.frame, planOptions, std::move(unseen));
     isBroken = false;
     if (!isMoving) {
         stats.skipped.insert(stats.skipped.begin(), plan.skipped.begin(), plan.skipped.end());

@@ -36,7 +36,7 @@ bool LiveScene::State::moveTo(const scene::FrameInputs& wanted, Diagnostics& dia
 }
 
 Diagnostics LiveScene::State::makePlan(bool variablesDiffer) {
-    plan::PlanOptions planOptions = driverOptions();
+    plan::PlanOptions planOptions = render::planOptionsOf(context.capabilities());
     planOptions.shareTargets = !keepsTextures;
     planOptions.reportsNames = !hasBlocks();
     plan = planList(scene.frame, planOptions);

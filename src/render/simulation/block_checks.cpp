@@ -1,10 +1,13 @@
-#include "render/draw/simulation_checks.h"
+#include "render/simulation/block_checks.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <variant>
+
+#include "scene/view.h"
 
 namespace glibra::render {
 namespace {
@@ -18,6 +21,17 @@ void visitUses(const plan::FramePlan& plan, Visit&& visit) {
                 visit(plan.programs[draw->program], plan.drawOf(*draw).place);
     for (const plan::PlannedDispatch& each : plan.dispatches)
         visit(plan.programs[each.program], plan.dispatchOf(each).place);
+}
+
+/// Calls `visit` with each draw of the plan that covers its target and reads the camera.
+template <class Visit>
+void visitFills(const plan::FramePlan& plan, Visit&& visit) {
+    for (const plan::PlannedPass& pass : plan.passes)
+        for (const auto& step : pass.steps)
+            if (const auto* draw = std::get_if<plan::PlannedDraw>(&step);
+                draw != nullptr && std::holds_alternative<scene::ClipSpace>(plan.drawOf(*draw).projection) &&
+                plan::readsCamera(plan.programs[draw->program]))
+                visit(*draw);
 }
 
 /// What the frame writes, with the first place.
@@ -49,6 +63,47 @@ const Place& nodePlaceOf(const plan::FramePlan& plan, const scene::NodeIndex& no
             break;
     }
     return plan.passOf(plan.passes.at(node.index)).place;
+}
+
+void addReads(const plan::FramePlan& plan, std::vector<scene::ObjectView>& to) {
+    for (std::size_t node = 0; node < plan.order.size(); ++node)
+        for (const plan::ObjectUse& each : usesOf(plan, node))
+            if (each.reads && std::find(to.begin(), to.end(), each.object) == to.end())
+                to.push_back(each.object);
+}
+
+std::vector<scene::ObjectView> allObjects(const scene::Scene& scene) {
+    std::vector<scene::ObjectView> objects;
+    for (const scene::TextureIndex each : scene.textures.indices())
+        objects.emplace_back(scene::TextureView{.texture = each});
+    for (const scene::BufferIndex each : scene.buffers.indices())
+        objects.emplace_back(scene::BufferView{each});
+    return objects;
+}
+
+bool readsTimedVariable(const plan::FramePlan& plan) {
+    const auto& all = plan.programs;
+    return std::any_of(all.begin(), all.end(), [](const auto& each) { return !each.timed.empty(); });
+}
+
+bool readsCamera(const plan::FramePlan& plan) {
+    bool reads = false;
+    visitFills(plan, [&](const plan::PlannedDraw&) { reads = true; });
+    return reads;
+}
+
+void addCameras(const plan::FramePlan& plan, const scene::NodeList& now, std::vector<double>& to) {
+    visitFills(plan, [&](const plan::PlannedDraw& planned) {
+        const auto [pass, step] = planned.step;
+        if (pass >= now.passes.size() || step >= now.passes[pass].steps.size()) return;
+        const auto* draw = std::get_if<scene::Draw>(&now.passes[pass].steps[step]);
+        const auto* space = draw != nullptr ? std::get_if<scene::ClipSpace>(&draw->projection) : nullptr;
+        if (space == nullptr) return;
+        scene::Projection projection;
+        std::visit([&](const auto& each) { projection = each; }, space->projection);
+        for (const glm::dmat4& matrix : {space->view, scene::projectionMatrix(projection, 1)})
+            to.insert(to.end(), &matrix[0][0], &matrix[0][0] + 16);
+    });
 }
 
 Diagnostics timedReadsOfOnce(const scene::Scene& scene, const plan::FramePlan& once) {

@@ -1,4 +1,4 @@
-#include "render/draw/simulation.h"
+#include "render/simulation/simulation.h"
 
 #include <fmt/format.h>
 
@@ -8,18 +8,13 @@
 
 #include "glib/number.h"
 #include "plan/accesses.h"
-#include "render/draw/simulation_checks.h"
 #include "render/draw/view_matrices.h"
-#include "scene/view.h"
+#include "render/simulation/block_checks.h"
 
 namespace glibra::render {
 namespace {
 
 constexpr std::int64_t kVeryMany = std::int64_t{1} << 62;
-
-bool hasObject(const std::vector<scene::ObjectView>& list, const scene::ObjectView& object) {
-    return std::any_of(list.begin(), list.end(), [&](const auto& each) { return each == object; });
-}
 
 /// True if the list has the object, whole or a part of it.
 bool writes(const std::vector<scene::ObjectView>& list, const scene::ObjectView& object) {
@@ -31,59 +26,6 @@ bool writes(const std::vector<scene::ObjectView>& list, const scene::ObjectView&
 bool isSame(const std::vector<double>& a, const std::vector<double>& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                       [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); });
-}
-
-void addReads(const plan::FramePlan& plan, std::vector<scene::ObjectView>& roots) {
-    for (std::size_t i = 0; i < plan.order.size(); ++i)
-        for (const plan::ObjectUse& each : usesOf(plan, i))
-            if (each.reads && !hasObject(roots, each.object)) roots.push_back(each.object);
-}
-
-/// Calls `visit` with each draw of the plan that covers its target and reads the camera.
-template <class Visit>
-void visitFills(const plan::FramePlan& plan, Visit&& visit) {
-    for (const plan::PlannedPass& pass : plan.passes)
-        for (const auto& step : pass.steps)
-            if (const auto* draw = std::get_if<plan::PlannedDraw>(&step);
-                draw != nullptr && std::holds_alternative<scene::ClipSpace>(plan.drawOf(*draw).projection) &&
-                plan::readsCamera(plan.programs[draw->program]))
-                visit(*draw);
-}
-
-/// True if a uniform reads a variable by its name that changes with time.
-bool readsTimedVariable(const plan::FramePlan& plan) {
-    const auto& all = plan.programs;
-    return std::any_of(all.begin(), all.end(), [](const auto& each) { return !each.timed.empty(); });
-}
-
-bool readsCamera(const plan::FramePlan& plan) {
-    bool reads = false;
-    visitFills(plan, [&](const plan::PlannedDraw&) { reads = true; });
-    return reads;
-}
-
-/// The matrices that the Fill statements of a block read, as the scene has them now.
-void addCameras(const plan::FramePlan& plan, const scene::NodeList& now, std::vector<double>& to) {
-    visitFills(plan, [&](const plan::PlannedDraw& planned) {
-        const auto [pass, step] = planned.step;
-        if (pass >= now.passes.size() || step >= now.passes[pass].steps.size()) return;
-        const auto* draw = std::get_if<scene::Draw>(&now.passes[pass].steps[step]);
-        const auto* space = draw != nullptr ? std::get_if<scene::ClipSpace>(&draw->projection) : nullptr;
-        if (space == nullptr) return;
-        scene::Projection projection;
-        std::visit([&](const auto& each) { projection = each; }, space->projection);
-        for (const glm::dmat4& matrix : {space->view, scene::projectionMatrix(projection, 1)})
-            to.insert(to.end(), &matrix[0][0], &matrix[0][0] + 16);
-    });
-}
-
-std::vector<scene::ObjectView> allObjects(const scene::Scene& scene) {
-    std::vector<scene::ObjectView> objects;
-    for (const scene::TextureIndex each : scene.textures.indices())
-        objects.emplace_back(scene::TextureView{.texture = each});
-    for (const scene::BufferIndex each : scene.buffers.indices())
-        objects.emplace_back(scene::BufferView{each});
-    return objects;
 }
 
 }  // namespace

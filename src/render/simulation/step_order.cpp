@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "render/draw/simulation.h"
+#include "render/simulation/simulation.h"
 
 namespace glibra::render {
 namespace {
