@@ -52,7 +52,7 @@ class FramePlanner {
             for (const Diagnostic& each : reportNames(scene_, {&own, 1}, options_.overrides)) report(each);
         }
         if (scene_.isModern) {
-            plan_.exchanges = exchangesOf(scene_, plan_, options_.everything);
+            plan_.accesses = accessesOf(scene_, plan_, options_.everything);
             findBeginnings(scene_, plan_);
             if (options_.shareTargets && !options_.everything)
                 plan_.sharing = sharedTargets(scene_, plan_, options_.roots);
@@ -64,18 +64,12 @@ class FramePlanner {
   private:
     Needs needs() {
         NeedQuestions questions;
-        questions.texturesOf = [this](const scene::Draw& draw, const scene::Pass& pass) {
-            std::vector<scene::TextureIndex> textures;
-            for (const TextureUse& use : programs_.texturesOf(draw, programs_.of(draw, pass)))
-                textures.push_back(use.view.texture);
-            return textures;
+        questions.usesOf = [this](const scene::Draw& draw, const scene::Pass& pass) {
+            return programs_.usesOf(draw, pass);
         };
         questions.mayWriteImages = questions_.mayWriteImages;
         if (!options_.everything) questions.outOfSight = questions_.outOfSight;
         if (!scene_.isModern) return findNeeds(scene_, nodes_, questions, options_.everything);
-        questions.usesOf = [this](const scene::Draw& draw, const scene::Pass& pass) {
-            return programs_.usesOf(draw, pass);
-        };
         questions.usesOfDispatch = [this](const scene::Dispatch& dispatch) {
             return programs_.usesOf(dispatch);
         };
@@ -462,9 +456,7 @@ class FramePlanner {
     static std::set<scene::ProgramIndex> programsOf(const scene::NodeList& nodes) {
         std::set<scene::ProgramIndex> programs;
         for (const scene::Dispatch& each : nodes.dispatches) programs.insert(each.program);
-        for (const scene::Pass& pass : nodes.passes)
-            for (const auto& step : pass.steps)
-                if (const auto* draw = std::get_if<scene::Draw>(&step)) programs.insert(draw->program);
+        nodes.visitDraws([&](const scene::Draw& draw, const auto&) { programs.insert(draw.program); });
         return programs;
     }
 
@@ -508,6 +500,22 @@ class FramePlanner {
 };
 
 }  // namespace
+
+scene::NodeIndex FramePlan::declared(const scene::NodeIndex& node) const {
+    switch (node.kind) {
+        case scene::NodeIndex::Kind::pass:
+            return {node.kind, passes.at(node.index).pass};
+        case scene::NodeIndex::Kind::dispatch:
+            return {node.kind, dispatches.at(node.index).dispatch};
+        case scene::NodeIndex::Kind::clear:
+            break;
+    }
+    return {node.kind, clears.at(node.index).clear};
+}
+
+const Place& FramePlan::placeOf(const scene::NodeIndex& node) const {
+    return nodes->placeOf(declared(node));
+}
 
 ProgramVariant variantOf(const scene::Scene& scene, const scene::Draw& draw, const scene::Pass& pass) {
     const bool isBuiltin = usesBuiltin(scene, draw);

@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <variant>
@@ -138,9 +139,20 @@ struct PlannedClearObject {
     std::size_t clear = 0;  ///< index into NodeList::clears
 };
 
+/// A texture or buffer, whatever part or copy of it.
+using Object = std::variant<scene::TextureIndex, scene::BufferIndex>;
+
+/// What a node does with an object.
+struct ObjectUse {
+    scene::ObjectView object;
+    bool reads = true;
+    bool writes = false;
+    bool stores = false;  ///< writes by stores and atomic operations of shaders, which barriers order
+};
+
 /// The two copies of an object with history change their places before a node writes it.
 struct PlannedExchange {
-    std::variant<scene::TextureIndex, scene::BufferIndex> object;
+    Object object;
     bool keepsContent = true;  ///< the node may leave parts as they were
     /// The text of its shader shows that a dispatch writes all of the object, if it has an invocation for
     /// each texel or element, and each of these sizes reaches as far.
@@ -152,6 +164,16 @@ struct PlannedExchange {
     bool isFilled = false;         ///< with keepsContent: a draw covers all, if it is drawn plainly
 };
 
+/// What a node reads, writes and keeps.
+struct NodeAccess {
+    /// The same object several times if it is used in several ways. Targets of a pass are written, and read
+    /// too unless the pass clears them.
+    std::vector<ObjectUse> uses;
+    std::set<Object> written;
+    std::set<Object> overwritten;  ///< all of it gets a new content, whatever it held: it is cleared first
+    std::vector<PlannedExchange> exchanges;
+};
+
 struct FramePlan {
     const scene::NodeList* nodes = nullptr;  ///< what is planned; it must outlive the plan
     std::vector<PlannedPass> passes;
@@ -159,9 +181,8 @@ struct FramePlan {
     std::vector<PlannedClearObject> clears;
     /// What is executed, in order. Each index is into `passes`, `dispatches` or `clears` of this plan.
     std::vector<scene::NodeIndex> order;
-    /// One element per node of `order`; empty if no node writes an object with history.
-    std::vector<std::vector<PlannedExchange>> exchanges;
     // What a frame does with objects, in modern scenes only. Everything begins as declared.
+    std::vector<NodeAccess> accesses;  ///< one element per node of `order`
     /// What the nodes write before they clear it.
     std::vector<scene::ObjectView> resets;
     /// What the nodes read and none writes; an earlier frame may have written it.
@@ -194,6 +215,25 @@ struct FramePlan {
     }
     [[nodiscard]] const scene::ClearObject& clearOf(const PlannedClearObject& planned) const {
         return nodes->clears.at(planned.clear);
+    }
+    /// The node of the scene that a node of `order` is of, and its place there.
+    [[nodiscard]] scene::NodeIndex declared(const scene::NodeIndex& node) const;
+    [[nodiscard]] const Place& placeOf(const scene::NodeIndex& node) const;
+
+    /// Calls `visit(planned, draw, pass)` with each PlannedDraw, its scene::Draw and the scene::Pass.
+    template <class Visit>
+    void visitDraws(Visit&& visit) const {
+        for (const PlannedPass& pass : passes)
+            for (const auto& step : pass.steps)
+                if (const auto* draw = std::get_if<PlannedDraw>(&step))
+                    visit(*draw, drawOf(*draw), passOf(pass));
+    }
+    /// Calls `visit(planned, statement)` with each PlannedDispatch and its scene::Dispatch, then with each
+    /// PlannedDraw and its scene::Draw.
+    template <class Visit>
+    void visitStatements(Visit&& visit) const {
+        for (const PlannedDispatch& each : dispatches) visit(each, dispatchOf(each));
+        visitDraws([&](const PlannedDraw& each, const scene::Draw& draw, const auto&) { visit(each, draw); });
     }
 };
 

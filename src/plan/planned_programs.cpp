@@ -103,31 +103,24 @@ PlannedInputsIndex PlannedPrograms::inputsOf(const scene::Draw& draw, PlannedPro
     return index;
 }
 
-std::vector<ObjectUse> PlannedPrograms::shaderUsesOf(PlannedProgramIndex program,
-                                                     const std::vector<TextureUse>& textures) {
-    std::vector<ObjectUse> uses = shaderUses((*this)[program], textures);
-    for (const scene::ObjectView& each : state(program).refused) uses.push_back({each, true, true});
-    return uses;
+void PlannedPrograms::addRefused(PlannedProgramIndex program, std::vector<ObjectUse>& to) {
+    for (const scene::ObjectView& each : state(program).refused) to.push_back({each, true, true, true});
 }
 
 std::vector<ObjectUse> PlannedPrograms::usesOf(const scene::Draw& draw, const scene::Pass& pass) {
     const PlannedProgramIndex program = of(draw, pass);
-    std::vector<ObjectUse> uses = shaderUsesOf(program, texturesOf(draw, program));
-    const auto read = [&](const scene::BufferView& view) {
-        if (view.buffer) uses.push_back({view});
-    };
-    for (const scene::BufferView& each : draw.ownBuffers()) read(each);
-    for (const InputSource& each : plan_.inputs[inputsOf(draw, program)].sources)
-        if (const auto* view = std::get_if<scene::BufferView>(&each.from)) read(*view);
+    const PlannedInputsIndex inputs = inputsOf(draw, program);
+    std::vector<ObjectUse> uses =
+        plan::usesOf((*this)[program], texturesOf(draw, program), draw, &plan_.inputs[inputs]);
+    addRefused(program, uses);
     return uses;
 }
 
 std::vector<ObjectUse> PlannedPrograms::usesOf(const scene::Dispatch& dispatch) {
     if (!options_.lacksCompute.empty()) return {};
     const PlannedProgramIndex program = of(dispatch);
-    std::vector<ObjectUse> uses = shaderUsesOf(program, texturesOf(dispatch, program));
-    if (const auto* groups = std::get_if<scene::GroupsFrom>(&dispatch.groups))
-        uses.push_back({groups->first.buffer});
+    std::vector<ObjectUse> uses = plan::usesOf((*this)[program], texturesOf(dispatch, program), dispatch);
+    addRefused(program, uses);
     if (const scene::ObjectView* size = sizeObjectOf(dispatch))  // its content is not read
         uses.push_back({*size, false, false});
     return uses;

@@ -78,7 +78,7 @@ class PlannedPrograms {
         std::tuple<scene::ProgramIndex, bool, int, bool, bool, bool, bool, scene::UniformSetIndex>;
 
     void resolve(PlannedProgram& program, State& state, scene::UniformSetIndex uniforms);
-    std::vector<ObjectUse> shaderUsesOf(PlannedProgramIndex program, const std::vector<TextureUse>& textures);
+    void addRefused(PlannedProgramIndex program, std::vector<ObjectUse>& to);
     int loopLimit();
 
     const scene::Scene& scene_;

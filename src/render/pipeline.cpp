@@ -187,8 +187,7 @@ plan::StillNodes Pipeline::stillNodes(int width, int height) const {
             const scene::Pass& pass = plan.passOf(plan.passes[at.index]);
             isMovedNode[node] = !pass.isWindow && isMoved(*plan.nodes, pass);
             if (!isMovedNode[node]) continue;
-            for (const plan::ObjectUse& each : plan::usesOf(plan, node))
-                if (each.writes) moved.insert(plan::objectOf(each.object));
+            moved.insert(plan.accesses[node].written.begin(), plan.accesses[node].written.end());
         }
     const bool hasRun = simulation && simulation->changes() != drawnChanges_;
     const plan::PlannedScene before =

@@ -41,10 +41,8 @@ Diagnostics DeviceScene::checkBufferTextures(const plan::FramePlan& plan) const 
                 declared.place));
         }
     };
-    for (const plan::PlannedPass& pass : plan.passes)
-        for (const auto& step : pass.steps)
-            if (const auto* draw = std::get_if<plan::PlannedDraw>(&step))
-                check(draw->program, draw->textures);
+    plan.visitDraws(
+        [&](const plan::PlannedDraw& each, const auto&...) { check(each.program, each.textures); });
     for (const plan::PlannedDispatch& each : plan.dispatches) check(each.program, each.textures);
     return problems;
 }

@@ -20,28 +20,27 @@ namespace {
 /// True if a program that draws the planned mesh declares that attribute as an integer input.
 bool wantsIntegers(const plan::FramePlan& plan, plan::PlannedMeshIndex planned, std::string_view attribute,
                    const ProgramLibrary& programs) {
-    for (const plan::PlannedPass& pass : plan.passes)
-        for (const auto& step : pass.steps) {
-            const auto* draw = std::get_if<plan::PlannedDraw>(&step);
-            if (!draw || draw->mesh != planned || !draw->inputs) continue;
-            const BuiltProgram* built = programs.find(plan.programs[draw->program].variant);
-            if (!built) continue;
-            const std::vector<plan::InputSource>& sources = plan.inputs[draw->inputs].sources;
-            for (std::size_t i = 0; i < sources.size() && i < built->interface.inputs.size(); ++i) {
-                const auto* name = std::get_if<std::string>(&sources[i].from);
-                if (name && *name == attribute && built->interface.inputs[i].type.isInteger()) return true;
-            }
+    bool isAny = false;
+    plan.visitDraws([&](const plan::PlannedDraw& draw, const auto&...) {
+        if (isAny || draw.mesh != planned || !draw.inputs) return;
+        const BuiltProgram* built = programs.find(plan.programs[draw.program].variant);
+        if (!built) return;
+        const std::vector<plan::InputSource>& sources = plan.inputs[draw.inputs].sources;
+        for (std::size_t i = 0; i < sources.size() && i < built->interface.inputs.size(); ++i) {
+            const auto* name = std::get_if<std::string>(&sources[i].from);
+            isAny |= name && *name == attribute && built->interface.inputs[i].type.isInteger();
         }
-    return false;
+    });
+    return isAny;
 }
 
 /// The first draw that uses the planned mesh.
 const scene::Draw* drawOf(const plan::FramePlan& plan, plan::PlannedMeshIndex planned) {
-    for (const plan::PlannedPass& pass : plan.passes)
-        for (const auto& step : pass.steps)
-            if (const auto* draw = std::get_if<plan::PlannedDraw>(&step); draw && draw->mesh == planned)
-                return &plan.drawOf(*draw);
-    return nullptr;
+    const scene::Draw* first = nullptr;
+    plan.visitDraws([&](const plan::PlannedDraw& each, const scene::Draw& draw, const auto&) {
+        if (first == nullptr && each.mesh == planned) first = &draw;
+    });
+    return first;
 }
 
 std::size_t bytesOf(const geometry::Mesh& mesh) {
@@ -139,16 +138,13 @@ void DeviceScene::beginMoment(const plan::FramePlan& plan) {
 }
 
 void DeviceScene::noteWrites(const plan::FramePlan& plan) {
-    const auto add = [this](const std::vector<plan::TextureUse>& textures) {
-        for (const plan::TextureUse& each : textures)
+    plan.visitStatements([this](const auto& planned, const auto&) {
+        for (const plan::TextureUse& each : planned.textures)
             if (each.isImage && each.view.texture) written_.insert(each.view.texture);
-    };
-    for (const plan::PlannedDispatch& each : plan.dispatches) add(each.textures);
+    });
+    if (!scene_.isModern) return;
     for (const plan::PlannedPass& pass : plan.passes) {
-        for (const auto& step : pass.steps)
-            if (const auto* draw = std::get_if<plan::PlannedDraw>(&step)) add(draw->textures);
         const scene::Pass& drawn = plan.passOf(pass);
-        if (!scene_.isModern) continue;
         written_.insert(drawn.targets.begin(), drawn.targets.end());
         if (drawn.depth) written_.insert(drawn.depth->texture);
     }

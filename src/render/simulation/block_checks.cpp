@@ -12,35 +12,22 @@
 namespace glibra::render {
 namespace {
 
-/// Calls `visit` with each program of a draw or dispatch of the plan and the place of the statement.
-template <class Visit>
-void visitUses(const plan::FramePlan& plan, Visit&& visit) {
-    for (const plan::PlannedPass& pass : plan.passes)
-        for (const auto& step : pass.steps)
-            if (const auto* draw = std::get_if<plan::PlannedDraw>(&step))
-                visit(plan.programs[draw->program], plan.drawOf(*draw).place);
-    for (const plan::PlannedDispatch& each : plan.dispatches)
-        visit(plan.programs[each.program], plan.dispatchOf(each).place);
-}
-
 /// Calls `visit` with each draw of the plan that covers its target and reads the camera.
 template <class Visit>
 void visitFills(const plan::FramePlan& plan, Visit&& visit) {
-    for (const plan::PlannedPass& pass : plan.passes)
-        for (const auto& step : pass.steps)
-            if (const auto* draw = std::get_if<plan::PlannedDraw>(&step);
-                draw != nullptr && std::holds_alternative<scene::ClipSpace>(plan.drawOf(*draw).projection) &&
-                plan::readsCamera(plan.programs[draw->program]))
-                visit(*draw);
+    plan.visitDraws([&](const plan::PlannedDraw& planned, const scene::Draw& draw, const auto&) {
+        if (std::holds_alternative<scene::ClipSpace>(draw.projection) &&
+            plan::readsCamera(plan.programs[planned.program]))
+            visit(planned);
+    });
 }
 
 /// What the frame writes, with the first place.
 std::map<plan::Object, Place> writesOf(const plan::FramePlan& frame) {
     std::map<plan::Object, Place> writes;
     for (std::size_t node = 0; node < frame.order.size(); ++node)
-        for (const plan::ObjectUse& each : usesOf(frame, node))
-            if (each.writes)
-                writes.try_emplace(plan::objectOf(each.object), nodePlaceOf(frame, frame.order[node]));
+        for (const plan::Object& each : frame.accesses[node].written)
+            writes.try_emplace(each, frame.placeOf(frame.order[node]));
     return writes;
 }
 
@@ -53,21 +40,9 @@ std::string nameOf(const scene::Scene& scene, const scene::ObjectView& object) {
     return texture.name.empty() ? fmt::format("unit {}", texture.unit) : texture.name;
 }
 
-const Place& nodePlaceOf(const plan::FramePlan& plan, const scene::NodeIndex& node) {
-    switch (node.kind) {
-        case scene::NodeIndex::Kind::dispatch:
-            return plan.dispatchOf(plan.dispatches.at(node.index)).place;
-        case scene::NodeIndex::Kind::clear:
-            return plan.clearOf(plan.clears.at(node.index)).place;
-        case scene::NodeIndex::Kind::pass:
-            break;
-    }
-    return plan.passOf(plan.passes.at(node.index)).place;
-}
-
 void addReads(const plan::FramePlan& plan, std::vector<scene::ObjectView>& to) {
-    for (std::size_t node = 0; node < plan.order.size(); ++node)
-        for (const plan::ObjectUse& each : usesOf(plan, node))
+    for (const plan::NodeAccess& node : plan.accesses)
+        for (const plan::ObjectUse& each : node.uses)
             if (each.reads && std::find(to.begin(), to.end(), each.object) == to.end())
                 to.push_back(each.object);
 }
@@ -108,15 +83,18 @@ void addCameras(const plan::FramePlan& plan, const scene::NodeList& now, std::ve
 
 Diagnostics timedReadsOfOnce(const scene::Scene& scene, const plan::FramePlan& once) {
     Diagnostics diagnostics;
-    visitUses(once, [&](const plan::PlannedProgram& program, const Place& place) {
+    const auto check = [&](const auto& planned, const auto& statement, const auto&...) {
+        const plan::PlannedProgram& program = once.programs[planned.program];
         for (const std::string& each : program.timed)
             diagnostics.push_back(
                 diagnose("memory-E11",
                          fmt::format("Once: the uniform '{}' of program '{}' reads the variable of its name, "
                                      "which changes with time, but what Once writes stays; read it in Step",
                                      each, scene.programs[program.variant.program].name),
-                         place));
-    });
+                         statement.place));
+    };
+    once.visitDraws(check);
+    for (const plan::PlannedDispatch& each : once.dispatches) check(each, once.dispatchOf(each));
     return diagnostics;
 }
 
@@ -126,7 +104,7 @@ Diagnostics readsOfFrame(const scene::Scene& scene, const CheckedBlock& block, c
     std::set<plan::Object> seen;
     Diagnostics diagnostics;
     for (std::size_t node = 0; node < block.plan.order.size(); ++node)
-        for (const plan::ObjectUse& each : usesOf(block.plan, node)) {
+        for (const plan::ObjectUse& each : block.plan.accesses[node].uses) {
             const plan::Object object = plan::objectOf(each.object);
             const auto written = writes.find(object);
             if (!each.reads || written == writes.end() || lasts(object) || !seen.insert(object).second)
@@ -136,7 +114,7 @@ Diagnostics readsOfFrame(const scene::Scene& scene, const CheckedBlock& block, c
                 fmt::format("{0} reads '{1}', which only the frame writes (line {2}), so the result depends "
                             "on the pictures that were drawn before; write '{1}' in {0}",
                             block.word, nameOf(scene, each.object), written->second.line),
-                nodePlaceOf(block.plan, block.plan.order[node])));
+                block.plan.placeOf(block.plan.order[node])));
         }
     return diagnostics;
 }

@@ -16,9 +16,6 @@ namespace glibra::render {
 /// The name of a texture or buffer; "unit 5" for a texture without one.
 std::string nameOf(const scene::Scene& scene, const scene::ObjectView& object);
 
-/// Where the node of a plan stands in the scene; `node` is an element of FramePlan::order.
-const Place& nodePlaceOf(const plan::FramePlan& plan, const scene::NodeIndex& node);
-
 /// Adds what the nodes of the plan read, each part once.
 void addReads(const plan::FramePlan& plan, std::vector<scene::ObjectView>& to);
 /// All textures and buffers.

@@ -137,8 +137,8 @@ Diagnostics Simulation::planAll() {
 }
 
 void Simulation::noteWrites(Block& block) {
-    for (std::size_t node = 0; node < block.plan.order.size(); ++node)
-        for (const plan::ObjectUse& each : usesOf(block.plan, node)) {
+    for (const plan::NodeAccess& node : block.plan.accesses)
+        for (const plan::ObjectUse& each : node.uses) {
             if (each.writes && !writes(block.written, each.object)) block.written.push_back(each.object);
             const bool isKnown = std::any_of(lasting_.begin(), lasting_.end(), [&](const Lasting& known) {
                 return plan::objectOf(known.object) == plan::objectOf(each.object);
@@ -152,7 +152,7 @@ void Simulation::noteWrites(Block& block) {
 Diagnostics Simulation::check(const plan::FramePlan& frame) const {
     Diagnostics diagnostics;
     for (std::size_t node = 0; node < frame.order.size(); ++node)
-        for (const plan::ObjectUse& each : usesOf(frame, node)) {
+        for (const plan::ObjectUse& each : frame.accesses[node].uses) {
             if (!each.writes) continue;
             const auto lasts = std::find_if(lasting_.begin(), lasting_.end(), [&](const Lasting& known) {
                 return plan::objectOf(known.object) == plan::objectOf(each.object);
@@ -163,7 +163,7 @@ Diagnostics Simulation::check(const plan::FramePlan& frame) const {
                          fmt::format("'{}' lasts, because {} writes it (line {}), so the frame may only read "
                                      "it; write it in Step",
                                      nameOf(parts_.scene, each.object), lasts->word, lasts->place.line),
-                         nodePlaceOf(frame, frame.order[node])));
+                         frame.placeOf(frame.order[node])));
             return diagnostics;
         }
     return diagnostics;
