@@ -79,7 +79,7 @@ void SceneRenderer::State::makeAhead() {
         const glsl::TranslatedProgram* translated = programs.translated(variant);
         std::vector<plan::ObjectUse> found;
         if (!translated || hasError(translated->diagnostics)) return found;
-        device.bounds(draw.shape, programs.mayReadTangents(variant), nullptr);
+        device.meshes().bounds(draw.shape, programs.mayReadTangents(variant), nullptr);
         if (!variant.program) return found;
         const plan::ProgramInterface guess = samplersIn(*translated);
         std::vector<bool> used;
@@ -103,7 +103,7 @@ void SceneRenderer::State::makeAhead() {
          }},
         false);
     for (const scene::TextureIndex each : scene.textures.indices())
-        if (needs.textures[each]) device.readAhead(each);
+        if (needs.textures[each]) device.textures().readAhead(each);
 }
 
 }  // namespace glibra::render

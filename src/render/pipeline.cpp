@@ -138,7 +138,8 @@ void Pipeline::placeEye(double aspect, Diagnostics& diagnostics, Stats& stats) {
     if (options.view == ViewPolicy::glman || scene.usesLookAt) return;
     const StageTimer timer(stats, "view");
     scene::ViewMove move = scene::autoView(
-        scene, [&](scene::ShapeIndex shape) { return device.mesh(shape, false, &diagnostics); }, aspect);
+        scene, [&](scene::ShapeIndex shape) { return device.meshes().mesh(shape, false, &diagnostics); },
+        aspect);
     eyeDistance = move.distance;
     append(diagnostics, std::move(move.diagnostics));
 }

@@ -231,7 +231,7 @@ Result<SceneRenderer> SceneRenderer::finish(Result<std::unique_ptr<State>> prepa
     if (hasError(ofTiles)) return refuse(std::move(diagnostics));
     state->makePictureDrawer(stats);
     state->isStateful = state->mayShowEarlierFrames();
-    state->device.releaseMeshes();
+    state->device.meshes().release();
 
     Result<gpu::Target> window =
         gpu::Target::window(capabilities, state->tiles.front().width, state->tiles.front().height,
@@ -424,7 +424,7 @@ Result<image::Image> SceneRenderer::drawFirst(std::size_t draws, std::size_t pas
 }
 
 Result<image::Image> SceneRenderer::textureImage(const scene::TextureView& view) {
-    return state_->device.imageOf(view);
+    return state_->device.textures().imageOf(view);
 }
 
 Result<BufferContent> SceneRenderer::bufferContent(const scene::BufferView& view) {

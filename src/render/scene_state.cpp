@@ -51,7 +51,7 @@ Diagnostics SceneRenderer::State::keepBudget(plan::PlanOptions& planOptions, Sta
                         .patches = [&](std::size_t pass, std::size_t step,
                                        auto values) { return probe.patches(pass, step, values); }});
     if (options.samples == 0) options.samples = choice.samples;
-    for (const scene::ShapeIndex shape : budget::apply(choice, scene)) device.forgetMesh(shape);
+    for (const scene::ShapeIndex shape : budget::apply(choice, scene)) device.meshes().forget(shape);
     planOptions.overrides.insert(planOptions.overrides.end(), choice.levels.begin(), choice.levels.end());
     stats.decisions.insert(stats.decisions.end(), choice.decisions.begin(), choice.decisions.end());
     std::stable_sort(
@@ -196,7 +196,7 @@ std::string SceneRenderer::State::outOfSight(const scene::Draw& draw, const scen
         screen = {
             targetWidth, targetHeight, {0, 0, targetWidth, targetHeight}, samples, options.tileSize > 0};
     }
-    const VertexBox& bounds = device.bounds(draw.shape, programs.mayReadTangents(variant), remarks);
+    const VertexBox& bounds = device.meshes().bounds(draw.shape, programs.mayReadTangents(variant), remarks);
     const ViewMatrices seen = isMoved(scene.frame, pass) ? view.shifted(pass.shift) : view.unmoved();
     const DrawView drawView = drawViewOf(draw, topology, seen, screen, context.capabilities());
     return std::string(describe(sightOf(placed(bounds, placement), drawView)));

@@ -63,7 +63,7 @@ Diagnostics FrameDrawer::draw(const gpu::Target& window, const Frame& frame) {
         for (const scene::ObjectView& each : objects) {
             const plan::Object object = plan::objectOf(each);
             const bool isKept = frame.still != nullptr && frame.still->contents.contains(object);
-            if (!isKept && device_.isChanged(object)) append(diagnostics, device_.reset(each));
+            if (!isKept && device_.state(object).isChanged) append(diagnostics, device_.reset(object));
         }
     };
     if (frame.texturePasses) {
@@ -144,8 +144,8 @@ Diagnostics FrameDrawer::exchangeCopies(std::size_t node) {
             continue;
         }
         const scene::TextureIndex texture = std::get<scene::TextureIndex>(each.object);
-        device_.exchange(texture);
-        if (keeps) append(diagnostics, device_.copyFromPrevious(texture, bindings_));
+        device_.textures().exchange(texture);
+        if (keeps) append(diagnostics, device_.textures().copyFromPrevious(texture, bindings_));
     }
     return diagnostics;
 }
@@ -242,7 +242,7 @@ Diagnostics FrameDrawer::drawPass(const plan::PlannedPass& pass, const gpu::Targ
         }
     }
     const scene::Pass& drawn = plan_.passOf(pass);
-    for (const scene::TextureIndex each : drawn.targets) device_.wasWritten(each);
+    for (const scene::TextureIndex each : drawn.targets) device_.textures().wasWritten(each);
     stats_.add("passes", 1);
     return diagnostics;
 }
@@ -255,12 +255,12 @@ void FrameDrawer::completeReads(const plan::PlannedPass& pass) {
 void FrameDrawer::completeReads(const std::vector<plan::TextureUse>& textures) {
     bool isScissorOff = false;
     for (const plan::TextureUse& use : textures) {
-        if (use.isImage || !device_.isIncomplete(use)) continue;
+        if (use.isImage || !device_.textures().isIncomplete(use)) continue;
         if (!std::exchange(isScissorOff, true)) {  // it would cut what resolving the samples writes
             raster_.limitTo({});
             raster_.openForClears();
         }
-        device_.complete(use);
+        device_.textures().complete(use);
         bindings_.forgetWorkUnit();
     }
     if (isScissorOff) raster_.limitTo(limit_);

@@ -120,7 +120,7 @@ Diagnostics DeviceScene::checkIndices(const plan::FramePlan& plan) {
         const scene::BufferIndex index = draw.indices.buffer;
         if (!index || buffers_.layout(index) == nullptr) return;  // reported
         if (!written) written = writtenBuffers(plan);
-        const bool isAsDeclared = !written->contains(index) && !lasting_.contains(plan::Object(index));
+        const bool isAsDeclared = !written->contains(index) && !buffers_.state(index).lasts;
         if (auto problem = indexProblem(plan, planned, isAsDeclared))
             diagnostics.push_back(diagnose("memory-E13", std::move(*problem), draw.place));
     });

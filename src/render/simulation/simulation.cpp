@@ -145,7 +145,7 @@ void Simulation::noteWrites(Block& block) {
             });
             if (!each.writes || isKnown) continue;
             lasting_.push_back({each.object, block.place, block.isOnce ? "Once" : "Step"});
-            parts_.device.setLasting(plan::objectOf(each.object));
+            parts_.device.state(plan::objectOf(each.object)).setLasting();
         }
 }
 
@@ -257,7 +257,8 @@ void Simulation::changeValues(
 
 void Simulation::takeOver(Simulation& previous) {
     if (!previous.hasRun_ || previous.done_.size() != done_.size()) return;
-    for (const Lasting& each : lasting_) parts_.device.takeOver(previous.parts_.device, each.object);
+    for (const Lasting& each : lasting_)
+        parts_.device.takeOver(previous.parts_.device, plan::objectOf(each.object));
     done_ = previous.done_;
     for (std::size_t i = 0; i < steps_.size(); ++i) {
         steps_[i]->resets = previous.steps_[i]->resets;
@@ -305,7 +306,7 @@ Diagnostics Simulation::advance(const scene::FrameInputs& inputs) {
     inOrderOfTime(rates, done_, to, [&](const StepNumber& step) {
         if (steps_[step.block]->dependsOnTick && !frame) {
             frame = std::exchange(parts_.scene, {});
-            parts_.device.forgetShapes();
+            parts_.device.meshes().forgetShapes();
         }
         if (Block& block = *steps_[step.block];
             !block.dependsOnTick && hasOtherResets(block, resets[step.block]))
@@ -317,7 +318,7 @@ Diagnostics Simulation::advance(const scene::FrameInputs& inputs) {
     closeDrawer();
     if (frame) {
         parts_.scene = std::move(*frame);
-        parts_.device.forgetShapes();
+        parts_.device.meshes().forgetShapes();
     }
     if (hasError(diagnostics))
         hasRun_ = false;
@@ -337,8 +338,8 @@ Diagnostics Simulation::restart(bool plansAgain) {
         each->firstTick = 0;
     }
     for (const Lasting& each : lasting_)
-        if (parts_.device.hasBeenWritten(plan::objectOf(each.object)))
-            append(diagnostics, parts_.device.reset(each.object));
+        if (parts_.device.state(plan::objectOf(each.object)).isWritten)
+            append(diagnostics, parts_.device.reset(plan::objectOf(each.object)));
     for (const auto& block : once_) {
         if ((plansAgain || std::exchange(block->isOfStep, false)) && block->index < parts_.scene.once.size())
             append(diagnostics, planAgain(*block, parts_.scene.once[block->index].nodes));
@@ -374,8 +375,8 @@ Diagnostics Simulation::beginAnew(Block& step, std::int64_t tick) {
     for (const scene::ObjectView& each : objects) {
         if (writes(done, each)) continue;
         done.push_back(each);
-        if (parts_.device.hasBeenWritten(plan::objectOf(each)))
-            append(diagnostics, parts_.device.reset(each));
+        if (parts_.device.state(plan::objectOf(each)).isWritten)
+            append(diagnostics, parts_.device.reset(plan::objectOf(each)));
     }
     for (const auto& each : once_) {
         if (!runs[each->index] || each->index >= parts_.scene.once.size() || hasError(diagnostics)) continue;

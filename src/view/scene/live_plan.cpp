@@ -53,7 +53,7 @@ Diagnostics LiveScene::State::makePlan(bool variablesDiffer) {
     }
     const auto findBounds = [&] {
         for (const plan::PlannedMesh& each : plan.meshes)
-            device.bounds(each.shape, hasTangents(each), &diagnostics);
+            device.meshes().bounds(each.shape, hasTangents(each), &diagnostics);
     };
     findBounds();
     append(diagnostics, device.prepare(plan, programs));
