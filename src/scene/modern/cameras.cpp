@@ -189,12 +189,12 @@ std::optional<SceneCamera> read(Interpreter& in, const Command& command) {
 void publish(Interpreter& in, const SceneCamera& camera) {
     Environment& names = in.shared->environment;
     const auto& [name, element] = camera.name;
-    const auto known = in.shared->aspects.find(camera.name);
-    const std::size_t aspects = known != in.shared->aspects.end() ? known->second.size() : 0;
+    const auto known = in.shared->seen.aspects.find(camera.name);
+    const std::size_t aspects = known != in.shared->seen.aspects.end() ? known->second.size() : 0;
     const CameraValues values = valuesOf(camera, aspects > 0 ? *known->second.begin() : windowAspect(in));
     names.setCamera(name, values, element);
-    const auto previous = in.shared->previousCameras.find(camera.name);
-    names.setCamera(name + ".prev", previous != in.shared->previousCameras.end() ? previous->second : values,
+    const auto previous = in.shared->seen.previous.find(camera.name);
+    names.setCamera(name + ".prev", previous != in.shared->seen.previous.end() ? previous->second : values,
                     element);
     if (aspects < 2 || !followsTarget(camera)) return;
     for (const char* field : {".projection", ".viewProjection", ".shadow", ".aspect"})
@@ -409,7 +409,7 @@ std::optional<SceneCamera> cameraNamed(Interpreter& in, const glib::Value& value
 }
 
 SceneCamera currentCamera(const Interpreter& in) {
-    const SceneCamera* found = findCamera(in, in.modern.pass ? in.modern.pass->camera : CameraName{"eye", 0});
+    const SceneCamera* found = findCamera(in, in.around.pass ? in.around.pass->camera : CameraName{"eye", 0});
     return found != nullptr ? *found : classicCamera(in);
 }
 
@@ -420,7 +420,7 @@ std::string textOf(const Interpreter& in, const CameraName& name) {
 }
 
 double currentAspect(const Interpreter& in) {
-    if (in.modern.pass) return in.modern.pass->aspect;
+    if (in.around.pass) return in.around.pass->aspect;
     const TargetList& target = in.state.target;
     return target.units.empty() ? windowAspect(in) : static_cast<double>(target.width) / target.height;
 }
@@ -442,9 +442,9 @@ CameraValues valuesOf(const SceneCamera& camera, double aspect) {
 }
 
 void setPrevious(Interpreter& in, std::string_view name, const CameraName& camera, const CameraValues& now) {
-    const auto known = in.shared->previousCameras.find(camera);
+    const auto known = in.shared->seen.previous.find(camera);
     in.shared->environment.setCamera(std::string(name) + ".prev",
-                                     known != in.shared->previousCameras.end() ? known->second : now);
+                                     known != in.shared->seen.previous.end() ? known->second : now);
 }
 
 glm::dmat4 projectionOf(const SceneCamera& camera, double aspect) {
@@ -453,7 +453,7 @@ glm::dmat4 projectionOf(const SceneCamera& camera, double aspect) {
 }
 
 void noteAspect(Interpreter& in, const SceneCamera& camera, double aspect) {
-    if (followsTarget(camera)) in.shared->foundAspects[camera.name].insert(aspect);
+    if (followsTarget(camera)) in.shared->seen.foundAspects[camera.name].insert(aspect);
 }
 
 ClipSpace coveringSpace(Interpreter& in, double aspect) {
@@ -474,7 +474,7 @@ ClipSpace coveringSpace(Interpreter& in, double aspect) {
 
 void lookAt(Interpreter& in, Draw& draw) {
     const SceneCamera* camera =
-        findCamera(in, in.modern.pass ? in.modern.pass->camera : CameraName{"eye", 0});
+        findCamera(in, in.around.pass ? in.around.pass->camera : CameraName{"eye", 0});
     draw.model = in.state.model;
     if (camera == nullptr || camera->name.first == "eye")
         (camera == nullptr ? in.modern.drawsClassicView : in.modern.usesEye) = true;
@@ -484,7 +484,7 @@ void lookAt(Interpreter& in, Draw& draw) {
         return;
     }
     const double aspect = currentAspect(in);
-    if (!in.modern.pass) noteAspect(in, *camera, aspect);
+    if (!in.around.pass) noteAspect(in, *camera, aspect);
     draw.modelView = camera->view * in.state.model;
     if (camera->clip || camera->aspect)
         draw.projection = projectionOf(*camera, aspect);

@@ -222,7 +222,7 @@ class NamesWithArray final : public expression::Names {
 std::optional<expression::Type> typeOfElements(Interpreter& in, const std::string& name, const Value& value,
                                                std::size_t elements) {
     const Environment& environment = in.shared->environment;
-    auto& foundSoFar = in.shared->arrayTypes[writtenAt(in, value)];
+    auto& foundSoFar = in.shared->computed.arrayTypes[writtenAt(in, value)];
     if (const auto* known = foundSoFar.find(environment)) return *known;
     const NotedNames noted(environment);
     std::optional<expression::Type> type;
@@ -281,7 +281,7 @@ void runLet(Interpreter& in, const Command& command) {
     const Value& value = command.values[1];
     const std::string name = target.path.empty() ? target.text : target.path.front().name;
     const bool isArray = !target.path.empty() && !target.path.front().index.empty();
-    const expression::Value* const given = in.modern.given ? find(*in.modern.given, name) : nullptr;
+    const expression::Value* const given = in.around.given ? find(*in.around.given, name) : nullptr;
     const bool isGiven = given != nullptr;
     const bool isRule = value.kind == Value::Kind::list && !value.count.empty();
     const bool isComputed = value.kind == Value::Kind::expression || isRule || isGiven;
@@ -362,7 +362,7 @@ void doLet(Interpreter& in, const Command& command) {
     Environment& names = in.shared->environment;
     const expression::Symbol* const symbol = names.lookUpInScene(name);
     if (symbol == nullptr) return;
-    names.addDepends(symbol->slot, own.depends() | in.modern.conditions);
+    names.addDepends(symbol->slot, own.depends() | in.around.conditions);
     showVariable(in, command, name);
 }
 
