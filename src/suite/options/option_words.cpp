@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
@@ -227,17 +226,6 @@ std::string optionArguments(const Shot& shot) {
     for (const OptionRow& row : optionTable())
         for (const std::string& word : optionWords(row, shot)) text += " " + shellWord(word);
     return text;
-}
-
-std::string shellWord(std::string_view text) {
-    const auto isPlain = [](unsigned char c) {
-        return std::isalnum(c) != 0 ||
-               std::string_view("_-+=./,:@%").find(static_cast<char>(c)) != std::string_view::npos;
-    };
-    if (!text.empty() && std::all_of(text.begin(), text.end(), isPlain)) return std::string(text);
-    std::string quoted = "'";
-    for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return quoted + "'";
 }
 
 }  // namespace glibra::suite
