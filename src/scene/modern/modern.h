@@ -99,6 +99,11 @@ struct SceneCamera {
     CameraName name;
     CameraName root;        ///< that it is derived from by Reflect and Shift; its own name if it is not
     glm::dmat4 shift{1.0};  ///< view = shift * view of the root * reflections
+
+    /// True if the shape of the target decides the projection.
+    [[nodiscard]] bool followsTarget() const {
+        return !aspect && !std::holds_alternative<glm::dmat4>(projection);
+    }
 };
 
 /// A name of the namespace that variables, cameras, textures, samplers and buffers share.
@@ -224,7 +229,7 @@ struct ModernState {
     std::vector<UntakenRange> untaken{};  ///< each once per time that it does not run
 };
 
-// structure.cpp
+// statements.cpp
 
 /// Runs the statements [first, last) of the current script. Each block runs its own statements.
 void run(Interpreter&, std::size_t first, std::size_t last);
@@ -240,11 +245,13 @@ bool countElements(Interpreter&, const glib::Value& owner, double count);
 /// in the order in which they were read first.
 int fileNumber(const Interpreter&);
 
-// variables.cpp
+// constants.cpp
 
 /// The value of a parameter or variable: an expression, or one to four numbers. Nothing with the reason
 /// reported.
 std::optional<expression::Value> constantOf(Interpreter&, std::span<const glib::Value> values);
+/// Elements of a list or array variable.
+inline constexpr int kMostVariableElements = 65'536;
 /// The numbers of a list, where `[6 of (...)]` counts `i`. Nothing with the reason reported.
 std::optional<std::vector<double>> listOf(Interpreter&, const glib::Value& list);
 /// What expressions know of a name that counts.
