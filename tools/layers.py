@@ -138,6 +138,7 @@ EXCEPTIONS = {
     "plan/buffers -> plan/frame_plan",  # frame_plan.h declares the plan and what makes it
     "plan/buffers -> plan/reach",
     "plan/frame_plan -> plan/accesses",
+    "plan/frame_plan -> plan/draw_remarks",
     "plan/frame_plan -> plan/needs",
     "plan/frame_plan -> plan/planned_programs",
     "plan/frame_plan -> plan/skipped",

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "plan/frame_plan.h"
-#include "plan/needs.h"
 
 namespace glibra::plan {
 

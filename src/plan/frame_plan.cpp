@@ -10,7 +10,6 @@
 #include <tuple>
 #include <utility>
 
-#include "base/suggest.h"
 #include "plan/accesses.h"
 #include "plan/draw_remarks.h"
 #include "plan/fragment_outputs.h"
