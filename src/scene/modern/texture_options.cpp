@@ -39,10 +39,10 @@ constexpr std::pair<std::string_view, Wrap> kWraps[] = {
 };
 
 template <class T, std::size_t N>
-const T* valueOfWord(const std::pair<std::string_view, T> (&rows)[N], std::string_view word) {
+std::optional<T> valueOfWord(const std::pair<std::string_view, T> (&rows)[N], std::string_view word) {
     for (const auto& [name, value] : rows)
-        if (name == word) return &value;
-    return nullptr;
+        if (name == word) return value;
+    return std::nullopt;
 }
 
 /// The colour of a border: three or four components, or one for all of a depth texture.
@@ -65,16 +65,20 @@ std::optional<std::array<double, 4>> borderColor(Interpreter& in, const Command&
 
 }  // namespace
 
+std::optional<base::Wrap> wrapNamed(std::string_view word) {
+    return valueOfWord(kWraps, word);
+}
+
 std::optional<TextureOptions> readOptions(Interpreter& in, const Command& command, std::size_t axes) {
     TextureOptions options;
     const auto integer = [&](const KeyedValues& key, int most) {
         return integerIn(in, key.values.front(), fmt::format("{}: {}", command.word, key.key), 1, most);
     };
     for (const KeyedValues& key : command.keys) {
-        if (const Filter* filter = valueOfWord(kFilters, key.key)) {
+        if (const auto filter = valueOfWord(kFilters, key.key)) {
             options.filter = *filter;
             options.filterPosition = key.position;
-        } else if (const Wrap* wrap = valueOfWord(kWraps, key.key)) {
+        } else if (const auto wrap = wrapNamed(key.key)) {
             if (options.wraps.size() == axes) {
                 refuse(in, "glib-E18", command, key.position,
                        fmt::format("'{}' is one wrap mode too many; write one, or {}", key.key, axes));

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "scene/state.h"
@@ -25,6 +26,9 @@ struct TextureOptions {
 
 /// `axes`: those that have a wrap mode. Nothing with the reason reported.
 std::optional<TextureOptions> readOptions(Interpreter&, const glib::Command& command, std::size_t axes);
+
+/// The wrap mode of that word; nothing for other keys.
+std::optional<base::Wrap> wrapNamed(std::string_view word);
 
 /// The state with what the options say.
 base::SamplerState stateOf(const TextureOptions& options, base::SamplerState state);

@@ -24,6 +24,8 @@
 namespace glibra::scene {
 namespace {
 
+using base::Filter;
+using base::Wrap;
 using glib::Command;
 using glib::CommandId;
 using glib::KeyedValues;
@@ -152,7 +154,7 @@ bool fitsRectangle(Interpreter& in, const Command& command, const TextureOptions
     for (const KeyedValues* each : {options.generate, options.levelsKey})
         if (each != nullptr) return deny(each->position, fmt::format(kOneLevel, each->key));
     for (const KeyedValues& each : command.keys)
-        if (const Wrap* wrap = valueOfWord(kWraps, each.key); wrap != nullptr && repeats(*wrap))
+        if (const auto wrap = wrapNamed(each.key); wrap && repeats(*wrap))
             return deny(
                 each.position,
                 fmt::format("'{}': a rectangle does not repeat; write 'clamp' or 'border'", each.key));
