@@ -52,10 +52,11 @@ ORDER = {
         "stats": set(),
         "load": {"stats"},
         "draw": {"stats", "load"},
-        "": {"stats", "load", "draw"},  # Pipeline and SceneRenderer
-        "probe": {"stats", "load", "draw", ""},
-        "file": {"stats", "load", "draw", "", "probe"},
-        "check": {"stats", "load", "draw", "", "probe"},
+        "simulation": {"stats", "load", "draw"},
+        "": {"stats", "load", "draw", "simulation"},  # Pipeline and SceneRenderer
+        "probe": {"stats", "load", "draw", "simulation", ""},
+        "file": {"stats", "load", "draw", "simulation", "", "probe"},
+        "check": {"stats", "load", "draw", "simulation", "", "probe"},
     },
     "suite": {
         "": set(),
@@ -137,6 +138,7 @@ EXCEPTIONS = {
     "plan/buffers -> plan/frame_plan",  # frame_plan.h declares the plan and what makes it
     "plan/buffers -> plan/reach",
     "plan/frame_plan -> plan/accesses",
+    "plan/frame_plan -> plan/draw_remarks",
     "plan/frame_plan -> plan/needs",
     "plan/frame_plan -> plan/planned_programs",
     "plan/frame_plan -> plan/skipped",

@@ -12,10 +12,9 @@ using Key = std::pair<glib::CommandId, std::vector<double>>;
 /// Returns the shapes that are drawn. A draw whose shape is about to be replaced has none.
 std::set<scene::ShapeIndex> drawnShapes(const scene::Scene& scene) {
     std::set<scene::ShapeIndex> drawn;
-    for (const scene::Pass& pass : scene.frame.passes)
-        for (const auto& step : pass.steps)
-            if (const auto* draw = std::get_if<scene::Draw>(&step); draw && draw->shape)
-                drawn.insert(draw->shape);
+    scene.frame.visitDraws([&](const scene::Draw& draw, const auto&) {
+        if (draw.shape) drawn.insert(draw.shape);
+    });
     return drawn;
 }
 

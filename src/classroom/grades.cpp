@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <iterator>
 
+#include "base/csv.h"
 #include "base/utf8.h"
 
 namespace glibra::classroom {
@@ -50,7 +51,7 @@ std::string joined(const std::vector<std::string>& words) {
 
 std::string csvField(std::string_view text) {
     std::string clean;
-    bool begun = false, isFormula = false, isQuoted = false;
+    bool begun = false, isFormula = false;
     while (!text.empty()) {
         const base::Character next = base::firstCharacter(text);
         text.remove_prefix(next.bytes);
@@ -60,12 +61,10 @@ std::string csvField(std::string_view text) {
         }
         if (!begun) isFormula = beginsFormula(next.code);
         begun = true;
-        if (next.code == '"' || next.code == ',' || next.code == ';') isQuoted = true;
-        if (next.code == '"') clean += '"';
         base::appendUtf8(clean, next.code);
     }
     if (isFormula) clean.insert(0, "'");
-    return isQuoted ? "\"" + clean + "\"" : clean;
+    return base::csvField(clean, ",;\"");
 }
 
 std::string gradesCsv(const Classroom& classroom) {

@@ -20,13 +20,13 @@
 #include "cli/film.h"
 #include "cli/interruption.h"
 #include "cli/render_answer.h"
+#include "cli/render_outputs.h"
 #include "cli/scene_arguments.h"
 #include "cli/untrusted.h"
 #include "cli/written_files.h"
 #include "gpu/context/context.h"
 #include "gpu/context/hardware.h"
 #include "image/file.h"
-#include "image/video/video_file.h"
 #include "render/file/animation.h"
 #include "render/file/job.h"
 #include "suite/run/run.h"
@@ -36,65 +36,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool writesIntoFolder(const RenderArguments& arguments) {
-    return arguments.outputIsFolder || fs::is_directory(arguments.output) || arguments.output.back() == '/';
-}
-
-/// Who chose the names of the pictures: the user with -o FILE, and this command otherwise, also for frames.
-image::NamedBy namedBy(const RenderArguments& arguments) {
-    return arguments.output.empty() || arguments.frames > 1 || writesIntoFolder(arguments)
-               ? image::NamedBy::program
-               : image::NamedBy::user;
-}
-
-/// The file that each scene is written to. Without -o it is the scene's name in the current folder. Where two
-/// scenes have the same name, they keep the folders in which they differ.
-std::vector<fs::path> outputFiles(const RenderArguments& arguments) {
-    std::vector<fs::path> names;
-    std::set<std::string> distinct;
-    for (const std::string& scene : arguments.scenes) {
-        names.push_back(scene == kStandardInput ? "stdin.png"
-                                                : fs::path(scene).filename().replace_extension(".png"));
-        distinct.insert(names.back().string());
-    }
-    if (distinct.size() < names.size()) {
-        fs::path common = fs::absolute(arguments.scenes.front()).lexically_normal().parent_path();
-        for (const std::string& scene : arguments.scenes) {
-            const fs::path folder = fs::absolute(scene).lexically_normal().parent_path();
-            while (!common.empty() && common != common.parent_path() &&
-                   std::mismatch(common.begin(), common.end(), folder.begin(), folder.end()).first !=
-                       common.end())
-                common = common.parent_path();
-        }
-        for (std::size_t i = 0; i < names.size(); ++i)
-            names[i] = fs::absolute(arguments.scenes[i])
-                           .lexically_normal()
-                           .lexically_relative(common)
-                           .replace_extension(".png");
-    }
-    if (arguments.output.empty()) return names;
-    const bool isFolder = writesIntoFolder(arguments);
-    for (fs::path& name : names)
-        name = isFolder ? fs::path(arguments.output) / name : fs::path(arguments.output);
-    return names;
-}
-
 constexpr Deed kDrawing{"drew", "drawn"};
 
 /// The number of workers that draw so many pieces.
 int jobsOf(const RenderArguments& arguments, std::size_t pieces) {
     return suite::drawingJobs(arguments.jobs, arguments.driver, pieces);
-}
-
-/// True if all frames go into one file.
-bool isFilm(const RenderArguments& arguments) {
-    return arguments.frames > 1 && !arguments.outputIsFolder && !fs::is_directory(arguments.output) &&
-           image::holdsAnimation(arguments.output);
-}
-
-/// The file, or the first of the files, that a worker writes for a film.
-fs::path framesOf(fs::path film) {
-    return film.replace_extension(".png");
 }
 
 std::uint64_t memoryOf(const RenderArguments& arguments, std::size_t pieces) {

@@ -1,11 +1,11 @@
 #include "editor/completion.h"
 
 #include <algorithm>
-#include <cctype>
 #include <iterator>
 #include <set>
 #include <utility>
 
+#include "base/text.h"
 #include "editor/declared_names.h"
 #include "editor/glsl_reference.h"
 #include "expression/functions.h"
@@ -20,12 +20,10 @@
 namespace glibra::editor {
 namespace {
 
+using base::isOfName;
+
 constexpr std::size_t kMost = 200;
 constexpr int kDefaultVersion = 110;
-
-bool isOfName(char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
 
 std::string_view lineWith(std::string_view text, std::size_t byte, std::size_t& begin) {
     begin = byte == 0 ? std::string_view::npos : text.rfind('\n', byte - 1);

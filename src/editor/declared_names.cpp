@@ -1,11 +1,11 @@
 #include "editor/declared_names.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdlib>
 #include <deque>
 #include <set>
 
+#include "base/text.h"
 #include "glsl/read/token.h"
 #include "glsl/read/words.h"
 
@@ -25,9 +25,7 @@ std::string_view wordOfDirective(std::string_view line, std::string_view what) {
     const std::size_t begin = line.find_first_not_of(kSpacesAndTabs);
     if (begin == 0 || begin == std::string_view::npos) return {};
     line.remove_prefix(begin);
-    const auto end = std::find_if(line.begin(), line.end(), [](char c) {
-        return std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '_';
-    });
+    const auto* const end = std::find_if_not(line.begin(), line.end(), base::isOfName);
     return line.substr(0, static_cast<std::size_t>(end - line.begin()));
 }
 

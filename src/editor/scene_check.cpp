@@ -38,10 +38,9 @@ std::vector<plan::ProgramVariant> variantsOf(const scene::Scene& scene) {
             variants.push_back(variant);
     };
     const auto addAll = [&](const scene::NodeList& nodes) {
-        for (const scene::Pass& pass : nodes.passes)
-            for (const auto& step : pass.steps)
-                if (const auto* draw = std::get_if<scene::Draw>(&step))
-                    add(plan::variantOf(scene, *draw, pass));
+        nodes.visitDraws([&](const scene::Draw& draw, const scene::Pass& pass) {
+            add(plan::variantOf(scene, draw, pass));
+        });
         for (const scene::Dispatch& each : nodes.dispatches) add({.program = each.program});
     };
     addAll(scene.frame);

@@ -10,6 +10,7 @@
 #include "library/renderer_state.h"
 #include "render/probe/nan_search.h"
 #include "render/scene_renderer.h"
+#include "suite/options/option_table.h"
 
 namespace glibra {
 namespace {
@@ -30,7 +31,7 @@ Diagnostics problemsOf(const RenderOptions& options) {
     };
     check("width", options.width, kLargestPictureSide);
     check("height", options.height, kLargestPictureSide);
-    check("samples", options.samples, kMostSamples);
+    check("samples", options.samples, suite::kMostSamples);
     check("tileSize", options.tileSize, kLargestPictureSide);
     if (options.steps < 0) wrong(fmt::format("steps: {} is below 0", options.steps));
     if (!std::isfinite(options.time))

@@ -17,8 +17,6 @@
 
 namespace glibra {
 
-inline constexpr int kMostSamples = 64;  ///< per pixel
-
 /// What the picture of a scene is drawn into.
 struct SceneWindow {
     int width = 0, height = 0, samples = 0;

@@ -16,6 +16,7 @@
 #include "render/load/device_scene.h"
 #include "render/scene_renderer.h"
 #include "scene/texture_name.h"
+#include "suite/options/option_table.h"
 
 namespace glibra {
 namespace {
@@ -32,7 +33,7 @@ Diagnostics problemsOf(const DrawOptions& options) {
     };
     check("width", options.width, kLargestPictureSide);
     check("height", options.height, kLargestPictureSide);
-    check("samples", options.samples, kMostSamples);
+    check("samples", options.samples, suite::kMostSamples);
     if (!std::isfinite(options.time))
         found.push_back(wrongOption(fmt::format("time: {} is not a finite number of seconds", options.time)));
     return found;

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 #include <span>
 
+#include "base/shell_word.h"
 #include "image/file.h"
 #include "image/write.h"
 
@@ -23,18 +23,6 @@ std::string pointArguments(const char* name, const std::map<int, double>& points
     std::string text;
     for (const auto& [point, value] : points) text += fmt::format(" {} {}={}", name, point, value);
     return text;
-}
-
-/// The file's name, quoted for a shell where necessary.
-std::string shellWord(const std::string& file) {
-    const bool isPlain = !file.empty() && std::all_of(file.begin(), file.end(), [](char c) {
-        return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
-               std::string_view("/._-+").find(c) != std::string_view::npos;
-    });
-    if (isPlain) return file;
-    std::string text = "'";
-    for (const char c : file) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return text + "'";
 }
 
 }  // namespace
@@ -84,7 +72,8 @@ std::string noiseCommand(const NoiseFile& noise, const std::string& file) {
     text += pointArguments("--gradient", options.gradients);
     if (options.smoothness == noise::Smoothness::quintic)
         text += pointArguments("--curvature", options.curvatures);
-    return text + fmt::format(" --size {}x{} -o {}", noise.width, noise.height, shellWord(file));
+    return text +
+           fmt::format(" --size {}x{} -o {}", noise.width, noise.height, base::shellWord(file, "/._-+"));
 }
 
 }  // namespace glibra::noise

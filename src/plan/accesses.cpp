@@ -18,40 +18,51 @@ ObjectUse textureUseOf(const PlannedProgram& program, const TextureUse& use) {
     if (!use.isImage) return {object, true, false};
     const auto& images = program.interface->facts.memory.images;
     const auto found = images.find(at(program.interface->uniforms, use.uniform).name);
-    if (found == images.end()) return {object, true, true};
-    return {object, !found->second.isWriteonly, !found->second.isReadonly};
+    if (found == images.end()) return {object, true, true, true};
+    return {object, !found->second.isWriteonly, !found->second.isReadonly, !found->second.isReadonly};
 }
 
 ObjectUse blockUseOf(const PlannedProgram& program, const BlockUse& use) {
     if (use.kind == BlockUse::Kind::uniform) return {use.buffer, true, false};
-    if (use.kind == BlockUse::Kind::counters) return {use.buffer, true, true};
+    if (use.kind == BlockUse::Kind::counters) return {use.buffer, true, true, true};
     const std::string_view name = program.interface->storageBlocks.at(use.index).name;
     const glsl::MemoryBlock* block =
         program.interface->facts.memory.block(name.substr(0, name.find('[')), true);
-    if (block == nullptr) return {use.buffer, true, true};
-    return {use.buffer, !block->isWriteonly, !block->isReadonly};
+    if (block == nullptr) return {use.buffer, true, true, true};
+    return {use.buffer, !block->isWriteonly, !block->isReadonly, !block->isReadonly};
 }
 
-void addDraw(const FramePlan& plan, const PlannedDraw& planned, std::vector<ObjectUse>& to) {
-    const std::vector<ObjectUse> own = shaderUses(plan.programs[planned.program], planned.textures);
-    to.insert(to.end(), own.begin(), own.end());
-    const auto read = [&](const scene::BufferView& view) {
-        if (view.buffer) to.push_back({view, true, false});
-    };
-    for (const scene::BufferView& each : plan.drawOf(planned).ownBuffers()) read(each);
-    if (!planned.inputs) return;
-    for (const InputSource& each : plan.inputs[planned.inputs].sources)
-        if (const auto* view = std::get_if<scene::BufferView>(&each.from)) read(*view);
-}
-
-void addPass(const FramePlan& plan, const PlannedPass& planned, std::vector<ObjectUse>& to) {
+NodeAccess accessOf(const scene::Scene& scene, const FramePlan& plan, const PlannedPass& planned) {
+    NodeAccess access;
     const scene::Pass& pass = plan.passOf(planned);
-    for (std::size_t i = 0; i < pass.targets.size(); ++i)
-        to.push_back({scene::TextureView{.texture = pass.targets[i]},
-                      i >= pass.clearColors.size() || !pass.clearColors[i], true});
-    if (pass.depth) to.push_back({*pass.depth, !pass.clearDepth, true});
+    const auto clears = [&](scene::TextureIndex texture, const scene::TargetPart& part) {
+        if (!part.layer && scene.textures[texture].levels == 1) access.overwritten.insert(texture);
+    };
+    for (std::size_t i = 0; i < pass.targets.size(); ++i) {
+        const bool isCleared = i < pass.clearColors.size() && pass.clearColors[i];
+        access.uses.push_back({scene::TextureView{.texture = pass.targets[i]}, !isCleared, true});
+        if (isCleared) clears(pass.targets[i], i < pass.parts.size() ? pass.parts[i] : scene::TargetPart{});
+    }
+    if (pass.depth) {
+        access.uses.push_back({*pass.depth, !pass.clearDepth, true});
+        if (pass.clearDepth) clears(pass.depth->texture, {pass.depth->level, pass.depth->layer});
+    }
     for (const auto& step : planned.steps)
-        if (const auto* draw = std::get_if<PlannedDraw>(&step)) addDraw(plan, *draw, to);
+        if (const auto* draw = std::get_if<PlannedDraw>(&step)) {
+            const std::vector<ObjectUse> own =
+                usesOf(plan.programs[draw->program], draw->textures, plan.drawOf(*draw),
+                       draw->inputs ? &plan.inputs[draw->inputs] : nullptr);
+            access.uses.insert(access.uses.end(), own.begin(), own.end());
+        }
+    return access;
+}
+
+NodeAccess accessOf(const scene::ClearObject& clear) {
+    const auto* buffer = std::get_if<scene::BufferIndex>(&clear.object);
+    const scene::ObjectView view =
+        buffer != nullptr ? scene::ObjectView(scene::BufferView{*buffer})
+                          : scene::TextureView{.texture = std::get<scene::TextureIndex>(clear.object)};
+    return {{{view, false, true}}, {}, {clear.object}, {}};
 }
 
 }  // namespace
@@ -61,6 +72,27 @@ std::vector<ObjectUse> shaderUses(const PlannedProgram& program, const std::vect
     for (const TextureUse& each : textures)
         if (each.view.texture || each.buffer.buffer) uses.push_back(textureUseOf(program, each));
     for (const BlockUse& each : program.blocks) uses.push_back(blockUseOf(program, each));
+    return uses;
+}
+
+std::vector<ObjectUse> usesOf(const PlannedProgram& program, const std::vector<TextureUse>& textures,
+                              const scene::Draw& draw, const PlannedInputs* inputs) {
+    std::vector<ObjectUse> uses = shaderUses(program, textures);
+    const auto read = [&](const scene::BufferView& view) {
+        if (view.buffer) uses.push_back({view});
+    };
+    for (const scene::BufferView& each : draw.ownBuffers()) read(each);
+    if (inputs == nullptr) return uses;
+    for (const InputSource& each : inputs->sources)
+        if (const auto* view = std::get_if<scene::BufferView>(&each.from)) read(*view);
+    return uses;
+}
+
+std::vector<ObjectUse> usesOf(const PlannedProgram& program, const std::vector<TextureUse>& textures,
+                              const scene::Dispatch& dispatch) {
+    std::vector<ObjectUse> uses = shaderUses(program, textures);
+    if (const auto* groups = std::get_if<scene::GroupsFrom>(&dispatch.groups))
+        uses.push_back({groups->first.buffer});
     return uses;
 }
 
@@ -116,25 +148,23 @@ Diagnostics readsOfWritten(const scene::Scene& scene, const PlannedProgram& prog
     return problems;
 }
 
-std::vector<ObjectUse> usesOf(const FramePlan& plan, std::size_t node) {
-    std::vector<ObjectUse> uses;
-    const scene::NodeIndex& at = plan.order.at(node);
-    if (at.kind == scene::NodeIndex::Kind::pass) {
-        addPass(plan, plan.passes.at(at.index), uses);
-    } else if (at.kind == scene::NodeIndex::Kind::dispatch) {
-        const PlannedDispatch& planned = plan.dispatches.at(at.index);
-        uses = shaderUses(plan.programs[planned.program], planned.textures);
-        if (const auto* groups = std::get_if<scene::GroupsFrom>(&plan.dispatchOf(planned).groups))
-            uses.push_back({groups->first.buffer, true, false});
-    } else {
-        const scene::ClearObject& clear = plan.clearOf(plan.clears.at(at.index));
-        if (const auto* buffer = std::get_if<scene::BufferIndex>(&clear.object))
-            uses.push_back({scene::BufferView{*buffer}, false, true});
-        else
-            uses.push_back(
-                {scene::TextureView{.texture = std::get<scene::TextureIndex>(clear.object)}, false, true});
+std::vector<NodeAccess> accessesOf(const scene::Scene& scene, const FramePlan& plan, bool everything) {
+    std::vector<NodeAccess> accesses;
+    for (const scene::NodeIndex& node : plan.order) {
+        NodeAccess& access = accesses.emplace_back();
+        if (node.kind == scene::NodeIndex::Kind::pass) {
+            access = accessOf(scene, plan, plan.passes.at(node.index));
+        } else if (node.kind == scene::NodeIndex::Kind::dispatch) {
+            const PlannedDispatch& planned = plan.dispatches.at(node.index);
+            access.uses = usesOf(plan.programs[planned.program], planned.textures, plan.dispatchOf(planned));
+        } else {
+            access = accessOf(plan.clearOf(plan.clears.at(node.index)));
+        }
+        for (const ObjectUse& each : access.uses)
+            if (each.writes) access.written.insert(objectOf(each.object));
+        access.exchanges = exchangesOf(scene, plan, node, access, everything);
     }
-    return uses;
+    return accesses;
 }
 
 Object objectOf(const scene::ObjectView& view) {
@@ -148,39 +178,19 @@ bool hasHistory(const scene::Scene& scene, const Object& object) {
     return scene.textures[std::get<scene::TextureIndex>(object)].hasHistory;
 }
 
-std::set<Object> overwritten(const scene::Scene& scene, const FramePlan& plan, std::size_t at) {
-    const scene::NodeIndex& node = plan.order.at(at);
-    std::set<Object> objects;
-    if (node.kind == scene::NodeIndex::Kind::clear)
-        std::visit([&](auto index) { objects.insert(index); },
-                   plan.clearOf(plan.clears.at(node.index)).object);
-    if (node.kind != scene::NodeIndex::Kind::pass) return objects;
-    const scene::Pass& pass = plan.passOf(plan.passes.at(node.index));
-    const auto isWhole = [&](scene::TextureIndex texture, const scene::TargetPart& part) {
-        return !part.layer && scene.textures[texture].levels == 1;
-    };
-    for (std::size_t i = 0; i < pass.targets.size() && i < pass.clearColors.size(); ++i)
-        if (pass.clearColors[i] &&
-            isWhole(pass.targets[i], i < pass.parts.size() ? pass.parts[i] : scene::TargetPart{}))
-            objects.insert(pass.targets[i]);
-    if (pass.depth && pass.clearDepth && isWhole(pass.depth->texture, {pass.depth->level, pass.depth->layer}))
-        objects.insert(pass.depth->texture);
-    return objects;
-}
-
 void findBeginnings(const scene::Scene& scene, FramePlan& plan) {
     std::set<Object> fresh;    // their content is of this frame
     std::set<Object> touched;  // read or written before that
     std::set<Object> written;
-    for (std::size_t node = 0; node < plan.order.size(); ++node) {
-        const std::set<Object> covered = overwritten(scene, plan, node);
-        for (const ObjectUse& each : usesOf(plan, node)) {
+    for (const NodeAccess& node : plan.accesses) {
+        for (const ObjectUse& each : node.uses) {
             const Object object = objectOf(each.object);
-            if (each.writes) written.insert(object);
-            const bool isRead = each.reads && !(each.writes && covered.contains(object));
-            if (!fresh.contains(object) && (isRead || !covered.contains(object))) touched.insert(object);
+            const bool isCovered = node.overwritten.contains(object);
+            const bool isRead = each.reads && !(each.writes && isCovered);
+            if (!fresh.contains(object) && (isRead || !isCovered)) touched.insert(object);
         }
-        fresh.insert(covered.begin(), covered.end());
+        written.insert(node.written.begin(), node.written.end());
+        fresh.insert(node.overwritten.begin(), node.overwritten.end());
     }
     const auto add = [](std::vector<scene::ObjectView>& to, const Object& object) {
         if (const auto* buffer = std::get_if<scene::BufferIndex>(&object))
@@ -213,7 +223,7 @@ std::map<scene::TextureIndex, scene::TextureIndex> sharedTargets(
     for (const scene::ObjectView& each : roots)
         if (const auto* view = std::get_if<scene::TextureView>(&each)) lives.erase(view->texture);
     for (std::size_t node = 0; node < plan.order.size(); ++node)
-        for (const ObjectUse& each : usesOf(plan, node)) {
+        for (const ObjectUse& each : plan.accesses[node].uses) {
             const auto* view = std::get_if<scene::TextureView>(&each.object);
             const auto life = view != nullptr ? lives.find(view->texture) : lives.end();
             if (life == lives.end()) continue;

@@ -1,21 +1,24 @@
 #pragma once
-// Which objects of a scene a node reads and writes: from the active resources of its programs and the memory
-// qualifiers in their text.
+// Which objects of a scene a node reads, writes and keeps: from the active resources of its programs and the
+// memory qualifiers in their text.
 
 #include <map>
-#include <set>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "plan/frame_plan.h"
-#include "plan/needs.h"
 
 namespace glibra::plan {
 
 /// What the shaders of a program do with textures and buffers. A storage block, atomic counter or image that
 /// is not declared readonly counts as written, and one that is not writeonly as read.
 std::vector<ObjectUse> shaderUses(const PlannedProgram& program, const std::vector<TextureUse>& textures);
+/// The same with what the statement itself reads; the targets of a draw's pass are left out. `inputs` may be
+/// null.
+std::vector<ObjectUse> usesOf(const PlannedProgram& program, const std::vector<TextureUse>& textures,
+                              const scene::Draw& draw, const PlannedInputs* inputs);
+std::vector<ObjectUse> usesOf(const PlannedProgram& program, const std::vector<TextureUse>& textures,
+                              const scene::Dispatch& dispatch);
 
 /// Returns draw-W12 for each texture of a modern scene that a sampler reads and an image may write in the
 /// same draw or dispatch, whose invocations run in any order (GL 4.6, 7.13.1). `word` names the statement.
@@ -23,23 +26,16 @@ Diagnostics readsOfWritten(const scene::Scene& scene, const PlannedProgram& prog
                            const std::vector<TextureUse>& textures, const std::string& word,
                            const Place& place);
 
-/// What plan.order[node] does, the same object several times if it is used in several ways. Targets of a pass
-/// are written, and read too unless the pass clears them.
-std::vector<ObjectUse> usesOf(const FramePlan& plan, std::size_t node);
-
-/// A texture or buffer, whatever part or copy of it.
-using Object = std::variant<scene::TextureIndex, scene::BufferIndex>;
 Object objectOf(const scene::ObjectView& view);
 /// True if there are two copies of it, which are exchanged.
 bool hasHistory(const scene::Scene& scene, const Object& object);
 
-/// The objects that the node (index into FramePlan::order) gives a new content, whatever they held: it clears
-/// all of them first.
-std::set<Object> overwritten(const scene::Scene& scene, const FramePlan& plan, std::size_t node);
-
-/// FramePlan::exchanges. `everything`: what shaders write whole is kept nevertheless.
-std::vector<std::vector<PlannedExchange>> exchangesOf(const scene::Scene& scene, const FramePlan& plan,
-                                                      bool everything);
+/// FramePlan::accesses. `everything`: what shaders write whole is kept nevertheless.
+std::vector<NodeAccess> accessesOf(const scene::Scene& scene, const FramePlan& plan, bool everything);
+/// NodeAccess::exchanges of a node of FramePlan::order, from the other members.
+std::vector<PlannedExchange> exchangesOf(const scene::Scene& scene, const FramePlan& plan,
+                                         const scene::NodeIndex& node, const NodeAccess& access,
+                                         bool everything);
 /// Fills FramePlan::resets, reads and cleared.
 void findBeginnings(const scene::Scene& scene, FramePlan& plan);
 /// FramePlan::sharing.

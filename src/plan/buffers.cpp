@@ -48,10 +48,9 @@ class LayoutFinder {
             for (const BlockUse& use : each.blocks) addBlock(*each.interface, use);
         for (const scene::BufferIndex each : plan_.buffers)
             if (!layouts_.contains(each) && !failed_.contains(each)) addByType(each);
-        for (const PlannedPass& pass : plan_.passes)
-            for (const auto& step : pass.steps)
-                if (const auto* draw = std::get_if<PlannedDraw>(&step))
-                    checkTexels(draw->program, draw->textures, plan_.drawOf(*draw).place);
+        plan_.visitDraws([&](const PlannedDraw& planned, const scene::Draw& draw, const auto&) {
+            checkTexels(planned.program, planned.textures, draw.place);
+        });
         for (const PlannedDispatch& each : plan_.dispatches)
             checkTexels(each.program, each.textures, plan_.dispatchOf(each).place);
         return std::move(diagnostics_);
@@ -362,13 +361,10 @@ Diagnostics countsProblems(const scene::Scene& scene, const FramePlan& plan, con
         if (const auto* groups = std::get_if<scene::GroupsFrom>(&dispatch.groups))
             check(groups->first, 3, "Dispatch", dispatch.place);
     }
-    for (const PlannedPass& pass : plan.passes)
-        for (const auto& step : pass.steps)
-            if (const auto* planned = std::get_if<PlannedDraw>(&step)) {
-                const scene::Draw& draw = plan.drawOf(*planned);
-                check(draw.verticesFrom, 1, "Vertices", draw.place);
-                check(draw.instancesFrom, 1, "Instances", draw.place);
-            }
+    plan.visitDraws([&](const auto&, const scene::Draw& draw, const auto&) {
+        check(draw.verticesFrom, 1, "Vertices", draw.place);
+        check(draw.instancesFrom, 1, "Instances", draw.place);
+    });
     return problems;
 }
 

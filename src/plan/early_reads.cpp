@@ -32,17 +32,13 @@ std::vector<NodeTextures> declaredNodes(const scene::NodeList& frame) {
     std::vector<NodeTextures> nodes;
     for (const scene::NodeIndex& each : frame.order) {
         NodeTextures node;
+        node.place = frame.placeOf(each);
         if (each.kind == scene::NodeIndex::Kind::pass) {
             const scene::Pass& pass = frame.passes.at(each.index);
-            node.place = pass.place;
             node.written.insert(pass.targets.begin(), pass.targets.end());
             if (pass.depth) node.written.insert(pass.depth->texture);
-        } else if (each.kind == scene::NodeIndex::Kind::dispatch) {
-            node.place = frame.dispatches.at(each.index).place;
-        } else {
-            const scene::ClearObject& clear = frame.clears.at(each.index);
-            node.place = clear.place;
-            if (const auto* texture = std::get_if<scene::TextureIndex>(&clear.object))
+        } else if (each.kind == scene::NodeIndex::Kind::clear) {
+            if (const auto* texture = std::get_if<scene::TextureIndex>(&frame.clears.at(each.index).object))
                 node.written.insert(*texture);
         }
         nodes.push_back(std::move(node));
@@ -56,33 +52,17 @@ void addReads(const std::vector<TextureUse>& uses, const Place& place, NodeTextu
             node.reads.push_back({each.view.texture, each.view.isPrevious, place});
 }
 
-/// The node of the list that a node of the plan is of.
-scene::NodeIndex nodeOfPlanned(const FramePlan& plan, const scene::NodeIndex& planned) {
-    switch (planned.kind) {
-        case scene::NodeIndex::Kind::pass:
-            return {planned.kind, plan.passes.at(planned.index).pass};
-        case scene::NodeIndex::Kind::dispatch:
-            return {planned.kind, plan.dispatches.at(planned.index).dispatch};
-        case scene::NodeIndex::Kind::clear:
-            break;
-    }
-    return {planned.kind, plan.clears.at(planned.index).clear};
-}
-
 std::vector<NodeTextures> nodesOf(const FramePlan& plan) {
     std::vector<NodeTextures> nodes = declaredNodes(*plan.nodes);
     std::map<scene::NodeIndex, std::size_t> positions;
     for (std::size_t i = 0; i < nodes.size(); ++i) positions.emplace(plan.nodes->order[i], i);
     for (std::size_t i = 0; i < plan.order.size(); ++i) {
-        NodeTextures& node = nodes.at(positions.at(nodeOfPlanned(plan, plan.order[i])));
-        for (const ObjectUse& each : usesOf(plan, i)) {
-            const Object object = objectOf(each.object);
-            if (each.reads) node.uses.insert(object);
-            if (!each.writes) continue;
-            node.changes.insert(object);
-            if (const auto* texture = std::get_if<scene::TextureIndex>(&object))
-                node.written.insert(*texture);
-        }
+        NodeTextures& node = nodes.at(positions.at(plan.declared(plan.order[i])));
+        node.changes = plan.accesses[i].written;
+        for (const Object& each : node.changes)
+            if (const auto* texture = std::get_if<scene::TextureIndex>(&each)) node.written.insert(*texture);
+        for (const ObjectUse& each : plan.accesses[i].uses)
+            if (each.reads) node.uses.insert(objectOf(each.object));
         if (plan.order[i].kind == scene::NodeIndex::Kind::dispatch) {
             const PlannedDispatch& dispatch = plan.dispatches.at(plan.order[i].index);
             addReads(dispatch.textures, plan.dispatchOf(dispatch).place, node);

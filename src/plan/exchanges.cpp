@@ -109,32 +109,26 @@ bool isFilledWhole(const scene::Scene& scene, const FramePlan& plan, const Plann
 
 }  // namespace
 
-std::vector<std::vector<PlannedExchange>> exchangesOf(const scene::Scene& scene, const FramePlan& plan,
-                                                      bool everything) {
-    std::vector<std::vector<PlannedExchange>> exchanges(plan.order.size());
-    bool isAny = false;
-    for (std::size_t node = 0; node < plan.order.size(); ++node) {
-        const std::set<Object> cleared = overwritten(scene, plan, node);
-        const scene::NodeIndex& at = plan.order[node];
-        std::set<Object> done;
-        for (const ObjectUse& each : usesOf(plan, node)) {
-            const Object object = objectOf(each.object);
-            if (!each.writes || isPreviousCopy(each.object) || !hasHistory(scene, object)) continue;
-            if (!done.insert(object).second) continue;
-            PlannedExchange exchange{object, !cleared.contains(object)};
-            if (at.kind == scene::NodeIndex::Kind::dispatch) {
-                const PlannedDispatch& planned = plan.dispatches[at.index];
-                if (plan.dispatchOf(planned).discards) exchange.keepsContent = false;
-                if (exchange.keepsContent && !everything)
-                    exchange.whole = WholeWrites(scene, plan, planned).find(object);
-            } else if (at.kind == scene::NodeIndex::Kind::pass && exchange.keepsContent && !everything) {
-                exchange.isFilled = isFilledWhole(scene, plan, plan.passes[at.index], object);
-            }
-            exchanges[node].push_back(std::move(exchange));
-            isAny = true;
+std::vector<PlannedExchange> exchangesOf(const scene::Scene& scene, const FramePlan& plan,
+                                         const scene::NodeIndex& node, const NodeAccess& access,
+                                         bool everything) {
+    std::vector<PlannedExchange> exchanges;
+    std::set<Object> done;
+    for (const ObjectUse& each : access.uses) {
+        const Object object = objectOf(each.object);
+        if (!each.writes || isPreviousCopy(each.object) || !hasHistory(scene, object)) continue;
+        if (!done.insert(object).second) continue;
+        PlannedExchange exchange{object, !access.overwritten.contains(object)};
+        if (node.kind == scene::NodeIndex::Kind::dispatch) {
+            const PlannedDispatch& planned = plan.dispatches[node.index];
+            if (plan.dispatchOf(planned).discards) exchange.keepsContent = false;
+            if (exchange.keepsContent && !everything)
+                exchange.whole = WholeWrites(scene, plan, planned).find(object);
+        } else if (node.kind == scene::NodeIndex::Kind::pass && exchange.keepsContent && !everything) {
+            exchange.isFilled = isFilledWhole(scene, plan, plan.passes[node.index], object);
         }
+        exchanges.push_back(std::move(exchange));
     }
-    if (!isAny) exchanges.clear();
     return exchanges;
 }
 

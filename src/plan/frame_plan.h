@@ -1,12 +1,12 @@
 #pragma once
 // Decides which parts of a Scene are made and drawn for one picture, how, and why the rest is skipped. There
-// is no GL here: the plan asks for programs through a function, so that a program is compiled only if
-// something visible needs it.
+// is no GL here: what the plan must know of the driver and of compiled programs it asks by PlanQuestions.
 
 #include <bitset>
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <variant>
@@ -35,11 +35,22 @@ struct ProgramVariant {
     friend bool operator==(const ProgramVariant&, const ProgramVariant&) = default;
 };
 
-/// Returns the interface of a program. Called at most once per variant. The reference must stay valid while
-/// the plan is used.
-using InterfaceOf = std::function<const ProgramInterface&(const ProgramVariant&)>;
-/// True if a stage of the program may write to an image. Called before anything is compiled.
-using MayWriteImages = std::function<bool(scene::ProgramIndex)>;
+/// All that a plan asks while it is made. The answers cannot come as values: a program is compiled and a mesh
+/// made only if something visible needs it, and what is visible depends on the answers before.
+struct PlanQuestions {
+    /// The interface of a program. Asked at most once per variant. The reference must stay valid while the
+    /// plan is used.
+    std::function<const ProgramInterface&(const ProgramVariant&)> interfaceOf;
+    /// True if a stage of the program may write to an image. Asked before anything is compiled.
+    std::function<bool(scene::ProgramIndex)> mayWriteImages;
+    /// The number of rounds after which the driver ends a shader's loops, 0 if it never does. Asked at most
+    /// once, and only if a needed program has long loops. May be empty, which means never.
+    std::function<int()> loopLimit{};
+    /// Says in words why nothing of the draw is visible; empty if it may be visible or has effects besides
+    /// those on its target. Asked at most once per draw, before its program is asked for, and never with
+    /// PlanOptions::everything. May be empty.
+    std::function<std::string(const scene::Draw& draw, const scene::Pass& pass)> outOfSight{};
+};
 
 struct TextureUse {
     UniformIndex uniform{};
@@ -128,9 +139,20 @@ struct PlannedClearObject {
     std::size_t clear = 0;  ///< index into NodeList::clears
 };
 
+/// A texture or buffer, whatever part or copy of it.
+using Object = std::variant<scene::TextureIndex, scene::BufferIndex>;
+
+/// What a node does with an object.
+struct ObjectUse {
+    scene::ObjectView object;
+    bool reads = true;
+    bool writes = false;
+    bool stores = false;  ///< writes by stores and atomic operations of shaders, which barriers order
+};
+
 /// The two copies of an object with history change their places before a node writes it.
 struct PlannedExchange {
-    std::variant<scene::TextureIndex, scene::BufferIndex> object;
+    Object object;
     bool keepsContent = true;  ///< the node may leave parts as they were
     /// The text of its shader shows that a dispatch writes all of the object, if it has an invocation for
     /// each texel or element, and each of these sizes reaches as far.
@@ -142,6 +164,16 @@ struct PlannedExchange {
     bool isFilled = false;         ///< with keepsContent: a draw covers all, if it is drawn plainly
 };
 
+/// What a node reads, writes and keeps.
+struct NodeAccess {
+    /// The same object several times if it is used in several ways. Targets of a pass are written, and read
+    /// too unless the pass clears them.
+    std::vector<ObjectUse> uses;
+    std::set<Object> written;
+    std::set<Object> overwritten;  ///< all of it gets a new content, whatever it held: it is cleared first
+    std::vector<PlannedExchange> exchanges;
+};
+
 struct FramePlan {
     const scene::NodeList* nodes = nullptr;  ///< what is planned; it must outlive the plan
     std::vector<PlannedPass> passes;
@@ -149,9 +181,8 @@ struct FramePlan {
     std::vector<PlannedClearObject> clears;
     /// What is executed, in order. Each index is into `passes`, `dispatches` or `clears` of this plan.
     std::vector<scene::NodeIndex> order;
-    /// One element per node of `order`; empty if no node writes an object with history.
-    std::vector<std::vector<PlannedExchange>> exchanges;
     // What a frame does with objects, in modern scenes only. Everything begins as declared.
+    std::vector<NodeAccess> accesses;  ///< one element per node of `order`
     /// What the nodes write before they clear it.
     std::vector<scene::ObjectView> resets;
     /// What the nodes read and none writes; an earlier frame may have written it.
@@ -185,6 +216,25 @@ struct FramePlan {
     [[nodiscard]] const scene::ClearObject& clearOf(const PlannedClearObject& planned) const {
         return nodes->clears.at(planned.clear);
     }
+    /// The node of the scene that a node of `order` is of, and its place there.
+    [[nodiscard]] scene::NodeIndex declared(const scene::NodeIndex& node) const;
+    [[nodiscard]] const Place& placeOf(const scene::NodeIndex& node) const;
+
+    /// Calls `visit(planned, draw, pass)` with each PlannedDraw, its scene::Draw and the scene::Pass.
+    template <class Visit>
+    void visitDraws(Visit&& visit) const {
+        for (const PlannedPass& pass : passes)
+            for (const auto& step : pass.steps)
+                if (const auto* draw = std::get_if<PlannedDraw>(&step))
+                    visit(*draw, drawOf(*draw), passOf(pass));
+    }
+    /// Calls `visit(planned, statement)` with each PlannedDispatch and its scene::Dispatch, then with each
+    /// PlannedDraw and its scene::Draw.
+    template <class Visit>
+    void visitStatements(Visit&& visit) const {
+        for (const PlannedDispatch& each : dispatches) visit(each, dispatchOf(each));
+        visitDraws([&](const PlannedDraw& each, const scene::Draw& draw, const auto&) { visit(each, draw); });
+    }
 };
 
 struct PlanOptions {
@@ -195,19 +245,12 @@ struct PlanOptions {
     /// it has them.
     std::string lacksCompute{};
     bool cutsDispatches = false;  ///< compute programs can run in pieces, also without `tiles`
-    /// Returns the number of rounds after which the driver ends a shader's loops, 0 if it never does. Called
-    /// at most once, and only if a needed program has long loops. May be empty, which means never.
-    std::function<int()> loopLimit{};
     /// Objects of a modern scene whose content is wanted besides the window.
     std::vector<scene::ObjectView> roots{};
     bool everything = false;    ///< for `glibra check` and --no-skip: skips nothing
     bool reportsNames = true;   ///< false: one of several lists; reportNames() is called with all plans
     bool shareMeshes = true;    ///< false: one mesh per draw
     bool shareTargets = false;  ///< textures may share memory; only `roots` keep their content
-    /// Returns in words why nothing of the draw is visible; empty if it may be visible or has effects besides
-    /// those on its target. Called at most once per draw, before its program is asked for, and never with
-    /// `everything`.
-    std::function<std::string(const scene::Draw& draw, const scene::Pass& pass)> outOfSight{};
 };
 
 /// The program that draws it in this pass: its own, or the built-in program if its own lacks a stage.
@@ -217,8 +260,8 @@ ProgramVariant variantOf(const scene::Scene& scene, const scene::Draw& draw, con
 /// outlive the plan. Errors are in the diagnostics. A plan with errors is good for a window, which shows the
 /// rest, but not for a file: draws with an error are left out, while draws with an unusable program stay in
 /// the plan.
-FramePlan planFrame(const scene::Scene& scene, const scene::NodeList& nodes, const InterfaceOf& interfaceOf,
-                    const MayWriteImages& mayWriteImages, const PlanOptions& options);
+FramePlan planFrame(const scene::Scene& scene, const scene::NodeList& nodes, const PlanQuestions& questions,
+                    const PlanOptions& options);
 
 /// glib-W23 for `--set` names that no program of the plans has, and glib-W24 for those that are declared but
 /// not active. `plans` are those of the scene's frame and of its Once and Step blocks, made with the same

@@ -94,19 +94,19 @@ class LiveFinder {
         return !usesBuiltin(scene_, draw) && questions_.mayWriteImages &&
                questions_.mayWriteImages(draw.program);
     }
-    [[nodiscard]] std::vector<ObjectUse> usesOf(const scene::Draw& draw, const scene::Pass& pass) const {
-        if (questions_.usesOf) return questions_.usesOf(draw, pass);
-        std::vector<ObjectUse> uses;
-        for (const scene::TextureIndex each : questions_.texturesOf(draw, pass))
-            uses.push_back({scene::TextureView{.texture = each}});
-        return uses;
-    }
     /// True if the draw stores into something that is read later.
     bool hasEffect(const scene::Draw& draw, const scene::Pass& pass) const {
-        if (!mayWrite(draw)) return false;
-        const std::vector<ObjectUse> uses = usesOf(draw, pass);
+        return mayWrite(draw) && writesLive(questions_.usesOf(draw, pass));
+    }
+    [[nodiscard]] bool writesLive(const std::vector<ObjectUse>& uses) const {
         return std::any_of(uses.begin(), uses.end(),
                            [this](const ObjectUse& each) { return each.writes && isLive(each.object); });
+    }
+    void use(const std::vector<ObjectUse>& uses) {
+        for (const ObjectUse& each : uses) {
+            note(each.object);
+            if (each.reads || each.writes) read(each.object);
+        }
     }
 
     void visitPass(std::size_t index) {
@@ -149,10 +149,7 @@ class LiveFinder {
                 }
             }
         }
-        for (const ObjectUse& each : usesOf(draw, pass)) {
-            note(each.object);
-            if (each.reads || each.writes) read(each.object);
-        }
+        use(questions_.usesOf(draw, pass));
         return StepNeed::needed;
     }
 
@@ -186,17 +183,9 @@ class LiveFinder {
     }
 
     void visitDispatch(std::size_t index) {
-        if (!questions_.usesOfDispatch) return;
         const std::vector<ObjectUse> uses = questions_.usesOfDispatch(nodes_.dispatches[index]);
-        needs_.dispatches[index] =
-            everything_ || std::any_of(uses.begin(), uses.end(), [this](const ObjectUse& each) {
-                return each.writes && isLive(each.object);
-            });
-        if (!needs_.dispatches[index]) return;
-        for (const ObjectUse& each : uses) {
-            note(each.object);
-            if (each.reads || each.writes) read(each.object);
-        }
+        needs_.dispatches[index] = everything_ || writesLive(uses);
+        if (needs_.dispatches[index]) use(uses);
     }
 
     void visitClear(std::size_t index) {

@@ -124,8 +124,9 @@ class NeedFinder {
                 needs_.steps[pass][step] = StepNeed::outOfSight;
                 continue;
             }
-            for (const scene::TextureIndex texture : questions_.texturesOf(*draw, nodes_.passes[pass]))
-                if (texture) read_[texture] = true;
+            for (const ObjectUse& each : questions_.usesOf(*draw, nodes_.passes[pass]))
+                if (const auto* view = std::get_if<scene::TextureView>(&each.object))
+                    read_[view->texture] = true;
         }
         if (!isWindow(pass) && !startsWithClearDepth(nodes_.passes[pass])) keepDepthBefore(pass);
     }

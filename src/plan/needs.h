@@ -25,29 +25,15 @@ struct Needs {
         clear;  ///< of the last Clear of the window, or the pass that clears it, if steps are coveredByClear
 };
 
-/// Textures that a draw's active samplers and images read.
-using TexturesOf =
-    std::function<std::vector<scene::TextureIndex>(const scene::Draw& draw, const scene::Pass& pass)>;
-/// What a draw or dispatch does with an object.
-struct ObjectUse {
-    scene::ObjectView object;
-    bool reads = true;
-    bool writes = false;  ///< by stores and atomic operations
-};
-using UsesOfDraw = std::function<std::vector<ObjectUse>(const scene::Draw& draw, const scene::Pass& pass)>;
-using UsesOfDispatch = std::function<std::vector<ObjectUse>(const scene::Dispatch& dispatch)>;
-/// PlanOptions::outOfSight.
-using OutOfSight = std::function<std::string(const scene::Draw& draw, const scene::Pass& pass)>;
-
-/// What findNeeds asks the planner. `texturesOf` is called once per needed draw, from the last pass to the
-/// first. `mayWriteImages` is called only for draws that seem unnecessary. `outOfSight` may be empty; it is
-/// called once per draw that is needed otherwise. Modern scenes ask `usesOf` in place of `texturesOf`.
+/// What the finders of needs ask the planner. `usesOf` is called once per needed draw, from the last pass to
+/// the first; the targets of the pass are not among its uses. `mayWriteImages` is called only for draws that
+/// seem unnecessary. `outOfSight` may be empty; it is called once per draw that is needed otherwise. Classic
+/// scenes have no dispatches.
 struct NeedQuestions {
-    TexturesOf texturesOf;
-    MayWriteImages mayWriteImages;
-    OutOfSight outOfSight{};
-    UsesOfDraw usesOf{};
-    UsesOfDispatch usesOfDispatch{};
+    std::function<std::vector<ObjectUse>(const scene::Draw& draw, const scene::Pass& pass)> usesOf;
+    decltype(PlanQuestions::mayWriteImages) mayWriteImages;
+    decltype(PlanQuestions::outOfSight) outOfSight{};
+    std::function<std::vector<ObjectUse>(const scene::Dispatch& dispatch)> usesOfDispatch{};
 };
 
 /// Modern scenes are left to findLiveNeeds. In classic scenes these are needed:

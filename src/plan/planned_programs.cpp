@@ -42,7 +42,7 @@ PlannedProgramIndex PlannedPrograms::of(const ProgramVariant& variant, scene::Un
         programs_[VariantKey{variant.program, variant.flatColors, variant.colorTargets, variant.isFullScreen,
                              variant.inPieces, variant.isFill, variant.suppliesFragment, uniforms}];
     if (index) return index;
-    const ProgramInterface& interface = interfaceOf_(variant);
+    const ProgramInterface& interface = questions_.interfaceOf(variant);
     PlannedProgram program{variant, &interface, {}, {}, {}};
     State state;
     state.diagnostics = interface.facts.diagnostics;
@@ -92,7 +92,7 @@ void PlannedPrograms::resolve(PlannedProgram& program, State& state, scene::Unif
 }
 
 int PlannedPrograms::loopLimit() {
-    if (!loopLimit_) loopLimit_ = options_.loopLimit ? options_.loopLimit() : 0;
+    if (!loopLimit_) loopLimit_ = questions_.loopLimit ? questions_.loopLimit() : 0;
     return *loopLimit_;
 }
 
@@ -103,31 +103,24 @@ PlannedInputsIndex PlannedPrograms::inputsOf(const scene::Draw& draw, PlannedPro
     return index;
 }
 
-std::vector<ObjectUse> PlannedPrograms::shaderUsesOf(PlannedProgramIndex program,
-                                                     const std::vector<TextureUse>& textures) {
-    std::vector<ObjectUse> uses = shaderUses((*this)[program], textures);
-    for (const scene::ObjectView& each : state(program).refused) uses.push_back({each, true, true});
-    return uses;
+void PlannedPrograms::addRefused(PlannedProgramIndex program, std::vector<ObjectUse>& to) {
+    for (const scene::ObjectView& each : state(program).refused) to.push_back({each, true, true, true});
 }
 
 std::vector<ObjectUse> PlannedPrograms::usesOf(const scene::Draw& draw, const scene::Pass& pass) {
     const PlannedProgramIndex program = of(draw, pass);
-    std::vector<ObjectUse> uses = shaderUsesOf(program, texturesOf(draw, program));
-    const auto read = [&](const scene::BufferView& view) {
-        if (view.buffer) uses.push_back({view});
-    };
-    for (const scene::BufferView& each : draw.ownBuffers()) read(each);
-    for (const InputSource& each : plan_.inputs[inputsOf(draw, program)].sources)
-        if (const auto* view = std::get_if<scene::BufferView>(&each.from)) read(*view);
+    const PlannedInputsIndex inputs = inputsOf(draw, program);
+    std::vector<ObjectUse> uses =
+        plan::usesOf((*this)[program], texturesOf(draw, program), draw, &plan_.inputs[inputs]);
+    addRefused(program, uses);
     return uses;
 }
 
 std::vector<ObjectUse> PlannedPrograms::usesOf(const scene::Dispatch& dispatch) {
     if (!options_.lacksCompute.empty()) return {};
     const PlannedProgramIndex program = of(dispatch);
-    std::vector<ObjectUse> uses = shaderUsesOf(program, texturesOf(dispatch, program));
-    if (const auto* groups = std::get_if<scene::GroupsFrom>(&dispatch.groups))
-        uses.push_back({groups->first.buffer});
+    std::vector<ObjectUse> uses = plan::usesOf((*this)[program], texturesOf(dispatch, program), dispatch);
+    addRefused(program, uses);
     if (const scene::ObjectView* size = sizeObjectOf(dispatch))  // its content is not read
         uses.push_back({*size, false, false});
     return uses;

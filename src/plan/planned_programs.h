@@ -20,9 +20,9 @@ namespace glibra::plan {
 class PlannedPrograms {
   public:
     /// All of them must outlive this.
-    PlannedPrograms(const scene::Scene& scene, const InterfaceOf& interfaceOf, const PlanOptions& options,
+    PlannedPrograms(const scene::Scene& scene, const PlanQuestions& questions, const PlanOptions& options,
                     FramePlan& plan)
-        : scene_(scene), interfaceOf_(interfaceOf), options_(options), plan_(plan) {
+        : scene_(scene), questions_(questions), options_(options), plan_(plan) {
         plan.usedOverrides.resize(options.overrides.size());
     }
 
@@ -78,11 +78,11 @@ class PlannedPrograms {
         std::tuple<scene::ProgramIndex, bool, int, bool, bool, bool, bool, scene::UniformSetIndex>;
 
     void resolve(PlannedProgram& program, State& state, scene::UniformSetIndex uniforms);
-    std::vector<ObjectUse> shaderUsesOf(PlannedProgramIndex program, const std::vector<TextureUse>& textures);
+    void addRefused(PlannedProgramIndex program, std::vector<ObjectUse>& to);
     int loopLimit();
 
     const scene::Scene& scene_;
-    const InterfaceOf& interfaceOf_;
+    const PlanQuestions& questions_;
     const PlanOptions& options_;
     FramePlan& plan_;
     std::map<VariantKey, PlannedProgramIndex> programs_;

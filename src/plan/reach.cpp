@@ -47,12 +47,9 @@ class ReachCheck {
             checkElements(plan_.programs[each.program], extent, "Dispatch", dispatch.place);
             checkAxes(each, extent, dispatch);
         }
-        for (const PlannedPass& pass : plan_.passes)
-            for (const auto& step : pass.steps)
-                if (const auto* planned = std::get_if<PlannedDraw>(&step)) {
-                    const scene::Draw& draw = plan_.drawOf(*planned);
-                    checkElements(plan_.programs[planned->program], extentOf(draw), draw.word, draw.place);
-                }
+        plan_.visitDraws([&](const PlannedDraw& planned, const scene::Draw& draw, const auto&) {
+            checkElements(plan_.programs[planned.program], extentOf(draw), draw.word, draw.place);
+        });
         return std::move(diagnostics_);
     }
 

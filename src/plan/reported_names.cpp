@@ -155,14 +155,10 @@ void addWritten(const scene::NodeList& nodes, std::set<scene::TextureIndex>& wri
 
 /// Those that the shaders of the plan write as images.
 void addWritten(const FramePlan& plan, std::set<scene::TextureIndex>& written) {
-    const auto addImages = [&](const std::vector<TextureUse>& uses) {
-        for (const TextureUse& each : uses)
+    plan.visitStatements([&](const auto& planned, const auto&) {
+        for (const TextureUse& each : planned.textures)
             if (each.isImage) written.insert(each.view.texture);
-    };
-    for (const PlannedDispatch& each : plan.dispatches) addImages(each.textures);
-    for (const PlannedPass& pass : plan.passes)
-        for (const auto& step : pass.steps)
-            if (const auto* draw = std::get_if<PlannedDraw>(&step)) addImages(draw->textures);
+    });
 }
 
 /// The textures that Once and Step write.
@@ -190,8 +186,8 @@ Diagnostics reportUnwritten(const scene::Scene& scene, std::span<const FramePlan
     Diagnostics diagnostics;
     std::set<scene::TextureIndex> written = writtenTextures(scene, plans);
     written.insert(scene.mayBeWritten.begin(), scene.mayBeWritten.end());
-    const auto check = [&](const std::vector<TextureUse>& uses, const Place& place) {
-        for (const TextureUse& each : uses) {
+    const auto check = [&](const auto& planned, const auto& statement) {
+        for (const TextureUse& each : planned.textures) {
             if (each.isImage || !each.view.texture) continue;
             const scene::Texture& texture = scene.textures[each.view.texture];
             if (texture.name.empty() || !std::holds_alternative<scene::EmptySource>(texture.source) ||
@@ -202,17 +198,10 @@ Diagnostics reportUnwritten(const scene::Scene& scene, std::span<const FramePlan
                 fmt::format("texture '{}' (line {}) is read here, but nothing draws or writes into it, so it "
                             "is zero",
                             texture.name, texture.place.line),
-                place));
+                statement.place));
         }
     };
-    for (const FramePlan* plan : plans) {
-        for (const PlannedDispatch& each : plan->dispatches)
-            check(each.textures, plan->dispatchOf(each).place);
-        for (const PlannedPass& pass : plan->passes)
-            for (const auto& step : pass.steps)
-                if (const auto* draw = std::get_if<PlannedDraw>(&step))
-                    check(draw->textures, plan->drawOf(*draw).place);
-    }
+    for (const FramePlan* plan : plans) plan->visitStatements(check);
     return diagnostics;
 }
 
@@ -225,19 +214,6 @@ void eraseLevelled(const scene::NodeList& nodes, std::set<scene::TextureIndex>& 
     }
     for (const scene::ClearObject& each : nodes.clears)
         if (const auto* texture = std::get_if<scene::TextureIndex>(&each.object)) flat.erase(*texture);
-}
-
-/// Calls `call(uses, place)` for the textures of all draws and dispatches.
-template <class Call>
-void forEachUse(std::span<const FramePlan* const> plans, const Call& call) {
-    for (const FramePlan* plan : plans) {
-        for (const PlannedDispatch& each : plan->dispatches)
-            call(each.textures, plan->dispatchOf(each).place);
-        for (const PlannedPass& pass : plan->passes)
-            for (const auto& step : pass.steps)
-                if (const auto* draw = std::get_if<PlannedDraw>(&step))
-                    call(draw->textures, plan->drawOf(*draw).place);
-    }
 }
 
 /// draw-W13 for textures of modern scenes that are read with mipmaps which nothing writes.
@@ -254,13 +230,14 @@ Diagnostics reportEmptyLevels(const scene::Scene& scene, std::span<const FramePl
     eraseLevelled(scene.frame, flat);
     for (const scene::OnceBlock& each : scene.once) eraseLevelled(each.nodes, flat);
     for (const scene::StepBlock& each : scene.steps) eraseLevelled(each.nodes, flat);
-    forEachUse(plans, [&](const std::vector<TextureUse>& uses, const Place&) {
-        for (const TextureUse& each : uses)
-            if (each.isImage && each.view.level.value_or(0) > 0) flat.erase(each.view.texture);
-    });
+    for (const FramePlan* plan : plans)
+        plan->visitStatements([&](const auto& planned, const auto&) {
+            for (const TextureUse& each : planned.textures)
+                if (each.isImage && each.view.level.value_or(0) > 0) flat.erase(each.view.texture);
+        });
     Diagnostics diagnostics;
-    forEachUse(plans, [&](const std::vector<TextureUse>& uses, const Place& place) {
-        for (const TextureUse& each : uses) {
+    const auto check = [&](const auto& planned, const auto& statement) {
+        for (const TextureUse& each : planned.textures) {
             if (each.isImage || each.view.level || !each.sampler.readsMipmaps() ||
                 flat.erase(each.view.texture) == 0)
                 continue;
@@ -270,9 +247,10 @@ Diagnostics reportEmptyLevels(const scene::Scene& scene, std::span<const FramePl
                 fmt::format("only level 0 of '{}' (line {}) is written, but it is read with mipmaps; "
                             "write 'generate' or 'levels 1'",
                             texture.name, texture.place.line),
-                place));
+                statement.place));
         }
-    });
+    };
+    for (const FramePlan* plan : plans) plan->visitStatements(check);
     return diagnostics;
 }
 

@@ -164,9 +164,7 @@ class SkipList {
     /// Planned draws of each shape.
     [[nodiscard]] scene::List<int, scene::Shape> drawsOfShapes() const {
         scene::List<int, scene::Shape> draws(scene_.shapes.size());
-        for (const PlannedPass& pass : plan_.passes)
-            for (const auto& step : pass.steps)
-                if (const auto* draw = std::get_if<PlannedDraw>(&step)) ++draws[plan_.drawOf(*draw).shape];
+        plan_.visitDraws([&](const auto&, const scene::Draw& draw, const auto&) { ++draws[draw.shape]; });
         return draws;
     }
 

@@ -12,12 +12,8 @@ namespace {
 /// The numbers of a plan's nodes that write each object.
 std::map<Object, std::vector<std::size_t>> writersOf(const FramePlan& plan) {
     std::map<Object, std::vector<std::size_t>> writers;
-    for (std::size_t node = 0; node < plan.order.size(); ++node)
-        for (const ObjectUse& each : usesOf(plan, node)) {
-            if (!each.writes) continue;
-            std::vector<std::size_t>& of = writers[objectOf(each.object)];
-            if (of.empty() || of.back() != node) of.push_back(node);
-        }
+    for (std::size_t node = 0; node < plan.accesses.size(); ++node)
+        for (const Object& each : plan.accesses[node].written) writers[each].push_back(node);
     return writers;
 }
 
@@ -138,10 +134,8 @@ StillNodes stillNodes(const PlannedScene& before, const PlannedScene& now,
             const scene::Pass& pass = now.plan.passOf(now.plan.passes.at(at.index));
             if (pass.isWindow || !hasOwnDepth(now.plan, pass)) continue;
         }
-        std::set<Object> written;
-        const std::vector<ObjectUse> uses = usesOf(now.plan, node);
-        for (const ObjectUse& each : uses)
-            if (each.writes) written.insert(objectOf(each.object));
+        const std::vector<ObjectUse>& uses = now.plan.accesses[node].uses;
+        const std::set<Object>& written = now.plan.accesses[node].written;
         std::optional<std::size_t> earlier;
         const bool isAlone = std::all_of(written.begin(), written.end(), [&](const Object& each) {
             const auto writer = onlyWriter(writersBefore, each);

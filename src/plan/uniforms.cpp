@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "plan/declared_uniform.h"
 #include "plan/texture_binding.h"
 #include "plan/type_table.h"
 #include "plan/uniform_members.h"
@@ -18,67 +19,6 @@
 
 namespace glibra::plan {
 namespace {
-
-bool isOpaque(const ActiveUniform& uniform) {
-    return uniform.type.base == BaseType::sampler || uniform.type.base == BaseType::image;
-}
-/// The value of a well-known name, for messages.
-std::string_view describeValue(glsl::Builtin value) {
-    using enum glsl::Builtin;
-    switch (value) {
-        case modelView:
-            return "model-view matrix";
-        case projection:
-            return "projection matrix";
-        case modelViewProjection:
-            return "model-view-projection matrix";
-        case normalMatrix:
-            return "normal matrix";
-        case modelViewInverseTranspose:
-            return "inverse transpose of the model-view matrix";
-        case modelViewProjectionInverse:
-            return "inverse of the model-view-projection matrix";
-        case projectionInverse:
-            return "inverse of the projection matrix";
-        case model:
-            return "model matrix";
-        case modelInverse:
-            return "inverse of the model matrix";
-        case modelInverseTranspose:
-            return "inverse transpose of the model matrix";
-        case modelNormalMatrix:
-            return "normal matrix in world space";
-        case view:
-            return "view matrix";
-        case viewInverse:
-            return "inverse of the view matrix";
-        case viewProjection:
-            return "projection matrix times the view matrix";
-        case eyePosition:
-            return "position of the camera";
-        default:
-            return "value that glibra supplies";
-    }
-}
-
-/// The values for a mat3 of which a modern scene gives all components of a mat4: its upper left part. Nothing
-/// if that is not so.
-std::optional<std::array<double, 9>> upperLeft(const GivenValue& given, const ActiveUniform& target,
-                                               bool oneElement) {
-    constexpr std::size_t kSide = 4;
-    const bool isMat3 = target.type.columns == 3 && target.type.rows == 3 && (!target.isArray || oneElement);
-    if (!isMat3 || given.form != glib::UniformForm::list || given.values.size() != kSide * kSide)
-        return std::nullopt;
-    std::array<double, 9> values{};
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] = given.values[i / 3 * kSide + i % 3];
-    return values;
-}
-
-/// True for a whole matrix as the value of a scalar or vector.
-bool isMatrixInstead(const GivenValue& given, const ActiveUniform& target, const NamedUniform& named) {
-    return given.form == glib::UniformForm::list && (given.values.size() == 9 || given.values.size() == 16) &&
-           !isOpaque(target) && target.type.columns == 1 && (!target.isArray || named.oneElement);
-}
 
 bool isNoiseUniform(const glsl::BuiltinUniform& row) {
     return row.value == glsl::Builtin::noise2 || row.value == glsl::Builtin::noise3;
@@ -99,7 +39,8 @@ class Resolver {
           touched_(interface.uniforms.size()) {
         for (const ActiveUniform& uniform : interface.uniforms) {
             rows_.push_back(suppliedBy(uniform));
-            units_.push_back(isOpaque(uniform) ? defaultUnits(uniform, rows_.back()) : std::vector<int>());
+            units_.push_back(uniform.type.isOpaque() ? defaultUnits(uniform, rows_.back())
+                                                     : std::vector<int>());
             bound_.emplace_back(units_.back().size());
         }
     }
@@ -155,7 +96,7 @@ class Resolver {
             if (!isFor(each, program_)) continue;
             for (const NamedUniform& named : names_.find(each.name))
                 if (!each.word.empty()) {
-                    if (functionsOf(named.uniform) != nullptr)
+                    if (functionsOf(interface_, uniform(named.uniform)) != nullptr)
                         overridden_.insert({named.uniform, named.element});
                 } else if (!readValue({each.name, each.form, each.values, {}, {}, each.written},
                                       uniform(named.uniform), named.oneElement)
@@ -178,7 +119,7 @@ class Resolver {
                 (isChosen || !spec.word.empty()) && namesMemory(interface_.facts.memory, spec.tag);
             if (named.empty() && !spec.mayBeUnknown && !isOfBlock) messages_.unknown(given, spec.resembles);
             for (const NamedUniform& each : named)
-                if (!isChosen || !isOpaque(uniform(each.uniform)))
+                if (!isChosen || !uniform(each.uniform).type.isOpaque())
                     apply(given, each, overridden_.contains({each.uniform, each.element}), spec.word);
         }
     }
@@ -191,7 +132,9 @@ class Resolver {
             const GivenValue given{each.name, each.form, each.values, {}, {}, each.written};
             std::vector<NamedUniform> named = names_.find(each.name);
             if (!each.word.empty())
-                std::erase_if(named, [&](const NamedUniform& one) { return !functionsOf(one.uniform); });
+                std::erase_if(named, [&](const NamedUniform& one) {
+                    return !functionsOf(interface_, uniform(one.uniform));
+                });
             if (!named.empty() || messages_.isUnreadPart(each.name)) used[i] = true;
             if (named.empty() && isSuppliedName(each.name)) {
                 used[i] = true;
@@ -215,7 +158,7 @@ class Resolver {
                     !namesMemory(interface_.facts.memory, each.tag))
                     messages_.misspelt(each.tag, each.resembles, place(each.tagPosition));
                 for (const NamedUniform& one : names_.find(each.tag))
-                    if (isOpaque(uniform(one.uniform)))
+                    if (uniform(one.uniform).type.isOpaque())
                         bind(one, {{}, place(each.tagPosition), std::get<scene::BufferView>(each.object)});
                 continue;
             }
@@ -223,7 +166,7 @@ class Resolver {
             std::vector<NamedUniform> named = names_.find(each.tag);
             if (each.isChosen)
                 std::erase_if(named,
-                              [&](const NamedUniform& one) { return !isOpaque(uniform(one.uniform)); });
+                              [&](const NamedUniform& one) { return !uniform(one.uniform).type.isOpaque(); });
             else if (named.empty() && !each.mayBeUnknown)
                 messages_.unknown({each.tag, glib::UniformForm::number, {}, bound.place, bound.place},
                                   each.resembles);
@@ -262,7 +205,7 @@ class Resolver {
         for (const UniformIndex i : rows_.indices()) {
             const ActiveUniform& each = uniform(i);
             if (touched_[i] || rows_[i] != nullptr || isInternalName(each.name)) continue;
-            if (isOpaque(each)) {
+            if (each.type.isOpaque()) {
                 if (samplerTypeOf(each.type.word).isBuffer) {
                     for (const scene::BufferIndex buffer : drawn_.scene->buffers.indices())
                         if (drawn_.scene->buffers[buffer].name == each.name)
@@ -274,7 +217,7 @@ class Resolver {
                         bind({i, 0, false}, {{.texture = texture}, program_.place});
                 continue;
             }
-            if (readVariable(i) || hasInitializer(each)) continue;
+            if (readVariable(i) || hasInitializer(interface_, each)) continue;
             if (each.block >= 0 || each.isArray) continue;
             const glsl::WellKnownUniform* row =
                 glsl::findWellKnownUniform(each.name, each.type.word, isUniform);
@@ -301,13 +244,13 @@ class Resolver {
         const Place at = place(spec.tagPosition);
         GivenValue given{spec.tag, spec.form, spec.values, at, at};
         std::optional<double> number;
-        if (!spec.word.empty() && functionsOf(index) != nullptr) {
+        if (!spec.word.empty() && functionsOf(interface_, uniform(index)) != nullptr) {
             number = numberOf(spec.word, given, index);
             if (number) given.values = {&*number, 1};
         }
         const auto part = upperLeft(given, target, false);
         if (part) given.values = *part;
-        Reading reading = readValue(given, target, false, declaredElements(target));
+        Reading reading = readValue(given, target, false, declaredElements(interface_, target));
         append(result_.diagnostics, std::move(reading.diagnostics));
         if (reading.ignored) return false;
         touched_[index] = true;
@@ -317,27 +260,9 @@ class Resolver {
         return true;
     }
 
-    int declaredElements(const ActiveUniform& target) const {
-        const auto declared = interface_.facts.uniforms.find(target.name);
-        return declared == interface_.facts.uniforms.end() ? 0 : declared->second.arraySize;
-    }
-
-    bool hasInitializer(const ActiveUniform& target) const {
-        const auto declared = interface_.facts.uniforms.find(std::string(rootName(target.name)));
-        return declared != interface_.facts.uniforms.end() && declared->second.hasInitializer;
-    }
-
-    /// The functions that a subroutine uniform counts; null for other uniforms.
-    const std::vector<std::string>* functionsOf(UniformIndex index) const {
-        const auto declared = interface_.facts.uniforms.find(std::string(rootName(uniform(index).name)));
-        if (declared == interface_.facts.uniforms.end() || declared->second.subroutines.empty())
-            return nullptr;
-        return &declared->second.subroutines;
-    }
-
     /// The number of the function that a word names. Nothing with glib-E27 reported.
     std::optional<double> numberOf(std::string_view word, const GivenValue& given, UniformIndex index) {
-        const std::vector<std::string>* functions = functionsOf(index);
+        const std::vector<std::string>* functions = functionsOf(interface_, uniform(index));
         if (functions == nullptr) {
             result_.diagnostics.push_back(unknownWord(*drawn_.scene, word, given.valuePlace));
             return std::nullopt;
@@ -354,8 +279,9 @@ class Resolver {
     /// `word`: UniformSpec::word.
     void apply(GivenValue given, const NamedUniform& named, bool isOverridden, std::string_view word = {}) {
         std::optional<double> number;
-        if (!word.empty() && (given.values.empty() || functionsOf(named.uniform) != nullptr ||
-                              isOpaque(uniform(named.uniform)))) {
+        if (!word.empty() &&
+            (given.values.empty() || functionsOf(interface_, uniform(named.uniform)) != nullptr ||
+             uniform(named.uniform).type.isOpaque())) {
             number = numberOf(word, given, named.uniform);
             if (!number) {
                 touched_[named.uniform] = true;
@@ -378,7 +304,7 @@ class Resolver {
                          given.valuePlace));
             return;
         }
-        Reading reading = readValue(given, target, named.oneElement, declaredElements(target));
+        Reading reading = readValue(given, target, named.oneElement, declaredElements(interface_, target));
         if (isOverridden) {  // the scene's value is not used, but its slider stays
             if (reading.control) addControl(named.uniform, *reading.control);
             return;
@@ -386,7 +312,7 @@ class Resolver {
         append(result_.diagnostics, std::move(reading.diagnostics));
         if (reading.ignored) return;
         touched_[named.uniform] = true;
-        if (isOpaque(target)) {
+        if (target.type.isOpaque()) {
             std::vector<int>& units = units_[named.uniform];
             const auto first = static_cast<std::size_t>(named.element);
             for (std::size_t i = 0; i < reading.values.size() && first + i < units.size(); ++i)
@@ -428,7 +354,7 @@ class Resolver {
             const bool isMember = interface_.facts.memory.records.contains(rootName(each.name));
             if ((touched_[i] && !isMember) || rows_[i] != nullptr || isInternalName(each.name)) continue;
             if (drawn_.isInBuffer && drawn_.isInBuffer(each)) continue;
-            if (isOpaque(each)) {
+            if (each.type.isOpaque()) {
                 if (!touched_[i] && !interface_.facts.textureBindings.contains(each.name))
                     result_.diagnostics.push_back(
                         about(diagnose("glib-W37",
@@ -438,8 +364,8 @@ class Resolver {
                               each.name));
                 continue;
             }
-            if (hasInitializer(each)) continue;
-            if (const std::vector<std::string>* functions = functionsOf(i)) {
+            if (hasInitializer(interface_, each)) continue;
+            if (const std::vector<std::string>* functions = functionsOf(interface_, uniform(i))) {
                 const auto& declared = interface_.facts.uniforms.at(std::string(rootName(each.name)));
                 warn("glsl-W19",
                      fmt::format("subroutine uniform '{}' uses its first function '{}'", rootName(each.name),

@@ -74,13 +74,13 @@ void SceneRenderer::State::makeAhead() {
     Result<std::vector<plan::Override>> overrides = parseOverrides(options.set);
     if (!overrides) return;
     std::erase_if(*overrides, [](const plan::Override& each) { return !each.word.empty(); });
-    const auto texturesOf = [&](const scene::Draw& draw, const scene::Pass& pass) {
+    const auto usesOf = [&](const scene::Draw& draw, const scene::Pass& pass) {
         const plan::ProgramVariant variant = plan::variantOf(scene, draw, pass);
         const glsl::TranslatedProgram* translated = programs.translated(variant);
-        std::vector<scene::TextureIndex> textures;
-        if (!translated || hasError(translated->diagnostics)) return textures;
-        device.bounds(draw.shape, programs.mayReadTangents(variant), nullptr);
-        if (!variant.program) return textures;
+        std::vector<plan::ObjectUse> found;
+        if (!translated || hasError(translated->diagnostics)) return found;
+        device.meshes().bounds(draw.shape, programs.mayReadTangents(variant), nullptr);
+        if (!variant.program) return found;
         const plan::ProgramInterface guess = samplersIn(*translated);
         std::vector<bool> used;
         const auto samplers =
@@ -90,20 +90,20 @@ void SceneRenderer::State::makeAhead() {
                 .samplers;
         const gpu::Capabilities& driver = context.capabilities();
         const auto units = plan::assignUnits(guess, samplers, driver.combinedTextureUnits, 0);
-        if (!units) return textures;
+        if (!units) return found;
         for (const plan::TextureUse& use : plan::textureUses(scene, draw.slots, draw.sampling, guess, *units))
-            textures.push_back(use.view.texture);
-        return textures;
+            if (use.view.texture) found.push_back({use.view});
+        return found;
     };
     const plan::Needs needs = plan::findNeeds(
         scene, scene.frame,
-        {texturesOf, [this](scene::ProgramIndex program) { return programs.mayWriteImages(program); },
+        {usesOf, [this](scene::ProgramIndex program) { return programs.mayWriteImages(program); },
          [this](const scene::Draw& draw, const scene::Pass& pass) {
              return outOfSight(draw, pass, nullptr);
          }},
         false);
     for (const scene::TextureIndex each : scene.textures.indices())
-        if (needs.textures[each]) device.readAhead(each);
+        if (needs.textures[each]) device.textures().readAhead(each);
 }
 
 }  // namespace glibra::render

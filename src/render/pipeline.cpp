@@ -34,24 +34,22 @@ Pipeline::Pipeline(gpu::Context& usedContext, RenderOptions usedOptions, Interpr
       programs(context, scene, options, setup.isTiled, stats, parts),
       device(context, scene, stats, parts, options.skip) {}
 
-plan::PlanOptions Pipeline::driverOptions() {
-    plan::PlanOptions made = planOptionsOf(context.capabilities());
-    made.loopLimit = [this] { return loopLimit(); };
-    return made;
-}
-
 int Pipeline::loopLimit() {
     if (!loopLimit_) loopLimit_ = gpu::measureLoopLimit(context);
     return *loopLimit_;
 }
 
-plan::FramePlan Pipeline::planList(const scene::NodeList& nodes, const plan::PlanOptions& planOptions) {
+plan::FramePlan Pipeline::planList(const scene::NodeList& nodes, const plan::PlanOptions& planOptions,
+                                   decltype(plan::PlanQuestions::outOfSight) outOfSight) {
     plan::FramePlan made = plan::planFrame(
         scene, nodes,
-        [this](const plan::ProgramVariant& variant) -> const plan::ProgramInterface& {
-            return programs.interfaceOf(variant);
-        },
-        [this](scene::ProgramIndex program) { return programs.mayWriteImages(program); }, planOptions);
+        {.interfaceOf = [this](const plan::ProgramVariant& variant) -> const plan::ProgramInterface& {
+             return programs.interfaceOf(variant);
+         },
+         .mayWriteImages = [this](scene::ProgramIndex program) { return programs.mayWriteImages(program); },
+         .loopLimit = [this] { return loopLimit(); },
+         .outOfSight = std::move(outOfSight)},
+        planOptions);
     if (adjustPlan) adjustPlan(made);
     return made;
 }
@@ -60,7 +58,6 @@ Diagnostics Pipeline::planSimulation(const plan::PlanOptions& planOptions, bool 
     if (!hasBlocks()) return {};
     if (simulation) return simulation->check(plan);
     plan::PlanOptions listOptions = planOptions;
-    listOptions.outOfSight = nullptr;
     listOptions.shareTargets = false;
     simulation.emplace(SimulationParts{context, scene, source.get(), programs, device, loadStats,
                                        [this, listOptions](const scene::NodeList& nodes,
@@ -141,7 +138,8 @@ void Pipeline::placeEye(double aspect, Diagnostics& diagnostics, Stats& stats) {
     if (options.view == ViewPolicy::glman || scene.usesLookAt) return;
     const StageTimer timer(stats, "view");
     scene::ViewMove move = scene::autoView(
-        scene, [&](scene::ShapeIndex shape) { return device.mesh(shape, false, &diagnostics); }, aspect);
+        scene, [&](scene::ShapeIndex shape) { return device.meshes().mesh(shape, false, &diagnostics); },
+        aspect);
     eyeDistance = move.distance;
     append(diagnostics, std::move(move.diagnostics));
 }
@@ -190,8 +188,7 @@ plan::StillNodes Pipeline::stillNodes(int width, int height) const {
             const scene::Pass& pass = plan.passOf(plan.passes[at.index]);
             isMovedNode[node] = !pass.isWindow && isMoved(*plan.nodes, pass);
             if (!isMovedNode[node]) continue;
-            for (const plan::ObjectUse& each : plan::usesOf(plan, node))
-                if (each.writes) moved.insert(plan::objectOf(each.object));
+            moved.insert(plan.accesses[node].written.begin(), plan.accesses[node].written.end());
         }
     const bool hasRun = simulation && simulation->changes() != drawnChanges_;
     const plan::PlannedScene before =

@@ -15,19 +15,19 @@
 #include "plan/still.h"
 #include "render/draw/axes.h"
 #include "render/draw/frame.h"
-#include "render/draw/simulation.h"
 #include "render/draw/view_matrices.h"
 #include "render/load/device_scene.h"
 #include "render/load/programs.h"
 #include "render/load/shared_parts.h"
 #include "render/scene_renderer.h"
+#include "render/simulation/simulation.h"
 #include "render/stats.h"
 #include "scene/interpret.h"
 #include "scene/scene.h"
 
 namespace glibra::render {
 
-/// What a plan must know of the driver, besides its limit of loops.
+/// What a plan must know of the driver.
 plan::PlanOptions planOptionsOf(const gpu::Capabilities& driver);
 
 /// Members refer to members above them, so a pipeline never moves. Nothing here reads the scene's text again:
@@ -64,12 +64,11 @@ struct Pipeline {
     /// Writes values that the scene does not have into each new plan. May be empty.
     std::function<void(plan::FramePlan&)> adjustPlan;
 
-    /// planOptionsOf() with the limit of loops.
-    [[nodiscard]] plan::PlanOptions driverOptions();
     /// The rounds after which the driver ends a loop, measured once.
     int loopLimit();
-    [[nodiscard]] plan::FramePlan planList(const scene::NodeList& nodes,
-                                           const plan::PlanOptions& planOptions);
+    /// Answers all of a plan's questions, that of draws out of sight by `outOfSight`.
+    [[nodiscard]] plan::FramePlan planList(const scene::NodeList& nodes, const plan::PlanOptions& planOptions,
+                                           decltype(plan::PlanQuestions::outOfSight) outOfSight = {});
     /// True if the scene has Once or Step blocks. planSimulation() then reports what plan::reportNames()
     /// finds in all lists, so the plan of the frame must not (PlanOptions::reportsNames).
     [[nodiscard]] bool hasBlocks() const { return !scene.once.empty() || !scene.steps.empty(); }

@@ -95,23 +95,21 @@ std::optional<Moment> SceneRenderer::momentOf(double time) const {
     if (remembersFrames()) return std::nullopt;
     std::map<double, double> timers;  // by period
     const plan::FramePlan& plan = state_->plan;
-    const auto add = [&](plan::PlannedProgramIndex index, double period) {
-        const plan::PlannedProgram& program = plan.programs[index];
+    plan.visitStatements([&](const auto& planned, const auto& statement) {
+        const double period = statement.timerPeriod;
+        const plan::PlannedProgram& program = plan.programs[planned.program];
         for (const plan::UniformBinding& each : program.values) {
             const auto* supplied = std::get_if<plan::Supplied>(&each.value);
             if (!supplied || supplied->value != glsl::Builtin::timer) continue;
             const bool isFloat =
                 at(program.interface->uniforms, each.uniform).type.base == plan::BaseType::floating;
             const double timer = timerAt(time, period);
-            timers[period] = isFloat ? static_cast<double>(static_cast<float>(timer)) : timer;
+            if (isFloat)
+                timers.try_emplace(period, static_cast<float>(timer));
+            else
+                timers[period] = timer;
         }
-    };
-    for (const plan::PlannedPass& pass : plan.passes)
-        for (const auto& step : pass.steps)
-            if (const auto* draw = std::get_if<plan::PlannedDraw>(&step))
-                add(draw->program, plan.drawOf(*draw).timerPeriod);
-    for (const plan::PlannedDispatch& each : plan.dispatches)
-        add(each.program, plan.dispatchOf(each).timerPeriod);
+    });
     Moment moment;
     for (const auto& [period, timer] : timers) moment.push_back(timer);
     if (state_->simulation)
@@ -233,7 +231,7 @@ Result<SceneRenderer> SceneRenderer::finish(Result<std::unique_ptr<State>> prepa
     if (hasError(ofTiles)) return refuse(std::move(diagnostics));
     state->makePictureDrawer(stats);
     state->isStateful = state->mayShowEarlierFrames();
-    state->device.releaseMeshes();
+    state->device.meshes().release();
 
     Result<gpu::Target> window =
         gpu::Target::window(capabilities, state->tiles.front().width, state->tiles.front().height,
@@ -252,19 +250,18 @@ Result<SceneRenderer> SceneRenderer::finish(Result<std::unique_ptr<State>> prepa
 /// Every tile would run the effects again.
 Diagnostics SceneRenderer::State::checkTiles() const {
     if (!scene.isModern || tiles.size() == 1) return {};
-    for (const plan::PlannedPass& pass : plan.passes)
-        for (const auto& step : pass.steps) {
-            const auto* draw = std::get_if<plan::PlannedDraw>(&step);
-            if (!draw || !plan.passOf(pass).isWindow ||
-                !plan::writesMemory(plan.programs[draw->program], draw->textures))
-                continue;
-            return {diagnose("memory-E10",
-                             fmt::format("{} writes memory, so the window cannot be drawn in {} tiles; "
-                                         "choose a smaller size or larger tiles",
-                                         plan.drawOf(*draw).word, tiles.size()),
-                             plan.drawOf(*draw).place)};
-        }
-    return {};
+    Diagnostics found;
+    plan.visitDraws([&](const plan::PlannedDraw& each, const scene::Draw& draw, const scene::Pass& pass) {
+        if (!found.empty() || !pass.isWindow ||
+            !plan::writesMemory(plan.programs[each.program], each.textures))
+            return;
+        found.push_back(diagnose("memory-E10",
+                                 fmt::format("{} writes memory, so the window cannot be drawn in {} tiles; "
+                                             "choose a smaller size or larger tiles",
+                                             draw.word, tiles.size()),
+                                 draw.place));
+    });
+    return found;
 }
 
 void SceneRenderer::State::makePictureDrawer(Stats& stats) {
@@ -427,7 +424,7 @@ Result<image::Image> SceneRenderer::drawFirst(std::size_t draws, std::size_t pas
 }
 
 Result<image::Image> SceneRenderer::textureImage(const scene::TextureView& view) {
-    return state_->device.imageOf(view);
+    return state_->device.textures().imageOf(view);
 }
 
 Result<BufferContent> SceneRenderer::bufferContent(const scene::BufferView& view) {

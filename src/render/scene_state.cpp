@@ -51,7 +51,7 @@ Diagnostics SceneRenderer::State::keepBudget(plan::PlanOptions& planOptions, Sta
                         .patches = [&](std::size_t pass, std::size_t step,
                                        auto values) { return probe.patches(pass, step, values); }});
     if (options.samples == 0) options.samples = choice.samples;
-    for (const scene::ShapeIndex shape : budget::apply(choice, scene)) device.forgetMesh(shape);
+    for (const scene::ShapeIndex shape : budget::apply(choice, scene)) device.meshes().forget(shape);
     planOptions.overrides.insert(planOptions.overrides.end(), choice.levels.begin(), choice.levels.end());
     stats.decisions.insert(stats.decisions.end(), choice.decisions.begin(), choice.decisions.end());
     std::stable_sort(
@@ -64,7 +64,7 @@ Diagnostics SceneRenderer::State::preparePlan(Stats& stats, bool everything) {
     isBroken = true;  // until there is a plan
     Result<std::vector<plan::Override>> overrides = parseOverrides(options.set);
     if (!overrides) return std::move(overrides.diagnostics);
-    plan::PlanOptions planOptions = driverOptions();
+    plan::PlanOptions planOptions = planOptionsOf(context.capabilities());
     planOptions.overrides = std::move(*overrides);
     std::erase_if(planOptions.overrides, [&](const plan::Override& each) {
         return each.program.empty() && scene.usedVariables.contains(each.name);
@@ -107,11 +107,12 @@ Diagnostics SceneRenderer::State::preparePlan(Stats& stats, bool everything) {
         options.checks && std::any_of(scene.checks.begin(), scene.checks.end(), [](const scene::Check& each) {
             return each.kind == scene::Check::Kind::primitives;
         });
+    decltype(plan::PlanQuestions::outOfSight) unseen;
     if (!planOptions.everything && !countsPrimitives)
-        planOptions.outOfSight = [&](const scene::Draw& draw, const scene::Pass& pass) {
+        unseen = [&](const scene::Draw& draw, const scene::Pass& pass) {
             return outOfSight(draw, pass, &meshDiagnostics);
         };
-    plan = planList(scene.frame, planOptions);
+    plan = planList(scene.frame, planOptions, std::move(unseen));
     isBroken = false;
     if (!isMoving) {
         stats.skipped.insert(stats.skipped.begin(), plan.skipped.begin(), plan.skipped.end());
@@ -195,7 +196,7 @@ std::string SceneRenderer::State::outOfSight(const scene::Draw& draw, const scen
         screen = {
             targetWidth, targetHeight, {0, 0, targetWidth, targetHeight}, samples, options.tileSize > 0};
     }
-    const VertexBox& bounds = device.bounds(draw.shape, programs.mayReadTangents(variant), remarks);
+    const VertexBox& bounds = device.meshes().bounds(draw.shape, programs.mayReadTangents(variant), remarks);
     const ViewMatrices seen = isMoved(scene.frame, pass) ? view.shifted(pass.shift) : view.unmoved();
     const DrawView drawView = drawViewOf(draw, topology, seen, screen, context.capabilities());
     return std::string(describe(sightOf(placed(bounds, placement), drawView)));

@@ -209,10 +209,10 @@ FileIndex fileOf(Interpreter& in, const std::string& name, const Place& place) {
 }
 
 FileIndex fileNamed(Interpreter& in, const std::string& key, const std::function<FileReference()>& make) {
-    FileIndex& index = in.shared->fileIndices[key];
+    FileIndex& index = in.shared->files.indices[key];
     if (index) return index;
-    in.shared->files.push_back(make());
-    return index = in.scene.files.add(in.shared->files.back());
+    in.shared->files.all.push_back(make());
+    return index = in.scene.files.add(in.shared->files.all.back());
 }
 
 double windowAspect(const Interpreter& in) {
@@ -267,7 +267,7 @@ void setInputs(Interpreter& in) {
     names.beginFrame();
     in.shared->frameRate = kFramesPerSecond;
     setTime(in);
-    for (const auto& [name, camera] : in.shared->previousCameras)
+    for (const auto& [name, camera] : in.shared->seen.previous)
         names.setCamera(name.first + ".prev", camera, name.second);
 }
 
@@ -290,24 +290,10 @@ Scene Interpretation::State::run(const FrameInputs& inputs) {
                    .shared = &shared,
                    .inputs = inputs,
                    .log = glib::MessageLog(script.path),
-                   .scene = {},
-                   .modern = {},
-                   .state = {},
-                   .folders = {},
-                   .listings = {},
-                   .list = {},
-                   .shapes = {},
-                   .uniformSets = {},
-                   .attributeSets = {},
-                   .listShapes = {},
-                   .cleared = {},
-                   .implicitPass = {},
-                   .depthBuffers = {},
-                   .windowSize = {}};
-    in.folders = folders;
+                   .folders = folders};
     in.modern.lostNames = script.lostNames;
-    in.nodes = &in.scene.frame;
-    in.scene.files = shared.files;  // the indices of files are those of earlier frames
+    in.out.nodes = &in.scene.frame;
+    in.scene.files = shared.files.all;  // the indices of files are those of earlier frames
     in.scene.path = script.path;
     in.scene.isModern = script.isModern;
     in.scene.verbose =
@@ -318,7 +304,7 @@ Scene Interpretation::State::run(const FrameInputs& inputs) {
             {std::string(glib::nameOf(each.id)), script.place(each.position), false});
     noteNames(in.scene, script);
     shared.depends = expression::Depends::nothing;
-    shared.foundAspects.clear();
+    shared.seen.foundAspects.clear();
     try {
         setInputs(in);
         addNoiseTextures(in);
@@ -335,20 +321,20 @@ Scene Interpretation::State::run(const FrameInputs& inputs) {
             reportUnusedRaster(in);
             reportStagesWithoutProgram(in);
         }
-        shared.cameras.clear();
+        shared.seen.cameras.clear();
         cameras.clear();
         for (const auto& [name, camera] : in.modern.cameras) {
-            const auto aspects = shared.aspects.find(name);
-            const bool isSeen = aspects != shared.aspects.end() && !aspects->second.empty();
+            const auto aspects = shared.seen.aspects.find(name);
+            const bool isSeen = aspects != shared.seen.aspects.end() && !aspects->second.empty();
             const double aspect = isSeen ? *aspects->second.begin() : windowAspect(in);
-            shared.cameras[name] = valuesOf(camera, aspect);
+            shared.seen.cameras[name] = valuesOf(camera, aspect);
             cameras.push_back(
                 {textOf(in, name), camera.view,
                  camera.clip || camera.aspect ? projectionOf(camera, aspect) : camera.projection,
                  camera.isMirrored});
         }
         if (const CameraName eye{"eye", 0}; findCamera(in, eye) == nullptr)
-            shared.cameras[eye] = valuesOf(classicCamera(in), windowAspect(in));
+            shared.seen.cameras[eye] = valuesOf(classicCamera(in), windowAspect(in));
         in.scene.namedValues = namedValues(in);
         if (in.scene.isModern) in.scene.mayBeWritten = undecidedWrites(in);
         in.scene.idleChecks = idleChecks(in);
@@ -365,18 +351,18 @@ void Interpretation::State::runBefore(const FrameInputs& inputs) {
     const double passed = inputs.sinceStepBefore > 0 ? inputs.sinceStepBefore : 1 / shared.frameRate;
     before.time = std::max(0.0, inputs.time - passed);
     for (std::int64_t& tick : before.ticks) tick = std::max<std::int64_t>(0, tick - 1);
-    shared.previousCameras.clear();
-    shared.isTrial = true;
+    shared.seen.previous.clear();
+    shared.seen.isTrial = true;
     run(before);
-    shared.isTrial = false;
-    shared.previousCameras = std::move(shared.cameras);
+    shared.seen.isTrial = false;
+    shared.seen.previous = std::move(shared.seen.cameras);
 }
 
 Interpretation::Interpretation(glib::Script script, InterpretOptions options)
     : state_(std::make_unique<State>()) {
     state_->script = std::move(script);
     state_->folders = searchFolders(state_->script.path, options);
-    state_->shared.texts = options.texts;
+    state_->shared.files.texts = options.texts;
     state_->options = std::move(options);
 }
 Interpretation::Interpretation(Interpretation&&) noexcept = default;
@@ -385,9 +371,9 @@ Interpretation::~Interpretation() = default;
 
 Scene Interpretation::at(const FrameInputs& inputs) {
     SharedState& shared = state_->shared;
-    const bool knewPrevious = shared.readsPrevious;
+    const bool knewPrevious = shared.seen.readsPrevious;
     const auto run = [&] {
-        if (shared.readsPrevious) state_->runBefore(inputs);
+        if (shared.seen.readsPrevious) state_->runBefore(inputs);
         return state_->run(inputs);
     };
     Scene scene = run();
@@ -398,14 +384,14 @@ Scene Interpretation::at(const FrameInputs& inputs) {
     };
     // An expression reads the projection of a camera, and the passes that the camera sees have another shape
     // than expected.
-    if (shared.readsShapes && shared.foundAspects != shared.aspects) {
-        shared.aspects = shared.foundAspects;
+    if (shared.seen.readsShapes && shared.seen.foundAspects != shared.seen.aspects) {
+        shared.seen.aspects = shared.seen.foundAspects;
         runAgain();
     }
-    if (!shared.readsPrevious || knewPrevious) return scene;
+    if (!shared.seen.readsPrevious || knewPrevious) return scene;
     // Problems of values count once the cameras of the frame before are known.
     std::erase_if(scene.diagnostics, [](const Diagnostic& each) { return each.id == "expr-E06"; });
-    for (auto& [value, readings] : shared.expressions)
+    for (auto& [value, readings] : shared.computed.expressions)
         readings.forEach([](ReadExpression& each) { each.isProblemReported = false; });
     runAgain();
     return scene;
@@ -421,7 +407,8 @@ const std::vector<NamedCamera>& Interpretation::cameras() const {
 
 std::vector<const glib::Script*> Interpretation::scripts() const {
     std::vector<const glib::Script*> scripts{&state_->script};
-    scripts.insert(scripts.end(), state_->shared.includedOrder.begin(), state_->shared.includedOrder.end());
+    scripts.insert(scripts.end(), state_->shared.files.includedOrder.begin(),
+                   state_->shared.files.includedOrder.end());
     return scripts;
 }
 

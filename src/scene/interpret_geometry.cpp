@@ -62,8 +62,8 @@ void placeBySpace(Interpreter& in, Draw& made, glib::CommandId command) {
 }  // namespace
 
 SlotTableIndex currentSlots(Interpreter& in) {
-    if (!in.slotTable) in.slotTable = in.scene.slotTables.add(in.state.slots);
-    return in.slotTable;
+    if (!in.made.slotTable) in.made.slotTable = in.scene.slotTables.add(in.state.slots);
+    return in.made.slotTable;
 }
 
 ShapeIndex shareShape(Interpreter& in, Shape shape) {
@@ -75,26 +75,26 @@ ShapeIndex shareShape(Interpreter& in, Shape shape) {
     if (shape.bare)
         file = fmt::format("\nvertices {} {}", static_cast<int>(*shape.bare),
                            shape.strip ? static_cast<int>(*shape.strip) : -1);
-    ShapeIndex& index = in.shapes[{shape.command, shape.numbers, std::move(file)}];
+    ShapeIndex& index = in.made.shapes[{shape.command, shape.numbers, std::move(file)}];
     if (!index) index = in.scene.shapes.add(std::move(shape));
     return index;
 }
 
 DrawId nextDrawId(Interpreter& in, const Place& place) {
     const int file = fileNumber(in);
-    return {place.line, file, in.drawsOfLines[{file, place.line}]++};
+    return {place.line, file, in.made.drawsOfLines[{file, place.line}]++};
 }
 
 ShapeIndex shapeOfMesh(Interpreter& in, glib::CommandId command, geometry::Mesh mesh) {
     const std::uint64_t hash = hashOf(mesh);
-    const auto [first, last] = in.listShapes.equal_range(hash);
+    const auto [first, last] = in.made.listShapes.equal_range(hash);
     for (auto each = first; each != last; ++each) {
         const Shape& shape = in.scene.shapes[each->second];
         if (shape.command == command && isSameMesh(*shape.list, mesh)) return each->second;
     }
     const ShapeIndex index =
         in.scene.shapes.add({command, {}, {}, std::make_shared<const geometry::Mesh>(std::move(mesh))});
-    in.listShapes.emplace(hash, index);
+    in.made.listShapes.emplace(hash, index);
     return index;
 }
 
@@ -107,15 +107,15 @@ bool countVertices(Interpreter& in, const glib::Command& command, std::uint64_t 
         return false;
     };
     if (vertices > kMostCommandVertices) return refuse("needs", vertices, kMostCommandVertices);
-    if (vertices > kMostSceneVertices - in.vertices)
-        return refuse("brings the scene to", in.vertices + vertices, kMostSceneVertices);
-    in.vertices += vertices;
+    if (vertices > kMostSceneVertices - in.counts.vertices)
+        return refuse("brings the scene to", in.counts.vertices + vertices, kMostSceneVertices);
+    in.counts.vertices += vertices;
     return true;
 }
 
 void draw(Interpreter& in, const glib::Command& command, const Drawing& drawing) {
     const State& state = in.state;
-    if (in.modern.block != nullptr && !in.modern.pass) {
+    if (in.around.block != nullptr && !in.around.pass) {
         currentPass(in, command);
         return;
     }
@@ -131,7 +131,7 @@ void draw(Interpreter& in, const glib::Command& command, const Drawing& drawing)
     made.raster.lineWidth = state.pointsAndLines.lineWidth;
     made.raster.pointSize = state.pointsAndLines.pointSize;
     made.raster.pointSizeFromShader = state.pointsAndLines.pointSizeFromShader;
-    if (!in.modern.pass && !state.local.isBlendStated)
+    if (!in.around.pass && !state.local.isBlendStated)
         made.raster.blendAll(state.target.textures.empty() ? base::kBlendOver : base::Blend{});
     lookAt(in, made);
     placeBySpace(in, made, in.scene.shapes[drawing.shape].command);

@@ -64,9 +64,9 @@ Pass beginPass(Interpreter& in, int depthBuffer) {
     const auto clearOnce = [&](bool isFirst) {
         pass.clearColors.push_back(isFirst ? std::optional(in.state.background) : std::nullopt);
     };
-    if (target.textures.empty()) clearOnce(!std::exchange(in.cleared.isWindow, true));
+    if (target.textures.empty()) clearOnce(!std::exchange(in.out.cleared.isWindow, true));
     for (const TextureIndex texture : target.textures) clearOnce(isFirstUse(in, texture, {}, 1));
-    pass.clearDepth = in.cleared.depthBuffers.insert(depthBuffer).second;
+    pass.clearDepth = in.out.cleared.depthBuffers.insert(depthBuffer).second;
     if (pass.clearDepth && in.scene.isModern) pass.clearStencil = 0;
     return pass;
 }
@@ -81,13 +81,13 @@ bool isClearAlready(const Pass& pass, const glm::dvec4& color) {
 }  // namespace
 
 int depthBufferOf(Interpreter& in, const std::vector<int>& key, int width, int height) {
-    const int next = static_cast<int>(in.depthBuffers.size()) + 1;
-    return in.depthBuffers.try_emplace({key, width, height}, next).first->second;
+    const int next = static_cast<int>(in.made.depthBuffers.size()) + 1;
+    return in.made.depthBuffers.try_emplace({key, width, height}, next).first->second;
 }
 
 bool isFirstUse(Interpreter& in, TextureIndex texture, const TargetPart& part, int layers) {
     constexpr int kAll = -1;
-    auto& parts = in.cleared.parts;
+    auto& parts = in.out.cleared.parts;
     const int level = part.level.value_or(0);
     if (parts.contains({texture, level, kAll})) return false;
     if (part.layer) return parts.emplace(texture, level, *part.layer).second;
@@ -102,38 +102,38 @@ namespace {
 
 /// The pass into the target of RenderToTexture, or into the window.
 Pass& implicitPass(Interpreter& in) {
-    NodeList& nodes = *in.nodes;
+    NodeList& nodes = *in.out.nodes;
     const TargetList& target = in.state.target;
     const int depthBuffer =
         target.units.empty() ? 0 : depthBufferOf(in, target.units, target.width, target.height);
     const bool isLast =
-        in.implicitPass && nodes.order.back() == NodeIndex{NodeIndex::Kind::pass, *in.implicitPass};
+        in.out.implicitPass && nodes.order.back() == NodeIndex{NodeIndex::Kind::pass, *in.out.implicitPass};
     if (isLast) {
-        Pass& last = nodes.passes[*in.implicitPass];
+        Pass& last = nodes.passes[*in.out.implicitPass];
         if (last.targets == target.textures && last.depthBuffer == depthBuffer) return last;
     }
-    in.implicitPass = nodes.passes.size();
+    in.out.implicitPass = nodes.passes.size();
     return nodes.add(beginPass(in, depthBuffer));
 }
 
 }  // namespace
 
 Pass* currentPass(Interpreter& in, const glib::Command& command) {
-    if (in.modern.pass) return &in.nodes->passes[in.modern.pass->index];
-    if (in.modern.block == nullptr) return &implicitPass(in);
+    if (in.around.pass) return &in.out.nodes->passes[in.around.pass->index];
+    if (in.around.block == nullptr) return &implicitPass(in);
     in.reportAt(command, "glib-E25",
                 fmt::format("{}: {} draws into textures; write 'Pass NAME' around it", command.word,
-                            in.modern.block->word));
+                            in.around.block->word));
     return nullptr;
 }
 
 namespace {
 
 void doRenderToTexture(Interpreter& in, const glib::Command& command) {
-    if (in.modern.pass || in.modern.block != nullptr) {
+    if (in.around.pass || in.around.block != nullptr) {
         in.reportAt(command, "glib-E11",
                     fmt::format("{} cannot stand inside {}; write 'Pass NAME'", command.word,
-                                in.modern.pass ? "Pass" : in.modern.block->word));
+                                in.around.pass ? "Pass" : in.around.block->word));
         return;
     }
     if (auto list = targetList(in, command)) in.state.target = std::move(*list);
@@ -157,7 +157,7 @@ std::span<const CommandAction> passActions() {
 }
 
 void finishPasses(Interpreter& in) {
-    if (in.cleared.isWindow) return;
+    if (in.out.cleared.isWindow) return;
     in.state.target = {};
     implicitPass(in);
 }

@@ -42,7 +42,7 @@ TextureTarget targetOfDimensions(std::size_t dimensions) {
 void store(Interpreter& in, const glib::Command& command, Texture texture) {
     Slot slot{texture.unit, texture.target, {}};
     slot.texture = in.scene.textures.add(std::move(texture));
-    in.slotTable = {};
+    in.made.slotTable = {};
     const auto order = [](const Slot& a, const Slot& b) {
         return std::pair(a.unit, a.target) < std::pair(b.unit, b.target);
     };
@@ -85,14 +85,14 @@ std::size_t dimensionsOf(glib::CommandId id) {
 }
 
 void setNoiseSize(Interpreter& in, const glib::Command& command, std::size_t index) {
-    if (!command.numbers.empty()) in.noiseSizes[index] = static_cast<int>(command.numbers[0]);
-    in.areNoiseSizesGiven[index] = in.areNoiseSizesGiven[index] || command.givenNumbers > 0;
+    if (!command.numbers.empty()) in.noise.sizes[index] = static_cast<int>(command.numbers[0]);
+    in.noise.areGiven[index] = in.noise.areGiven[index] || command.givenNumbers > 0;
 }
 
 }  // namespace
 
 bool chargeTexels(Interpreter& in, const glib::Command& command, std::uint64_t bytes) {
-    const std::uint64_t all = in.textureBytes + bytes;
+    const std::uint64_t all = in.counts.textureBytes + bytes;
     if (all > kAllTextures) {
         in.reportAt(command, "glib-E15",
                     fmt::format("{}: all textures need {} bytes; the limit is {}", textOf(command),
@@ -100,7 +100,7 @@ bool chargeTexels(Interpreter& in, const glib::Command& command, std::uint64_t b
                                 glib::groupedText(static_cast<long long>(kAllTextures))));
         return false;
     }
-    in.textureBytes = all;
+    in.counts.textureBytes = all;
     return true;
 }
 
@@ -191,8 +191,8 @@ void finishNoise(Interpreter& in) {
         Texture& texture = in.scene.textures[index];
         NoiseSource noise;
         noise.dimensions = index == kNoise2Texture ? 2 : 3;
-        noise.size = in.noiseSizes[index.position()];
-        noise.isSizeGiven = in.areNoiseSizesGiven[index.position()];
+        noise.size = in.noise.sizes[index.position()];
+        noise.isSizeGiven = in.noise.areGiven[index.position()];
         FileReference file =
             noiseFileBeside(in.folders.beside.front(), noise.dimensions, noise.size, texture.place);
         if (!file.path.empty() && !in.folders.mayRead(file.path)) file.path.clear();

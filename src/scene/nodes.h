@@ -244,6 +244,25 @@ struct NodeList {
         return clears.emplace_back(std::move(clear));
     }
 
+    [[nodiscard]] const Place& placeOf(const NodeIndex& node) const {
+        switch (node.kind) {
+            case NodeIndex::Kind::pass:
+                return passes.at(node.index).place;
+            case NodeIndex::Kind::dispatch:
+                return dispatches.at(node.index).place;
+            case NodeIndex::Kind::clear:
+                break;
+        }
+        return clears.at(node.index).place;
+    }
+    /// Calls `visit(draw, pass)` with each Draw and its Pass.
+    template <class Visit>
+    void visitDraws(Visit&& visit) const {
+        for (const Pass& pass : passes)
+            for (const auto& step : pass.steps)
+                if (const auto* draw = std::get_if<Draw>(&step)) visit(*draw, pass);
+    }
+
     /// Throws std::out_of_range or std::bad_variant_access if that step is no draw.
     [[nodiscard]] const Draw& draw(StepIndex at) const {
         return std::get<Draw>(passes.at(at.pass).steps.at(at.step));

@@ -51,7 +51,7 @@ struct LocalState {
     std::array<const glib::Command*, 3> rasterStatements{};
 };
 
-/// What has been cleared since the beginning of the frame, or of the Once or Step block.
+/// What has been cleared since the beginning of a node list.
 struct Cleared {
     bool isWindow = false;
     std::set<std::tuple<TextureIndex, int, int>> parts;  ///< level and layer; -1: all layers
@@ -113,37 +113,60 @@ struct OpenList {
     std::map<std::string, Extra> extras;
 };
 
+/// Where the next node goes: into the frame, or into a Once or Step block.
+struct Output {
+    NodeList* nodes = nullptr;
+    Cleared cleared{};
+    std::optional<std::size_t> implicitPass{};  ///< the last pass, if it was begun without a Pass statement
+};
+
+/// Everything made so far, so that equal things are shared.
+struct MadeParts {
+    std::map<std::tuple<glib::CommandId, std::vector<double>, std::string>, ShapeIndex> shapes;
+    std::map<std::vector<std::pair<std::string, std::vector<double>>>, UniformSetIndex> uniformSets;
+    std::map<std::vector<std::pair<std::string, std::vector<double>>>, AttributeSetIndex> attributeSets;
+    std::multimap<std::uint64_t, ShapeIndex> listShapes;  ///< by hash of the mesh
+    SlotTableIndex slotTable{};  ///< the table that equals State::slots, if there is one
+    /// By size, and the units or the numbers of the textures and their parts.
+    std::map<std::tuple<std::vector<int>, int, int>, int> depthBuffers;
+    std::map<std::pair<int, int>, int> drawsOfLines;  ///< by file and line
+};
+
+/// What a frame has used so far of what is limited.
+struct UsedLimits {
+    std::uint64_t vertices = 0;      ///< of all geometry commands
+    std::uint64_t textureBytes = 0;  ///< of all empty textures and buffers
+    std::size_t statements = 0;
+    std::size_t rounds = 0;    ///< of all Repeat statements
+    std::size_t elements = 0;  ///< that expressions of i have given
+    bool isFull = false;       ///< the limit of statements has been reported
+};
+
+/// The sizes of the noise textures, 2D and 3D.
+struct NoiseSizes {
+    int sizes[2] = {64, 64};
+    bool areGiven[2] = {false, false};
+};
+
 /// One run over a script.
 struct Interpreter {
     const glib::Script* script;  ///< that is running; an Include replaces it
     SharedState* shared;
     const FrameInputs& inputs;
     glib::MessageLog log;
-    Scene scene;
-    ModernState modern;
-    State state;
     SearchFolders folders;
-    FolderListings listings;
-    std::optional<OpenList> list;
+    Scene scene{};
+    State state{};
+    Around around{};
+    ModernState modern{};
+    Output out{};
+    MadeParts made{};
+    UsedLimits counts{};
+    NoiseSizes noise{};
+    FolderListings listings{};
+    std::optional<OpenList> list{};
     bool isOrphan = false;  ///< the previous statement needed an open list, which has been reported
-
-    // Everything made so far, so that equal things are shared.
-    std::map<std::tuple<glib::CommandId, std::vector<double>, std::string>, ShapeIndex> shapes;
-    std::map<std::vector<std::pair<std::string, std::vector<double>>>, UniformSetIndex> uniformSets;
-    std::map<std::vector<std::pair<std::string, std::vector<double>>>, AttributeSetIndex> attributeSets;
-    std::multimap<std::uint64_t, ShapeIndex> listShapes;  ///< by hash of the mesh
-    SlotTableIndex slotTable{};  ///< the table that equals state.slots, if there is one
-    Cleared cleared;
-    NodeList* nodes = nullptr;                ///< of the frame, or of the Once or Step block
-    std::optional<std::size_t> implicitPass;  ///< the last pass, if it was begun without a Pass statement
-    /// By size, and the units or the numbers of the textures and their parts.
-    std::map<std::tuple<std::vector<int>, int, int>, int> depthBuffers;
-    std::map<std::pair<int, int>, int> drawsOfLines{};  ///< by file and line
-    std::uint64_t vertices = 0;                         ///< of all geometry commands
-    std::uint64_t textureBytes = 0;                     ///< of all empty textures and buffers
-    int noiseSizes[2] = {64, 64};                       ///< 2D, 3D
-    bool areNoiseSizesGiven[2] = {false, false};
-    std::optional<std::pair<int, int>> windowSize;
+    std::optional<std::pair<int, int>> windowSize{};
     std::set<std::tuple<std::string, std::string, int, int>> reported{};  ///< errors by id and place
     std::size_t problems = 0;  ///< errors of this frame, also those that an earlier frame has reported
 

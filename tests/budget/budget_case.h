@@ -47,12 +47,13 @@ class Budget {
         plan::ProgramInterface builtin;
         builtin.usable = builtin.isBuiltin = true;
         builtin.inputs = {{"aVertex", 0}};
-        const plan::FramePlan plan = plan::planFrame(
-            scene, scene.frame,
-            [&](const plan::ProgramVariant& variant) -> const plan::ProgramInterface& {
-                return variant.program ? program : builtin;
-            },
-            [](scene::ProgramIndex) { return false; }, {});
+        const plan::FramePlan plan =
+            plan::planFrame(scene, scene.frame,
+                            {[&](const plan::ProgramVariant& variant) -> const plan::ProgramInterface& {
+                                 return variant.program ? program : builtin;
+                             },
+                             [](scene::ProgramIndex) { return false; }},
+                            {});
         choice = budget::choose(scene, plan, request);
         replaced = apply(choice, scene);
         return choice;

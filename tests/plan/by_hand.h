@@ -227,18 +227,21 @@ struct Programs {
         builtin.uniforms.push_back(uniform("uModelViewProjectionMatrix", "mat4"));
         builtin.inputs = {{"aVertex", 0}, {"aColor", 1}};
     }
-    FramePlan plan(const scene::Scene& scene, const PlanOptions& options = {}) {
-        return planFrame(
-            scene, scene.frame,
-            [this](const ProgramVariant& variant) -> const ProgramInterface& {
-                asked.push_back(variant);
-                return variant.program ? byIndex.at(variant.program) : builtin;
-            },
-            [this](scene::ProgramIndex program) {
-                askedForImages.push_back(program);
-                return std::find(imageWriters.begin(), imageWriters.end(), program) != imageWriters.end();
-            },
-            options);
+    FramePlan plan(const scene::Scene& scene, const PlanOptions& options = {},
+                   decltype(PlanQuestions::outOfSight) outOfSight = {}) {
+        return planFrame(scene, scene.frame,
+                         {.interfaceOf = [this](const ProgramVariant& variant) -> const ProgramInterface& {
+                              asked.push_back(variant);
+                              return variant.program ? byIndex.at(variant.program) : builtin;
+                          },
+                          .mayWriteImages =
+                              [this](scene::ProgramIndex program) {
+                                  askedForImages.push_back(program);
+                                  return std::find(imageWriters.begin(), imageWriters.end(), program) !=
+                                         imageWriters.end();
+                              },
+                          .outOfSight = std::move(outOfSight)},
+                         options);
     }
     [[nodiscard]] std::vector<scene::ProgramIndex> askedPrograms() const {
         std::vector<scene::ProgramIndex> programs;

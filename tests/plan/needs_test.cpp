@@ -336,14 +336,12 @@ TEST(Needs, AMeshHasTheAttributesOfAllProgramsThatDrawIt) {
 struct Blinkers {
     glib::CommandId unseen{};
     int asked = 0;
-    PlanOptions options(const scene::Scene& scene) {
-        PlanOptions result;
-        result.outOfSight = [this, &scene](const scene::Draw& draw, const scene::Pass&) {
+    auto outOfSight(const scene::Scene& scene) {
+        return [this, &scene](const scene::Draw& draw, const scene::Pass&) {
             ++asked;
             const bool isUnseen = scene.shapes[draw.shape].command == unseen;
             return isUnseen ? std::string("it is behind a wall") : std::string();
         };
-        return result;
     }
 };
 
@@ -360,7 +358,7 @@ TEST(Needs, ADrawOutOfSightNeedsNoProgramMeshTextureOrPass) {
     hand.currentProgram = {};
     hand.sphere();
     Blinkers blinkers{glib::commandOf("Teapot")};
-    const FramePlan plan = programs.plan(hand.scene, blinkers.options(hand.scene));
+    const FramePlan plan = programs.plan(hand.scene, {}, blinkers.outOfSight(hand.scene));
     EXPECT_EQ(drawn(plan), " | Sphere");
     EXPECT_EQ(programs.askedPrograms(), std::vector{scene::ProgramIndex()});
     EXPECT_TRUE(plan.textures.empty());
@@ -375,9 +373,9 @@ TEST(Needs, OutOfSightIsNotAskedIfEverythingIsWanted) {
     Programs programs;
     hand.teapot();
     Blinkers blinkers{glib::commandOf("Teapot")};
-    PlanOptions options = blinkers.options(hand.scene);
+    PlanOptions options;
     options.everything = true;
-    EXPECT_EQ(drawn(programs.plan(hand.scene, options)), "Teapot");
+    EXPECT_EQ(drawn(programs.plan(hand.scene, options, blinkers.outOfSight(hand.scene))), "Teapot");
     EXPECT_EQ(blinkers.asked, 0);
 }
 

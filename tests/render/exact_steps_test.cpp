@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "modern_text.h"
-#include "render/draw/simulation.h"
+#include "render/simulation/simulation.h"
 
 namespace glibra::test {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "modern_compute.h"
-#include "render/draw/simulation.h"
+#include "render/simulation/simulation.h"
 
 namespace glibra::test {
 namespace {

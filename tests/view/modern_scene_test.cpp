@@ -4,8 +4,8 @@
 
 #include "image/image.h"
 #include "plan/buffer_table.h"
-#include "render/draw/simulation.h"
 #include "render/scene_renderer.h"
+#include "render/simulation/simulation.h"
 #include "scene_folder.h"
 #include "view/session/frame_cost.h"
 

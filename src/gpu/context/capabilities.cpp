@@ -11,12 +11,10 @@
 namespace glibra::gpu {
 namespace {
 
-constexpr GLenum kMaxAnisotropy = GL_MAX_TEXTURE_MAX_ANISOTROPY;
-
 int integerOf(GLenum what) {
-    GLint value = 0;
-    glGetIntegerv(what, &value);
-    return value;
+    std::array<GLint, 2> values{};  // GL_MAX_VIEWPORT_DIMS has two
+    glGetIntegerv(what, values.data());
+    return values[0];
 }
 
 std::string text(GLenum what) {
@@ -64,71 +62,34 @@ void readExtensions(Capabilities& driver) {
     std::sort(driver.extensions.begin(), driver.extensions.end());
 }
 
-void readSizes(Capabilities& driver) {
-    driver.max2DTextureSide = integerOf(GL_MAX_TEXTURE_SIZE);
-    driver.max1DTextureSide = driver.max2DTextureSide;
-    driver.max3DTextureSide = integerOf(GL_MAX_3D_TEXTURE_SIZE);
-    driver.maxArrayLayers = integerOf(GL_MAX_ARRAY_TEXTURE_LAYERS);
-    driver.maxBufferTexels = integerOf(GL_MAX_TEXTURE_BUFFER_SIZE);
-    driver.maxCubeSide = integerOf(GL_MAX_CUBE_MAP_TEXTURE_SIZE);
-    driver.maxRectangleSide = integerOf(GL_MAX_RECTANGLE_TEXTURE_SIZE);
-    driver.maxRenderbufferSide = integerOf(GL_MAX_RENDERBUFFER_SIZE);
+void read(GLenum what, int& value) {
+    value = integerOf(what);
+}
+
+void read(GLenum what, std::int64_t& value) {
+    glGetInteger64v(what, &value);
+}
+
+void read(GLenum what, std::array<int, 3>& byAxis) {
+    for (GLuint axis = 0; axis < 3; ++axis) glGetIntegeri_v(what, axis, &byAxis.at(axis));
+}
+
+void readLimits(Capabilities& driver) {
+#define GLIBRA_LIMIT(type, member, initial, since, name, words) \
+    if (driver.atLeast((since) / 10, (since) % 10)) read(name, driver.member);
+#define GLIBRA_COMPUTE_LIMIT GLIBRA_LIMIT
+#define GLIBRA_AXIS_LIMIT(member, since, name, words) GLIBRA_LIMIT(, member, , since, name, words)
+#include "gpu/context/limits.def"
     std::array<GLint, 2> viewport{};
     glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport.data());
     driver.maxViewportWidth = viewport[0];
     driver.maxViewportHeight = viewport[1];
-    driver.maxSamples = std::max(1, integerOf(GL_MAX_SAMPLES));
-    driver.maxIntegerSamples = std::max(1, integerOf(GL_MAX_INTEGER_SAMPLES));
-    driver.maxDrawBuffers = integerOf(GL_MAX_DRAW_BUFFERS);
-    driver.maxColorAttachments = integerOf(GL_MAX_COLOR_ATTACHMENTS);
-}
-
-void readUnits(Capabilities& driver) {
-    driver.vertexTextureUnits = integerOf(GL_MAX_VERTEX_TEXTURE_IMAGE_UNITS);
-    driver.tessControlTextureUnits = integerOf(GL_MAX_TESS_CONTROL_TEXTURE_IMAGE_UNITS);
-    driver.tessEvaluationTextureUnits = integerOf(GL_MAX_TESS_EVALUATION_TEXTURE_IMAGE_UNITS);
-    driver.geometryTextureUnits = integerOf(GL_MAX_GEOMETRY_TEXTURE_IMAGE_UNITS);
-    driver.fragmentTextureUnits = integerOf(GL_MAX_TEXTURE_IMAGE_UNITS);
-    driver.combinedTextureUnits = integerOf(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS);
-    if (driver.atLeast(4, 2)) driver.imageUnits = integerOf(GL_MAX_IMAGE_UNITS);
-    if (driver.atLeast(4, 6) || driver.hasExtension("GL_ARB_texture_filter_anisotropic") ||
+    if (driver.hasExtension("GL_ARB_texture_filter_anisotropic") ||
         driver.hasExtension("GL_EXT_texture_filter_anisotropic"))
-        driver.maxAnisotropy = std::max(1, integerOf(kMaxAnisotropy));
-}
-
-void readStages(Capabilities& driver) {
-    driver.maxVertexAttributes = integerOf(GL_MAX_VERTEX_ATTRIBS);
-    driver.maxGeometryOutputVertices = integerOf(GL_MAX_GEOMETRY_OUTPUT_VERTICES);
-    driver.maxGeometryTotalOutputComponents = integerOf(GL_MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS);
-    driver.maxTessellationLevel = integerOf(GL_MAX_TESS_GEN_LEVEL);
-    driver.maxPatchVertices = integerOf(GL_MAX_PATCH_VERTICES);
-    driver.maxControlInputComponents = integerOf(GL_MAX_TESS_CONTROL_INPUT_COMPONENTS);
-    driver.maxControlOutputComponents = integerOf(GL_MAX_TESS_CONTROL_OUTPUT_COMPONENTS);
-    driver.maxControlPatchComponents = integerOf(GL_MAX_TESS_PATCH_COMPONENTS);
-    driver.maxControlTotalOutputComponents = integerOf(GL_MAX_TESS_CONTROL_TOTAL_OUTPUT_COMPONENTS);
-    driver.maxEvaluationInputComponents = integerOf(GL_MAX_TESS_EVALUATION_INPUT_COMPONENTS);
-    driver.maxEvaluationOutputComponents = integerOf(GL_MAX_TESS_EVALUATION_OUTPUT_COMPONENTS);
-    driver.maxClipDistances = integerOf(GL_MAX_CLIP_DISTANCES);
-    driver.maxVertexUniformComponents = integerOf(GL_MAX_VERTEX_UNIFORM_COMPONENTS);
-    driver.maxFragmentUniformComponents = integerOf(GL_MAX_FRAGMENT_UNIFORM_COMPONENTS);
-    driver.maxUniformBlockBytes = integerOf(GL_MAX_UNIFORM_BLOCK_SIZE);
-    driver.maxUniformBufferBindings = integerOf(GL_MAX_UNIFORM_BUFFER_BINDINGS);
-    if (driver.atLeast(4, 3))
-        driver.maxStorageBufferBindings = integerOf(GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS);
-}
-
-void readCompute(Capabilities& driver) {
-    if (driver.atLeast(4, 2))
-        driver.maxAtomicCounterBindings = integerOf(GL_MAX_ATOMIC_COUNTER_BUFFER_BINDINGS);
+        read(GL_MAX_TEXTURE_MAX_ANISOTROPY, driver.maxAnisotropy);
+    for (int* least1 : {&driver.maxSamples, &driver.maxIntegerSamples, &driver.maxAnisotropy})
+        *least1 = std::max(1, *least1);
     driver.compute = driver.atLeast(4, 3);
-    if (!driver.compute) return;
-    glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &driver.maxStorageBlockBytes);
-    for (GLuint axis = 0; axis < 3; ++axis) {
-        glGetIntegeri_v(GL_MAX_COMPUTE_WORK_GROUP_COUNT, axis, &driver.maxComputeGroups.at(axis));
-        glGetIntegeri_v(GL_MAX_COMPUTE_WORK_GROUP_SIZE, axis, &driver.maxComputeLocalSize.at(axis));
-    }
-    driver.maxComputeInvocations = integerOf(GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS);
-    driver.maxComputeSharedBytes = integerOf(GL_MAX_COMPUTE_SHARED_MEMORY_SIZE);
 }
 
 void readRaster(Capabilities& driver) {
@@ -163,10 +124,7 @@ Capabilities readCapabilities(bool throughOsmesa) {
     driver.family = familyOf(driver, throughOsmesa);
     driver.isSoftware = driver.family.ends_with("llvmpipe") || driver.family.ends_with("softpipe");
     readExtensions(driver);
-    readSizes(driver);
-    readUnits(driver);
-    readStages(driver);
-    readCompute(driver);
+    readLimits(driver);
     readRaster(driver);
     driver.packInvert = driver.hasExtension("GL_MESA_pack_invert");
     driver.parallelCompile = driver.hasExtension("GL_KHR_parallel_shader_compile");

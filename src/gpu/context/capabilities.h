@@ -1,6 +1,6 @@
 #pragma once
 // What the driver can do, as numbers that are read once when a context is opened. Reading them needs no GL
-// call.
+// call. limits.def is the table of the limits.
 
 #include <array>
 #include <cstdint>
@@ -19,48 +19,11 @@ struct Capabilities {
     int major = 0, minor = 0;  ///< of GL
     int glslVersion = 0;       ///< the number for #version, 410..460
 
-    int max1DTextureSide = 0;  ///< GL has one limit for 1D and 2D
-    int max2DTextureSide = 0;
-    int max3DTextureSide = 0;
-    int maxCubeSide = 0;
-    int maxRectangleSide = 0;
-    int maxArrayLayers = 256;
-    int maxBufferTexels = 65536;  ///< of a buffer that is read as a texture
-    int maxRenderbufferSide = 0;
-    int maxViewportWidth = 0, maxViewportHeight = 0;
-    int maxSamples = 1;  ///< of colour and depth renderbuffers
-    int maxIntegerSamples = 1;
-    int maxDrawBuffers = 8;
-    int maxColorAttachments = 8;
-
-    int vertexTextureUnits = 0, tessControlTextureUnits = 0, tessEvaluationTextureUnits = 0;
-    int geometryTextureUnits = 0, fragmentTextureUnits = 0;
-    int combinedTextureUnits = 0;  ///< all stages together
-    int imageUnits = 0;            ///< 0 below GL 4.2
-    int maxAnisotropy = 1;         ///< 1: not supported
-
-    int maxVertexAttributes = 16;
-    int maxGeometryOutputVertices = 256;
-    int maxGeometryTotalOutputComponents = 1024;
-    int maxTessellationLevel = 64;
-    int maxPatchVertices = 32;
-    int maxControlInputComponents = 0, maxControlOutputComponents = 0;  ///< per vertex, control stage
-    int maxControlPatchComponents = 0;        ///< per-patch outputs of the control stage
-    int maxControlTotalOutputComponents = 0;  ///< of all vertices and the patch
-    int maxEvaluationInputComponents = 0, maxEvaluationOutputComponents = 0;
-    int maxClipDistances = 8;
-    int maxVertexUniformComponents = 0, maxFragmentUniformComponents = 0;
-    int maxUniformBlockBytes = 16384;
-    int maxUniformBufferBindings = 0;
-    int maxStorageBufferBindings = 0;  ///< 0 below GL 4.3
-    std::int64_t maxStorageBlockBytes = 0;
-    int maxAtomicCounterBindings = 0;  ///< 0 below GL 4.2
-
-    bool compute = false;                   ///< compute stages, storage buffers, indirect dispatches: GL 4.3
-    std::array<int, 3> maxComputeGroups{};  ///< per dispatch
-    std::array<int, 3> maxComputeLocalSize{};  ///< invocations per group, by axis
-    int maxComputeInvocations = 0;             ///< per group, all axes together
-    int maxComputeSharedBytes = 0;
+#define GLIBRA_LIMIT(type, member, initial, ...) type member = initial;
+#define GLIBRA_COMPUTE_LIMIT GLIBRA_LIMIT
+#define GLIBRA_AXIS_LIMIT(member, ...) std::array<int, 3> member{};
+#include "gpu/context/limits.def"
+    bool compute = false;  ///< compute stages, storage buffers, indirect dispatches: GL 4.3
 
     double minLineWidth = 1, maxLineWidth = 1;  ///< pixels, not antialiased
     bool wideLines = false;                     ///< false: a width above 1 is an error in this context

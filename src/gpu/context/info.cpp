@@ -25,8 +25,8 @@ std::vector<InfoEntry> describe(const Context& context) {
     const auto words = [&](const char* key, const char* label, std::string value) {
         entries.push_back({key, label, std::move(value)});
     };
-    const auto count = [&](const char* key, const char* label, int value) {
-        entries.push_back({key, label, static_cast<std::int64_t>(value)});
+    const auto count = [&](std::string key, std::string label, std::int64_t value) {
+        if (!label.empty()) entries.push_back({std::move(key), std::move(label), value});
     };
     const auto number = [&](const char* key, const char* label, double value) {
         entries.push_back({key, label, value});
@@ -47,74 +47,25 @@ std::vector<InfoEntry> describe(const Context& context) {
     words("shadingLanguage", "GLSL", driver.shadingLanguage);
     count("glslVersion", "shaders compiled as #version", driver.glslVersion);
 
-    count("max2DTextureSide", "largest 1D and 2D texture side", driver.max2DTextureSide);
-    count("max3DTextureSide", "largest 3D texture side", driver.max3DTextureSide);
-    count("maxCubeSide", "largest cube map side", driver.maxCubeSide);
-    count("maxRenderbufferSide", "largest target side", driver.maxRenderbufferSide);
-    count("maxViewportWidth", "largest viewport width", driver.maxViewportWidth);
-    count("maxViewportHeight", "largest viewport height", driver.maxViewportHeight);
-    count("maxSamples", "samples per pixel", driver.maxSamples);
-    count("maxDrawBuffers", "colour targets at once", driver.maxDrawBuffers);
-    count("vertexTextureUnits", "texture units, vertex stage", driver.vertexTextureUnits);
-    count("tessControlTextureUnits", "texture units, tessellation control stage",
-          driver.tessControlTextureUnits);
-    count("tessEvaluationTextureUnits", "texture units, tessellation evaluation stage",
-          driver.tessEvaluationTextureUnits);
-    count("geometryTextureUnits", "texture units, geometry stage", driver.geometryTextureUnits);
-    count("fragmentTextureUnits", "texture units, fragment stage", driver.fragmentTextureUnits);
-    count("combinedTextureUnits", "texture units, all stages", driver.combinedTextureUnits);
-    count("imageUnits", "image units", driver.imageUnits);
-    count("maxAnisotropy", "anisotropy", driver.maxAnisotropy);
-    count("maxVertexAttributes", "vertex inputs", driver.maxVertexAttributes);
-    count("maxGeometryOutputVertices", "geometry stage, vertices out", driver.maxGeometryOutputVertices);
-    count("maxGeometryTotalOutputComponents", "geometry stage, components out",
-          driver.maxGeometryTotalOutputComponents);
-    count("maxTessellationLevel", "tessellation level", driver.maxTessellationLevel);
-    count("maxPatchVertices", "vertices per patch", driver.maxPatchVertices);
-    count("maxControlInputComponents", "control stage, components in per vertex",
-          driver.maxControlInputComponents);
-    count("maxControlOutputComponents", "control stage, components out per vertex",
-          driver.maxControlOutputComponents);
-    count("maxControlPatchComponents", "control stage, components out per patch",
-          driver.maxControlPatchComponents);
-    count("maxControlTotalOutputComponents", "control stage, components out in all",
-          driver.maxControlTotalOutputComponents);
-    count("maxEvaluationInputComponents", "evaluation stage, components in per vertex",
-          driver.maxEvaluationInputComponents);
-    count("maxEvaluationOutputComponents", "evaluation stage, components out per vertex",
-          driver.maxEvaluationOutputComponents);
-    count("maxClipDistances", "clip distances", driver.maxClipDistances);
-    count("maxVertexUniformComponents", "uniform components, vertex stage",
-          driver.maxVertexUniformComponents);
-    count("maxFragmentUniformComponents", "uniform components, fragment stage",
-          driver.maxFragmentUniformComponents);
-    count("maxUniformBlockBytes", "bytes of a uniform block", driver.maxUniformBlockBytes);
+#define GLIBRA_LIMIT(type, member, initial, since, name, words) count(#member, words, driver.member);
+#define GLIBRA_COMPUTE_LIMIT(...)
+#define GLIBRA_AXIS_LIMIT(...)
+#include "gpu/context/limits.def"
     truth("compute", "compute stages", driver.compute);
-    if (driver.compute) {
-        constexpr std::array<const char*, 3> kAxes{"X", "Y", "Z"};
-        constexpr std::array<const char*, 3> kGroups{
-            "work groups per dispatch, x", "work groups per dispatch, y", "work groups per dispatch, z"};
-        constexpr std::array<const char*, 3> kSizes{"invocations per work group, x",
-                                                    "invocations per work group, y",
-                                                    "invocations per work group, z"};
-        for (std::size_t axis = 0; axis < kAxes.size(); ++axis)
-            entries.push_back({std::string("maxComputeGroups") + kAxes[axis], kGroups[axis],
-                               static_cast<std::int64_t>(driver.maxComputeGroups.at(axis))});
-        for (std::size_t axis = 0; axis < kAxes.size(); ++axis)
-            entries.push_back({std::string("maxComputeLocalSize") + kAxes[axis], kSizes[axis],
-                               static_cast<std::int64_t>(driver.maxComputeLocalSize.at(axis))});
-        count("maxComputeInvocations", "invocations per work group, all axes", driver.maxComputeInvocations);
-        count("maxComputeSharedBytes", "bytes of shared variables", driver.maxComputeSharedBytes);
-        count("maxStorageBufferBindings", "storage buffers at once", driver.maxStorageBufferBindings);
-        entries.push_back({"maxStorageBlockBytes", "bytes of a storage block", driver.maxStorageBlockBytes});
-        count("maxAtomicCounterBindings", "atomic counter buffers at once", driver.maxAtomicCounterBindings);
-    }
+#define GLIBRA_LIMIT(...)
+#define GLIBRA_COMPUTE_LIMIT(type, member, initial, since, name, words) \
+    if (driver.compute) count(#member, words, driver.member);
+#define GLIBRA_AXIS_LIMIT(member, since, name, words)                                    \
+    for (std::size_t axis = 0; driver.compute && axis < 3; ++axis)                       \
+        count(std::string(#member) + "XYZ"[axis], std::string(words ", ") + "xyz"[axis], \
+              driver.member.at(axis));
+#include "gpu/context/limits.def"
     truth("wideLines", "lines wider than 1 pixel", driver.wideLines);
     number("maxLineWidth", "widest line, pixels", driver.maxLineWidth);
     number("maxPointSize", "largest point, pixels", driver.maxPointSize);
     truth("debugOutput", "reports errors by callback", driver.debugOutput);
     truth("parallelCompile", "compiles in its own threads", driver.parallelCompile);
-    count("extensions", "extensions", static_cast<int>(driver.extensions.size()));
+    count("extensions", "extensions", static_cast<std::int64_t>(driver.extensions.size()));
     return entries;
 }
 

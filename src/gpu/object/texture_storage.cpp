@@ -56,8 +56,7 @@ void allocateSamples(const Capabilities& capabilities, const TextureLayout& layo
 int largestSide(const Capabilities& capabilities, TextureShape shape) {
     switch (shape) {
         case TextureShape::texture1D:
-        case TextureShape::array1D:
-            return capabilities.max1DTextureSide;
+        case TextureShape::array1D:  // GL has one limit for 1D and 2D
         case TextureShape::texture2D:
         case TextureShape::array2D:
         case TextureShape::multisampled:

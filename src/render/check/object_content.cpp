@@ -30,7 +30,7 @@ double stepOf(base::TexelFormat format) {
 Result<Content> textureContent(const scene::Scene& scene, DeviceScene& device,
                                const scene::TextureView& view) {
     const scene::Texture& declared = scene.textures[view.texture];
-    const gpu::Texture* texture = device.texture(view);
+    const gpu::Texture* texture = device.textures().texture(view);
     const auto refuse = [&](const std::string& why) {
         return diagnose("check-E02", fmt::format("'{}' {}", declared.name, why), declared.place);
     };
@@ -38,7 +38,8 @@ Result<Content> textureContent(const scene::Scene& scene, DeviceScene& device,
     if (texture->samples() > 1) return refuse("has several samples per texel and cannot be read");
     const int level = view.level.value_or(0);
     if (level >= texture->levels()) return refuse(fmt::format("has no level {}", level));
-    if (level > 0) texture = device.completed(view);  // its mipmaps may not have been needed so far
+    if (level > 0)
+        texture = device.textures().completed(view);  // its mipmaps may not have been needed so far
     if (view.layer && *view.layer >= texture->layers(level))
         return refuse(fmt::format("has no layer {}", *view.layer));
     Result<Content> content = contentOf(*texture, level, view.layer);

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <iterator>
 
+#include "base/text.h"
 #include "render/scene_state.h"
 
 namespace glibra::render {
@@ -59,7 +59,7 @@ std::vector<TranslatedShader> translatedShaders(const SceneRenderer::State& stat
         const scene::ProgramIndex program = plan.programs[i].variant.program;
         std::string name = program ? scene.programs[program].name : "built-in";
         for (char& c : name)
-            if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+            if (!base::isOfName(c)) c = '_';
         const bool isHidden = !state.programs.hiddenSource(program).empty();
         for (const glsl::TranslatedStage& each : plan.programs[i].interface->facts.stages)
             shaders.push_back({fmt::format("{}-{}.{}", i.position(), name, suffix(each.stage)),

@@ -56,13 +56,10 @@ std::vector<Vertex> vertices() {
 /// The projection of the last draw into the window that has one.
 scene::Projection lastProjection(const scene::Scene& scene) {
     scene::Projection projection;
-    for (const scene::Pass& pass : scene.frame.passes) {
-        if (!pass.isWindow) continue;
-        for (const auto& step : pass.steps)
-            if (const auto* draw = std::get_if<scene::Draw>(&step);
-                draw && !std::holds_alternative<scene::ClipSpace>(draw->projection))
-                projection = draw->projection;
-    }
+    scene.frame.visitDraws([&](const scene::Draw& draw, const scene::Pass& pass) {
+        if (pass.isWindow && !std::holds_alternative<scene::ClipSpace>(draw.projection))
+            projection = draw.projection;
+    });
     return projection;
 }
 

@@ -18,7 +18,7 @@ GroupCounts objectSizeOf(const DeviceScene& device, const scene::ObjectView& obj
         return {layout ? std::max<std::uint64_t>(1, layout->elements) : 0, 1, 1};
     }
     const auto& view = std::get<scene::TextureView>(object);
-    const gpu::Texture* texture = device.texture(view);
+    const gpu::Texture* texture = device.textures().texture(view);
     if (!texture) return {0, 1, 1};
     const int level = view.level.value_or(0);
     const gpu::TextureSize size = gpu::sizeOfLevel(texture->shape(), texture->size(), level);
@@ -203,7 +203,7 @@ void FrameDrawer::clearObject(const scene::ClearObject& clear) {
     if (const auto* buffer = std::get_if<scene::BufferIndex>(&clear.object)) {
         device_.buffers().clear(*buffer);
     } else {
-        device_.clear(std::get<scene::TextureIndex>(clear.object));
+        device_.textures().clear(std::get<scene::TextureIndex>(clear.object));
         bindings_.forgetWorkUnit();
     }
 }

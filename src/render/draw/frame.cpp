@@ -42,16 +42,12 @@ FrameDrawer::FrameDrawer(const gpu::Context& context, const plan::FramePlan& pla
 void FrameDrawer::skipOpaqueBlending() {
     blendsOpaque_ = false;
     std::set<plan::PlannedProgramIndex> reported;
-    for (const plan::PlannedPass& pass : plan_.passes)
-        for (const auto& step : pass.steps) {
-            const auto* draw = std::get_if<plan::PlannedDraw>(&step);
-            if (!draw || !plan_.passOf(pass).isWindow) continue;
-            const BuiltProgram* own = ownProgramOf(*draw);
-            if (own == nullptr || !own->interface.facts.isOpaque || !reported.insert(draw->program).second)
-                continue;
-            const glsl::TranslatedProgram& facts = own->interface.facts;
-            stats_.skip("blending", fmt::format("'{}': always writes 1 for alpha", facts.name), facts.place);
-        }
+    plan_.visitDraws([&](const plan::PlannedDraw& draw, const auto&, const scene::Pass& pass) {
+        const BuiltProgram* own = pass.isWindow ? ownProgramOf(draw) : nullptr;
+        if (own == nullptr || !own->interface.facts.isOpaque || !reported.insert(draw.program).second) return;
+        const glsl::TranslatedProgram& facts = own->interface.facts;
+        stats_.skip("blending", fmt::format("'{}': always writes 1 for alpha", facts.name), facts.place);
+    });
 }
 
 bool texturesComeFirst(const plan::FramePlan& plan) {
@@ -67,7 +63,7 @@ Diagnostics FrameDrawer::draw(const gpu::Target& window, const Frame& frame) {
         for (const scene::ObjectView& each : objects) {
             const plan::Object object = plan::objectOf(each);
             const bool isKept = frame.still != nullptr && frame.still->contents.contains(object);
-            if (!isKept && device_.isChanged(object)) append(diagnostics, device_.reset(each));
+            if (!isKept && device_.state(object).isChanged) append(diagnostics, device_.reset(object));
         }
     };
     if (frame.texturePasses) {
@@ -128,16 +124,12 @@ bool FrameDrawer::isStill(std::size_t node) {
 }
 
 void FrameDrawer::noteNodes() {
-    if (!writes_.empty()) return;
-    writes_.resize(plan_.order.size());
+    if (std::exchange(areNodesNoted_, true)) return;
     bool isStored = false;
     for (std::size_t i = 0; i < plan_.order.size(); ++i) {
-        for (const plan::ObjectUse& each : plan::usesOf(plan_, i))
-            if (each.writes) writes_[i].insert(plan::objectOf(each.object));
         NodeMemory& memory = memory_.emplace_back(memoryOf(plan_, i));
         isStored = isStored || !memory.stored.empty();
-        if (i >= plan_.exchanges.size()) continue;
-        for (const plan::PlannedExchange& each : plan_.exchanges[i])
+        for (const plan::PlannedExchange& each : plan_.accesses[i].exchanges)
             if (each.isFilled || keepsContent(i, each)) memory.ways |= kWaysOfCopies;
     }
     if (!isStored) memory_.clear();
@@ -145,16 +137,15 @@ void FrameDrawer::noteNodes() {
 
 Diagnostics FrameDrawer::exchangeCopies(std::size_t node) {
     Diagnostics diagnostics;
-    if (node >= plan_.exchanges.size()) return diagnostics;
-    for (const plan::PlannedExchange& each : plan_.exchanges[node]) {
+    for (const plan::PlannedExchange& each : plan_.accesses[node].exchanges) {
         const bool keeps = keepsContent(node, each);
         if (const auto* buffer = std::get_if<scene::BufferIndex>(&each.object)) {
             device_.buffers().exchange(*buffer, keeps);
             continue;
         }
         const scene::TextureIndex texture = std::get<scene::TextureIndex>(each.object);
-        device_.exchange(texture);
-        if (keeps) append(diagnostics, device_.copyFromPrevious(texture, bindings_));
+        device_.textures().exchange(texture);
+        if (keeps) append(diagnostics, device_.textures().copyFromPrevious(texture, bindings_));
     }
     return diagnostics;
 }
@@ -174,7 +165,8 @@ Diagnostics FrameDrawer::beginNode(std::size_t node) {
     noteNodes();
     if (!memory_.empty()) order_.before(memory_[node]);
     Diagnostics diagnostics = exchangeCopies(node);
-    for (const plan::Object& each : writes_[node]) append(diagnostics, device_.noteWritten(each, bindings_));
+    for (const plan::Object& each : plan_.accesses[node].written)
+        append(diagnostics, device_.noteWritten(each, bindings_));
     return diagnostics;
 }
 
@@ -250,7 +242,7 @@ Diagnostics FrameDrawer::drawPass(const plan::PlannedPass& pass, const gpu::Targ
         }
     }
     const scene::Pass& drawn = plan_.passOf(pass);
-    for (const scene::TextureIndex each : drawn.targets) device_.wasWritten(each);
+    for (const scene::TextureIndex each : drawn.targets) device_.textures().wasWritten(each);
     stats_.add("passes", 1);
     return diagnostics;
 }
@@ -263,12 +255,12 @@ void FrameDrawer::completeReads(const plan::PlannedPass& pass) {
 void FrameDrawer::completeReads(const std::vector<plan::TextureUse>& textures) {
     bool isScissorOff = false;
     for (const plan::TextureUse& use : textures) {
-        if (use.isImage || !device_.isIncomplete(use)) continue;
+        if (use.isImage || !device_.textures().isIncomplete(use)) continue;
         if (!std::exchange(isScissorOff, true)) {  // it would cut what resolving the samples writes
             raster_.limitTo({});
             raster_.openForClears();
         }
-        device_.complete(use);
+        device_.textures().complete(use);
         bindings_.forgetWorkUnit();
     }
     if (isScissorOff) raster_.limitTo(limit_);

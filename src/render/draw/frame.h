@@ -137,7 +137,7 @@ class FrameDrawer {
     /// Exchanges copies, makes the barrier and tells the device what is written.
     Diagnostics beginNode(std::size_t node);
     void endNode(std::size_t node);
-    /// Fills writes_ and memory_.
+    /// Fills memory_, once.
     void noteNodes();
     /// True if the node of that number is still; counts it.
     bool isStill(std::size_t node);
@@ -224,8 +224,8 @@ class FrameDrawer {
     Stats& stats_;
     scene::List<ProgramState, plan::PlannedProgram> states_;
     std::map<const plan::PlannedDispatch*, GroupCounts> groups_;  ///< of groupsOf
-    std::vector<std::set<plan::Object>> writes_;  ///< by node of FramePlan::order; made when it first runs
-    std::vector<NodeMemory> memory_;              ///< likewise; empty if no shader of the plan stores
+    std::vector<NodeMemory> memory_;  ///< by node of FramePlan::order; empty if no shader of the plan stores
+    bool areNodesNoted_ = false;
     std::map<const plan::PlannedExchange*, bool> covered_;  ///< of coversWhole
     MemoryOrder order_;
     bool isOpen_ = false;

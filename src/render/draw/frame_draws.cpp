@@ -118,8 +118,8 @@ void FrameDrawer::setRaster(const plan::PlannedDraw& planned, const BuiltProgram
 bool FrameDrawer::isOutOfTile(const plan::PlannedDraw& planned, const BuiltProgram& built,
                               const gpu::Target& target, bool isWindow) const {
     const scene::Draw& draw = plan_.drawOf(planned);
-    const VertexBox* bounds = windowSamples_ > 0 ? device_.knownBounds(draw.shape) : nullptr;
-    const DeviceMesh* mesh = device_.deviceMesh(plan_, planned.mesh);
+    const VertexBox* bounds = windowSamples_ > 0 ? device_.meshes().knownBounds(draw.shape) : nullptr;
+    const DeviceMesh* mesh = device_.meshes().onDevice(plan_, planned.mesh);
     // Points reach further than the primitives that the draw view knows.
     if (!bounds || !isPlacedByMatrices(draw) || (mesh != nullptr && mesh->pointCount > 0) ||
         plan::writesMemory(plan_.programs[planned.program], planned.textures))
@@ -148,7 +148,7 @@ const BuiltProgram* FrameDrawer::programOf(const plan::PlannedDraw& planned) con
 
 FrameDrawer::Elements FrameDrawer::elementsOf(const plan::PlannedDraw& planned) const {
     const scene::Draw& draw = plan_.drawOf(planned);
-    const DeviceMesh& mesh = *device_.deviceMesh(plan_, planned.mesh);
+    const DeviceMesh& mesh = *device_.meshes().onDevice(plan_, planned.mesh);
     if (!draw.indices.buffer) return {bool(mesh.indices), 0, mesh.indexCount, mesh.pointCount};
     const auto own = device_.indicesOf(draw).value_or(DeviceScene::Indices{});
     const int wanted = draw.drawsAllIndices ? own.count : std::min(own.count, mesh.indexCount);
@@ -272,13 +272,13 @@ bool FrameDrawer::noteStores(plan::PlannedProgramIndex program,
                              const std::vector<plan::TextureUse>& textures) {
     if (!plan::writesMemory(plan_.programs[program], textures)) return false;
     for (const plan::TextureUse& each : textures)
-        if (each.isImage && each.view.texture) device_.wasWritten(each.view.texture);
+        if (each.isImage && each.view.texture) device_.textures().wasWritten(each.view.texture);
     return true;
 }
 
 Diagnostics FrameDrawer::drawOne(const plan::PlannedDraw& planned, const gpu::Target& target, bool isWindow) {
     Diagnostics diagnostics;
-    if (!device_.deviceMesh(plan_, planned.mesh)) return diagnostics;
+    if (!device_.meshes().onDevice(plan_, planned.mesh)) return diagnostics;
     const scene::Draw& draw = plan_.drawOf(planned);
     const BuiltProgram* drawnWith = programOf(planned);
     if (drawnWith == nullptr) return diagnostics;

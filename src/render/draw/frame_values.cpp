@@ -125,7 +125,7 @@ void FrameDrawer::setTile(const BuiltProgram& built, const base::FractionRectang
 
 void FrameDrawer::setConstantInputs(const plan::PlannedDraw& planned, const BuiltProgram& built,
                                     const glm::dvec4& color) const {
-    const DeviceMesh& mesh = *device_.deviceMesh(plan_, planned.mesh);
+    const DeviceMesh& mesh = *device_.meshes().onDevice(plan_, planned.mesh);
     const auto isInMesh = [&](const std::string& name) {
         return std::any_of(mesh.attributes.begin(), mesh.attributes.end(),
                            [&](const DeviceMesh::Attribute& each) { return each.name == name; });

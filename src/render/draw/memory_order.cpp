@@ -36,25 +36,20 @@ void addOnce(std::vector<plan::Object>& to, const plan::Object& object) {
     if (std::find(to.begin(), to.end(), object) == to.end()) to.push_back(object);
 }
 
-void addStores(const plan::PlannedProgram& program, const std::vector<plan::TextureUse>& textures,
-               std::vector<plan::Object>& to) {
-    for (const plan::ObjectUse& each : plan::shaderUses(program, textures))
-        if (each.writes) addOnce(to, plan::objectOf(each.object));
-}
-
 }  // namespace
 
 NodeMemory memoryOf(const plan::FramePlan& plan, std::size_t node) {
     NodeMemory memory;
-    for (const plan::ObjectUse& each : plan::usesOf(plan, node))
+    for (const plan::ObjectUse& each : plan.accesses.at(node).uses) {
         addOnce(memory.touched, plan::objectOf(each.object));
+        if (each.stores) addOnce(memory.stored, plan::objectOf(each.object));
+    }
     const scene::NodeIndex& at = plan.order.at(node);
     if (at.kind == scene::NodeIndex::Kind::dispatch) {
         const plan::PlannedDispatch& planned = plan.dispatches[at.index];
         memory.ways = waysOf(plan.programs[planned.program], planned.textures);
         if (std::holds_alternative<scene::GroupsFrom>(plan.dispatchOf(planned).groups))
             memory.ways |= GL_COMMAND_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT;
-        addStores(plan.programs[planned.program], planned.textures, memory.stored);
     } else if (at.kind == scene::NodeIndex::Kind::pass) {
         memory.ways = GL_FRAMEBUFFER_BARRIER_BIT;
         for (const auto& step : plan.passes[at.index].steps) {
@@ -64,7 +59,6 @@ NodeMemory memoryOf(const plan::FramePlan& plan, std::size_t node) {
             memory.ways |= waysOf(plan.programs[draw->program], draw->textures) |
                            GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT |
                            GL_COMMAND_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT;
-            addStores(plan.programs[draw->program], draw->textures, memory.stored);
         }
     } else {
         memory.ways = kTexelWork | GL_BUFFER_UPDATE_BARRIER_BIT;

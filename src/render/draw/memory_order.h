@@ -18,7 +18,7 @@ struct NodeMemory {
     std::vector<plan::Object> touched;  ///< all objects that it uses
     std::vector<plan::Object> stored;   ///< those that its shaders may store to
 };
-/// Without the copies that FramePlan::exchanges asks for, which use objects in `kWaysOfCopies`.
+/// Without the copies that NodeAccess::exchanges asks for, which use objects in `kWaysOfCopies`.
 NodeMemory memoryOf(const plan::FramePlan& plan, std::size_t node);
 inline constexpr GLbitfield kWaysOfCopies = GL_TEXTURE_UPDATE_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT |
                                             GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT;

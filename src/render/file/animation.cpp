@@ -69,10 +69,9 @@ int mostDifferentFrames(const std::filesystem::path& path, const RenderOptions& 
     scene::List<bool, scene::Program> readsTimer;
     readsTimer.reserve(scene->programs.size());
     for (const scene::Program& each : scene->programs) readsTimer.push_back(search.isReadBy(each));
-    for (const scene::Pass& pass : scene->frame.passes)
-        for (const auto& step : pass.steps)
-            if (const auto* draw = std::get_if<scene::Draw>(&step))
-                if (draw->program && readsTimer[draw->program]) periods.insert(draw->timerPeriod);
+    scene->frame.visitDraws([&](const scene::Draw& draw, const auto&) {
+        if (draw.program && readsTimer[draw.program]) periods.insert(draw.timerPeriod);
+    });
     std::set<std::vector<float>> moments;
     for (int i = 0; i < frames && static_cast<int>(moments.size()) < most; ++i) {
         std::vector<float> moment;

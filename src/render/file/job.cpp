@@ -42,9 +42,9 @@ Diagnostics writeToStandardOutput(const std::vector<std::byte>& png) {
 /// "; nothing is in sight: line 7, Teapot: it is behind ..." if all draws were skipped. Their shaders were
 /// not compiled, so errors in them are not yet reported.
 std::string whyNothingIsSeen(const plan::FramePlan& plan) {
-    for (const plan::PlannedPass& pass : plan.passes)
-        for (const auto& step : pass.steps)
-            if (std::holds_alternative<plan::PlannedDraw>(step)) return {};
+    bool isAnySeen = false;
+    plan.visitDraws([&](const auto&...) { isAnySeen = true; });
+    if (isAnySeen) return {};
     for (const plan::Skipped& each : plan.skipped)
         if (each.what == "draw")
             return fmt::format("; nothing is in sight: line {}, {}; 'glibra check' compiles its shaders too",

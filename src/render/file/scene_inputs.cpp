@@ -9,8 +9,8 @@
 
 #include "image/file.h"
 #include "render/draw/frame.h"
-#include "render/draw/simulation.h"
 #include "render/scene_renderer.h"
+#include "render/simulation/simulation.h"
 #include "render/stats.h"
 
 namespace glibra::render {

@@ -6,28 +6,28 @@
 
 #include "glib/number.h"
 #include "plan/uniform_names.h"
-#include "render/load/device_scene.h"
+#include "render/load/device_buffers.h"
 
 namespace glibra::render {
 
-void DeviceScene::bindBuffer(const plan::TextureUse& use, gpu::BindingTracker& bindings) {
-    const gpu::Buffer* buffer = buffers_.buffer(use.buffer);
+void DeviceBuffers::bind(const plan::TextureUse& use, gpu::BindingTracker& bindings) {
+    const gpu::Buffer* buffer = this->buffer(use.buffer);
     if (buffer == nullptr) return;
     const gpu::BufferTexture& texture =
-        bufferTextures_[{use.buffer.buffer, use.buffer.isPrevious, use.bufferFormat}];
+        textures_[{use.buffer.buffer, use.buffer.isPrevious, use.bufferFormat}];
     // The buffer is attached anew each time, since those with history change their places.
     if (!use.isImage) return texture.bind(use.driverUnit, *buffer, use.bufferFormat);
     texture.bindImage(use.driverUnit, *buffer, use.bufferFormat, use.imageFormat.value_or(use.bufferFormat));
     bindings.forgetImages();
 }
 
-Diagnostics DeviceScene::checkBufferTextures(const plan::FramePlan& plan) const {
+Diagnostics DeviceBuffers::checkTexels(const plan::FramePlan& plan) const {
     Diagnostics problems;
     std::set<scene::BufferIndex> reported;
     const auto most = static_cast<std::uint64_t>(context_.capabilities().maxBufferTexels);
     const auto check = [&](plan::PlannedProgramIndex program, const std::vector<plan::TextureUse>& uses) {
         for (const plan::TextureUse& each : uses) {
-            const gpu::Buffer* buffer = each.buffer.buffer ? buffers_.buffer(each.buffer) : nullptr;
+            const gpu::Buffer* buffer = each.buffer.buffer ? this->buffer(each.buffer) : nullptr;
             if (buffer == nullptr) continue;
             const std::uint64_t texels = buffer->size() / base::bytesPerTexel(each.bufferFormat);
             if (texels <= most || !reported.insert(each.buffer.buffer).second) continue;
@@ -41,10 +41,8 @@ Diagnostics DeviceScene::checkBufferTextures(const plan::FramePlan& plan) const 
                 declared.place));
         }
     };
-    for (const plan::PlannedPass& pass : plan.passes)
-        for (const auto& step : pass.steps)
-            if (const auto* draw = std::get_if<plan::PlannedDraw>(&step))
-                check(draw->program, draw->textures);
+    plan.visitDraws(
+        [&](const plan::PlannedDraw& each, const auto&...) { check(each.program, each.textures); });
     for (const plan::PlannedDispatch& each : plan.dispatches) check(each.program, each.textures);
     return problems;
 }

@@ -35,8 +35,7 @@ Diagnostics DeviceBuffers::make(scene::BufferIndex index) {
     const auto known = made_.find(index);
     if (known != made_.end() && known->second.current.size() < bytes)
         if (Diagnostics failure = grow(known->second, bytes); hasError(failure)) return failure;
-    if (known != made_.end() && (lasting_.contains(index) || known->second.values == buffer.values))
-        return {};
+    if (known != made_.end() && (states_[index].lasts || known->second.values == buffer.values)) return {};
     if (known != made_.end()) {
         known->second.values = buffer.values;
         known->second.declared.reset();

@@ -5,13 +5,17 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <vector>
 
 #include "gpu/context/context.h"
 #include "gpu/object/buffer.h"
 #include "gpu/object/buffer_clear.h"
+#include "gpu/object/buffer_texture.h"
+#include "gpu/state/binding_tracker.h"
 #include "plan/buffers.h"
 #include "plan/frame_plan.h"
+#include "render/load/object_state.h"
 #include "render/stats.h"
 #include "scene/scene.h"
 
@@ -25,8 +29,8 @@ class DeviceBuffers {
     /// Lays out and makes the buffers of the plan. A buffer whose declared values are others than before gets
     /// them, unless it lasts. Errors: memory-E03 to E05, draw-E05, and those of files.
     Diagnostics prepare(const plan::FramePlan& plan);
-    /// What Once and Step write is not replaced by other declared values.
-    void setLasting(scene::BufferIndex buffer) { lasting_.insert(buffer); }
+    /// What has happened to a buffer that nodes write.
+    ObjectState& state(scene::BufferIndex buffer) { return states_[buffer]; }
 
     /// Null if it has not been made.
     [[nodiscard]] const gpu::Buffer* buffer(const scene::BufferView& view) const;
@@ -46,6 +50,11 @@ class DeviceBuffers {
     /// Exchanges the two copies of a buffer with history, before something writes to it. `keepsContent`: the
     /// new one begins with the content of the other.
     void exchange(scene::BufferIndex buffer, bool keepsContent);
+
+    /// Binds the buffer that the use reads as a texture to its unit.
+    void bind(const plan::TextureUse& use, gpu::BindingTracker& bindings);
+    /// Reports memory-E04 for buffers with more texels than the driver reads as a texture.
+    [[nodiscard]] Diagnostics checkTexels(const plan::FramePlan& plan) const;
 
   private:
     struct Made {
@@ -70,7 +79,9 @@ class DeviceBuffers {
     gpu::BufferClearer clearer_;
     std::map<scene::BufferIndex, Made> made_;
     std::vector<gpu::Buffer> outgrown_;  ///< kept, since caches find buffers by their GL names
-    std::set<scene::BufferIndex> lasting_;
+    std::map<scene::BufferIndex, ObjectState> states_;
+    /// By buffer, copy and format.
+    std::map<std::tuple<scene::BufferIndex, bool, gpu::TexelFormat>, gpu::BufferTexture> textures_;
     std::uint64_t bytesLeft_ = kMostBytes;
     /// What the buffers of a scene may have together.
     static constexpr std::uint64_t kMostBytes = std::uint64_t{2} << 30;

@@ -26,10 +26,9 @@ std::string grouped(std::uint64_t number) {
 /// The buffers that nodes of the plan write to.
 std::set<scene::BufferIndex> writtenBuffers(const plan::FramePlan& plan) {
     std::set<scene::BufferIndex> written;
-    for (std::size_t node = 0; node < plan.order.size(); ++node)
-        for (const plan::ObjectUse& each : plan::usesOf(plan, node))
-            if (const auto* buffer = std::get_if<scene::BufferView>(&each.object); buffer && each.writes)
-                written.insert(buffer->buffer);
+    for (const plan::NodeAccess& node : plan.accesses)
+        for (const plan::Object& each : node.written)
+            if (const auto* buffer = std::get_if<scene::BufferIndex>(&each)) written.insert(*buffer);
     return written;
 }
 
@@ -104,35 +103,27 @@ Diagnostics DeviceScene::membersProblems(const plan::FramePlan& plan,
 Diagnostics DeviceScene::checkElements(const plan::FramePlan& plan) const {
     Diagnostics diagnostics;
     std::set<std::pair<int, std::string>> reported;  // of a statement in a Repeat
-    for (const plan::PlannedPass& pass : plan.passes)
-        for (const auto& step : pass.steps) {
-            const auto* planned = std::get_if<plan::PlannedDraw>(&step);
-            if (planned == nullptr) continue;
-            std::optional<std::string> problem = elementsProblem(plan, *planned);
-            const Place& place = plan.drawOf(*planned).place;
-            for (Diagnostic& each : membersProblems(plan, *planned))
-                if (reported.emplace(place.line, each.text).second) diagnostics.push_back(std::move(each));
-            if (problem && reported.emplace(place.line, *problem).second)
-                diagnostics.push_back(diagnose("memory-E13", std::move(*problem), place));
-        }
+    plan.visitDraws([&](const plan::PlannedDraw& planned, const scene::Draw& draw, const auto&) {
+        std::optional<std::string> problem = elementsProblem(plan, planned);
+        for (Diagnostic& each : membersProblems(plan, planned))
+            if (reported.emplace(draw.place.line, each.text).second) diagnostics.push_back(std::move(each));
+        if (problem && reported.emplace(draw.place.line, *problem).second)
+            diagnostics.push_back(diagnose("memory-E13", std::move(*problem), draw.place));
+    });
     return diagnostics;
 }
 
 Diagnostics DeviceScene::checkIndices(const plan::FramePlan& plan) {
     Diagnostics diagnostics;
     std::optional<std::set<scene::BufferIndex>> written;
-    for (const plan::PlannedPass& pass : plan.passes)
-        for (const auto& step : pass.steps) {
-            const auto* planned = std::get_if<plan::PlannedDraw>(&step);
-            if (planned == nullptr || !plan.drawOf(*planned).indices.buffer) continue;
-            const scene::Draw& draw = plan.drawOf(*planned);
-            const scene::BufferIndex index = draw.indices.buffer;
-            if (buffers_.layout(index) == nullptr) continue;  // reported
-            if (!written) written = writtenBuffers(plan);
-            const bool isAsDeclared = !written->contains(index) && !lasting_.contains(plan::Object(index));
-            if (auto problem = indexProblem(plan, *planned, isAsDeclared))
-                diagnostics.push_back(diagnose("memory-E13", std::move(*problem), draw.place));
-        }
+    plan.visitDraws([&](const plan::PlannedDraw& planned, const scene::Draw& draw, const auto&) {
+        const scene::BufferIndex index = draw.indices.buffer;
+        if (!index || buffers_.layout(index) == nullptr) return;  // reported
+        if (!written) written = writtenBuffers(plan);
+        const bool isAsDeclared = !written->contains(index) && !buffers_.state(index).lasts;
+        if (auto problem = indexProblem(plan, planned, isAsDeclared))
+            diagnostics.push_back(diagnose("memory-E13", std::move(*problem), draw.place));
+    });
     return diagnostics;
 }
 

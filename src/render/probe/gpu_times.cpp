@@ -28,22 +28,11 @@ std::string targetsOf(const scene::Scene& scene, const scene::Pass& pass) {
     return targets;
 }
 
-int lineOf(const plan::FramePlan& plan, const scene::NodeIndex& node) {
-    switch (node.kind) {
-        case scene::NodeIndex::Kind::pass:
-            return plan.passOf(plan.passes[node.index]).place.line;
-        case scene::NodeIndex::Kind::dispatch:
-            return plan.dispatchOf(plan.dispatches[node.index]).place.line;
-        default:
-            return plan.clearOf(plan.clears[node.index]).place.line;
-    }
-}
-
 }  // namespace
 
 NodeName nameOf(const scene::Scene& scene, const plan::FramePlan& plan, std::size_t node) {
     const scene::NodeIndex& at = plan.order[node];
-    const int line = lineOf(plan, at);
+    const int line = plan.placeOf(at).line;
     if (at.kind == scene::NodeIndex::Kind::pass)
         return {"pass into " + targetsOf(scene, plan.passOf(plan.passes[at.index])), line};
     if (at.kind == scene::NodeIndex::Kind::dispatch)

@@ -10,7 +10,7 @@
 #include "gpu/object/timer.h"
 #include "plan/frame_plan.h"
 #include "render/draw/frame.h"
-#include "render/draw/simulation.h"
+#include "render/simulation/simulation.h"
 #include "render/stats.h"
 #include "scene/scene.h"
 

@@ -49,9 +49,8 @@ struct Found {
 class Search {
   public:
     Search(SceneRenderer& renderer, double time) : renderer_(renderer), time_(time) {
-        for (const plan::PlannedPass& pass : renderer.plan().passes)
-            for (const auto& step : pass.steps)
-                if (const auto* draw = std::get_if<plan::PlannedDraw>(&step)) draws_.push_back(draw);
+        renderer.plan().visitDraws(
+            [&](const plan::PlannedDraw& draw, const auto&...) { draws_.push_back(&draw); });
     }
 
     std::vector<Found> run() {

@@ -119,7 +119,7 @@ const gpu::Program* PatchProbe::State::capturingFor(const BuiltProgram& built) {
 std::optional<std::vector<budget::Patch>> PatchProbe::State::capture(
     const plan::PlannedDraw& draw, std::span<const budget::LevelValue> values) {
     const BuiltProgram* built = renderer->drawer().programOf(draw);
-    const DeviceMesh* mesh = renderer->device().deviceMesh(renderer->plan(), draw.mesh);
+    const DeviceMesh* mesh = renderer->device().meshes().onDevice(renderer->plan(), draw.mesh);
     const int indices = draw.submission.patchVertices;
     const gpu::Program* program = built && mesh && indices > 0 ? capturingFor(*built) : nullptr;
     if (program == nullptr) return std::nullopt;

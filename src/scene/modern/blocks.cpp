@@ -26,10 +26,8 @@ constexpr double kMostStepsPerSecond = 1e9;
 /// back at the end.
 void runBlock(Interpreter& in, const Command& command, OpenBlock& block, NodeList& nodes) {
     const std::size_t index = indexOf(in, command);
-    NodeList* const outer = std::exchange(in.nodes, &nodes);
-    Cleared cleared = std::exchange(in.cleared, {});
-    const auto implicitPass = std::exchange(in.implicitPass, std::nullopt);
-    in.modern.block = &block;
+    Output outer = std::exchange(in.out, {&nodes});
+    in.around.block = &block;
     in.shared->environment.beginBlock();
     {
         const Scope scope(in);
@@ -42,10 +40,8 @@ void runBlock(Interpreter& in, const Command& command, OpenBlock& block, NodeLis
     }
     nodes.namedValues = namedValuesOfBlock(in);
     in.shared->environment.endBlock(fmt::format("only {} sets it (line {})", block.word, block.place.line));
-    in.modern.block = nullptr;
-    in.implicitPass = implicitPass;
-    in.cleared = std::move(cleared);
-    in.nodes = outer;
+    in.around.block = nullptr;
+    in.out = std::move(outer);
     // The frame depends on the block only through the objects that the block writes.
     constexpr Depends kOfStep = Depends::time | Depends::tick;
     const auto bits = static_cast<std::uint32_t>(block.depends) & ~static_cast<std::uint32_t>(kOfStep);
@@ -118,9 +114,9 @@ void doStep(Interpreter& in, const Command& command) {
     in.shared->environment.setNumber("time", tick / step.rate);
     in.shared->environment.setNumber("dt", 1 / step.rate);
     if (const glib::KeyedValues* reset = command.key("reset")) {
-        in.modern.block = &block;  // which depends on what these values depend on
+        in.around.block = &block;  // which depends on what these values depend on
         step.resets = resetValues(in, *reset);
-        in.modern.block = nullptr;
+        in.around.block = nullptr;
     }
     runBlock(in, command, block, step.nodes);
     step.dependsOnTick = any(block.depends & (Depends::time | Depends::tick));
@@ -138,7 +134,7 @@ constexpr CommandAction kBlockActions[] = {
 }  // namespace
 
 void noteCamera(Interpreter& in, const SceneCamera& camera) {
-    OpenBlock* block = in.modern.block;
+    OpenBlock* block = in.around.block;
     if (block == nullptr) return;
     const CameraValues values = valuesOf(camera, currentAspect(in));
     for (const glm::dmat4* matrix : {&values.view, &values.projection})
@@ -147,7 +143,7 @@ void noteCamera(Interpreter& in, const SceneCamera& camera) {
 }
 
 void noteFill(Interpreter& in) {
-    OpenBlock* block = in.modern.block;
+    OpenBlock* block = in.around.block;
     if (block == nullptr) return;
     if (const auto* symbol = in.shared->environment.lookUpInScene(currentCamera(in).name.first + ".view"))
         block->fillDepends = block->fillDepends | in.shared->environment.dependsOf(symbol->slot);

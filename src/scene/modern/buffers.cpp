@@ -70,7 +70,7 @@ Parts partsOf(const Command& command) {
 /// The components of an expression of `i` for each element. They are computed again only if what the
 /// expression reads has changed.
 std::optional<std::vector<double>> computedElements(Interpreter& in, const Value& value, int count) {
-    ComputedElements& known = in.shared->elements[writtenAt(in, value)];
+    ComputedElements& known = in.shared->computed.elements[writtenAt(in, value)];
     const auto readsOf = [&](std::span<const Environment::Slot> slots) {
         std::vector<double> reads;
         for (const Environment::Slot slot : slots) {
@@ -86,10 +86,10 @@ std::optional<std::vector<double>> computedElements(Interpreter& in, const Value
         return known.values;
     }
     std::vector<Environment::Slot> slots;
-    in.modern.readSlots = &slots;
+    in.around.readSlots = &slots;
     const Depends before = std::exchange(in.shared->depends, Depends::nothing);
     auto values = elementsOf(in, value, {&value, 1}, count, kMostNumbers);
-    in.modern.readSlots = nullptr;
+    in.around.readSlots = nullptr;
     known.depends = in.shared->depends;
     in.shared->depends = before | known.depends;
     if (!values) return std::nullopt;
@@ -255,10 +255,10 @@ std::optional<decltype(Dispatch::groups)> groupsOf(Interpreter& in, const Comman
 
 /// Reports glib-E23 inside Pass, whose draws would be torn apart.
 bool isOutsidePass(Interpreter& in, const Command& command) {
-    if (!in.modern.pass) return true;
+    if (!in.around.pass) return true;
     in.reportAt(command, "glib-E23",
                 fmt::format("{} cannot stand inside Pass (line {}); move it out", command.word,
-                            in.modern.pass->place.line));
+                            in.around.pass->place.line));
     return false;
 }
 
@@ -288,8 +288,8 @@ void doDispatch(Interpreter& in, const Command& command) {
     made.uniforms = uniformsOf(in, *program, command.tags);
     made.groups = *groups;
     made.timerPeriod = in.state.timerPeriod;
-    in.implicitPass.reset();
-    in.nodes->add(std::move(made));
+    in.out.implicitPass.reset();
+    in.out.nodes->add(std::move(made));
 }
 
 constexpr CommandAction kBufferActions[] = {
@@ -315,8 +315,8 @@ void doClearObject(Interpreter& in, const Command& command) {
         clear.object = view->texture;
     else
         clear.object = std::get<BufferView>(*object).buffer;
-    in.implicitPass.reset();
-    in.nodes->add(std::move(clear));
+    in.out.implicitPass.reset();
+    in.out.nodes->add(std::move(clear));
 }
 
 std::optional<CountFrom> countFrom(Interpreter& in, const Command& command) {

@@ -158,7 +158,7 @@ void bind(Interpreter& in, AttributeBinding binding) {
     if (in.state.local.attributes) set = in.scene.attributeSets[in.state.local.attributes];
     std::erase_if(set.bindings, [&](const AttributeBinding& each) { return each.name == binding.name; });
     set.bindings.push_back(std::move(binding));
-    AttributeSetIndex& index = in.attributeSets[keyOfAttributes(set)];
+    AttributeSetIndex& index = in.made.attributeSets[keyOfAttributes(set)];
     if (!index) index = in.scene.attributeSets.add(std::move(set));
     in.state.local.attributes = index;
 }

@@ -63,7 +63,7 @@ expression::Depends dependsOf(Interpreter& in, const expression::Expression& exp
 
 ReadExpression& readExpression(Interpreter& in, const glib::Value& value, const expression::Wanted& wanted) {
     const Environment& environment = in.shared->environment;
-    MadeOfNames<ReadExpression>& readSoFar = in.shared->expressions[writtenAt(in, value)];
+    MadeOfNames<ReadExpression>& readSoFar = in.shared->computed.expressions[writtenAt(in, value)];
     if (ReadExpression* known = readSoFar.find(environment)) return *known;
     const bool isWord = value.kind == glib::Value::Kind::word;
     const Place origin = in.script->place(isWord ? value.position : glib::placeIn(value, 0));
@@ -72,10 +72,10 @@ ReadExpression& readExpression(Interpreter& in, const glib::Value& value, const 
     ReadExpression made;
     if (parsed) {
         for (const expression::Use& each : parsed->uses()) {
-            if (each.path.find(".prev.") != std::string::npos) in.shared->readsPrevious = true;
+            if (each.path.find(".prev.") != std::string::npos) in.shared->seen.readsPrevious = true;
             if (!readsShape(each.path)) continue;
             made.readsShape = true;
-            if (!each.path.starts_with("camera.")) in.shared->readsShapes = true;
+            if (!each.path.starts_with("camera.")) in.shared->seen.readsShapes = true;
         }
         made.expression = std::move(*parsed);
     } else {
@@ -117,7 +117,7 @@ std::optional<expression::Value> evaluate(Interpreter& in, const glib::Value& va
     addDepends(in, depends);
     auto result = entry.expression->evaluate(in.shared->environment);
     if (result) return std::move(*result);
-    if (!in.shared->isTrial && !std::exchange(entry.isProblemReported, true))
+    if (!in.shared->seen.isTrial && !std::exchange(entry.isProblemReported, true))
         in.report(result.problem.message);
     return fail();
 }
@@ -126,7 +126,7 @@ namespace {
 
 /// What Once writes stays, so it cannot follow a variable of time. Variables that the block sets are its own.
 void checkOnce(Interpreter& in, std::string_view name, expression::Depends depends, const Place& place) {
-    const OpenBlock* block = in.modern.block;
+    const OpenBlock* block = in.around.block;
     if (block == nullptr || block->isStep || !any(depends & expression::Depends::variable) ||
         !changesWithTime(depends) || in.shared->environment.isOfBlock(name))
         return;
@@ -144,17 +144,17 @@ void checkOnce(Interpreter& in, std::string_view name, expression::Depends depen
 
 void noteRead(Interpreter& in, std::string_view name, Environment::Slot slot, const Place& place) {
     checkOnce(in, name, in.shared->environment.dependsOf(slot), place);
-    if (in.modern.readSlots != nullptr) in.modern.readSlots->push_back(slot);
-    if (in.modern.block == nullptr || !in.modern.block->readSlots.insert(slot).second) return;
+    if (in.around.readSlots != nullptr) in.around.readSlots->push_back(slot);
+    if (in.around.block == nullptr || !in.around.block->readSlots.insert(slot).second) return;
     const std::vector<double> values = in.shared->environment.valuesOf(slot);
-    in.modern.block->reads.insert(in.modern.block->reads.end(), values.begin(), values.end());
+    in.around.block->reads.insert(in.around.block->reads.end(), values.begin(), values.end());
 }
 
 namespace {
 
 /// What the scene, or the block that is open, depends on.
 expression::Depends& currentDepends(Interpreter& in) {
-    return in.modern.block != nullptr ? in.modern.block->depends : in.shared->depends;
+    return in.around.block != nullptr ? in.around.block->depends : in.shared->depends;
 }
 
 }  // namespace

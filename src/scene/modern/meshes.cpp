@@ -118,10 +118,10 @@ const MeshContent* meshOf(Interpreter& in, const Command& command, Shape shape) 
         const FileReference& file = in.scene.files[shape.file];
         key += "\n" + (file.path.empty() ? file.name : file.path.string());
     }
-    const auto [known, isNew] = in.shared->meshes.try_emplace(std::move(key));
+    const auto [known, isNew] = in.shared->computed.meshes.try_emplace(std::move(key));
     if (isNew) {
         if (const auto counts = countsOf(shape); counts && !countVertices(in, command, counts->vertices)) {
-            in.shared->meshes.erase(known);
+            in.shared->computed.meshes.erase(known);
             return nullptr;
         }
         Result<geometry::Mesh> mesh = makeMesh(in.scene, shareShape(in, std::move(shape)), true);

@@ -49,28 +49,43 @@ struct MeshContent {
     std::vector<Part> parts;
 };
 
-/// What all frames of a script share.
-struct SharedState {
-    Environment environment;
-    ExpressionCache expressions;
-    std::map<WrittenAt, MadeOfNames<std::optional<expression::Type>>> arrayTypes;  ///< of `Let name[n] (...)`
-    std::vector<const glib::Script*> includedOrder;
+/// The files that frames have read, so that a file is read once and keeps its index.
+struct KnownFiles {
     std::map<std::filesystem::path, std::string> texts;                   ///< InterpretOptions::texts
     std::map<std::string, std::unique_ptr<const glib::Script>> included;  ///< by path
-    List<FileReference> files;  ///< of all frames so far, so that a file keeps its index
-    std::map<std::string, FileIndex> fileIndices;
-    expression::Depends depends = expression::Depends::nothing;  ///< of all that the last frame evaluated
-    double frameRate = 60;                                       ///< 1 / dt
-    std::map<CameraName, CameraValues> cameras;                  ///< of the last frame
-    std::map<CameraName, CameraValues> previousCameras;  ///< of the frame before the one that is interpreted
-    bool readsPrevious = false;                          ///< an expression reads a camera of the frame before
+    std::vector<const glib::Script*> includedOrder;
+    List<FileReference> all;
+    std::map<std::string, FileIndex> indices;
+};
+
+/// What has been computed and is computed again only if what it reads has changed.
+struct Computed {
+    ExpressionCache expressions;
+    std::map<WrittenAt, MadeOfNames<std::optional<expression::Type>>> arrayTypes;  ///< of `Let name[n] (...)`
+    std::map<WrittenAt, ComputedElements> elements;
+    std::map<std::string, std::optional<MeshContent>> meshes;  ///< nothing: the shape cannot be made
+};
+
+/// The cameras of the last frames, which expressions of this one may read.
+struct SeenCameras {
+    std::map<CameraName, CameraValues> cameras;   ///< of the last frame
+    std::map<CameraName, CameraValues> previous;  ///< of the frame before the one that is interpreted
+    bool readsPrevious = false;                   ///< an expression reads a camera of the frame before
     bool isTrial = false;      ///< the frame is run for its cameras alone, so its values have no problems
     bool readsShapes = false;  ///< an expression reads what depends on the aspect of a camera with a name
     /// The aspects of the passes that each camera sees: as they were when the last frame ended, and as they
     /// are taken to be while a frame is interpreted.
     std::map<CameraName, std::set<double>> foundAspects, aspects;
-    std::map<WrittenAt, ComputedElements> elements;
-    std::map<std::string, std::optional<MeshContent>> meshes;  ///< nothing: the shape cannot be made
+};
+
+/// What all frames of a script share.
+struct SharedState {
+    Environment environment;
+    KnownFiles files;
+    Computed computed;
+    SeenCameras seen;
+    expression::Depends depends = expression::Depends::nothing;  ///< of all that the last frame evaluated
+    double frameRate = 60;                                       ///< 1 / dt
 };
 
 /// A camera of a Camera statement.
@@ -84,6 +99,11 @@ struct SceneCamera {
     CameraName name;
     CameraName root;        ///< that it is derived from by Reflect and Shift; its own name if it is not
     glm::dmat4 shift{1.0};  ///< view = shift * view of the root * reflections
+
+    /// True if the shape of the target decides the projection.
+    [[nodiscard]] bool followsTarget() const {
+        return !aspect && !std::holds_alternative<glm::dmat4>(projection);
+    }
 };
 
 /// A name of the namespace that variables, cameras, textures, samplers and buffers share.
@@ -177,18 +197,23 @@ struct ChecksOfRun {
     std::set<const glib::Command*> bodies;  ///< statements that open a body, or divide one, which has run
 };
 
-/// What modern statements change during one frame.
+/// What stands around the current statement.
+struct Around {
+    std::size_t calls = 0;                                          ///< nested groups and included files
+    std::size_t blocks = 0;                                         ///< blocks
+    expression::Depends conditions = expression::Depends::nothing;  ///< of When
+    std::optional<OpenPass> pass{};
+    OpenBlock* block = nullptr;
+    std::shared_ptr<const GivenVariables> given{};        ///< RunningFile::given of the current script
+    std::vector<Environment::Slot>* readSlots = nullptr;  ///< collects the variables that expressions read
+};
+
+/// What modern statements declare during one frame, and what is known of their use.
 struct ModernState {
     std::map<CameraName, SceneCamera> cameras;
     std::map<std::string, ProgramIndex, std::less<>> programs;
     std::map<std::string, GroupDefinition, std::less<>> groups;
     std::map<ProgramIndex, ProgramTags> programTags;
-    std::size_t statements = 0;
-    std::size_t rounds = 0;    ///< of all Repeat statements
-    std::size_t elements = 0;  ///< that expressions of i have given
-    std::size_t calls = 0;     ///< nested groups and included files
-    std::size_t blocks = 0;    ///< blocks that the current statement stands in
-    bool isFull = false;       ///< the limit of statements has been reported
     std::set<const glib::Script*> including;
     std::set<const glib::Script*> included;  ///< that have run
     std::map<std::string, DeclaredName, std::less<>> names;
@@ -197,19 +222,14 @@ struct ModernState {
     std::vector<std::pair<std::string, glib::Position>> variables;  ///< of all Let statements, in order
     std::map<const glib::Command*, LostRaster> rasterLost;
     std::set<const glib::Command*> rasterUsed;  ///< statements that decide how something is drawn
-    expression::Depends conditions = expression::Depends::nothing;  ///< of the When around the statement
-    bool drawsClassicView = false;  ///< something is drawn that no Camera `eye` before it sees
-    bool usesEye = false;           ///< something is seen by the Camera `eye`, or reads it
-    std::optional<OpenPass> pass;
-    OpenBlock* block = nullptr;
-    std::shared_ptr<const GivenVariables> given;  ///< RunningFile::given of the current script
-    std::set<const glib::Command*> hidingLets;    ///< of glib-W40
+    bool drawsClassicView = false;              ///< something is drawn that no Camera `eye` before it sees
+    bool usesEye = false;                       ///< something is seen by the Camera `eye`, or reads it
+    std::set<const glib::Command*> hidingLets;  ///< of glib-W40
     ChecksOfRun checks;
-    std::vector<Environment::Slot>* readSlots = nullptr;  ///< collects the variables that expressions read
-    std::vector<UntakenRange> untaken{};                  ///< each once per time that it does not run
+    std::vector<UntakenRange> untaken{};  ///< each once per time that it does not run
 };
 
-// structure.cpp
+// statements.cpp
 
 /// Runs the statements [first, last) of the current script. Each block runs its own statements.
 void run(Interpreter&, std::size_t first, std::size_t last);
@@ -225,11 +245,13 @@ bool countElements(Interpreter&, const glib::Value& owner, double count);
 /// in the order in which they were read first.
 int fileNumber(const Interpreter&);
 
-// variables.cpp
+// constants.cpp
 
 /// The value of a parameter or variable: an expression, or one to four numbers. Nothing with the reason
 /// reported.
 std::optional<expression::Value> constantOf(Interpreter&, std::span<const glib::Value> values);
+/// Elements of a list or array variable.
+inline constexpr int kMostVariableElements = 65'536;
 /// The numbers of a list, where `[6 of (...)]` counts `i`. Nothing with the reason reported.
 std::optional<std::vector<double>> listOf(Interpreter&, const glib::Value& list);
 /// What expressions know of a name that counts.

@@ -44,10 +44,10 @@ class TargetReader {
         for (const Value& each : values) {
             if (isWindow(each)) {
                 if (values.size() > 1) return refuse(each, "the window is the only target of its pass");
-                if (in_.modern.block != nullptr)
+                if (in_.around.block != nullptr)
                     return refuse(each, fmt::format("{} cannot draw into the window, which every picture "
                                                     "begins anew; draw into a texture",
-                                                    in_.modern.block->word));
+                                                    in_.around.block->word));
                 targets.isWindow = true;
                 return targets;
             }
@@ -254,7 +254,7 @@ Pass makePass(Interpreter& in, const Command& command, const Targets& targets, c
                                                                                  : std::nullopt);
     };
     if (targets.isWindow) {
-        const bool isFirst = !std::exchange(in.cleared.isWindow, true);
+        const bool isFirst = !std::exchange(in.out.cleared.isWindow, true);
         // A picture begins with the background, so there is nothing to keep yet.
         if (isFirst && clearing.kind == Clearing::Kind::keep)
             pass.clearColors.emplace_back(in.state.background);
@@ -276,7 +276,7 @@ Pass makePass(Interpreter& in, const Command& command, const Targets& targets, c
     if (!usesDepth) return pass;
     const bool isFirst = targets.depth ? isFirstUse(in, targets.depth->texture, partOf(*targets.depth),
                                                     layersOfView(in, *targets.depth))
-                                       : in.cleared.depthBuffers.insert(pass.depthBuffer).second;
+                                       : in.out.cleared.depthBuffers.insert(pass.depthBuffer).second;
     // Depth buffers without a name begin every picture anew.
     const bool isAnew = isFirst && !targets.depth;
     pass.clearDepth = isAnew || clearing.clears(clearing.keepsDepth, isFirst);
@@ -289,10 +289,10 @@ Pass makePass(Interpreter& in, const Command& command, const Targets& targets, c
 
 /// False, with glib-E23 reported, inside a pass: a group that is drawn there may contain another one.
 bool mayBegin(Interpreter& in, const Command& command) {
-    if (!in.modern.pass) return true;
+    if (!in.around.pass) return true;
     in.reportAt(command, "glib-E23",
                 fmt::format("{} cannot stand inside Pass (line {}); move it out", command.word,
-                            in.modern.pass->place.line));
+                            in.around.pass->place.line));
     return false;
 }
 
@@ -326,23 +326,23 @@ void doPass(Interpreter& in, const Command& command) {
     open.camera = camera ? camera->name : CameraName{"eye", 0};
     open.hasStencil = !targets->depth || base::hasStencil(formatOf(in, *targets->depth));
     if (from != nullptr && camera->name != CameraName{"eye", 0}) pass.camera = textOf(in, camera->name);
-    open.index = in.nodes->passes.size();
-    in.nodes->add(std::move(pass));
-    in.implicitPass.reset();
+    open.index = in.out.nodes->passes.size();
+    in.out.nodes->add(std::move(pass));
+    in.out.implicitPass.reset();
 
     const Scope scope(in);
     noteFreshRaster(in, command);
     resetRaster(in);
-    in.modern.pass = std::move(open);
+    in.around.pass = std::move(open);
     const SceneCamera seen = currentCamera(in);
-    Pass& made = in.nodes->passes.back();
+    Pass& made = in.out.nodes->passes.back();
     if (seen.root != CameraName{"eye", 0})
         made.rootCamera = fmt::format("{}[{}]", seen.root.first, seen.root.second);
     made.shift = seen.shift;
-    noteAspect(in, seen, in.modern.pass->aspect);
+    noteAspect(in, seen, in.around.pass->aspect);
     noteCamera(in, seen);
     runBody(in, index + 1, command.partner);
-    in.modern.pass.reset();
+    in.around.pass.reset();
 }
 
 void doFill(Interpreter& in, const Command& command) {
@@ -389,8 +389,8 @@ void doFill(Interpreter& in, const Command& command) {
     made.uniforms = uniformsOf(in, *program, command.tags);
     made.timerPeriod = in.state.timerPeriod;
     pass.steps.emplace_back(std::move(made));
-    in.nodes->add(std::move(pass));
-    in.implicitPass.reset();
+    in.out.nodes->add(std::move(pass));
+    in.out.implicitPass.reset();
 }
 
 void doClearParts(Interpreter& in, const Command& command) {
@@ -404,7 +404,7 @@ void doClearParts(Interpreter& in, const Command& command) {
         if (*part == 1) clear.depth = true;
         if (*part == 2) clear.stencil = true;
     }
-    if (clear.stencil && in.modern.pass && !in.modern.pass->hasStencil) {
+    if (clear.stencil && in.around.pass && !in.around.pass->hasStencil) {
         in.reportAt(command, "glib-E11",
                     fmt::format("{}: this pass has no stencil; its depth texture needs the format "
                                 "depth24_stencil8",

@@ -114,7 +114,7 @@ void doRepeat(Interpreter& in, const Command& command) {
     const RoundNames own = bindCounter(names, name, symbol, words != nullptr);
     std::vector<std::size_t>& path = in.modern.checks.path;
     path.push_back(0);
-    for (double round = 0; round < rounds && !in.modern.isFull; ++round) {
+    for (double round = 0; round < rounds && !in.counts.isFull; ++round) {
         if (!countRound(in, command)) break;
         const Scope scope(in);
         path.back() = static_cast<std::size_t>(round);

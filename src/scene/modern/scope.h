@@ -47,12 +47,12 @@ class InFile {
     InFile(Interpreter& in, RunningFile file)
         : in_(in),
           before_{std::exchange(in.script, file.script),
-                  std::exchange(in.modern.given, std::move(file.given))} {}
+                  std::exchange(in.around.given, std::move(file.given))} {}
     InFile(const InFile&) = delete;
     InFile& operator=(const InFile&) = delete;
     ~InFile() {
         in_.script = before_.script;
-        in_.modern.given = std::move(before_.given);
+        in_.around.given = std::move(before_.given);
     }
     /// The file around it.
     [[nodiscard]] const RunningFile& before() const { return before_; }

@@ -61,7 +61,7 @@ class StateReader {
             if (key.key == "alpha") continue;  // read with its blend
             if (key.key == "blend") {
                 // Outside of Pass the target decides how draws are blended until a statement does.
-                if (!in_.modern.pass && !statesBlend && in_.state.target.textures.empty())
+                if (!in_.around.pass && !statesBlend && in_.state.target.textures.empty())
                     state.blendAll(base::kBlendOver);
                 statesBlend = true;
             }
@@ -250,8 +250,8 @@ class StateReader {
     }
 
     bool readStencil(const KeyedValues& key, base::RasterState& state) {
-        if (in_.modern.pass && !in_.modern.pass->hasStencil) {
-            if (!std::exchange(in_.modern.pass->isStencilReported, true))
+        if (in_.around.pass && !in_.around.pass->hasStencil) {
+            if (!std::exchange(in_.around.pass->isStencilReported, true))
                 in_.report(diagnose("glib-E11",
                                     fmt::format("State {}: the depth texture of this pass has no stencil; "
                                                 "depth24_stencil8 has one",

@@ -35,7 +35,7 @@ constexpr std::size_t kMostCalls = 64;
 
 /// True if one more level of groups or files may be entered; otherwise glib-E28 is reported.
 bool mayEnter(Interpreter& in, const Command& command) {
-    if (in.modern.calls < kMostCalls) return true;
+    if (in.around.calls < kMostCalls) return true;
     in.reportAt(command, "glib-E28",
                 fmt::format("{}: more than {} nested groups and files", command.word, kMostCalls));
     return false;
@@ -45,7 +45,7 @@ void doGroup(Interpreter& in, const Command& command) {
     const std::size_t index = indexOf(in, command);
     if (!command.values.empty()) {
         GroupDefinition& group = in.modern.groups[command.values.front().text];
-        group = {{in.script, in.modern.given}, index, in.shared->environment.here(), group.isRunning};
+        group = {{in.script, in.around.given}, index, in.shared->environment.here(), group.isRunning};
         return;
     }
     const Scope scope(in);
@@ -226,11 +226,11 @@ void doDraw(Interpreter& in, const Command& command) {
     if (!mayEnter(in, command)) return;
     const Scope scope(in);
     known->second.isRunning = true;
-    ++in.modern.calls;
+    ++in.around.calls;
     in.modern.checks.path.push_back(command.begin);
     runGroup(in, GroupDefinition(known->second), command);
     in.modern.checks.path.pop_back();
-    --in.modern.calls;
+    --in.around.calls;
     in.modern.groups.find(name)->second.isRunning = false;
 }
 
@@ -242,34 +242,34 @@ void addConditions(Interpreter& in, std::size_t first, std::size_t last) {
         const glib::Value& target = each.values.front();
         const expression::Symbol* const symbol = in.shared->environment.lookUpInScene(
             target.path.empty() ? target.text : target.path.front().name);
-        if (symbol != nullptr) in.shared->environment.addDepends(symbol->slot, in.modern.conditions);
+        if (symbol != nullptr) in.shared->environment.addDepends(symbol->slot, in.around.conditions);
     }
 }
 
 void doWhen(Interpreter& in, const Command& command) {
     const std::size_t index = indexOf(in, command);
-    const expression::Depends outer = in.modern.conditions;
+    const expression::Depends outer = in.around.conditions;
     std::optional<bool> condition;
     {
         const DependsOnly depends(in);
         condition = truthOf(in, command.values.front());
-        in.modern.conditions = outer | depends.depends();
+        in.around.conditions = outer | depends.depends();
     }
     const Command& partner = in.script->commands[command.partner];
     const bool hasElse = partner.id == CommandId::elseBranch;
     addConditions(in, index + 1, hasElse ? partner.partner : command.partner);
-    if (in.modern.conditions != expression::Depends::nothing || !condition)
+    if (in.around.conditions != expression::Depends::nothing || !condition)
         in.modern.untaken.push_back(
             condition && !*condition
                 ? UntakenRange{in.script, index + 1, command.partner}
                 : UntakenRange{in.script, command.partner + 1, hasElse ? partner.partner : command.partner});
-    ++in.modern.blocks;
+    ++in.around.blocks;
     if (condition && *condition)
         run(in, index + 1, command.partner);
     else if (condition && hasElse)
         run(in, command.partner + 1, partner.partner);
-    --in.modern.blocks;
-    in.modern.conditions = outer;
+    --in.around.blocks;
+    in.around.conditions = outer;
 }
 
 /// The script of an included file; null with the reason reported.
@@ -281,9 +281,10 @@ const glib::Script* includedScript(Interpreter& in, const Command& command, cons
         return nullptr;
     }
     const std::string path = reference.path.string();
-    std::unique_ptr<const glib::Script>& script = in.shared->included[path];
+    std::unique_ptr<const glib::Script>& script = in.shared->files.included[path];
     if (script) return script.get();
-    if (const auto edited = in.shared->texts.find(reference.path); edited != in.shared->texts.end()) {
+    if (const auto edited = in.shared->files.texts.find(reference.path);
+        edited != in.shared->files.texts.end()) {
         script = std::make_unique<const glib::Script>(glib::parse(edited->second, path));
     } else {
         const auto bytes = image::readFile(reference.path, {name, in.place(command)}, glib::kLargestFile);
@@ -294,7 +295,7 @@ const glib::Script* includedScript(Interpreter& in, const Command& command, cons
         script = std::make_unique<const glib::Script>(
             glib::parse({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, path));
     }
-    in.shared->includedOrder.push_back(script.get());
+    in.shared->files.includedOrder.push_back(script.get());
     for (const Diagnostic& each : script->diagnostics) in.report(each);
     return script.get();
 }
@@ -352,7 +353,7 @@ void doInclude(Interpreter& in, const Command& command) {
         return;
     }
     const auto declaration = std::find_if(script->commands.begin(), script->commands.end(), declares);
-    if (in.modern.blocks > 0 && declaration != script->commands.end()) {
+    if (in.around.blocks > 0 && declaration != script->commands.end()) {
         in.modern.including.erase(script);
         in.reportAt(command, "glib-E28",
                     fmt::format("'{}' declares something on line {}, so it cannot be included inside a block",
@@ -361,7 +362,7 @@ void doInclude(Interpreter& in, const Command& command) {
     }
     if (auto given = givenVariables(in, command, *script)) {
         in.modern.lostNames.insert(script->lostNames.begin(), script->lostNames.end());
-        ++in.modern.calls;
+        ++in.around.calls;
         in.modern.checks.path.push_back(command.begin);
         {
             const InFile file(in, {script, std::make_shared<const GivenVariables>(*std::move(given))});
@@ -370,7 +371,7 @@ void doInclude(Interpreter& in, const Command& command) {
             run(in, 0, script->commands.size());
         }
         in.modern.checks.path.pop_back();
-        --in.modern.calls;
+        --in.around.calls;
     }
     in.modern.including.erase(script);
 }
@@ -391,80 +392,6 @@ constexpr CommandAction kStructureActions[] = {
 
 std::span<const CommandAction> structureActions() {
     return kStructureActions;
-}
-
-void runBody(Interpreter& in, std::size_t first, std::size_t last) {
-    ++in.modern.blocks;
-    run(in, first, last);
-    --in.modern.blocks;
-    if (in.state.stack.empty()) return;
-    in.report(diagnose("glib-W31", "PushMatrix without PopMatrix at the end of the block",
-                       in.state.stack.back().place));
-}
-
-std::size_t indexOf(const Interpreter& in, const Command& command) {
-    return static_cast<std::size_t>(&command - in.script->commands.data());
-}
-
-void run(Interpreter& in, std::size_t first, std::size_t last) {
-    if (in.modern.checks.areThere && first > 0)
-        in.modern.checks.bodies.insert(&in.script->commands[first - 1]);
-    for (std::size_t i = first; i < last && !in.modern.isFull;) {
-        const Command& command = in.script->commands[i];
-        if (in.scene.isModern && !countStatement(in, command)) return;
-        execute(in, command);
-        // A command that opens a block has run the block.
-        const bool opens = command.partner != Command::kNoPartner && command.partner > i;
-        const std::size_t end = opens ? command.partner : i;
-        const bool hasElse = opens && in.script->commands[end].id == CommandId::elseBranch;
-        i = (hasElse ? in.script->commands[end].partner : end) + 1;
-    }
-}
-
-int fileNumber(const Interpreter& in) {
-    const std::vector<const glib::Script*>& files = in.shared->includedOrder;
-    const auto found = std::find(files.begin(), files.end(), in.script);
-    return found == files.end() ? 0 : static_cast<int>(found - files.begin()) + 1;
-}
-
-void expectNames(Interpreter& in) {
-    for (const Command& each : in.script->commands) {
-        if (each.id == CommandId::expect) in.modern.checks.areThere = true;
-        const glib::StatementRow* row = each.isModern ? glib::statementOf(each.id) : nullptr;
-        if (row == nullptr || !row->declaresName || each.values.empty()) continue;
-        const glib::Value& name = each.values.front();
-        in.shared->environment.expect(name.path.empty() ? name.text : name.path.front().name);
-    }
-}
-
-namespace {
-
-/// Reports once that the frame is too long. Nothing more of it runs.
-bool stop(Interpreter& in, const Place& place, std::string_view what, std::size_t most) {
-    if (!std::exchange(in.modern.isFull, true))
-        in.report(diagnose("glib-E28",
-                           fmt::format("the frame has more than {} {}",
-                                       glib::groupedText(static_cast<long long>(most)), what),
-                           place));
-    return false;
-}
-
-}  // namespace
-
-bool countStatement(Interpreter& in, const Command& command) {
-    return ++in.modern.statements <= kMostStatements ||
-           stop(in, in.place(command), "statements, with repetitions", kMostStatements);
-}
-
-bool countRound(Interpreter& in, const Command& command) {
-    return ++in.modern.rounds <= kMostStatements ||
-           stop(in, in.place(command), "rounds of Repeat", kMostStatements);
-}
-
-bool countElements(Interpreter& in, const glib::Value& owner, double count) {
-    in.modern.elements += static_cast<std::size_t>(count);
-    return in.modern.elements <= kMostElements ||
-           stop(in, in.place(owner), "elements that are computed", kMostElements);
 }
 
 }  // namespace glibra::scene

@@ -206,7 +206,7 @@ class NamesOfTag {
   public:
     NamesOfTag(Interpreter& in, const glib::KeyedValues& tag, Environment::Point names,
                const glib::Script* script)
-        : file_(in, {script, in.modern.given}), before_(in) {
+        : file_(in, {script, in.around.given}), before_(in) {
         const auto hasNoNames = [](const Value& each) {
             return each.kind == Value::Kind::number || each.kind == Value::Kind::truth;
         };
@@ -302,7 +302,7 @@ UniformSetIndex uniformsOf(Interpreter& in, ProgramIndex program, std::span<cons
             fmt::format("{}\n{}{}{}", each.tag, each.mayBeUnknown, each.isChosen, each.resembles),
             keyOfObject(each.object));
     for (const std::string& each : set.lost) key.emplace_back(each + "\nlost", std::vector<double>());
-    UniformSetIndex& index = in.uniformSets[std::move(key)];
+    UniformSetIndex& index = in.made.uniformSets[std::move(key)];
     if (!index) index = in.scene.uniformSets.add(std::move(set));
     return index;
 }

@@ -16,6 +16,7 @@
 #include "glib/text.h"
 #include "scene/modern/evaluate.h"
 #include "scene/modern/modern.h"
+#include "scene/modern/texture_options.h"
 #include "scene/state.h"
 #include "scene/texture_parts.h"
 #include "scene/textures.h"
@@ -33,8 +34,6 @@ using glib::Value;
 constexpr int kLargestSide = 16'384;
 constexpr int kLargestSide3 = 2048;  ///< of a 3D texture, and the layers of an array
 constexpr std::uint64_t kLargestTexture = std::uint64_t{1} << 30U;  // bytes
-constexpr int kMostSamples = 64;
-constexpr double kMostAnisotropy = 64;
 
 /// The dimensions of a texture statement: how many sizes it states.
 struct Form {
@@ -55,127 +54,6 @@ constexpr Form kForms[] = {
     {CommandId::textureRect, TextureTarget::rectangle, 2, 2, 2},
     {CommandId::namedCubeMap, TextureTarget::cube, 1, 2, 2},
 };
-
-// ---- Options.
-
-constexpr std::pair<std::string_view, Filter> kFilters[] = {
-    {"nearest", Filter::nearest},
-    {"linear", Filter::linear},
-    {"mipmap", Filter::linearMipmapLinear},
-    {"nearest_mipmap_nearest", Filter::nearestMipmapNearest},
-    {"linear_mipmap_nearest", Filter::linearMipmapNearest},
-    {"nearest_mipmap_linear", Filter::nearestMipmapLinear},
-    {"linear_mipmap_linear", Filter::linearMipmapLinear},
-};
-constexpr std::pair<std::string_view, Wrap> kWraps[] = {
-    {"repeat", Wrap::repeat},
-    {"mirror", Wrap::mirroredRepeat},
-    {"clamp", Wrap::clampToEdge},
-    {"border", Wrap::clampToBorder},
-};
-
-template <class T, std::size_t N>
-const T* valueOfWord(const std::pair<std::string_view, T> (&rows)[N], std::string_view word) {
-    for (const auto& [name, value] : rows)
-        if (name == word) return &value;
-    return nullptr;
-}
-
-/// What stands after a texture or sampler, as far as it is given.
-struct Options {
-    std::optional<Filter> filter;
-    glib::Position filterPosition;
-    std::vector<Wrap> wraps;
-    std::optional<std::array<double, 4>> border;
-    std::optional<double> anisotropy;
-    std::optional<base::Comparison> compare;
-    glib::Position comparePosition;
-    std::optional<int> samples, levels;
-    const KeyedValues *flip = nullptr, *srgb = nullptr, *generate = nullptr, *history = nullptr;
-    const KeyedValues *samplesKey = nullptr, *levelsKey = nullptr;
-};
-
-/// The colour of a border: three or four components, or one for all of a depth texture.
-std::optional<std::array<double, 4>> borderColor(Interpreter& in, const Command& command,
-                                                 const KeyedValues& key) {
-    const auto numbers = numbersOf(in, key.values);
-    if (!numbers) return std::nullopt;
-    const std::size_t count = numbers->size();
-    if (count != 1 && count != 3 && count != 4) {
-        refuse(in, "glib-E26", command, key.position,
-               fmt::format("a border has 1, 3 or 4 components, not {}", count));
-        return std::nullopt;
-    }
-    std::array<double, 4> color{};
-    if (count == 1) color.fill(numbers->front());
-    color[3] = 1;
-    std::copy(numbers->begin(), numbers->end(), color.begin());
-    return color;
-}
-
-std::optional<Options> readOptions(Interpreter& in, const Command& command, std::size_t axes) {
-    Options options;
-    const auto integer = [&](const KeyedValues& key, int most) {
-        return integerIn(in, key.values.front(), fmt::format("{}: {}", command.word, key.key), 1, most);
-    };
-    for (const KeyedValues& key : command.keys) {
-        if (const Filter* filter = valueOfWord(kFilters, key.key)) {
-            options.filter = *filter;
-            options.filterPosition = key.position;
-        } else if (const Wrap* wrap = valueOfWord(kWraps, key.key)) {
-            if (options.wraps.size() == axes) {
-                refuse(in, "glib-E18", command, key.position,
-                       fmt::format("'{}' is one wrap mode too many; write one, or {}", key.key, axes));
-                return std::nullopt;
-            }
-            options.wraps.push_back(*wrap);
-            if (key.values.empty()) continue;
-            options.border = borderColor(in, command, key);
-            if (!options.border) return std::nullopt;
-        } else if (key.key == "aniso") {
-            options.anisotropy =
-                numberIn(in, key.values.front(), command.word + ": aniso", 1, kMostAnisotropy);
-            if (!options.anisotropy) return std::nullopt;
-        } else if (key.key == "compare") {
-            const auto test = wordOf(in, key.values.front(), glib::wordsOfFragment("compare"));
-            if (!test) return std::nullopt;
-            options.compare = static_cast<base::Comparison>(*test);
-            options.comparePosition = key.position;
-        } else if (key.key == "samples") {
-            options.samples = integer(key, kMostSamples);
-            options.samplesKey = &key;
-            if (!options.samples) return std::nullopt;
-        } else if (key.key == "levels") {
-            options.levels = integer(key, 15);
-            options.levelsKey = &key;
-            if (!options.levels) return std::nullopt;
-        } else if (key.key == "flip") {
-            options.flip = &key;
-        } else if (key.key == "srgb") {
-            options.srgb = &key;
-        } else if (key.key == "generate") {
-            options.generate = &key;
-        } else if (key.key == "history") {
-            options.history = &key;
-        }
-    }
-    if (options.wraps.size() > 1 && options.wraps.size() < axes) {
-        refuse(in, "glib-E26", command, command.position,
-               fmt::format("{} wrap modes for {} axes; write one, or {}", options.wraps.size(), axes, axes));
-        return std::nullopt;
-    }
-    return options;
-}
-
-base::SamplerState stateOf(const Options& options, base::SamplerState state) {
-    if (options.filter) state.filter = *options.filter;
-    if (options.anisotropy) state.anisotropy = *options.anisotropy;
-    if (options.border) state.border = *options.border;
-    if (options.compare) state.compare = *options.compare;
-    for (std::size_t i = 0; i < state.wrap.size() && !options.wraps.empty(); ++i)
-        state.wrap[i] = options.wraps[std::min(i, options.wraps.size() - 1)];
-    return state;
-}
 
 // ---- Formats and sizes.
 
@@ -256,14 +134,15 @@ std::uint64_t bytesOf(const Texture& texture) {
 }
 
 /// Reports `compare` of a texture without depth.
-bool mayCompare(Interpreter& in, const Command& command, const Options& options, bool isDepth) {
+bool mayCompare(Interpreter& in, const Command& command, const TextureOptions& options, bool isDepth) {
     if (!options.compare || isDepth) return true;
     refuse(in, "glib-E26", command, options.comparePosition, "only textures of depth are compared");
     return false;
 }
 
 /// Reports options that a rectangle cannot have: levels, and wrap modes that repeat.
-bool fitsRectangle(Interpreter& in, const Command& command, const Options& options, const Texture& texture) {
+bool fitsRectangle(Interpreter& in, const Command& command, const TextureOptions& options,
+                   const Texture& texture) {
     if (texture.target != TextureTarget::rectangle) return true;
     const auto deny = [&](glib::Position position, const std::string& text) {
         refuse(in, "glib-E26", command, position, text);
@@ -275,7 +154,7 @@ bool fitsRectangle(Interpreter& in, const Command& command, const Options& optio
     for (const KeyedValues* each : {options.generate, options.levelsKey})
         if (each != nullptr) return deny(each->position, fmt::format(kOneLevel, each->key));
     for (const KeyedValues& each : command.keys)
-        if (const Wrap* wrap = valueOfWord(kWraps, each.key); wrap != nullptr && repeats(*wrap))
+        if (const auto wrap = wrapNamed(each.key); wrap && repeats(*wrap))
             return deny(
                 each.position,
                 fmt::format("'{}': a rectangle does not repeat; write 'clamp' or 'border'", each.key));
@@ -283,7 +162,7 @@ bool fitsRectangle(Interpreter& in, const Command& command, const Options& optio
 }
 
 /// Checks the options of an empty texture against its format, and fills them in.
-bool applyToEmpty(Interpreter& in, const Command& command, const Options& options, Texture& texture) {
+bool applyToEmpty(Interpreter& in, const Command& command, const TextureOptions& options, Texture& texture) {
     const auto& source = std::get<EmptySource>(texture.source);
     const auto deny = [&](const KeyedValues& key, const std::string& text) {
         refuse(in, "glib-E26", command, key.position, text);
@@ -333,7 +212,8 @@ bool applyToEmpty(Interpreter& in, const Command& command, const Options& option
     return true;
 }
 
-bool applyToPicture(Interpreter& in, const Command& command, const Options& options, Texture& texture) {
+bool applyToPicture(Interpreter& in, const Command& command, const TextureOptions& options,
+                    Texture& texture) {
     const auto deny = [&](const KeyedValues* key) {
         if (key == nullptr) return true;
         refuse(in, "glib-E26", command, key->position,

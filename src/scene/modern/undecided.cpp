@@ -58,7 +58,7 @@ class WriteSearch {
   public:
     explicit WriteSearch(const Interpreter& in) : in_(in) {
         addScript(*in.script);
-        for (const glib::Script* each : in.shared->includedOrder) addScript(*each);
+        for (const glib::Script* each : in.shared->files.includedOrder) addScript(*each);
     }
 
     std::set<TextureIndex> find() {
@@ -100,7 +100,7 @@ class WriteSearch {
     /// A file that has not been read may write whatever has been declared.
     void addIncluded(const Command& command) {
         const std::string& name = command.values.front().text;
-        for (const glib::Script* each : in_.shared->includedOrder)
+        for (const glib::Script* each : in_.shared->files.includedOrder)
             if (each->path.ends_with(name)) return addRange(*each, 0, each->commands.size());
         for (const TextureIndex each : in_.scene.textures.indices()) found_.insert(each);
     }
@@ -158,7 +158,7 @@ std::set<TextureIndex> undecidedWrites(const Interpreter& in) {
     const auto hasChoice = [&](const glib::Script* script) {
         return std::any_of(script->commands.begin(), script->commands.end(), isChoice);
     };
-    const std::vector<const glib::Script*>& included = in.shared->includedOrder;
+    const std::vector<const glib::Script*>& included = in.shared->files.includedOrder;
     if (in.modern.untaken.empty() && !hasChoice(in.script) &&
         std::none_of(included.begin(), included.end(), hasChoice))
         return {};  // as in most frames

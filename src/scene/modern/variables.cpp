@@ -23,8 +23,6 @@ using glib::Command;
 using glib::CommandId;
 using glib::Value;
 
-constexpr int kMostVariableElements = 65'536;
-
 /// The value that the run gives a variable in place of the scene's, if it has as many components.
 const std::vector<double>* chosenValue(Interpreter& in, const std::string& name, std::size_t components) {
     const auto chosen = in.inputs.variables.find(name);
@@ -222,7 +220,7 @@ class NamesWithArray final : public expression::Names {
 std::optional<expression::Type> typeOfElements(Interpreter& in, const std::string& name, const Value& value,
                                                std::size_t elements) {
     const Environment& environment = in.shared->environment;
-    auto& foundSoFar = in.shared->arrayTypes[writtenAt(in, value)];
+    auto& foundSoFar = in.shared->computed.arrayTypes[writtenAt(in, value)];
     if (const auto* known = foundSoFar.find(environment)) return *known;
     const NotedNames noted(environment);
     std::optional<expression::Type> type;
@@ -281,7 +279,7 @@ void runLet(Interpreter& in, const Command& command) {
     const Value& value = command.values[1];
     const std::string name = target.path.empty() ? target.text : target.path.front().name;
     const bool isArray = !target.path.empty() && !target.path.front().index.empty();
-    const expression::Value* const given = in.modern.given ? find(*in.modern.given, name) : nullptr;
+    const expression::Value* const given = in.around.given ? find(*in.around.given, name) : nullptr;
     const bool isGiven = given != nullptr;
     const bool isRule = value.kind == Value::Kind::list && !value.count.empty();
     const bool isComputed = value.kind == Value::Kind::expression || isRule || isGiven;
@@ -362,7 +360,7 @@ void doLet(Interpreter& in, const Command& command) {
     Environment& names = in.shared->environment;
     const expression::Symbol* const symbol = names.lookUpInScene(name);
     if (symbol == nullptr) return;
-    names.addDepends(symbol->slot, own.depends() | in.modern.conditions);
+    names.addDepends(symbol->slot, own.depends() | in.around.conditions);
     showVariable(in, command, name);
 }
 
@@ -394,87 +392,6 @@ constexpr CommandAction kVariableActions[] = {
 
 std::span<const CommandAction> variableActions() {
     return kVariableActions;
-}
-
-std::optional<expression::Value> constantOf(Interpreter& in, std::span<const Value> values) {
-    if (values.size() == 1 && values[0].kind == Value::Kind::expression) return evaluate(in, values[0]);
-    const auto numbers = numbersOf(in, values);
-    if (!numbers || numbers->empty()) return std::nullopt;
-    expression::Value value;
-    if (numbers->size() > 4) {
-        in.report(diagnose(
-            "glib-E26", fmt::format("{} numbers are not a value here; write an expression", numbers->size()),
-            in.place(values.front())));
-        return std::nullopt;
-    }
-    value.type = values[0].kind == Value::Kind::truth ? expression::Type::boolean()
-                                                      : expression::Type::vector(numbers->size());
-    std::copy(numbers->begin(), numbers->end(), value.components.begin());
-    return value;
-}
-
-std::optional<std::vector<double>> listOf(Interpreter& in, const Value& list) {
-    if (list.count.empty()) return numbersOf(in, {&list, 1});
-    const auto count = integerIn(in, list.count.front(), "the number of elements", 1, kMostVariableElements);
-    if (!count || !countElements(in, list, *count)) return std::nullopt;
-    constexpr double kMostComponents = 16.0 * kMostVariableElements;
-    return elementsOf(in, list, list.items, *count, kMostComponents);
-}
-
-expression::Symbol counterSymbol() {
-    expression::Symbol symbol;
-    symbol.depends = expression::Depends::counter;
-    return symbol;
-}
-
-std::optional<std::vector<double>> elementsOf(Interpreter& in, const Value& owner,
-                                              std::span<const Value> element, int count, double most) {
-    const InnerNames inner(in);
-    Environment& names = in.shared->environment;
-    const Environment::Slot counter = names.bind("i", counterSymbol());
-    std::optional<std::vector<double>> all(std::in_place);
-    for (double i = 0; i < count && all; ++i) {
-        names.setNumber(counter, i);
-        const auto numbers = numbersOf(in, element);
-        if (!numbers) {
-            all.reset();
-        } else if (static_cast<double>(numbers->size()) * count > most) {
-            in.report(diagnose(
-                "glib-E15",
-                fmt::format("{} elements of {} numbers; the limit is {} numbers", glib::groupedText(count),
-                            numbers->size(), glib::groupedText(static_cast<long long>(most))),
-                in.place(owner)));
-            all.reset();
-        } else {
-            all->insert(all->end(), numbers->begin(), numbers->end());
-        }
-    }
-    return all;
-}
-
-std::optional<ProgramIndex> programNamed(Interpreter& in, const Value& name, bool isCompute) {
-    const auto computes = [&](ProgramIndex program) {
-        return in.scene.programs[program].hasStage(glsl::Stage::compute);
-    };
-    const auto refuse = [&](std::string text) {
-        in.report(diagnose("glib-E27", std::move(text), in.place(name)));
-        return std::nullopt;
-    };
-    auto known = in.modern.programs.find(name.text);
-    if (known == in.modern.programs.end()) known = in.modern.programs.find(wordBehind(in, name.text));
-    if (known == in.modern.programs.end()) {
-        if (isLost(in, name.text)) return std::nullopt;
-        std::vector<std::string_view> names;
-        for (const auto& [each, program] : in.modern.programs)
-            if (computes(program) == isCompute) names.push_back(each);
-        return refuse(fmt::format("no program '{}' is declared before this line{}", name.text,
-                                  base::suggestion(name.text, names)));
-    }
-    if (computes(known->second) == isCompute) return known->second;
-    return refuse(isCompute ? fmt::format("program '{}' has no compute stage; write Compute before its "
-                                          "Program statement, because a stage is for one program alone",
-                                          name.text)
-                            : fmt::format("program '{}' has a compute stage; Dispatch runs it", name.text));
 }
 
 }  // namespace glibra::scene

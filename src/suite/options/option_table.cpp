@@ -62,7 +62,7 @@ using Options = RenderOptions;
 constexpr OptionRow kRows[] = {
     {"size", "size", SizeValue{kTo<&Options::width>, kTo<&Options::height>, kLargestPictureSide},
      "size of the picture in pixels instead of the scene's WindowSize"},
-    {"time", "time", TimeValue{kTo<&Options::time>, -1e9, 1e9}, "seconds since the start of the scene"},
+    {"time", "time", TimeValue{{kTo<&Options::time>, -1e9, 1e9}}, "seconds since the start of the scene"},
     {.name = "steps",
      .key = "steps",
      .value = WholeValue{kTo<&Options::steps>, 0, 1'000'000'000},
@@ -76,7 +76,7 @@ constexpr OptionRow kRows[] = {
      .value = oneOf<&Options::view>(kViewWords),
      .help = "auto moves the eye out of the objects of the scene, glman leaves it where it is",
      .former = "view"},
-    {"samples", "samples", WholeValue{kTo<&Options::samples>, 1, 64}, "samples per pixel"},
+    {"samples", "samples", WholeValue{kTo<&Options::samples>, 1, kMostSamples}, "samples per pixel"},
     {.name = "max-error",
      .key = "max-error",
      .value = NumberValue{kTo<&Options::maxError>, kLeastMaxError, kLargestMaxError, "px"},

@@ -1,7 +1,12 @@
 #pragma once
 // The options of a picture, one row each. The command line of `glibra render`, the suite reader, the command
-// that reproduces a shot, the window's suite shot and the documentation all read these rows. To add an
-// option, add its member to RenderOptions (or Shot) and its row here.
+// that reproduces a shot, the window's suite shot, the digests of suites and the documentation all read these
+// rows. To add an option, add its member to RenderOptions (or Shot) and its row here.
+//
+// Three things cannot be read from a row. The members are declared by hand, because include/glibra/render.h
+// describes them to users of the library. What an option means for a single frame, for load() and for small
+// pictures of probes depends on what it does: src/library/renderer.cpp and src/render/probe/probe_options.cpp
+// say it. docs/suites.md explains keys in the words of suites, and a test compares which keys it has.
 
 #include <glibra/render.h>
 
@@ -28,6 +33,8 @@ struct ShotMember {
 
 // The kinds of value.
 
+inline constexpr int kMostSamples = 64;  ///< per pixel
+
 /// True or false. `whenGiven` is the value that the option stands for on the command line.
 struct FlagValue {
     ShotMember<bool> member;
@@ -44,10 +51,7 @@ struct NumberValue {
     std::string_view unit{};
 };
 /// Seconds. A suite may state a list, which makes one shot per time.
-struct TimeValue {
-    ShotMember<double> member;
-    double least, most;
-};
+struct TimeValue : NumberValue {};
 /// Width and height in pixels, 1 to `most` each; 0 and 0 if nothing is stated.
 struct SizeValue {
     ShotMember<int> width, height;

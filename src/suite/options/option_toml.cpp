@@ -34,7 +34,6 @@ struct TomlWriter {
     std::string operator()(const NumberValue& number) const {
         return fmt::format("{}", number.member.get(shot));
     }
-    std::string operator()(const TimeValue& time) const { return fmt::format("{}", time.member.get(shot)); }
     std::string operator()(const SizeValue& size) const {
         return fmt::format("[{}, {}]", size.width.get(shot), size.height.get(shot));
     }

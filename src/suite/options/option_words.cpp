@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
@@ -80,12 +79,6 @@ struct TextReader {
         number.member.edit(shot) = *value;
         return {};
     }
-    std::string operator()(const TimeValue& time) const {
-        const auto value = numberOf<double>(text);
-        if (!value || !(*value >= time.least && *value <= time.most)) return "a number from " + limits(row);
-        time.member.edit(shot) = *value;
-        return {};
-    }
     std::string operator()(const SizeValue& size) const {
         const std::size_t x = text.find('x');
         const auto width = numberOf<int>(text.substr(0, x));
@@ -158,9 +151,6 @@ struct TextWriter {
     }
     std::vector<std::string> operator()(const NumberValue& number) const {
         return {fmt::format("{}{}", number.member.get(shot), number.unit)};
-    }
-    std::vector<std::string> operator()(const TimeValue& time) const {
-        return {fmt::format("{}", time.member.get(shot))};
     }
     std::vector<std::string> operator()(const SizeValue& size) const {
         return {fmt::format("{}x{}", size.width.get(shot), size.height.get(shot))};
@@ -236,17 +226,6 @@ std::string optionArguments(const Shot& shot) {
     for (const OptionRow& row : optionTable())
         for (const std::string& word : optionWords(row, shot)) text += " " + shellWord(word);
     return text;
-}
-
-std::string shellWord(std::string_view text) {
-    const auto isPlain = [](unsigned char c) {
-        return std::isalnum(c) != 0 ||
-               std::string_view("_-+=./,:@%").find(static_cast<char>(c)) != std::string_view::npos;
-    };
-    if (!text.empty() && std::all_of(text.begin(), text.end(), isPlain)) return std::string(text);
-    std::string quoted = "'";
-    for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return quoted + "'";
 }
 
 }  // namespace glibra::suite

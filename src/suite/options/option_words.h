@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/shell_word.h"
 #include "suite/options/option_table.h"
 
 namespace glibra::suite {
@@ -29,7 +30,6 @@ inline constexpr std::string_view kMemoryForm = "a size from 64M, as 512M or 2G,
 /// The shortest text that parseMemory() reads as these bytes.
 std::string memoryText(std::uint64_t bytes);
 
-/// As one word of a POSIX shell; quoted only where it has to be.
-std::string shellWord(std::string_view text);
+using base::shellWord;
 
 }  // namespace glibra::suite

@@ -14,6 +14,7 @@
 #include "suite/golden/hash.h"
 #include "suite/golden/hash_key.h"
 #include "suite/golden/ignored.h"
+#include "suite/options/option_toml.h"
 #include "suite/options/option_words.h"
 
 namespace glibra::suite {
@@ -37,7 +38,7 @@ std::vector<ShotReference> partnersOf(std::span<const Suite> suites, const ShotR
 std::string settingsOf(const Shot& shot) {
     std::string text =
         fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}", shot.script.string(), optionArguments(shot),
-                    shot.options.floatPixels, shot.golden, shot.match, shot.differ, toText(shot.tolerance));
+                    optionLines(shot, "."), shot.golden, shot.match, shot.differ, toText(shot.tolerance));
     text += judgedBy(shot);
     if (shot.expectedError)
         text += fmt::format("\n{}\n{}\n{}", shot.expectedError->id, shot.expectedError->text,

@@ -8,6 +8,7 @@
 
 #include "suite/golden/golden_store.h"
 #include "suite/golden/hash.h"
+#include "suite/options/option_toml.h"
 #include "suite/options/option_words.h"
 #include "suite/run/read_inputs.h"
 
@@ -32,7 +33,7 @@ std::string portableSettingsOf(const Shot& shot) {
     portable.script.clear();
     portable.options.libraryRoots.clear();
     std::string text = fmt::format("{}\n{}\n{} {}\n{}\n{}\n{}\n{}", shot.name, optionArguments(portable),
-                                   shot.options.floatPixels, shot.golden, shot.match, shot.differ,
+                                   optionLines(portable, "."), shot.golden, shot.match, shot.differ,
                                    toText(shot.tolerance), shot.timeout);
     // Shards on both sides of a midnight belong together, so dates count and not whether they are over.
     text += fmt::format("\n{} {} {} {}", shot.statesTolerance, shot.retries, shot.quarantine,

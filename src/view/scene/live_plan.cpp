@@ -36,7 +36,7 @@ bool LiveScene::State::moveTo(const scene::FrameInputs& wanted, Diagnostics& dia
 }
 
 Diagnostics LiveScene::State::makePlan(bool variablesDiffer) {
-    plan::PlanOptions planOptions = driverOptions();
+    plan::PlanOptions planOptions = render::planOptionsOf(context.capabilities());
     planOptions.shareTargets = !keepsTextures;
     planOptions.reportsNames = !hasBlocks();
     plan = planList(scene.frame, planOptions);
@@ -53,7 +53,7 @@ Diagnostics LiveScene::State::makePlan(bool variablesDiffer) {
     }
     const auto findBounds = [&] {
         for (const plan::PlannedMesh& each : plan.meshes)
-            device.bounds(each.shape, hasTangents(each), &diagnostics);
+            device.meshes().bounds(each.shape, hasTangents(each), &diagnostics);
     };
     findBounds();
     append(diagnostics, device.prepare(plan, programs));

@@ -248,25 +248,25 @@ const render::VertexBox* LiveScene::boxOf(const plan::PlannedDraw& draw) {
     const plan::PlannedMesh& mesh = state.plan.meshes[draw.mesh];
     const plan::ProgramVariant& variant = state.plan.programs[draw.program].variant;
     if (state.programs.placementOf(variant) == glsl::Placement::unknown) return nullptr;
-    const render::VertexBox& box = state.device.bounds(mesh.shape, hasTangents(mesh), nullptr);
+    const render::VertexBox& box = state.device.meshes().bounds(mesh.shape, hasTangents(mesh), nullptr);
     return box.isKnown ? &box : nullptr;
 }
 const geometry::Mesh* LiveScene::meshOf(const plan::PlannedDraw& draw) {
     const plan::PlannedMesh& planned = state_->plan.meshes[draw.mesh];
     Diagnostics alreadyReported;
-    return state_->device.mesh(planned.shape, hasTangents(planned), &alreadyReported);
+    return state_->device.meshes().mesh(planned.shape, hasTangents(planned), &alreadyReported);
 }
 const render::DeviceMesh* LiveScene::deviceMeshOf(const plan::PlannedDraw& draw) const {
-    return state_->device.deviceMesh(state_->plan, draw.mesh);
+    return state_->device.meshes().onDevice(state_->plan, draw.mesh);
 }
 const gpu::Texture* LiveScene::texture(scene::TextureIndex index) const {
-    return state_->device.texture(index);
+    return state_->device.textures().texture(index);
 }
 const gpu::Texture* LiveScene::completed(scene::TextureIndex index, bool isPrevious) {
-    return state_->device.completed({.texture = index, .isPrevious = isPrevious});
+    return state_->device.textures().completed({.texture = index, .isPrevious = isPrevious});
 }
 Result<image::Image> LiveScene::imageOf(const scene::TextureView& view) {
-    return state_->device.imageOf(view);
+    return state_->device.textures().imageOf(view);
 }
 const render::DeviceScene& LiveScene::device() const {
     return state_->device;

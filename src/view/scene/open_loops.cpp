@@ -1,11 +1,12 @@
 #include "view/scene/open_loops.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstddef>
 #include <map>
 #include <string_view>
 #include <utility>
+
+#include "base/text.h"
 
 namespace glibra::view {
 namespace {
@@ -15,7 +16,7 @@ constexpr double kManyRounds = 20'000;
 /// Calls `use(word, offset)` for each word of a GLSL text outside of comments and directives.
 template <class Use>
 void forEachWord(std::string_view text, const Use& use) {
-    const auto isOfWord = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+    const auto isOfWord = base::isOfName;
     bool isNewLine = true;
     for (std::size_t i = 0; i < text.size();) {
         const std::string_view rest = text.substr(i);

@@ -1,10 +1,10 @@
 #include "view/window/panels/code_drawing.h"
 
 #include <algorithm>
-#include <cctype>
 #include <string>
 #include <utility>
 
+#include "base/text.h"
 #include "view/window/panels/syntax_colors.h"
 #include "view/window/platform/theme.h"
 
@@ -21,10 +21,7 @@ std::string_view lineText(std::string_view text, const LineStarts& starts, int l
 /// The word at the place that a message names, or one character.
 TextRange markedPart(std::string_view line, int column) {
     const auto first = std::min(static_cast<std::size_t>(std::max(1, column)) - 1, line.size());
-    const auto isOfWord = [&](std::size_t at) {
-        return at < line.size() &&
-               (std::isalnum(static_cast<unsigned char>(line[at])) != 0 || line[at] == '_');
-    };
+    const auto isOfWord = [&](std::size_t at) { return at < line.size() && base::isOfName(line[at]); };
     std::size_t end = first;
     while (isOfWord(end)) ++end;
     return {first, std::max(end, first + 1)};

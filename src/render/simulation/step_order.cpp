@@ -5,12 +5,12 @@
 #include <optional>
 #include <vector>
 
-#include "render/draw/simulation.h"
+#include "render/simulation/simulation.h"
 
 namespace glibra::render {
 namespace {
 
-constexpr std::int64_t kMostSteps = std::int64_t{1} << 62;
+constexpr std::int64_t kLastStep = std::int64_t{1} << 62;
 
 /// When a step is due, times the rates of both: exact for the rates and ticks of real scenes.
 bool isEarlier(std::span<const double> rates, const StepNumber& a, const StepNumber& b) {
@@ -24,7 +24,7 @@ bool isEarlier(std::span<const double> rates, const StepNumber& a, const StepNum
 std::int64_t stepsAt(double time, double rate) {
     const double steps = std::floor(std::fma(time, rate, 0x1p-20));
     if (!(steps > 0)) return 0;
-    return steps < static_cast<double>(kMostSteps) ? static_cast<std::int64_t>(steps) : kMostSteps;
+    return steps < static_cast<double>(kLastStep) ? static_cast<std::int64_t>(steps) : kLastStep;
 }
 
 void inOrderOfTime(std::span<const double> rates, std::span<const std::int64_t> from,

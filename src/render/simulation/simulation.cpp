@@ -1,4 +1,4 @@
-#include "render/draw/simulation.h"
+#include "render/simulation/simulation.h"
 
 #include <fmt/format.h>
 
@@ -8,18 +8,13 @@
 
 #include "glib/number.h"
 #include "plan/accesses.h"
-#include "render/draw/simulation_checks.h"
 #include "render/draw/view_matrices.h"
-#include "scene/view.h"
+#include "render/simulation/block_checks.h"
 
 namespace glibra::render {
 namespace {
 
 constexpr std::int64_t kVeryMany = std::int64_t{1} << 62;
-
-bool hasObject(const std::vector<scene::ObjectView>& list, const scene::ObjectView& object) {
-    return std::any_of(list.begin(), list.end(), [&](const auto& each) { return each == object; });
-}
 
 /// True if the list has the object, whole or a part of it.
 bool writes(const std::vector<scene::ObjectView>& list, const scene::ObjectView& object) {
@@ -31,59 +26,6 @@ bool writes(const std::vector<scene::ObjectView>& list, const scene::ObjectView&
 bool isSame(const std::vector<double>& a, const std::vector<double>& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                       [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); });
-}
-
-void addReads(const plan::FramePlan& plan, std::vector<scene::ObjectView>& roots) {
-    for (std::size_t i = 0; i < plan.order.size(); ++i)
-        for (const plan::ObjectUse& each : usesOf(plan, i))
-            if (each.reads && !hasObject(roots, each.object)) roots.push_back(each.object);
-}
-
-/// Calls `visit` with each draw of the plan that covers its target and reads the camera.
-template <class Visit>
-void visitFills(const plan::FramePlan& plan, Visit&& visit) {
-    for (const plan::PlannedPass& pass : plan.passes)
-        for (const auto& step : pass.steps)
-            if (const auto* draw = std::get_if<plan::PlannedDraw>(&step);
-                draw != nullptr && std::holds_alternative<scene::ClipSpace>(plan.drawOf(*draw).projection) &&
-                plan::readsCamera(plan.programs[draw->program]))
-                visit(*draw);
-}
-
-/// True if a uniform reads a variable by its name that changes with time.
-bool readsTimedVariable(const plan::FramePlan& plan) {
-    const auto& all = plan.programs;
-    return std::any_of(all.begin(), all.end(), [](const auto& each) { return !each.timed.empty(); });
-}
-
-bool readsCamera(const plan::FramePlan& plan) {
-    bool reads = false;
-    visitFills(plan, [&](const plan::PlannedDraw&) { reads = true; });
-    return reads;
-}
-
-/// The matrices that the Fill statements of a block read, as the scene has them now.
-void addCameras(const plan::FramePlan& plan, const scene::NodeList& now, std::vector<double>& to) {
-    visitFills(plan, [&](const plan::PlannedDraw& planned) {
-        const auto [pass, step] = planned.step;
-        if (pass >= now.passes.size() || step >= now.passes[pass].steps.size()) return;
-        const auto* draw = std::get_if<scene::Draw>(&now.passes[pass].steps[step]);
-        const auto* space = draw != nullptr ? std::get_if<scene::ClipSpace>(&draw->projection) : nullptr;
-        if (space == nullptr) return;
-        scene::Projection projection;
-        std::visit([&](const auto& each) { projection = each; }, space->projection);
-        for (const glm::dmat4& matrix : {space->view, scene::projectionMatrix(projection, 1)})
-            to.insert(to.end(), &matrix[0][0], &matrix[0][0] + 16);
-    });
-}
-
-std::vector<scene::ObjectView> allObjects(const scene::Scene& scene) {
-    std::vector<scene::ObjectView> objects;
-    for (const scene::TextureIndex each : scene.textures.indices())
-        objects.emplace_back(scene::TextureView{.texture = each});
-    for (const scene::BufferIndex each : scene.buffers.indices())
-        objects.emplace_back(scene::BufferView{each});
-    return objects;
 }
 
 }  // namespace
@@ -195,22 +137,22 @@ Diagnostics Simulation::planAll() {
 }
 
 void Simulation::noteWrites(Block& block) {
-    for (std::size_t node = 0; node < block.plan.order.size(); ++node)
-        for (const plan::ObjectUse& each : usesOf(block.plan, node)) {
+    for (const plan::NodeAccess& node : block.plan.accesses)
+        for (const plan::ObjectUse& each : node.uses) {
             if (each.writes && !writes(block.written, each.object)) block.written.push_back(each.object);
             const bool isKnown = std::any_of(lasting_.begin(), lasting_.end(), [&](const Lasting& known) {
                 return plan::objectOf(known.object) == plan::objectOf(each.object);
             });
             if (!each.writes || isKnown) continue;
             lasting_.push_back({each.object, block.place, block.isOnce ? "Once" : "Step"});
-            parts_.device.setLasting(plan::objectOf(each.object));
+            parts_.device.state(plan::objectOf(each.object)).setLasting();
         }
 }
 
 Diagnostics Simulation::check(const plan::FramePlan& frame) const {
     Diagnostics diagnostics;
     for (std::size_t node = 0; node < frame.order.size(); ++node)
-        for (const plan::ObjectUse& each : usesOf(frame, node)) {
+        for (const plan::ObjectUse& each : frame.accesses[node].uses) {
             if (!each.writes) continue;
             const auto lasts = std::find_if(lasting_.begin(), lasting_.end(), [&](const Lasting& known) {
                 return plan::objectOf(known.object) == plan::objectOf(each.object);
@@ -221,7 +163,7 @@ Diagnostics Simulation::check(const plan::FramePlan& frame) const {
                          fmt::format("'{}' lasts, because {} writes it (line {}), so the frame may only read "
                                      "it; write it in Step",
                                      nameOf(parts_.scene, each.object), lasts->word, lasts->place.line),
-                         nodePlaceOf(frame, frame.order[node])));
+                         frame.placeOf(frame.order[node])));
             return diagnostics;
         }
     return diagnostics;
@@ -315,7 +257,8 @@ void Simulation::changeValues(
 
 void Simulation::takeOver(Simulation& previous) {
     if (!previous.hasRun_ || previous.done_.size() != done_.size()) return;
-    for (const Lasting& each : lasting_) parts_.device.takeOver(previous.parts_.device, each.object);
+    for (const Lasting& each : lasting_)
+        parts_.device.takeOver(previous.parts_.device, plan::objectOf(each.object));
     done_ = previous.done_;
     for (std::size_t i = 0; i < steps_.size(); ++i) {
         steps_[i]->resets = previous.steps_[i]->resets;
@@ -363,7 +306,7 @@ Diagnostics Simulation::advance(const scene::FrameInputs& inputs) {
     inOrderOfTime(rates, done_, to, [&](const StepNumber& step) {
         if (steps_[step.block]->dependsOnTick && !frame) {
             frame = std::exchange(parts_.scene, {});
-            parts_.device.forgetShapes();
+            parts_.device.meshes().forgetShapes();
         }
         if (Block& block = *steps_[step.block];
             !block.dependsOnTick && hasOtherResets(block, resets[step.block]))
@@ -375,7 +318,7 @@ Diagnostics Simulation::advance(const scene::FrameInputs& inputs) {
     closeDrawer();
     if (frame) {
         parts_.scene = std::move(*frame);
-        parts_.device.forgetShapes();
+        parts_.device.meshes().forgetShapes();
     }
     if (hasError(diagnostics))
         hasRun_ = false;
@@ -395,8 +338,8 @@ Diagnostics Simulation::restart(bool plansAgain) {
         each->firstTick = 0;
     }
     for (const Lasting& each : lasting_)
-        if (parts_.device.hasBeenWritten(plan::objectOf(each.object)))
-            append(diagnostics, parts_.device.reset(each.object));
+        if (parts_.device.state(plan::objectOf(each.object)).isWritten)
+            append(diagnostics, parts_.device.reset(plan::objectOf(each.object)));
     for (const auto& block : once_) {
         if ((plansAgain || std::exchange(block->isOfStep, false)) && block->index < parts_.scene.once.size())
             append(diagnostics, planAgain(*block, parts_.scene.once[block->index].nodes));
@@ -432,8 +375,8 @@ Diagnostics Simulation::beginAnew(Block& step, std::int64_t tick) {
     for (const scene::ObjectView& each : objects) {
         if (writes(done, each)) continue;
         done.push_back(each);
-        if (parts_.device.hasBeenWritten(plan::objectOf(each)))
-            append(diagnostics, parts_.device.reset(each));
+        if (parts_.device.state(plan::objectOf(each)).isWritten)
+            append(diagnostics, parts_.device.reset(plan::objectOf(each)));
     }
     for (const auto& each : once_) {
         if (!runs[each->index] || each->index >= parts_.scene.once.size() || hasError(diagnostics)) continue;

@@ -1,0 +1,194 @@
+#include "plan/draw_remarks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "base/suggest.h"
+#include "plan/accesses.h"
+#include "plan/fragment_outputs.h"
+#include "plan/needs.h"
+#include "plan/submission.h"
+#include "plan/texture_binding.h"
+#include "plan/uniform_names.h"
+#include "scene/primitives.h"
+
+namespace glibra::plan {
+
+void DrawRemarks::report(const Diagnostic& diagnostic) {
+    if (reported_
+            .emplace(diagnostic.id, diagnostic.text, diagnostic.place.file, diagnostic.place.line,
+                     diagnostic.place.column)
+            .second)
+        plan_.diagnostics.push_back(diagnostic);
+}
+
+void DrawRemarks::missingStage(const scene::Draw& draw, const ProgramInterface& interface) {
+    const std::optional<std::string>& color = interface.facts.suppliedColor;
+    const bool isGuess = color && *color != "gl_FrontColor";
+    if (!draw.program || !(usesBuiltin(scene_, draw) || isGuess) || !incomplete_.insert(draw.program).second)
+        return;
+    const scene::Program& program = *programs_.declared(draw.program);
+    const bool hasVertex = program.hasStage(glsl::Stage::vertex);
+    const bool hasFragment = program.hasStage(glsl::Stage::fragment);
+    const char* missing = hasVertex     ? "no fragment stage"
+                          : hasFragment ? "no vertex stage"
+                                        : "no vertex and no fragment stage";
+    const std::string used = !isGuess         ? "a flat colour"
+                             : color->empty() ? "the current colour"
+                                              : fmt::format("its output '{}'", *color);
+    report(diagnose("draw-W01",
+                    fmt::format("Program '{}' has {}; {} is used{}", program.name, missing, used,
+                                hasVertex || hasFragment || !scene_.hasStages
+                                    ? ""
+                                    : "; the statements Vertex and Fragment stand before their Program"),
+                    draw.place));
+}
+
+void DrawRemarks::ofDraw(const scene::Draw& draw, PlannedProgramIndex index, const scene::Program* program,
+                         const Submission& submission, const std::vector<TextureUse>& uses) {
+    emptySlots(draw.place, index, uses);
+    hazards(draw.word, draw.place, index, uses);
+    reportUnknownInputs(draw, index);
+    reportUnreadAttributes(draw, index);
+    if (ignoresPointSize(draw, program, *programs_[index].interface, submission))
+        reportIgnoredPointSize(draw, index, *program);
+}
+
+void DrawRemarks::warnOnce(const Place& place, PlannedProgramIndex index, const char* id,
+                           const std::string& text, std::string subject, std::string suggestion) {
+    if (remarks_.emplace(programs_[index].variant.program, id, text).second)
+        report(about(diagnose(id, text, place), std::move(subject), std::move(suggestion)));
+}
+
+void DrawRemarks::hazards(const std::string& word, const Place& place, PlannedProgramIndex index,
+                          const std::vector<TextureUse>& uses) {
+    for (const Diagnostic& each : readsOfWritten(scene_, programs_[index], uses, word, place)) report(each);
+}
+
+void DrawRemarks::emptySlots(const Place& place, PlannedProgramIndex index,
+                             const std::vector<TextureUse>& uses) {
+    for (std::size_t i = 0; i < uses.size(); ++i) {
+        if (uses[i].view.texture || uses[i].buffer.buffer ||
+            programs_.state(index).units.at(i).binding.isLost)
+            continue;
+        const ActiveUniform& sampler = at(programs_[index].interface->uniforms, uses[i].uniform);
+        const int unit = programs_.state(index).units.at(i).binding.unit;
+        const std::string slot = sampler.type.target ? slotText(unit, *sampler.type.target)
+                                                     : fmt::format("{} / {}", unit, sampler.type.word);
+        warnOnce(place, index, "draw-W02",
+                 fmt::format("{} '{}' reads unit {}, which is empty", uses[i].isImage ? "image" : "sampler",
+                             sampler.name, slot),
+                 // Known only where the warning may follow from glib-W37, which says "it reads unit 0".
+                 !uses[i].isImage && unit == 0 ? sampler.name : std::string());
+    }
+}
+
+void DrawRemarks::unwritten(const scene::Draw& draw, const scene::Pass& pass, PlannedProgramIndex index,
+                            const std::bitset<base::kRasterTargets>& unwritten) {
+    const std::string& name = programs_.declared(programs_[index].variant.program)->name;
+    if (programs_[index].interface->outputs.empty()) {
+        return warnOnce(draw.place, index, "draw-W10",
+                        fmt::format("the fragment stage of program '{}' has no output, so the draw leaves "
+                                    "the colours as they are; write 'State write none' if that is meant",
+                                    name));
+    }
+    for (std::size_t target = 0; target < unwritten.size(); ++target)
+        if (unwritten[target])
+            warnOnce(draw.place, index, "draw-W10",
+                     fmt::format("program '{}' has no output for {}, so the draw leaves it as it is; "
+                                 "declare 'layout(location = {}) out vec4 ...' in the fragment stage",
+                                 name, describeTarget(scene_, pass, target), target));
+}
+
+void DrawRemarks::layers(const scene::Draw& draw, const scene::Pass& pass, PlannedProgramIndex index) {
+    if (programs_[index].interface->facts.writesLayer) return;
+    const std::optional<LayeredTarget> target = layeredTarget(scene_, pass);
+    if (!target) return;
+    warnOnce(draw.place, index, "draw-W14",
+             fmt::format("'{}' has {} {}, but only {} 0 is drawn into: name one, such as '{}.{}(0)', or "
+                         "write gl_Layer in a geometry stage",
+                         target->name, target->count, target->isCube ? "faces" : "layers",
+                         target->isCube ? "face" : "layer", target->name, target->isCube ? "face" : "layer"));
+}
+
+bool DrawRemarks::suppliesIfModern(const ActiveInput& input) const {
+    return !scene_.isModern && glsl::findWellKnownInput(input.name, input.type.word) != nullptr;
+}
+
+DrawRemarks::InputHint DrawRemarks::hintForInput(const scene::Draw& draw, const ProgramInterface& interface,
+                                                 const ActiveInput& input) const {
+    if (suppliesIfModern(input)) return {"; scenes with a Camera or another modern statement supply it", {}};
+    if (!scene_.isModern) return {};
+    const std::string name = userNameOf(interface, input.name);
+    const auto isFed = [&](std::string_view attribute) {
+        return std::any_of(interface.inputs.begin(), interface.inputs.end(), [&](const ActiveInput& each) {
+            return userNameOf(interface, each.name) == attribute;
+        });
+    };
+    std::vector<std::string_view> names;
+    if (draw.attributes)
+        for (const scene::AttributeBinding& each : scene_.attributeSets[draw.attributes].bindings)
+            if (!isFed(each.name)) names.emplace_back(each.name);
+    if (const std::string own = base::nearestName(name, names, 1); !own.empty())
+        return {fmt::format("; did you mean the attribute '{}'?", own), own};
+    names.clear();
+    for (const glsl::WellKnownInput& each : glsl::wellKnownInputs())
+        if (glsl::findWellKnownInput(each.name, input.type.word) != nullptr) names.push_back(each.name);
+    std::string near = base::nearestName(name, names, 1);
+    if (near.empty()) return {};
+    return {fmt::format("; did you mean '{}'?", near), near};
+}
+
+void DrawRemarks::reportUnknownInputs(const scene::Draw& draw, PlannedProgramIndex index) {
+    const ProgramInterface& interface = *programs_[index].interface;
+    const scene::Shape& shape = scene_.shapes[draw.shape];
+    const std::vector<InputSource>& sources = plan_.inputs[programs_.inputsOf(draw, index)].sources;
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+        const std::string name = userNameOf(interface, interface.inputs[i].name);
+        const bool isOfList = shape.list != nullptr && shape.list->attribute(name) != nullptr;
+        if (sources[i].isKnown || isOfList || isInternalName(name)) continue;
+        const InputHint hint = hintForInput(draw, interface, interface.inputs[i]);
+        warnOnce(draw.place, index, "draw-W03",
+                 fmt::format("vertex input '{}' is not supplied; it reads 0 0 0 1{}", name, hint.text), name,
+                 hint.suggestion);
+    }
+}
+
+void DrawRemarks::reportUnreadAttributes(const scene::Draw& draw, PlannedProgramIndex index) {
+    if (!draw.attributes) return;
+    const ProgramInterface& interface = *programs_[index].interface;
+    const auto& bindings = scene_.attributeSets[draw.attributes].bindings;
+    const std::vector<InputSource>& sources = plan_.inputs[programs_.inputsOf(draw, index)].sources;
+    std::vector<std::string> inputs;
+    for (const ActiveInput& each : interface.inputs) inputs.push_back(userNameOf(interface, each.name));
+    std::vector<std::string_view> free;  // what is not supplied at all is draw-W03
+    for (std::size_t i = 0; i < inputs.size(); ++i)
+        if (sources[i].isKnown && std::none_of(bindings.begin(), bindings.end(),
+                                               [&](const auto& each) { return each.name == inputs[i]; }))
+            free.emplace_back(inputs[i]);
+    for (const scene::AttributeBinding& each : bindings) {
+        if (std::find(inputs.begin(), inputs.end(), each.name) != inputs.end()) continue;
+        if (const std::string near = base::nearestName(each.name, free); !near.empty())
+            warnOnce(each.place, index, "draw-W15",
+                     fmt::format("Attribute: program '{}' has no vertex input '{}'; did you mean '{}'?",
+                                 programs_.declared(programs_[index].variant.program)->name, each.name, near),
+                     each.name, near);
+    }
+}
+
+void DrawRemarks::reportIgnoredPointSize(const scene::Draw& draw, PlannedProgramIndex index,
+                                         const scene::Program& program) {
+    using glsl::Stage;
+    const Stage last = program.hasStage(Stage::geometry)         ? Stage::geometry
+                       : program.hasStage(Stage::tessEvaluation) ? Stage::tessEvaluation
+                                                                 : Stage::vertex;
+    const std::string file = stageFileName(scene_, program, last);
+    warnOnce(draw.place, index, "draw-W05",
+             fmt::format("{} writes gl_PointSize, but PointSizeMode is 0",
+                         file.empty() ? "Program '" + program.name + "'" : file));
+}
+
+}  // namespace glibra::plan

@@ -1,0 +1,67 @@
+#pragma once
+// Private to this room: the messages of a plan, and what it remarks about draws and dispatches.
+
+#include <bitset>
+#include <set>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "plan/frame_plan.h"
+#include "plan/planned_programs.h"
+
+namespace glibra::plan {
+
+class DrawRemarks {
+  public:
+    /// All of them must outlive this.
+    DrawRemarks(const scene::Scene& scene, PlannedPrograms& programs, FramePlan& plan)
+        : scene_(scene), programs_(programs), plan_(plan) {}
+
+    /// Adds the diagnostic to the plan unless an equal one at the same place exists.
+    void report(const Diagnostic& diagnostic);
+    /// Reports draw-W01 once per program: where the built-in program draws, and where the colour of a
+    /// supplied fragment stage is a guess.
+    void missingStage(const scene::Draw& draw, const ProgramInterface& interface);
+    /// Reports draw-W02, W03, W05, W12 and W15, each only at the first draw that it applies to.
+    void ofDraw(const scene::Draw& draw, PlannedProgramIndex index, const scene::Program* program,
+                const Submission& submission, const std::vector<TextureUse>& uses);
+    /// Reports draw-W12.
+    void hazards(const std::string& word, const Place& place, PlannedProgramIndex index,
+                 const std::vector<TextureUse>& uses);
+    /// Reports draw-W02.
+    void emptySlots(const Place& place, PlannedProgramIndex index, const std::vector<TextureUse>& uses);
+    /// Reports draw-W10 for targets that the draw leaves as they are.
+    void unwritten(const scene::Draw& draw, const scene::Pass& pass, PlannedProgramIndex index,
+                   const std::bitset<base::kRasterTargets>& unwritten);
+    /// Reports draw-W14 for a draw that reaches the first of several layers only.
+    void layers(const scene::Draw& draw, const scene::Pass& pass, PlannedProgramIndex index);
+
+  private:
+    void warnOnce(const Place& place, PlannedProgramIndex index, const char* id, const std::string& text,
+                  std::string subject = {}, std::string suggestion = {});
+    /// True if the scene would supply the input if it were modern.
+    [[nodiscard]] bool suppliesIfModern(const ActiveInput& input) const;
+    /// The hint for an input that nothing feeds: an attribute of the draw with a name that is near and that
+    /// no input has, otherwise a well-known name.
+    struct InputHint {
+        std::string text, suggestion;
+    };
+    [[nodiscard]] InputHint hintForInput(const scene::Draw& draw, const ProgramInterface& interface,
+                                         const ActiveInput& input) const;
+    void reportUnknownInputs(const scene::Draw& draw, PlannedProgramIndex index);
+    /// Reports draw-W15 for attributes of the draw that no input has and whose names are near that of an
+    /// input without one.
+    void reportUnreadAttributes(const scene::Draw& draw, PlannedProgramIndex index);
+    void reportIgnoredPointSize(const scene::Draw& draw, PlannedProgramIndex index,
+                                const scene::Program& program);
+
+    const scene::Scene& scene_;
+    PlannedPrograms& programs_;
+    FramePlan& plan_;
+    std::set<scene::ProgramIndex> incomplete_;  ///< programs of draw-W01
+    std::set<std::tuple<scene::ProgramIndex, std::string, std::string>> remarks_;
+    std::set<std::tuple<std::string, std::string, std::string, int, int>> reported_;
+};
+
+}  // namespace glibra::plan
