@@ -24,6 +24,7 @@ struct Submission {
     bool isUnlisted = false;        ///< a folder could not be listed, which may have the scene
     std::string number{}, email{};  ///< of the student, as the learning platform or the roster has them
     bool isLate = false;            ///< the learning platform says so
+    std::string time{};             ///< when it was handed in, if the learning platform says so
     std::string key{};              ///< the name of the folder or file that was handed in
     /// Zip files to unpack, and files to copy beside them, with the names that they get there. `folder` is
     /// made of them by unpackSubmissions.

@@ -14,6 +14,7 @@
 #include "base/utf8.h"
 #include "classroom/class_page.h"
 #include "classroom/class_run.h"
+#include "classroom/hand_in_time.h"
 #include "classroom/import_table.h"
 #include "classroom/moments.h"
 #include "classroom/roster.h"
@@ -150,19 +151,27 @@ int readChecks(const ClassArguments& arguments, ClassInput& input) {
     return kDone;
 }
 
-void mark(const ClassInput& input, classroom::Classroom& room) {
+/// Gives all marks. False if the late rule knows of no submission when it came in.
+bool mark(const ClassInput& input, classroom::Classroom& room) {
+    bool knowsTimes = input.find.names.book() == classroom::GradeBook::canvas;  // which marks the late ones
     for (std::size_t i = 0; i < room.entries.size(); ++i) {
         classroom::Entry& entry = room.entries[i];
         classroom::HandedIn handedIn;
         handedIn.isLate = entry.submission.isLate;
+        if (!entry.submission.time.empty()) handedIn.time = entry.submission.time;
         for (std::size_t student = 0; student < input.handed.size(); ++student) {
             if (input.handed[student] != i) continue;
-            handedIn.daysLate = input.roster->students[student].daysLate;
-            handedIn.time = input.roster->students[student].time;
+            const classroom::Student& known = input.roster->students[student];
+            handedIn.daysLate = known.daysLate;
+            handedIn.status = known.status;
+            if (known.time) handedIn.time = known.time;
         }
+        knowsTimes = knowsTimes || handedIn.daysLate || handedIn.time || handedIn.isLate ||
+                     classroom::readMoodleStatus(handedIn.status).daysLate;
         if (input.rubric) classroom::giveMarks(*input.rubric, room, handedIn, entry);
         classroom::applyTeacherMarks(input.own, entry);
     }
+    return knowsTimes || !input.rubric || !input.rubric->late;
 }
 
 /// Finds out what is to be drawn. The exit status; kDone if all is well.
@@ -248,6 +257,8 @@ int writeFiles(const ClassArguments& arguments, const ClassInput& input, classro
                                   : arguments.assignment;
     files.import.roster = input.roster ? &*input.roster : nullptr;
     files.import.handed = input.handed;
+    if (const std::string why = classroom::whyNoAssignment(files.import); !why.empty())
+        printLine(base::printableText("glibra: note: " + why));
     const Diagnostics problems = classroom::writeSite(room, input.plan.site, files);
     print(problems);
     return hasError(problems) ? kSceneIsWrong : kDone;
@@ -308,7 +319,10 @@ int runClassCommand(const ClassArguments& arguments, const std::string& command)
     room.began = utcNow();
     room.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     nameAbsent(input, room);
-    mark(input, room);
+    if (!mark(input, room))
+        printLine(
+            "glibra: note: the late rule takes nothing, because nothing says when the submissions came in; a roster "
+            "says it in a column 'submitted' or 'days late'");
     if (const int status = writeFiles(arguments, input, room); status != kDone) return status;
     report(room, plan.site);
     if (arguments.serves) {

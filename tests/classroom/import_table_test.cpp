@@ -55,11 +55,14 @@ std::vector<std::map<std::string, std::string>> strictly(const std::string& text
     return rows;
 }
 
-/// As assignfeedback_offline of Moodle reads it: lines without a known identifier are skipped, an empty grade
-/// changes nothing.
+/// As importgradeslib.php of Moodle's assignfeedback_offline reads it: a table without one of three columns, which
+/// are compared letter by letter, is refused, lines without a known identifier are skipped, an empty grade changes
+/// nothing.
 std::map<std::string, double> moodleGrades(const std::string& table) {
     std::map<std::string, double> grades;
     for (const auto& row : strictly(table)) {
+        for (const char* each : {"Identifier", "Grade", "Last modified (grade)"})
+            if (!row.contains(each)) throw std::runtime_error(std::string("there is no column ") + each);
         const std::string id = row.at("Identifier");
         if (!id.starts_with("Participant ")) continue;
         (void)row.at("Feedback comments");
@@ -131,6 +134,35 @@ TEST(ImportTables, ThePlatformsOwnTableKeepsItsColumnsAndLines) {
     EXPECT_EQ(rows[0].at("Full name"), "Lee, Ana");
     EXPECT_EQ(rows[0].at("Maximum Grade"), "10.00");
     EXPECT_EQ(rows[1].at("Feedback comments"), "a \"b\"");
+}
+
+TEST(ImportTables, CanvassOwnTableKeepsItsColumnsAndGetsTheGradesOfOneAssignment) {
+    const suite::Folder made;
+    // As Canvas exports it, with a line about posting and one about points.
+    suite::writeText(made / "grades.csv",
+                     "Student,ID,SIS User ID,SIS Login ID,Section,P1 (990),P2 (991),Current Score\n"
+                     ",,,,,Manual Posting,,\n    Points Possible,,,,,5.00,8.00,(read only)\n"
+                     "\"Lee, Ana\",7,u7,ana,01,4,,80\n\"Ray, Zoe\",9,u9,zoe,01,2,1,40\n");
+    const Roster roster = *readRoster(made / "grades.csv");
+    ASSERT_EQ(roster.students.size(), 2U);
+    EXPECT_EQ(roster.students[0].number, "7");
+    for (const char* each : {"P2 (991)", "P2", "991"}) {
+        const ImportOptions options{
+            .book = GradeBook::canvas, .assignment = each, .roster = &roster, .handed = {0, std::nullopt}};
+        EXPECT_EQ(whyNoAssignment(options), "");
+        const auto rows = strictly(importTable(markedClass(), options));
+        ASSERT_EQ(rows.size(), 4U);
+        EXPECT_EQ(rows[0].at("P1 (990)"), "Manual Posting");
+        EXPECT_EQ(rows[1].at("Student"), "    Points Possible");
+        EXPECT_EQ(rows[1].at("P2 (991)"), "8.00");
+        EXPECT_EQ(rows[2].at("P2 (991)"), "7.50");
+        EXPECT_EQ(rows[2].at("P1 (990)"), "4");
+        EXPECT_EQ(rows[3].at("P2 (991)"), "1") << "nothing was handed in";
+    }
+    const std::string why =
+        whyNoAssignment({.book = GradeBook::canvas, .assignment = "all", .roster = &roster, .handed = {}});
+    EXPECT_NE(why.find("'all'"), std::string::npos) << why;
+    EXPECT_NE(why.find("'P1 (990)', 'P2 (991)'"), std::string::npos) << why;
 }
 
 TEST(ImportTables, WithoutARubricTheGradeIsEmptyAndTheStateIsTheComment) {
