@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/utf8.h"
+#include "classroom/archive.h"
 #include "classroom/class_page.h"
 #include "classroom/class_run.h"
 #include "classroom/hand_in_time.h"
@@ -174,6 +175,23 @@ bool mark(const ClassInput& input, classroom::Classroom& room) {
     return knowsTimes || !input.rubric || !input.rubric->late;
 }
 
+/// If the submissions are one zip file, as a learning platform exports them, unpacks it. False: it cannot be.
+bool unpackExport(const ClassArguments& arguments, classroom::ClassPlan& plan) {
+    std::error_code failure;
+    if (!classroom::isArchive(plan.folder) || !fs::is_regular_file(plan.folder, failure)) return true;
+    std::optional<base::Sandbox> sandbox;
+    if (arguments.made.untrusted) {
+        sandbox.emplace();
+        sandbox->readable.push_back(plan.folder);
+        sandbox->writable.emplace_back(plan.site, fs::path(classroom::kExport));
+    }
+    Result<fs::path> folder = classroom::unpackExport(
+        plan.folder, {.site = plan.site, .jobs = 1, .timeout = 0, .sandbox = sandbox ? &*sandbox : nullptr});
+    print(folder.diagnostics);
+    if (folder) plan.folder = std::move(*folder);
+    return folder.value.has_value();
+}
+
 /// Finds out what is to be drawn. The exit status; kDone if all is well.
 int readInput(const ClassArguments& arguments, ClassInput& input) {
     classroom::ClassPlan& plan = input.plan;
@@ -209,6 +227,7 @@ int readInput(const ClassArguments& arguments, ClassInput& input) {
                                                                         : fs::path("."));
         input.find.others.emplace_back(arguments.reference);
     }
+    if (!unpackExport(arguments, plan)) return kWrongUsage;
     Result<classroom::Submissions> found = classroom::findSubmissions(plan.folder, input.find);
     print(found.diagnostics);
     if (!found) return kWrongUsage;
@@ -378,7 +397,7 @@ void addClass(CommandLine& program, int& status) {
         "glibra class submissions/ --reference solution.glib --time 0 --time 2.5 --untrusted\n"
         "glibra class export/ --names moodle --roster grades.csv        # a learning platform's own names");
     ClassArguments& to = *arguments;
-    command.option("SUBMISSIONS", to.folder, "folder with a folder, a zip file or a .glib file per student")
+    command.option("SUBMISSIONS", to.folder, "folder with a folder, a zip file or a .glib file per student; or a zip file of all")
         .required();
     command.option(
         "--reference", to.reference,
