@@ -3,131 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
+#include <utility>
 
 namespace glibra::classroom {
 namespace {
 
-constexpr float kSmallest = 1.4F;  // radius of the smallest blob, in pixels
-constexpr int kLevels = 8;         // of blobs, each larger by the square root of two
-constexpr float kAround = 16;      // pixels over which colours are compared with their mean
-constexpr std::size_t kMostPoints = 90;
-
-/// One number per pixel of a scale.
-using Plane = std::vector<float>;
-
-/// Convolves with a Gaussian; pixels beyond the border count as 0.
-Plane smoothed(const Plane& plane, int side, float deviation) {
-    const int reach = std::max(1, static_cast<int>(std::ceil(2.5F * deviation)));
-    std::vector<float> weights;
-    for (int i = -reach; i <= reach; ++i)
-        weights.push_back(std::exp(-0.5F * static_cast<float>(i * i) / (deviation * deviation)));
-    Plane rows(plane.size(), 0), made(plane.size(), 0);
-    const auto at = [&](int x, int y) { return static_cast<std::size_t>(y * side + x); };
-    for (int y = 0; y < side; ++y)
-        for (int i = -reach; i <= reach; ++i) {
-            const float weight = weights[static_cast<std::size_t>(i + reach)];
-            for (int x = std::max(0, -i); x < std::min(side, side - i); ++x)
-                rows[at(x, y)] += weight * plane[at(x + i, y)];
-        }
-    for (int y = 0; y < side; ++y)
-        for (int i = std::max(-reach, -y); i <= std::min(reach, side - 1 - y); ++i) {
-            const float weight = weights[static_cast<std::size_t>(i + reach)];
-            for (int x = 0; x < side; ++x) made[at(x, y)] += weight * rows[at(x, y + i)];
-        }
-    return made;
-}
-
-/// Means over the objects alone, so that their outlines make no blobs.
-class Means {
-  public:
-    Means(const Plane& inside, int side, float deviation)
-        : weights_(smoothed(inside, side, deviation)), side_(side), deviation_(deviation) {}
-    /// `plane` is 0 outside of the objects.
-    [[nodiscard]] Plane of(const Plane& plane) const {
-        Plane sums = smoothed(plane, side_, deviation_);
-        for (std::size_t i = 0; i < sums.size(); ++i) sums[i] = weights_[i] > 0 ? sums[i] / weights_[i] : 0;
-        return sums;
-    }
-
-  private:
-    Plane weights_;
-    int side_;
-    float deviation_;
-};
-
-/// The direction in which colours vary most: the first eigenvector of their covariances, by iteration.
-std::array<double, 3> principalAxis(const std::array<std::array<double, 3>, 3>& covariance) {
-    std::array<double, 3> axis{1, 1, 1};
-    for (std::size_t k = 0; k < 3; ++k)  // the largest column is near to it, and never orthogonal
-        if (covariance[k][k] >= std::max({covariance[0][0], covariance[1][1], covariance[2][2]}))
-            axis = covariance[k];
-    for (int round = 0; round < 30; ++round) {
-        std::array<double, 3> next{};
-        for (std::size_t i = 0; i < 3; ++i)
-            for (std::size_t k = 0; k < 3; ++k) next[i] += covariance[i][k] * axis[k];
-        const double length = std::sqrt(next[0] * next[0] + next[1] * next[1] + next[2] * next[2]);
-        if (length <= 0) return axis;
-        for (std::size_t i = 0; i < 3; ++i) axis[i] = next[i] / length;
-    }
-    return axis;
-}
-
-struct Tones {
-    Plane inside, tone;
-    double contrast = 0;
-};
-
-Tones tonesOf(const Scale& objects) {
-    const std::size_t count = objects.colors.size();
-    Tones made{Plane(count), Plane(count, 0), 0};
-    for (std::size_t i = 0; i < count; ++i) made.inside[i] = objects.inside[i] >= 0.5F ? 1.0F : 0.0F;
-    const Means around(made.inside, objects.side, kAround);
-    std::array<Plane, 3> local;
-    std::array<double, 3> mean{};
-    double pixels = 0, all = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-        Plane component(count);
-        for (std::size_t i = 0; i < count; ++i) {
-            component[i] = made.inside[i] * objects.colors[i][k];
-            mean[k] += component[i];
-        }
-        local[k] = around.of(component);
-        for (std::size_t i = 0; i < count; ++i) local[k][i] = made.inside[i] * (component[i] - local[k][i]);
-    }
-    for (const float each : made.inside) pixels += each;
-    if (pixels < 16) return made;
-    std::array<std::array<double, 3>, 3> covariance{};
-    for (std::size_t i = 0; i < count; ++i) {
-        if (made.inside[i] <= 0) continue;
-        for (std::size_t k = 0; k < 3; ++k) {
-            all += std::pow(objects.colors[i][k] - mean[k] / pixels, 2) / pixels;
-            for (std::size_t l = 0; l < 3; ++l)
-                covariance[k][l] += static_cast<double>(local[k][i]) * local[l][i] / pixels;
-        }
-    }
-    const std::array<double, 3> axis = principalAxis(covariance);
-    double variance = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        double tone = 0;
-        for (std::size_t k = 0; k < 3; ++k) tone += axis[k] * local[k][i];
-        made.tone[i] = static_cast<float>(tone);
-        variance += tone * tone / pixels;
-    }
-    made.contrast = all > 0 ? std::sqrt(variance / all) : 0;
-    const auto deviation = static_cast<float>(std::sqrt(variance));
-    constexpr float kNoise = 2.0F / 255;
-    if (deviation < kNoise) {
-        made.contrast = 0;
-        return made;
-    }
-    // What lies in the dark has less contrast and is the same pattern.
-    Plane squares(count);
-    for (std::size_t i = 0; i < count; ++i) squares[i] = made.tone[i] * made.tone[i];
-    const Plane power = around.of(squares);
-    for (std::size_t i = 0; i < count; ++i)
-        made.tone[i] /= std::max(std::sqrt(std::max(power[i], 0.0F)), 0.3F * deviation);
-    return made;
-}
+constexpr float kLeastKnown = 0.6F;  // share of the surroundings that belongs to objects
+constexpr std::size_t kMostPoints = 60;
 
 float sampled(const Plane& plane, int side, float x, float y) {
     const int left = static_cast<int>(std::floor(x)), top = static_cast<int>(std::floor(y));
@@ -173,7 +56,7 @@ float correlationOf(const PatternPoint& a, const PatternPoint& b) {
                 bb += q * q;
             }
         }
-        if (n < 0.6F * kRings * kAngles) continue;
+        if (n < kLeastKnown * kRings * kAngles) continue;
         const float varianceA = aa - sumA * sumA / n, varianceB = bb - sumB * sumB / n;
         if (varianceA <= 0 || varianceB <= 0) continue;
         best = std::max(best, (ab - sumA * sumB / n) / std::sqrt(varianceA * varianceB));
@@ -183,17 +66,11 @@ float correlationOf(const PatternPoint& a, const PatternPoint& b) {
 
 }  // namespace
 
-PatternPoints findPatternPoints(const Scale& objects) {
-    PatternPoints found;
-    const int side = objects.side;
-    const Tones tones = tonesOf(objects);
-    found.contrast = tones.contrast;
-    if (tones.contrast <= 0) return found;
-    // levels[i] is smoothed by kSmallest * 2^((i - 1) / 2), so that blobs of level i have that radius.
-    std::vector<Plane> levels;
-    const auto radiusOf = [](float level) { return kSmallest * std::pow(2.0F, level / 2); };
-    for (int i = 0; i <= kLevels; ++i)
-        levels.push_back(Means(tones.inside, side, radiusOf(static_cast<float>(i) - 0.5F)).of(tones.tone));
+std::vector<PatternPoint> findPatternPoints(const ToneScales& tones) {
+    constexpr std::size_t kLevels = kToneScales - 1;
+    const int side = tones.side;
+    std::vector<PatternPoint> found;
+    if (tones.levels.empty()) return found;
     struct Candidate {
         float strength, level;
         int x, y;
@@ -204,77 +81,78 @@ PatternPoints findPatternPoints(const Scale& objects) {
             const auto at = static_cast<std::size_t>(y * side + x);
             if (tones.inside[at] <= 0) continue;
             std::array<float, kLevels> response{};
-            int best = 0;
-            for (int i = 0; i < kLevels; ++i) {
-                response[static_cast<std::size_t>(i)] =
-                    levels[static_cast<std::size_t>(i)][at] - levels[static_cast<std::size_t>(i) + 1][at];
-                if (std::abs(response[static_cast<std::size_t>(i)]) > std::abs(response[static_cast<std::size_t>(best)]))
-                    best = i;
+            std::size_t best = 0;
+            for (std::size_t i = 0; i < kLevels; ++i) {
+                response[i] = tones.levels[i][at] - tones.levels[i + 1][at];
+                if (std::abs(response[i]) > std::abs(response[best])) best = i;
             }
-            const float strength = response[static_cast<std::size_t>(best)];
-            float level = static_cast<float>(best);
+            auto level = static_cast<float>(best) + 0.5F;
             if (best > 0 && best + 1 < kLevels) {  // the parabola through three levels
-                const float below = std::abs(response[static_cast<std::size_t>(best) - 1]),
-                            above = std::abs(response[static_cast<std::size_t>(best) + 1]);
-                const float bend = below + above - 2 * std::abs(strength);
+                const float below = std::abs(response[best - 1]), above = std::abs(response[best + 1]);
+                const float bend = below + above - 2 * std::abs(response[best]);
                 if (bend < 0) level += 0.5F * (below - above) / bend;
             }
-            candidates.push_back({strength, level, x, y});
+            candidates.push_back({response[best], level, x, y});
         }
     if (candidates.empty()) return found;
     std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
         return std::abs(a.strength) > std::abs(b.strength);
     });
     const float least = 0.25F * std::abs(candidates[candidates.size() / 50].strength);
-    double covered = 0, pixels = 0;
-    Plane isCovered(tones.inside.size(), 0);
     for (const Candidate& each : candidates) {
-        if (std::abs(each.strength) < least || found.points.size() >= kMostPoints) break;
-        const float radius = radiusOf(each.level);
-        const auto x = static_cast<float>(each.x), y = static_cast<float>(each.y);
-        if (std::any_of(found.points.begin(), found.points.end(), [&](const PatternPoint& other) {
-                const float near = 1.3F * std::max(radius, other.radius);
-                return (other.x - x) * (other.x - x) + (other.y - y) * (other.y - y) < near * near;
+        if (std::abs(each.strength) < least || found.size() >= kMostPoints) break;
+        PatternPoint point;
+        point.x = static_cast<float>(each.x);
+        point.y = static_cast<float>(each.y);
+        point.radius = toneDeviation(each.level);
+        if (std::any_of(found.begin(), found.end(), [&](const PatternPoint& other) {
+                return std::hypot(other.x - point.x, other.y - point.y) <
+                       1.3F * std::max(point.radius, other.radius);
             }))
             continue;
-        PatternPoint& point = found.points.emplace_back();
-        point.x = x;
-        point.y = y;
-        point.radius = radius;
-        point.strength = std::abs(each.strength);
-        const auto level = static_cast<std::size_t>(std::clamp(each.level - 1.5F, 0.0F, static_cast<float>(kLevels)));
-        readAround(point, levels[level], tones.inside, side, each.strength < 0 ? -1.0F : 1.0F);
-        const int reach = static_cast<int>(3 * radius);
-        for (int v = std::max(0, each.y - reach); v <= std::min(side - 1, each.y + reach); ++v)
-            for (int u = std::max(0, each.x - reach); u <= std::min(side - 1, each.x + reach); ++u)
-                isCovered[static_cast<std::size_t>(v * side + u)] = 1;
+        // Tones that were smoothed by about half of the radius.
+        const auto level = static_cast<std::size_t>(std::max(each.level - 2, 0.0F));
+        readAround(point, tones.levels[level], tones.inside, side, each.strength < 0 ? -1.0F : 1.0F);
+        // What stands at the outline has nothing to compare.
+        if (std::accumulate(point.known.begin(), point.known.end(), 0.0F) >= kLeastKnown * 2 * kRings * kAngles)
+            found.push_back(point);
     }
-    for (std::size_t i = 0; i < isCovered.size(); ++i) {
-        pixels += tones.inside[i];
-        covered += tones.inside[i] * isCovered[i];
-    }
-    found.covered = pixels > 0 ? covered / pixels : 0;
     return found;
 }
 
-double foundAgain(const PatternPoints& a, const PatternPoints& b) {
-    if (a.points.empty() || b.points.empty()) return 0;
-    std::vector<float> bestA(a.points.size(), 0), bestB(b.points.size(), 0);
-    for (std::size_t i = 0; i < a.points.size(); ++i)
-        for (std::size_t k = 0; k < b.points.size(); ++k) {
-            const float value = correlationOf(a.points[i], b.points[k]);
-            bestA[i] = std::max(bestA[i], value);
-            bestB[k] = std::max(bestB[k], value);
+FoundAgain foundAgain(std::span<const PatternPoint> a, std::span<const PatternPoint> b) {
+    if (a.empty() || b.empty()) return {};
+    struct Best {
+        float value = 0, octaves = 0;
+    };
+    std::vector<Best> bestA(a.size()), bestB(b.size());
+    for (std::size_t i = 0; i < a.size(); ++i)
+        for (std::size_t k = 0; k < b.size(); ++k) {
+            const float value = correlationOf(a[i], b[k]);
+            const float octaves = std::log2(b[k].radius / a[i].radius);
+            if (value > bestA[i].value) bestA[i] = {value, octaves};
+            if (value > bestB[k].value) bestB[k] = {value, octaves};
         }
-    const auto mean = [](const std::vector<float>& best, const std::vector<PatternPoint>& points) {
+    std::vector<std::pair<float, float>> sizes;  // octaves, with their weights
+    const auto mean = [&](const std::vector<Best>& best, std::span<const PatternPoint> points) {
         double sum = 0, weights = 0;
         for (std::size_t i = 0; i < best.size(); ++i) {
-            sum += static_cast<double>(points[i].radius) * best[i];
+            sum += static_cast<double>(points[i].radius) * best[i].value;
             weights += points[i].radius;
+            sizes.emplace_back(best[i].octaves, points[i].radius);
         }
-        return weights > 0 ? sum / weights : 0;
+        return sum / weights;
     };
-    return std::sqrt(mean(bestA, a.points) * mean(bestB, b.points));
+    FoundAgain found;
+    found.correlation = std::sqrt(mean(bestA, a) * mean(bestB, b));
+    std::sort(sizes.begin(), sizes.end());
+    float half = 0;
+    for (const auto& [octaves, weight] : sizes) half += weight / 2;
+    for (const auto& [octaves, weight] : sizes) {
+        found.octaves = octaves;
+        if ((half -= weight) <= 0) break;
+    }
+    return found;
 }
 
 }  // namespace glibra::classroom

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "../classroom/strict_csv.h"
@@ -33,6 +34,13 @@ std::string dotsShader(const std::string& ground, const std::string& spot, const
         "    float shade = .3 + .7 * abs(normalize(vN).z);\n"
         "    f = vec4(shade * mix(vec3({}), vec3({}), t), 1.);\n}}\n",
         own, size, pattern, ground, spot);
+}
+
+std::string withChange(std::string text, std::string_view from, std::string_view to) {
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    if (at != std::string::npos) text.replace(at, from.size(), to);
+    return text;
 }
 
 std::string dotsScene(const std::string& model = "Sphere 1 60 60", const std::string& eye = "0 0 2.6") {
@@ -173,13 +181,13 @@ TEST_F(FiftySubmissions, AreOrderedComparedAndGradedAsAPersonDoes) {
     makeOddFiles();
     while (count_ < 50) put(next("A colours"), dotsShader(fmt::format("{:.2f},.2,.6", .01 * static_cast<double>(count_)), "1.,1.,.8"));
     ASSERT_EQ(count_, 50U);
-    folder.write("roster.csv", replaced(roster_ + "Participant 7,Nobody 99,n@x.org,No submission,3.00,-,-,kept\n",
+    folder.write("roster.csv", withChange(roster_ + "Participant 7,Nobody 99,n@x.org,No submission,3.00,-,-,kept\n",
                                         "6:01 PM", "11:59 PM"));
     // Two came late, one of them with an extension.
     std::string roster = readFile(folder / "roster.csv");
-    roster = replaced(roster, "s1001@x.org,Submitted for grading,,\"Friday, 20 November 2026, 6:02 PM\"",
+    roster = withChange(roster, "s1001@x.org,Submitted for grading,,\"Friday, 20 November 2026, 6:02 PM\"",
                       "s1001@x.org,Submitted for grading - 1 day 3 hours late,,\"Sunday, 22 November 2026, 3:00 AM\"");
-    roster = replaced(roster, "s1002@x.org,Submitted for grading,,\"Friday, 20 November 2026, 6:03 PM\"",
+    roster = withChange(roster, "s1002@x.org,Submitted for grading,,\"Friday, 20 November 2026, 6:03 PM\"",
                       "\"s1002@x.org\",\"Submitted for grading - Extension granted until: Monday, 23 November 2026, 6:00 "
                       "PM\",,\"Sunday, 22 November 2026, 3:00 AM\"");
     folder.write("roster.csv", roster);

@@ -42,7 +42,7 @@ class Served(unittest.TestCase):
         self.stack = contextlib.ExitStack()
         self.folder = self.stack.enter_context(tempfile.TemporaryDirectory())
         class_test.hand_in(self.folder, "solution")
-        for name in ("Ada", "Bo", "<b>Cy</b>"):
+        for name in ("Ada", "Bo", "<b>Cy"):
             class_test.hand_in(os.path.join(self.folder, "all", name), "ball", tone="wrong" if name == "Bo" else "uTone")
         self.write("class.toml", RUBRIC)
         self.server = None
@@ -141,7 +141,7 @@ class Served(unittest.TestCase):
 
     def test_two_browsers_at_once_lose_nothing(self):
         first, second = self.open(), self.open()
-        ada, cy = self.card(first, "Ada"), self.card(second, "<b>Cy</b>")
+        ada, cy = self.card(first, "Ada"), self.card(second, "<b>Cy")
         self.assertEqual(first.run("return document.querySelectorAll('.card b').length"), 0)
         for points in ("1", "2", "3"):
             self.type(first, POINTS % (ada, "report"), points)
@@ -150,8 +150,8 @@ class Served(unittest.TestCase):
         self.type(first, POINTS % (ada, "a nice extra"), "1.5")
         kept = json.loads(self.read("site/marks.json"))
         self.assertEqual(kept, {"Ada": {"comment": "from the second", "points": {"a nice extra": 1.5, "report": 3}},
-                                "<b>Cy</b>": {"comment": "", "points": {"report": 3}}})
-        self.assertEqual(self.grades()["<b>Cy</b>"]["points"], "7.00000")
+                                "<b>Cy": {"comment": "", "points": {"report": 3}}})
+        self.assertEqual(self.grades()["<b>Cy"]["points"], "7.00000")
         first.open(self.address)
         first.wait("return document.querySelectorAll('.commentField').length === 3")
         self.assertEqual(first.run(f"return document.querySelector('#{ada} .commentField').value"), "from the second")
@@ -200,7 +200,8 @@ class Served(unittest.TestCase):
             connection.putheader(name.replace("_", "-"), value)
         if body is not None:
             connection.putheader("Content-Length", str(len(body)))
-        connection.endheaders(body)
+        with contextlib.suppress(BrokenPipeError, ConnectionResetError):  # it does not wait for what is too long
+            connection.endheaders(body)
         reply = connection.getresponse()
         text = reply.read().decode(errors="replace")
         connection.close()
