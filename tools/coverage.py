@@ -106,7 +106,7 @@ def read_scene(path):
 
 
 def read_suite(path):
-    """(scene, name of the shot, golden without its extension) of every shot of scenes/TOPIC.toml."""
+    """(scene, name of the shot, golden without its extension, whether it has to have one) of every shot of a suite."""
     suite = tomllib.loads(text_of(path))
     folder = os.path.dirname(path)
     patterns = lambda value: [value] if isinstance(value, str) else value or []
@@ -120,20 +120,23 @@ def read_suite(path):
             stem = os.path.splitext(os.path.basename(scene))[0]
             name = shot.get("name", stem) if len(scenes) == 1 else f"{shot['name']}/{stem}" if "name" in shot else stem
             goldens = os.path.normpath(os.path.join(folder, suite.get("goldens", "")))
-            yield scene, name, f"{goldens}/{name}"
+            wants = shot.get("golden", True) and "expect-error" not in shot
+            yield scene, name, f"{goldens}/{name}", wants
 
 
-def read_scenes():
+def read_scenes(problems):
+    """The example scenes with their shots; adds what is wrong with these."""
     scenes = {path: read_scene(path) for path in files("glib/*/*.glib")}
     for suite in files("scenes/*.toml"):
         topic = os.path.splitext(os.path.basename(suite))[0]
-        for path, name, golden in read_suite(suite):
+        for path, name, golden, wants in read_suite(suite):
+            goldens = [each for ending in (".png", "@*.png", ".exr", "@*.exr") for each in files(glob.escape(golden) + ending)]
+            if wants and not goldens:
+                problems.append(f"{suite}: the shot {name} has no golden")
             if path not in scenes:
                 continue
             scenes[path].shots.append(f"{topic}/{name}")
-            for each in files(glob.escape(golden) + ".png") + files(glob.escape(golden) + "@*.png"):
-                if each not in scenes[path].goldens:
-                    scenes[path].goldens.append(each)
+            scenes[path].goldens += [each for each in goldens if each.endswith(".png") and each not in scenes[path].goldens]
     return list(scenes.values())
 
 
@@ -186,8 +189,9 @@ def wrong_answers(rows, scenes):
 
 
 def main():
-    rows, scenes = read_rows(), read_scenes()
-    problems = [*connect(rows, scenes)]
+    problems = []
+    rows, scenes = read_rows(), read_scenes(problems)
+    problems += connect(rows, scenes)
     for row in rows:
         if row.scenes and UNANSWERED.match(row.answer):
             row.answer = ""

@@ -92,6 +92,32 @@ std::vector<char> objectPixels(const Colors& colors, const Color& background) {
     return isObject;
 }
 
+/// The same in kSide pixels, by linear interpolation.
+Scale enlarged(const Scale& from) {
+    Scale made{kSide, {}, {}};
+    const float step = static_cast<float>(from.side) / kSide;
+    const auto last = static_cast<float>(from.side - 1);
+    for (int y = 0; y < kSide; ++y)
+        for (int x = 0; x < kSide; ++x) {
+            const float u = std::clamp((static_cast<float>(x) + 0.5F) * step - 0.5F, 0.0F, last);
+            const float v = std::clamp((static_cast<float>(y) + 0.5F) * step - 0.5F, 0.0F, last);
+            const int left = std::min(static_cast<int>(u), from.side - 2);
+            const int top = std::min(static_cast<int>(v), from.side - 2);
+            const float a = u - static_cast<float>(left), b = v - static_cast<float>(top);
+            Color sum{};
+            float inside = 0;
+            for (int i = 0; i < 4; ++i) {
+                const std::size_t at = from.index(left + i % 2, top + i / 2);
+                const float weight = (i % 2 == 1 ? a : 1 - a) * (i / 2 == 1 ? b : 1 - b);
+                for (std::size_t k = 0; k < 3; ++k) sum[k] += weight * from.colors[at][k];
+                inside += weight * from.inside[at];
+            }
+            made.colors.push_back(sum);
+            made.inside.push_back(inside);
+        }
+    return made;
+}
+
 }  // namespace
 
 Colors colorsOf(const image::Image& image) {
@@ -136,26 +162,34 @@ Color backgroundOf(const Colors& colors) {
         ->second.second;
 }
 
-std::optional<Scale> objectsOf(const Colors& colors) {
+std::optional<Objects> findObjects(const Colors& colors) {
     if (colors.width < 2 || colors.height < 2) return std::nullopt;
-    const Color background = backgroundOf(colors);
-    const std::vector<char> isObject = objectPixels(colors, background);
-    int left = colors.width, right = -1, top = colors.height, bottom = -1;
+    Objects found;
+    found.background = backgroundOf(colors);
+    found.isObject = objectPixels(colors, found.background);
+    found.left = colors.width;
+    found.top = colors.height;
+    found.right = found.bottom = -1;
     for (int y = 0; y < colors.height; ++y)
         for (int x = 0; x < colors.width; ++x) {
-            if (isObject[colors.index(x, y)] == 0) continue;
-            left = std::min(left, x);
-            right = std::max(right, x);
-            top = std::min(top, y);
-            bottom = std::max(bottom, y);
+            if (found.isObject[colors.index(x, y)] == 0) continue;
+            found.left = std::min(found.left, x);
+            found.right = std::max(found.right, x);
+            found.top = std::min(found.top, y);
+            found.bottom = std::max(found.bottom, y);
         }
-    if (right < left) return std::nullopt;
-    const double width = right - left + 1, height = bottom - top + 1;
-    const double step = std::max(width, height) / kSide;
-    const double x0 = left + width / 2 - step * kSide / 2, y0 = top + height / 2 - step * kSide / 2;
-    Scale made{kSide, {}, {}};
-    for (int y = 0; y < kSide; ++y)
-        for (int x = 0; x < kSide; ++x) {
+    if (found.right < found.left) return std::nullopt;
+    return found;
+}
+
+Scale cutOut(const Colors& colors, const Objects& objects, int detail) {
+    const double width = objects.right - objects.left + 1, height = objects.bottom - objects.top + 1;
+    const double step = std::max(width, height) / detail;
+    const double x0 = objects.left + width / 2 - step * detail / 2;
+    const double y0 = objects.top + height / 2 - step * detail / 2;
+    Scale coarse{detail, {}, {}};
+    for (int y = 0; y < detail; ++y)
+        for (int x = 0; x < detail; ++x) {
             // The mean of the pixels whose centres are in the cell; of the nearest one if there is none.
             Color sum{};
             float inside = 0;
@@ -169,15 +203,15 @@ std::optional<Scale> objectsOf(const Colors& colors) {
                 for (int u = std::max(beginX, 0); u < std::min(endX, colors.width); ++u) {
                     const Color& color = colors.pixel(u, v);
                     for (std::size_t i = 0; i < 3; ++i) sum[i] += color[i];
-                    inside += isObject[colors.index(u, v)];
+                    inside += objects.isObject[colors.index(u, v)];
                     ++count;
                 }
             if (count > 0)
                 for (float& each : sum) each /= static_cast<float>(count);
-            made.colors.push_back(count > 0 ? sum : background);
-            made.inside.push_back(count > 0 ? inside / static_cast<float>(count) : 0);
+            coarse.colors.push_back(count > 0 ? sum : objects.background);
+            coarse.inside.push_back(count > 0 ? inside / static_cast<float>(count) : 0);
         }
-    return made;
+    return detail == kSide ? coarse : enlarged(coarse);
 }
 
 }  // namespace glibra::classroom

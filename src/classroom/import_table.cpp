@@ -66,7 +66,8 @@ std::string filledTable(const Classroom& room, const ImportOptions& options) {
     std::vector<std::string> head = roster.records.front();
     std::vector<std::pair<std::size_t, bool>> columns;
     for (const Filled& each : filledColumns(options)) {
-        const auto known = columnOf(roster, each.column);
+        const auto known = options.book == GradeBook::canvas ? assignmentColumn(roster, each.column)
+                                                             : columnOf(roster, each.column);
         columns.emplace_back(known.value_or(head.size()), each.isGrade);
         if (!known)
             head.emplace_back(options.book == GradeBook::canvas ? options.assignment
@@ -114,6 +115,15 @@ bool isOwnTable(const ImportOptions& options) {
     return false;
 }
 
+/// "P2" and "991" of "P2 (991)"; nothing for a column that is no assignment.
+std::optional<std::pair<std::string_view, std::string_view>> assignmentOf(std::string_view column) {
+    const std::size_t open = column.rfind(" (");
+    if (open == std::string_view::npos || !column.ends_with(')')) return std::nullopt;
+    const std::string_view id = column.substr(open + 2, column.size() - open - 3);
+    if (id.empty() || id.find_first_not_of("0123456789") != std::string_view::npos) return std::nullopt;
+    return std::pair(column.substr(0, open), id);
+}
+
 /// "Ana Maria", "Lee" of "Ana Maria Lee" and of "Lee, Ana Maria".
 std::pair<std::string, std::string> firstAndLast(const std::string& name) {
     if (const std::size_t comma = name.find(", "); comma != std::string::npos)
@@ -124,6 +134,30 @@ std::pair<std::string, std::string> firstAndLast(const std::string& name) {
 }
 
 }  // namespace
+
+std::optional<std::size_t> assignmentColumn(const Roster& roster, std::string_view wanted) {
+    if (const auto same = columnOf(roster, wanted)) return same;
+    std::optional<std::size_t> found;
+    const std::vector<std::string>& head = roster.records.front();
+    for (std::size_t i = 0; i < head.size(); ++i) {
+        const auto assignment = assignmentOf(head[i]);
+        if (!assignment || (assignment->first != wanted && assignment->second != wanted)) continue;
+        if (found) return std::nullopt;
+        found = i;
+    }
+    return found;
+}
+
+std::string whyNoAssignment(const ImportOptions& options) {
+    if (options.book != GradeBook::canvas || !isOwnTable(options) ||
+        assignmentColumn(*options.roster, options.assignment))
+        return {};
+    std::string known;
+    for (const std::string& each : options.roster->records.front())
+        if (assignmentOf(each)) known += fmt::format("{}'{}'", known.empty() ? "" : ", ", each);
+    return fmt::format("the roster has no column '{}', so that Canvas would add one; --assignment names one: {}",
+                       options.assignment, known.empty() ? "it has none" : known);
+}
 
 std::string importFile(GradeBook book) {
     return fmt::format("import-{}.csv", name(book));
@@ -150,7 +184,8 @@ std::string importTable(const Classroom& room, const ImportOptions& options) {
     switch (options.book) {
         case GradeBook::moodle:
             for (const char* each :
-                 {"Identifier", "Full name", "Email address", "Grade", "Feedback comments"})
+                 {"Identifier", "Full name", "Email address", "Grade", "Last modified (grade)",
+                  "Feedback comments"})
                 head.theirs(each);
             break;
         case GradeBook::canvas:
@@ -184,6 +219,7 @@ std::string importTable(const Classroom& room, const ImportOptions& options) {
                 line.ours(of.name);
                 line.ours(of.email);
                 line.ours(grade);
+                line.theirs("-");  // never: Moodle keeps a grade that was given since
                 line.ours(feedbackOf(room, i));
                 break;
             case GradeBook::canvas:

@@ -20,13 +20,21 @@ struct ImportOptions {
 };
 
 /// Comma-separated values without a byte order mark, which the platforms do not need:
-///   Moodle      Identifier ("Participant 123"), Full name, Email address, Grade, Feedback comments
+///   Moodle      Identifier ("Participant 123"), Full name, Email address, Grade, Last modified (grade),
+///               Feedback comments; it refuses a table without the first, the fourth and the fifth of them
+///               (mod/assign/feedback/offline)
 ///   Canvas      Student, ID, SIS User ID, SIS Login ID, Section, ASSIGNMENT
 ///   Gradescope  First Name, Last Name, SID, Email, Total Score, Max Points, Comments
 /// If the roster is the platform's own table, with these columns among others, it is that table with the
 /// grades (and comments) filled in. A submission without points has an empty grade, so that an import leaves
 /// the grade as it is.
 std::string importTable(const Classroom& classroom, const ImportOptions& options);
+
+/// The column of Canvas's own table that `wanted` means: "P2 (991)" by that text, "P2" or "991"; nothing if none
+/// or several fit.
+std::optional<std::size_t> assignmentColumn(const Roster& roster, std::string_view wanted);
+/// Canvas's own table has no such column: which ones it has. Empty if there is nothing to say.
+std::string whyNoAssignment(const ImportOptions& options);
 
 /// The file: "import-moodle.csv".
 std::string importFile(GradeBook book);

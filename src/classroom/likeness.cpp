@@ -9,17 +9,20 @@
 #include <vector>
 
 #include "classroom/cut_objects.h"
+#include "classroom/pattern_kinds.h"
+#include "classroom/pattern_points.h"
 
 namespace glibra::classroom {
 namespace {
 
-constexpr int kScales = 4;    // each half as large as the one before
-constexpr int kCompared = 3;  // in the last one, shading looks like an edge
-constexpr int kTurns = 12;    // directions of edges in half a turn
+constexpr int kScales = 3;  // each half as large as the one before
+constexpr int kTurns = 12;  // directions of edges in half a turn
 /// An edge between two colours has about 1 per pixel, where colours have the deviation 1; shading that goes
 /// over the whole object has at most 0.25.
 constexpr float kEdge = 0.5F;
 constexpr float kShading = 0.15F;  // what the correlation of edges leaves out
+constexpr double kSameSize = 0.3;   // octaves by which the size of a pattern may differ
+constexpr double kOtherSize = 0.6;  // what a pattern keeps that is twice or half as large
 
 /// Divides the colours of the objects by their deviation. False if they have one colour.
 bool normalize(Scale& scale) {
@@ -94,10 +97,11 @@ void findEdges(Scale& scale) {
 /// What is measured of one picture.
 struct Pattern {
     std::vector<Scale> scales;
-    std::array<double, kScales> edges{};  ///< share of the pixels inside that have an edge
-    std::array<double, kTurns> turns{};   ///< shares of the directions of edges
-    double minority = 0;                  ///< share of the rarer of the two main colours, up to 0.5
-    bool isPlain = false;                 ///< the objects have one colour
+    std::vector<PatternPoint> points;
+    PatternKinds kinds;
+    std::array<double, kTurns> turns{};  ///< shares of the directions of edges
+    double minority = 0;                 ///< share of the rarer of the two main colours, up to 0.5
+    bool isPlain = false;                ///< the objects have one colour
 };
 
 /// The share of the rarer of two colours that divide the objects best (k-means, from the colours at both ends
@@ -144,6 +148,9 @@ double minorityOf(const Scale& scale) {
 
 Pattern patternOf(Scale objects) {
     Pattern pattern;
+    const ToneScales tones = toneScalesOf(objects);
+    pattern.points = findPatternPoints(tones);
+    pattern.kinds = patternKindsOf(tones);
     pattern.isPlain = !normalize(objects);
     pattern.scales.push_back(std::move(objects));
     for (int i = 1; i < kScales; ++i) pattern.scales.push_back(halved(pattern.scales.back()));
@@ -153,53 +160,38 @@ Pattern patternOf(Scale objects) {
     for (std::size_t s = 0; s < pattern.scales.size(); ++s) {
         Scale& scale = pattern.scales[s];
         findEdges(scale);
-        double inside = 0, found = 0;
+        if (s > 1) continue;
         for (std::size_t i = 0; i < scale.edges.size(); ++i) {
-            inside += scale.inside[i] >= 1 ? 1 : 0;
             if (scale.edges[i] < kEdge) continue;
-            ++found;
-            if (s > 1) continue;
             const int turn = std::min(kTurns - 1, static_cast<int>(static_cast<double>(scale.angles[i]) /
                                                                    std::numbers::pi * kTurns));
             pattern.turns[static_cast<std::size_t>(turn)] += scale.edges[i];
             directed += scale.edges[i];
         }
-        pattern.edges[s] = inside > 0 ? found / inside : 0;
     }
     if (directed > 0)
         for (double& each : pattern.turns) each /= directed;
     return pattern;
 }
 
-constexpr double kOtherSize = 0.8;  // what a pattern keeps that is twice or half as large
-
 double ratio(double a, double b, double least) {
     return (std::min(a, b) + least) / (std::max(a, b) + least);
 }
 
-/// How alike the patterns are, wherever they are.
-double patternLikeness(const Pattern& a, const Pattern& b) {
-    if (a.isPlain || b.isPlain) return a.isPlain && b.isPlain ? 1 : 0;
-    // A pattern of half the size has in one scale what the other has in the next.
-    double density = 0;
-    for (int shift = -1; shift <= 1; ++shift) {
-        double sum = 0;
-        int count = 0;
-        for (int i = 0; i < kCompared; ++i) {
-            const int k = i + shift;
-            if (k < 0 || k >= kCompared) continue;
-            sum += ratio(a.edges[static_cast<std::size_t>(i)], b.edges[static_cast<std::size_t>(k)], 0.004);
-            ++count;
-        }
-        density = std::max(density, std::pow(kOtherSize, std::abs(shift)) * sum / count);
-    }
-    double turns = 0;
+/// The part of a range that a figure has, 0 to 1.
+double partOf(double value, double none, double full) {
+    return std::clamp((value - none) / (full - none), 0.0, 1.0);
+}
+
+/// How alike the directions of edges are at the best turn.
+double turnsLikeness(const Pattern& a, const Pattern& b) {
+    double best = 0;
     for (std::size_t by = 0; by < kTurns; ++by) {
         double common = 0;
         for (std::size_t i = 0; i < kTurns; ++i) common += std::min(a.turns[i], b.turns[(i + by) % kTurns]);
-        turns = std::max(turns, common);
+        best = std::max(best, common);
     }
-    return density * (0.3 + 0.45 * turns + 0.25 * ratio(a.minority, b.minority, 0.05));
+    return best;
 }
 
 /// The correlation of the edges of two pictures in one scale, at the best shift.
@@ -245,6 +237,21 @@ double alignedLikeness(const Pattern& a, const Pattern& b) {
            overlap(a.scales[0], b.scales[0]);
 }
 
+/// How alike the patterns are, wherever they are. The limits are where patterns that have nothing in common and
+/// patterns on other models end, of scenes that were made for that (docs/class.md).
+double patternLikeness(const Pattern& a, const Pattern& b) {
+    if (a.isPlain || b.isPlain) return a.isPlain && b.isPlain ? 1 : 0;
+    const FoundAgain found = foundAgain(a.points, b.points);
+    // Where the outlines are the same, so are model and camera, and another size is a mistake.
+    const double size = std::max(0.0, std::abs(found.octaves) - kSameSize);
+    const double sameOutline = std::pow(overlap(a.scales[0], b.scales[0]), 2);
+    const double product =
+        partOf(found.correlation, 0.72, 0.86) * std::pow(partOf(commonKinds(a.kinds, b.kinds), 0.5, 1), 0.4) *
+        (0.5 + 0.5 * turnsLikeness(a, b)) * std::pow(ratio(a.minority, b.minority, 0.05), 0.35) *
+        std::pow(kOtherSize, size * sameOutline);
+    return std::pow(product, 0.8);
+}
+
 }  // namespace
 
 bool showsNothing(const image::Image& picture) {
@@ -261,11 +268,16 @@ bool showsNothing(const image::Image& picture) {
 double likeness(const image::Image& expected, const image::Image& got) {
     const bool nothing = showsNothing(expected);
     if (nothing || showsNothing(got)) return nothing && showsNothing(got) ? 1 : 0;
-    std::optional<Scale> a = objectsOf(colorsOf(expected)), b = objectsOf(colorsOf(got));
-    if (!a || !b) return 0;
-    const Pattern expectedPattern = patternOf(std::move(*a)), gotPattern = patternOf(std::move(*b));
+    const Colors colorsA = colorsOf(expected), colorsB = colorsOf(got);
+    const std::optional<Objects> objectsA = findObjects(colorsA), objectsB = findObjects(colorsB);
+    if (!objectsA || !objectsB) return 0;
+    // A small object has less detail than a large one; both are compared with that of the smaller.
+    constexpr int kLeastDetail = 24;
+    const int detail = std::clamp(std::min(objectsA->longerSide(), objectsB->longerSide()), kLeastDetail, kSide);
+    const Pattern expectedPattern = patternOf(cutOut(colorsA, *objectsA, detail));
+    const Pattern gotPattern = patternOf(cutOut(colorsB, *objectsB, detail));
     return std::clamp(std::max(alignedLikeness(expectedPattern, gotPattern),
-                               0.9 * patternLikeness(expectedPattern, gotPattern)),
+                               0.95 * patternLikeness(expectedPattern, gotPattern)),
                       0.0, 1.0);
 }
 

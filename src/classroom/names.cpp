@@ -25,20 +25,28 @@ std::string_view unquoted(std::string_view text) {
     return text;
 }
 
-/// The first submitter of each submission of Gradescope's file, whose lines have one key each. A group hands
-/// in one submission under the name of all.
+/// The submitters of each submission of Gradescope's file, whose lines have one key each. A group hands in one
+/// submission under the name of all. The file also has texts that programs of students have printed, which lie
+/// deeper, in other sections.
 std::map<std::string, Person> readMetadata(std::string_view text) {
     std::map<std::string, Person> people;
     Person* person = nullptr;
+    std::string_view section;
     while (!text.empty()) {
         const std::size_t end = std::min(text.find('\n'), text.size());
         const std::string_view line = text.substr(0, end);
         text.remove_prefix(std::min(end + 1, text.size()));
         if (line.starts_with("submission_")) {
             person = &people[std::string(line.substr(0, line.find(':')))];
+            section = {};
             continue;
         }
         if (!person) continue;
+        if (line.starts_with("  :")) {
+            section = line.substr(0, line.find(':', 3) + 1);
+            if (section == "  :created_at:") person->time = unquoted(line.substr(section.size()));
+        }
+        if (section != "  :submitters:") continue;
         const auto take = [&](std::string_view key, std::string& to, const char* between) {
             const std::size_t at = line.find(key);
             if (at == std::string_view::npos || line.find_first_not_of(" -\t") != at) return;
@@ -63,6 +71,7 @@ std::string_view name(GradeBook book) {
 struct NameRule::Pattern {
     std::regex expression;
     int name = 1, number = 2, file = 3, late = 0;  ///< groups; 0: none
+    int code = 0, lateCode = 0;                    ///< of a student without a name, and that it is late
 };
 
 Result<NameRule> NameRule::of(const std::string& text) try {
@@ -75,7 +84,8 @@ Result<NameRule> NameRule::of(const std::string& text) try {
     } else if (text == "canvas") {
         rule.book_ = GradeBook::canvas;
         rule.pattern_ = std::make_shared<Pattern>(
-            Pattern{std::regex("([^_]+)_(?:(LATE)_)?(\\d+)_\\d+_(.+)", flags), 1, 3, 4, 2});
+            Pattern{std::regex("(?:(.+?)_(?:(LATE)_)?(\\d+)|(?:(LATE)_)?(anon_[A-Za-z0-9]+))_\\d+_(.+)", flags),
+                    1, 3, 6, 2, 5, 4});
     } else if (text == "gradescope") {
         rule.book_ = GradeBook::gradescope;
         rule.pattern_ = std::make_shared<Pattern>(Pattern{std::regex("(submission_(\\d+))", flags), 1, 2, 0});
@@ -111,12 +121,14 @@ std::optional<Person> NameRule::split(const std::string& text) const {
         return std::nullopt;
     const auto group = [&](int which) { return which > 0 ? found.str(static_cast<std::size_t>(which)) : ""; };
     Person person{group(pattern_->name), group(pattern_->number)};
+    if (const std::string code = group(pattern_->code); !code.empty()) person.name = person.number = code;
     person.file = group(pattern_->file);
-    person.isLate = !group(pattern_->late).empty();
+    person.isLate = !group(pattern_->late).empty() || !group(pattern_->lateCode).empty();
     if (const auto known = people_.find(text); known != people_.end()) {
         if (!known->second.name.empty()) person.name = known->second.name;
         if (!known->second.number.empty()) person.number = known->second.number;
         person.email = known->second.email;
+        person.time = known->second.time;
     }
     if (person.name.empty()) return std::nullopt;
     return person;

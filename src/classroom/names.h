@@ -23,12 +23,14 @@ struct Person {
     std::string email{};
     std::string file{};   ///< the name that the student gave to the file; empty for a folder
     bool isLate = false;  ///< the platform says so
+    std::string time{};   ///< when it was handed in, if the platform says so: "2026-11-20 23:59:00 Z"
 };
 
 /// A rule that splits names. Copies share what they were made of.
 ///   moodle      "Ana Lee_1234567_assignsubmission_file_", for a file with the student's name after it
-///   canvas      "leeana_LATE_123_456_a.glib": the sortable name, the user's id, the id of the file
-///   gradescope  "submission_123"; submission_metadata.yml beside it has names, student ids and addresses
+///   canvas      "leeana_LATE_123_456_a.glib": the sortable name, the user's id, the id of the file; or
+///               "LATE_anon_a1B2c_456_a.glib" if it hides names
+///   gradescope  "submission_123"; submission_metadata.yml beside it has names, student ids, addresses, times
 /// Any other text is a regular expression (ECMAScript) that fits the whole name: group 1 is the name, group 2
 /// the number, group 3 the student's own file name; 2 and 3 may be left out.
 class NameRule {

@@ -8,6 +8,7 @@
 #include <initializer_list>
 #include <iterator>
 
+#include "classroom/hand_in_time.h"
 #include "glib/text.h"
 
 namespace glibra::classroom {
@@ -119,11 +120,14 @@ Result<Roster> readRoster(const fs::path& file) {
     const auto email = firstColumn(roster, {"email", "email address", "e-mail", "sis login id"});
     const auto scene = columnOf(roster, "scene");
     const auto days = columnOf(roster, "days late");
-    const auto time = columnOf(roster, "submitted");
+    const auto lateness = columnOf(roster, "lateness (h:m:s)");
+    const auto status = columnOf(roster, "status");
+    const auto time = firstColumn(roster, {"submitted", "submission time", "last modified (submission)"});
     if (!name && !first && !last && !number)
         return wrong(file, fmt::format("the roster '{}' has no column 'name' or 'number'; its first line has "
                                        "the names of the columns",
                                        file.string()));
+    Diagnostics problems;
     for (std::size_t i = 1; i < roster.records.size(); ++i) {
         const auto field = [&](const std::optional<std::size_t>& column) {
             return column && *column < roster.records[i].size() ? withoutBlanks(roster.records[i][*column])
@@ -140,10 +144,21 @@ Result<Roster> readRoster(const fs::path& file) {
             if (problem == std::errc() && end == text_.data() + text_.size() && value >= 0 && value < 1e4)
                 student.daysLate = value;
         }
-        if (std::string text_ = field(time); !text_.empty()) student.time = std::move(text_);
+        if (!student.daysLate) student.daysLate = latenessOf(field(lateness));
+        student.status = field(status);
+        // Moodle writes "-" for nobody's time.
+        if (std::string text_ = field(time); isTime(text_))
+            student.time = std::move(text_);
+        else if (!text_.empty() && text_ != "-" && problems.empty())
+            problems.push_back(withoutId(
+                Severity::warning,
+                fmt::format("cannot read the time '{}' in the roster '{}'; a time is '2026-11-20 23:59', or as "
+                            "Moodle writes it in English",
+                            text_, file.string()),
+                {file.string(), static_cast<int>(i + 1), 1}));
         roster.students.push_back(std::move(student));
     }
-    return roster;
+    return {std::move(roster), std::move(problems)};
 }
 
 std::optional<std::size_t> studentOf(const Roster& roster, const Submission& submission) {

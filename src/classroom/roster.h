@@ -22,20 +22,22 @@ std::vector<std::vector<std::string>> csvRecords(std::string_view text);
 struct Student {
     std::string name, number, email;
     std::string scene;                ///< pattern for --scene-of, or empty
-    std::optional<double> daysLate;   ///< of the column "days late"
-    std::optional<std::string> time;  ///< of the column "submitted": "2026-11-20 23:59"
+    std::optional<double> daysLate;   ///< of the column "days late", or Gradescope's "Lateness (H:M:S)"
+    std::optional<std::string> time;  ///< when it was handed in, as daysBetween reads it (hand_in_time.h)
     std::size_t record = 0;           ///< in Roster::records
+    std::string status{};             ///< of Moodle: "Submitted for grading - 1 day late"
 };
 
 /// A roster. Its columns are found by their names, in any order and case: "name", "full name" or "student",
 /// or "first name" and "last name" or "surname"; "number", "id", "id number", "sid", "identifier", "sis user
-/// id"; "email", "email address"; "scene", "days late", "submitted".
+/// id"; "email", "email address"; "scene", "days late", "lateness (h:m:s)", "status"; "submitted",
+/// "submission time" or "last modified (submission)".
 struct Roster {
     std::vector<std::vector<std::string>> records;  ///< of the file; the first has the names of the columns
     std::vector<Student> students;
 };
 
-/// Errors: the file cannot be read, or has no column of names or numbers.
+/// Errors: the file cannot be read, or has no column of names or numbers. Warning: times that cannot be read.
 Result<Roster> readRoster(const std::filesystem::path& file);
 
 /// The column of that name, in any case, or nothing.

@@ -3,14 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "base/contained.h"
+#include "classroom/hand_in_time.h"
 #include "suite/file/glob.h"
 
 namespace glibra::classroom {
@@ -21,29 +20,6 @@ using Json = nlohmann::json;
 
 constexpr std::uint64_t kLargestMarks = 16u << 20u;
 constexpr std::size_t kLongestComment = 10'000;
-
-/// Minutes since 1970 of "2026-11-20 23:59"; a day without a time ends with it.
-std::optional<std::int64_t> minutesOf(std::string_view text) {
-    std::array<int, 5> numbers{0, 0, 0, 23, 59};
-    std::size_t count = 0;
-    while (!text.empty() && count < numbers.size()) {
-        const std::size_t digits = std::min(text.find_first_not_of("0123456789"), text.size());
-        if (digits == 0 || digits > 4) return std::nullopt;
-        std::from_chars(text.data(), text.data() + digits, numbers[count++]);
-        text.remove_prefix(digits);
-        if (text.empty()) break;
-        const std::string_view separators = count < 3 ? "-" : count == 3 ? " T" : ":";
-        if (count == numbers.size()) break;  // seconds and zones do not matter
-        if (separators.find(text.front()) == std::string_view::npos) return std::nullopt;
-        text.remove_prefix(1);
-    }
-    if (count != 3 && count != 5) return std::nullopt;
-    using namespace std::chrono;
-    const year_month_day day{year(numbers[0]), month(static_cast<unsigned>(numbers[1])),
-                             std::chrono::day(static_cast<unsigned>(numbers[2]))};
-    if (!day.ok() || numbers[3] > 23 || numbers[4] > 59) return std::nullopt;
-    return std::int64_t{sys_days(day).time_since_epoch().count()} * 24 * 60 + numbers[3] * 60 + numbers[4];
-}
 
 /// The part of the points (0 to 1), why, and the moment that shows it.
 struct Judgement {
@@ -192,13 +168,6 @@ Judgement judge(const Check& check, const Classroom& room, const Entry& entry) {
 
 }  // namespace
 
-std::optional<double> daysBetween(std::string_view due, std::string_view time) {
-    const std::optional<std::int64_t> a = minutesOf(due), b = minutesOf(time);
-    if (!a || !b) return std::nullopt;
-    constexpr std::int64_t kDay = std::int64_t{24} * 60;
-    return *b <= *a ? 0.0 : static_cast<double>((*b - *a + kDay - 1) / kDay);
-}
-
 void giveMarks(const Rubric& rubric, const Classroom& room, const HandedIn& handedIn, Entry& entry) {
     entry.marks.clear();
     for (const Check& check : rubric.checks) {
@@ -210,9 +179,12 @@ void giveMarks(const Rubric& rubric, const Classroom& room, const HandedIn& hand
     entry.lateFactor = 1;
     entry.lateReason.clear();
     if (!rubric.late) return;
+    const MoodleStatus status = readMoodleStatus(handedIn.status);
     std::optional<double> days = handedIn.daysLate;
+    if (!days && status.isExtended) days = status.daysLate.value_or(0);
     if (!days && handedIn.time && !rubric.late->due.empty())
         days = daysBetween(rubric.late->due, *handedIn.time);
+    if (!days) days = status.daysLate;
     if (!days && handedIn.isLate) days = 1;
     if (!days || *days <= 0) return;
     const double lost = std::min(rubric.late->most, std::ceil(*days) * rubric.late->perDay);

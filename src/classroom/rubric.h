@@ -61,16 +61,15 @@ Result<Rubric> readRubricText(std::string_view text, const std::string& file);
 Diagnostics problemsOf(const Rubric& rubric, const std::vector<Moment>& moments,
                        const std::vector<Slider>& sliders, bool hasReference);
 
-/// When a submission was handed in, as a roster or a learning platform says.
+/// When a submission was handed in, as a roster or a learning platform says. The first of these that is known
+/// counts: `daysLate`; `status` if it tells of an extension; `time` and the due date of the rule; `status`;
+/// `isLate`, which is one day.
 struct HandedIn {
     std::optional<double> daysLate;
-    std::optional<std::string> time;  ///< "2026-11-21 08:00"
+    std::optional<std::string> time;  ///< as daysBetween reads it (hand_in_time.h)
     bool isLate = false;              ///< late, but nobody says how much
+    std::string status{};             ///< Moodle's column of that name
 };
-
-/// Days between two times "2026-11-20 23:59" (also with a T between, seconds, or no time of day), begun days
-/// counted as whole; 0 if the second is not later. Nothing if one cannot be read.
-std::optional<double> daysBetween(std::string_view due, std::string_view time);
 
 /// Sets marks, lateFactor and lateReason of an entry.
 void giveMarks(const Rubric& rubric, const Classroom& classroom, const HandedIn& handedIn, Entry& entry);

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "classroom/hand_in_time.h"
 #include "classroom/rubric.h"
 #include "suite/file/glob.h"
 #include "suite/file/toml_reader.h"
@@ -176,7 +177,7 @@ class RubricReader {
         for (const TomlEntry& each : *table) {
             if (each.key == "due") {
                 if (auto text = reader_.text(each.value, each.key)) rule.due = std::move(*text);
-                if (!rule.due.empty() && !daysBetween(rule.due, rule.due))
+                if (!rule.due.empty() && !isTime(rule.due))
                     reader_.wrongType(each.value, each.key, "a time, as \"2026-11-20 23:59\"");
             } else if (each.key == "per-day") {
                 rule.perDay = reader_.number(each.value, each.key, 0, 1).value_or(0);

@@ -84,6 +84,7 @@ class Collector {
         made.number = person.number;
         made.email = person.email;
         made.isLate = person.isLate;
+        made.time = person.time;
         made.key = key;
         return made;
     }

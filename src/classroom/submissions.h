@@ -24,6 +24,7 @@ struct Submission {
     bool isUnlisted = false;        ///< a folder could not be listed, which may have the scene
     std::string number{}, email{};  ///< of the student, as the learning platform or the roster has them
     bool isLate = false;            ///< the learning platform says so
+    std::string time{};             ///< when it was handed in, if the learning platform says so
     std::string key{};              ///< the name of the folder or file that was handed in
     /// Zip files to unpack, and files to copy beside them, with the names that they get there. `folder` is
     /// made of them by unpackSubmissions.
@@ -83,6 +84,11 @@ struct UnpackOptions {
 };
 
 inline constexpr const char* kUnpacked = "unpacked";
+inline constexpr const char* kExport = "export";
+
+/// Unpacks the zip file in which a learning platform exports all submissions to SITE/export. Returns that folder, or
+/// the only folder in it if that is not itself a submission. Errors: file-E10, or why it cannot be unpacked.
+Result<std::filesystem::path> unpackExport(const std::filesystem::path& archive, const UnpackOptions& options);
 
 /// Makes the folders of the submissions that have `parts` and finds their scenes. Those that cannot be
 /// unpacked have a `problem`. Removes what an earlier run has unpacked. Error: file-E10.

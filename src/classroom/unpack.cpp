@@ -19,7 +19,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t kMostBytes = std::uint64_t{4} << 30U;  // of a class
-constexpr const char* kMark = "made-by-glibra";
+constexpr std::size_t kMostEntries = 100'000;                  // likewise
+constexpr const char* kMark = ".made-by-glibra";
+constexpr const char* kFormerMark = "made-by-glibra";
 
 /// A name for the folder of a submission: one part of a path that is not hidden.
 std::string folderName(const std::string& name, std::size_t number) {
@@ -29,9 +31,9 @@ std::string folderName(const std::string& name, std::size_t number) {
     return text.empty() || text.front() == '.' ? fmt::format("{:04}", number + 1) : text;
 }
 
-/// Makes SITE/unpacked anew. The mark says that a folder of this name is ours, so that nobody loses theirs.
-Diagnostics makeFolder(const fs::path& site) {
-    const fs::path folder = site / kUnpacked;
+/// Makes SITE/NAME anew. The mark says that a folder of this name is ours, so that nobody loses theirs.
+Diagnostics makeFolder(const fs::path& site, const char* name) {
+    const fs::path folder = site / name;
     const auto fail = [&](const std::string& why) {
         return Diagnostics{
             diagnose("file-E10", fmt::format("cannot write into '{}': {}", folder.string(), why))};
@@ -39,13 +41,14 @@ Diagnostics makeFolder(const fs::path& site) {
     std::error_code failure;
     const fs::file_type type = fs::symlink_status(folder, failure).type();
     if (type == fs::file_type::directory) {
-        if (!fs::exists(folder / kMark, failure) && !fs::is_empty(folder, failure))
+        if (!fs::exists(folder / kMark, failure) && !fs::exists(folder / kFormerMark, failure) &&
+            !fs::is_empty(folder, failure))
             return fail("it was not made by glibra; name another folder with -o");
         fs::remove_all(folder, failure);
     } else if (type != fs::file_type::not_found) {
         return fail("it is no folder");
     }
-    const int problem = base::writeBeneath(site, fs::path(kUnpacked) / kMark, {});
+    const int problem = base::writeBeneath(site, fs::path(name) / kMark, {});
     return problem == 0 ? Diagnostics{} : fail(std::generic_category().message(problem));
 }
 
@@ -77,7 +80,41 @@ std::string unpack(const Submission& submission, const UnpackLimits& allowed) {
     return {};
 }
 
+/// The only folder in `folder`, if there is nothing else and it has no scene of its own: Gradescope puts all
+/// submissions into one.
+fs::path descended(const fs::path& folder) {
+    std::vector<fs::path> inside;
+    std::error_code failure;
+    for (const fs::directory_entry& each : fs::directory_iterator(folder, failure))
+        if (each.path().filename() != kMark) inside.push_back(each.path());
+    if (inside.size() != 1 || fs::symlink_status(inside[0], failure).type() != fs::file_type::directory)
+        return folder;
+    for (const fs::directory_entry& each : fs::directory_iterator(inside[0], failure))
+        if (each.path().extension() == ".glib") return folder;
+    return inside[0];
+}
+
 }  // namespace
+
+Result<fs::path> unpackExport(const fs::path& archive, const UnpackOptions& options) {
+    if (Diagnostics problems = makeFolder(options.site, kExport); !problems.empty()) return problems;
+    const fs::path folder = options.site / kExport;
+    std::string why = "it could not be unpacked within the limits";
+    base::runInWorkers(
+        1,
+        {.memory = base::memoryShare(1, 1), .stop = options.stop, .sandbox = options.sandbox},
+        [&](std::size_t, const base::Step&) {
+            UnpackLimits limits{kMostBytes, kMostEntries};
+            return unpackArchive(archive, folder, limits);
+        },
+        [&](std::size_t, const base::Outcome& outcome) {
+            if (outcome.end == base::Outcome::End::finished) why = outcome.answer;
+        },
+        [](std::size_t, const std::string&) {});
+    if (!why.empty())
+        return withoutId(Severity::error, fmt::format("cannot unpack '{}': {}", archive.string(), why));
+    return descended(folder);
+}
 
 Diagnostics unpackSubmissions(Submissions& submissions, const SubmissionOptions& find,
                               const UnpackOptions& options) {
@@ -86,7 +123,7 @@ Diagnostics unpackSubmissions(Submissions& submissions, const SubmissionOptions&
         if (!each.parts.empty()) packed.push_back(&each);
     std::error_code failure;
     if (packed.empty() && !fs::exists(options.site / kUnpacked / kMark, failure)) return {};
-    if (Diagnostics problems = makeFolder(options.site); !problems.empty() || packed.empty()) return problems;
+    if (Diagnostics problems = makeFolder(options.site, kUnpacked); !problems.empty() || packed.empty()) return problems;
     std::vector<std::string> names;
     for (std::size_t i = 0; i < packed.size(); ++i) {
         std::string name = folderName(packed[i]->name, i);

@@ -12,8 +12,10 @@
 #include <vector>
 
 #include "base/utf8.h"
+#include "classroom/archive.h"
 #include "classroom/class_page.h"
 #include "classroom/class_run.h"
+#include "classroom/hand_in_time.h"
 #include "classroom/import_table.h"
 #include "classroom/moments.h"
 #include "classroom/roster.h"
@@ -150,19 +152,44 @@ int readChecks(const ClassArguments& arguments, ClassInput& input) {
     return kDone;
 }
 
-void mark(const ClassInput& input, classroom::Classroom& room) {
+/// Gives all marks. False if the late rule knows of no submission when it came in.
+bool mark(const ClassInput& input, classroom::Classroom& room) {
+    bool knowsTimes = input.find.names.book() == classroom::GradeBook::canvas;  // which marks the late ones
     for (std::size_t i = 0; i < room.entries.size(); ++i) {
         classroom::Entry& entry = room.entries[i];
         classroom::HandedIn handedIn;
         handedIn.isLate = entry.submission.isLate;
+        if (!entry.submission.time.empty()) handedIn.time = entry.submission.time;
         for (std::size_t student = 0; student < input.handed.size(); ++student) {
             if (input.handed[student] != i) continue;
-            handedIn.daysLate = input.roster->students[student].daysLate;
-            handedIn.time = input.roster->students[student].time;
+            const classroom::Student& known = input.roster->students[student];
+            handedIn.daysLate = known.daysLate;
+            handedIn.status = known.status;
+            if (known.time) handedIn.time = known.time;
         }
+        knowsTimes = knowsTimes || handedIn.daysLate || handedIn.time || handedIn.isLate ||
+                     classroom::readMoodleStatus(handedIn.status).daysLate;
         if (input.rubric) classroom::giveMarks(*input.rubric, room, handedIn, entry);
         classroom::applyTeacherMarks(input.own, entry);
     }
+    return knowsTimes || !input.rubric || !input.rubric->late;
+}
+
+/// If the submissions are one zip file, as a learning platform exports them, unpacks it. False: it cannot be.
+bool unpackExport(const ClassArguments& arguments, classroom::ClassPlan& plan) {
+    std::error_code failure;
+    if (!classroom::isArchive(plan.folder) || !fs::is_regular_file(plan.folder, failure)) return true;
+    std::optional<base::Sandbox> sandbox;
+    if (arguments.made.untrusted) {
+        sandbox.emplace();
+        sandbox->readable.push_back(plan.folder);
+        sandbox->writable.emplace_back(plan.site, fs::path(classroom::kExport));
+    }
+    Result<fs::path> folder = classroom::unpackExport(
+        plan.folder, {.site = plan.site, .jobs = 1, .timeout = 0, .sandbox = sandbox ? &*sandbox : nullptr});
+    print(folder.diagnostics);
+    if (folder) plan.folder = std::move(*folder);
+    return folder.value.has_value();
 }
 
 /// Finds out what is to be drawn. The exit status; kDone if all is well.
@@ -200,6 +227,7 @@ int readInput(const ClassArguments& arguments, ClassInput& input) {
                                                                         : fs::path("."));
         input.find.others.emplace_back(arguments.reference);
     }
+    if (!unpackExport(arguments, plan)) return kWrongUsage;
     Result<classroom::Submissions> found = classroom::findSubmissions(plan.folder, input.find);
     print(found.diagnostics);
     if (!found) return kWrongUsage;
@@ -248,6 +276,8 @@ int writeFiles(const ClassArguments& arguments, const ClassInput& input, classro
                                   : arguments.assignment;
     files.import.roster = input.roster ? &*input.roster : nullptr;
     files.import.handed = input.handed;
+    if (const std::string why = classroom::whyNoAssignment(files.import); !why.empty())
+        printLine(base::printableText("glibra: note: " + why));
     const Diagnostics problems = classroom::writeSite(room, input.plan.site, files);
     print(problems);
     return hasError(problems) ? kSceneIsWrong : kDone;
@@ -308,7 +338,10 @@ int runClassCommand(const ClassArguments& arguments, const std::string& command)
     room.began = utcNow();
     room.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     nameAbsent(input, room);
-    mark(input, room);
+    if (!mark(input, room))
+        printLine(
+            "glibra: note: the late rule takes nothing, because nothing says when the submissions came in; a roster "
+            "says it in a column 'submitted' or 'days late'");
     if (const int status = writeFiles(arguments, input, room); status != kDone) return status;
     report(room, plan.site);
     if (arguments.serves) {
@@ -364,7 +397,7 @@ void addClass(CommandLine& program, int& status) {
         "glibra class submissions/ --reference solution.glib --time 0 --time 2.5 --untrusted\n"
         "glibra class export/ --names moodle --roster grades.csv        # a learning platform's own names");
     ClassArguments& to = *arguments;
-    command.option("SUBMISSIONS", to.folder, "folder with a folder, a zip file or a .glib file per student")
+    command.option("SUBMISSIONS", to.folder, "folder with a folder, a zip file or a .glib file per student; or a zip file of all")
         .required();
     command.option(
         "--reference", to.reference,

@@ -60,8 +60,10 @@ void list(const suite::Review& review) {
         text += fmt::format("{} ({})\n", base::printableText(group.cause), group.shots.size());
         for (const std::size_t each : group.shots) {
             const suite::ShotResult& shot = review.shots()[each];
+            const std::string decided = review.decisionOf(each);
             text += base::printableText(
-                        fmt::format("    {}/{}: {}", shot.suite, shot.shot, suite::reasonOf(shot))) +
+                        fmt::format("    {}{}/{}: {}", decided.empty() ? "" : decided + ": ", shot.suite,
+                                    shot.shot, suite::reasonOf(shot))) +
                     "\n";
         }
     }
@@ -79,7 +81,9 @@ int review(const ReviewArguments& arguments) {
     suite::Review shown(*run, *suites, {arguments.results, arguments.goldens, arguments.allowOutside});
     if (!arguments.serve) {
         list(shown);
-        return shown.shots().empty() ? kDone : kDiffers;
+        for (std::size_t i = 0; i < shown.shots().size(); ++i)
+            if (shown.decisionOf(i) != "accepted") return kDiffers;
+        return kDone;
     }
     if (suites->empty())
         printLine(

@@ -7,66 +7,10 @@
 #include <map>
 
 #include "../suite/folder.h"
+#include "strict_csv.h"
 
 namespace glibra::classroom {
 namespace {
-
-/// RFC 4180 and nothing else: every record has as many fields as the first, lines end with CR LF, a quote
-/// stands only around a field or doubled in one.
-std::vector<std::map<std::string, std::string>> strictly(const std::string& text) {
-    std::vector<std::vector<std::string>> records(1);
-    std::size_t at = 0;
-    while (at < text.size()) {
-        std::string field;
-        if (text[at] == '"') {
-            for (++at;; ++at) {
-                if (at >= text.size()) throw std::runtime_error("a quote is not closed");
-                if (text[at] != '"')
-                    field += text[at];
-                else if (text.compare(at, 2, "\"\"") == 0)
-                    field += text[at++];
-                else
-                    break;
-            }
-            ++at;
-        } else {
-            const std::size_t end = text.find_first_of(",\r\n\"", at);
-            field = text.substr(at, end - at);
-            at = end;
-        }
-        records.back().push_back(field);
-        if (text.compare(at, 1, ",") == 0) {
-            ++at;
-        } else if (text.compare(at, 2, "\r\n") == 0) {
-            at += 2;
-            records.emplace_back();
-        } else {
-            throw std::runtime_error("neither a comma nor a line end at " + std::to_string(at));
-        }
-    }
-    records.pop_back();
-    std::vector<std::map<std::string, std::string>> rows;
-    for (std::size_t i = 1; i < records.size(); ++i) {
-        if (records[i].size() != records[0].size()) throw std::runtime_error("a record of another length");
-        std::map<std::string, std::string>& row = rows.emplace_back();
-        for (std::size_t k = 0; k < records[0].size(); ++k)
-            if (!row.emplace(records[0][k], records[i][k]).second) throw std::runtime_error("two columns");
-    }
-    return rows;
-}
-
-/// As assignfeedback_offline of Moodle reads it: lines without a known identifier are skipped, an empty grade
-/// changes nothing.
-std::map<std::string, double> moodleGrades(const std::string& table) {
-    std::map<std::string, double> grades;
-    for (const auto& row : strictly(table)) {
-        const std::string id = row.at("Identifier");
-        if (!id.starts_with("Participant ")) continue;
-        (void)row.at("Feedback comments");
-        if (!row.at("Grade").empty()) grades[id.substr(12)] = std::stod(row.at("Grade"));
-    }
-    return grades;
-}
 
 Classroom markedClass() {
     Classroom room;
@@ -131,6 +75,35 @@ TEST(ImportTables, ThePlatformsOwnTableKeepsItsColumnsAndLines) {
     EXPECT_EQ(rows[0].at("Full name"), "Lee, Ana");
     EXPECT_EQ(rows[0].at("Maximum Grade"), "10.00");
     EXPECT_EQ(rows[1].at("Feedback comments"), "a \"b\"");
+}
+
+TEST(ImportTables, CanvassOwnTableKeepsItsColumnsAndGetsTheGradesOfOneAssignment) {
+    const suite::Folder made;
+    // As Canvas exports it, with a line about posting and one about points.
+    suite::writeText(made / "grades.csv",
+                     "Student,ID,SIS User ID,SIS Login ID,Section,P1 (990),P2 (991),Current Score\n"
+                     ",,,,,Manual Posting,,\n    Points Possible,,,,,5.00,8.00,(read only)\n"
+                     "\"Lee, Ana\",7,u7,ana,01,4,,80\n\"Ray, Zoe\",9,u9,zoe,01,2,1,40\n");
+    const Roster roster = *readRoster(made / "grades.csv");
+    ASSERT_EQ(roster.students.size(), 2U);
+    EXPECT_EQ(roster.students[0].number, "7");
+    for (const char* each : {"P2 (991)", "P2", "991"}) {
+        const ImportOptions options{
+            .book = GradeBook::canvas, .assignment = each, .roster = &roster, .handed = {0, std::nullopt}};
+        EXPECT_EQ(whyNoAssignment(options), "");
+        const auto rows = strictly(importTable(markedClass(), options));
+        ASSERT_EQ(rows.size(), 4U);
+        EXPECT_EQ(rows[0].at("P1 (990)"), "Manual Posting");
+        EXPECT_EQ(rows[1].at("Student"), "    Points Possible");
+        EXPECT_EQ(rows[1].at("P2 (991)"), "8.00");
+        EXPECT_EQ(rows[2].at("P2 (991)"), "7.50");
+        EXPECT_EQ(rows[2].at("P1 (990)"), "4");
+        EXPECT_EQ(rows[3].at("P2 (991)"), "1") << "nothing was handed in";
+    }
+    const std::string why =
+        whyNoAssignment({.book = GradeBook::canvas, .assignment = "all", .roster = &roster, .handed = {}});
+    EXPECT_NE(why.find("'all'"), std::string::npos) << why;
+    EXPECT_NE(why.find("'P1 (990)', 'P2 (991)'"), std::string::npos) << why;
 }
 
 TEST(ImportTables, WithoutARubricTheGradeIsEmptyAndTheStateIsTheComment) {

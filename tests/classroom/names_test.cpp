@@ -38,7 +38,16 @@ TEST(NameRules, SplitTheNamesOfCanvas) {
     EXPECT_FALSE(early.isLate);
     EXPECT_TRUE(split("canvas", "leeana_LATE_123_45678_a.zip").isLate);
     EXPECT_EQ(split("canvas", "leeana_LATE_123_45678_a.zip").number, "123");
+    EXPECT_EQ(split("canvas", "my_team_123_45678_a.zip").name, "my_team");
     EXPECT_EQ(split("canvas", "readme.txt").name, "no match");
+    EXPECT_EQ(split("canvas", "123_45678_a.glib").name, "no match");
+    // lib/content_zipper.rb of Canvas: names are left out where grading is anonymous.
+    const Person hidden = split("canvas", "LATE_anon_a1B2c_45678_a.glib");
+    EXPECT_EQ(hidden.name, "anon_a1B2c");
+    EXPECT_EQ(hidden.number, "anon_a1B2c");
+    EXPECT_TRUE(hidden.isLate);
+    EXPECT_EQ(split("canvas", "anon_a1B2c_45678_my_scene.glib").file, "my_scene.glib");
+    EXPECT_FALSE(split("canvas", "anon_a1B2c_45678_my_scene.glib").isLate);
 }
 
 TEST(NameRules, SplitTheNamesOfGradescope) {
@@ -46,13 +55,17 @@ TEST(NameRules, SplitTheNamesOfGradescope) {
     const suite::Folder made;
     suite::writeText(made / "submission_metadata.yml",
                      "---\nsubmission_77:\n  :submitters:\n  - :name: Ana Lee\n    :sid: '0042'\n"
-                     "    :email: ana@example.org\n  - :name: Bob Ray\n    :sid: '0043'\n  :score: 1.0\n"
+                     "    :email: ana@example.org\n  - :name: Bob Ray\n    :sid: '0043'\n"
+                     "  :created_at: 2026-11-20 17:34:00.861687000 Z\n  :score: 1.0\n  :results:\n"
+                     "    output: |-\n      :name: Somebody else\n  :history:\n  - :created_at: 2026-11-01 "
+                     "08:00:00 Z\n    :submitters:\n    - :name: Ana Lee\n"
                      "submission_78:\n  :submitters:\n  - :name: \"Cem \xC3\x96z\"\n    :sid:\n");
     NameRule rule = *NameRule::of("gradescope");
     rule.readBeside(made.path());
     EXPECT_EQ(rule.split("submission_77")->name, "Ana Lee, Bob Ray");
     EXPECT_EQ(rule.split("submission_77")->number, "0042");
     EXPECT_EQ(rule.split("submission_77")->email, "ana@example.org");
+    EXPECT_EQ(rule.split("submission_77")->time, "2026-11-20 17:34:00.861687000 Z");
     EXPECT_EQ(rule.split("submission_78")->name, "Cem \xC3\x96z");
     EXPECT_EQ(rule.split("submission_78")->number, "78");
 }
@@ -80,6 +93,38 @@ TEST(Rosters, AreReadByTheNamesOfTheirColumns) {
     suite::writeText(made / "b.csv", "colour,size\nred,1\n");
     EXPECT_FALSE(readRoster(made / "b.csv"));
     EXPECT_FALSE(readRoster(made / "missing.csv"));
+}
+
+TEST(Rosters, KnowWhenSomethingWasHandedIn) {
+    const suite::Folder made;
+    // mod/assign/gradingtable.php of Moodle, Gradescope's export of scores, and a teacher's own table.
+    suite::writeText(made / "moodle.csv",
+                     "Identifier,\"Full name\",\"Email address\",Status,Grade,\"Last modified (submission)\",\"Last "
+                     "modified (grade)\",\"Feedback comments\"\n"
+                     "\"Participant 7\",\"Ana Lee\",ana@x.org,\"Submitted for grading - 1 day 3 hours "
+                     "late\",,\"Sunday, 22 November 2026, 2:59 AM\",-,\n"
+                     "\"Participant 8\",Bob,,\"No submission\",,-,-,\n");
+    suite::writeText(made / "gradescope.csv",
+                     "First Name,Last Name,SID,Email,Total Score,Max Points,Status,Submission ID,Submission "
+                     "Time,Lateness (H:M:S),View Count\n"
+                     "Ana,Lee,7,a@x,,10,Ungraded,1,2026-11-22 02:59:00 -0800,27:00:00,0\nBob,Ray,8,,,10,Missing,,,,\n");
+    suite::writeText(made / "own.csv", "name;submitted;days late\nAna;20.11.2026 23:59;\nBob;;2\nCem;yesterday;\n");
+    const Roster moodle = *readRoster(made / "moodle.csv");
+    ASSERT_EQ(moodle.students.size(), 2U);
+    EXPECT_EQ(moodle.students[0].time, "Sunday, 22 November 2026, 2:59 AM");
+    EXPECT_EQ(moodle.students[0].status, "Submitted for grading - 1 day 3 hours late");
+    EXPECT_EQ(moodle.students[1].time, std::nullopt);
+    const Roster gradescope = *readRoster(made / "gradescope.csv");
+    EXPECT_EQ(gradescope.students[0].time, "2026-11-22 02:59:00 -0800");
+    EXPECT_EQ(gradescope.students[0].daysLate, 2);
+    EXPECT_EQ(gradescope.students[1].daysLate, std::nullopt);
+    const Result<Roster> own = readRoster(made / "own.csv");
+    EXPECT_EQ(own->students[0].time, "20.11.2026 23:59");
+    EXPECT_EQ(own->students[1].daysLate, 2);
+    EXPECT_EQ(own->students[2].time, std::nullopt);
+    ASSERT_EQ(own.diagnostics.size(), 1U) << "a time that cannot be read is named";
+    EXPECT_EQ(own.diagnostics[0].severity, Severity::warning);
+    EXPECT_EQ(own.diagnostics[0].place.line, 4);
 }
 
 TEST(Rosters, KnowTheirStudents) {

@@ -87,6 +87,39 @@ TEST_F(NoisySuite, AShotThatIsNeverRightFailsWithRetries) {
     EXPECT_EQ(run().status, 3);
 }
 
+#ifdef GLIBRA_END_IN_DRAW
+TEST_F(NoisySuite, ADrawingThatEndsItsProcessIsRepeated) {
+    ASSERT_EQ(run("--update").status, 0);
+    const std::string once = preload(GLIBRA_END_IN_DRAW) + " GLIBRA_ENDED=ended GLIBRA_END_IN_DRAW=1";
+    EXPECT_EQ(run("", once).status, 3) << "without retries it has crashed";
+    suite("retries = 1\n[[shot]]\nname = \"b\"\nscript = \"a.glib\"\nmatch = \"a\"\ngolden = false\n");
+    std::filesystem::remove(folder / "ended");
+    const Finished flaky = run("--jobs 1 --only a", once);
+    EXPECT_EQ(flaky.status, 0) << flaky.out << flaky.err;
+    EXPECT_TRUE(contains(flaky.out, "drawing 2 is right; before: crashed, the process that drew it ended"))
+        << flaky.out;
+    std::filesystem::remove(folder / "ended");
+    EXPECT_EQ(run("--strict-flaky --only a", once).status, 1);
+}
+#endif
+
+#ifdef GLIBRA_END_ON_OPEN
+TEST_F(NoisySuite, RetriesOfAShotThatAlwaysEndsItsProcessOrIsLateEnd) {
+    for (const char* name : {"deadly.frag", "endless.frag"}) {
+        folder.write(name, "#version 330 core\nout vec4 f;\nvoid main() { f = vec4(gl_FragCoord.xy / 16., 0., 1.); }\n");
+        folder.write("a.glib", std::string("WindowSize 16 16\nOrtho -1 1 -1 1\nFragment ") + name +
+                                   "\nVertex a.vert\nProgram P\nSphere .5\n");
+        folder.write("a.vert", "#version 330 core\nvoid main() { gl_Position = uModelViewProjectionMatrix * aVertex; }\n");
+        suite("retries = 2\ntimeout = 2\n");
+        ASSERT_EQ(run("--update").status, 0);
+        const Finished end = run("", preload(GLIBRA_END_ON_OPEN));
+        EXPECT_EQ(end.status, 3) << name << end.out << end.err;
+        EXPECT_TRUE(contains(end.out, std::string("1 ") + (name[0] == 'd' ? "crashed" : "timed-out")))
+            << end.out << end.err;
+    }
+}
+#endif
+
 TEST_F(NoisySuite, WithoutADriverTheJunitFileHasAnErrorForEachShot) {
     const Finished none =
         run("--driver egl --junit j.xml --report out", "__EGL_VENDOR_LIBRARY_FILENAMES=/dev/null");

@@ -73,11 +73,32 @@ TEST_F(VerdictRules, ALostGoldenIsMissingAlthoughTheSceneChecksItself) {
     EXPECT_EQ(lost.status, 1) << lost.out;
     EXPECT_TRUE(contains(lost.out, "golden/a.png")) << lost.out;
     EXPECT_TRUE(contains(lost.out, "golden/s.hashes")) << lost.out;
-    // The two ways out that the message names.
-    folder.write("golden/s.hashes", "");
-    EXPECT_EQ(run().status, 0);
+    // The ways out: --update, and what the message names.
     ASSERT_EQ(run("--update").status, 0);
     EXPECT_EQ(run().status, 0);
+    ASSERT_EQ(shell(folder.path(), "rm golden/a.png").status, 0);
+    suite("golden = false\n");
+    EXPECT_EQ(run().status, 0);
+}
+
+TEST_F(VerdictRules, ANewSceneWithoutItsGoldenIsMissingAlthoughItChecksItself) {
+    scene(".5", "Expect finite window\n");
+    suite("[[shot]]\nscript = \"new*.glib\"\nname = \"of\"\n");
+    folder.write("new1.glib", "WindowSize 16 16\nOrtho -1 1 -1 1\nSphere .3\nExpect finite window\n");
+    EXPECT_EQ(run().status, 0) << "no shot has a golden";
+    ASSERT_EQ(run("--only a --update").status, 0);
+    const Finished missing = run();
+    EXPECT_EQ(missing.status, 1) << missing.out;
+    EXPECT_TRUE(contains(missing.out, "new1.png")) << missing.out;
+    EXPECT_TRUE(contains(missing.out, "golden = false")) << missing.out;
+    EXPECT_EQ(run("--resume").status, 1);
+    ASSERT_EQ(run("--update").status, 0);
+    EXPECT_EQ(run().status, 0);
+    // A golden that no run looks at is left over.
+    suite("[[shot]]\nscript = \"new*.glib\"\nname = \"of\"\ngolden = false\n");
+    const Finished orphan = run();
+    EXPECT_EQ(orphan.status, 0) << orphan.out;
+    EXPECT_TRUE(contains(orphan.out + orphan.err, "new1.png")) << orphan.out << orphan.err;
 }
 
 TEST_F(VerdictRules, APictureThatNothingIsComparedWithFails) {

@@ -3,6 +3,7 @@
 
 usage: class_test.py GLIBRA [--pictures FOLDER [SITE]]     (the second writes screenshots to look at, of SITE if given)
 """
+import base64
 import contextlib
 import os
 import shutil
@@ -194,6 +195,84 @@ class ClassPage(unittest.TestCase):
                 self.assertGreaterEqual(contrast, 4.5, f"{selector}, {scheme}")
             backs.append(self.browser.run("return getComputedStyle(document.body).backgroundColor"))
         self.assertNotEqual(backs[0], backs[1])
+
+    def test_pictures_are_compared_in_five_ways_by_buttons_and_keys(self):
+        shown = "return getComputedStyle(document.querySelector('#drawn .compared figure:nth-child(%d) .shown'))[arguments[0]]"
+        pressed = "return document.querySelector('.modes [aria-pressed=true]').textContent"
+        place = "#drawn .compared"
+        self.browser.run("document.querySelector(arguments[0]).scrollIntoView({block: 'center'})", place)
+        self.assertEqual(self.browser.run(pressed), "side by side")
+        seen = {}
+        for key, words in (("s", "swap"), ("w", "wipe"), ("d", "difference"), ("h", "heat map"), ("b", "side by side")):
+            self.browser.press(key)
+            self.assertEqual(self.browser.run(pressed), words)
+            self.browser.run("document.querySelector(arguments[0]).scrollIntoView({block: 'center'})", place)
+            self.browser.wait("return [...document.querySelectorAll('#drawn .compared:first-of-type img')].slice(0, 2).every((each) => each.complete)")
+            seen[words] = self.browser.screenshot(selector=place)
+            if words == "swap":
+                self.assertEqual(self.browser.run(shown % 1, "visibility"), "hidden")
+                self.browser.run("document.querySelector('#drawn .compared figure:nth-child(2) .shown').click()")
+                self.assertEqual(self.browser.run(shown % 1, "visibility"), "visible")
+                self.assertEqual(self.browser.run(shown % 2, "visibility"), "hidden")
+            if words == "wipe":
+                self.browser.run("""const wipe = document.querySelector('#drawn .wipe'); wipe.value = 100;
+                    wipe.dispatchEvent(new Event('input'));""")
+                self.assertIn("100%", self.browser.run(shown % 2, "clipPath"))
+        self.assertEqual(len(set(seen.values())), 5)
+        self.browser.run("document.querySelectorAll('.modes button')[3].click()")
+        self.assertEqual(self.browser.run(pressed), "difference")
+
+    def test_the_table_is_sorted_by_each_column_and_filtered(self):
+        heads = self.browser.run("return [...document.querySelectorAll('.overview thead th')].map((each) => each.textContent)")
+        column = "return [...document.querySelectorAll('.overview tbody tr')].map((each) => each.cells[arguments[0]].textContent)"
+        for number, head in enumerate(heads):
+            before = self.browser.run(column, number)
+            self.browser.run("document.querySelectorAll('.overview .sort')[arguments[0]].click()", number)
+            up = self.browser.run(column, number)
+            self.browser.run("document.querySelectorAll('.overview .sort')[arguments[0]].click()", number)
+            down = self.browser.run(column, number)
+            self.assertEqual(sorted(before), sorted(up), head)
+            self.assertEqual(sorted(before), sorted(down), head)
+            if head in ("likeness", "FLIP", "structure", "errors", "warnings"):
+                figures = [float(each) for each in up if each]
+                self.assertEqual(figures, sorted(figures), head)
+                self.assertEqual([float(each) for each in down if each], sorted(figures, reverse=True), head)
+        self.browser.run("""const filter = document.querySelector('.filter'); filter.value = 'no scene';
+            filter.dispatchEvent(new Event('input'));""")
+        left = self.browser.run("return [...document.querySelectorAll('.overview tbody tr')].filter((each) => !each.hidden).length")
+        self.assertEqual(left, 1)
+        cards = self.browser.run("return [...document.querySelectorAll('.card')].filter((each) => !each.hidden).map((each) => each.dataset.name)")
+        self.assertEqual(cards, ["Zoe"])
+
+    def test_the_reference_is_shown_once_and_not_again_for_one_that_failed(self):
+        self.assertEqual(self.browser.run("return document.querySelectorAll('#reference .strip figure').length"), 2)
+        self.assertEqual(self.browser.run("return document.querySelectorAll('#failed img[src*=\"/0000-\"]').length"), 0)
+
+    def test_printed_it_has_no_controls_and_becomes_a_pdf_file(self):
+        self.browser.command("Emulation.setEmulatedMedia", media="print")
+        hidden = self.browser.run("return ['.modes', '.filter', 'header nav'].map((each) => getComputedStyle(document.querySelector(each)).display)")
+        self.assertEqual(hidden, ["none"] * 3)
+        self.browser.command("Emulation.setEmulatedMedia", media="")
+        pdf = base64.b64decode(self.browser.command("Page.printToPDF")["data"])
+        self.assertTrue(pdf.startswith(b"%PDF-"))
+
+    def test_the_page_of_a_student_is_one_file_without_the_others(self):
+        with tempfile.TemporaryDirectory() as folder:
+            make_site(folder, "--student-pages")
+            alone = os.path.join(folder, "ada.html")
+            os.rename(os.path.join(folder, "site", "students", "Ada Lovelace.html"), alone)
+            shutil.rmtree(os.path.join(folder, "site"))
+            self.browser.requests()
+            self.browser.open("file://" + alone)
+            self.browser.wait("return document.readyState === 'complete'")
+            sizes = self.browser.run("return [...document.images].map((each) => each.naturalWidth)")
+            self.assertEqual(sizes, [320, 320], "its picture and the reference's")
+            text = self.browser.run("return document.documentElement.outerHTML")
+            for name in NAMES[1:]:
+                if len(name) > 4:
+                    self.assertNotIn(name, text)
+            self.assertNotIn("like that of", text)
+            self.assertEqual([url for url in self.browser.requests() if not url.startswith(("data:", "file://" + alone))], [])
 
     def test_nothing_is_asked_of_the_network(self):
         urls = self.browser.requests()

@@ -40,10 +40,17 @@ class Review(unittest.TestCase):
         self.scene(".8")
         self.write("broken.glib", "WindowSize 48 48\nSpere 1\n")
         self.assertEqual(self.glibra("test", "s.toml"), 3)
+        self.serve()
+        self.stack.callback(self.end)
+
+    def serve(self):
         self.server = subprocess.Popen([PROGRAM, "review", "glibra-results", "--serve"], cwd=self.folder,
                                        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        self.stack.callback(self.end)
         self.address = self.server.stdout.readline().strip()
+
+    def restart(self):
+        self.end()
+        self.serve()
 
     def tearDown(self):
         self.stack.close()
@@ -73,7 +80,12 @@ class Review(unittest.TestCase):
         browser = self.stack.enter_context(webdriver.Browser())
         browser.open(self.address)
         browser.wait("return document.body.dataset.ready === '0'")
+        self.seen(browser, 0)
         return browser
+
+    @staticmethod
+    def seen(browser, shot):
+        browser.wait("return (document.body.dataset.seen || '').split(' ').includes(arguments[0])", str(shot))
 
     @staticmethod
     def key(browser, key):
@@ -108,6 +120,7 @@ class Review(unittest.TestCase):
         self.said(browser, "1 accepted")
         browser.wait("return document.body.dataset.ready === '2'")
         self.assertNotEqual(self.golden("ball@time=2"), before)
+        self.seen(browser, 2)
         self.key(browser, "b")
         self.said(browser, "1 accepted")
         self.assertTrue(os.path.exists(os.path.join(self.folder, "golden", "ball@time=3.also1.png")))
@@ -123,6 +136,68 @@ class Review(unittest.TestCase):
         accepted = self.golden("ball@time=1")
         self.glibra("test", "s.toml", "--only", "ball@time=2", "--update")
         self.assertEqual(accepted, self.golden("ball@time=2"), "both show the same picture")
+        with open(os.path.join(self.folder, "golden", "s.hashes"), encoding="utf-8") as file:
+            lines = {each.split(" ", 1)[0]: each.split(" ", 1)[1] for each in file if each.startswith("ball@")}
+        self.assertEqual(lines["ball@time=1"], lines["ball@time=2"], "and have the same line in the list of hashes")
+        self.glibra("test", "s.toml", "--only", "ball@time=1", "--results", "again")
+        with open(os.path.join(self.folder, "again", "results.jsonl"), encoding="utf-8") as file:
+            self.assertIn('"exact":true,"changed":false', file.read(), "the hash decides")
+
+    def test_decisions_survive_a_restart_as_long_as_their_pictures_are_the_same(self):
+        browser = self.open()
+        self.key(browser, "r")
+        self.said(browser, "1 rejected")
+        self.key(browser, "a")
+        self.said(browser, "1 accepted")
+        browser.run("document.querySelector('[data-shot=\"4\"]').click()")
+        browser.wait("return document.body.dataset.ready === '4'")
+        self.key(browser, "r")
+        self.said(browser, "1 rejected")
+        listed = subprocess.run([PROGRAM, "review", "glibra-results"], cwd=self.folder, capture_output=True, text=True, check=False)
+        self.assertEqual(listed.returncode, 1)
+        self.assertIn("rejected: s/ball@time=1", listed.stdout)
+        decided = "return [...document.querySelectorAll('#list button')].map((each) => each.dataset.decided)"
+        self.restart()
+        self.assertEqual(self.open().run(decided), ["rejected", "accepted", "", "", "rejected"])
+        # Results of others do not make a picture accepted, and a golden that was restored is not the picture any more.
+        path = os.path.join(self.folder, "glibra-results", "review.json")
+        with open(path, encoding="utf-8") as file:
+            text = file.read()
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text.replace('"rejected"', '"accepted"'))
+        os.replace(os.path.join(self.folder, "golden", "ball@time=1.png"), os.path.join(self.folder, "golden", "ball@time=2.png"))
+        self.restart()
+        self.assertEqual(self.open().run(decided), ["", "", "", "", ""])
+        for wrong in ("[]", "{", '{"s/ball@time=1": 3}', '{"s/ball@time=1": [1, 2]}', ""):
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(wrong)
+            self.assertEqual(self.glibra("review", "glibra-results"), 1, wrong)
+
+    def test_pictures_of_a_group_that_nobody_has_scrolled_to_are_not_accepted(self):
+        times = ", ".join(str(each) for each in range(40))
+        self.write("s.toml", SUITE.replace("time = [1, 2, 3]", "time = [%s]\nsize = [300, 300]" % times))
+        self.scene(".5")
+        self.glibra("test", "s.toml", "--update")
+        self.scene(".8")
+        self.glibra("test", "s.toml")
+        self.restart()
+        browser = self.open()
+        self.key(browser, "g")
+        browser.wait("return document.body.dataset.ready === '0' && document.querySelectorAll('#pictures img').length === 40")
+        browser.wait("return document.body.dataset.seen.split(' ').length > 1")
+        self.key(browser, "A")
+        self.said(browser, "nobody has looked at its picture")
+        accepted = "return document.querySelectorAll('[data-decided=accepted]').length"
+        first = browser.run(accepted)
+        self.assertTrue(1 <= first < 40, first)
+        browser.wait("return document.body.dataset.ready !== ''")
+        for _ in range(60):
+            browser.run("document.querySelector('main').scrollBy(0, 150)")
+            browser.run("return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
+        browser.wait("return document.body.dataset.seen.split(' ').length === 40")
+        self.key(browser, "A")
+        self.said(browser, "accepted")
+        browser.wait(accepted + " === 40")
 
     def test_a_group_is_accepted_at_once_and_another_browser_sees_it(self):
         first, second = self.open(), self.open()
@@ -152,6 +227,11 @@ class Review(unittest.TestCase):
     def test_nothing_is_accepted_unseen_or_from_elsewhere(self):
         before = self.golden("ball@time=1")
         self.assertIn("nobody has looked", self.post("accept", '{"shots": [0]}')[1])
+        self.assertEqual(self.post("see", '{"shots": [0]}')[0], 200)
+        self.assertIn("nobody has looked", self.post("accept", '{"shots": [0]}')[1], "no browser has its picture")
+        urllib.request.urlopen(self.address + "picture?shot=1&what=got").close()
+        self.assertIn("nobody has looked", self.post("accept", '{"shots": [1]}')[1], "it was fetched, but not in view")
+        self.assertEqual(self.post("see", '{"shots": [99]}')[0], 400)
         for body in ('{"shots": [99]}', '{"shots": ["0"]}', '{"shots": [-1]}', "[]", "", "{", '{"shots": [0.5]}'):
             self.assertEqual(self.post("accept", body)[0], 400, body)
         self.assertEqual(self.post("accept", '{"shots": [0]}', Origin="http://evil.example")[0], 403)
@@ -165,6 +245,7 @@ class Review(unittest.TestCase):
         self.assertEqual(self.golden("ball@time=1"), before)
         # A picture that has changed since it was shown is another picture.
         urllib.request.urlopen(self.address + "picture?shot=0&what=got").close()
+        self.post("see", '{"shots": [0]}')
         results = os.path.join(self.folder, "glibra-results", "s")
         os.replace(os.path.join(results, "other.expected.png"), os.path.join(results, "ball@time=1.got.png"))
         self.assertIn("has changed since", self.post("accept", '{"shots": [0]}')[1])
@@ -181,23 +262,18 @@ class Review(unittest.TestCase):
                 file.write("goldens = \"golden\"\n[[shot]]\nscript = \"%s/ball.glib\"\n" % self.folder)
             self.end_and_restart(lambda text: text.replace('"file":"s.toml"', '"file":"%s"' % suite))
             urllib.request.urlopen(self.address + "picture?shot=3&what=got").close()
+            self.post("see", '{"shots": [3]}')
             self.assertIn("no such shot", self.post("accept", '{"shots": [3]}')[1])
             self.assertFalse(os.path.exists(os.path.join(elsewhere, "golden")))
 
     def end_and_restart(self, change):
-        self.server.send_signal(signal.SIGINT)
-        self.assertEqual(self.server.wait(10), 0)
-        self.server.stdout.close()
-        self.server.stderr.close()
         self.glibra("test", "s.toml")
         path = os.path.join(self.folder, "glibra-results", "results.jsonl")
         with open(path, encoding="utf-8") as file:
             text = change(file.read())
         with open(path, "w", encoding="utf-8") as file:
             file.write(text)
-        self.server = subprocess.Popen([PROGRAM, "review", "glibra-results", "--serve"], cwd=self.folder,
-                                       stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        self.address = self.server.stdout.readline().strip()
+        self.restart()
 
 
 if __name__ == "__main__":

@@ -112,6 +112,7 @@ ShotResult ResultsMaker::shot() {
     made.driver = text();
     made.fingerprint = text();
     made.driverKey = text();
+    made.acceptKey = text();
     return made;
 }
 
@@ -132,6 +133,7 @@ void expectEqual(const ShotResult& a, const ShotResult& b) {
     EXPECT_EQ(a.suite, b.suite);
     EXPECT_EQ(a.fingerprint, b.fingerprint);
     EXPECT_EQ(a.driverKey, b.driverKey);
+    EXPECT_EQ(a.acceptKey, b.acceptKey);
     EXPECT_EQ(a.shot, b.shot);
     EXPECT_EQ(a.verdict, b.verdict);
     EXPECT_EQ(a.reason, b.reason);

@@ -55,6 +55,20 @@ TEST(Suspicions, FallOnTheShotThatEndsItsWorkerAgain) {
     EXPECT_EQ(told({crashed, passed, crashed}), Texts{" bad, good, bad"});
 }
 
+TEST(Suspicions, MakeAForgivenShotFlakyUnlessAnotherOneIsGuilty) {
+    using enum Verdict;
+    const auto drawn = [](Verdict own, Verdict next) {
+        Suspicions suspicions;
+        suspicions.add(kShots[0], {kShots[1]}, resultOf("drawn", crashed), true);
+        EXPECT_TRUE(suspicions.settle(kShots[0], resultOf("drawn", own)).empty());
+        const std::vector<ShotResult> told = suspicions.settle(kShots[1], resultOf("next", next));
+        return told.size() == 2 ? told[1].verdict : skipped;
+    };
+    EXPECT_EQ(drawn(passed, passed), flaky);
+    EXPECT_EQ(drawn(failed, passed), failed) << "its own drawing counts";
+    EXPECT_EQ(drawn(passed, crashed), passed) << "the other one ended the worker";
+}
+
 TEST(Suspicions, StayOnTheShotThatWasDrawnIfNoneDoesItAgain) {
     using enum Verdict;
     EXPECT_EQ(told({passed, passed, passed}), Texts{" bad, good, good"});

@@ -26,12 +26,12 @@ struct Case {
     ListHas list{};
     Checks checks{};
     Pair pair{};
-    bool wantsGolden = true, update = false, trustsHashes = true;
+    bool wantsGolden = true, update = false, trustsHashes = true, otherShotHas = false;
 
     [[nodiscard]] std::string text() const {
-        return fmt::format("golden {}, list {}, checks {}, pair {}, wants golden {}, update {}, trusts {}",
+        return fmt::format("golden {}, list {}, checks {}, pair {}, wants golden {}, update {}, trusts {}, other {}",
                            static_cast<int>(golden), static_cast<int>(list), static_cast<int>(checks),
-                           static_cast<int>(pair), wantsGolden, update, trustsHashes);
+                           static_cast<int>(pair), wantsGolden, update, trustsHashes, otherShotHas);
     }
 };
 
@@ -44,8 +44,9 @@ Verdict expected(const Case& each) {
     if (!each.wantsGolden) return pairHolds ? Verdict::passed : Verdict::failed;
     if (each.golden == GoldenIs::missing) {
         if (each.update) return pairHolds ? Verdict::updated : Verdict::failed;
-        const bool isKnown = each.list != ListHas::nothing;
-        if (each.checks == Checks::none || isKnown) return Verdict::missing;
+        // Checks suffice where the suite has no goldens at all.
+        const bool suiteHasSome = each.list != ListHas::nothing || each.otherShotHas;
+        if (each.checks == Checks::none || suiteHasSome) return Verdict::missing;
         return pairHolds ? Verdict::passed : Verdict::failed;
     }
     // The list says that these pixels were accepted for this golden. With --untrusted it says nothing.
@@ -78,6 +79,7 @@ class VerdictMatrix : public testing::Test {
             const Result<Golden> made = store.replace(shot, "", each.golden == GoldenIs::same ? got : other);
             identity = made->identity;
         }
+        if (each.otherShotHas) EXPECT_TRUE(store.replace(partner, "", other));
         std::vector<AcceptedHash> lines;
         if (each.list == ListHas::goldenAndPixels) lines.push_back({"a", "", identity, hashOf(got), "key"});
         if (each.list == ListHas::otherGolden) lines.push_back({"a", "", hashOf(other), hashOf(got), "key"});
@@ -107,9 +109,9 @@ TEST_F(VerdictMatrix, EveryCombinationIsJudgedByTheRules) {
              {ListHas::nothing, ListHas::goldenAndPixels, ListHas::otherGolden, ListHas::otherVariant})
             for (const Checks checks : {Checks::none, Checks::hold, Checks::fail})
                 for (const Pair pair : {Pair::none, Pair::matches, Pair::matchFails, Pair::isPartner})
-                    for (int bits = 0; bits < 8; ++bits) {
-                        const Case each{golden,          list,           checks, pair, (bits & 1) != 0,
-                                        (bits & 2) != 0, (bits & 4) != 0};
+                    for (int bits = 0; bits < 16; ++bits) {
+                        const Case each{golden,          list,           checks,          pair, (bits & 1) != 0,
+                                        (bits & 2) != 0, (bits & 4) != 0, (bits & 8) != 0};
                         if (each.update && !each.trustsHashes) continue;  // --untrusted updates nothing
                         const ShotResult result = decide(each);
                         EXPECT_EQ(name(result.verdict), std::string(name(expected(each))))
@@ -121,7 +123,7 @@ TEST_F(VerdictMatrix, EveryCombinationIsJudgedByTheRules) {
                         ++seen[result.verdict];
                         ++count;
                     }
-    EXPECT_EQ(count, 3 * 4 * 3 * 4 * 6);
+    EXPECT_EQ(count, 3 * 4 * 3 * 4 * 12);
     EXPECT_GT(seen[Verdict::passed], 50);
     EXPECT_GT(seen[Verdict::missing], 20);
     EXPECT_GT(seen[Verdict::updated], 20);
@@ -145,6 +147,22 @@ TEST_F(VerdictMatrix, AMissingGoldenThatTheListNamesIsNamed) {
     EXPECT_EQ(result.verdict, Verdict::missing);
     EXPECT_NE(result.reason.find("a.nvidia.png"), std::string::npos) << result.reason;
     EXPECT_NE(result.reason.find("s.hashes"), std::string::npos) << result.reason;
+}
+
+/// A new scene that checks itself is no reason to forget its golden.
+TEST_F(VerdictMatrix, AMissingGoldenIsNamedWhereOtherShotsHaveTheirs) {
+    Case each;
+    each.checks = Checks::hold;
+    EXPECT_EQ(decide(each).verdict, Verdict::passed);
+    each.otherShotHas = true;
+    const ShotResult result = decide(each);
+    EXPECT_EQ(result.verdict, Verdict::missing);
+    EXPECT_NE(result.reason.find("a.png"), std::string::npos) << result.reason;
+    EXPECT_NE(result.reason.find("golden = false"), std::string::npos) << result.reason;
+    EXPECT_FALSE(result.accept.empty());
+    each.wantsGolden = false;
+    each.pair = Pair::isPartner;
+    EXPECT_EQ(decide(each).verdict, Verdict::passed);
 }
 
 TEST(LostGolden, WhileTheListCannotBeReadEveryShotNeedsItsGolden) {

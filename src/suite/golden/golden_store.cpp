@@ -83,6 +83,10 @@ fs::path goldenName(const Shot& shot, std::string_view variant) {
                        shot.options.floatPixels ? ".exr" : ".png");
 }
 
+bool hasOwnGolden(const Shot& shot) {
+    return shot.golden && !shot.expectedError;
+}
+
 bool hasGolden(const fs::path& folder, const Shot& shot) {
     const fs::path golden = folder / goldenName(shot);
     std::error_code failure;
@@ -174,6 +178,12 @@ fs::path GoldenStore::lostGolden(const Shot& shot) const {
         if (fs::status(golden, failure).type() == fs::file_type::not_found) return golden;
     }
     return {};
+}
+
+bool GoldenStore::hasAny(const Suite& suite) const {
+    return !accepted_.shots().empty() ||
+           std::any_of(suite.shots.begin(), suite.shots.end(),
+                       [&](const Shot& each) { return hasOwnGolden(each) && hasGolden(folder_, each); });
 }
 
 const Hash* GoldenStore::acceptedPixels(const Shot& shot, const Golden& golden,

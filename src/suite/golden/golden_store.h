@@ -32,6 +32,8 @@ std::string toText(const image::Tolerance& tolerance);
 std::filesystem::path goldenFolder(const Suite& suite, const std::filesystem::path& folder = {});
 /// The name of a shot's golden in that folder.
 std::filesystem::path goldenName(const Shot& shot, std::string_view variant = {});
+/// True if the picture of the shot is compared with a golden of its own.
+bool hasOwnGolden(const Shot& shot);
 /// True if the shot has a golden for any driver in that folder.
 bool hasGolden(const std::filesystem::path& folder, const Shot& shot);
 
@@ -60,6 +62,9 @@ class GoldenStore {
     /// The golden that the list of accepted pixels names for this shot and that is not there, or an empty
     /// path. Every shot lacks one while the list cannot be read.
     [[nodiscard]] std::filesystem::path lostGolden(const Shot& shot) const;
+    /// True if a shot of the suite has a golden, or had one that the list of accepted pixels names: then each
+    /// shot needs its own, also one whose scene checks itself.
+    [[nodiscard]] bool hasAny(const Suite& suite) const;
     /// The pixels that were accepted for this golden with that driver, or null.
     [[nodiscard]] const Hash* acceptedPixels(const Shot& shot, const Golden& golden,
                                              const std::string& key) const;

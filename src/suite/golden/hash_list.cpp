@@ -50,6 +50,12 @@ void sortLines(std::vector<AcceptedHash>& lines) {
 
 }  // namespace
 
+bool isKey(std::string_view text) {
+    constexpr std::size_t kLongest = 1000;
+    return !text.empty() && text.size() <= kLongest &&
+           std::none_of(text.begin(), text.end(), [](unsigned char each) { return each < ' '; });
+}
+
 std::string toLine(const AcceptedHash& accepted) {
     return fmt::format("{} {} {} {} {}", accepted.shot, accepted.variant.empty() ? "-" : accepted.variant,
                        toText(accepted.golden), toText(accepted.pixels), accepted.key);

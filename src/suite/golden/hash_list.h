@@ -29,6 +29,8 @@ struct AcceptedHash {
     std::string key;      ///< driverKey()
 };
 
+/// True for a driverKey() as it stands in a line: not empty, one line, and of at most 1000 bytes.
+bool isKey(std::string_view text);
 /// Writes and reads one line without its line end.
 std::string toLine(const AcceptedHash& accepted);
 Result<AcceptedHash> parseLine(std::string_view line, const Place& place);

@@ -28,9 +28,11 @@ bool belongsTo(const std::set<std::string>& shots, const std::string& stem) {
     return dot != std::string::npos && shots.contains(stem.substr(0, dot));
 }
 
+/// The shots that are compared with a golden of their own.
 std::set<std::string> shotNames(const Suite& suite) {
     std::set<std::string> names;
-    for (const Shot& each : suite.shots) names.insert(each.name);
+    for (const Shot& each : suite.shots)
+        if (hasOwnGolden(each)) names.insert(each.name);
     return names;
 }
 

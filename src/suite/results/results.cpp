@@ -51,6 +51,13 @@ bool wasNotDrawn(const ShotResult& shot) {
            (shot.verdict == Verdict::failed && shot.width == 0);
 }
 
+void makeFlaky(ShotResult& shot, int drawing, const ShotResult& before) {
+    shot.reason =
+        fmt::format("drawing {} is right; before: {}, {}", drawing, name(before.verdict), before.reason);
+    shot.verdict = Verdict::flaky;
+    shot.accept.clear();
+}
+
 void countFlakyAsFailure(ShotResult& shot) {
     if (shot.verdict == Verdict::flaky) shot.verdict = Verdict::unstable;
 }

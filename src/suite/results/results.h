@@ -63,10 +63,15 @@ struct ShotResult {
     std::string fingerprint{};   ///< of what the verdict depends on (fingerprint.h); empty if unknown
     std::string driverKey{};     ///< hash of the driverKey() of the driver that drew it; empty if unknown
     std::string driver{};        ///< if it differs from the driver of the run, as in merged runs
+    /// The driverKey() itself, if `got` may become a golden, for its line in the list of hashes.
+    std::string acceptKey{};
 };
 
 /// True for a shot that failed without a picture: its scene has errors, or the process that drew it ended.
 bool wasNotDrawn(const ShotResult& shot);
+/// Makes the result that of a flaky shot: drawing number `drawing` is right, and one before had the verdict of
+/// `before`, which may be the result itself.
+void makeFlaky(ShotResult& shot, int drawing, const ShotResult& before);
 /// With --strict-flaky: a flaky shot is unstable, which is a failure.
 void countFlakyAsFailure(ShotResult& shot);
 

@@ -308,6 +308,7 @@ void members(Archive& archive, Value& value) {
         archive("driverKey", value.driverKey);
         archive("reproduce", value.reproduce);
         archive("accept", value.accept);
+        archive("acceptKey", value.acceptKey);
     } else if constexpr (std::is_same_v<Type, PlannedShots>) {
         archive.needed("suite", value.suite);
         archive.needed("shots", value.shots);

@@ -117,11 +117,14 @@ std::map<ShotReference, std::string> fingerprints(std::span<const Suite> suites,
         options.timeout.value_or(-1), options.memory ? std::to_string(*options.memory) : "-");
     GoldenNames goldens;
     std::map<std::size_t, GoldenStore> stores;  // per suite
+    std::map<std::size_t, bool> haveGoldens;
     const auto linesOf = [&](std::size_t suite, const Shot& shot) {
         auto store = stores.find(suite);
-        if (store == stores.end())
+        if (store == stores.end()) {
             store = stores.emplace(suite, *GoldenStore::open(suites[suite], options.goldens)).first;
-        std::string text;
+            haveGoldens.emplace(suite, store->second.hasAny(suites[suite]));
+        }
+        std::string text = haveGoldens[suite] ? "\ngoldens" : "";
         for (const AcceptedHash& each : store->second.accepted().linesOf(shot.name))
             text += "\n" + toLine(each);
         return text;

@@ -59,7 +59,9 @@ class Run {
         while (!open.empty() && !stopped()) {
             // Shots that may be innocent of the end of their worker come last, each alone.
             std::vector<ShotReference> next = open;
-            std::erase_if(next, [this](const ShotReference& each) { return repeated_.contains(each); });
+            std::erase_if(next, [this](const ShotReference& each) {
+                return repeated_.contains(each) || plan_.ended.contains(each);
+            });
             if (next.empty()) next.push_back(open.front());
             round(next);
             std::erase_if(open, [this](const ShotReference& each) { return done_.contains(each); });
@@ -151,8 +153,23 @@ class Run {
         return std::find(shots.begin(), shots.end(), shot) != shots.end();
     }
 
-    void finish(const ShotReference& shot, const ShotResult& result) {
+    /// True if the shot may be drawn again though a drawing of it ended its worker.
+    bool forgive(const ShotReference& shot, const ShotResult& result) {
+        if (options_.update || !options_.onlyRender.empty()) return false;
+        const int times = plan_.ended.contains(shot) ? plan_.ended.at(shot).times : 0;
+        if (times >= shotOf(shot).retries) return false;
+        RunPlan::Ended& ended = plan_.ended[shot];
+        if (ended.times++ == 0) ended.first = result;
+        return true;
+    }
+
+    void finish(const ShotReference& shot, ShotResult result) {
         if (!done_.insert(shot).second) return;
+        // The first drawing of a shot under suspicion may have been ended by another one.
+        const int innocent = suspicions_.isUnder(shot) ? 1 : 0;
+        if (const auto ended = plan_.ended.find(shot);
+            ended != plan_.ended.end() && ended->second.times > innocent && result.verdict == Verdict::passed)
+            makeFlaky(result, ended->second.times + 1, ended->second.first);
         for (ShotResult& each : suspicions_.settle(shot, result)) {
             each.driverKey = driverKey_;
             if (options_.strictFlaky) countFlakyAsFailure(each);
@@ -235,10 +252,11 @@ class Run {
                 std::find(prepared.begin(), prepared.end(), *judged) == prepared.end())
                 prepared.push_back(*judged);
         }
-        if (prepared.empty())
-            finish(*blamed, result);
-        else
-            suspicions_.add(*blamed, std::move(prepared), std::move(result));
+        const bool isForgiven = forgive(*blamed, result);
+        if (!prepared.empty())
+            suspicions_.add(*blamed, std::move(prepared), std::move(result), isForgiven);
+        else if (!isForgiven)
+            finish(*blamed, std::move(result));
     }
 
     /// A worker that ended its piece has reported a verdict on each shot. If one is missing or was no

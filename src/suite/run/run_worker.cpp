@@ -1,7 +1,5 @@
 #include "suite/run/run_worker.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
@@ -50,14 +48,6 @@ class Recalls {
     std::mutex mutex_;
     std::deque<Recall> recalls_;
 };
-
-/// The shot failed, and drawing number `drawing` of it is right.
-void makeFlaky(ShotResult& result, int drawing) {
-    result.reason =
-        fmt::format("drawing {} is right; before: {}, {}", drawing, name(result.verdict), result.reason);
-    result.verdict = Verdict::flaky;
-    result.accept.clear();
-}
 
 std::size_t bytesOf(const Attempt& attempt) {
     std::size_t bytes = 0;
@@ -170,8 +160,10 @@ std::optional<Judged> ShotWorker::judge(const ShotReference& reference, const At
     }
 }
 
-bool ShotWorker::mayRetry(const Shot& shot) const {
-    return shot.retries > 0 && !plan_.options.update && plan_.options.onlyRender.empty();
+int ShotWorker::retriesLeft(const ShotReference& reference) const {
+    if (plan_.options.update || !plan_.options.onlyRender.empty()) return 0;
+    const auto ended = plan_.ended.find(reference);
+    return shotOf(reference).retries - (ended == plan_.ended.end() ? 0 : ended->second.times);
 }
 
 std::string ShotWorker::operator()(std::size_t piece, const base::Step& step) {
@@ -195,11 +187,11 @@ std::string ShotWorker::operator()(std::size_t piece, const base::Step& step) {
         std::optional<Judged> judged =
             soFar.failed ? std::move(soFar.failed) : judge(reference, *drawn, again);
         if (!judged) return askAgain(std::nullopt);
-        if (mayRetry(*drawn->shot) && isFailure(judged->result.verdict)) {
+        if (const int retries = retriesLeft(reference); retries > 0 && isFailure(judged->result.verdict)) {
             const std::optional<Judged> other = again ? judge(reference, *again, nullptr) : std::nullopt;
             if (other && other->result.verdict == Verdict::passed)
-                makeFlaky(judged->result, drawing);
-            else if (drawing <= drawn->shot->retries)
+                makeFlaky(judged->result, drawing, judged->result);
+            else if (drawing <= retries)
                 return askAgain(std::move(judged));
         }
         judged->result.milliseconds += millisecondsSince(start);

@@ -2,6 +2,7 @@
 // The work of one worker process. It keeps its GL context from piece to piece, and overlaps drawing a shot
 // with judging the shots before it and preparing the shots after it.
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -24,6 +25,13 @@ struct RunPlan {
     const RunOptions& options;
     std::vector<std::vector<ShotReference>> pieces;
     int jobs = 1;
+    /// Drawings of a shot that ended their worker, or were late, and that `retries` forgive: the shot is drawn
+    /// again, alone.
+    struct Ended {
+        int times = 0;
+        ShotResult first;  ///< of the first of them
+    };
+    std::map<ShotReference, Ended> ended{};
 };
 
 class ShotWorker {
@@ -41,7 +49,8 @@ class ShotWorker {
     /// The verdict; nothing if the shot has to be rendered once more, which `again` then holds.
     std::optional<Judged> judge(const ShotReference& reference, const Attempt& drawn,
                                 const Attempt* again) const;
-    [[nodiscard]] bool mayRetry(const Shot& shot) const;
+    /// How often a shot that fails may still be drawn again.
+    [[nodiscard]] int retriesLeft(const ShotReference& reference) const;
     /// Writes the picture of a run that only renders.
     Judged keep(const ShotReference& reference, const Attempt& attempt) const;
     [[nodiscard]] const Shot& shotOf(const ShotReference& reference) const;

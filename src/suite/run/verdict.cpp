@@ -84,7 +84,8 @@ ShotJudge::ShotJudge(const Suite& suite, const GoldenStore& goldens, std::string
       goldens_(goldens),
       family_(std::move(family)),
       key_(std::move(key)),
-      options_(std::move(options)) {
+      options_(std::move(options)),
+      suiteHasGoldens_(goldens.hasAny(suite)) {
     if (goldens.folder() != suite.goldens)
         acceptOptions_ = " --goldens " + shellWord(goldens.folder().parent_path().string());
     else if (hasError(checkGoldenFolder(suite)))
@@ -161,7 +162,7 @@ ShotJudge::Findings ShotJudge::look(const Attempt& attempt, bool everything) con
         found.golden = std::move(golden.value);
         if (!found.golden && attempt.own.hasChecks && !options_.update && !hasError(found.problems)) {
             found.lost = goldens_.lostGolden(shot);
-            found.goldenHolds = found.lost.empty();
+            found.goldenHolds = !suiteHasGoldens_ && found.lost.empty();
         }
     }
     if (found.golden) {
@@ -351,10 +352,11 @@ void ShotJudge::fail(const Attempt& attempt, const Findings& found, ShotResult& 
         result.reason = fmt::format("there is no golden '{}'", goldens_.file(shot, "").string());
         if (!found.lost.empty())
             result.reason = fmt::format(
-                "there is no golden '{0}', though '{1}' names it; restore it, or delete its lines there if "
-                "the "
+                "there is no golden '{}', though '{}' names it; restore it, or write golden = false if the "
                 "Expect statements suffice",
                 found.lost.string(), goldens_.hashFile().string());
+        else if (attempt.own.hasChecks)
+            result.reason += ", though the suite has goldens; write golden = false if the Expect statements suffice";
     }
 }
 
@@ -428,6 +430,7 @@ Judged ShotJudge::second(const Attempt& attempt, const Attempt& again) const {
     const Findings found = look(attempt, true);
     if (found.goldenHolds && found.relation.empty()) return passed(attempt, found);
     result.got = write(shot, "got", got, result);
+    if (!found.goldenHolds) result.acceptKey = key_;
     if (options_.update && !found.goldenHolds)
         update(attempt, found, judged);
     else

@@ -17,7 +17,8 @@ namespace glibra::suite {
 struct Rendering {
     std::optional<image::Image> picture;
     Diagnostics diagnostics;
-    bool hasChecks = false;        ///< the scene has Expect statements; it needs no golden unless it had one
+    /// The scene has Expect statements: it needs no golden in a suite that has none.
+    bool hasChecks = false;
     Diagnostics failedChecks;      ///< those that do not hold
     bool failsAsExpected = false;  ///< no picture, and Expect error names all errors
     double milliseconds = 0;       ///< load, draw and read back
@@ -86,6 +87,7 @@ class ShotJudge {
     std::set<std::string> partners_;  ///< the shots that others have to match or to differ from
     std::string family_, key_;
     JudgeOptions options_;
+    bool suiteHasGoldens_ = false;
     std::string acceptOptions_;  ///< that acceptCommand() needs besides
 };
 

@@ -9,6 +9,7 @@
 #include <span>
 #include <sstream>
 
+#include "base/contained.h"
 #include "base/page_template.h"
 #include "embedded/review_page.h"
 #include "image/convert.h"
@@ -16,6 +17,7 @@
 #include "image/png/png_writer.h"
 #include "image/read.h"
 #include "suite/golden/golden_store.h"
+#include "suite/golden/hash_list.h"
 #include "suite/results/figures.h"
 #include "suite/results/results_file.h"
 #include "suite/run/verdict.h"
@@ -60,6 +62,10 @@ std::set<std::string> shadersOf(const fs::path& script) {
     return shaders;
 }
 
+Diagnostic cannotKeep() {
+    return diagnose("file-E10", fmt::format("cannot write '{}' in the folder of the results", kReviewFile));
+}
+
 /// The shots that a request names.
 struct Asked {
     std::vector<std::size_t> shots;
@@ -87,6 +93,7 @@ Review::Review(const RunResult& run, std::vector<Suite> suites, ReviewOptions op
     for (const ShotResult& each : run.shots)
         if (isFailure(each.verdict) || each.verdict == Verdict::flaky || each.verdict == Verdict::quarantined)
             shots_.push_back(each);
+    readDecisions();
 }
 
 std::vector<ReviewGroup> Review::groups() const {
@@ -127,6 +134,7 @@ void Review::serve(LoopbackServer& server) {
     server.get("", [page](const WebRequest&) { return WebReply{200, "text/html; charset=utf-8", page}; });
     server.get("data", [this](const WebRequest&) { return data(); });
     server.get("picture", [this](const WebRequest& request) { return picture(request); });
+    server.post("see", [this](const WebRequest& request) { return see(request); });
     server.post("accept", [this](const WebRequest& request) { return accept(request); });
     server.post("reject", [this](const WebRequest& request) { return reject(request); });
 }
@@ -163,7 +171,6 @@ WebReply Review::data() const {
     for (std::size_t i = 0; i < shots_.size(); ++i) {
         const ShotResult& shot = shots_[i];
         const PictureTitles titles = titlesOf(shot);
-        const auto decided = decided_.find(i);
         ReviewJson figuresOf = ReviewJson::array();
         for (const Figure& each : figures(shot))
             figuresOf.push_back({each.name, each.value, each.limit, each.beyond});
@@ -176,7 +183,7 @@ WebReply Review::data() const {
                                  {"difference", !shot.difference.empty()},
                                  {"figures", std::move(figuresOf)},
                                  {"whyNot", whyNot(i)},
-                                 {"decided", decided == decided_.end() ? "" : decided->second}});
+                                 {"decided", decisionOf(i)}});
     }
     for (const ReviewGroup& each : groups())
         json["groups"].push_back({{"cause", each.cause}, {"shots", each.shots}});
@@ -202,9 +209,17 @@ WebReply Review::picture(const WebRequest& request) {
     if (!bytes) return refuse(404, bytes.message());
     const Result<image::Image> picture = image::decodeImage(*bytes, *file);
     if (!picture) return refuse(404, picture.message());
-    if (what == "got") seen_[shot] = hashOf(std::span<const std::byte>(*bytes));
+    if (what == "got") fetched_[shot] = hashOf(std::span<const std::byte>(*bytes));
     const std::vector<std::byte> png = image::encodePng(image::withType(*picture, image::Component::u8));
     return {200, "image/png", std::string(reinterpret_cast<const char*>(png.data()), png.size())};
+}
+
+WebReply Review::see(const WebRequest& request) {
+    const auto asked = parse(request.body, shots_.size());
+    if (!asked) return refuse(400, "expected {\"shots\": [numbers]}");
+    for (const std::size_t each : asked->shots)
+        if (const auto known = fetched_.find(each); known != fetched_.end()) seen_[each] = known->second;
+    return {200, "application/json", "{}"};
 }
 
 std::string Review::acceptOne(std::size_t index, bool force, bool also) {
@@ -230,8 +245,13 @@ std::string Review::acceptOne(std::size_t index, bool force, bool also) {
     if (isFurther && variant.empty()) return "it has nine further accepted pictures; remove one";
     const Result<Golden> golden = store->replace(*known.shot, variant, picture);
     if (!golden) return golden.message();
-    decided_[index] = "accepted";
-    return {};
+    Diagnostics problems;
+    if (isKey(result.acceptKey)) {
+        const AcceptedHash line{known.shot->name, variant, golden->identity, hashOf(picture), result.acceptKey};
+        problems = acceptHashes(store->hashFile(), {&line, 1});
+    }
+    if (!decide(index, "accepted")) problems.push_back(cannotKeep());
+    return problems.empty() ? std::string() : "accepted, but " + problems.front().text;
 }
 
 WebReply Review::accept(const WebRequest& request) {
@@ -239,9 +259,8 @@ WebReply Review::accept(const WebRequest& request) {
     if (!asked) return refuse(400, "expected {\"shots\": [numbers]}");
     ReviewJson json = {{"accepted", ReviewJson::array()}, {"refused", ReviewJson::array()}};
     for (const std::size_t each : asked->shots) {
-        const std::string why = decided_.contains(each) && decided_[each] == "accepted"
-                                    ? "it has been accepted already"
-                                    : acceptOne(each, asked->force, asked->also);
+        const std::string why = decisionOf(each) == "accepted" ? "it has been accepted already"
+                                                               : acceptOne(each, asked->force, asked->also);
         if (why.empty())
             json["accepted"].push_back(each);
         else
@@ -253,9 +272,71 @@ WebReply Review::accept(const WebRequest& request) {
 WebReply Review::reject(const WebRequest& request) {
     const auto asked = parse(request.body, shots_.size());
     if (!asked) return refuse(400, "expected {\"shots\": [numbers]}");
+    bool isKept = true;
     for (const std::size_t each : asked->shots)
-        if (decided_[each] != "accepted") decided_[each] = "rejected";
-    return {200, "application/json", "{}"};
+        if (decisionOf(each) != "accepted") isKept = decide(each, "rejected") && isKept;
+    return isKept ? WebReply{200, "application/json", "{}"} : refuse(500, "rejected, but " + cannotKeep().text);
+}
+
+std::string Review::decisionOf(std::size_t index) const {
+    const auto found = decided_.find(index);
+    return found == decided_.end() ? std::string() : found->second.word;
+}
+
+std::string Review::contentOf(std::size_t index) const {
+    const ShotResult& result = shots_[index];
+    if (result.got.empty()) return toText(hashOf(std::as_bytes(std::span(result.reason))));
+    const auto got = read(result.got);
+    return got ? toText(hashOf(std::span<const std::byte>(*got))) : std::string();
+}
+
+bool Review::isGolden(std::size_t index) const {
+    const ShotResult& result = shots_[index];
+    const Known known = find(result);
+    if (!known.shot || result.got.empty()) return false;
+    const auto bytes = read(result.got);
+    if (!bytes) return false;
+    const auto store = GoldenStore::open(*known.suite, options_.goldens, options_.allowOutside);
+    const Result<image::Image> picture = image::decodeImage(*bytes, result.got);
+    if (!store || !picture) return false;
+    const int components = known.shot->options.alpha ? 4 : 3;
+    const Hash wanted = hashOf(image::withComponents(*picture, components));
+    std::vector<std::string> variants = store->furtherVariants(*known.shot);
+    variants.push_back(result.goldenVariant);
+    for (std::string& variant : variants) {
+        const Result<Golden> golden = store->read(*known.shot, std::move(variant));
+        if (!golden) continue;
+        const Result<image::Image> other = decode(*golden);
+        if (other && hashOf(image::withComponents(*other, components)) == wanted) return true;
+    }
+    return false;
+}
+
+void Review::readDecisions() {
+    constexpr std::uint64_t kLargest = std::uint64_t{64} << 20U;
+    const base::Descriptor file = base::openBeneath(options_.results, kReviewFile);
+    std::vector<std::byte> bytes;
+    if (!file || base::readAll(file, kLargest, bytes) != 0) return;
+    const char* text = reinterpret_cast<const char*>(bytes.data());
+    const ReviewJson json = ReviewJson::parse(text, text + bytes.size(), nullptr, false);
+    if (!json.is_object()) return;
+    for (std::size_t i = 0; i < shots_.size(); ++i) {
+        const auto found = json.find(shots_[i].suite + "/" + shots_[i].shot);
+        if (found == json.end() || !found->is_array() || found->size() != 2) continue;
+        const std::string content = contentOf(i);
+        if (content.empty() || found->at(1) != content) continue;
+        if (found->at(0) == "rejected" || (found->at(0) == "accepted" && isGolden(i)))
+            decided_[i] = {found->at(0).get<std::string>(), content};
+    }
+}
+
+bool Review::decide(std::size_t index, std::string word) {
+    decided_[index] = {std::move(word), contentOf(index)};
+    ReviewJson json = ReviewJson::object();
+    for (const auto& [each, decision] : decided_)
+        json[shots_[each].suite + "/" + shots_[each].shot] = {decision.word, decision.content};
+    const std::string text = json.dump(1, ' ', false, ReviewJson::error_handler_t::replace) + "\n";
+    return base::writeBeneath(options_.results, kReviewFile, std::as_bytes(std::span(text))) == 0;
 }
 
 }  // namespace glibra::suite

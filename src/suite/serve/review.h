@@ -5,6 +5,7 @@
 
 #include <glibra/result.h>
 
+#include <cstddef>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -43,15 +44,22 @@ class Review {
     /// Registers the page and what it needs. The object must live as long as the server.
     void serve(LoopbackServer& server);
 
-    /// A picture of a shot as PNG: "got", "expected" or "difference". Remembers that `got` was seen.
+    /// A picture of a shot as PNG: "got", "expected" or "difference".
     WebReply picture(const WebRequest& request);
-    /// {"shots": [3, 5], "force": false, "also": false}: makes their pictures goldens. Replies with what
-    /// became of each; a shot whose picture no browser has fetched, or whose file has changed since, is
-    /// refused.
+    /// {"shots": [3, 5]}: the pictures `got` of these shots have been in view on the page. Those that no
+    /// browser has fetched do not count.
+    WebReply see(const WebRequest& request);
+    /// {"shots": [3, 5], "force": false, "also": false}: makes their pictures goldens, with their lines in the
+    /// list of hashes. Replies with what became of each; a shot whose picture has not been in view, or whose
+    /// file has changed since, is refused.
     WebReply accept(const WebRequest& request);
     /// {"shots": [3]}: marks them as rejected.
     WebReply reject(const WebRequest& request);
     [[nodiscard]] WebReply data() const;
+
+    /// "accepted", "rejected" or "": what was decided about the picture of a shot, in this review or in an
+    /// earlier one of the same picture (RESULTS/review.json).
+    [[nodiscard]] std::string decisionOf(std::size_t index) const;
 
   private:
     struct Known {
@@ -63,12 +71,27 @@ class Review {
     [[nodiscard]] std::string whyNot(std::size_t index) const;
     /// Returns why the picture could not be accepted, or nothing.
     std::string acceptOne(std::size_t index, bool force, bool also);
+    /// Takes over what an earlier review of the same pictures has decided. Results may come from somebody else:
+    /// a picture counts as accepted only if it is one of the goldens.
+    void readDecisions();
+    /// Remembers a decision, also on the disk. Returns false if it cannot be written there.
+    bool decide(std::size_t index, std::string word);
+    /// Hash of the picture of a shot, or of why it failed if it has none; empty if it cannot be read.
+    [[nodiscard]] std::string contentOf(std::size_t index) const;
+    /// True if the picture of a shot is equal to one of its goldens.
+    [[nodiscard]] bool isGolden(std::size_t index) const;
 
     std::vector<ShotResult> shots_;
     std::vector<Suite> suites_;
     ReviewOptions options_;
-    std::map<std::size_t, Hash> seen_;  ///< of the files that were shown
-    std::map<std::size_t, std::string> decided_;
+    std::map<std::size_t, Hash> fetched_, seen_;  ///< of the files that browsers have, and that were in view
+    struct Decision {
+        std::string word, content;
+    };
+    std::map<std::size_t, Decision> decided_;
 };
+
+/// What a review has decided, in the folder of the results.
+inline constexpr const char* kReviewFile = "review.json";
 
 }  // namespace glibra::suite

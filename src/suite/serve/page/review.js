@@ -1,5 +1,5 @@
-// The shots of a review, one at a time or a group at once. All that is accepted has been on the screen: the server
-// refuses pictures that no page has asked for, and keys wait until the picture is there.
+// The shots of a review, one at a time or a group at once. All that is accepted has been in view: the page tells the
+// server which pictures were, the server refuses the others, and keys wait until the pictures are there.
 
 const byId = (id) => document.getElementById(id);
 let data = {shots: [], groups: []};
@@ -35,10 +35,31 @@ function choose(shot) {
     show();
 }
 
-function picture(shot, what, title) {
+function shown(shot, what, title) {
     const image = element("img", {src: source(shot, what), alt: title});
-    return element("figure", {}, element("figcaption", {textContent: title}), image);
+    if (what === "got") image.dataset.got = shot;
+    return image;
 }
+function picture(shot, what, title) {
+    return element("figure", {}, element("figcaption", {textContent: title}), shown(shot, what, title));
+}
+
+// A picture has been seen once half of it, or as much as fits, is in view and decoded. `reported` tells the server.
+let seen = new Set(), reported = Promise.resolve();
+const eye = new IntersectionObserver((entries) => {
+    const now = entries.filter((each) => each.isIntersecting && document.visibilityState === "visible" &&
+        each.target.naturalWidth > 0 &&
+        (each.intersectionRatio >= .5 || each.intersectionRect.height >= .5 * each.rootBounds.height))
+        .map((each) => Number(each.target.dataset.got)).filter((shot) => !seen.has(shot));
+    if (!now.length) return;
+    for (const shot of now) seen.add(shot);
+    reported = reported.then(() => send("see", {shots: now})).then(() => { document.body.dataset.seen = [...seen].join(" "); });
+}, {threshold: [0, .1, .2, .3, .4, .5]});
+function watch() {
+    eye.disconnect();
+    for (const image of document.querySelectorAll("[data-got]")) eye.observe(image);
+}
+document.addEventListener("visibilitychange", watch);
 
 // Shows the pictures of the mode, and counts them as seen once they are decoded.
 async function show() {
@@ -69,8 +90,7 @@ async function show() {
             .map((each) => picture(each, "got", data.shots[each].name)));
     } else if (mode === "wipe" && shot.expected && shot.got) {
         const layers = element("div", {className: "layers"},
-            element("img", {src: source(current, first), alt: titles[first]}),
-            element("img", {src: source(current, second), alt: titles[second]}));
+            shown(current, first, titles[first]), shown(current, second, titles[second]));
         place.replaceChildren(element("figure", {}, element("figcaption", {textContent: `${titles[second]} | ${titles[first]}`}), layers));
         wipe();
     } else if (mode === "difference" && shot.difference) {
@@ -81,6 +101,7 @@ async function show() {
     const chosen = current;
     await Promise.allSettled([...place.querySelectorAll("img")].map((image) => image.decode()));
     if (chosen !== current) return;
+    watch();
     ready = true;
     document.body.dataset.ready = String(current);
 }
@@ -98,8 +119,10 @@ async function send(what, body) {
 async function decide(what, shots, more = {}) {
     if (!ready) return;
     byId("said").textContent = "";
+    await reported;
     const reply = await send(what, {shots, ...more});
     const refused = reply.refused || [];
+    for (const [shot] of refused) seen.delete(shot);
     await load();
     byId("said").textContent = reply.error || refused.map(([shot, why]) => `${data.shots[shot].name}: ${why}`).join("; ") ||
         `${shots.length} ${what}ed`;

@@ -1,0 +1,267 @@
+#include "classroom/hand_in_time.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <chrono>
+#include <cstdint>
+#include <ctime>
+#include <string>
+#include <vector>
+
+namespace glibra::classroom {
+namespace {
+
+/// Minutes since 1970, of UTC or of a clock on the wall.
+struct ReadTime {
+    std::int64_t minutes = 0;
+    bool isUtc = false;
+};
+
+struct WordOfMonth {
+    std::string_view begin;
+    int month;
+};
+/// How the names of months begin in the languages of hand_in_time.h. "mar" alone would also be a Tuesday.
+constexpr WordOfMonth kMonths[] = {
+    {"jan", 1},           {"ene", 1},    {"gen", 1},    {"feb", 2},    {"fev", 2},       {"f\xC3\xA9v", 2},
+    {"march", 3},         {"mars", 3},   {"marzo", 3},  {"maart", 3},  {"m\xC3\xA4r", 3}, {"mar\xC3\xA7o", 3},
+    {"apr", 4},           {"avr", 4},    {"abr", 4},    {"may", 5},    {"mai", 5},       {"mag", 5},
+    {"mei", 5},           {"jun", 6},    {"juin", 6},   {"giu", 6},    {"jul", 7},       {"juil", 7},
+    {"lug", 7},           {"aug", 8},    {"ago", 8},    {"ao\xC3\xBB", 8}, {"sep", 9},   {"set", 9},
+    {"oct", 10},          {"okt", 10},   {"ott", 10},   {"out", 10},   {"nov", 11},      {"dec", 12},
+    {"dez", 12},          {"dic", 12},   {"d\xC3\xA9" "c", 12}};
+
+constexpr std::string_view kLate[] = {"late",    "zu sp\xC3\xA4t",   "en retard", "despu\xC3\xA9s",
+                                      "ritardo", "te laat",          "atras"};
+constexpr std::string_view kExtended[] = {"xten", "erl\xC3\xA4ngerung", "prolong", "ampliaci", "proroga",
+                                          "erlenging", "prorroga"};
+constexpr std::string_view kDays[] = {"day", "tag", "jour", "d\xC3\xAD" "a", "dia", "giorn", "dag"};
+constexpr std::string_view kYears[] = {"year", "jahr", "an", "a\xC3\xB1o", "jaar"};
+
+std::string lowered(std::string_view text) {
+    std::string lower(text);
+    for (char& each : lower)
+        if (each >= 'A' && each <= 'Z') each = static_cast<char>(each - 'A' + 'a');
+    return lower;
+}
+
+bool isDigit(char c) {
+    return c >= '0' && c <= '9';
+}
+bool isLetter(char c) {
+    return (c >= 'a' && c <= 'z') || (static_cast<unsigned char>(c) >= 0x80);
+}
+
+/// A run of digits, of letters, or one other character that is no blank.
+std::vector<std::string_view> partsOf(std::string_view text) {
+    std::vector<std::string_view> parts;
+    for (std::size_t i = 0; i < text.size();) {
+        std::size_t end = i + 1;
+        for (const auto& kind : {isDigit, isLetter})
+            while (kind(text[i]) && end < text.size() && kind(text[end])) ++end;
+        if (text[i] != ' ' && text[i] != '\t') parts.push_back(text.substr(i, end - i));
+        i = end;
+    }
+    return parts;
+}
+
+/// A number of at most four digits, or -1.
+int numberAt(const std::vector<std::string_view>& parts, std::size_t i) {
+    if (i >= parts.size() || !isDigit(parts[i][0]) || parts[i].size() > 4) return -1;
+    int value = 0;
+    std::from_chars(parts[i].data(), parts[i].data() + parts[i].size(), value);
+    return value;
+}
+
+bool isAt(const std::vector<std::string_view>& parts, std::size_t i, std::string_view text) {
+    return i < parts.size() && parts[i] == text;
+}
+
+struct Fields {
+    int year = -1, month = -1, day = -1, hour = 23, minute = 59;
+    std::optional<int> zone;  ///< minutes east of UTC
+};
+
+/// Reads "23:59", "23:59:30.25" or "11:45 pm" from `i` on, and moves it behind; false if there is no such.
+bool readClock(const std::vector<std::string_view>& parts, std::size_t& i, Fields& to) {
+    const int hour = numberAt(parts, i), minute = numberAt(parts, i + 2);
+    if (hour < 0 || minute < 0 || !(isAt(parts, i + 1, ":") || isAt(parts, i + 1, "h"))) return false;
+    to.hour = hour;
+    to.minute = minute;
+    i += 3;
+    if (isAt(parts, i, ":") && numberAt(parts, i + 1) >= 0) i += 2;
+    if (isAt(parts, i, ".") && i + 1 < parts.size() && isDigit(parts[i + 1][0])) i += 2;
+    const bool isAfternoon = isAt(parts, i, "pm");
+    if (isAfternoon || isAt(parts, i, "am")) {
+        if (to.hour < 1 || to.hour > 12) return false;
+        to.hour = to.hour % 12 + (isAfternoon ? 12 : 0);
+        ++i;
+    }
+    return true;
+}
+
+/// Reads "z", "utc", "+01:00" or "-0800"; false if something else is left.
+bool readZone(const std::vector<std::string_view>& parts, std::size_t i, Fields& to) {
+    if (i == parts.size()) return true;
+    if (isAt(parts, i, "z") || isAt(parts, i, "utc") || isAt(parts, i, "gmt")) {
+        to.zone = 0;
+        return i + 1 == parts.size();
+    }
+    if (!isAt(parts, i, "+") && !isAt(parts, i, "-")) return false;
+    const int sign = parts[i] == "+" ? 1 : -1, first = numberAt(parts, i + 1);
+    if (first < 0) return false;
+    int minutes = 0;
+    if (parts[i + 1].size() == 4) {
+        minutes = first / 100 * 60 + first % 100;
+        i += 2;
+    } else {
+        const bool hasMinutes = isAt(parts, i + 2, ":") && numberAt(parts, i + 3) >= 0;
+        minutes = first * 60 + (hasMinutes ? numberAt(parts, i + 3) : 0);
+        i += hasMinutes ? 4 : 2;
+    }
+    to.zone = sign * minutes;
+    return i == parts.size();
+}
+
+/// "2026-11-20 23:59" and "20.11.2026 23:59".
+std::optional<Fields> readDigits(const std::vector<std::string_view>& parts) {
+    Fields read;
+    const int first = numberAt(parts, 0), second = numberAt(parts, 2), third = numberAt(parts, 4);
+    if (first < 0 || second < 0 || third < 0) return std::nullopt;
+    if (isAt(parts, 1, "-") && isAt(parts, 3, "-") && parts[0].size() == 4)
+        read.year = first, read.month = second, read.day = third;
+    else if (isAt(parts, 1, ".") && isAt(parts, 3, ".") && parts[4].size() == 4)
+        read.day = first, read.month = second, read.year = third;
+    else
+        return std::nullopt;
+    std::size_t i = 5;
+    if (isAt(parts, i, "t") || isAt(parts, i, ",")) ++i;
+    if (i == parts.size()) return read;
+    if (!readClock(parts, i, read) || !readZone(parts, i, read)) return std::nullopt;
+    return read;
+}
+
+/// "friday, 20 november 2026, 11:45 pm"
+std::optional<Fields> readWords(const std::vector<std::string_view>& parts) {
+    Fields read;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const std::string_view part = parts[i];
+        if (std::size_t behind = i; readClock(parts, behind, read)) {
+            i = behind - 1;
+        } else if (isDigit(part[0])) {
+            int& field = part.size() == 4 ? read.year : read.day;
+            if (field >= 0 || part.size() == 3) return std::nullopt;
+            field = numberAt(parts, i);
+        } else if (isLetter(part[0])) {
+            const auto* const month = std::find_if(
+                std::begin(kMonths), std::end(kMonths),
+                [&](const WordOfMonth& each) { return part.starts_with(each.begin); });
+            if (month == std::end(kMonths)) continue;
+            if (read.month > 0 && read.month != month->month) return std::nullopt;
+            read.month = month->month;
+        }
+    }
+    return read;
+}
+
+std::optional<ReadTime> readTime(std::string_view text) {
+    constexpr std::size_t kLongest = 100;
+    if (text.size() > kLongest) return std::nullopt;
+    const std::string lower = lowered(text);
+    const std::vector<std::string_view> parts = partsOf(lower);
+    std::optional<Fields> read = readDigits(parts);
+    if (!read) read = readWords(parts);
+    if (!read || read->year < 0 || read->month < 0 || read->day < 0) return std::nullopt;
+    using namespace std::chrono;
+    const year_month_day day{year(read->year), month(static_cast<unsigned>(read->month)),
+                             std::chrono::day(static_cast<unsigned>(read->day))};
+    if (!day.ok() || read->hour > 23 || read->minute > 59) return std::nullopt;
+    const std::int64_t minutes = std::int64_t{sys_days(day).time_since_epoch().count()} * 24 * 60 +
+                                 read->hour * 60 + read->minute;
+    return ReadTime{minutes - read->zone.value_or(0), read->zone.has_value()};
+}
+
+/// What a clock on the wall shows at that time, in the zone of this machine.
+std::int64_t onTheWall(const ReadTime& time) {
+    if (!time.isUtc) return time.minutes;
+    const std::time_t seconds = static_cast<std::time_t>(time.minutes) * 60;
+    std::tm local{};
+    if (::localtime_r(&seconds, &local) == nullptr) return time.minutes;
+    return time.minutes + local.tm_gmtoff / 60;
+}
+
+template <std::size_t N>
+bool contains(std::string_view text, const std::string_view (&words)[N]) {
+    return std::any_of(std::begin(words), std::end(words), [&](std::string_view each) {
+        return text.find(each) != std::string_view::npos;
+    });
+}
+
+template <std::size_t N>
+bool begins(std::string_view text, const std::string_view (&words)[N]) {
+    return std::any_of(std::begin(words), std::end(words),
+                       [&](std::string_view each) { return text.starts_with(each); });
+}
+
+}  // namespace
+
+std::optional<double> daysBetween(std::string_view due, std::string_view time) {
+    const std::optional<ReadTime> a = readTime(due), b = readTime(time);
+    if (!a || !b) return std::nullopt;
+    const bool isSame = a->isUtc == b->isUtc;
+    const std::int64_t minutes =
+        isSame ? b->minutes - a->minutes : onTheWall(*b) - onTheWall(*a);
+    constexpr std::int64_t kDay = std::int64_t{24} * 60;
+    return minutes <= 0 ? 0.0 : static_cast<double>((minutes + kDay - 1) / kDay);
+}
+
+bool isTime(std::string_view text) {
+    return readTime(text).has_value();
+}
+
+std::optional<double> latenessOf(std::string_view hours) {
+    std::array<int, 3> numbers{};
+    const char* at = hours.data();
+    const char* const end = at + hours.size();
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const auto [read, problem] = std::from_chars(at, end, numbers[i]);
+        if (problem != std::errc() || numbers[i] < 0) return std::nullopt;
+        const bool isLast = i + 1 == numbers.size();
+        if (isLast ? read != end : read == end || *read != ':') return std::nullopt;
+        at = isLast ? read : read + 1;
+    }
+    const std::int64_t minutes = std::int64_t{numbers[0]} * 60 + numbers[1];
+    return static_cast<double>((minutes + 24 * 60 - 1) / (24 * 60));
+}
+
+MoodleStatus readMoodleStatus(std::string_view status) {
+    MoodleStatus read;
+    const std::string lower = lowered(status);
+    read.isExtended = contains(lower, kExtended);
+    std::string_view rest = lower;
+    while (!rest.empty()) {
+        const std::size_t end = std::min(rest.find(" - "), rest.size());
+        const std::string_view sentence = rest.substr(0, end);
+        rest.remove_prefix(std::min(end + 3, rest.size()));
+        if (!contains(sentence, kLate)) continue;
+        const std::vector<std::string_view> parts = partsOf(sentence);
+        double days = 0;
+        bool hasRest = false, hasNumber = false;
+        for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
+            const int number = numberAt(parts, i);
+            if (number < 0) continue;
+            hasNumber = true;
+            if (begins(parts[i + 1], kDays))
+                days += number;
+            else if (begins(parts[i + 1], kYears))
+                days += 365. * number;
+            else
+                hasRest = hasRest || number > 0;
+        }
+        if (hasNumber) read.daysLate = days + (hasRest ? 1 : 0);
+    }
+    return read;
+}
+
+}  // namespace glibra::classroom

@@ -1,0 +1,269 @@
+#!/usr/bin/env python3
+"""`glibra class --serve` in Chromium: points and comments are typed by two browsers at once, kept, and survive a new run.
+
+usage: class_serve_test.py GLIBRA [--pictures FOLDER]     (the second writes screenshots to look at)
+"""
+import contextlib
+import csv
+import http.client
+import json
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import class_test
+import webdriver
+
+PROGRAM = None
+RUBRIC = """[[check]]
+name = "is drawn"
+drawn = true
+points = 4
+[[check]]
+name = "report"
+by-hand = true
+points = 6
+[[check]]
+name = "a nice extra"
+by-hand = true
+bonus = true
+points = 2
+"""
+POINTS = "#%s .points[data-check='%s'] input"
+
+
+class Served(unittest.TestCase):
+    def setUp(self):
+        self.stack = contextlib.ExitStack()
+        self.folder = self.stack.enter_context(tempfile.TemporaryDirectory())
+        class_test.hand_in(self.folder, "solution")
+        for name in ("Ada", "Bo", "<b>Cy"):
+            class_test.hand_in(os.path.join(self.folder, "all", name), "ball", tone="wrong" if name == "Bo" else "uTone")
+        self.write("class.toml", RUBRIC)
+        self.server = None
+        self.serve()
+
+    def tearDown(self):
+        self.end()
+        self.stack.close()
+
+    def write(self, name, text):
+        with open(os.path.join(self.folder, name), "w", encoding="utf-8") as file:
+            file.write(text)
+
+    def read(self, name):
+        with open(os.path.join(self.folder, name), encoding="utf-8-sig") as file:
+            return file.read()
+
+    def grades(self):
+        return {row["submission"]: row for row in csv.DictReader(self.read("site/grades.csv").splitlines())}
+
+    def command(self, *more):
+        return [PROGRAM, "class", "all", "--reference", "solution.glib", "-o", "site", "--rubric", "class.toml", "--size", "160x120", *more]
+
+    def serve(self, *more):
+        self.server = subprocess.Popen(self.command("--serve", *more), cwd=self.folder, stderr=subprocess.PIPE, text=True)
+        for line in self.server.stderr:
+            found = re.search(r"http://127\.0\.0\.1:(\d+)/([0-9a-f]+)/", line)
+            if found:
+                self.address, self.port, self.token = found.group(), int(found.group(1)), found.group(2)
+                return
+        self.fail("no address was printed")
+
+    def end(self):
+        if self.server:
+            self.server.send_signal(signal.SIGINT)
+            self.assertEqual(self.server.wait(20), 0)
+            self.server.stderr.close()
+            self.server = None
+
+    def open(self):
+        browser = self.stack.enter_context(webdriver.Browser(1366, 768))
+        browser.open(self.address)
+        browser.wait("return document.querySelectorAll('.commentField').length === 3")
+        return browser
+
+    @staticmethod
+    def type(browser, selector, text):
+        """As a teacher does: a click, the old text away, the new one, and away from the field."""
+        browser.run("document.querySelector(arguments[0]).scrollIntoView({block: 'center'})", selector)
+        browser.run("document.querySelector('.saved').textContent = ''")
+        browser.click(selector)
+        browser.run("document.activeElement.select()")
+        browser.press("\ue003", *text)
+        browser.run("document.activeElement.blur()")
+        browser.wait("return /saved/.test(document.querySelector('.saved').textContent)")
+        return browser.run("return document.querySelector('.saved').textContent")
+
+    @staticmethod
+    def card(browser, name):
+        return browser.run("return [...document.querySelectorAll('.card')].find((each) => each.dataset.name === arguments[0]).id", name)
+
+    def test_what_is_typed_is_shown_kept_and_survives_a_new_run(self):
+        browser = self.open()
+        ada, bo = self.card(browser, "Ada"), self.card(browser, "Bo")
+        self.assertEqual(self.type(browser, POINTS % (ada, "report"), "4.5"), "saved")
+        self.assertEqual(self.type(browser, POINTS % (ada, "a nice extra"), "2"), "saved")
+        self.assertEqual(self.type(browser, f"#{bo} .commentField", 'It does <not> compile; ask "me"!'), "saved")
+        self.assertEqual(self.type(browser, POINTS % (bo, "report"), "99"), "saved")
+        total = "return document.querySelector(`#${arguments[0]} .marks tfoot td`).textContent"
+        self.assertEqual(browser.run(total, ada), "10.5")
+        self.assertEqual(browser.run("return document.querySelector(arguments[0]).value", POINTS % (bo, "report")), "6", "no more than there are")
+        row = "return document.querySelector(`.overview a[href='#${arguments[0]}']`).closest('tr').querySelector('.points').textContent"
+        self.assertEqual(browser.run(row, ada), "10.5")
+        # An empty field gives the points of the check back.
+        drawn = POINTS % (ada, "is drawn")
+        self.type(browser, drawn, "1")
+        self.assertEqual(browser.run(total, ada), "7.5")
+        self.type(browser, drawn, "")
+        self.assertEqual(browser.run(total, ada), "10.5")
+        kept = json.loads(self.read("site/marks.json"))
+        self.assertEqual(kept["Ada"]["points"], {"report": 4.5, "a nice extra": 2})
+        self.assertEqual(kept["Bo"]["comment"], 'It does <not> compile; ask "me"!')
+        self.assertEqual(self.grades()["Ada"]["points"], "10.50000")
+        self.assertEqual([each["message"] for each in browser.logs("browser")], [], "the console is silent")
+        self.end()
+        self.write("class.toml", RUBRIC.replace("points = 6", "points = 4"))
+        subprocess.run(self.command(), cwd=self.folder, check=True, capture_output=True)
+        self.assertEqual(self.grades()["Ada"]["points"], "10.00000", "a check that gives less now has its most")
+        self.assertEqual(self.grades()["Bo"]["comment"], 'It does <not> compile; ask "me"!')
+        self.assertNotIn("grade.js", self.read("site/index.html"), "the page of the folder needs no server")
+        self.write("class.toml", RUBRIC)
+        self.serve()
+        again = self.open()
+        self.assertEqual(again.run("return document.querySelector(arguments[0]).value", POINTS % (ada, "report")), "4.5")
+        self.assertEqual(again.run(f"return document.querySelector('#{bo} .commentField').value"), 'It does <not> compile; ask "me"!')
+
+    def test_two_browsers_at_once_lose_nothing(self):
+        first, second = self.open(), self.open()
+        ada, cy = self.card(first, "Ada"), self.card(second, "<b>Cy")
+        self.assertEqual(first.run("return document.querySelectorAll('.card b').length"), 0)
+        for points in ("1", "2", "3"):
+            self.type(first, POINTS % (ada, "report"), points)
+            self.type(second, POINTS % (cy, "report"), points)
+        self.type(second, f"#{ada} .commentField", "from the second")
+        self.type(first, POINTS % (ada, "a nice extra"), "1.5")
+        kept = json.loads(self.read("site/marks.json"))
+        self.assertEqual(kept, {"Ada": {"comment": "from the second", "points": {"a nice extra": 1.5, "report": 3}},
+                                "<b>Cy": {"comment": "", "points": {"report": 3}}})
+        self.assertEqual(self.grades()["<b>Cy"]["points"], "7.00000")
+        first.open(self.address)
+        first.wait("return document.querySelectorAll('.commentField').length === 3")
+        self.assertEqual(first.run(f"return document.querySelector('#{ada} .commentField').value"), "from the second")
+
+    def test_a_file_that_cannot_be_written_is_said_and_nothing_counts(self):
+        browser = self.open()
+        ada = self.card(browser, "Ada")
+        os.mkdir(os.path.join(self.folder, "site", "marks.json"))
+        self.assertIn("not saved", self.type(browser, POINTS % (ada, "report"), "4"))
+        self.assertEqual(self.grades()["Ada"]["points"], "4.00000")
+        os.rmdir(os.path.join(self.folder, "site", "marks.json"))
+        self.assertEqual(self.type(browser, POINTS % (ada, "report"), "5"), "saved")
+        self.assertEqual(self.grades()["Ada"]["points"], "9.00000")
+
+    def test_another_site_in_the_same_browser_changes_and_reads_nothing(self):
+        browser = self.open()
+        browser.open("data:text/html,<h1>evil</h1>")
+        mark = '{"entry": 0, "check": "report", "points": 1}'
+        said = browser.run("""const [address, mark] = arguments;
+            const tries = [
+                () => fetch(address + 'marks', {method: 'POST', body: mark, headers: {'Content-Type': 'application/json'}}),
+                () => fetch(address + 'marks', {method: 'POST', body: mark, mode: 'no-cors', headers: {'Content-Type': 'text/plain'}}),
+                () => fetch(address),
+                () => fetch(address + 'grades.csv', {mode: 'no-cors'}),
+            ];
+            return Promise.all(tries.map((each) => each().then((reply) => reply.type + reply.status, () => 'refused')));""",
+                           self.address, mark)
+        self.assertEqual(said[0], "refused")
+        self.assertEqual(said[2], "refused")
+        # A form that the page sends by itself, and a frame.
+        browser.run("""const form = document.createElement('form');
+            Object.assign(form, {method: 'POST', action: arguments[0] + 'marks', enctype: 'text/plain'});
+            const field = document.createElement('input');
+            Object.assign(field, {name: '{"entry": 0, "check": "report", "points": 1, "x": "', value: '"}'});
+            form.append(field); document.body.append(form); form.submit();""", self.address)
+        browser.wait("return !location.href.startsWith('data:')")
+        self.assertIn("another site sent this request", browser.run("return document.body.innerText"))
+        browser.open("data:text/html,<iframe src='%s'></iframe>" % self.address)
+        browser.wait("return document.readyState === 'complete'")
+        self.assertFalse(os.path.exists(os.path.join(self.folder, "site", "marks.json")))
+
+    def ask(self, method, path, body=None, **headers):
+        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=20)
+        connection.putrequest(method, path, skip_host="Host" in headers)
+        for name, value in headers.items():
+            connection.putheader(name.replace("_", "-"), value)
+        if body is not None:
+            connection.putheader("Content-Length", str(len(body)))
+        with contextlib.suppress(BrokenPipeError, ConnectionResetError):  # it does not wait for what is too long
+            connection.endheaders(body)
+        reply = connection.getresponse()
+        text = reply.read().decode(errors="replace")
+        connection.close()
+        return reply.status, text
+
+    def test_requests_without_token_of_other_hosts_and_paths_outside_are_refused(self):
+        own, mark = f"/{self.token}/", b'{"entry": 0, "check": "report", "points": 1}'
+        json_type = {"Content_Type": "application/json"}
+        self.assertEqual(self.ask("GET", own)[0], 200)
+        for path in ("/", "/marks", "//", "/" + "0" * 32 + "/", "/" + self.token[:-1] + "/", "/" + self.token, "/" + self.token.upper() + "x/"):
+            self.assertGreaterEqual(self.ask("GET", path)[0], 400, path)
+            self.assertGreaterEqual(self.ask("POST", path, mark, **json_type)[0], 400, path)
+        for host in ("evil.example", "localhost:%d" % self.port, "127.0.0.1", "127.0.0.1:1", "[::1]:%d" % self.port, ""):
+            self.assertEqual(self.ask("GET", own, Host=host)[0], 403, host)
+            self.assertEqual(self.ask("POST", own + "marks", mark, Host=host, **json_type)[0], 403, host)
+        for origin in ("http://evil.example", "null", "http://127.0.0.1:1", "https://127.0.0.1:%d" % self.port):
+            self.assertEqual(self.ask("POST", own + "marks", mark, Origin=origin, **json_type)[0], 403, origin)
+        for kind in ("application/x-www-form-urlencoded", "text/plain", "multipart/form-data; boundary=x"):
+            self.assertEqual(self.ask("POST", own + "marks", mark, Content_Type=kind)[0], 415, kind)
+        self.assertEqual(self.ask("POST", own + "marks", mark, Sec_Fetch_Site="cross-site", **json_type)[0], 403)
+        for path in ("marks.json", "index.html", "../class.toml", "..%2fclass.toml", "%2e%2e/class.toml", "pictures/", "pictures/../marks.json",
+                     "pictures/..%2f..%2fclass.toml", "pictures/0001-1.png/../../marks.json", "//etc/passwd", "pictures/0009-1.png", "\\..\\class.toml"):
+            status, text = self.ask("GET", own + path)
+            self.assertGreaterEqual(status, 400, path)
+            self.assertNotIn("by-hand", text)
+        self.assertEqual(self.ask("GET", own + "pictures/0001-1.png")[0], 200)
+        # A picture that became a link leads nowhere.
+        picture = os.path.join(self.folder, "site", "pictures", "0001-1.png")
+        os.remove(picture)
+        os.symlink("/etc/hostname", picture)
+        self.assertEqual(self.ask("GET", own + "pictures/0001-1.png")[0], 404)
+        for method in ("PUT", "DELETE", "OPTIONS", "TRACE", "PATCH"):
+            self.assertGreaterEqual(self.ask(method, own + "marks", mark, **json_type)[0], 400, method)
+        for wrong in (b"[]", b"{", b'{"entry": "0", "comment": ""}', b'{"entry": 1e99, "comment": ""}', b'{"entry": 0, "comment": 3}',
+                      b'{"entry": 0, "check": "report", "points": 1e999}', b'{"entry": 0, "comment": "' + b"x" * 10_001 + b'"}', b"\xff\xfe"):
+            self.assertEqual(self.ask("POST", own + "marks", wrong, **json_type)[0], 400, wrong[:40])
+        self.assertEqual(self.ask("POST", own + "marks", b"x" * (64 << 20), **json_type)[0], 413)
+        self.assertFalse(os.path.exists(os.path.join(self.folder, "site", "marks.json")))
+        self.assertEqual(self.ask("POST", own + "marks", mark, **json_type)[0], 200)
+
+
+def pictures(folder):
+    """Screenshots of the served page with something typed, light and dark."""
+    os.makedirs(folder, exist_ok=True)
+    test = Served("test_two_browsers_at_once_lose_nothing")
+    test.setUp()
+    browser = test.open()
+    ada = test.card(browser, "Ada")
+    test.type(browser, POINTS % (ada, "report"), "4.5")
+    test.type(browser, f"#{ada} .commentField", "A good report, but without pictures.")
+    for scheme in ("light", "dark"):
+        browser.command("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": scheme}])
+        browser.screenshot(os.path.join(folder, f"served-{scheme}.png"))
+    test.tearDown()
+
+
+if __name__ == "__main__":
+    if not shutil.which("chromedriver") or not shutil.which("chromium"):
+        print("skipped: chromium and chromedriver are needed")
+        sys.exit(77)
+    PROGRAM = class_test.PROGRAM = os.path.abspath(sys.argv[1])
+    if len(sys.argv) > 3 and sys.argv[2] == "--pictures":
+        pictures(sys.argv[3])
+    else:
+        unittest.main(argv=sys.argv[:1] + sys.argv[2:], verbosity=2)
