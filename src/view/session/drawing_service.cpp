@@ -108,7 +108,8 @@ class Drawing {
   private:
     void set(const Order& value) {
         for (Knob& each : knobs_) {
-            if (each.title != value[0] || each.tag != value[1]) continue;
+            if (each.title != value[0].get<std::string>() || each.tag != value[1].get<std::string>())
+                continue;
             auto wanted = value[2].get<std::vector<double>>();
             if (wanted == each.current || wanted.size() != each.current.size()) return;
             each.current = std::move(wanted);
