@@ -47,13 +47,13 @@ class FramePlanner {
         for (const scene::BufferIndex each : scene_.buffers.indices())
             if (needs.buffers.size() > each.position() && needs.buffers[each]) plan_.buffers.push_back(each);
         listAttributes();
+        if (scene_.isModern) plan_.accesses = accessesOf(scene_, plan_, options_.everything);
         if (options_.reportsNames) {
             const FramePlan* own = &plan_;
             for (const Diagnostic& each : reportNames(scene_, {&own, 1}, options_.overrides))
                 remarks_.report(each);
         }
         if (scene_.isModern) {
-            plan_.accesses = accessesOf(scene_, plan_, options_.everything);
             findBeginnings(scene_, plan_);
             if (options_.shareTargets && !options_.everything)
                 plan_.sharing = sharedTargets(scene_, plan_, options_.roots);

@@ -232,9 +232,9 @@ Diagnostics DeviceTextures::reset(scene::TextureIndex texture) {
 }
 
 const gpu::Texture* DeviceTextures::texture(scene::TextureIndex texture) const {
-    const auto found = made_.find(texture);
-    if (found == made_.end()) return nullptr;
-    return found->second.sameAs ? this->texture(found->second.sameAs) : found->second.texture.get();
+    auto found = made_.find(texture);
+    if (found != made_.end() && found->second.sameAs) found = made_.find(found->second.sameAs);
+    return found == made_.end() ? nullptr : found->second.texture.get();
 }
 
 }  // namespace glibra::render
