@@ -16,7 +16,7 @@ namespace glibra::classroom {
 namespace {
 
 constexpr int kScales = 3;  // each half as large as the one before
-constexpr int kTurns = 12;  // directions of edges in half a turn
+constexpr std::size_t kBends = 6;  // in a right angle
 /// An edge between two colours has about 1 per pixel, where colours have the deviation 1; shading that goes
 /// over the whole object has at most 0.25.
 constexpr float kEdge = 0.5F;
@@ -99,7 +99,8 @@ struct Pattern {
     std::vector<Scale> scales;
     std::vector<PatternPoint> points;
     PatternKinds kinds;
-    std::array<double, kTurns> turns{};  ///< shares of the directions of edges
+    std::array<double, kBends> bends{};  ///< findBends
+    double sharp = 0;                    ///< 1 if there are many edges, 0 if there is shading alone
     double minority = 0;                 ///< share of the rarer of the two main colours, up to 0.5
     bool isPlain = false;                ///< the objects have one colour
 };
@@ -146,6 +147,44 @@ double minorityOf(const Scale& scale) {
     return all > 0 ? std::min(counts[0], counts[1]) / all : 0;
 }
 
+/// The differences between the directions of edges that are near to each other, in the unit of the size of the
+/// pattern: of lines they are 0, of squares also a right angle, of discs anything.
+void findBends(const Scale& scale, Pattern& pattern) {
+    std::array<double, kBends>& bends = pattern.bends;
+    std::vector<float> radii;
+    for (const PatternPoint& each : pattern.points) radii.push_back(each.radius);
+    if (radii.empty()) return;
+    std::nth_element(radii.begin(), radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2), radii.end());
+    const float unit = std::max(radii[radii.size() / 2], 1.5F);
+    struct Edge {
+        float x, y, angle, strength;
+    };
+    std::vector<Edge> edges;
+    for (int y = 0; y < scale.side; ++y)
+        for (int x = 0; x < scale.side; ++x)
+            if (const std::size_t at = scale.index(x, y); scale.edges[at] >= kEdge)
+                edges.push_back({static_cast<float>(x), static_cast<float>(y), scale.angles[at], scale.edges[at]});
+    const auto inside = std::count_if(scale.inside.begin(), scale.inside.end(), [](float each) { return each >= 1; });
+    constexpr double kManyEdges = 0.08;  // of the pixels
+    pattern.sharp = std::min(1.0, static_cast<double>(edges.size()) / (kManyEdges * static_cast<double>(inside)));
+    constexpr std::size_t kMostEdges = 500;
+    const std::size_t step = edges.size() / kMostEdges + 1;
+    double all = 0;
+    for (std::size_t i = 0; i < edges.size(); i += step)
+        for (std::size_t k = 0; k < i; k += step) {
+            const float distance = std::hypot(edges[i].x - edges[k].x, edges[i].y - edges[k].y);
+            if (distance < unit || distance > 2 * unit) continue;
+            float bend = std::abs(edges[i].angle - edges[k].angle);
+            bend = std::min(bend, std::numbers::pi_v<float> - bend);
+            const auto bin = static_cast<std::size_t>(bend / (std::numbers::pi_v<float> / 2) * kBends);
+            const double weight = static_cast<double>(edges[i].strength) * edges[k].strength;
+            bends[std::min(bin, kBends - 1)] += weight;
+            all += weight;
+        }
+    if (all > 0)
+        for (double& each : bends) each /= all;
+}
+
 Pattern patternOf(Scale objects) {
     Pattern pattern;
     const ToneScales tones = toneScalesOf(objects);
@@ -156,21 +195,8 @@ Pattern patternOf(Scale objects) {
     for (int i = 1; i < kScales; ++i) pattern.scales.push_back(halved(pattern.scales.back()));
     if (pattern.isPlain) return pattern;
     pattern.minority = minorityOf(pattern.scales[0]);
-    double directed = 0;
-    for (std::size_t s = 0; s < pattern.scales.size(); ++s) {
-        Scale& scale = pattern.scales[s];
-        findEdges(scale);
-        if (s > 1) continue;
-        for (std::size_t i = 0; i < scale.edges.size(); ++i) {
-            if (scale.edges[i] < kEdge) continue;
-            const int turn = std::min(kTurns - 1, static_cast<int>(static_cast<double>(scale.angles[i]) /
-                                                                   std::numbers::pi * kTurns));
-            pattern.turns[static_cast<std::size_t>(turn)] += scale.edges[i];
-            directed += scale.edges[i];
-        }
-    }
-    if (directed > 0)
-        for (double& each : pattern.turns) each /= directed;
+    for (Scale& each : pattern.scales) findEdges(each);
+    findBends(pattern.scales[0], pattern);
     return pattern;
 }
 
@@ -183,15 +209,11 @@ double partOf(double value, double none, double full) {
     return std::clamp((value - none) / (full - none), 0.0, 1.0);
 }
 
-/// How alike the directions of edges are at the best turn.
-double turnsLikeness(const Pattern& a, const Pattern& b) {
-    double best = 0;
-    for (std::size_t by = 0; by < kTurns; ++by) {
-        double common = 0;
-        for (std::size_t i = 0; i < kTurns; ++i) common += std::min(a.turns[i], b.turns[(i + by) % kTurns]);
-        best = std::max(best, common);
-    }
-    return best;
+/// How alike the shares of bends are; 1 where there are too few edges to tell.
+double bendsLikeness(const Pattern& a, const Pattern& b) {
+    double common = 0;
+    for (std::size_t i = 0; i < kBends; ++i) common += std::min(a.bends[i], b.bends[i]);
+    return 1 - std::min(a.sharp, b.sharp) * (1 - common);
 }
 
 /// The correlation of the edges of two pictures in one scale, at the best shift.
@@ -247,7 +269,7 @@ double patternLikeness(const Pattern& a, const Pattern& b) {
     const double sameOutline = std::pow(overlap(a.scales[0], b.scales[0]), 2);
     const double product =
         partOf(found.correlation, 0.72, 0.86) * std::pow(partOf(commonKinds(a.kinds, b.kinds), 0.5, 1), 0.4) *
-        (0.5 + 0.5 * turnsLikeness(a, b)) * std::pow(ratio(a.minority, b.minority, 0.05), 0.35) *
+        bendsLikeness(a, b) * std::pow(ratio(a.minority, b.minority, 0.05), 0.35) *
         std::pow(kOtherSize, size * sameOutline);
     return std::pow(product, 0.8);
 }

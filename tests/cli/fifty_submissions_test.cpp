@@ -227,14 +227,19 @@ TEST_F(FiftySubmissions, AreOrderedComparedAndGradedAsAPersonDoes) {
     for (const auto& [name, row] : rows) {
         const bool isDrawn = row.at("state") == "drawn";
         EXPECT_NE(row.at("reason").empty(), !isDrawn) << name;
-        if (name.starts_with("H ")) EXPECT_EQ(row.at("reacts uAd"), "no") << name;
-        if (name.starts_with("A ")) EXPECT_EQ(row.at("reacts uAd"), "yes") << name;
+        if (name.starts_with("H ")) {
+            EXPECT_EQ(row.at("reacts uAd"), "no") << name;
+        }
+        if (name.starts_with("A ")) {
+            EXPECT_EQ(row.at("reacts uAd"), "yes") << name;
+        }
         // The lecture's code marks nobody; the idea and its three copies are found.
         const double share = row.at("similarity").empty() ? 0 : std::stod(row.at("similarity"));
-        if (name.starts_with("I "))
+        if (name.starts_with("I ")) {
             EXPECT_GT(share, .8) << name << row.at("most similar");
-        else
+        } else {
             EXPECT_LT(share, .5) << name << row.at("most similar");
+        }
     }
     // Moodle's own table with the grades in it.
     const std::string table = readFile(folder / "site/import-moodle.csv");
@@ -245,8 +250,9 @@ TEST_F(FiftySubmissions, AreOrderedComparedAndGradedAsAPersonDoes) {
     EXPECT_EQ(graded.at(numbers_["A colours 02"]), 8) << "two days late";
     EXPECT_EQ(graded.at(numbers_["A colours 03"]), 10) << "late with an extension";
     for (const auto& [name, number] : numbers_)
-        if (name.starts_with("F ") || name.starts_with("K nested") || name.starts_with("L none"))
+        if (name.starts_with("F ") || name.starts_with("K nested") || name.starts_with("L none")) {
             EXPECT_LE(graded.at(number), 2) << name;
+        }
     EXPECT_TRUE(contains(readFile(folder / "site/index.html"), "Nobody 99"));
 }
 

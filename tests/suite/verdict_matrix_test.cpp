@@ -79,7 +79,9 @@ class VerdictMatrix : public testing::Test {
             const Result<Golden> made = store.replace(shot, "", each.golden == GoldenIs::same ? got : other);
             identity = made->identity;
         }
-        if (each.otherShotHas) EXPECT_TRUE(store.replace(partner, "", other));
+        if (each.otherShotHas) {
+            EXPECT_TRUE(store.replace(partner, "", other));
+        }
         std::vector<AcceptedHash> lines;
         if (each.list == ListHas::goldenAndPixels) lines.push_back({"a", "", identity, hashOf(got), "key"});
         if (each.list == ListHas::otherGolden) lines.push_back({"a", "", hashOf(other), hashOf(got), "key"});
