@@ -300,6 +300,10 @@ void SourcePanel::addTo(nlohmann::ordered_json& state, const Ui& ui) const {
         for (std::size_t i = 0; i < std::min<std::size_t>(assist.words.size(), 20); ++i)
             words.push_back({{"word", assist.words[i].word}, {"type", assist.words[i].type}});
     state["completion"] = {{"open", assist.isOpen}, {"chosen", assist.chosen}, {"words", words}};
+    Json arguments = Json::array();
+    for (const SignatureParts& each : assist.hint.signatures)
+        arguments.push_back({each.before + each.argument + each.after, each.argument});
+    state["arguments"] = arguments;
     state["reference"] = {{"open", assist.showsReference},
                           {"word", assist.entry.word},
                           {"code", assist.entry.code},
