@@ -109,8 +109,9 @@ constexpr auto kDebugViewKeys = std::to_array<Shortcut>(
 
 void debugViewControls(Ui& ui) {
     const DebugView now = ui.session.debugView();
-    const bool isOpen = ImGui::BeginCombo("Show", std::string(nameOf(now)).c_str());
-    markField(ui, "view/show", "Show");
+    fieldLabel("Show");
+    const bool isOpen = ImGui::BeginCombo("##show", std::string(nameOf(now)).c_str());
+    mark(ui, "view/show");
     if (isOpen) {
         for (int i = 0; i < kDebugViewCount; ++i) {
             const auto kind = static_cast<DebugView>(i);
@@ -129,9 +130,10 @@ void debugViewControls(Ui& ui) {
     }
     if (now == DebugView::normals) {
         auto length = static_cast<float>(ui.session.normalLength());
-        if (ImGui::SliderFloat("Length", &length, .005F, 1, "%.3f", ImGuiSliderFlags_Logarithmic))
+        fieldLabel("Length");
+        if (ImGui::SliderFloat("##length", &length, .005F, 1, "%.3f", ImGuiSliderFlags_Logarithmic))
             ui.session.setNormalLength(length);
-        markField(ui, "view/normalLength", "Length");
+        mark(ui, "view/normalLength");
     }
     legend(ui);
     ImGui::Checkbox("Probe a pixel", &toolWindow(ui, "probe").isOpen);

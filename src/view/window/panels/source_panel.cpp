@@ -20,6 +20,7 @@
 #include "view/window/panels/messages.h"
 #include "view/window/panels/save_scene.h"
 #include "view/window/panels/source_header.h"
+#include "view/window/panels/tab_stops.h"
 #include "view/window/panels/ui.h"
 
 namespace glibra::view {
@@ -50,11 +51,7 @@ void refresh(Ui& ui, SourceState& panel) {
     }
     const auto isChosen = [&](const SourceFile& each) { return each.path == panel.chosen; };
     if (std::none_of(ui.files.begin(), ui.files.end(), isChosen)) {
-        // People edit the last stage most, so begin with it.
-        const auto shader = std::find_if(ui.files.rbegin(), ui.files.rend(), [](const SourceFile& each) {
-            return each.role.find("shader") != std::string::npos;
-        });
-        panel.chosen = shader == ui.files.rend() ? ui.files.front().path : shader->path;
+        panel.chosen = ui.files.front().path;  // the scene, which names the others
         panel.follow = true;
     }
 }
@@ -113,7 +110,9 @@ void sourceContent(Ui& ui, SourceState& panel) {
     const bool isChanged =
         codeEditor(panel.chosen.string().c_str(), file.text(), view, {marks, find.found, find.shown},
                    language, !file.whyReadOnly().empty(), below);
-    mark(ui, "source/text");
+    markPlace(ui, "source/text");
+    if (tabStop(ui, ImGui::GetItemID())) view.select = view.selection;
+    ui.shared.textTakesTab = view.isActive && file.whyReadOnly().empty();
     if (isChanged && ui.notice.text == savedNotice(panel.chosen)) ui.notice = {};
     if (isChanged)
         file.history().record(file.text());
@@ -187,6 +186,7 @@ void returnToText(const Ui& ui, SourceState& panel) {
 
 void sourcePanel(Ui& ui, SourceState& panel, Rectangle& free) {
     panel.shown = {};
+    ui.shared.textTakesTab = false;
     if (!ui.session.hasScene()) return;
     compileWhileTyping(ui, panel);
     noticeClicks(panel);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "view/window/panels/tab_stops.h"
 #include "view/window/platform/theme.h"
 
 namespace glibra::view {
@@ -41,6 +42,11 @@ void toggleOpen(Ui& /*ui*/, Panel& panel) {
 }
 
 void mark(Ui& ui, std::string_view name) {
+    tabStop(ui);
+    markPlace(ui, name);
+}
+
+void markPlace(Ui& ui, std::string_view name) {
     if (!ui.shared.marksWidgets || !ImGui::IsItemVisible()) return;
     if (ui.sliders.focused != 0 && ImGui::GetItemID() == ui.sliders.focused) ui.frame.focusedName = name;
     const ImVec2 low = ImGui::GetItemRectMin();
@@ -82,6 +88,15 @@ bool group(Ui& ui, const char* title, std::string_view name) {
     mark(ui, name);
     if (isOpen != before) remember(ui, name, isOpen, true);
     return isOpen;
+}
+
+void fieldLabel(const char* label) {
+    const float column = ImGui::CalcTextSize("Background").x + 2 * ImGui::GetStyle().ItemInnerSpacing.x;
+    const float left = ImGui::GetCursorPosX();
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(label);
+    ImGui::SameLine(left + column);
+    ImGui::SetNextItemWidth(-1);
 }
 
 bool lineOfText(const char* text, const ImVec2& at, float right) {

@@ -88,8 +88,11 @@ struct Ui {
 /// The tool window of that name, which must exist.
 Panel& toolWindow(const Ui& ui, std::string_view name);
 
-/// Stores the position of the last widget under a name, for `--state`; does nothing without that option.
+/// The last widget is one that Tab reaches (tab_stops.h). Stores its position under a name, for `--state`.
 void mark(Ui& ui, std::string_view name);
+/// Stores its position alone.
+void markPlace(Ui& ui, std::string_view name);
+void tabStop(Ui& ui);
 /// The same for a field with its label beside it: stores the position of the field alone.
 void markField(Ui& ui, std::string_view name, std::string_view label);
 /// The same for the current ImGui window.
@@ -98,7 +101,8 @@ void markWindow(Ui& ui, std::string_view name);
 template <class... Arguments>
     requires(sizeof...(Arguments) > 0)
 void mark(Ui& ui, fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-    if (ui.shared.marksWidgets) mark(ui, fmt::format(format, std::forward<Arguments>(arguments)...));
+    tabStop(ui);
+    if (ui.shared.marksWidgets) markPlace(ui, fmt::format(format, std::forward<Arguments>(arguments)...));
 }
 
 /// The heading of a section. Returns true if the section is open; the settings remember that under its name,
@@ -106,6 +110,9 @@ void mark(Ui& ui, fmt::format_string<Arguments...> format, Arguments&&... argume
 bool section(Ui& ui, const char* title, std::string_view name, bool isOpenAtFirst);
 /// The same for a group inside a section.
 bool group(Ui& ui, const char* title, std::string_view name);
+
+/// Draws a label in a column that all fields of the panel share; the next field takes the rest of the row.
+void fieldLabel(const char* label);
 
 /// Sets the initial position and size of the next window, which is never larger than the screen. The values
 /// are screen coordinates at scale 1.

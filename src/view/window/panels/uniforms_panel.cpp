@@ -156,13 +156,7 @@ void color(Ui& ui, std::size_t index) {
     std::array<float, 4> rgba{0, 0, 0, 1};
     const std::size_t count = std::min<std::size_t>(rgba.size(), knob.current.size());
     std::copy_n(knob.current.begin(), count, rgba.begin());
-    const ImGuiColorEditFlags flags = ImGuiColorEditFlags_Float | ImGuiColorEditFlags_PickerHueWheel |
-                                      ImGuiColorEditFlags_AlphaPreviewHalf | ImGuiColorEditFlags_HDR;
-    ImGui::SetNextItemWidth(-1);
-    const bool changed = count == 4
-                             ? ImGui::ColorEdit4("##color", rgba.data(), flags | ImGuiColorEditFlags_AlphaBar)
-                             : ImGui::ColorEdit3("##color", rgba.data(), flags);
-    mark(ui, "uniform/{}/{}", knob.title, knob.tag);
+    const bool changed = colorField(ui, widgetName(knob, 0), rgba, count == 4);
     if (!changed) return;
     std::vector<double> values(count);
     // The widget shows three digits, so the value is rounded to them.
@@ -203,7 +197,7 @@ void knobButtons(Ui& ui, std::size_t index) {
         const bool isPressed = iconButton(
             isMoving ? Icon::pause : Icon::play, "animate",
             isMoving ? "Stop at this value" : "Animate: move between the ends of the range", isMoving);
-        mark(ui, "animate/{}/{}", knob.title, knob.tag);
+        if (ui.shared.marksWidgets) markPlace(ui, fmt::format("animate/{}/{}", knob.title, knob.tag));
         if (isPressed) ui.session.animate(index, !isMoving);
     } else {
         ImGui::Dummy({side, side});
@@ -211,7 +205,7 @@ void knobButtons(Ui& ui, std::size_t index) {
     if (!knob.isChanged()) return;
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     const bool isPressed = iconButton(Icon::undo, "reset", "Back to the value of the scene");
-    mark(ui, "reset/{}/{}", knob.title, knob.tag);
+    if (ui.shared.marksWidgets) markPlace(ui, fmt::format("reset/{}/{}", knob.title, knob.tag));
     if (isPressed) ui.session.resetValue(index);
 }
 
@@ -222,7 +216,7 @@ void knobRow(Ui& ui, std::size_t index) {
     ImGui::TableNextColumn();
     ImGui::AlignTextToFramePadding();
     ImGui::Selectable(knob.tag.c_str(), false, ImGuiSelectableFlags_AllowItemOverlap);
-    mark(ui, "label/{}/{}", knob.title, knob.tag);
+    if (ui.shared.marksWidgets) markPlace(ui, fmt::format("label/{}/{}", knob.title, knob.tag));
     bool wantsMenu = ImGui::IsItemClicked(ImGuiMouseButton_Right);
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("%s\n%s:%d\nRight click: animate, reset or copy", knob.declaration.c_str(),

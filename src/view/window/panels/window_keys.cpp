@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <utility>
 
 #include "view/window/panels/ui.h"
 
@@ -64,6 +65,7 @@ bool closeFront(Ui& ui) {
         owner != kCommandPaletteRow.title)
         return false;
     if (closeToolWindow(ui) || close(ui, Closing::bar)) return true;
+    if (std::exchange(ui.sliders.focused, 0) != 0) return true;
     ui.session.clearPick();
     return false;
 }

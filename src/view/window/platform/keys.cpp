@@ -48,6 +48,12 @@ FrameInput inputOf(const InputQueue& queue, const InputQueue::Frame& frame) {
     return input;
 }
 
+void activateItem(unsigned id, bool prefersInput) {
+    ImGuiContext& context = *ImGui::GetCurrentContext();
+    context.NavNextActivateId = id;
+    context.NavNextActivateFlags = prefersInput ? ImGuiActivateFlags_PreferInput : ImGuiActivateFlags_None;
+}
+
 #if IMGUI_VERSION_NUM >= 18700
 
 namespace {
@@ -149,7 +155,7 @@ bool isKeyDown(int key) {
 
 void keepTabFromFocus() {
     // ImGui moves its focus only by keys that nobody owns.
-    if (!ImGui::GetIO().WantTextInput) ImGui::SetKeyOwner(ImGuiKey_Tab, ImHashStr("sliders"));
+    ImGui::SetKeyOwner(ImGuiKey_Tab, ImHashStr("sliders"));
 }
 
 struct HiddenKeys::State {
@@ -175,6 +181,7 @@ void giveToImGui(const FrameInput& input) {
     ImGuiIO& io = ImGui::GetIO();
     io.ClearInputCharacters();
     giveText(input.text);
+    io.KeyMap[ImGuiKey_Tab] = GLFW_KEY_TAB;
     std::fill(std::begin(io.KeysDown), std::end(io.KeysDown), false);
     for (const int key : input.keys)
         if (key >= 0 && key < static_cast<int>(std::size(io.KeysDown))) io.KeysDown[key] = true;
@@ -196,8 +203,7 @@ bool isKeyDown(int key) {
 }
 
 void keepTabFromFocus() {
-    ImGuiIO& io = ImGui::GetIO();
-    io.KeyMap[ImGuiKey_Tab] = io.WantTextInput ? GLFW_KEY_TAB : -1;
+    ImGui::GetIO().KeyMap[ImGuiKey_Tab] = -1;
 }
 
 struct HiddenKeys::State {
