@@ -78,13 +78,16 @@ std::string programLine(const scene::Scene& scene, scene::ProgramIndex program, 
     return text + "\n";
 }
 
-std::string setArgument(const scene::Scene& scene, const Knob& knob, std::span<const Knob> knobs) {
+std::string setName(const scene::Scene& scene, const Knob& knob, std::span<const Knob> knobs) {
     const bool isShared =
         knob.program && (knob.isShared || std::any_of(knobs.begin(), knobs.end(), [&](const Knob& each) {
                              return each.tag == knob.tag && each.program != knob.program;
                          }));
-    std::string name = knob.tag;
-    if (isShared) name = fmt::format("{}:{}", scene.programs[knob.program].place.line, name);
+    return isShared ? fmt::format("{}:{}", scene.programs[knob.program].place.line, knob.tag) : knob.tag;
+}
+
+std::string setArgument(const scene::Scene& scene, const Knob& knob, std::span<const Knob> knobs) {
+    const std::string name = setName(scene, knob, knobs);
     if (knob.widget == Widget::checkBox) return name + (knob.current.front() != 0 ? "=true" : "=false");
     return name + "=" + joined(knob.current, knob.current.size(), ",");
 }

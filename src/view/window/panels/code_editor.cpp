@@ -246,7 +246,8 @@ bool codeEditor(const char* name, std::string& text, CodeView& view, const CodeM
                 CodeLanguage language, bool isReadOnly, float below) {
     ImGui::PushFont(codeFont());
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-    ImGui::PushStyleColor(ImGuiCol_ChildBg, packed(palette().panel));
+    // The window has the colour of the panel, or lets the picture be seen.
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, IM_COL32_BLACK_TRANS);
     ImGui::BeginChild(name, {0, -below}, false,
                       ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoNavInputs);
     const bool isChanged = editInChild(name, text, view, marks, language, isReadOnly);

@@ -23,6 +23,7 @@
 #include "view/export/hardcopy.h"
 #include "view/export/hardcopy_job.h"
 #include "view/window/panels/icons.h"
+#include "view/window/panels/label_overlay.h"
 #include "view/window/panels/ui.h"
 #include "view/window/platform/keys.h"
 
@@ -335,6 +336,9 @@ void labelsEntry(Ui& ui) {
     mark(ui, "hardcopy/labels");
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("The values over the picture, on the screen and in the file (L)");
+    if (!ui.shared.showLabels) return;
+    fieldLabel("");
+    labelChoice(ui, "##labelled", "hardcopy/labelChoice", -1);
 }
 
 /// Asks whether to replace a file.

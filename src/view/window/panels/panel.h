@@ -64,6 +64,9 @@ class Drawn final : public Panel {
 /// The groups of the list of keys, in its order.
 enum class KeyGroup { time, view, values, pipeline, source, scenes, window };
 
+/// The key of actions without one, which the command palette lists.
+inline constexpr int kNoKey = -2;
+
 struct Shortcut {
     KeyGroup group;
     int key;  ///< GLFW_KEY_...

@@ -9,6 +9,9 @@
 
 namespace glibra::view {
 
+/// "below the picture".
+const char* nameOfPlace(SourcePlace place);
+
 struct Ui;
 
 /// True if both name the same file.

@@ -89,6 +89,12 @@ void suitePanel(Ui& ui, SuiteEntries& entries) {
 class SuitePanel final : public Panel {
   public:
     void show(Ui& ui) override { suitePanel(ui, entries_); }
+    void addNow(Ui& ui) {
+        if (!ui.session.hasScene()) return;
+        proposeShot(ui, entries_);
+        addShot(ui.session, entries_);
+        ui.notice = {entries_.message, entries_.failed};
+    }
     void addTo(nlohmann::ordered_json& state, const Ui& /*ui*/) const override {
         state["suiteMessage"] = entries_.message;
     }
@@ -97,8 +103,14 @@ class SuitePanel final : public Panel {
     SuiteEntries entries_;
 };
 
+// Without a key: for the list of commands.
+constexpr auto kSuiteKeys =
+    std::to_array<Shortcut>({{KeyGroup::scenes, kNoKey, false, "", "add the picture to a suite, as a shot",
+                              call<&SuitePanel::addNow>}});
+
 }  // namespace
 
-const PanelRow kSuiteRow{.name = "suite", .place = PanelPlace::section, .make = make<SuitePanel>};
+const PanelRow kSuiteRow{
+    .name = "suite", .place = PanelPlace::section, .make = make<SuitePanel>, .keys = kSuiteKeys};
 
 }  // namespace glibra::view

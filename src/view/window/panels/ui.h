@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -74,6 +75,7 @@ struct Ui {
     TransformMode mode = TransformMode::eye;  ///< what the mouse moves
     std::vector<SourceFile> files;            ///< the texts that the tab shows, once it has shown any
     std::vector<PanelUse> panels;
+    std::set<std::string> labelled;  ///< the values that the user wants to see on the picture, by labelKey()
     /// What can be done about the messages of that loading, by their texts, as far as they were shown.
     struct Fixes {
         std::uint64_t loaded = 0;
@@ -82,6 +84,7 @@ struct Ui {
             std::string searched;
         };
         std::map<std::string, Known> known;
+        int opened = 0;  ///< the message of the list that shows all of its text and what can be done
     } fixes;
 };
 
@@ -117,6 +120,8 @@ void fieldLabel(const char* label);
 /// Sets the initial position and size of the next window, which is never larger than the screen. The values
 /// are screen coordinates at scale 1.
 void placeFloating(const Ui& ui, float left, float top, float width, float height);
+/// The text with two points in its middle, if it is wider than that.
+std::string shortened(const std::string& text, float width);
 /// Draws a line of text up to the screen coordinate `right`, where it ends with an ellipsis if it does not
 /// fit. Returns true if it fits.
 bool lineOfText(const char* text, const ImVec2& at, float right);
