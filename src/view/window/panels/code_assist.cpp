@@ -53,7 +53,16 @@ void updateWords(CodeAssist& state, const Ui& ui, const EditedFile& file, const 
     state.typed = wordBefore(file.text(), cursor);
     state.cursor = view.cursor;
     state.chosen = 0;
+    state.hasMoved = false;
     state.isOpen = !state.words.empty();
+}
+
+/// True if the typed word is one of the list.
+bool isWholeWord(const CodeAssist& state, const EditedFile& file) {
+    if (state.typed.end > file.text().size()) return false;
+    const std::string typed = file.text().substr(state.typed.begin, state.typed.end - state.typed.begin);
+    return std::any_of(state.words.begin(), state.words.end(),
+                       [&](const Completion& each) { return each.word == typed; });
 }
 
 void accept(CodeAssist& state, EditedFile& file, CodeView& view) {
@@ -159,8 +168,7 @@ void argumentHint(Ui& ui, const CodeAssist& state, const CodeView& view) {
     }
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     width = std::min(screen.x, width + 2 * style.WindowPadding.x);
-    const float height =
-        static_cast<float>(rows) * ImGui::GetTextLineHeight() + 2 * style.WindowPadding.y;
+    const float height = static_cast<float>(rows) * ImGui::GetTextLineHeight() + 2 * style.WindowPadding.y;
     const float above = view.cursorOnScreen.top - height;
     // Below the line only where there is no room above it; the list of words stands below.
     ImGui::SetNextWindowPos({std::clamp(view.cursorOnScreen.x, 0.F, std::max(0.F, screen.x - width)),
@@ -307,6 +315,13 @@ void assistKeys(CodeAssist& state, EditedFile& file, CodeView& view) {
     const std::size_t count = state.words.size();
     if (isKeyPressed(GLFW_KEY_DOWN)) state.chosen = (state.chosen + 1) % count;
     if (isKeyPressed(GLFW_KEY_UP)) state.chosen = (state.chosen + count - 1) % count;
+    state.hasMoved = state.hasMoved || isKeyPressed(GLFW_KEY_DOWN) || isKeyPressed(GLFW_KEY_UP);
+    const bool isEnter = isKeyPressed(GLFW_KEY_ENTER) || isKeyPressed(GLFW_KEY_KP_ENTER);
+    if (isEnter && !state.hasMoved && isWholeWord(state, file)) {
+        // Who has typed a whole word and goes on wants a new line.
+        state.isOpen = view.leavesListKeys = false;
+        return;
+    }
     if (isKeyPressed(GLFW_KEY_TAB) || isKeyPressed(GLFW_KEY_ENTER) || isKeyPressed(GLFW_KEY_KP_ENTER))
         accept(state, file, view);
 }

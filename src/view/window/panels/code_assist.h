@@ -21,8 +21,9 @@ struct CodeAssist {
     bool isAsked = false;  ///< it opens in the next frame
     std::vector<Completion> words;
     std::size_t chosen = 0;
-    TextRange typed;  ///< what an accepted word replaces
-    int cursor = 0;   ///< the cursor for which the list was made
+    bool hasMoved = false;  ///< the arrow keys have chosen
+    TextRange typed;        ///< what an accepted word replaces
+    int cursor = 0;         ///< the cursor for which the list was made
     bool hasAccepted = false;
     // The arguments of what is called at the cursor, while one types there.
     bool isHinting = false;

@@ -104,7 +104,7 @@ struct PanelRow {
     bool withoutScene = false;  ///< for sections
     std::span<const Shortcut> keys = {};
     const char* title = nullptr;     ///< a tool window's, for ImGui::Begin(); Esc closes it
-    const char* checkBox = nullptr;  ///< label of its check box in the section View
+    const char* checkBox = nullptr;  ///< label of its check box in the section Tools
     const char* help = nullptr;      ///< tooltip of the check box
 };
 

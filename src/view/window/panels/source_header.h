@@ -6,6 +6,7 @@
 
 #include "view/edit/edited_file.h"
 #include "view/window/panels/source_state.h"
+#include "view/window/platform/settings.h"
 
 namespace glibra::view {
 

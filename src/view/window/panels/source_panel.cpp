@@ -309,6 +309,7 @@ void SourcePanel::addTo(nlohmann::ordered_json& state, const Ui& ui) const {
                        {"live", ui.settings.compilesWhileTyping},
                        {"compiled", ui.session.texts().size()},
                        {"hover", ui.frame.hoverText}};
+    state["sourcePlace"] = nameOfPlace(ui.settings.sourcePlace);
     const CodeAssist& assist = state_.assist;
     Json words = Json::array();
     if (assist.isOpen)

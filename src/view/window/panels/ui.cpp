@@ -7,7 +7,6 @@
 #include <cassert>
 #include <cmath>
 
-#include "view/window/panels/tab_stops.h"
 #include "view/window/platform/theme.h"
 
 namespace glibra::view {

@@ -53,7 +53,7 @@ struct Frame {
     Rectangle room{};             ///< what the panels leave free
     Rectangle picture{};          ///< position of the picture in it
     std::map<std::string, Rectangle> widgets;  ///< by name
-    std::string focusedName;                   ///< of the slider with the keyboard
+    std::string focusedName;                   ///< of the widget with the keyboard
     std::string hoverText;                     ///< about what is under the mouse
     std::string translation;                   ///< the first line of core GLSL shown for an error
 };

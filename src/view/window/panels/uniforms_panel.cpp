@@ -490,10 +490,10 @@ class ValuesPanel final : public Panel {
         const std::vector<Knob>& knobs = ui.session.knobs();
         const std::string title =
             fmt::format("{} shared value{} alone###alone", count, count == 1 ? "" : "s");
-        const bool isOpen = ImGui::TreeNodeEx(
+        const bool isUnfolded = ImGui::TreeNodeEx(
             title.c_str(), ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen);
         mark(ui, "shared/{}", first.title);
-        if (!isOpen) return;
+        if (!isUnfolded) return;
         ImGui::PushID("alone");
         rows(ui, [&](std::size_t i) {
             return knobs[i].program == first.program && isShared_[i] && isFound(knobs[i]);

@@ -40,8 +40,8 @@ void welcome(Ui& ui) {
             if (ImGui::Selectable(file.filename().c_str())) ui.requests.open = file;
             mark(ui, "welcome/recent/{}", i);
             ImGui::SameLine();
-            const float room = std::max(80.F, ui.frame.room[2] * .6F);
-            ImGui::TextDisabled("%s", shortened(file.parent_path().string(), room).c_str());
+            const float width = std::max(80.F, ui.frame.room[2] * .6F);
+            ImGui::TextDisabled("%s", shortened(file.parent_path().string(), width).c_str());
             ImGui::PopID();
         }
     }

@@ -153,9 +153,9 @@ bool isKeyDown(int key) {
     return to != ImGuiKey_None && ImGui::IsKeyDown(to);
 }
 
-void keepTabFromFocus() {
+void keepFromImGui(int key) {
     // ImGui moves its focus only by keys that nobody owns.
-    ImGui::SetKeyOwner(ImGuiKey_Tab, ImHashStr("sliders"));
+    ImGui::SetKeyOwner(keyOf(key), ImHashStr("window"));
 }
 
 struct HiddenKeys::State {
@@ -182,6 +182,7 @@ void giveToImGui(const FrameInput& input) {
     io.ClearInputCharacters();
     giveText(input.text);
     io.KeyMap[ImGuiKey_Tab] = GLFW_KEY_TAB;
+    io.KeyMap[ImGuiKey_Escape] = GLFW_KEY_ESCAPE;
     std::fill(std::begin(io.KeysDown), std::end(io.KeysDown), false);
     for (const int key : input.keys)
         if (key >= 0 && key < static_cast<int>(std::size(io.KeysDown))) io.KeysDown[key] = true;
@@ -202,8 +203,8 @@ bool isKeyDown(int key) {
     return ImGui::IsKeyDown(key);
 }
 
-void keepTabFromFocus() {
-    ImGui::GetIO().KeyMap[ImGuiKey_Tab] = -1;
+void keepFromImGui(int key) {
+    ImGui::GetIO().KeyMap[key == GLFW_KEY_TAB ? ImGuiKey_Tab : ImGuiKey_Escape] = -1;
 }
 
 struct HiddenKeys::State {
