@@ -41,6 +41,13 @@ void indent(ImGuiInputTextCallbackData& data, const CodeView& view) {
     std::string_view line = end == std::string_view::npos ? before : before.substr(end + 1);
     const std::size_t last = line.find_last_not_of(" \t");
     const bool isOpening = last != std::string_view::npos && line[last] == '{';
+    if (last == std::string_view::npos && !line.empty()) {
+        // The blanks of a line that stays empty move on to the next one.
+        const std::string moved(line);
+        data.DeleteChars(data.CursorPos - 1 - static_cast<int>(moved.size()), static_cast<int>(moved.size()));
+        data.InsertChars(data.CursorPos, moved.c_str());
+        return;
+    }
     line = line.substr(0, std::min(line.find_first_not_of(" \t"), line.size()));
     const std::string blanks = std::string(line) + (isOpening ? "    " : "");
     data.InsertChars(data.CursorPos, blanks.c_str());
