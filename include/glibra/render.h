@@ -83,11 +83,9 @@ struct RenderOptions {
     bool overrideCounts = false;             ///< with maxError: also chooses numbers that the scene states
     bool axes = false;                       ///< draws axes 1.5 units long at the origin of world space
     LabelCorner labels = LabelCorner::none;  ///< writes the values of uniform variables over the picture
-    std::vector<std::string>
-        labelled{};            ///< the values that `labels` writes, as `set` names them; empty: all
-    bool alpha = false;        ///< keeps the window's alpha; otherwise pictures are opaque
-    bool floatPixels = false;  ///< 32-bit float pixels, not limited to 0..1
-    bool strict = false;       ///< warnings are errors
+    bool alpha = false;                      ///< keeps the window's alpha; otherwise pictures are opaque
+    bool floatPixels = false;                ///< 32-bit float pixels, not limited to 0..1
+    bool strict = false;                     ///< warnings are errors
     /// Draws what does not need the files that are missing or wrong, with a striped border around the
     /// picture. The result has the errors and the picture.
     bool incomplete = false;

@@ -31,7 +31,6 @@ std::string helpOf(const suite::OptionRow& row) {
 
 bool mayBeRepeated(const suite::OptionRow& row) {
     return std::holds_alternative<suite::UniformsValue>(row.value) ||
-           std::holds_alternative<suite::NamesValue>(row.value) ||
            std::holds_alternative<suite::ObjectsValue>(row.value) ||
            std::holds_alternative<suite::FoldersValue>(row.value);
 }

@@ -56,7 +56,6 @@ Diagnostics problemsOfLoading(const RenderOptions& options) {
     only("lastTime", options.lastTime != none.lastTime);
     only("axes", options.axes);
     only("labels", options.labels != none.labels);
-    only("labelled", !options.labelled.empty());
     only("incomplete", options.incomplete);
     only("checkNan", options.checkNan);
     only("checkUndefined", options.checkUndefined);

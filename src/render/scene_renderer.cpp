@@ -328,7 +328,7 @@ Diagnostics SceneRenderer::State::readTile(std::size_t index, image::Image& pict
 
 std::optional<LabelBlock> SceneRenderer::State::labels() const {
     if (options.labels == LabelCorner::none) return std::nullopt;
-    return labelBlock(width, height, labelsOf(scene, plans(), options.labelled), options.labels);
+    return labelBlock(width, height, labelsOf(scene, plans()), options.labels);
 }
 
 /// Without pixels.

@@ -39,7 +39,6 @@ inline void setSample(const OptionRow& row, Shot& shot) {
         void operator()(const MemoryValue& memory) const {
             memory.member.edit(shot) = std::uint64_t{1536} << 20U;
         }
-        void operator()(const NamesValue& names) const { names.member.edit(shot) = {"uKd", "8:uKs"}; }
         void operator()(const FoldersValue& folders) const {
             folders.member.edit(shot) = {"lib one", "lib two"};
         }

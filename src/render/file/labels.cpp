@@ -40,15 +40,6 @@ std::string labelOf(const scene::Variable& variable) {
     return variable.name + " = " + value;
 }
 
-/// True if the names contain that of a value, alone or with the line of its Program; 0: it has none.
-bool isWanted(std::span<const std::string> only, const std::string& name, int line) {
-    if (only.empty()) return true;
-    const std::string withLine = fmt::format("{}:{}", line, name);
-    return std::any_of(only.begin(), only.end(), [&](const std::string& each) {
-        return each == name || (line > 0 && each == withLine);
-    });
-}
-
 /// The value of the binding that a tag names; null if there is none that a user could see as a number.
 const std::vector<double>* valuesOf(const plan::PlannedProgram& planned, const plan::NamedUniform& named) {
     for (const plan::UniformBinding& each : planned.values) {
@@ -74,11 +65,9 @@ std::string titleOf(const scene::Scene& scene, scene::ProgramIndex program) {
     return sameName > 1 ? fmt::format("{} ({})", name, before) : name;
 }
 
-std::vector<std::string> labelsOf(const scene::Scene& scene, std::span<const plan::FramePlan* const> plans,
-                                  std::span<const std::string> only) {
+std::vector<std::string> labelsOf(const scene::Scene& scene, std::span<const plan::FramePlan* const> plans) {
     std::vector<std::string> lines;
-    for (const scene::Variable& each : scene.variables)
-        if (isWanted(only, each.name, 0)) lines.push_back(labelOf(each));
+    for (const scene::Variable& each : scene.variables) lines.push_back(labelOf(each));
     std::vector<const plan::PlannedProgram*> programs;
     for (const plan::FramePlan* plan : plans)
         for (const plan::PlannedProgram& each : plan->programs)
@@ -92,7 +81,6 @@ std::vector<std::string> labelsOf(const scene::Scene& scene, std::span<const pla
             for (const plan::NamedUniform& named : names.find(spec.tag)) {
                 const plan::ValueType& type = at(planned->interface->uniforms, named.uniform).type;
                 const std::vector<double>* values = valuesOf(*planned, named);
-                if (!isWanted(only, spec.tag, scene.programs[planned->variant.program].place.line)) continue;
                 if (!values || type.isOpaque() || !known.emplace(planned->variant.program, spec.tag).second)
                     continue;
                 lines.push_back(fmt::format("{} : {} = {}", titleOf(scene, planned->variant.program),

@@ -18,10 +18,8 @@ std::string titleOf(const scene::Scene& scene, scene::ProgramIndex program);
 
 /// A line for each variable of the scene, "size = 0.5000", and for each value that its programs are given,
 /// in the order of the scene: "OvalNoise : uAd = 0.0500", "OvalNoise : uUseChromaDepth = false",
-/// "OvalNoise : uColor = 0.9000 0.5000 0.2000". Units of textures are left out. `only`: the values to show,
-/// by their names as --set takes them, "uAd" or "8:uAd"; empty: all.
-std::vector<std::string> labelsOf(const scene::Scene& scene, std::span<const plan::FramePlan* const> plans,
-                                  std::span<const std::string> only = {});
+/// "OvalNoise : uColor = 0.9000 0.5000 0.2000". Units of textures are left out.
+std::vector<std::string> labelsOf(const scene::Scene& scene, std::span<const plan::FramePlan* const> plans);
 
 /// Where a block of labels lies in a picture, in pixels from the upper left corner.
 struct LabelBlock {

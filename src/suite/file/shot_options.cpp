@@ -68,9 +68,6 @@ struct OptionReader {
         reader.wrongType(value, key, expected);
     }
     void operator()(const UniformsValue&) const;
-    void operator()(const NamesValue& names) const {
-        if (auto texts = reader.texts(value, key)) names.member.edit(to.shot) = std::move(*texts);
-    }
     void operator()(const MatrixValue& matrix) const {
         readMatrix(value, std::string(key), matrix.member.edit(to.shot));
     }

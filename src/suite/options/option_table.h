@@ -63,10 +63,6 @@ struct WordValue {
 struct UniformsValue {
     ShotMember<std::vector<std::string>> member;
 };
-/// Names, one each time that the option is given.
-struct NamesValue {
-    ShotMember<std::vector<std::string>> member;
-};
 /// 16 numbers, column by column.
 struct MatrixValue {
     ShotMember<Matrix> member;
@@ -90,7 +86,7 @@ struct FoldersValue {
 
 using OptionValue =
     std::variant<FlagValue, WholeValue, NumberValue, TimeValue, SizeValue, WordValue, UniformsValue,
-                 NamesValue, MatrixValue, ObjectsValue, ColorValue, MemoryValue, FoldersValue>;
+                 MatrixValue, ObjectsValue, ColorValue, MemoryValue, FoldersValue>;
 
 struct OptionRow {
     std::string_view name;  ///< on the command line, after "--"; empty: the output file's ending decides

@@ -58,12 +58,6 @@ struct TomlWriter {
         }
         return "{ " + text + " }";
     }
-    std::string operator()(const NamesValue& names) const {
-        std::string text;
-        for (const std::string& each : names.member.get(shot))
-            text += (text.empty() ? "" : ", ") + tomlText(each);
-        return "[" + text + "]";
-    }
     std::string operator()(const MatrixValue& matrix) const { return list(matrix.member.get(shot)); }
     std::string operator()(const ObjectsValue& objects) const {
         std::string text;

@@ -106,11 +106,6 @@ struct TextReader {
         uniforms.member.edit(shot).emplace_back(text);
         return {};
     }
-    std::string operator()(const NamesValue& names) const {
-        if (text.empty()) return "a name";
-        names.member.edit(shot).emplace_back(text);
-        return {};
-    }
     std::string operator()(const MatrixValue& matrix) const {
         return readMatrix(text, matrix.member.edit(shot));
     }
@@ -176,7 +171,6 @@ struct TextWriter {
     std::vector<std::string> operator()(const UniformsValue& uniforms) const {
         return uniforms.member.get(shot);
     }
-    std::vector<std::string> operator()(const NamesValue& names) const { return names.member.get(shot); }
     std::vector<std::string> operator()(const MatrixValue& matrix) const {
         return {numberList(matrix.member.get(shot))};
     }

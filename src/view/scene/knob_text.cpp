@@ -78,16 +78,26 @@ std::string programLine(const scene::Scene& scene, scene::ProgramIndex program, 
     return text + "\n";
 }
 
-std::string setName(const scene::Scene& scene, const Knob& knob, std::span<const Knob> knobs) {
+std::string labelBegin(const Knob& knob) {
+    return (knob.program ? knob.title + " : " : "") + knob.tag + " = ";
+}
+
+std::vector<std::string> onlyLabels(std::vector<std::string> labels, std::span<const std::string> only) {
+    if (only.empty()) return labels;
+    std::erase_if(labels, [&](const std::string& label) {
+        return std::none_of(only.begin(), only.end(),
+                            [&](const std::string& begin) { return label.starts_with(begin); });
+    });
+    return labels;
+}
+
+std::string setArgument(const scene::Scene& scene, const Knob& knob, std::span<const Knob> knobs) {
     const bool isShared =
         knob.program && (knob.isShared || std::any_of(knobs.begin(), knobs.end(), [&](const Knob& each) {
                              return each.tag == knob.tag && each.program != knob.program;
                          }));
-    return isShared ? fmt::format("{}:{}", scene.programs[knob.program].place.line, knob.tag) : knob.tag;
-}
-
-std::string setArgument(const scene::Scene& scene, const Knob& knob, std::span<const Knob> knobs) {
-    const std::string name = setName(scene, knob, knobs);
+    std::string name = knob.tag;
+    if (isShared) name = fmt::format("{}:{}", scene.programs[knob.program].place.line, name);
     if (knob.widget == Widget::checkBox) return name + (knob.current.front() != 0 ? "=true" : "=false");
     return name + "=" + joined(knob.current, knob.current.size(), ",");
 }

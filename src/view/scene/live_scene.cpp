@@ -100,7 +100,7 @@ std::vector<Knob> LiveScene::knobs() const {
 }
 
 std::vector<std::string> LiveScene::labels(std::span<const std::string> only) const {
-    return render::labelsOf(state_->scene, state_->plans(), only);
+    return onlyLabels(render::labelsOf(state_->scene, state_->plans()), only);
 }
 
 bool LiveScene::isAnimated() const {

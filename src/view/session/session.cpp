@@ -236,7 +236,6 @@ RenderOptions Session::renderOptions(int width, int height) const {
     options.time = clock_.time();
     options.axes = axes_;
     options.labels = labels_;
-    if (labels_ != LabelCorner::none) options.labelled = labelled_;
     if (!chosenFiles_.empty()) options.sceneText = textWithFiles();
     options.viewState = shownView();
     for (const Knob& each : knobs_)

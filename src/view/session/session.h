@@ -119,7 +119,7 @@ class Session {
     void setAxes(bool on);
     /// The corner that shows the values; it affects hardcopies and suite shots, not picture().
     [[nodiscard]] LabelCorner labels() const { return labels_; }
-    /// `only`: the values, as RenderOptions::labelled names them.
+    /// `only`: those that begin so (labelBegin); empty: all. The rest is not known to renderOptions().
     void setLabels(LabelCorner corner, std::vector<std::string> only = {}) {
         labels_ = corner;
         labelled_ = std::move(only);

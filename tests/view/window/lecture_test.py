@@ -98,6 +98,10 @@ class Lecture(LectureTest):
         window.wait(lambda s: abs(s["room"][0] - edge + 150) < 12)
 
     def test_labels_of_changed_and_of_chosen_values(self):
+        here = self.files / "here"
+        here.mkdir()
+        self.addCleanup(os.chdir, os.getcwd())
+        os.chdir(here)
         window = self.open(self.files / "four.glib", "--size", "400x900")
         window.move(20, 20)
         window.key("l")
@@ -111,8 +115,13 @@ class Lecture(LectureTest):
         state = window.wait(lambda s: len(s["labels"]) == 1 and s["waiting"])
         value = next(k["current"][0] for k in state["knobs"] if k["tag"] == "uOwn2")
         self.assertEqual(window.settle()["labels"], [f"P2 : uOwn2 = {window.knob('uOwn2')[0]:.4f}"], value)
+        # A hardcopy has the same pixels.
         window.move(20, 20)
-        self.assertShows(window, self.files / "four.glib", "--labels", "bottom-left", "--label", "uOwn2", *self.set_of(window))
+        window.key("h")
+        window.wait(lambda s: s["hardcopyMessage"].startswith("written: "))
+        picture = subprocess.run(["convert", str(here / "four.png"), "-strip", "-depth", "8", "ppm:-"], check=True,
+                                 stdout=subprocess.PIPE).stdout
+        self.assertEqual(read_ppm(picture)[2], window.pixels()[2])
         window.move(*window.point("label/P3/uOwn3"))
         window.xdotool("click", "3")
         window.click("menu/label")

@@ -40,7 +40,7 @@ bool hasLabels(const Ui& ui, std::vector<std::string>& only) {
     for (const Knob& each : knobs)
         if (ui.settings.labelChoice == LabelChoice::changed ? each.isChanged()
                                                             : ui.labelled.contains(labelKey(each)))
-            only.push_back(setName(ui.session.live().scene(), each, knobs));
+            only.push_back(labelBegin(each));
     return !only.empty();
 }
 
