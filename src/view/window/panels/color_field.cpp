@@ -11,15 +11,18 @@ bool colorSwatch(Ui& ui, const char* id, std::string_view name, std::array<float
     ImGui::PushID(id);
     const ImGuiColorEditFlags alpha =
         hasAlpha ? ImGuiColorEditFlags_AlphaPreviewHalf : ImGuiColorEditFlags_NoAlpha;
-    if (ImGui::ColorButton("##swatch", {rgba[0], rgba[1], rgba[2], rgba[3]}, alpha)) ImGui::OpenPopup("picker");
+    if (ImGui::ColorButton("##swatch", {rgba[0], rgba[1], rgba[2], rgba[3]}, alpha))
+        ImGui::OpenPopup("picker");
     mark(ui, name);
     bool isChanged = false;
     if (ImGui::BeginPopup("picker")) {
         ImGui::SetNextItemWidth(220 * ui.shared.scale);
-        constexpr ImGuiColorEditFlags kFlags = ImGuiColorEditFlags_Float | ImGuiColorEditFlags_PickerHueWheel |
-                                               ImGuiColorEditFlags_HDR | ImGuiColorEditFlags_NoSidePreview;
-        isChanged = hasAlpha ? ImGui::ColorPicker4("##picker", rgba.data(), kFlags | ImGuiColorEditFlags_AlphaBar)
-                             : ImGui::ColorPicker3("##picker", rgba.data(), kFlags);
+        constexpr ImGuiColorEditFlags kFlags = ImGuiColorEditFlags_Float |
+                                               ImGuiColorEditFlags_PickerHueWheel | ImGuiColorEditFlags_HDR |
+                                               ImGuiColorEditFlags_NoSidePreview;
+        isChanged = hasAlpha
+                        ? ImGui::ColorPicker4("##picker", rgba.data(), kFlags | ImGuiColorEditFlags_AlphaBar)
+                        : ImGui::ColorPicker3("##picker", rgba.data(), kFlags);
         ImGui::EndPopup();
     }
     ImGui::PopID();
@@ -47,8 +50,9 @@ bool colorField(Ui& ui, std::string_view name, std::array<float, 4>& rgba, bool 
         if (i % inRow != 0) ImGui::SameLine(0, space);
         ImGui::SetNextItemWidth(std::max(20.F, widthOfEach(inRow)));
         ImGui::PushID(i);
-        isChanged = ImGui::DragFloat("##component", &rgba[static_cast<std::size_t>(i)], .004F, 0, 0, "%.3f") ||
-                    isChanged;
+        isChanged =
+            ImGui::DragFloat("##component", &rgba[static_cast<std::size_t>(i)], .004F, 0, 0, "%.3f") ||
+            isChanged;
         tabStop(ui);
         ImGui::PopID();
     }

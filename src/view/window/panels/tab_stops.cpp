@@ -32,18 +32,18 @@ void addStop(Ui& ui, TabStop stop) {
     if (ImGui::GetIO().WantTextInput && stop.isEntry) return;  // it shows its cursor
     const float wide = 2 * ui.shared.scale;
     ImGui::GetWindowDrawList()->AddRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(),
-                                        ImGui::GetColorU32(ImGuiCol_NavHighlight), ImGui::GetStyle().FrameRounding,
-                                        0, wide);
+                                        ImGui::GetColorU32(ImGuiCol_NavHighlight),
+                                        ImGui::GetStyle().FrameRounding, 0, wide);
 }
 
 /// Where Tab begins: in the tool window in front, or else at the first value.
 Stops::const_iterator firstStop(const Ui& ui, const Stops& stops) {
     const ImGuiWindow* front = ImGui::GetCurrentContext()->NavWindow;
     if (front != nullptr) front = front->RootWindow;
-    const bool isTool = front != nullptr && std::any_of(ui.panels.begin(), ui.panels.end(), [&](const PanelUse& each) {
-                            return each.row->title && each.panel->isOpen &&
-                                   std::string_view(front->Name) == each.row->title;
-                        });
+    const bool isTool =
+        front != nullptr && std::any_of(ui.panels.begin(), ui.panels.end(), [&](const PanelUse& each) {
+            return each.row->title && each.panel->isOpen && std::string_view(front->Name) == each.row->title;
+        });
     const auto first = std::find_if(stops.begin(), stops.end(), [&](const TabStop& each) {
         return isTool ? each.window == front->ID : each.isValue;
     });
@@ -112,14 +112,14 @@ void beginStops(Ui& ui) {
     sliders.activated = 0;
     sliders.wantsMenu = false;
     const ImGuiIO& io = ImGui::GetIO();
-    const bool isElsewhere =
-        ui.shared.question || !ImGui::GetCurrentContext()->OpenPopupStack.empty();
+    const bool isElsewhere = ui.shared.question || !ImGui::GetCurrentContext()->OpenPopupStack.empty();
     if (isElsewhere || io.KeyAlt || io.KeyCtrl || sliders.drawn.empty()) return;
     if (isKeyPressed(GLFW_KEY_TAB) && !ui.shared.textTakesTab) return goToStop(ui, io.KeyShift, false);
     if (isKeyPressed(GLFW_KEY_F6)) return goToStop(ui, false, true);
     const auto now = stopOf(sliders.drawn, sliders.focused);
     if (io.WantTextInput || now == sliders.drawn.end()) return;
-    sliders.wantsMenu = isKeyPressed(GLFW_KEY_MENU, false) || (io.KeyShift && isKeyPressed(GLFW_KEY_F10, false));
+    sliders.wantsMenu =
+        isKeyPressed(GLFW_KEY_MENU, false) || (io.KeyShift && isKeyPressed(GLFW_KEY_F10, false));
     if (now->isValue) return;
     const bool isEnter = (isKeyPressed(GLFW_KEY_ENTER, false) || isKeyPressed(GLFW_KEY_KP_ENTER, false)) &&
                          !isUsedByScene(ui, "enter");

@@ -77,7 +77,8 @@ void timePanel(Ui& ui) {
     double speed = clock.speed();
     constexpr double kFastest = 4;
     fieldLabel("Speed");
-    if (labelledSlider(ui, "##speed", "time/speed", {-kFastest, kFastest}, speed, " x")) clock.setSpeed(speed);
+    if (labelledSlider(ui, "##speed", "time/speed", {-kFastest, kFastest}, speed, " x"))
+        clock.setSpeed(speed);
     ui.session.setClock(clock);
     if (restarts) ui.session.restart();
     if (steps) ui.session.nextStep();

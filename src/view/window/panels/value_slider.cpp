@@ -175,7 +175,8 @@ bool sliderEntry(Ui& ui, const char* id, double& value) {
         ImGui::SetKeyboardFocusHere();
     }
     const unsigned window = ImGui::GetCurrentContext()->CurrentWindow->RootWindow->ID;
-    ui.sliders.drawn.push_back({ImGui::GetID(id), window, true, false});  // keeps the keyboard for the slider that comes back
+    ui.sliders.drawn.push_back(
+        {ImGui::GetID(id), window, true, false});  // keeps the keyboard for the slider that comes back
     ImGui::InputDouble("##entry", &ui.sliders.typed, 0, 0, "%.9g",
                        ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_CharsScientific);
     // The value changes when the user has finished typing, not with each digit.
@@ -223,9 +224,10 @@ void beginSliders(Ui& ui) {
     const bool isElsewhere = ui.shared.question || !ImGui::GetCurrentContext()->OpenPopupStack.empty();
     const unsigned before = ui.sliders.focused;
     beginStops(ui);
-    const bool isValue = std::any_of(ui.sliders.drawn.begin(), ui.sliders.drawn.end(), [&](const TabStop& each) {
-        return each.isValue && each.id == before && before == ui.sliders.focused;
-    });
+    const bool isValue =
+        std::any_of(ui.sliders.drawn.begin(), ui.sliders.drawn.end(), [&](const TabStop& each) {
+            return each.isValue && each.id == before && before == ui.sliders.focused;
+        });
     if (isValue && !io.WantTextInput && !io.KeyCtrl && !io.KeyAlt && !isElsewhere) {
         const double fine = io.KeyShift ? kFine : 1;
         const auto move = [&](int key, const char* name, double by) {
@@ -248,7 +250,8 @@ void beginSliders(Ui& ui) {
 void endSliders(Ui& ui) {
     const bool isGone = std::none_of(ui.sliders.drawn.begin(), ui.sliders.drawn.end(),
                                      [&](const TabStop& each) { return each.id == ui.sliders.focused; });
-    if (isGone && ui.sliders.typing.empty() && ImGui::GetCurrentContext()->OpenPopupStack.empty()) ui.sliders.focused = 0;
+    if (isGone && ui.sliders.typing.empty() && ImGui::GetCurrentContext()->OpenPopupStack.empty())
+        ui.sliders.focused = 0;
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ui.sliders.wasClicked) ui.sliders.focused = 0;
 }
 

@@ -52,7 +52,8 @@ bool dragNumbers(Ui& ui, const char* label, double* values, int count, float spe
         if (i > 0) ImGui::SameLine(0, space);
         ImGui::PushID(i);
         ImGui::SetNextItemWidth(std::max(20.F, width));
-        if (ImGui::DragScalar("##number", ImGuiDataType_Double, values + i, speed, nullptr, nullptr, "%.4g")) {
+        if (ImGui::DragScalar("##number", ImGuiDataType_Double, values + i, speed, nullptr, nullptr,
+                              "%.4g")) {
             changed = true;
             if (ImGui::IsMouseDown(ImGuiMouseButton_Left))
                 values[i] = withoutLeftover(values[i], static_cast<double>(speed));
@@ -124,7 +125,8 @@ void projection(Ui& ui) {
     ViewState view = ui.session.view();
     int mode = static_cast<int>(view.projection);
     fieldLabel("Projection");
-    const bool isChanged = ImGui::Combo("##projection", &mode, "as in the scene\0perspective\0orthographic\0");
+    const bool isChanged =
+        ImGui::Combo("##projection", &mode, "as in the scene\0perspective\0orthographic\0");
     mark(ui, "view/projection");
     if (!isChanged) return;
     view.projection = static_cast<ProjectionMode>(mode);
@@ -203,7 +205,8 @@ void screen(Ui& ui) {
         ImGui::EndCombo();
     } else if (ImGui::IsItemHovered()) {
         ImGui::SetTooltip(
-            "Smooth edges on the screen, where the driver can; hardcopies are as smooth, unless their section "
+            "Smooth edges on the screen, where the driver can; hardcopies are as smooth, unless their "
+            "section "
             "says otherwise");
     }
 }
