@@ -31,7 +31,7 @@ int checkFilm(const RenderArguments& arguments) {
                    ": a video has several frames; add --frames 60, or name a .png for one picture");
         return kWrongUsage;
     }
-    if (arguments.frames == 1 || !image::needsFfmpeg(arguments.output) || image::hasFfmpeg()) return kDone;
+    if (arguments.frames == 1 || !image::isVideo(arguments.output) || image::hasFfmpeg()) return kDone;
     printError("-o " + arguments.output + ": " + image::kFfmpegIsMissing);
     return kNoDriver;
 }
@@ -126,9 +126,8 @@ void addRender(CommandLine& program, int& status) {
     addPictureOptions(command, to.picture);
     command
         .option("--frames", to.frames,
-                "render an animation of so many frames: to one .apng, to one .mp4, .webm, .mkv, .mov, .avi "
-                "or .gif "
-                "(by the program ffmpeg), or else to NAME_0000.png, NAME_0001.png, ...")
+                "render an animation of so many frames: to one .gif or .apng, to one .mp4, .webm, .mkv, .mov "
+                "or .avi (by the program ffmpeg), or else to NAME_0000.png, NAME_0001.png, ...")
         .within(1, 1'000'000);
     command.option("--fps", to.framesPerSecond, "frames per second of an animation")
         .within(1e-3, 1e6)

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <new>
@@ -14,6 +15,7 @@
 #include "image/convert.h"
 #include "image/file.h"
 #include "image/format.h"
+#include "image/gif/gif_writer.h"
 
 namespace glibra::image {
 namespace {
@@ -44,6 +46,12 @@ Diagnostics writePfm(const Image& image, const fs::path& path, NamedBy named) {
     return writeFileAtomically(path, file, named);
 }
 
+Diagnostics writeGif(const Image& image, const fs::path& path, NamedBy named) {
+    if (std::max(image.width, image.height) > kLargestGifSide)
+        return {cannotWrite(path, fmt::format("GIF has at most {} pixels per side", kLargestGifSide))};
+    return writeFileAtomically(path, encodeGif(image), named);
+}
+
 Diagnostics writeOther(const Image& image, Format format, const fs::path& path, const WriteOptions& options) {
     std::error_code failed;
     if (fs::is_directory(path, failed) &&
@@ -69,6 +77,7 @@ Diagnostics remarksOn(const Image& image, Format format, const fs::path& path) {
 Diagnostics writeAs(const Image& image, Format format, const fs::path& path, const WriteOptions& options) {
     if (format == Format::png) return writePng(image, path, options.png, options.named);
     if (format == Format::pfm) return writePfm(image, path, options.named);
+    if (format == Format::gif) return writeGif(image, path, options.named);
     return writeOther(image, format, path, options);
 }
 

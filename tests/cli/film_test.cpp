@@ -106,13 +106,18 @@ TEST_F(Film, IsTheSameInASandbox) {
     EXPECT_EQ(readFile(folder / "record/pixels"), pixelsOf(folder, 3));
 }
 
-TEST_F(Film, AGifHasAPaletteAndKeepsItsSize) {
-    const Finished run = glibra(folder.path(), "render a.glib --frames 2 -o film.GIF", with(kFfmpeg));
+TEST_F(Film, AGifNeedsNoFfmpegAndKeepsItsSize) {
+    fs::create_directory(folder / "empty");
+    const std::string without = "PATH=\"" + (folder / "empty").string() + "\"";
+    const Finished run =
+        glibra(folder.path(), "render a.glib --frames 3 --fps 10 -o film.GIF --jobs 2", without);
     ASSERT_EQ(run.status, 0) << run.err;
-    EXPECT_TRUE(has("film.GIF"));
-    const std::string arguments = readFile(folder / "record/arguments");
-    EXPECT_NE(arguments.find("palettegen"), std::string::npos);
-    EXPECT_EQ(arguments.find("pad="), std::string::npos);
+    EXPECT_NE(readFile(folder / "film.GIF").find("NETSCAPE2.0"), std::string::npos);
+    const auto first = image::readImage(folder / "film.GIF");
+    ASSERT_TRUE(first);
+    EXPECT_EQ(std::pair(first->width, first->height), std::pair(20, 15));
+    ASSERT_EQ(glibra(folder.path(), "render a.glib -o one.gif", without).status, 0);
+    EXPECT_EQ(readFile(folder / "one.gif").find("NETSCAPE2.0"), std::string::npos) << "one frame is a picture";
 }
 
 TEST_F(Film, AnAnimatedPngNeedsNoFfmpeg) {

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
-#include <span>
 #include <utility>
 
 #include "image/bytes.h"
 #include "image/convert.h"
+#include "image/difference.h"
 #include "image/png/png_data.h"
 #include "image/png/png_writer.h"
 
@@ -17,37 +16,6 @@ namespace {
 
 constexpr int kPixel = 3;     // bytes
 constexpr int kSmallest = 9;  // level: films are written once and loaded often
-
-struct Bounds {
-    int left = 0, top = 0, right = 0, bottom = 0;  ///< the last two are outside
-};
-
-/// Where two pictures of one size differ; empty if they are equal.
-Bounds differenceOf(const Image& a, const Image& b) {
-    Bounds bounds{a.width, a.height, 0, 0};
-    for (int y = 0; y < a.height; ++y) {
-        const std::span<const std::byte> rowA = a.row(y), rowB = b.row(y);
-        if (std::memcmp(rowA.data(), rowB.data(), rowA.size()) == 0) continue;
-        const auto first = std::mismatch(rowA.begin(), rowA.end(), rowB.begin()).first - rowA.begin();
-        const auto last = rowA.rend() - std::mismatch(rowA.rbegin(), rowA.rend(), rowB.rbegin()).first;
-        bounds.left = std::min(bounds.left, static_cast<int>(first) / kPixel);
-        bounds.right = std::max(bounds.right, (static_cast<int>(last) + kPixel - 1) / kPixel);
-        bounds.top = std::min(bounds.top, y);
-        bounds.bottom = y + 1;
-    }
-    return bounds;
-}
-
-Image partOf(const Image& image, const Bounds& bounds) {
-    Image part{bounds.right - bounds.left, bounds.bottom - bounds.top, kPixel, Component::u8, {}};
-    part.data.reserve(part.rowBytes() * static_cast<std::size_t>(part.height));
-    for (int y = bounds.top; y < bounds.bottom; ++y) {
-        const std::span<const std::byte> row =
-            image.row(y).subspan(static_cast<std::size_t>(bounds.left) * kPixel, part.rowBytes());
-        part.data.insert(part.data.end(), row.begin(), row.end());
-    }
-    return part;
-}
 
 void putBig16(std::vector<std::byte>& to, std::uint32_t value) {
     to.push_back(static_cast<std::byte>(value >> 8U & 0xffU));
@@ -60,7 +28,7 @@ void AnimatedPng::add(const Image& frame) {
     Image next = withComponents(withType(frame, Component::u8), kPixel);
     if (frames_.empty()) {
         frames_.push_back({0, 0, 1, next});
-    } else if (const Bounds bounds = differenceOf(last_, next); bounds.right > 0) {
+    } else if (const Bounds bounds = differenceOf(last_, next); !bounds.isEmpty()) {
         frames_.push_back({bounds.left, bounds.top, 1, partOf(next, bounds)});
     } else {
         ++frames_.back().lasts;

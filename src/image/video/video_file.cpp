@@ -16,10 +16,12 @@
 #include <span>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "image/convert.h"
 #include "image/file.h"
+#include "image/gif/gif_writer.h"
 #include "image/png/animated_png.h"
 
 namespace glibra::image {
@@ -51,16 +53,8 @@ std::vector<std::string> commandOf(const fs::path& file, int width, int height, 
                                    fmt::format("{}", framesPerSecond),
                                    "-i",
                                    "pipe:0"};
-    const auto add = [&](std::initializer_list<const char*> more) {
-        words.insert(words.end(), more.begin(), more.end());
-    };
-    if (suffixOf(file) == ".gif") {
-        // Each frame has its own palette of 256 colours, so ffmpeg need not hold all frames.
-        add({"-vf", "split[a][b];[a]palettegen=stats_mode=single[p];[b][p]paletteuse=new=1", "-loop", "0"});
-    } else {
-        add({"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p"});
-        words.insert(words.end(), {"-metadata", "comment=" + comment});
-    }
+    words.insert(words.end(), {"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p", "-metadata",
+                               "comment=" + comment});
     words.push_back("file:" + file.string());  // a name with a colon is not a protocol
     return words;
 }
@@ -86,11 +80,7 @@ bool isVideo(const fs::path& file) {
 }
 
 bool holdsAnimation(const fs::path& file) {
-    return needsFfmpeg(file) || suffixOf(file) == ".apng";
-}
-
-bool needsFfmpeg(const fs::path& file) {
-    return isVideo(file) || suffixOf(file) == ".gif";
+    return isVideo(file) || suffixOf(file) == ".gif" || suffixOf(file) == ".apng";
 }
 
 bool hasFfmpeg() {
@@ -121,7 +111,7 @@ struct VideoFile::State {
     std::unique_ptr<std::FILE, CloseFile> messages;  ///< what ffmpeg prints
     pid_t process = -1;
     int input = -1;
-    std::optional<AnimatedPng> frames;  ///< of an .apng, which needs no process
+    std::variant<std::monostate, AnimatedPng, AnimatedGif> frames;  ///< of a file that needs no process
 
     [[nodiscard]] Diagnostics bad(const std::string& why) const {
         return {diagnose("file-E10", fmt::format("cannot write '{}': {}", file.string(), why))};
@@ -176,8 +166,13 @@ VideoFile::~VideoFile() = default;
 Result<VideoFile> VideoFile::create(const fs::path& file, int width, int height, double framesPerSecond,
                                     const std::string& comment) {
     auto state = std::make_unique<State>(file, width, height);
-    if (!needsFfmpeg(file)) {
-        state->frames.emplace(framesPerSecond);
+    if (!isVideo(file)) {
+        if (suffixOf(file) != ".gif")
+            state->frames.emplace<AnimatedPng>(framesPerSecond);
+        else if (std::max(width, height) > kLargestGifSide)
+            return state->bad(fmt::format("GIF has at most {} pixels per side", kLargestGifSide));
+        else
+            state->frames.emplace<AnimatedGif>(framesPerSecond);
         return VideoFile(std::move(state));
     }
     if (!hasFfmpeg()) return state->bad(kFfmpegIsMissing);
@@ -191,10 +186,8 @@ Diagnostics VideoFile::add(const Image& frame) {
     if (frame.width != state_->width || frame.height != state_->height)
         return state_->bad(fmt::format("a frame has {} x {} pixels, the first one {} x {}", frame.width,
                                        frame.height, state_->width, state_->height));
-    if (state_->frames) {
-        state_->frames->add(frame);
-        return {};
-    }
+    if (auto* png = std::get_if<AnimatedPng>(&state_->frames)) return png->add(frame), Diagnostics();
+    if (auto* gif = std::get_if<AnimatedGif>(&state_->frames)) return gif->add(frame), Diagnostics();
     std::optional<Image> converted;
     if (frame.components != 3 || frame.type != Component::u8)
         converted = withComponents(withType(frame, Component::u8), 3);
@@ -209,8 +202,10 @@ Diagnostics VideoFile::add(const Image& frame) {
 }
 
 Diagnostics VideoFile::finish() {
-    if (state_->frames) {
-        const std::vector<std::byte> file = state_->frames->finish();
+    if (state_->frames.index() != 0) {
+        auto* png = std::get_if<AnimatedPng>(&state_->frames);
+        const std::vector<std::byte> file =
+            png ? png->finish() : std::get<AnimatedGif>(state_->frames).finish();
         return file.empty() ? state_->bad("there is not enough memory")
                             : writeFileAtomically(state_->file, file);
     }

@@ -1,5 +1,5 @@
 #pragma once
-// Writes an animation as one file: an animated PNG, or a video or an animated GIF with the program ffmpeg.
+// Writes an animation as one file: an animated PNG or GIF, or a video with the program ffmpeg.
 
 #include <glibra/result.h>
 
@@ -17,22 +17,19 @@ bool isVideo(const std::filesystem::path& file);
 /// True if a file with that suffix can hold several pictures: a video, .gif or .apng.
 bool holdsAnimation(const std::filesystem::path& file);
 
-/// True if such a file is written by ffmpeg: all but .apng.
-bool needsFfmpeg(const std::filesystem::path& file);
-
 /// True if PATH has a program ffmpeg.
 bool hasFfmpeg();
 
 /// What a user without ffmpeg can do, for messages.
 inline constexpr const char* kFfmpegIsMissing =
-    "the program ffmpeg is not installed; install it, or write an .apng, or single frames to a .png";
+    "the program ffmpeg is not installed; install it, or write a .gif or .apng, or single frames to a .png";
 
 /// A file that is being written. ffmpeg gets raw pixels and writes a temporary file, which gets its name when
-/// it is complete; an animated PNG is kept in memory until then. Without finish(), no file remains.
+/// it is complete; animated PNG and GIF files are kept in memory until then. Without finish(), no file remains.
 class VideoFile {
   public:
     /// Frames have width x height pixels. Videos whose width or height is odd get a black column or row more,
-    /// since their formats need even numbers; GIF files do not. Most videos store the comment. Errors:
+    /// since their formats need even numbers. Most videos store the comment. Errors:
     /// file-E10.
     static Result<VideoFile> create(const std::filesystem::path& file, int width, int height,
                                     double framesPerSecond, const std::string& comment);

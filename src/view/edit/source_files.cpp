@@ -4,6 +4,8 @@
 #include <set>
 #include <string_view>
 
+#include "view/edit/names_apart.h"
+
 namespace glibra::view {
 namespace {
 
@@ -54,13 +56,10 @@ std::vector<SourceFile> sourceFiles(const LiveScene& live) {
             }
     for (const std::filesystem::path& each : live.files())
         if (!data.contains(each) && !find(files, each)) files.push_back({each, {}, "included"});
-    for (SourceFile& each : files) {
-        each.label = each.path.filename().string();
-        const auto same = std::count_if(files.begin(), files.end(), [&](const SourceFile& other) {
-            return other.path.filename() == each.path.filename();
-        });
-        if (same > 1) each.label = (each.path.parent_path().filename() / each.path.filename()).string();
-    }
+    std::vector<std::filesystem::path> paths;
+    for (const SourceFile& each : files) paths.push_back(each.path);
+    const std::vector<std::string> names = namesApart(paths);
+    for (std::size_t i = 0; i < files.size(); ++i) files[i].label = names[i];
     return files;
 }
 

@@ -2,17 +2,21 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <new>
 #include <optional>
 #include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "image/format.h"
 #include "image/video/video_file.h"
 #include "image/write.h"
 #include "render/file/job.h"
+#include "render/file/labels.h"
 #include "render/scene_renderer.h"
+#include "view/scene/knobs.h"
 
 namespace glibra::view {
 
@@ -23,6 +27,8 @@ struct HardcopyJob::State {
     render::Stats stats;
     std::optional<render::SceneRenderer> renderer;
     std::optional<image::VideoFile> film;
+    LabelCorner corner = LabelCorner::none;  ///< of the labels that are drawn here, which are not all
+    std::vector<std::string> labelled;
     int written = 0;
     bool failed = false;
 
@@ -36,6 +42,7 @@ struct HardcopyJob::State {
     Diagnostics begin(gpu::Context& context, const std::filesystem::path& scene);
     Diagnostics beginFilm();
     Diagnostics drawNext();
+    void drawChosenLabels(image::Image& picture) const;
     Diagnostics write(const image::Image& picture);
 };
 
@@ -58,10 +65,22 @@ Diagnostics HardcopyJob::State::beginFilm() {
 Diagnostics HardcopyJob::State::drawNext() {
     Result<image::Image> picture = renderer->draw(options.time + written / wanted.framesPerSecond, stats);
     Diagnostics diagnostics = std::move(picture.diagnostics);
-    if (picture) append(diagnostics, write(*picture));
+    if (picture) {
+        drawChosenLabels(*picture);
+        append(diagnostics, write(*picture));
+    }
     failed = !picture || hasError(diagnostics);
     if (!failed) ++written;
     return diagnostics;
+}
+
+void HardcopyJob::State::drawChosenLabels(image::Image& picture) const {
+    if (corner == LabelCorner::none) return;
+    const std::array<const plan::FramePlan*, 1> plans{&renderer->plan()};
+    const render::LabelBlock block =
+        render::labelBlock(picture.width, picture.height,
+                           onlyLabels(render::labelsOf(renderer->scene(), plans), labelled), corner);
+    if (!block.lines.empty()) render::drawLabels(picture, block, block.left, block.top);
 }
 
 Diagnostics HardcopyJob::State::write(const image::Image& picture) {
@@ -83,6 +102,8 @@ Result<HardcopyJob> HardcopyJob::begin(gpu::Context& context, const Session& ses
     state->wanted = wanted;
     state->options = session.renderOptions(wanted.width, wanted.height);
     if (wanted.samples > 1) state->options.samples = wanted.samples;
+    state->labelled = session.labelled();
+    if (!state->labelled.empty()) state->corner = std::exchange(state->options.labels, LabelCorner::none);
     state->options.floatPixels = image::holdsFloats(wanted.file);
     state->writing.comment = renderCommand(session, wanted);
     state->writing.png.text = {{"Software", "glibra"}, {"Comment", state->writing.comment}};

@@ -78,6 +78,19 @@ std::string programLine(const scene::Scene& scene, scene::ProgramIndex program, 
     return text + "\n";
 }
 
+std::string labelBegin(const Knob& knob) {
+    return (knob.program ? knob.title + " : " : "") + knob.tag + " = ";
+}
+
+std::vector<std::string> onlyLabels(std::vector<std::string> labels, std::span<const std::string> only) {
+    if (only.empty()) return labels;
+    std::erase_if(labels, [&](const std::string& label) {
+        return std::none_of(only.begin(), only.end(),
+                            [&](const std::string& begin) { return label.starts_with(begin); });
+    });
+    return labels;
+}
+
 std::string setArgument(const scene::Scene& scene, const Knob& knob, std::span<const Knob> knobs) {
     const bool isShared =
         knob.program && (knob.isShared || std::any_of(knobs.begin(), knobs.end(), [&](const Knob& each) {

@@ -82,6 +82,10 @@ std::string valueText(const Knob& knob);
 std::string pairText(const Knob& knob);
 /// A Program statement with all knobs of that program; for none, the Let statements of all variables.
 std::string programLine(const scene::Scene& scene, scene::ProgramIndex program, std::span<const Knob> knobs);
+/// How the label of the value begins: "Dots : uKd = " (render::labelsOf).
+std::string labelBegin(const Knob& knob);
+/// The labels that begin so; all if `only` is empty.
+std::vector<std::string> onlyLabels(std::vector<std::string> labels, std::span<const std::string> only);
 /// An argument for `--set`: "uKd=0.25", or "8:uKd=0.25" with the line of the Program command if another
 /// program has the uniform too. The numbers are the shortest text that reads back as the same value.
 std::string setArgument(const scene::Scene& scene, const Knob& knob, std::span<const Knob> knobs);

@@ -99,8 +99,8 @@ std::vector<Knob> LiveScene::knobs() const {
     return knobsOf(state_->scene, state_->plans());
 }
 
-std::vector<std::string> LiveScene::labels() const {
-    return render::labelsOf(state_->scene, state_->plans());
+std::vector<std::string> LiveScene::labels(std::span<const std::string> only) const {
+    return onlyLabels(render::labelsOf(state_->scene, state_->plans()), only);
 }
 
 bool LiveScene::isAnimated() const {

@@ -43,8 +43,8 @@ class LiveScene {
     [[nodiscard]] const scene::Scene& scene() const;
     [[nodiscard]] const plan::FramePlan& plan() const;
     [[nodiscard]] std::vector<Knob> knobs() const;
-    /// The current values as text, see render::labelsOf.
-    [[nodiscard]] std::vector<std::string> labels() const;
+    /// The current values as text, see render::labelsOf and onlyLabels.
+    [[nodiscard]] std::vector<std::string> labels(std::span<const std::string> only = {}) const;
     /// True if a program that draws something reads Timer.
     [[nodiscard]] bool isAnimated() const;
     /// True if the program does not compile and its last good version is shown.

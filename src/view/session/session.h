@@ -120,7 +120,12 @@ class Session {
     void setAxes(bool on);
     /// The corner that shows the values; it affects hardcopies and suite shots, not picture().
     [[nodiscard]] LabelCorner labels() const { return labels_; }
-    void setLabels(LabelCorner corner) { labels_ = corner; }
+    /// `only`: those that begin so (labelBegin); empty: all. The rest is not known to renderOptions().
+    void setLabels(LabelCorner corner, std::vector<std::string> only = {}) {
+        labels_ = corner;
+        labelled_ = std::move(only);
+    }
+    [[nodiscard]] const std::vector<std::string>& labelled() const { return labelled_; }
     [[nodiscard]] bool wireframe() const { return wireframe_; }
     void setWireframe(bool on);
     /// Whether every frame measures how long its objects take. Frames are then drawn whole, without what is
@@ -253,6 +258,7 @@ class Session {
     } mouse_;
     bool axes_ = false, wireframe_ = false, isVerbose_ = false, measuresObjects_ = false;
     LabelCorner labels_ = LabelCorner::none;
+    std::vector<std::string> labelled_;
     std::vector<ChosenFile> chosenFiles_;
     std::optional<ObjectTimer> objectTimer_;  ///< made for the context
     DebugView debugView_ = DebugView::picture;

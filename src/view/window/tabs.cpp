@@ -4,6 +4,8 @@
 #include <system_error>
 #include <utility>
 
+#include "view/edit/names_apart.h"
+
 namespace glibra::view {
 namespace {
 
@@ -140,17 +142,27 @@ void Tabs::markOutdated(const std::vector<fs::path>& files) {
 }
 
 void Tabs::updateTitles() {
+    // This runs in every frame. Unchanged paths are not copied, so that frames allocate no memory.
+    bool areOld = shared_.tabs.size() != tabs_.size();
     shared_.tabs.resize(tabs_.size());
+    for (std::size_t i = 0; i < tabs_.size(); ++i)
+        areOld = areOld || shared_.tabs[i].label.empty() ||
+                 shared_.tabs[i].path != tabs_[i]->session.path().native();
+    if (areOld) {
+        std::vector<fs::path> paths;
+        for (const std::unique_ptr<Tab>& each : tabs_)
+            paths.push_back(fs::path(each->session.path()).replace_extension());
+        const std::vector<std::string> names = namesApart(paths);
+        for (std::size_t i = 0; i < tabs_.size(); ++i) {
+            shared_.tabs[i].label = tabs_[i]->session.hasScene() ? names[i] : "empty";
+            shared_.tabs[i].path = tabs_[i]->session.path().string();
+        }
+    }
     shared_.shownTab = shown_;
     for (std::size_t i = 0; i < tabs_.size(); ++i) {
         const Session& session = tabs_[i]->session;
         TabTitle& title = shared_.tabs[i];
         title.id = tabs_[i]->id;
-        // This runs in every frame. An unchanged path is not copied, so that frames allocate no memory.
-        if (title.label.empty() || title.path != session.path().native()) {
-            title.label = session.hasScene() ? session.path().stem().string() : "empty";
-            title.path = session.path().string();
-        }
         title.hasError = hasError(session.diagnostics());
         title.isUnsaved = std::any_of(shared_.sources.begin(), shared_.sources.end(), [&](const auto& each) {
             return each.second.isChanged() && uses(*tabs_[i], each.first);

@@ -228,6 +228,7 @@ void Window::handleRequests() {
     if (requests.closeTab) closeTab(*requests.closeTab);
     if (requests.reopenTab) reopenTab();
     if (requests.fullScreen) display_.setFullScreen(!display_.isFullScreen());
+    if (requests.lecture) setLecture(!beforeLecture_);
     if (!quits_ && (requests.close || !display_.isOpen())) quit();
     if (requests.frames || isAny(ui(), &Panel::needsFrames)) framesWanted_ = kFramesAfterEvent;
     if (shared_.settings.lightTheme != lightTheme_) {
@@ -248,8 +249,37 @@ void Window::followScale() {
     framesWanted_ = kFramesAfterEvent;
 }
 
+/// For projectors: full screen, large texts, the source over the picture, and no panel; or all as before.
+void Window::setLecture(bool on) {
+    constexpr float kLarge = 1.4F;
+    Settings& settings = shared_.settings;
+    if (on) {
+        beforeLecture_ = {display_.isFullScreen(), shared_.showPanel, settings.showSource,
+                          settings.sourcePlace, settings.zoom};
+        settings.zoom = std::max(settings.zoom, kLarge);
+        settings.sourcePlace = SourcePlace::over;
+        settings.showSource = true;
+        shared_.showPanel = false;
+        display_.setFullScreen(true);
+        ui().notice = "Lecture: Shift+F11 ends it, Ctrl+E hides the source, Ctrl+= makes texts larger";
+    } else if (const auto before = std::exchange(beforeLecture_, std::nullopt)) {
+        settings.zoom = before->zoom;
+        settings.sourcePlace = before->place;
+        settings.showSource = before->showSource;
+        shared_.showPanel = before->showPanel;
+        display_.setFullScreen(before->isFullScreen);
+        ui().notice = {};
+    }
+    framesWanted_ = kFramesAfterEvent;
+}
+
 void Window::saveSettings() {
     Settings kept = shared_.settings;
+    if (beforeLecture_) {
+        kept.showSource = beforeLecture_->showSource;
+        kept.sourcePlace = beforeLecture_->place;
+        kept.zoom = beforeLecture_->zoom;
+    }
     if (!display_.isFullScreen()) std::tie(kept.windowWidth, kept.windowHeight) = display_.size();
     kept.layout = ImGui::SaveIniSettingsToMemory();
     kept.layoutScale = scale_;
@@ -264,7 +294,7 @@ void Window::openInitialScenes() {
     if (isEmpty) restoreTabs();
     isStarted_ = arguments_.replayFile.empty();
     updateForShownScene();
-    toolWindow(ui(), "examples").isOpen = isEmpty && !session().hasScene();
+    toolWindow(ui(), "examples").isOpen = isEmpty && !session().hasScene() && shared_.settings.recent.empty();
     if (!session().hasScene()) return;
     for (const std::string& each : arguments_.set) append(setProblems_, session().setByText(each));
     Clock clock = session().clock();
@@ -287,12 +317,16 @@ void Window::setSize() {
     const auto scaled = [&](int side) {
         return static_cast<int>(std::lround(static_cast<float>(side) * scale_));
     };
-    std::pair<int, int> size(scaled(scene.width) + panel, scaled(scene.height));
+    // A small scene's window has room for the panel.
+    constexpr int kLeastRoom = 320, kLeastHeight = 560;
+    std::pair<int, int> size(scaled(std::max(kLeastRoom, scene.width)) + panel,
+                             scaled(std::max(kLeastHeight, scene.height)));
     if (settings.windowWidth > 0) size = {settings.windowWidth, settings.windowHeight};
     // On a smaller screen than before, or one that is smaller than the scene, the window still fits.
-    if (const auto room = Display::workArea())
+    if (const auto room = display_.largestSize())
         size = {std::min(size.first, room->first), std::min(size.second, room->second)};
     display_.setSize(size.first, size.second);
+    display_.moveInside(size.first, size.second);
 }
 
 /// After the driver has reset the device: makes a new context, and in it all that was in the lost one. The

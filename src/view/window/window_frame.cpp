@@ -1,9 +1,12 @@
 // When a frame is drawn, and what it takes.
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
 #include <glad/gl.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
@@ -104,11 +107,14 @@ void Window::drawFrame() {
     Ui& ui = tabs_.shown().ui;
     ui.session.advance(isReplayed ? kReplayedSeconds : passed);
     tabs_.updateTitles();
-    // Outside of text fields, Tab chooses sliders (value_slider.h).
-    keepTabFromFocus();
+    // In menus, lists and dialogs ImGui's keys choose; elsewhere Tab goes from widget to widget
+    // (tab_stops.h).
+    const bool isPopupOpen = !ImGui::GetCurrentContext()->OpenPopupStack.empty();
+    if (!isPopupOpen && !shared_.textTakesTab) keepFromImGui(GLFW_KEY_TAB);
+    if (isPopupOpen) keepFromImGui(GLFW_KEY_ESCAPE);
     ImGuiConfigFlags& flags = ImGui::GetIO().ConfigFlags;
-    flags = shared_.isMenuOpen ? flags | ImGuiConfigFlags_NavEnableKeyboard
-                               : flags & ~ImGuiConfigFlags_NavEnableKeyboard;
+    flags = isPopupOpen ? flags | ImGuiConfigFlags_NavEnableKeyboard
+                        : flags & ~ImGuiConfigFlags_NavEnableKeyboard;
     ImGui::NewFrame();
     showAll(ui);
     if (!ImGui::IsAnyItemActive() && !ui.frame.isDragging && ui.session.hasScene())

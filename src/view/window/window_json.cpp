@@ -44,7 +44,7 @@ void addPanels(Json& state, const Ui& ui) {
     state["picture"] = ui.frame.picture;
     state["room"] = ui.frame.room;
     state["scale"] = ui.shared.scale;
-    state["focusedSlider"] = ui.frame.focusedName;
+    state["focused"] = ui.frame.focusedName;
     state["mode"] = static_cast<int>(ui.mode);
     state["typing"] = ui.sliders.typing;
     state["notice"] = ui.notice.text;

@@ -81,6 +81,7 @@ class Window {
     void present();
     void writeState();
     void saveSettings();
+    void setLecture(bool on);
     void followScale();
     Diagnostics recover(const base::DeviceLost& lost);
 
@@ -108,6 +109,13 @@ class Window {
     std::size_t drawn_ = 0;  ///< the tab that draws now
     float scale_ = 1;
     Diagnostics setProblems_;
+    /// What a lecture changes, as it was before.
+    struct BeforeLecture {
+        bool isFullScreen = false, showPanel = true, showSource = false;
+        SourcePlace place = SourcePlace::automatic;
+        float zoom = 1;
+    };
+    std::optional<BeforeLecture> beforeLecture_;
     std::vector<ClosedTab> closed_;  ///< the last one last
     bool isStarted_ = false;         ///< the first scenes are open
 };

@@ -10,7 +10,7 @@ import tempfile
 import time
 
 PAUSE = 0.02
-SETTINGS = '{"folds": {"view": true, "time": true}}'  # the sections that are open in tests
+SETTINGS = '{"folds": {"transforms": true, "shown": true, "toolWindows": true, "time": true}}'  # the sections that are open in tests
 HANGING = 60  # seconds after which a window counts as hanging; not a measurement
 
 

@@ -291,7 +291,7 @@ class Sections(LayoutTest):
         state = window.wait(lambda s: "uniforms" in s["widgets"] and s["waiting"])
         self.assertNotIn("mode/Eye", state["widgets"], "the view is folded at first")
         self.assertIn("uniform/OvalNoise/uAd", state["widgets"], "the values are open")
-        window.click("view")
+        window.click("transforms")
         window.wait(lambda s: "mode/Eye" in s["widgets"])
         window.click("uniforms")
         window.wait(lambda s: "uniform/OvalNoise/uAd" not in s["widgets"])

@@ -44,10 +44,17 @@ class ScenesTest(WindowTest):
         return tuple(read_ppm(ppm)[2])
 
     def edit(self, window, line):
-        """Opens the source panel with the cursor at the end of that line."""
-        if not window.state()["source"]["shown"]:
+        """Opens the source panel with the cursor at the end of that line: of the fragment shader if the panel was closed."""
+        state = window.state()
+        if not state["source"]["shown"]:
             window.move(20, 20)
             window.key("e")
+            window.wait(lambda s: "source/text" in s["widgets"])
+            window.settle()
+            shader = f"source/file/{pathlib.Path(state['scene']).stem}.frag"
+            if shader in window.state()["widgets"]:
+                window.click(shader)
+                window.wait(lambda s: s["source"]["file"].endswith(".frag"))
         window.wait(lambda s: "source/text" in s["widgets"])
         window.settle()
         window.move(*window.point("source/text", 0.5, 0.4))

@@ -36,14 +36,14 @@ class SlidersTest(WindowTest):
         (self.files / "ranges.frag").write_text(RANGES)
 
     def focused(self, window, name):
-        window.wait(lambda s: s["focusedSlider"] == f"uniform/Ranges/{name}")
+        window.wait(lambda s: s["focused"] == f"uniform/Ranges/{name}")
 
 
 class Sliders(SlidersTest):
     def test_tab_chooses_a_slider_and_keys_move_it(self):
         window = self.open(self.scene, "--size", "300x700")
         window.move(20, 20)
-        self.assertEqual(window.state()["focusedSlider"], "")
+        self.assertEqual(window.state()["focused"], "")
         window.key("Tab")
         self.focused(window, "uFirst")
         window.key("Right")
@@ -77,7 +77,7 @@ class Sliders(SlidersTest):
         window.move(left + width / 2, top + height / 2)
         window.press()
         window.release()
-        window.wait(lambda s: s["focusedSlider"] == "")
+        window.wait(lambda s: s["focused"] == "")
         before = window.knob("uWide")
         window.key("Right")
         window.settle()
@@ -107,7 +107,7 @@ class Sliders(SlidersTest):
         scene.write_text(scene.read_text() + "Key up high true false\n")
         window = self.open(scene, "--size", "300x700", "--paused")
         window.key("Tab")
-        window.wait(lambda s: s["focusedSlider"] == "uniform/Variables/size")
+        window.wait(lambda s: s["focused"] == "uniform/Variables/size")
         window.key("Up")
         window.wait_knob("high", lambda v: v == [0])
         self.assertEqual(window.knob("size"), [0.5])
@@ -140,7 +140,7 @@ class Sliders(SlidersTest):
         window.click("section/Ranges")
         window.wait(lambda s: "uniform/Ranges/uFirst" not in s["widgets"] and "uniform/Kinds/uFloat" in s["widgets"])
         window.key("Tab")
-        window.wait(lambda s: s["focusedSlider"] == "uniform/Kinds/uFloat")
+        window.wait(lambda s: s["focused"] == "uniform/Kinds/uFloat")
         window.key("ctrl+q")
         window.process.wait()
         again = self.open(scene, settings=settings)

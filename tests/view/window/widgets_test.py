@@ -29,7 +29,7 @@ class Widgets(WindowTest):
         window.wait_knob("uBool", lambda v: v == [1])
         window.drag(window.point("uniform/Kinds/uRgb", 0.1), window.point("uniform/Kinds/uRgb", 0.6))
         window.wait_knob("uRgb", lambda v: v[0] > 0.2 and v[1:] == [0.4, 0.6])
-        window.drag(window.point("uniform/Kinds/uRgba", 0.1), window.point("uniform/Kinds/uRgba", 0.5))
+        window.drag(window.point("uniform/Kinds/uRgba", 0.1, 0.2), window.point("uniform/Kinds/uRgba", 0.5, 0.2))
         window.wait_knob("uRgba", lambda v: v[0] > 0.2 and v[1:] == [0.4, 0.6, 1])
         window.drag_widget("uniform/Kinds/uVector/1", 0.2, 0.9)
         window.wait_knob("uVector", lambda v: v[0] == 0.1 and v[1] > 0.2)

@@ -53,7 +53,16 @@ void updateWords(CodeAssist& state, const Ui& ui, const EditedFile& file, const 
     state.typed = wordBefore(file.text(), cursor);
     state.cursor = view.cursor;
     state.chosen = 0;
+    state.hasMoved = false;
     state.isOpen = !state.words.empty();
+}
+
+/// True if the typed word is one of the list.
+bool isWholeWord(const CodeAssist& state, const EditedFile& file) {
+    if (state.typed.end > file.text().size()) return false;
+    const std::string typed = file.text().substr(state.typed.begin, state.typed.end - state.typed.begin);
+    return std::any_of(state.words.begin(), state.words.end(),
+                       [&](const Completion& each) { return each.word == typed; });
 }
 
 void accept(CodeAssist& state, EditedFile& file, CodeView& view) {
@@ -144,6 +153,67 @@ void wordList(Ui& ui, CodeAssist& state, EditedFile& file, CodeView& view) {
     } else if (!view.isActive && !isHovered && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
         state.isOpen = false;
     }
+}
+
+/// The arguments of what is called, above the line of the cursor.
+void argumentHint(Ui& ui, const CodeAssist& state, const CodeView& view) {
+    ImGui::PushFont(codeFont());
+    constexpr std::size_t kMost = 4;
+    const std::size_t rows = std::min(kMost, state.hint.signatures.size());
+    const ImGuiStyle& style = ImGui::GetStyle();
+    float width = 0;
+    for (std::size_t i = 0; i < rows; ++i) {
+        const SignatureParts& each = state.hint.signatures[i];
+        width = std::max(width, ImGui::CalcTextSize((each.before + each.argument + each.after).c_str()).x);
+    }
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    width = std::min(screen.x, width + 2 * style.WindowPadding.x);
+    const float height = static_cast<float>(rows) * ImGui::GetTextLineHeight() + 2 * style.WindowPadding.y;
+    const float above = view.cursorOnScreen.top - height;
+    // Below the line only where there is no room above it; the list of words stands below.
+    ImGui::SetNextWindowPos({std::clamp(view.cursorOnScreen.x, 0.F, std::max(0.F, screen.x - width)),
+                             above >= 0 ? above : view.cursorOnScreen.bottom});
+    ImGui::SetNextWindowSize({width, height});
+    ImGui::PushStyleColor(ImGuiCol_PopupBg, packed(palette().popup));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+    constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_Tooltip | ImGuiWindowFlags_NoInputs |
+                                        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                        ImGuiWindowFlags_NoSavedSettings |
+                                        ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
+    if (ImGui::Begin("##arguments", nullptr, kFlags)) {
+        markWindow(ui, "arguments");
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
+        for (std::size_t i = 0; i < rows; ++i) {
+            const SignatureParts& each = state.hint.signatures[i];
+            ImGui::TextUnformatted(each.before.c_str());
+            if (each.argument.empty()) continue;
+            ImGui::SameLine();
+            ImGui::PushStyleColor(ImGuiCol_Text, packed(palette().accent));
+            ImGui::TextUnformatted(each.argument.c_str());
+            ImGui::PopStyleColor();
+            ImGui::SameLine();
+            ImGui::TextUnformatted(each.after.c_str());
+        }
+        ImGui::PopStyleVar();
+    }
+    ImGui::End();
+    ImGui::PopStyleVar();
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+}
+
+/// Typing opens the arguments; they follow the cursor until nothing is called there.
+void updateHint(CodeAssist& state, const Ui& ui, const EditedFile& file, const CodeView& view,
+                bool isChanged) {
+    if (isChanged) state.isHinting = true;
+    if (!view.isActive) state.isHinting = false;
+    if (!state.isHinting) {
+        state.hint = {};
+        return;
+    }
+    if (!isChanged && view.cursor == state.cursor) return;
+    state.hint = callAt(file.text(), static_cast<std::size_t>(view.cursor), contextOf(ui, file));
+    state.isHinting = !state.hint.word.empty();
 }
 
 /// The entry as text: code, value, sentences, chapter.
@@ -245,6 +315,13 @@ void assistKeys(CodeAssist& state, EditedFile& file, CodeView& view) {
     const std::size_t count = state.words.size();
     if (isKeyPressed(GLFW_KEY_DOWN)) state.chosen = (state.chosen + 1) % count;
     if (isKeyPressed(GLFW_KEY_UP)) state.chosen = (state.chosen + count - 1) % count;
+    state.hasMoved = state.hasMoved || isKeyPressed(GLFW_KEY_DOWN) || isKeyPressed(GLFW_KEY_UP);
+    const bool isEnter = isKeyPressed(GLFW_KEY_ENTER) || isKeyPressed(GLFW_KEY_KP_ENTER);
+    if (isEnter && !state.hasMoved && isWholeWord(state, file)) {
+        // Who has typed a whole word and goes on wants a new line.
+        state.isOpen = view.leavesListKeys = false;
+        return;
+    }
     if (isKeyPressed(GLFW_KEY_TAB) || isKeyPressed(GLFW_KEY_ENTER) || isKeyPressed(GLFW_KEY_KP_ENTER))
         accept(state, file, view);
 }
@@ -265,7 +342,9 @@ void assist(Ui& ui, CodeAssist& state, EditedFile& file, CodeView& view, bool is
     } else if (view.cursor != state.cursor) {
         state.isOpen = false;
     }
+    updateHint(state, ui, file, view, isChanged && mayEdit);
     state.cursor = view.cursor;
+    if (state.isHinting) argumentHint(ui, state, view);
     if (state.isOpen && state.chosen < state.words.size()) wordList(ui, state, file, view);
     hover(ui, state, file, view, isChanged);
 }
@@ -331,6 +410,7 @@ bool closeAssist(CodeAssist& state) {
         state.isOpen = false;
         return true;
     }
+    if (std::exchange(state.isHinting, false)) return true;
     return std::exchange(state.showsReference, false);
 }
 

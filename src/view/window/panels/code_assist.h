@@ -21,9 +21,13 @@ struct CodeAssist {
     bool isAsked = false;  ///< it opens in the next frame
     std::vector<Completion> words;
     std::size_t chosen = 0;
-    TextRange typed;  ///< what an accepted word replaces
-    int cursor = 0;   ///< the cursor for which the list was made
+    bool hasMoved = false;  ///< the arrow keys have chosen
+    TextRange typed;        ///< what an accepted word replaces
+    int cursor = 0;         ///< the cursor for which the list was made
     bool hasAccepted = false;
+    // The arguments of what is called at the cursor, while one types there.
+    bool isHinting = false;
+    CallHint hint;
     // What the mouse is on.
     std::size_t hovered = 0;
     double hoveredSince = 0;  ///< ImGui::GetTime()
@@ -49,7 +53,7 @@ void referenceWindow(Ui& ui, CodeAssist& state, const EditedFile* file);
 void commentLines(const Ui& ui, const ShownText& active);
 /// Opens the entry of the word at the cursor or before it; without one a list of words.
 void showReference(const Ui& ui, CodeAssist& state, const ShownText& active, const EditedFile* file);
-/// Closes the list of words or the reference. Returns false if neither was open.
+/// Closes the list of words, the arguments, or the reference. Returns false if none was open.
 bool closeAssist(CodeAssist& state);
 
 }  // namespace glibra::view

@@ -41,6 +41,13 @@ void indent(ImGuiInputTextCallbackData& data, const CodeView& view) {
     std::string_view line = end == std::string_view::npos ? before : before.substr(end + 1);
     const std::size_t last = line.find_last_not_of(" \t");
     const bool isOpening = last != std::string_view::npos && line[last] == '{';
+    if (last == std::string_view::npos && !line.empty()) {
+        // The blanks of a line that stays empty move on to the next one.
+        const std::string moved(line);
+        data.DeleteChars(data.CursorPos - 1 - static_cast<int>(moved.size()), static_cast<int>(moved.size()));
+        data.InsertChars(data.CursorPos, moved.c_str());
+        return;
+    }
     line = line.substr(0, std::min(line.find_first_not_of(" \t"), line.size()));
     const std::string blanks = std::string(line) + (isOpening ? "    " : "");
     data.InsertChars(data.CursorPos, blanks.c_str());
@@ -246,7 +253,8 @@ bool codeEditor(const char* name, std::string& text, CodeView& view, const CodeM
                 CodeLanguage language, bool isReadOnly, float below) {
     ImGui::PushFont(codeFont());
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-    ImGui::PushStyleColor(ImGuiCol_ChildBg, packed(palette().panel));
+    // The window has the colour of the panel, or lets the picture be seen.
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, IM_COL32_BLACK_TRANS);
     ImGui::BeginChild(name, {0, -below}, false,
                       ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoNavInputs);
     const bool isChanged = editInChild(name, text, view, marks, language, isReadOnly);

@@ -7,8 +7,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "view/window/panels/ui.h"
 
@@ -39,30 +43,65 @@ const char* helpOf(DebugView kind) {
     return "Distance from the eye: white is nearest";
 }
 
-void colorSwatch(const std::array<std::uint8_t, 3>& color, const std::string& label) {
-    const float side = ImGui::GetTextLineHeight();
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + side, at.y + side},
-                                              IM_COL32(color[0], color[1], color[2], 255));
-    ImGui::Dummy({side, side});
-    ImGui::SameLine(0, 3);
-    ImGui::TextUnformatted(label.c_str());
+struct LegendEntry {
+    std::optional<std::array<std::uint8_t, 3>> color;
+    std::string text;
+};
+
+/// What the colours of the view mean.
+std::vector<LegendEntry> legendOf(DebugView kind, const ValueRange& range) {
+    using Color3 = std::array<std::uint8_t, 3>;
+    std::vector<LegendEntry> entries;
+    if (kind == DebugView::overdraw || kind == DebugView::layers) {
+        if (range.isEmpty) return entries;
+        constexpr int kColors = 8;
+        for (int count = 1; count <= kColors; ++count)
+            entries.push_back({colorOfCount(count), std::to_string(count) + (count == kColors ? "+" : "")});
+        entries.push_back({std::nullopt, fmt::format("most: {:g}", range.highest)});
+    } else if (kind == DebugView::depth) {
+        if (range.isEmpty) return entries;
+        entries.push_back({Color3{255, 255, 255}, fmt::format("{:.4g}", range.lowest)});
+        entries.push_back({Color3{0, 0, 0}, fmt::format("{:.4g} from the eye", range.highest)});
+    } else if (kind == DebugView::facing) {
+        entries = {{Color3{70, 130, 220}, "front"}, {Color3{235, 120, 40}, "back"}};
+    } else if (kind == DebugView::coordinates) {
+        entries = {{Color3{255, 0, 0}, "s"}, {Color3{0, 255, 0}, "t"}, {Color3{0, 0, 255}, "outside 0 to 1"}};
+    } else if (kind == DebugView::normals) {
+        entries = {{Color3{255, 217, 51}, "normals"}, {Color3{77, 230, 255}, "facing"}};
+    }
+    return entries;
 }
 
-void legend(const Ui& ui) {
-    const DebugView kind = ui.session.debugView();
-    const ValueRange range = rangeOf(kind, ui.session.debugNumbers());
-    if (range.isEmpty) return;
-    if (kind == DebugView::depth) {
-        ImGui::TextDisabled("%.4g (white) to %.4g from the eye", range.lowest, range.highest);
-    } else if (kind == DebugView::overdraw || kind == DebugView::layers) {
-        constexpr int kColors = 8;
-        for (int count = 1; count <= kColors; ++count) {
-            if (count > 1) ImGui::SameLine(0, 8);
-            colorSwatch(colorOfCount(count), std::to_string(count) + (count == kColors ? "+" : ""));
+/// The legend on the upper left corner of the picture. Returns its text.
+std::string drawLegend(const Ui& ui, DebugView kind, const std::vector<LegendEntry>& entries) {
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    const float gap = 6 * ui.shared.scale, side = ImGui::GetTextLineHeight();
+    std::string text(nameOf(kind));
+    float width = ImGui::CalcTextSize(text.c_str()).x + gap;
+    for (const LegendEntry& each : entries)
+        width += (each.color ? side + gap / 2 : 0) + ImGui::CalcTextSize(each.text.c_str()).x + gap;
+    ImVec2 at(ui.frame.picture[0] + 2 * gap, ui.frame.picture[1] + 2 * gap);
+    list.PushClipRect({ui.frame.picture[0], ui.frame.picture[1]},
+                      {ui.frame.picture[0] + ui.frame.picture[2], ui.frame.picture[1] + ui.frame.picture[3]});
+    list.AddRectFilled({at.x - gap, at.y - gap}, {at.x + width, at.y + side + gap}, IM_COL32(0, 0, 0, 190),
+                       gap / 2);
+    const auto write = [&](const std::string& words) {
+        list.AddText(at, IM_COL32_WHITE, words.c_str());
+        at.x += ImGui::CalcTextSize(words.c_str()).x + gap;
+    };
+    write(text);
+    for (const LegendEntry& each : entries) {
+        if (each.color) {
+            const auto& [red, green, blue] = *each.color;
+            list.AddRectFilled(at, {at.x + side, at.y + side}, IM_COL32(red, green, blue, 255));
+            list.AddRect(at, {at.x + side, at.y + side}, IM_COL32(255, 255, 255, 90));
+            at.x += side + gap / 2;
         }
-        ImGui::TextDisabled("maximum %g", range.highest);
+        write(each.text);
+        text += " " + each.text;
     }
+    list.PopClipRect();
+    return text;
 }
 
 /// The debug view's numbers of the pixel under the mouse.
@@ -86,12 +125,23 @@ void debugViewUnderMouse(const Ui& ui, std::string& text) {
 class DebugViewPanel final : public Panel {
   public:
     void show(Ui& ui) override { debugViewUnderMouse(ui, text_); }
+    void drawOver(Ui& ui) override {
+        legend_.clear();
+        const DebugView kind = ui.session.debugView();
+        if (!ui.session.hasScene() || kind == DebugView::picture) return;
+        if (std::exchange(drawn_, ui.session.framesDrawn()) != ui.session.framesDrawn())
+            range_ = rangeOf(kind, ui.session.debugNumbers());
+        legend_ = drawLegend(ui, kind, legendOf(kind, range_));
+    }
     void addTo(nlohmann::ordered_json& state, const Ui& /*ui*/) const override {
         state["debugViewText"] = text_;
+        state["legend"] = legend_;
     }
 
   private:
-    std::string text_;
+    std::string text_, legend_;
+    ValueRange range_;
+    std::uint64_t drawn_ = 0;  ///< the frame of `range_`
 };
 
 void showNextDebugView(Ui& ui, Panel& /*panel*/) {
@@ -109,8 +159,9 @@ constexpr auto kDebugViewKeys = std::to_array<Shortcut>(
 
 void debugViewControls(Ui& ui) {
     const DebugView now = ui.session.debugView();
-    const bool isOpen = ImGui::BeginCombo("Show", std::string(nameOf(now)).c_str());
-    markField(ui, "view/show", "Show");
+    fieldLabel("Show");
+    const bool isOpen = ImGui::BeginCombo("##show", std::string(nameOf(now)).c_str());
+    mark(ui, "view/show");
     if (isOpen) {
         for (int i = 0; i < kDebugViewCount; ++i) {
             const auto kind = static_cast<DebugView>(i);
@@ -129,11 +180,11 @@ void debugViewControls(Ui& ui) {
     }
     if (now == DebugView::normals) {
         auto length = static_cast<float>(ui.session.normalLength());
-        if (ImGui::SliderFloat("Length", &length, .005F, 1, "%.3f", ImGuiSliderFlags_Logarithmic))
+        fieldLabel("Length");
+        if (ImGui::SliderFloat("##length", &length, .005F, 1, "%.3f", ImGuiSliderFlags_Logarithmic))
             ui.session.setNormalLength(length);
-        markField(ui, "view/normalLength", "Length");
+        mark(ui, "view/normalLength");
     }
-    legend(ui);
     ImGui::Checkbox("Probe a pixel", &toolWindow(ui, "probe").isOpen);
     mark(ui, "view/probe");
     if (ImGui::IsItemHovered())

@@ -5,10 +5,12 @@
 #include <fmt/format.h>
 #include <glad/gl.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -25,7 +27,9 @@
 #include "view/browse/example_scenes.h"
 #include "view/browse/thumbnail_maker.h"
 #include "view/browse/thumbnails.h"
+#include "view/window/panels/file_menu.h"
 #include "view/window/panels/ui.h"
+#include "view/window/platform/keys.h"
 
 namespace glibra::view {
 namespace {
@@ -41,9 +45,12 @@ struct ExampleBrowser {
     std::filesystem::path root;
     std::vector<Tile> tiles;
     std::array<char, 128> search{};
-    std::vector<std::string> chapters;  ///< of the tiles
-    std::string chapter;                ///< the one whose scenes are shown; empty: all
-    std::size_t found = 0;              ///< number of tiles that the search finds
+    std::vector<std::string> chapters;                   ///< of the tiles
+    std::string chapter;                                 ///< the one whose scenes are shown; empty: all
+    std::size_t found = 0;                               ///< number of tiles that the search finds
+    std::string chosen;                                  ///< by the arrow keys: "topic/name"
+    bool reveals = false;                                ///< the chosen tile is scrolled into view
+    std::vector<std::pair<std::string, ImVec2>> places;  ///< of the found tiles in the last frame
     std::unique_ptr<ThumbnailMaker> maker;
     std::size_t wanted = 0, finished = 0;  ///< numbers of pictures that the maker has to make, and has made
 };
@@ -133,7 +140,7 @@ void open(Ui& ui, const ExampleScene& scene, bool staysOpen) {
     toolWindow(ui, kExamplesRow.name).isOpen = staysOpen;
 }
 
-void tile(Ui& ui, ExampleBrowser::Tile& each, bool areComing) {
+void tile(Ui& ui, ExampleBrowser& browser, ExampleBrowser::Tile& each, bool areComing) {
     const ImVec2 size(kTileWidth * ui.shared.scale, kTileHeight * ui.shared.scale);
     const std::string name = each.scene.topic + "/" + each.scene.name;
     ImGui::PushID(name.c_str());
@@ -158,7 +165,10 @@ void tile(Ui& ui, ExampleBrowser::Tile& each, bool areComing) {
         draw.AddText({at.x + (size.x - width.x) / 2, at.y + (size.y - width.y) / 2},
                      ImGui::GetColorU32(ImGuiCol_TextDisabled), text);
     }
-    if (isHovered)
+    browser.places.emplace_back(name, at);
+    const bool isChosen = name == browser.chosen;
+    if (isChosen && std::exchange(browser.reveals, false)) ImGui::SetScrollHereY();
+    if (isHovered || isChosen)
         draw.AddRect(at, end, ImGui::GetColorU32(ImGuiCol_ButtonActive), 4 * ui.shared.scale, 0, 2);
     draw.PushClipRect(at, {end.x, end.y + ImGui::GetTextLineHeightWithSpacing() * 2}, true);
     ImGui::TextUnformatted(each.scene.name.c_str());
@@ -199,6 +209,18 @@ void chapterChoice(Ui& ui, ExampleBrowser& browser) {
     makeMissing(browser);
 }
 
+/// For those who have no scene yet.
+void newAndOpen(Ui& ui) {
+    if (ui.session.hasScene()) return;
+    if (ImGui::Button("New scene...")) askEmptyScene(ui);
+    mark(ui, "examples/new");
+    ImGui::SameLine();
+    if (ImGui::Button("Open...")) openDialog(ui, false);
+    mark(ui, "examples/open");
+    ImGui::SameLine();
+    ImGui::TextDisabled("or begin with an example:");
+}
+
 /// How many scenes are found, and that Enter opens the only one.
 void countLine(ExampleBrowser& browser) {
     const auto found =
@@ -209,7 +231,7 @@ void countLine(ExampleBrowser& browser) {
         ImGui::TextDisabled("%zu scenes", browser.tiles.size());
     else
         ImGui::TextDisabled("%zu of %zu scenes%s", browser.found, browser.tiles.size(),
-                            browser.found == 1 ? "; Enter opens it" : "");
+                            browser.found == 1 ? "; Enter opens it" : "; arrows and Enter open one");
     if (!browser.maker) return;
     ImGui::SameLine();
     ImGui::TextDisabled("drawing pictures: %zu of %zu", browser.finished, browser.wanted);
@@ -221,6 +243,7 @@ void tiles(Ui& ui, ExampleBrowser& browser) {
         1, static_cast<int>((ImGui::GetContentRegionAvail().x + ImGui::GetStyle().ItemSpacing.x) / width));
     const std::string* topic = nullptr;
     int column = 0;
+    browser.places.clear();
     for (ExampleBrowser::Tile& each : browser.tiles) {
         if (!isFound(each.scene, browser)) continue;
         if (!topic || *topic != each.scene.topic) {
@@ -232,10 +255,42 @@ void tiles(Ui& ui, ExampleBrowser& browser) {
         } else if (column % columns != 0) {
             ImGui::SameLine();
         }
-        tile(ui, each, browser.maker != nullptr);
+        tile(ui, browser, each, browser.maker != nullptr);
         ++column;
     }
     if (!topic) ImGui::TextDisabled("No name or description contains this text.");
+}
+
+/// The tile that the arrow key leads to from the chosen one: the nearest in that direction, which is in the
+/// next row for up and down. Nothing is chosen at first.
+void chooseByKeys(ExampleBrowser& browser) {
+    const auto& places = browser.places;
+    if (places.empty()) return;
+    const int down = (isKeyPressed(GLFW_KEY_DOWN) ? 1 : 0) - (isKeyPressed(GLFW_KEY_UP) ? 1 : 0);
+    const int right = (isKeyPressed(GLFW_KEY_RIGHT) ? 1 : 0) - (isKeyPressed(GLFW_KEY_LEFT) ? 1 : 0);
+    const auto now = std::find_if(places.begin(), places.end(),
+                                  [&](const auto& each) { return each.first == browser.chosen; });
+    if (now == places.end()) {
+        browser.chosen = down > 0 ? places.front().first : std::string();
+        browser.reveals = down > 0;
+        return;
+    }
+    auto next = now;
+    if (right > 0 && std::next(now) != places.end()) next = std::next(now);
+    if (right < 0 && now != places.begin()) next = std::prev(now);
+    if (down != 0) {
+        const auto apart = [&](const auto& each) {
+            return std::pair(std::abs(each.second.y - now->second.y),
+                             std::abs(each.second.x - now->second.x));
+        };
+        for (auto each = places.begin(); each != places.end(); ++each) {
+            const float lower = (each->second.y - now->second.y) * static_cast<float>(down);
+            if (lower > 1 && (next == now || apart(*each) < apart(*next))) next = each;
+        }
+    }
+    if (next == now) return;
+    browser.chosen = next->first;
+    browser.reveals = true;
 }
 
 void exampleWindow(Ui& ui, ExampleBrowser& browser, bool& isOpen) {
@@ -267,9 +322,18 @@ void exampleWindow(Ui& ui, ExampleBrowser& browser, bool& isOpen) {
             chapterChoice(ui, browser);
             ImGui::SameLine();
             countLine(browser);
-            if (isEntered && browser.found == 1)
+            const bool hasKeys = ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows) &&
+                                 ImGui::GetCurrentContext()->OpenPopupStack.empty();
+            if (hasKeys) chooseByKeys(browser);
+            const bool isEnter =
+                isEntered || (hasKeys && ui.sliders.focused == 0 && !ImGui::GetIO().WantTextInput &&
+                              isKeyPressed(GLFW_KEY_ENTER, false));
+            if (isEnter)
                 for (const ExampleBrowser::Tile& each : browser.tiles)
-                    if (isFound(each.scene, browser)) open(ui, each.scene, false);
+                    if (isFound(each.scene, browser) &&
+                        (browser.found == 1 || each.scene.topic + "/" + each.scene.name == browser.chosen))
+                        open(ui, each.scene, false);
+            newAndOpen(ui);
             ImGui::BeginChild("tiles");
             tiles(ui, browser);
             ImGui::EndChild();
@@ -282,11 +346,9 @@ nlohmann::ordered_json examplesJson(const ExampleBrowser& examples, bool isOpen)
     const auto pictures = std::count_if(
         examples.tiles.begin(), examples.tiles.end(),
         [](const ExampleBrowser::Tile& each) { return each.thumbnail.state == Thumbnail::State::ready; });
-    return {{"open", isOpen},
-            {"scenes", examples.tiles.size()},
-            {"found", examples.found},
-            {"pictures", pictures},
-            {"drawing", examples.maker != nullptr}};
+    return {{"open", isOpen},          {"scenes", examples.tiles.size()},
+            {"found", examples.found}, {"chosen", examples.chosen},
+            {"pictures", pictures},    {"drawing", examples.maker != nullptr}};
 }
 
 class ExampleWindow final : public Panel {

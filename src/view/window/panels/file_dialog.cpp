@@ -117,14 +117,14 @@ void places(Ui& ui, FileDialog& dialog) {
     for (const std::string& each : recent) {
         ImGui::PushID(index);
         const fs::path path = each;
-        std::string label = path.filename().string();
-        const auto equal = std::count_if(recent.begin(), recent.end(), [&](const std::string& other) {
-            return fs::path(other).filename() == path.filename();
-        });
-        if (equal > 1) label = (path.parent_path().filename() / label).string();
-        if (ImGui::Selectable(label.c_str())) openAndClose(ui, dialog, path);
+        if (ImGui::Selectable(path.filename().c_str())) openAndClose(ui, dialog, path);
         mark(ui, "dialog/recent/" + std::to_string(index));
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", each.c_str());
+        ImGui::Indent();
+        const std::string folder = path.parent_path().string();
+        ImGui::TextDisabled("%s", shortened(folder, ImGui::GetContentRegionAvail().x).c_str());
+        markPlace(ui, "dialog/recent/folder/" + std::to_string(index));
+        ImGui::Unindent();
         ImGui::PopID();
         ++index;
     }

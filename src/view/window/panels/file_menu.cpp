@@ -143,12 +143,10 @@ void askEmptyScene(Ui& ui) {
 }
 
 void fileMenu(Ui& ui, FileMenu& menu) {
-    ui.shared.isMenuOpen = false;
     if (ImGui::Button("File") || menu.opens) ImGui::OpenPopup("file menu");
     mark(ui, "file");
     ImGui::SetNextWindowPos({ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y}, ImGuiCond_Appearing);
     if (!ImGui::BeginPopup("file menu")) return;
-    ui.shared.isMenuOpen = true;
     if (std::exchange(menu.opens, false)) ImGui::SetKeyboardFocusHere();
     const bool isOpen = ImGui::BeginMenu("New");
     mark(ui, "file/new");

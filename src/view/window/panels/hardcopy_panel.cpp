@@ -23,6 +23,7 @@
 #include "view/export/hardcopy.h"
 #include "view/export/hardcopy_job.h"
 #include "view/window/panels/icons.h"
+#include "view/window/panels/label_overlay.h"
 #include "view/window/panels/ui.h"
 #include "view/window/platform/keys.h"
 
@@ -205,21 +206,23 @@ void setEnding(Ui& ui, HardcopyEntries& entries, const char* ending) {
 }
 
 void fileEntry(Ui& ui, HardcopyEntries& entries) {
-    ImGui::InputTextWithHint("File", "picture.png", entries.file.data(), entries.file.size(),
+    fieldLabel("File");
+    ImGui::InputTextWithHint("##file", "picture.png", entries.file.data(), entries.file.size(),
                              ImGuiInputTextFlags_AutoSelectAll);
-    markField(ui, "hardcopy/file", "File");
+    mark(ui, "hardcopy/file");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", wanted(ui, entries).file.c_str());
     const std::string ending = fs::path(entries.file.data()).extension().string();
     const auto known = std::find_if(kEndings.begin(), kEndings.end(),
                                     [&](const Ending& each) { return ending == each.ending; });
-    if (ImGui::BeginCombo("Format", known == kEndings.end() ? ending.c_str() : known->name)) {
+    fieldLabel("Format");
+    if (ImGui::BeginCombo("##format", known == kEndings.end() ? ending.c_str() : known->name)) {
         for (const Ending& each : kEndings) {
             if (ImGui::Selectable(each.name, ending == each.ending)) setEnding(ui, entries, each.ending);
             mark(ui, "hardcopy/format/{}", each.ending + 1);
         }
         ImGui::EndCombo();
     }
-    markField(ui, "hardcopy/format", "Format");
+    mark(ui, "hardcopy/format");
     const fs::path folder = folderOf(ui.settings);
     if (ImGui::Button("Folder...")) {
         entries.folderBefore = ui.settings.hardcopyFolder;
@@ -253,7 +256,8 @@ void sizeEntry(Ui& ui, HardcopyEntries& entries) {
         return preset.width > 0 ? std::string(preset.name)
                                 : fmt::format("{} x {} ({})", width, height, preset.name);
     };
-    if (ImGui::BeginCombo("Pixels", labelOf(static_cast<std::size_t>(entries.preset)).c_str())) {
+    fieldLabel("Pixels");
+    if (ImGui::BeginCombo("##size", labelOf(static_cast<std::size_t>(entries.preset)).c_str())) {
         for (std::size_t i = 0; i < kPresets.size(); ++i) {
             if (ImGui::Selectable(labelOf(i).c_str(), static_cast<int>(i) == entries.preset))
                 entries.preset = static_cast<int>(i);
@@ -261,9 +265,10 @@ void sizeEntry(Ui& ui, HardcopyEntries& entries) {
         }
         ImGui::EndCombo();
     }
-    markField(ui, "hardcopy/size", "Pixels");
+    mark(ui, "hardcopy/size");
     if (kPresets.at(static_cast<std::size_t>(entries.preset)).times >= 0) return;
     std::array<int, 2> size{entries.width, entries.height};
+    fieldLabel("");
     if (ImGui::InputInt2("##pixels", size.data())) {
         entries.width = std::clamp(size[0], 1, kLargestPictureSide);
         entries.height = std::clamp(size[1], 1, kLargestPictureSide);
@@ -276,7 +281,8 @@ void samplesEntry(Ui& ui, HardcopyEntries& entries) {
         return samples <= 1 ? std::string("one sample") : fmt::format("{} samples", samples);
     };
     const std::string screen = labelOf(samplesOfScreen(ui)) + " (as on the screen)";
-    if (ImGui::BeginCombo("Smooth", entries.samples ? labelOf(*entries.samples).c_str() : screen.c_str())) {
+    fieldLabel("Smooth");
+    if (ImGui::BeginCombo("##smooth", entries.samples ? labelOf(*entries.samples).c_str() : screen.c_str())) {
         if (ImGui::Selectable(screen.c_str(), !entries.samples)) entries.samples.reset();
         mark(ui, "hardcopy/samples/screen");
         for (int samples = 1; samples <= ui.context.capabilities().maxSamples; samples *= 2) {
@@ -286,17 +292,20 @@ void samplesEntry(Ui& ui, HardcopyEntries& entries) {
         }
         ImGui::EndCombo();
     }
-    markField(ui, "hardcopy/samples", "Smooth");
+    mark(ui, "hardcopy/samples");
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("Samples per pixel, which make edges smooth: `glibra render --samples`");
 }
 
 void framesEntry(Ui& ui, HardcopyEntries& entries) {
-    ImGui::InputInt("Frames", &entries.frames, 0);
+    fieldLabel("Frames");
+    ImGui::InputInt("##frames", &entries.frames, 0);
     entries.frames = std::clamp(entries.frames, 1, 1'000'000);
-    markField(ui, "hardcopy/frames", "Frames");
+    mark(ui, "hardcopy/frames");
     if (entries.frames == 1 && !image::holdsAnimation(entries.file.data())) return;
-    ImGui::InputFloat("Per second", &entries.framesPerSecond, 0, 0, "%.3g");
+    fieldLabel("Per second");
+    ImGui::InputFloat("##rate", &entries.framesPerSecond, 0, 0, "%.3g");
+    mark(ui, "hardcopy/rate");
     entries.framesPerSecond = std::clamp(entries.framesPerSecond, .001F, 1000.F);
     ImGui::TextDisabled("%.3g seconds, from %.3g s on",
                         entries.frames / static_cast<double>(entries.framesPerSecond),
@@ -311,7 +320,8 @@ void labelsEntry(Ui& ui) {
     const auto chosen = std::find_if(kCorners.begin(), kCorners.end(),
                                      [&](const auto& each) { return each.first == ui.settings.labelCorner; });
     const char* label = !ui.shared.showLabels ? "none" : chosen == kCorners.end() ? "" : chosen->second;
-    if (ImGui::BeginCombo("Labels##hardcopy", label)) {
+    fieldLabel("Labels");
+    if (ImGui::BeginCombo("##corner", label)) {
         if (ImGui::Selectable("none", !ui.shared.showLabels)) ui.shared.showLabels = false;
         mark(ui, "hardcopy/labels/none");
         for (const auto& [corner, name] : kCorners) {
@@ -323,9 +333,12 @@ void labelsEntry(Ui& ui) {
         }
         ImGui::EndCombo();
     }
-    markField(ui, "hardcopy/labels", "Labels");
+    mark(ui, "hardcopy/labels");
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("The values over the picture, on the screen and in the file (L)");
+    if (!ui.shared.showLabels) return;
+    fieldLabel("");
+    labelChoice(ui, "##labelled", "hardcopy/labelChoice", -1);
 }
 
 /// Asks whether to replace a file.
@@ -393,13 +406,11 @@ void hardcopyPanel(Ui& ui, HardcopyEntries& entries) {
     replaceDialog(ui, entries);
     if (!section(ui, "Hardcopy", "hardcopy", false)) return;
     proposeIfNeeded(ui, entries);
-    ImGui::PushItemWidth(-ImGui::CalcTextSize("Per second ").x);
     fileEntry(ui, entries);
     sizeEntry(ui, entries);
     samplesEntry(ui, entries);
     framesEntry(ui, entries);
     labelsEntry(ui);
-    ImGui::PopItemWidth();
     if (entries.job) return progress(ui, entries);
     const Hardcopy next = wanted(ui, entries);
     ImGui::BeginDisabled(entries.file[0] == 0);

@@ -22,6 +22,7 @@ struct Inspector {
     std::string chosen = "picture";
     int level = 0, layer = 0;
     bool isPrevious = false;  ///< the other copy of an object with history
+    bool wasOpen = false;     ///< in the last frame
     bool wantsRange = false;  ///< the range of shown values follows from the next content
     bool fits = true;         ///< the zoom follows the size of the window, until the user chooses one
     float zoom = 1;

@@ -281,11 +281,29 @@ void image(Ui& ui, Inspector& inspector) {
     ImGui::EndChild();
 }
 
+/// The picture is seen already: begins with the first texture that a pass or a dispatch writes, if there is
+/// one.
+void beginWithHidden(const Ui& ui, Inspector& inspector) {
+    if (inspector.chosen != "picture") return;
+    const LiveScene& live = ui.session.live();
+    for (const scene::TextureIndex each : live.scene().textures.indices()) {
+        if (!live.texture(each)) continue;
+        inspector.chosen = textureKey(live.scene(), each);
+        inspector.level = inspector.layer = 0;
+        inspector.fits = true;
+        inspector.wantsRange = needsRange(live, {each, {}, false});
+        return;
+    }
+}
+
 void inspectorWindow(Ui& ui, Inspector& inspector, bool& isOpen) {
     if (!isOpen) inspector.fits = true;
+    if (isOpen && !inspector.wasOpen && ui.session.hasScene()) beginWithHidden(ui, inspector);
+    inspector.wasOpen = isOpen;
     if (!isOpen || !ui.session.hasScene()) return;
     ui.session.keepTextures();
-    placeFloating(ui, 20, 20, 560, 480);
+    // Below the tabs.
+    placeFloating(ui, 20, 20 + ui.frame.room[1] / ui.shared.scale, 560, 480);
     if (ImGui::Begin(kInspectorRow.title, &isOpen, ImGuiWindowFlags_NoCollapse)) {
         const Chosen chosen = choose(ui, inspector);
         part(ui, inspector, chosen);

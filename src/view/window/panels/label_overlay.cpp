@@ -3,9 +3,11 @@
 #include <glad/gl.h>
 #include <imgui.h>
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 #include "image/image.h"
 #include "render/file/labels.h"
@@ -31,13 +33,54 @@ void updateTexture(const gpu::Capabilities& capabilities, const render::LabelBlo
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }
 
+/// Finds the values to label; none in `only`: all. Returns false if there are none.
+bool hasLabels(const Ui& ui, std::vector<std::string>& only) {
+    if (ui.settings.labelChoice == LabelChoice::all) return true;
+    const std::vector<Knob>& knobs = ui.session.knobs();
+    for (const Knob& each : knobs)
+        if (ui.settings.labelChoice == LabelChoice::changed ? each.isChanged()
+                                                            : ui.labelled.contains(labelKey(each)))
+            only.push_back(labelBegin(each));
+    return !only.empty();
+}
+
 }  // namespace
 
+std::string labelKey(const Knob& knob) {
+    return knob.title + "/" + knob.tag;
+}
+
+void labelChoice(Ui& ui, const char* id, const char* name, float width) {
+    constexpr std::array kChoices{std::pair{LabelChoice::all, "all"},
+                                  std::pair{LabelChoice::changed, "changed"},
+                                  std::pair{LabelChoice::chosen, "chosen"}};
+    ImGui::SetNextItemWidth(width);
+    const bool isOpen =
+        ImGui::BeginCombo(id, kChoices.at(static_cast<std::size_t>(ui.settings.labelChoice)).second);
+    mark(ui, name);
+    if (isOpen) {
+        for (const auto& [choice, words] : kChoices) {
+            if (ImGui::Selectable(words, choice == ui.settings.labelChoice)) ui.settings.labelChoice = choice;
+            mark(ui, "{}/{}", name, words);
+        }
+        ImGui::EndCombo();
+    } else if (ImGui::IsItemHovered()) {
+        ImGui::SetTooltip(
+            "Which values are labelled: all, those that differ from the scene's,\n"
+            "or those that 'Label on the picture' in the menu of a value chooses");
+    }
+}
+
 void labelOverlay(Ui& ui, LabelOverlay& overlay) {
-    ui.session.setLabels(ui.shared.showLabels ? ui.settings.labelCorner : LabelCorner::none);
-    if (!ui.shared.showLabels || !ui.session.hasScene()) return;
-    const render::LabelBlock block = render::labelBlock(ui.session.width(), ui.session.height(),
-                                                        ui.session.live().labels(), ui.settings.labelCorner);
+    std::vector<std::string> only;
+    const bool isShown = ui.shared.showLabels && ui.session.hasScene() && hasLabels(ui, only);
+    ui.session.setLabels(isShown ? ui.settings.labelCorner : LabelCorner::none, only);
+    if (!isShown) {
+        overlay = {};
+        return;
+    }
+    const render::LabelBlock block = render::labelBlock(
+        ui.session.width(), ui.session.height(), ui.session.live().labels(only), ui.settings.labelCorner);
     if (block.lines.empty()) return;
     updateTexture(ui.context.capabilities(), block, overlay);
     if (!overlay.texture) return;

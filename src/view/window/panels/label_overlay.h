@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gpu/object/texture.h"
+#include "view/scene/knobs.h"
 
 namespace glibra::view {
 
@@ -17,6 +18,10 @@ struct LabelOverlay {
     std::optional<gpu::Texture> texture;
 };
 
+/// How Ui::labelled names a value.
+std::string labelKey(const Knob& knob);
+/// A menu of which values are labelled.
+void labelChoice(Ui& ui, const char* id, const char* name, float width);
 /// Draws the values over the picture, if they are wanted.
 void labelOverlay(Ui& ui, LabelOverlay& overlay);
 

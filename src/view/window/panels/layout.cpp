@@ -150,6 +150,9 @@ void showAll(Ui& ui) {
     frame.room[3] = std::max(1.F, frame.room[3]);
     const bool isFilled = ui.settings.pictureShape == PictureShape::fill;
     frame.picture = fitted(frame.room, isFilled ? 0 : shapeOf(ui));
+    // The source stands over the left part of the room: the picture moves to where it is seen best.
+    if (ui.settings.showSource && ui.settings.sourcePlace == SourcePlace::over && ui.session.hasScene())
+        frame.picture[0] = std::floor(frame.room[0] + frame.room[2]) - frame.picture[2];
     showAt(ui, PanelPlace::floating);
     endSliders(ui);
     keepInside();

@@ -5,6 +5,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -116,7 +117,6 @@ void apply(Ui& ui, const MessageFix& fix) {
 /// The folders in which a missing file was looked for, and buttons for what can be done.
 void fixes(Ui& ui, const Diagnostic& each, const std::string& name) {
     if (!ui.session.hasScene() || each.subject.empty()) return;
-    if (ui.fixes.loaded != ui.session.timesLoaded()) ui.fixes = {ui.session.timesLoaded(), {}};
     const auto [known, isNew] = ui.fixes.known.try_emplace(each.text);
     if (isNew) known->second = {fixesOf(each, ui.session.live()), searchedFor(each, ui.session.live())};
     int index = 0;
@@ -145,7 +145,31 @@ void fixes(Ui& ui, const Diagnostic& each, const std::string& name) {
     if (chosen) apply(ui, *chosen);
 }
 
-/// A message as a button that goes to its place. `file`: the shown one, whose name is left out.
+/// A message in one line, or whole if it is the opened one. Returns true if it was clicked, which opens it.
+bool messageLine(Ui& ui, const Diagnostic& each, const std::string& text, int index,
+                 const std::string& name) {
+    const bool isOpen = ui.fixes.opened == index;
+    ImGui::PushStyleColor(ImGuiCol_Text, packed(severityColor(each.severity)));
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float height =
+        isOpen ? ImGui::CalcTextSize(text.c_str(), nullptr, false, width).y : ImGui::GetTextLineHeight();
+    const bool isClicked = ImGui::Selectable("##message", false, 0, {0, height});
+    mark(ui, name);
+    if (isOpen) {
+        const ImVec2 after = ImGui::GetCursorScreenPos();
+        ImGui::SetCursorScreenPos(at);
+        ImGui::TextWrapped("%s", text.c_str());
+        ImGui::SetCursorScreenPos(after);
+    } else {
+        lineOfText(text.c_str(), at, at.x + width);
+    }
+    ImGui::PopStyleColor();
+    if (isClicked) ui.fixes.opened = index;
+    return isClicked;
+}
+
+/// A message that goes to its place. `file`: the shown one, whose name is left out.
 void listed(Ui& ui, const Diagnostic& each, const std::filesystem::path& file, int index) {
     const std::string name = fmt::format("source/message/{}", index);
     const Place& place = each.place;
@@ -157,16 +181,10 @@ void listed(Ui& ui, const Diagnostic& each, const std::filesystem::path& file, i
                    : std::filesystem::path(place.file).filename().string() + ":" + line;
     }
     ImGui::PushID(index);
-    ImGui::PushStyleColor(ImGuiCol_Text, packed(severityColor(each.severity)));
-    const ImVec2 at = ImGui::GetCursorPos();
-    const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, ImGui::GetContentRegionAvail().x);
-    if (ImGui::Selectable("##message", false, 0, {0, size.y}) && !place.file.empty()) showSource(ui, place);
-    mark(ui, name);
-    ImGui::SetCursorPos(at);
-    ImGui::TextWrapped("%s", text.c_str());
-    ImGui::PopStyleColor();
-    if (each.severity == Severity::error) translatedLines(ui, place, name);
-    fixes(ui, each, name);
+    const bool isOpen = ui.fixes.opened == index;
+    if (messageLine(ui, each, text, index, name) && !place.file.empty()) showSource(ui, place);
+    if (isOpen && each.severity == Severity::error) translatedLines(ui, place, name);
+    if (isOpen) fixes(ui, each, name);
     ImGui::PopID();
 }
 
@@ -175,10 +193,9 @@ void detailed(Ui& ui, const Diagnostic& each, int index) {
     const std::string name = fmt::format("message/{}", index);
     ImGui::PushID(index);
     const bool isError = each.severity == Severity::error;
-    ImGui::PushStyleColor(ImGuiCol_Text, packed(severityColor(each.severity)));
-    ImGui::TextWrapped("%s", toString(each).c_str());
-    ImGui::PopStyleColor();
-    mark(ui, name);
+    const bool isOpen = ui.fixes.opened == index;
+    messageLine(ui, each, isOpen ? toString(each) : each.text, index, name);
+    if (!isOpen) return ImGui::PopID();
     fixes(ui, each, name);
     if (!each.place.file.empty()) {
         sourceExcerpt(ui, each.place);
@@ -195,11 +212,13 @@ void detailed(Ui& ui, const Diagnostic& each, int index) {
         }
     }
     if (ImGui::SmallButton("Copy")) ImGui::SetClipboardText(toString(each).c_str());
+    mark(ui, name + "/copy");
     ImGui::PopID();
 }
 
 template <class Show>
-void inOrder(const Ui& ui, Show&& show) {
+void inOrder(Ui& ui, Show&& show) {
+    if (ui.fixes.loaded != ui.session.timesLoaded()) ui.fixes = {ui.session.timesLoaded(), {}, 0};
     int index = 0;
     const bool isVerboseOpen = toolWindow(ui, "verbose").isOpen;
     for (const Severity severity : {Severity::error, Severity::warning, Severity::note})
@@ -255,7 +274,7 @@ void errorBanner(Ui& ui, std::string& banner) {
     banner = text + (more.empty() ? "" : " " + more);
 
     const ImGuiStyle& style = ImGui::GetStyle();
-    const float height = ImGui::GetTextLineHeight() + 2 * style.FramePadding.y + 4;
+    const float height = std::ceil(ImGui::GetTextLineHeight() + 2 * style.FramePadding.y + 4);
     ImGui::SetNextWindowPos({ui.frame.picture[0], ui.frame.picture[1] + ui.frame.picture[3]},
                             ImGuiCond_Always, {0, 1});
     ImGui::SetNextWindowSize({ui.frame.picture[2], height});

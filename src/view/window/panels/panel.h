@@ -64,6 +64,9 @@ class Drawn final : public Panel {
 /// The groups of the list of keys, in its order.
 enum class KeyGroup { time, view, values, pipeline, source, scenes, window };
 
+/// The key of actions without one, which the command palette lists.
+inline constexpr int kNoKey = -2;
+
 struct Shortcut {
     KeyGroup group;
     int key;  ///< GLFW_KEY_...
@@ -101,7 +104,7 @@ struct PanelRow {
     bool withoutScene = false;  ///< for sections
     std::span<const Shortcut> keys = {};
     const char* title = nullptr;     ///< a tool window's, for ImGui::Begin(); Esc closes it
-    const char* checkBox = nullptr;  ///< label of its check box in the section View
+    const char* checkBox = nullptr;  ///< label of its check box in the section Tools
     const char* help = nullptr;      ///< tooltip of the check box
 };
 

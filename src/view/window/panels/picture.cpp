@@ -98,8 +98,16 @@ void cursor(const Ui& ui, ImDrawList& list) {
     }
     constexpr int kMostShown = 200;
     const std::string line = sourceLine({ui.session.path().string(), picked.draw.line, 1});
-    label(ui, list, {centre.x + 12 * ui.shared.scale, centre.y + 12 * ui.shared.scale},
-          fmt::format("line {}: {}", picked.draw.line, excerpt(line, 1, kMostShown).text));
+    // Whole inside the picture, wherever the cursor is.
+    const Rectangle& r = ui.frame.picture;
+    const float gap = 12 * ui.shared.scale, edge = 6 * ui.shared.scale;
+    const std::string text = shortened(
+        fmt::format("line {}: {}", picked.draw.line, excerpt(line, 1, kMostShown).text), r[2] - 2 * edge);
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    label(ui, list,
+          {std::clamp(centre.x + gap, r[0] + edge, std::max(r[0] + edge, r[0] + r[2] - edge - size.x)),
+           std::clamp(centre.y + gap, r[1] + edge, std::max(r[1] + edge, r[1] + r[3] - edge - size.y))},
+          text);
 }
 
 /// The GPU time of the objects of a frame, at the upper right corner.

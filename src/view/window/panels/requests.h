@@ -22,6 +22,7 @@ struct Requests {
     bool close = false;       ///< the window
     bool frames = false;      ///< further frames: something moves that the session does not know of
     bool fullScreen = false;  ///< on or off
+    bool lecture = false;     ///< on or off
     bool reopenTab = false;   ///< that was closed last
     std::optional<std::size_t> showTab, closeTab;
     std::optional<std::filesystem::path> saved;  ///< the file that the source panel has written

@@ -10,6 +10,7 @@
 #include "view/window/panels/icons.h"
 #include "view/window/panels/save_scene.h"
 #include "view/window/panels/ui.h"
+#include "view/window/platform/keys.h"
 
 namespace glibra::view {
 namespace {
@@ -47,14 +48,33 @@ void scenePanel(Ui& ui, FileMenu& menu) {
 
 class Tools final : public Panel {
   public:
+    void update(Ui& ui) override { watchAlt(ui); }
     void show(Ui& ui) override { scenePanel(ui, menu_); }
     void openMenu(Ui& ui) {
+        if (ImGui::GetIO().KeyShift) return;  // the menu of a value
         ui.shared.showPanel = true;
         menu_.opens = true;
     }
 
   private:
+    /// Alt opens the menu when it goes up, if nothing else was pressed with it.
+    void watchAlt(Ui& ui) {
+        const ImGuiIO& io = ImGui::GetIO();
+        const bool isDown = io.KeyAlt;
+        if (isDown && !wasAlt_) isAltAlone_ = true;
+        for (int key = GLFW_KEY_SPACE; key <= GLFW_KEY_LAST && isDown; ++key) {
+            const bool isAlt = key == GLFW_KEY_LEFT_ALT || key == GLFW_KEY_RIGHT_ALT;
+            if (!isAlt && isKeyDown(key)) isAltAlone_ = false;
+        }
+        if (ImGui::IsAnyMouseDown()) isAltAlone_ = false;
+        // The desktop takes the window's keys away when it goes to another window by Alt and Tab.
+        const bool hasFocus = glfwGetWindowAttrib(glfwGetCurrentContext(), GLFW_FOCUSED) == GLFW_TRUE;
+        if (wasAlt_ && !isDown && isAltAlone_ && hasFocus && !ui.shared.question) openMenu(ui);
+        wasAlt_ = isDown;
+    }
+
     FileMenu menu_;
+    bool wasAlt_ = false, isAltAlone_ = false;
 };
 
 void openTab(Ui& ui, Panel& /*panel*/) {
@@ -63,8 +83,6 @@ void openTab(Ui& ui, Panel& /*panel*/) {
     else
         openDialog(ui, true);
 }
-
-constexpr int kNoKey = GLFW_KEY_UNKNOWN - 1;
 
 constexpr auto kToolKeys = std::to_array<Shortcut>({
     {KeyGroup::scenes, GLFW_KEY_O, true, "Ctrl+O", "open a scene",
@@ -76,7 +94,8 @@ constexpr auto kToolKeys = std::to_array<Shortcut>({
      [](Ui& ui, Panel&) { saveScene(ui); }},
     {KeyGroup::scenes, kNoKey, false, "", "save the scene as another file, or save a copy of an example",
      [](Ui& ui, Panel&) { saveSceneAs(ui); }},
-    {KeyGroup::window, GLFW_KEY_F10, false, "F10", "the menu File", call<&Tools::openMenu>, true},
+    {KeyGroup::scenes, kNoKey, false, "", "new, empty scene", [](Ui& ui, Panel&) { askEmptyScene(ui); }},
+    {KeyGroup::window, GLFW_KEY_F10, false, "F10 or Alt", "the menu File", call<&Tools::openMenu>, true},
 });
 
 }  // namespace

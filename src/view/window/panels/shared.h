@@ -61,7 +61,7 @@ struct Shared {
     std::vector<TabTitle> tabs;
     std::size_t shownTab = 0;
     bool marksWidgets = false;  ///< positions of widgets are stored, for `--state`
-    bool isMenuOpen = false;    ///< the arrow keys and Enter choose in the menu "File"
+    bool textTakesTab = false;  ///< a source has the keyboard: Tab is a letter
     bool tabChanged = false;    ///< the tab bar has to select the shown tab
     std::optional<Question> question;
     std::optional<Answer> answer;

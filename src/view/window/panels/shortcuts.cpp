@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "glib/text.h"
+#include "view/window/panels/tab_stops.h"
 #include "view/window/panels/ui.h"
 #include "view/window/platform/keys.h"
 
@@ -89,7 +90,9 @@ void shortcuts(Ui& ui) {
     if (ui.shared.question || areBlocked) return;
     const bool isTyping = ImGui::GetIO().WantTextInput;
     if (!isTyping) holdKeys(ui);
+    const bool isSpaceTaken = takesSpace(ui);
     for (const Display::KeyPress& each : pressed) {
+        if (each.key == GLFW_KEY_SPACE && !each.control && isSpaceTaken) continue;
         const bool isPlain = !isTyping && !each.control && !each.shift;
         const std::string name = isPlain ? keyName(each.key) : std::string();
         if (name.empty() || !ui.session.pressKey(name)) press(ui, each, isTyping);

@@ -1,5 +1,6 @@
 #pragma once
 // The state that the sliders of a tab share (value_slider.h): which one has the keyboard, and what is typed.
+// The other widgets that Tab reaches (tab_stops.h) are in the same list.
 
 #include <optional>
 #include <string>
@@ -14,13 +15,23 @@ struct SliderDrag {
     bool isFine = false;
 };
 
+/// A widget that Tab reaches.
+struct TabStop {
+    unsigned id = 0;       ///< ImGui's number
+    unsigned window = 0;   ///< of the window that it belongs to, ImGui's number
+    bool isValue = false;  ///< a slider, which takes the keys itself
+    bool isEntry = false;  ///< a text field, which gets the keyboard at once
+};
+
 struct Sliders {
-    std::vector<unsigned> drawn;  ///< in this frame, for Tab; ImGui's numbers of widgets
-    unsigned focused = 0;         ///< gets the keys; 0: none
+    std::vector<TabStop> drawn;  ///< in this frame, in the order of Tab
+    unsigned focused = 0;        ///< gets the keys; 0: none
+    unsigned activated = 0;      ///< by Enter or the space bar in this frame, for stops that are no widgets of ImGui
     SliderDrag drag;
     double moves = 0;         ///< by keys of this frame, as a part of the scale
     std::optional<bool> end;  ///< keys of this frame: to the minimum (false), to the maximum (true)
     bool isTyped = false, wasClicked = false, reveals = false;
+    bool wantsMenu = false;  ///< the menu of the focused value, by its key
     std::string typing;         ///< the slider that is a text field now: "uniform/Dots/uKd/0"
     bool typingBegins = false;  ///< the text field needs the keyboard focus
     double typed = 0;

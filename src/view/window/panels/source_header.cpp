@@ -113,6 +113,41 @@ void saveSource(Ui& ui, const std::filesystem::path& chosen) {
     if (problems.empty() && !found->second.hasConflict()) ui.requests.saved = chosen;
 }
 
+const char* nameOfPlace(SourcePlace place) {
+    switch (place) {
+        case SourcePlace::beside:
+            return "beside the picture";
+        case SourcePlace::below:
+            return "below the picture";
+        case SourcePlace::over:
+            return "over the picture";
+        case SourcePlace::automatic:
+            break;
+    }
+    return "where there is room";
+}
+
+namespace {
+
+/// A menu of where the source stands.
+void placeMenu(Ui& ui) {
+    constexpr const char* kLabel = "Place";
+    continueRowForButton(kLabel);
+    if (ImGui::Button(kLabel)) ImGui::OpenPopup("place");
+    mark(ui, "source/place");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Beside, below or over the picture (Ctrl+Shift+E)");
+    if (!ImGui::BeginPopup("place")) return;
+    for (const SourcePlace each :
+         {SourcePlace::automatic, SourcePlace::beside, SourcePlace::below, SourcePlace::over}) {
+        if (ImGui::MenuItem(nameOfPlace(each), nullptr, each == ui.settings.sourcePlace))
+            ui.settings.sourcePlace = each;
+        mark(ui, "source/place/{}", nameOfPlace(each));
+    }
+    ImGui::EndPopup();
+}
+
+}  // namespace
+
 void sourceButtons(Ui& ui, const SourceState& panel, EditedFile& file, CodeView& view) {
     if (isExample(ui.session.path())) {
         if (ImGui::Button("Save a copy...")) saveSceneAs(ui);
@@ -142,6 +177,7 @@ void sourceButtons(Ui& ui, const SourceState& panel, EditedFile& file, CodeView&
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip(
             "Update the picture while you type. Files are still written only when you save them");
+    placeMenu(ui);
     std::array<char, 192> state{};  // in every frame, so without the heap
     if (file.whyReadOnly().empty())
         fmt::format_to_n(state.data(), state.size() - 1, "{}:{}{}", view.line, view.column,

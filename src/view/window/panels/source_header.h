@@ -6,8 +6,12 @@
 
 #include "view/edit/edited_file.h"
 #include "view/window/panels/source_state.h"
+#include "view/window/platform/settings.h"
 
 namespace glibra::view {
+
+/// "below the picture".
+const char* nameOfPlace(SourcePlace place);
 
 struct Ui;
 

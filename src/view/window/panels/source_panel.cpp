@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -21,6 +22,7 @@
 #include "view/window/panels/messages.h"
 #include "view/window/panels/save_scene.h"
 #include "view/window/panels/source_header.h"
+#include "view/window/panels/tab_stops.h"
 #include "view/window/panels/ui.h"
 
 namespace glibra::view {
@@ -51,12 +53,7 @@ void refresh(Ui& ui, SourceState& panel) {
     }
     const auto isChosen = [&](const SourceFile& each) { return each.path == panel.chosen; };
     if (std::none_of(ui.files.begin(), ui.files.end(), isChosen)) {
-        // People edit the last stage most, so begin with it; but an exercise begins with its task.
-        const auto shader = std::find_if(ui.files.rbegin(), ui.files.rend(), [](const SourceFile& each) {
-            return each.role.find("shader") != std::string::npos;
-        });
-        const bool isExercise = !solutionOf(ui.session.path()).empty();
-        panel.chosen = isExercise || shader == ui.files.rend() ? ui.files.front().path : shader->path;
+        panel.chosen = ui.files.front().path;  // the scene, which names the others
         panel.follow = true;
     }
 }
@@ -106,7 +103,7 @@ void sourceContent(Ui& ui, SourceState& panel) {
     const float line = ImGui::GetTextLineHeightWithSpacing();
     const float below = messages == 0 ? 0
                                       : std::min(ImGui::GetContentRegionAvail().y * .4F,
-                                                 line * (2 * static_cast<float>(messages) + 2.5F));
+                                                 line * (static_cast<float>(messages) + 5));
     const CodeLanguage language =
         glib::sameWord(file.path().extension().string(), ".glib") ? CodeLanguage::glib : CodeLanguage::glsl;
     const FindBar& find = panel.find;
@@ -115,7 +112,9 @@ void sourceContent(Ui& ui, SourceState& panel) {
     const bool isChanged =
         codeEditor(panel.chosen.string().c_str(), file.text(), view, {marks, find.found, find.shown},
                    language, !file.whyReadOnly().empty(), below);
-    mark(ui, "source/text");
+    markPlace(ui, "source/text");
+    if (tabStop(ui, ImGui::GetItemID())) view.select = view.selection;
+    ui.shared.textTakesTab = view.isActive && file.whyReadOnly().empty();
     if (isChanged && ui.notice.text == savedNotice(panel.chosen)) ui.notice = {};
     if (isChanged)
         file.history().record(file.text());
@@ -187,8 +186,15 @@ void returnToText(const Ui& ui, SourceState& panel) {
     if (!view.isActive && !view.select) view.select = view.selection;
 }
 
+SourcePlace placeOf(const Ui& ui, const Rectangle& free) {
+    if (ui.settings.sourcePlace != SourcePlace::automatic) return ui.settings.sourcePlace;
+    constexpr float kRoomForBoth = 1100;
+    return free[2] >= kRoomForBoth * ui.shared.scale ? SourcePlace::beside : SourcePlace::below;
+}
+
 void sourcePanel(Ui& ui, SourceState& panel, Rectangle& free) {
     panel.shown = {};
+    ui.shared.textTakesTab = false;
     if (!ui.session.hasScene()) return;
     compileWhileTyping(ui, panel);
     noticeClicks(panel);
@@ -198,39 +204,47 @@ void sourcePanel(Ui& ui, SourceState& panel, Rectangle& free) {
     }
     refresh(ui, panel);
     takeGoTo(ui, panel);
-    // Beside the picture if there is room for both, otherwise below it.
-    const bool isBeside = free[2] >= 1100 * ui.shared.scale;
-    float& extent = isBeside ? ui.settings.sourceWidth : ui.settings.sourceHeight;
-    const float room = isBeside ? free[2] : free[3];
-    const float least = std::min(room * .5F, 220 * ui.shared.scale);
-    const float most = std::max(least, room * .75F);
-    if (extent <= 0) extent = room * (isBeside ? .5F : .45F);
-    extent = std::clamp(extent, least, most);
-    const ImVec2 size = isBeside ? ImVec2(extent, free[3]) : ImVec2(free[2], extent);
-    if (isBeside) {
+    const SourcePlace place = placeOf(ui, free);
+    const bool isAcross = place != SourcePlace::below;
+    float& part = place == SourcePlace::beside  ? ui.settings.sourceBeside
+                  : place == SourcePlace::below ? ui.settings.sourceBelow
+                                                : ui.settings.sourceOver;
+    const float room = isAcross ? free[2] : free[3];
+    const float wanted = std::floor(room * part);
+    const ImVec2 size = isAcross ? ImVec2(wanted, free[3]) : ImVec2(free[2], wanted);
+    const float least = std::floor(room * kLeastSource), most = std::floor(room * kMostSource);
+    if (isAcross) {
         ImGui::SetNextWindowPos({free[0], free[1]});
         ImGui::SetNextWindowSizeConstraints({least, size.y}, {most, size.y});
     } else {
         ImGui::SetNextWindowPos({free[0], free[1] + free[3]}, ImGuiCond_Always, {0, 1});
         ImGui::SetNextWindowSizeConstraints({size.x, least}, {size.x, most});
     }
-    // Two ImGui windows, since each position has its own size.
-    const char* name = isBeside ? "Source" : "Source below";
-    ImGui::SetNextWindowSize(size, ImGuiCond_Appearing);
+    ImGui::SetNextWindowSize(size);
+    // An ImGui window for each place.
+    const char* name = place == SourcePlace::beside  ? "Source"
+                       : place == SourcePlace::below ? "Source below"
+                                                     : "Source over";
+    constexpr float kOpaque = .86F;  // over the picture
+    if (place == SourcePlace::over) ImGui::SetNextWindowBgAlpha(kOpaque);
     if (ImGui::Begin(name, nullptr,
                      ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
                          ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollbar |
-                         ImGuiWindowFlags_NoScrollWithMouse)) {
+                         ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollWithMouse)) {
+        markWindow(ui, "source");
         fileTabs(ui, panel);
         sourceContent(ui, panel);
         // Moving the keyboard focus to the text scrolls this window too.
         ImGui::SetScrollX(0);
         ImGui::SetScrollY(0);
     }
-    extent = isBeside ? ImGui::GetWindowWidth() : ImGui::GetWindowHeight();
+    const float extent = isAcross ? ImGui::GetWindowWidth() : ImGui::GetWindowHeight();
     ImGui::End();
-    free[isBeside ? 2 : 3] -= extent;
-    if (isBeside) free[0] += extent;
+    // What the user has dragged; rounding changes nothing.
+    if (std::abs(extent - wanted) > 1) part = std::clamp(extent / room, kLeastSource, kMostSource);
+    if (place == SourcePlace::over) return;
+    free[isAcross ? 2 : 3] -= extent;
+    if (isAcross) free[0] += extent;
 }
 
 class SourcePanel final : public Panel {
@@ -296,12 +310,17 @@ void SourcePanel::addTo(nlohmann::ordered_json& state, const Ui& ui) const {
                        {"live", ui.settings.compilesWhileTyping},
                        {"compiled", ui.session.texts().size()},
                        {"hover", ui.frame.hoverText}};
+    state["sourcePlace"] = nameOfPlace(ui.settings.sourcePlace);
     const CodeAssist& assist = state_.assist;
     Json words = Json::array();
     if (assist.isOpen)
         for (std::size_t i = 0; i < std::min<std::size_t>(assist.words.size(), 20); ++i)
             words.push_back({{"word", assist.words[i].word}, {"type", assist.words[i].type}});
     state["completion"] = {{"open", assist.isOpen}, {"chosen", assist.chosen}, {"words", words}};
+    Json arguments = Json::array();
+    for (const SignatureParts& each : assist.hint.signatures)
+        arguments.push_back({each.before + each.argument + each.after, each.argument});
+    state["arguments"] = arguments;
     state["reference"] = {{"open", assist.showsReference},
                           {"word", assist.entry.word},
                           {"code", assist.entry.code},
@@ -317,9 +336,20 @@ void switchSource(Ui& ui, Panel& /*panel*/) {
     ui.settings.showSource = !ui.settings.showSource;
 }
 
+/// With Shift the next place of the source.
+void switchOrMoveSource(Ui& ui, Panel& panel) {
+    if (!ImGui::GetIO().KeyShift || !ui.settings.showSource) return switchSource(ui, panel);
+    constexpr int kPlaces = static_cast<int>(SourcePlace::over) + 1;
+    ui.settings.sourcePlace =
+        static_cast<SourcePlace>((static_cast<int>(ui.settings.sourcePlace) + 1) % kPlaces);
+    ui.notice = std::string("the source stands ") + nameOfPlace(ui.settings.sourcePlace);
+}
+
 constexpr auto kSourceKeys = std::to_array<Shortcut>({
     {KeyGroup::source, GLFW_KEY_E, false, "E", "show the source: the scene and its shaders", switchSource},
-    {KeyGroup::source, GLFW_KEY_E, true, "Ctrl+E", "the same, also while editing text", switchSource, true},
+    {KeyGroup::source, GLFW_KEY_E, true, "Ctrl+E, Ctrl+Shift+E",
+     "show the source, also while editing text; source beside, below or over the picture", switchOrMoveSource,
+     true},
     {KeyGroup::source, GLFW_KEY_S, true, "Ctrl+S, Ctrl+Shift+S",
      "save the shown source file; save the scene as another file", call<&SourcePanel::save>, true},
     {KeyGroup::source, GLFW_KEY_SPACE, true, "Ctrl+Space", "words that may stand at the cursor",

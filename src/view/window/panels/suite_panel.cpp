@@ -61,15 +61,15 @@ void addShot(const Session& session, SuiteEntries& entries) {
 void suitePanel(Ui& ui, SuiteEntries& entries) {
     if (!section(ui, "Suite shot", "suite", false)) return;
     proposeShot(ui, entries);
-    ImGui::PushItemWidth(-ImGui::CalcTextSize("Suite ").x);
-    ImGui::InputTextWithHint("Suite", "pictures.toml", entries.file.data(), entries.file.size());
-    markField(ui, "suite/file", "Suite");
+    fieldLabel("Suite");
+    ImGui::InputTextWithHint("##suite", "pictures.toml", entries.file.data(), entries.file.size());
+    mark(ui, "suite/file");
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("A suite file for `glibra test`; it is created if it does not exist\n%s",
                           entries.file.data());
-    ImGui::InputText("Shot", entries.name.data(), entries.name.size());
-    markField(ui, "suite/name", "Shot");
-    ImGui::PopItemWidth();
+    fieldLabel("Shot");
+    ImGui::InputText("##shot", entries.name.data(), entries.name.size());
+    mark(ui, "suite/name");
     ImGui::BeginDisabled(entries.file[0] == 0 || entries.name[0] == 0);
     if (ImGui::Button("Add shot")) addShot(ui.session, entries);
     ImGui::EndDisabled();
@@ -89,6 +89,12 @@ void suitePanel(Ui& ui, SuiteEntries& entries) {
 class SuitePanel final : public Panel {
   public:
     void show(Ui& ui) override { suitePanel(ui, entries_); }
+    void addNow(Ui& ui) {
+        if (!ui.session.hasScene()) return;
+        proposeShot(ui, entries_);
+        addShot(ui.session, entries_);
+        ui.notice = {entries_.message, entries_.failed};
+    }
     void addTo(nlohmann::ordered_json& state, const Ui& /*ui*/) const override {
         state["suiteMessage"] = entries_.message;
     }
@@ -97,8 +103,14 @@ class SuitePanel final : public Panel {
     SuiteEntries entries_;
 };
 
+// Without a key: for the list of commands.
+constexpr auto kSuiteKeys =
+    std::to_array<Shortcut>({{KeyGroup::scenes, kNoKey, false, "", "add the picture to a suite, as a shot",
+                              call<&SuitePanel::addNow>}});
+
 }  // namespace
 
-const PanelRow kSuiteRow{.name = "suite", .place = PanelPlace::section, .make = make<SuitePanel>};
+const PanelRow kSuiteRow{
+    .name = "suite", .place = PanelPlace::section, .make = make<SuitePanel>, .keys = kSuiteKeys};
 
 }  // namespace glibra::view

@@ -14,22 +14,6 @@
 namespace glibra::view {
 namespace {
 
-/// The text with an ellipsis in its middle, if it is wider than that.
-std::string shortened(const std::string& text, float width) {
-    if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
-    const auto isInside = [&](std::size_t at) {
-        return (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U;
-    };
-    for (std::size_t kept = text.size(); kept > 2; --kept) {
-        std::size_t left = (kept + 1) / 2, right = text.size() - kept / 2;
-        while (left > 1 && left < text.size() && isInside(left)) --left;
-        while (right < text.size() && isInside(right)) ++right;
-        std::string made = text.substr(0, left) + ".." + text.substr(right);
-        if (ImGui::CalcTextSize(made.c_str()).x <= width) return made;
-    }
-    return text.substr(0, 1);
-}
-
 /// The room for the names of the tabs: all of it, or equally little for the long ones if the bar is too
 /// narrow.
 float roomForNames(const Ui& ui, float width) {

@@ -66,18 +66,19 @@ void timePanel(Ui& ui) {
     mark(ui, "time/restart");
     const bool steps = stepControls(ui);
 
-    ImGui::PushItemWidth(-ImGui::CalcTextSize("Seconds ").x);
     constexpr double kShownSeconds = 10;  // the slider ends at a multiple of this
     double time = clock.time();
     const double end = std::max(kShownSeconds, std::ceil(time / kShownSeconds) * kShownSeconds);
-    if (labelledSlider(ui, "Seconds", "time/scrub", {0, end}, time, " s")) {
+    fieldLabel("Seconds");
+    if (labelledSlider(ui, "##seconds", "time/scrub", {0, end}, time, " s")) {
         clock.play(false);
         clock.setTime(time);
     }
     double speed = clock.speed();
     constexpr double kFastest = 4;
-    if (labelledSlider(ui, "Speed", "time/speed", {-kFastest, kFastest}, speed, " x")) clock.setSpeed(speed);
-    ImGui::PopItemWidth();
+    fieldLabel("Speed");
+    if (labelledSlider(ui, "##speed", "time/speed", {-kFastest, kFastest}, speed, " x"))
+        clock.setSpeed(speed);
     ui.session.setClock(clock);
     if (restarts) ui.session.restart();
     if (steps) ui.session.nextStep();

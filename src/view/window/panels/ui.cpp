@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 #include "view/window/platform/theme.h"
 
@@ -41,6 +42,11 @@ void toggleOpen(Ui& /*ui*/, Panel& panel) {
 }
 
 void mark(Ui& ui, std::string_view name) {
+    tabStop(ui);
+    markPlace(ui, name);
+}
+
+void markPlace(Ui& ui, std::string_view name) {
     if (!ui.shared.marksWidgets || !ImGui::IsItemVisible()) return;
     if (ui.sliders.focused != 0 && ImGui::GetItemID() == ui.sliders.focused) ui.frame.focusedName = name;
     const ImVec2 low = ImGui::GetItemRectMin();
@@ -84,10 +90,36 @@ bool group(Ui& ui, const char* title, std::string_view name) {
     return isOpen;
 }
 
+void fieldLabel(const char* label) {
+    const float column = ImGui::CalcTextSize("Background").x + 2 * ImGui::GetStyle().ItemInnerSpacing.x;
+    const float left = ImGui::GetCursorPosX();
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(label);
+    ImGui::SameLine(left + column);
+    ImGui::SetNextItemWidth(-1);
+}
+
+std::string shortened(const std::string& text, float width) {
+    if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
+    const auto isInside = [&](std::size_t at) {
+        return (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U;
+    };
+    for (std::size_t kept = text.size(); kept > 2; --kept) {
+        std::size_t left = (kept + 1) / 2, right = text.size() - kept / 2;
+        while (left > 1 && left < text.size() && isInside(left)) --left;
+        while (right < text.size() && isInside(right)) ++right;
+        std::string made = text.substr(0, left) + ".." + text.substr(right);
+        if (ImGui::CalcTextSize(made.c_str()).x <= width) return made;
+    }
+    return text.substr(0, 1);
+}
+
 bool lineOfText(const char* text, const ImVec2& at, float right) {
     const ImVec2 size = ImGui::CalcTextSize(text);
-    ImGui::RenderTextEllipsis(ImGui::GetWindowDrawList(), at, {right, at.y + size.y}, right, right, text,
-                              nullptr, &size);
+    // Underscores may stand a little below the height of the text.
+    const float below = std::ceil(ImGui::GetFontSize() * .2F);
+    ImGui::RenderTextEllipsis(ImGui::GetWindowDrawList(), at, {right, at.y + size.y + below}, right, right,
+                              text, nullptr, &size);
     return at.x + size.x <= right;
 }
 

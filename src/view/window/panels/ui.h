@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -52,7 +53,7 @@ struct Frame {
     Rectangle room{};             ///< what the panels leave free
     Rectangle picture{};          ///< position of the picture in it
     std::map<std::string, Rectangle> widgets;  ///< by name
-    std::string focusedName;                   ///< of the slider with the keyboard
+    std::string focusedName;                   ///< of the widget with the keyboard
     std::string hoverText;                     ///< about what is under the mouse
     std::string translation;                   ///< the first line of core GLSL shown for an error
 };
@@ -74,6 +75,7 @@ struct Ui {
     TransformMode mode = TransformMode::eye;  ///< what the mouse moves
     std::vector<SourceFile> files;            ///< the texts that the tab shows, once it has shown any
     std::vector<PanelUse> panels;
+    std::set<std::string> labelled;  ///< the values that the user wants to see on the picture, by labelKey()
     /// What can be done about the messages of that loading, by their texts, as far as they were shown.
     struct Fixes {
         std::uint64_t loaded = 0;
@@ -82,14 +84,18 @@ struct Ui {
             std::string searched;
         };
         std::map<std::string, Known> known;
+        int opened = 0;  ///< the message of the list that shows all of its text and what can be done
     } fixes;
 };
 
 /// The tool window of that name, which must exist.
 Panel& toolWindow(const Ui& ui, std::string_view name);
 
-/// Stores the position of the last widget under a name, for `--state`; does nothing without that option.
+/// The last widget is one that Tab reaches (tab_stops.h). Stores its position under a name, for `--state`.
 void mark(Ui& ui, std::string_view name);
+/// Stores its position alone.
+void markPlace(Ui& ui, std::string_view name);
+void tabStop(Ui& ui);
 /// The same for a field with its label beside it: stores the position of the field alone.
 void markField(Ui& ui, std::string_view name, std::string_view label);
 /// The same for the current ImGui window.
@@ -98,7 +104,8 @@ void markWindow(Ui& ui, std::string_view name);
 template <class... Arguments>
     requires(sizeof...(Arguments) > 0)
 void mark(Ui& ui, fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-    if (ui.shared.marksWidgets) mark(ui, fmt::format(format, std::forward<Arguments>(arguments)...));
+    tabStop(ui);
+    if (ui.shared.marksWidgets) markPlace(ui, fmt::format(format, std::forward<Arguments>(arguments)...));
 }
 
 /// The heading of a section. Returns true if the section is open; the settings remember that under its name,
@@ -107,9 +114,14 @@ bool section(Ui& ui, const char* title, std::string_view name, bool isOpenAtFirs
 /// The same for a group inside a section.
 bool group(Ui& ui, const char* title, std::string_view name);
 
+/// Draws a label in a column that all fields of the panel share; the next field takes the rest of the row.
+void fieldLabel(const char* label);
+
 /// Sets the initial position and size of the next window, which is never larger than the screen. The values
 /// are screen coordinates at scale 1.
 void placeFloating(const Ui& ui, float left, float top, float width, float height);
+/// The text with two points in its middle, if it is wider than that.
+std::string shortened(const std::string& text, float width);
 /// Draws a line of text up to the screen coordinate `right`, where it ends with an ellipsis if it does not
 /// fit. Returns true if it fits.
 bool lineOfText(const char* text, const ImVec2& at, float right);

@@ -9,11 +9,18 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "glib/text.h"
 #include "view/export/hardcopy.h"
+#include "view/scene/shared_knobs.h"
 #include "view/scene/slider_scale.h"
+#include "view/window/panels/color_field.h"
 #include "view/window/panels/icons.h"
+#include "view/window/panels/label_overlay.h"
 #include "view/window/panels/save_scene.h"
 #include "view/window/panels/ui.h"
 #include "view/window/panels/value_slider.h"
@@ -25,30 +32,47 @@ namespace {
 constexpr int kMostInRow = 4;
 constexpr const char* kNumberFormat = "%.4g";
 
-/// A component of a knob.
-struct Part {
-    std::size_t index = 0, component = 0;
+/// A knob as a row shows it: of its program, or for all programs that share it.
+struct Row {
+    std::size_t index = 0;
+    bool isShared = false;
 };
 
+/// A component of a knob.
+struct Part {
+    Row row;
+    std::size_t component = 0;
+    [[nodiscard]] std::size_t index() const { return row.index; }
+};
+
+const char* ownerOf(const Knob& knob, const Row& row) {
+    return row.isShared ? "shared" : knob.title.c_str();
+}
+
 /// The widget's name for `--state` and Sliders::typing.
-std::string widgetName(const Knob& knob, std::size_t component) {
-    std::string name = "uniform/" + knob.title + "/" + knob.tag;
-    return knob.current.size() == 1 ? name : fmt::format("{}/{}", name, component);
+std::string widgetName(const Knob& knob, const Row& row) {
+    return fmt::format("uniform/{}/{}", ownerOf(knob, row), knob.tag);
+}
+std::string widgetName(const Ui& ui, const Part& part) {
+    const Knob& knob = ui.session.knobs()[part.index()];
+    const std::string name = widgetName(knob, part.row);
+    return knob.current.size() == 1 ? name : fmt::format("{}/{}", name, part.component);
 }
 
 void markPart(Ui& ui, const Part& part) {
-    if (ui.shared.marksWidgets) mark(ui, widgetName(ui.session.knobs()[part.index], part.component));
+    tabStop(ui);
+    if (ui.shared.marksWidgets) markPlace(ui, widgetName(ui, part));
 }
 
 void setPart(Ui& ui, const Part& part, double value) {
-    std::vector<double> values = ui.session.knobs()[part.index].current;
+    std::vector<double> values = ui.session.knobs()[part.index()].current;
     values[part.component] = value;
-    ui.session.setValue(part.index, std::move(values));
+    ui.session.setValue(part.index(), std::move(values));
 }
 
 /// A text field in place of the slider, for any value, also beyond the range.
 void valueEntry(Ui& ui, const Part& part) {
-    double value = ui.session.knobs()[part.index].current[part.component];
+    double value = ui.session.knobs()[part.index()].current[part.component];
     const bool isTyped = sliderEntry(ui, "##slider", value);
     markPart(ui, part);
     if (isTyped) setPart(ui, part, value);
@@ -61,7 +85,7 @@ int shownInteger(double value) {
 
 /// A menu of the words of a choice.
 void wordMenu(Ui& ui, const Part& part) {
-    const Knob& knob = ui.session.knobs()[part.index];
+    const Knob& knob = ui.session.knobs()[part.index()];
     int word = shownInteger(knob.current[part.component]);
     std::string items;  // ended by zero bytes
     for (const std::string& each : knob.words) items += each + '\0';
@@ -72,12 +96,12 @@ void wordMenu(Ui& ui, const Part& part) {
 
 /// Returns true if the user wants the menu of the value.
 bool slider(Ui& ui, const Part& part) {
-    const Knob& knob = ui.session.knobs()[part.index];
+    const Knob& knob = ui.session.knobs()[part.index()];
     if (!knob.words.empty()) {
         wordMenu(ui, part);
         return false;
     }
-    if (!ui.sliders.typing.empty() && ui.sliders.typing == widgetName(knob, part.component)) {
+    if (!ui.sliders.typing.empty() && ui.sliders.typing == widgetName(ui, part)) {
         valueEntry(ui, part);
         return false;
     }
@@ -86,12 +110,12 @@ bool slider(Ui& ui, const Part& part) {
     markPart(ui, part);
     const bool isSecondClick = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
     if (use.isActivated && !isSecondClick) ui.sliders.valuesBeforeClick = knob.current;
-    if (use.isActivated || use.isChanged) ui.session.animate(part.index, false);
+    if (use.isActivated || use.isChanged) ui.session.animate(part.index(), false);
     if (use.isTyped) {
-        ui.sliders.typing = widgetName(knob, part.component);
+        ui.sliders.typing = widgetName(ui, part);
         ui.sliders.typingBegins = true;
         // The first click of the two has moved the slider.
-        if (isSecondClick) ui.session.setValue(part.index, ui.sliders.valuesBeforeClick);
+        if (isSecondClick) ui.session.setValue(part.index(), ui.sliders.valuesBeforeClick);
     } else if (use.isChanged) {
         setPart(ui, part, value);
     }
@@ -99,7 +123,7 @@ bool slider(Ui& ui, const Part& part) {
 }
 
 void number(Ui& ui, const Part& part) {
-    const Knob& knob = ui.session.knobs()[part.index];
+    const Knob& knob = ui.session.knobs()[part.index()];
     double value = knob.current[part.component];
     const auto speed = static_cast<float>(
         knob.isInteger() ? .1 : std::max(.002, std::abs(knob.initial[part.component]) * .005));
@@ -120,9 +144,9 @@ void number(Ui& ui, const Part& part) {
 
 /// The components of a vector side by side; columns of a matrix and elements of an array in rows. Returns
 /// true if the user wants the menu of the value.
-bool components(Ui& ui, std::size_t index) {
+bool components(Ui& ui, const Row& row) {
     bool wantsMenu = false;
-    const Knob& knob = ui.session.knobs()[index];
+    const Knob& knob = ui.session.knobs()[row.index];
     const std::size_t count = knob.current.size();
     const std::size_t inRow =
         std::clamp<std::size_t>(static_cast<std::size_t>(std::max(1, knob.type.rows)), 1, kMostInRow);
@@ -135,40 +159,34 @@ bool components(Ui& ui, std::size_t index) {
         ImGui::SetNextItemWidth(std::max(20.F, each));
         ImGui::PushID(static_cast<int>(i));
         if (knob.widget == Widget::slider)
-            wantsMenu = slider(ui, {index, i}) || wantsMenu;
+            wantsMenu = slider(ui, {row, i}) || wantsMenu;
         else
-            number(ui, {index, i});
+            number(ui, {row, i});
         ImGui::PopID();
     }
     return wantsMenu;
 }
 
-void checkBox(Ui& ui, std::size_t index) {
-    const Knob& knob = ui.session.knobs()[index];
+void checkBox(Ui& ui, const Row& row) {
+    const Knob& knob = ui.session.knobs()[row.index];
     bool on = knob.current.front() != 0;
     if (ImGui::Checkbox("##on", &on))
-        ui.session.setValue(index, std::vector<double>(knob.current.size(), on ? 1.0 : 0.0));
-    mark(ui, "uniform/{}/{}", knob.title, knob.tag);
+        ui.session.setValue(row.index, std::vector<double>(knob.current.size(), on ? 1.0 : 0.0));
+    mark(ui, "uniform/{}/{}", ownerOf(knob, row), knob.tag);
 }
 
-void color(Ui& ui, std::size_t index) {
-    const Knob& knob = ui.session.knobs()[index];
+void color(Ui& ui, const Row& row) {
+    const Knob& knob = ui.session.knobs()[row.index];
     std::array<float, 4> rgba{0, 0, 0, 1};
     const std::size_t count = std::min<std::size_t>(rgba.size(), knob.current.size());
     std::copy_n(knob.current.begin(), count, rgba.begin());
-    const ImGuiColorEditFlags flags = ImGuiColorEditFlags_Float | ImGuiColorEditFlags_PickerHueWheel |
-                                      ImGuiColorEditFlags_AlphaPreviewHalf | ImGuiColorEditFlags_HDR;
-    ImGui::SetNextItemWidth(-1);
-    const bool changed = count == 4
-                             ? ImGui::ColorEdit4("##color", rgba.data(), flags | ImGuiColorEditFlags_AlphaBar)
-                             : ImGui::ColorEdit3("##color", rgba.data(), flags);
-    mark(ui, "uniform/{}/{}", knob.title, knob.tag);
+    const bool changed = colorField(ui, widgetName(knob, row), rgba, count == 4);
     if (!changed) return;
     std::vector<double> values(count);
     // The widget shows three digits, so the value is rounded to them.
     std::transform(rgba.begin(), rgba.begin() + static_cast<std::ptrdiff_t>(count), values.begin(),
                    [](float each) { return std::round(static_cast<double>(each) * 1000) / 1000; });
-    ui.session.setValue(index, std::move(values));
+    ui.session.setValue(row.index, std::move(values));
 }
 
 /// Animations move between the ends of a range.
@@ -187,6 +205,16 @@ void contextMenu(Ui& ui, std::size_t index) {
     }
     if (ImGui::MenuItem("Reset", nullptr, false, knob.isChanged())) ui.session.resetValue(index);
     mark(ui, "menu/reset");
+    bool isLabelled = ui.labelled.contains(labelKey(knob));
+    if (ImGui::MenuItem("Label on the picture", nullptr, &isLabelled)) {
+        if (isLabelled)
+            ui.labelled.insert(labelKey(knob));
+        else
+            ui.labelled.erase(labelKey(knob));
+        ui.settings.labelChoice = LabelChoice::chosen;
+        ui.shared.showLabels = true;
+    }
+    mark(ui, "menu/label");
     if (ImGui::MenuItem("Copy for the Program line")) ImGui::SetClipboardText(pairText(knob).c_str());
     if (ImGui::MenuItem("Copy as argument (--set)"))
         ImGui::SetClipboardText(
@@ -195,7 +223,8 @@ void contextMenu(Ui& ui, std::size_t index) {
 }
 
 /// The buttons after the value: animate, and back to the scene's value.
-void knobButtons(Ui& ui, std::size_t index) {
+void knobButtons(Ui& ui, const Row& row) {
+    const std::size_t index = row.index;
     const Knob& knob = ui.session.knobs()[index];
     const float side = ImGui::GetFrameHeight();
     if (canMove(knob)) {
@@ -203,7 +232,7 @@ void knobButtons(Ui& ui, std::size_t index) {
         const bool isPressed = iconButton(
             isMoving ? Icon::pause : Icon::play, "animate",
             isMoving ? "Stop at this value" : "Animate: move between the ends of the range", isMoving);
-        mark(ui, "animate/{}/{}", knob.title, knob.tag);
+        if (ui.shared.marksWidgets) markPlace(ui, fmt::format("animate/{}/{}", ownerOf(knob, row), knob.tag));
         if (isPressed) ui.session.animate(index, !isMoving);
     } else {
         ImGui::Dummy({side, side});
@@ -211,60 +240,103 @@ void knobButtons(Ui& ui, std::size_t index) {
     if (!knob.isChanged()) return;
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     const bool isPressed = iconButton(Icon::undo, "reset", "Back to the value of the scene");
-    mark(ui, "reset/{}/{}", knob.title, knob.tag);
+    if (ui.shared.marksWidgets) markPlace(ui, fmt::format("reset/{}/{}", ownerOf(knob, row), knob.tag));
     if (isPressed) ui.session.resetValue(index);
 }
 
-void knobRow(Ui& ui, std::size_t index) {
-    const Knob& knob = ui.session.knobs()[index];
-    ImGui::PushID(static_cast<int>(index));
+/// The name, with an ellipsis in its middle if it is too long, and the menu. Returns true if the user wants
+/// it.
+bool knobName(Ui& ui, const Row& row) {
+    const Knob& knob = ui.session.knobs()[row.index];
+    const float width = ImGui::GetContentRegionAvail().x;
+    const bool fits = ImGui::CalcTextSize(knob.tag.c_str()).x <= width;
+    ImGui::AlignTextToFramePadding();
+    ImGui::Selectable(fits ? knob.tag.c_str() : shortened(knob.tag, width).c_str(), false,
+                      ImGuiSelectableFlags_AllowItemOverlap);
+    if (ui.shared.marksWidgets) markPlace(ui, fmt::format("label/{}/{}", ownerOf(knob, row), knob.tag));
+    const bool wantsMenu = ImGui::IsItemClicked(ImGuiMouseButton_Right);
+    if (!ImGui::IsItemHovered()) return wantsMenu;
+    ui.frame.hoverText = knob.declaration;
+    std::string owners;
+    if (row.isShared)
+        for (const Knob& each : ui.session.knobs())
+            if (each.tag == knob.tag && each.initial == knob.initial) owners += " " + each.title;
+    ImGui::SetTooltip("%s\n%s:%d\n%s%s%sRight click: animate, reset, label or copy", knob.declaration.c_str(),
+                      knob.place.file.c_str(), knob.place.line, owners.empty() ? "" : "in", owners.c_str(),
+                      owners.empty() ? "" : "\n");
+    return wantsMenu;
+}
+
+void knobRow(Ui& ui, const Row& row) {
+    const Knob& knob = ui.session.knobs()[row.index];
+    ImGui::PushID(static_cast<int>(row.index));
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    ImGui::AlignTextToFramePadding();
-    ImGui::Selectable(knob.tag.c_str(), false, ImGuiSelectableFlags_AllowItemOverlap);
-    mark(ui, "label/{}/{}", knob.title, knob.tag);
-    bool wantsMenu = ImGui::IsItemClicked(ImGuiMouseButton_Right);
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("%s\n%s:%d\nRight click: animate, reset or copy", knob.declaration.c_str(),
-                          knob.place.file.c_str(), knob.place.line);
+    bool wantsMenu = knobName(ui, row);
     ImGui::TableNextColumn();
+    const std::size_t stopsBefore = ui.sliders.drawn.size();
     switch (knob.widget) {
         case Widget::checkBox:
-            checkBox(ui, index);
+            checkBox(ui, row);
             break;
         case Widget::color:
-            color(ui, index);
+            color(ui, row);
             break;
         case Widget::slider:
         case Widget::numbers:
-            wantsMenu = components(ui, index) || wantsMenu;
+            wantsMenu = components(ui, row) || wantsMenu;
             break;
     }
+    // The menu key, if a widget of the row has the keyboard.
+    const auto begin = ui.sliders.drawn.begin() + static_cast<std::ptrdiff_t>(stopsBefore);
+    if (ui.sliders.wantsMenu && std::any_of(begin, ui.sliders.drawn.end(), [&](const TabStop& each) {
+            return each.id == ui.sliders.focused;
+        }))
+        wantsMenu = true;
     if (wantsMenu) ImGui::OpenPopup("menu");
-    contextMenu(ui, index);
+    contextMenu(ui, row.index);
     ImGui::TableNextColumn();
-    knobButtons(ui, index);
+    knobButtons(ui, row);
     ImGui::PopID();
 }
 
-void valuesOf(Ui& ui, scene::ProgramIndex program) {
-    const std::vector<Knob>& knobs = ui.session.knobs();
-    if (!ImGui::BeginTable("values", 3, ImGuiTableFlags_None)) return;
-    float widest = 0;
-    for (const Knob& each : knobs)
-        if (each.program == program) widest = std::max(widest, ImGui::CalcTextSize(each.tag.c_str()).x);
+/// The row of the first one; what is done to it is done to all.
+void sharedRow(Ui& ui, const std::vector<std::size_t>& members) {
+    const std::size_t first = members.front();
+    const std::vector<double> before = ui.session.knobs()[first].current;
+    const bool wasAnimated = ui.session.isAnimated(first);
+    knobRow(ui, {first, true});
+    const bool isAnimated = ui.session.isAnimated(first);
+    const std::vector<double> now = ui.session.knobs()[first].current;
+    for (const std::size_t each : std::span(members).subspan(1)) {
+        if (now != before) ui.session.setValue(each, now);
+        if (isAnimated != wasAnimated) ui.session.animate(each, isAnimated);
+    }
+}
+
+/// The columns of rows whose widest name is that wide.
+bool beginRows(float widest) {
+    if (!ImGui::BeginTable("values", 3, ImGuiTableFlags_None)) return false;
     constexpr float kMostForNames = .36F;
     ImGui::TableSetupColumn("tag", ImGuiTableColumnFlags_WidthFixed,
                             std::min(widest, ImGui::GetContentRegionAvail().x * kMostForNames));
     ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
     ImGui::TableSetupColumn("buttons", ImGuiTableColumnFlags_WidthFixed,
                             2 * ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x);
+    return true;
+}
+
+/// Rows of the knobs for which `isShown` is true.
+template <class IsShown>
+void rows(Ui& ui, const IsShown& isShown) {
+    const std::vector<Knob>& knobs = ui.session.knobs();
+    float widest = 0;
     for (std::size_t i = 0; i < knobs.size(); ++i)
-        if (knobs[i].program == program) knobRow(ui, i);
+        if (isShown(i)) widest = std::max(widest, ImGui::CalcTextSize(knobs[i].tag.c_str()).x);
+    if (widest == 0 || !beginRows(widest)) return;
+    for (std::size_t i = 0; i < knobs.size(); ++i)
+        if (isShown(i)) knobRow(ui, {i, false});
     ImGui::EndTable();
-    if (ImGui::Button(program ? "Copy Program line" : "Copy Let lines"))
-        ImGui::SetClipboardText(programLine(ui.session.live().scene(), program, knobs).c_str());
-    mark(ui, "copy/{}", program ? std::to_string(program.position()) : "variables");
 }
 
 /// Says why there are no values.
@@ -286,44 +358,158 @@ void withoutValues(Ui& ui) {
     mark(ui, "uniforms/none: {}", text);
 }
 
-void uniformsPanel(Ui& ui) {
-    if (!section(ui, "Values", "uniforms", true)) return;
-    const std::vector<Knob>& knobs = ui.session.knobs();
-    if (knobs.empty()) {
-        withoutValues(ui);
-        return;
-    }
-    if (ImGui::Button("Reset all")) ui.session.resetValues();
-    mark(ui, "uniforms/reset");
-    continueRowForButton("Copy values");
-    if (ImGui::Button("Copy values")) ImGui::SetClipboardText(setArguments(ui.session).c_str());
-    mark(ui, "uniforms/copyValues");
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("Copy the changed values as arguments for `glibra render`: --set NAME=VALUE ...");
-    continueRowForButton("Save values");
-    if (ImGui::Button("Save values")) saveScene(ui);
-    mark(ui, "scene/save");
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("Write the current values into the Program lines of the .glib file");
+/// Which values are labelled on the picture.
+void labelControls(Ui& ui) {
     continueRowForCheck("Labels");
     ImGui::Checkbox("Labels", &ui.shared.showLabels);
     mark(ui, "uniforms/labels");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Show the values over the picture (L)");
-    std::optional<scene::ProgramIndex> drawn;
-    for (const Knob& first : knobs) {
-        const scene::ProgramIndex last = first.program;
-        if (last == drawn) continue;
-        drawn = last;
-        ImGui::PushID(last ? static_cast<int>(last.position()) : -1);
-        const char* state = last && ui.session.live().showsEarlierProgram(last) ? " (last good version)" : "";
+    if (!ui.shared.showLabels) return;
+    constexpr const char* kLongest = "changed";
+    const float width =
+        ImGui::CalcTextSize(kLongest).x + ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().FramePadding.x;
+    continueRow(width);
+    labelChoice(ui, "##which", "uniforms/labelChoice", width);
+}
+
+class ValuesPanel final : public Panel {
+  public:
+    void show(Ui& ui) override {
+        if (!section(ui, "Values", "uniforms", true)) return;
+        const std::vector<Knob>& knobs = ui.session.knobs();
+        if (knobs.empty()) return withoutValues(ui);
+        if (std::exchange(loaded_, ui.session.timesLoaded()) != ui.session.timesLoaded()) {
+            shared_ = sharedKnobs(knobs);
+            isShared_.assign(knobs.size(), false);
+            for (const auto& group : shared_)
+                for (const std::size_t each : group) isShared_[each] = true;
+        }
+        if (ImGui::Button("Reset all")) ui.session.resetValues();
+        mark(ui, "uniforms/reset");
+        continueRowForButton("Copy values");
+        if (ImGui::Button("Copy values")) ImGui::SetClipboardText(setArguments(ui.session).c_str());
+        mark(ui, "uniforms/copyValues");
+        if (ImGui::IsItemHovered())
+            ImGui::SetTooltip(
+                "Copy the changed values as arguments for `glibra render`: --set NAME=VALUE ...");
+        continueRowForButton("Save values");
+        if (ImGui::Button("Save values")) saveScene(ui);
+        mark(ui, "scene/save");
+        if (ImGui::IsItemHovered())
+            ImGui::SetTooltip("Write the current values into the Program lines of the .glib file");
+        labelControls(ui);
+        filterEntry(ui);
+        allGroups(ui);
+    }
+
+  private:
+    void filterEntry(Ui& ui) {
+        constexpr std::size_t kMany = 12;
+        if (ui.session.knobs().size() < kMany) {
+            filter_[0] = 0;
+            return;
+        }
+        ImGui::SetNextItemWidth(-1);
+        ImGui::InputTextWithHint("##filter", "show only values whose names contain ...", filter_.data(),
+                                 filter_.size());
+        mark(ui, "uniforms/filter");
+    }
+    [[nodiscard]] bool isFound(const Knob& knob) const {
+        if (filter_[0] == 0) return true;
+        const std::string wanted = glib::lower(filter_.data());
+        return glib::lower(knob.tag).find(wanted) != std::string::npos ||
+               glib::lower(knob.title).find(wanted) != std::string::npos;
+    }
+
+    void allGroups(Ui& ui) {
+        const std::vector<Knob>& knobs = ui.session.knobs();
+        std::optional<scene::ProgramIndex> drawn;
+        bool isSharedDrawn = shared_.empty();
+        bool isAny = false;
+        for (const Knob& first : knobs) {
+            const scene::ProgramIndex program = first.program;
+            if (program == drawn) continue;
+            drawn = program;
+            if (program && !std::exchange(isSharedDrawn, true)) isAny = sharedGroup(ui) || isAny;
+            isAny = programGroup(ui, first) || isAny;
+        }
+        if (!isAny) ImGui::TextDisabled("No name contains this text.");
+    }
+
+    bool sharedGroup(Ui& ui) {
+        const std::vector<Knob>& knobs = ui.session.knobs();
+        float widest = 0;
+        for (const auto& each : shared_)
+            if (isFound(knobs[each.front()]))
+                widest = std::max(widest, ImGui::CalcTextSize(knobs[each.front()].tag.c_str()).x);
+        if (widest == 0) return false;
+        ImGui::PushID("shared");
+        if (group(ui, "Shared by programs###shared", "section/shared") && beginRows(widest)) {
+            for (const auto& each : shared_)
+                if (isFound(knobs[each.front()])) sharedRow(ui, each);
+            ImGui::EndTable();
+        }
+        ImGui::PopID();
+        return true;
+    }
+
+    /// The values of the program that are its own, and below a fold those that others have, too. Returns
+    /// false if the filter finds none of them.
+    bool programGroup(Ui& ui, const Knob& first) {
+        const std::vector<Knob>& knobs = ui.session.knobs();
+        const scene::ProgramIndex program = first.program;
+        std::size_t sharedCount = 0, count = 0;
+        for (std::size_t i = 0; i < knobs.size(); ++i) {
+            if (knobs[i].program != program || !isFound(knobs[i])) continue;
+            ++count;
+            if (isShared_[i]) ++sharedCount;
+        }
+        if (count == 0) return false;
+        ImGui::PushID(program ? static_cast<int>(program.position()) : -1);
+        const char* state =
+            program && ui.session.live().showsEarlierProgram(program) ? " (last good version)" : "";
         // In every frame, so without the heap.
         std::array<char, 160> title{};
         fmt::format_to_n(title.data(), title.size() - 1, "{}{}###program", first.title, state);
         std::array<char, 160> name{};
         fmt::format_to_n(name.data(), name.size() - 1, "section/{}", first.title);
-        if (group(ui, title.data(), name.data())) valuesOf(ui, last);
+        if (group(ui, title.data(), name.data())) {
+            rows(ui, [&](std::size_t i) {
+                return knobs[i].program == program && !isShared_[i] && isFound(knobs[i]);
+            });
+            if (sharedCount > 0) sharedFold(ui, first, sharedCount);
+            if (ImGui::Button(program ? "Copy Program line" : "Copy Let lines"))
+                ImGui::SetClipboardText(programLine(ui.session.live().scene(), program, knobs).c_str());
+            mark(ui, "copy/{}", program ? std::to_string(program.position()) : "variables");
+        }
+        ImGui::PopID();
+        return true;
+    }
+
+    void sharedFold(Ui& ui, const Knob& first, std::size_t count) {
+        const std::vector<Knob>& knobs = ui.session.knobs();
+        const std::string title =
+            fmt::format("{} shared value{} alone###alone", count, count == 1 ? "" : "s");
+        const bool isUnfolded = ImGui::TreeNodeEx(
+            title.c_str(), ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen);
+        mark(ui, "shared/{}", first.title);
+        if (!isUnfolded) return;
+        ImGui::PushID("alone");
+        rows(ui, [&](std::size_t i) {
+            return knobs[i].program == first.program && isShared_[i] && isFound(knobs[i]);
+        });
         ImGui::PopID();
     }
+
+    std::uint64_t loaded_ = 0;
+    std::vector<std::vector<std::size_t>> shared_;
+    std::vector<bool> isShared_;
+    std::array<char, 64> filter_{};
+};
+
+void toggleLabels(Ui& ui, LabelChoice choice) {
+    ui.shared.showLabels = !ui.shared.showLabels || ui.settings.labelChoice != choice;
+    ui.settings.labelChoice = choice;
 }
 
 constexpr auto kValueKeys = std::to_array<Shortcut>({
@@ -331,11 +517,20 @@ constexpr auto kValueKeys = std::to_array<Shortcut>({
      [](Ui& ui, Panel&) { ui.session.resetValues(); }},
     {KeyGroup::values, GLFW_KEY_L, false, "L", "show values over the picture",
      [](Ui& ui, Panel&) { ui.shared.showLabels = !ui.shared.showLabels; }},
+    // Without keys: for the list of commands.
+    {KeyGroup::values, kNoKey, false, "", "labels of all values",
+     [](Ui& ui, Panel&) { toggleLabels(ui, LabelChoice::all); }},
+    {KeyGroup::values, kNoKey, false, "", "labels of changed values only",
+     [](Ui& ui, Panel&) { toggleLabels(ui, LabelChoice::changed); }},
+    {KeyGroup::values, kNoKey, false, "", "copy the changed values as arguments of glibra render",
+     [](Ui& ui, Panel&) {
+         if (ui.session.hasScene()) ImGui::SetClipboardText(setArguments(ui.session).c_str());
+     }},
 });
 
 }  // namespace
 
 const PanelRow kValuesRow{
-    .name = "uniforms", .place = PanelPlace::section, .make = make<Drawn<uniformsPanel>>, .keys = kValueKeys};
+    .name = "uniforms", .place = PanelPlace::section, .make = make<ValuesPanel>, .keys = kValueKeys};
 
 }  // namespace glibra::view

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <utility>
 
-#include "glib/text.h"
+#include "view/window/panels/tab_stops.h"
 #include "view/window/platform/keys.h"
 #include "view/window/platform/theme.h"
 
@@ -30,13 +30,6 @@ const char* writeValue(Text& text, double value, const SliderScale& scale, const
                          : fmt::format_to_n(text.data(), text.size() - 1, "{:.4g}{}", value + 0.0, unit).out;
     *end = 0;
     return text.data();
-}
-
-bool isUsedByScene(const Ui& ui, const char* key) {
-    if (!ui.session.hasScene()) return false;
-    const auto& keys = ui.session.live().scene().keys;
-    return std::any_of(keys.begin(), keys.end(),
-                       [&](const scene::KeyBinding& each) { return glib::sameWord(each.key, key); });
 }
 
 struct Track {
@@ -150,16 +143,19 @@ SliderUse valueSlider(Ui& ui, const char* id, const SliderScale& scale, double& 
     const Track track{low, {low.x + size.x, low.y + size.y}, thumb};
     const unsigned itemId = ImGui::GetID(id);
     const bool isDisabled = (ImGui::GetCurrentContext()->CurrentItemFlags & ImGuiItemFlags_Disabled) != 0;
-    if (!isDisabled) ui.sliders.drawn.push_back(itemId);
+    const unsigned window = ImGui::GetCurrentContext()->CurrentWindow->RootWindow->ID;
+    if (!isDisabled) ui.sliders.drawn.push_back({itemId, window, true, false});
     const double before = value;
     SliderUse use;
     use.isActivated = ImGui::IsItemActivated();
     use.wantsMenu = ImGui::IsItemClicked(ImGuiMouseButton_Right);
+    const bool wantsByKey = ui.sliders.focused == itemId && std::exchange(ui.sliders.wantsMenu, false);
     use.isTyped = ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
     if (use.isActivated || use.wantsMenu) {
         ui.sliders.focused = itemId;
         ui.sliders.wasClicked = true;
     }
+    use.wantsMenu = use.wantsMenu || wantsByKey;
     const bool isFocused = ui.sliders.focused == itemId;
     if (ImGui::IsItemActive() && !use.isTyped) {
         dragThumb(ui, track, scale, use.isActivated, value);
@@ -178,7 +174,9 @@ bool sliderEntry(Ui& ui, const char* id, double& value) {
         ui.sliders.typed = value;
         ImGui::SetKeyboardFocusHere();
     }
-    ui.sliders.drawn.push_back(ImGui::GetID(id));  // keeps the keyboard for the slider that comes back
+    const unsigned window = ImGui::GetCurrentContext()->CurrentWindow->RootWindow->ID;
+    ui.sliders.drawn.push_back(
+        {ImGui::GetID(id), window, true, false});  // keeps the keyboard for the slider that comes back
     ImGui::InputDouble("##entry", &ui.sliders.typed, 0, 0, "%.9g",
                        ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_CharsScientific);
     // The value changes when the user has finished typing, not with each digit.
@@ -211,6 +209,7 @@ bool labelledSlider(Ui& ui, const char* label, std::string_view name, const Slid
     }
     mark(ui, name);
     ImGui::PopID();
+    if (std::string_view(label).starts_with("##")) return value != before;
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(label);
@@ -222,16 +221,14 @@ void beginSliders(Ui& ui) {
     ui.sliders.end.reset();
     ui.sliders.isTyped = ui.sliders.wasClicked = false;
     const ImGuiIO& io = ImGui::GetIO();
-    const bool takesKeys = !io.WantTextInput && !io.KeyCtrl && !io.KeyAlt && !ui.shared.question;
-    if (takesKeys && isKeyPressed(GLFW_KEY_TAB) && !ui.sliders.drawn.empty()) {
-        const auto now = std::find(ui.sliders.drawn.begin(), ui.sliders.drawn.end(), ui.sliders.focused);
-        const auto count = static_cast<std::ptrdiff_t>(ui.sliders.drawn.size());
-        const std::ptrdiff_t at =
-            now == ui.sliders.drawn.end() ? (io.KeyShift ? 0 : -1) : now - ui.sliders.drawn.begin();
-        ui.sliders.focused =
-            ui.sliders.drawn[static_cast<std::size_t>((at + (io.KeyShift ? -1 : 1) + count) % count)];
-        ui.sliders.reveals = true;
-    } else if (takesKeys && ui.sliders.focused != 0) {
+    const bool isElsewhere = ui.shared.question || !ImGui::GetCurrentContext()->OpenPopupStack.empty();
+    const unsigned before = ui.sliders.focused;
+    beginStops(ui);
+    const bool isValue =
+        std::any_of(ui.sliders.drawn.begin(), ui.sliders.drawn.end(), [&](const TabStop& each) {
+            return each.isValue && each.id == before && before == ui.sliders.focused;
+        });
+    if (isValue && !io.WantTextInput && !io.KeyCtrl && !io.KeyAlt && !isElsewhere) {
         const double fine = io.KeyShift ? kFine : 1;
         const auto move = [&](int key, const char* name, double by) {
             if (!isUsedByScene(ui, name) && isKeyPressed(key)) ui.sliders.moves += by * fine;
@@ -251,9 +248,10 @@ void beginSliders(Ui& ui) {
 }
 
 void endSliders(Ui& ui) {
-    const bool isGone = std::find(ui.sliders.drawn.begin(), ui.sliders.drawn.end(), ui.sliders.focused) ==
-                        ui.sliders.drawn.end();
-    if (isGone && ui.sliders.typing.empty()) ui.sliders.focused = 0;
+    const bool isGone = std::none_of(ui.sliders.drawn.begin(), ui.sliders.drawn.end(),
+                                     [&](const TabStop& each) { return each.id == ui.sliders.focused; });
+    if (isGone && ui.sliders.typing.empty() && ImGui::GetCurrentContext()->OpenPopupStack.empty())
+        ui.sliders.focused = 0;
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ui.sliders.wasClicked) ui.sliders.focused = 0;
 }
 

@@ -30,8 +30,8 @@ bool sliderEntry(Ui& ui, const char* id, double& value);
 bool labelledSlider(Ui& ui, const char* label, std::string_view name, const SliderScale& scale, double& value,
                     const char* unit = "");
 
-/// Before the widgets of a frame: Tab and Shift+Tab choose a slider; arrows, Page Up and Page Down, Home and
-/// End move the chosen one. Keys that the scene uses stay with the scene.
+/// Before the widgets of a frame: Tab and Shift+Tab choose a widget (tab_stops.h); arrows, Page Up and Page
+/// Down, Home and End move the chosen slider. Keys that the scene uses stay with the scene.
 void beginSliders(Ui& ui);
 /// After them: a click elsewhere takes the keyboard from the slider.
 void endSliders(Ui& ui);

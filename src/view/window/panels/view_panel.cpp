@@ -1,4 +1,4 @@
-// The section "View": transforms as numbers, projection, axes, background.
+// The sections "Transforms" (what the mouse moves, the camera), "Shown" (what is drawn and how), and "Tools".
 
 #include <fmt/format.h>
 #define GLFW_INCLUDE_NONE
@@ -12,6 +12,7 @@
 
 #include "render/draw/view_matrices.h"
 #include "view/scene/slider_scale.h"
+#include "view/window/panels/color_field.h"
 #include "view/window/panels/debug_view_panel.h"
 #include "view/window/panels/icons.h"
 #include "view/window/panels/ui.h"
@@ -40,11 +41,29 @@ void modes(Ui& ui) {
 }
 
 bool dragNumbers(Ui& ui, const char* label, double* values, int count, float speed) {
-    const bool changed =
-        ImGui::DragScalarN(label, ImGuiDataType_Double, values, count, speed, nullptr, nullptr, "%.4g");
-    if (changed && ImGui::IsMouseDown(ImGuiMouseButton_Left))
-        for (int i = 0; i < count; ++i) values[i] = withoutLeftover(values[i], static_cast<double>(speed));
-    if (ui.shared.marksWidgets) markField(ui, fmt::format("transform/{}", label), label);
+    fieldLabel(label);
+    ImGui::PushID(label);
+    ImGui::BeginGroup();
+    const float space = ImGui::GetStyle().ItemInnerSpacing.x;
+    const auto number = static_cast<float>(count);
+    const float width = (ImGui::GetContentRegionAvail().x - space * (number - 1)) / number;
+    bool changed = false;
+    for (int i = 0; i < count; ++i) {
+        if (i > 0) ImGui::SameLine(0, space);
+        ImGui::PushID(i);
+        ImGui::SetNextItemWidth(std::max(20.F, width));
+        if (ImGui::DragScalar("##number", ImGuiDataType_Double, values + i, speed, nullptr, nullptr,
+                              "%.4g")) {
+            changed = true;
+            if (ImGui::IsMouseDown(ImGuiMouseButton_Left))
+                values[i] = withoutLeftover(values[i], static_cast<double>(speed));
+        }
+        tabStop(ui);
+        ImGui::PopID();
+    }
+    ImGui::EndGroup();
+    if (ui.shared.marksWidgets) markPlace(ui, fmt::format("transform/{}", label));
+    ImGui::PopID();
     return changed;
 }
 
@@ -76,9 +95,9 @@ void cameras(Ui& ui) {
     const auto labelOf = [](const std::string& name) {
         return name.empty() ? "as in the scene" : name.c_str();
     };
-    ImGui::SetNextItemWidth(-ImGui::CalcTextSize("Projection ").x);
-    const bool isOpen = ImGui::BeginCombo("Camera", labelOf(ui.session.camera()));
-    markField(ui, "view/camera", "Camera");
+    fieldLabel("Camera");
+    const bool isOpen = ImGui::BeginCombo("##camera", labelOf(ui.session.camera()));
+    mark(ui, "view/camera");
     if (!isOpen) return;
     const auto item = [&](const std::string& name) {
         if (ImGui::Selectable(labelOf(name), name == ui.session.camera())) ui.session.setCamera(name);
@@ -92,9 +111,10 @@ void cameras(Ui& ui) {
 
 /// Check boxes that open and close tool windows.
 void toolWindows(Ui& ui) {
+    bool isFirst = true;
     for (const PanelUse& each : ui.panels) {
         if (!each.row->checkBox) continue;
-        continueRowForCheck(each.row->checkBox);
+        if (!std::exchange(isFirst, false)) continueRowForCheck(each.row->checkBox);
         ImGui::Checkbox(each.row->checkBox, &each.panel->isOpen);
         mark(ui, "view/{}", each.row->name);
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", each.row->help);
@@ -104,11 +124,38 @@ void toolWindows(Ui& ui) {
 void projection(Ui& ui) {
     ViewState view = ui.session.view();
     int mode = static_cast<int>(view.projection);
-    ImGui::SetNextItemWidth(-ImGui::CalcTextSize("Projection ").x);
-    if (ImGui::Combo("Projection", &mode, "as in the scene\0perspective\0orthographic\0"))
-        view.projection = static_cast<ProjectionMode>(mode);
-    markField(ui, "view/projection", "Projection");
+    fieldLabel("Projection");
+    const bool isChanged =
+        ImGui::Combo("##projection", &mode, "as in the scene\0perspective\0orthographic\0");
+    mark(ui, "view/projection");
+    if (!isChanged) return;
+    view.projection = static_cast<ProjectionMode>(mode);
+    ui.session.setView(std::move(view));
+}
 
+void ownBackground(Ui& ui) {
+    ViewState view = ui.session.view();
+    bool own = view.background.has_value();
+    continueRowForCheck("Background");
+    bool isChanged = ImGui::Checkbox("Background", &own);
+    mark(ui, "view/ownBackground");
+    if (isChanged && own)
+        view.background = {0, 0, 0, 1};
+    else if (isChanged)
+        view.background.reset();
+    if (view.background) {
+        std::array<float, 4> rgba{0, 0, 0, 1};
+        for (std::size_t i = 0; i < 3; ++i) rgba[i] = static_cast<float>((*view.background)[i]);
+        ImGui::SameLine();
+        if (colorSwatch(ui, "background", "view/background", rgba, false)) {
+            view.background = {rgba[0], rgba[1], rgba[2], 1};
+            isChanged = true;
+        }
+    }
+    if (isChanged) ui.session.setView(std::move(view));
+}
+
+void drawnParts(Ui& ui) {
     bool axes = ui.session.axes();
     if (ImGui::Checkbox("Axes", &axes)) ui.session.setAxes(axes);
     mark(ui, "view/axes");
@@ -116,37 +163,17 @@ void projection(Ui& ui) {
     bool wireframe = ui.session.wireframe();
     if (ImGui::Checkbox("Wireframe", &wireframe)) ui.session.setWireframe(wireframe);
     mark(ui, "view/wireframe");
-
-    toolWindows(ui);
-    continueRowForCheck("Background");
-    bool own = view.background.has_value();
-    if (ImGui::Checkbox("Background", &own)) {
-        if (own)
-            view.background = {0, 0, 0, 1};
-        else
-            view.background.reset();
-    }
-    mark(ui, "view/ownBackground");
-    if (view.background) {
-        std::array<float, 3> rgb{};
-        for (std::size_t i = 0; i < rgb.size(); ++i) rgb[i] = static_cast<float>((*view.background)[i]);
-        ImGui::SameLine();
-        if (ImGui::ColorEdit3("##background", rgb.data(),
-                              ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoInputs))
-            view.background = {rgb[0], rgb[1], rgb[2], 1};
-        mark(ui, "view/background");
-    }
-    ui.session.setView(std::move(view));
+    ownBackground(ui);
 }
 
 /// How the picture stands on the screen: nothing here changes what is written to files.
 void screen(Ui& ui) {
-    ImGui::PushItemWidth(-ImGui::CalcTextSize("Projection ").x);
     constexpr std::array<std::pair<PictureShape, const char*>, 2> kShapes{
         {{PictureShape::scene, "as in the scene"}, {PictureShape::fill, "fill the window"}}};
     const bool isFilled = ui.settings.pictureShape == PictureShape::fill;
-    const bool showsShapes = ImGui::BeginCombo("Shape", kShapes[isFilled ? 1 : 0].second);
-    markField(ui, "view/shape", "Shape");
+    fieldLabel("Shape");
+    const bool showsShapes = ImGui::BeginCombo("##shape", kShapes[isFilled ? 1 : 0].second);
+    mark(ui, "view/shape");
     if (showsShapes) {
         for (const auto& [shape, words] : kShapes) {
             if (ImGui::Selectable(words, shape == ui.settings.pictureShape)) ui.settings.pictureShape = shape;
@@ -164,8 +191,9 @@ void screen(Ui& ui) {
     const char* now = "as the command line says";
     for (const auto& [count, words] : kChoices)
         if (count == samples) now = words;
-    const bool isOpen = ImGui::BeginCombo("Smooth", now);
-    markField(ui, "view/samples", "Smooth");
+    fieldLabel("Smooth");
+    const bool isOpen = ImGui::BeginCombo("##smooth", now);
+    mark(ui, "view/samples");
     if (isOpen) {
         for (const auto& [count, words] : kChoices) {
             if (ImGui::Selectable(words, count == samples)) {
@@ -177,21 +205,25 @@ void screen(Ui& ui) {
         ImGui::EndCombo();
     } else if (ImGui::IsItemHovered()) {
         ImGui::SetTooltip(
-            "Smooth edges on the screen, where the driver can; hardcopies and `glibra render` are as before");
+            "Smooth edges on the screen, where the driver can; hardcopies are as smooth, unless their "
+            "section "
+            "says otherwise");
     }
-    ImGui::PopItemWidth();
 }
 
 void viewPanel(Ui& ui) {
-    if (!section(ui, "View", "view", false)) return;
-    modes(ui);
-    ImGui::PushItemWidth(-ImGui::CalcTextSize("Translate ").x);
-    numbers(ui);
-    debugViewControls(ui);
-    ImGui::PopItemWidth();
-    cameras(ui);
-    projection(ui);
-    screen(ui);
+    if (section(ui, "Transforms", "transforms", false)) {
+        modes(ui);
+        numbers(ui);
+        cameras(ui);
+        projection(ui);
+    }
+    if (section(ui, "Shown", "shown", false)) {
+        debugViewControls(ui);
+        drawnParts(ui);
+        screen(ui);
+    }
+    if (section(ui, "Tools", "toolWindows", false)) toolWindows(ui);
 }
 
 /// Back to the scene's own camera, if the user looks through another one.

@@ -40,7 +40,8 @@ void welcome(Ui& ui) {
             if (ImGui::Selectable(file.filename().c_str())) ui.requests.open = file;
             mark(ui, "welcome/recent/{}", i);
             ImGui::SameLine();
-            ImGui::TextDisabled("%s", file.parent_path().c_str());
+            const float width = std::max(80.F, ui.frame.room[2] * .6F);
+            ImGui::TextDisabled("%s", shortened(file.parent_path().string(), width).c_str());
             ImGui::PopID();
         }
     }

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <utility>
 
 #include "view/window/panels/ui.h"
 
@@ -64,6 +65,7 @@ bool closeFront(Ui& ui) {
         owner != kCommandPaletteRow.title)
         return false;
     if (closeToolWindow(ui) || close(ui, Closing::bar)) return true;
+    if (std::exchange(ui.sliders.focused, 0) != 0) return true;
     ui.session.clearPick();
     return false;
 }
@@ -96,8 +98,10 @@ constexpr auto kWindowKeys = std::to_array<Shortcut>({
      [](Ui& ui, Panel&) { ui.requests.closeTab = ui.shared.shownTab; }, true},
     {KeyGroup::scenes, GLFW_KEY_PAGE_DOWN, true, "Ctrl+PgDn", "next tab", goToTab<1>, true},
     {KeyGroup::scenes, GLFW_KEY_PAGE_UP, true, "Ctrl+PgUp", "previous tab", goToTab<-1>, true},
-    {KeyGroup::window, GLFW_KEY_F11, false, "F11", "full screen, and back",
-     [](Ui& ui, Panel&) { ui.requests.fullScreen = true; }, true},
+    {KeyGroup::window, GLFW_KEY_F11, false, "F11, Shift+F11",
+     "full screen, and back; lecture: full screen, large texts, the source over the picture, no panel",
+     [](Ui& ui, Panel&) { (ImGui::GetIO().KeyShift ? ui.requests.lecture : ui.requests.fullScreen) = true; },
+     true},
     {KeyGroup::window, GLFW_KEY_B, true, "Ctrl+B", "show or hide the panel",
      [](Ui& ui, Panel&) { ui.shared.showPanel = !ui.shared.showPanel; }, true},
     {KeyGroup::window, GLFW_KEY_EQUAL, true, "Ctrl+=", "larger texts and widgets",

@@ -232,14 +232,48 @@ float Display::density() const {
     const int pixels = framebufferSize().first;
     return width > 0 && pixels > 0 ? static_cast<float>(pixels) / static_cast<float>(width) : 1;
 }
-std::optional<std::pair<int, int>> Display::workArea() {
+namespace {
+
+/// Left, top, width and height of the primary monitor without the desktop's bars.
+std::optional<std::array<int, 4>> workArea() {
     GLFWmonitor* monitor = glfwGetPrimaryMonitor();
     if (monitor == nullptr) return std::nullopt;
-    int left = 0, top = 0;
-    std::pair<int, int> size;
-    glfwGetMonitorWorkarea(monitor, &left, &top, &size.first, &size.second);
-    if (size.first < 1 || size.second < 1) return std::nullopt;
-    return size;
+    std::array<int, 4> area{};
+    glfwGetMonitorWorkarea(monitor, &area[0], &area[1], &area[2], &area[3]);
+    if (area[2] < 1 || area[3] < 1) return std::nullopt;
+    return area;
+}
+
+/// What the window's frame takes: left, top, right, bottom.
+std::array<int, 4> frameOf(GLFWwindow* window) {
+    std::array<int, 4> frame{};
+    glfwGetWindowFrameSize(window, &frame[0], &frame[1], &frame[2], &frame[3]);
+    return frame;
+}
+
+}  // namespace
+
+std::optional<std::pair<int, int>> Display::largestSize() const {
+    const auto area = workArea();
+    if (!area) return std::nullopt;
+    const auto [left, top, right, bottom] = frameOf(window_);
+    return std::pair((*area)[2] - left - right, (*area)[3] - top - bottom);
+}
+void Display::moveInside(int width, int height) {
+    const auto area = workArea();
+    if (!area) return;
+    std::array<int, 2> at{};
+    glfwGetWindowPos(window_, &at[0], &at[1]);
+    const auto [left, top, right, bottom] = frameOf(window_);
+    const bool isOnOther = at[0] < (*area)[0] || at[1] < (*area)[1] || at[0] >= (*area)[0] + (*area)[2] ||
+                           at[1] >= (*area)[1] + (*area)[3];
+    if (isOnOther) return;
+    const auto moved = [](int place, int first, int size, int from, int room) {
+        return std::max(from + first, std::min(place, from + room - size));
+    };
+    const int x = moved(at[0], left, width + right, (*area)[0], (*area)[2]);
+    const int y = moved(at[1], top, height + bottom, (*area)[1], (*area)[3]);
+    if (x != at[0] || y != at[1]) glfwSetWindowPos(window_, x, y);
 }
 double Display::refreshRate() const {
     GLFWmonitor* monitor = glfwGetPrimaryMonitor();

@@ -55,9 +55,12 @@ class Display {
     [[nodiscard]] float contentScale() const;
     /// Pixels per screen coordinate: 1 on X11.
     [[nodiscard]] float density() const;
-    /// The size of the primary monitor without the desktop's bars, in screen coordinates; empty if it is
-    /// unknown.
-    [[nodiscard]] static std::optional<std::pair<int, int>> workArea();
+    /// The size that a window may have on the primary monitor, without the desktop's bars and the window's
+    /// own frame, in screen coordinates; empty if it is unknown.
+    [[nodiscard]] std::optional<std::pair<int, int>> largestSize() const;
+    /// Moves the window, which will have that size, so that it is whole on the primary monitor, if it was
+    /// there before.
+    void moveInside(int width, int height);
     /// The refresh rate of the primary monitor in Hz; 60 if it is unknown.
     [[nodiscard]] double refreshRate() const;
     /// True if the driver can wait for the monitor between two frames. If so, it does.

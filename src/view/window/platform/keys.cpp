@@ -48,6 +48,12 @@ FrameInput inputOf(const InputQueue& queue, const InputQueue::Frame& frame) {
     return input;
 }
 
+void activateItem(unsigned id, bool prefersInput) {
+    ImGuiContext& context = *ImGui::GetCurrentContext();
+    context.NavNextActivateId = id;
+    context.NavNextActivateFlags = prefersInput ? ImGuiActivateFlags_PreferInput : ImGuiActivateFlags_None;
+}
+
 #if IMGUI_VERSION_NUM >= 18700
 
 namespace {
@@ -147,9 +153,9 @@ bool isKeyDown(int key) {
     return to != ImGuiKey_None && ImGui::IsKeyDown(to);
 }
 
-void keepTabFromFocus() {
+void keepFromImGui(int key) {
     // ImGui moves its focus only by keys that nobody owns.
-    if (!ImGui::GetIO().WantTextInput) ImGui::SetKeyOwner(ImGuiKey_Tab, ImHashStr("sliders"));
+    ImGui::SetKeyOwner(keyOf(key), ImHashStr("window"));
 }
 
 struct HiddenKeys::State {
@@ -175,6 +181,8 @@ void giveToImGui(const FrameInput& input) {
     ImGuiIO& io = ImGui::GetIO();
     io.ClearInputCharacters();
     giveText(input.text);
+    io.KeyMap[ImGuiKey_Tab] = GLFW_KEY_TAB;
+    io.KeyMap[ImGuiKey_Escape] = GLFW_KEY_ESCAPE;
     std::fill(std::begin(io.KeysDown), std::end(io.KeysDown), false);
     for (const int key : input.keys)
         if (key >= 0 && key < static_cast<int>(std::size(io.KeysDown))) io.KeysDown[key] = true;
@@ -195,9 +203,8 @@ bool isKeyDown(int key) {
     return ImGui::IsKeyDown(key);
 }
 
-void keepTabFromFocus() {
-    ImGuiIO& io = ImGui::GetIO();
-    io.KeyMap[ImGuiKey_Tab] = io.WantTextInput ? GLFW_KEY_TAB : -1;
+void keepFromImGui(int key) {
+    ImGui::GetIO().KeyMap[key == GLFW_KEY_TAB ? ImGuiKey_Tab : ImGuiKey_Escape] = -1;
 }
 
 struct HiddenKeys::State {

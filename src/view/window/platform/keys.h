@@ -23,9 +23,13 @@ bool isKeyPressed(int key, bool repeats = true);
 /// True if the key is down in this frame.
 bool isKeyDown(int key);
 
-/// Call it before ImGui::NewFrame(): outside of text fields, Tab does not move ImGui's keyboard focus in that
-/// frame.
-void keepTabFromFocus();
+/// Call it before ImGui::NewFrame(): ImGui does nothing by itself with Tab (its keyboard focus) or Escape
+/// (its menus) in that frame.
+void keepFromImGui(int key);
+
+/// In the next frame the widget of that number does what a click does; a text field gets the keyboard.
+/// `prefersInput`: fields that are dragged become text fields.
+void activateItem(unsigned id, bool prefersInput);
 
 /// While it lives, the widgets of this frame see these keys as not pressed.
 class HiddenKeys {

@@ -35,8 +35,6 @@ void Settings::scaleSizes(float by) {
     windowWidth = scaled(windowWidth);
     windowHeight = scaled(windowHeight);
     panelWidth *= by;
-    sourceWidth *= by;
-    sourceHeight *= by;
 }
 
 fs::path settingsFile() {
@@ -62,8 +60,17 @@ Settings readSettings(const fs::path& file) {
     settings.windowWidth = static_cast<int>(number("windowWidth", kLargestWindow));
     settings.windowHeight = static_cast<int>(number("windowHeight", kLargestWindow));
     settings.panelWidth = static_cast<float>(number("panelWidth", kLargestWindow));
-    settings.sourceWidth = static_cast<float>(number("sourceWidth", kLargestWindow));
-    settings.sourceHeight = static_cast<float>(number("sourceHeight", kLargestWindow));
+    const auto part = [&](const char* key, float& to) {
+        if (json.contains(key))
+            to = std::clamp(static_cast<float>(number(key, 1)), kLeastSource, kMostSource);
+    };
+    part("sourceBeside", settings.sourceBeside);
+    part("sourceBelow", settings.sourceBelow);
+    part("sourceOver", settings.sourceOver);
+    settings.sourcePlace = static_cast<SourcePlace>(
+        static_cast<int>(number("sourcePlace", static_cast<double>(SourcePlace::over))));
+    settings.labelChoice = static_cast<LabelChoice>(
+        static_cast<int>(number("labelChoice", static_cast<double>(LabelChoice::chosen))));
     if (json.contains("layoutScale"))
         settings.layoutScale = static_cast<float>(number("layoutScale", kMostZoom));
     if (!(settings.layoutScale > 0)) settings.layoutScale = 1;
@@ -116,12 +123,15 @@ void writeSettings(const Settings& settings, const fs::path& file) {
     const nlohmann::ordered_json json{{"windowWidth", settings.windowWidth},
                                       {"windowHeight", settings.windowHeight},
                                       {"panelWidth", settings.panelWidth},
-                                      {"sourceWidth", settings.sourceWidth},
-                                      {"sourceHeight", settings.sourceHeight},
+                                      {"sourcePlace", static_cast<int>(settings.sourcePlace)},
+                                      {"sourceBeside", settings.sourceBeside},
+                                      {"sourceBelow", settings.sourceBelow},
+                                      {"sourceOver", settings.sourceOver},
                                       {"showSource", settings.showSource},
                                       {"compilesWhileTyping", settings.compilesWhileTyping},
                                       {"lightTheme", settings.lightTheme},
                                       {"labelCorner", static_cast<int>(settings.labelCorner)},
+                                      {"labelChoice", static_cast<int>(settings.labelChoice)},
                                       {"hardcopyFolder", settings.hardcopyFolder},
                                       {"zoom", settings.zoom},
                                       {"samples", settings.samples},

@@ -17,19 +17,32 @@ enum class PictureShape {
     fill    ///< the picture fills the room; the scene fits in, by the smaller side
 };
 
+/// Which values are labelled on the picture.
+enum class LabelChoice { all, changed, chosen };
+
+/// Where the source stands.
+enum class SourcePlace {
+    automatic,  ///< beside the picture if there is room for both, otherwise below it
+    beside,
+    below,
+    over  ///< over the left part of the picture, which stays visible behind it
+};
+
 /// Sizes are screen coordinates at the current scale; the file has them at scale 1, so that they are right on
 /// a screen of another density.
 struct Settings {
     int windowWidth = 0, windowHeight = 0;  ///< 0: from the scene's size
     float panelWidth = 0;                   ///< 0: the default
-    float sourceWidth = 0,
-          sourceHeight = 0;  ///< of the source panel: its width beside the picture, its height below it
+    SourcePlace sourcePlace = SourcePlace::automatic;
+    /// The source's part of the room: of its width beside or over the picture, of its height below it.
+    float sourceBeside = .5F, sourceBelow = .45F, sourceOver = .5F;
     bool showSource = false;
     bool compilesWhileTyping = false;
     std::string layout;     ///< positions of the floating windows, in ImGui's format
     float layoutScale = 1;  ///< the scale of `layout`
     bool lightTheme = false;
     LabelCorner labelCorner = LabelCorner::bottomLeft;
+    LabelChoice labelChoice = LabelChoice::all;
     std::string hardcopyFolder;  ///< empty: the current folder
     float zoom = 1;              ///< of texts and widgets, in addition to the screen's scale
     int samples = 4;             ///< per pixel on the screen
@@ -50,6 +63,7 @@ struct Settings {
     void scaleSizes(float by);
 };
 
+inline constexpr float kLeastSource = .15F, kMostSource = .85F;  ///< parts of the room
 inline constexpr float kLeastZoom = .5F, kMostZoom = 4;
 inline constexpr int kMostSamples = 32;
 
