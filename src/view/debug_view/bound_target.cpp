@@ -120,7 +120,8 @@ std::optional<render::Content> readBound(const gpu::Capabilities& capabilities, 
     const GLenum type = isColor ? componentType(part.output) : GL_FLOAT;
     const bool isInteger = type == GL_INT || type == GL_UNSIGNED_INT;
     const bool hasSamples = integerOf(GL_SAMPLES) > 1;
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(integerOf(GL_DRAW_FRAMEBUFFER_BINDING)));
+    const auto bound = static_cast<GLuint>(integerOf(GL_DRAW_FRAMEBUFFER_BINDING));
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, bound);
     if (isColor) glReadBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(part.output));
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_FRAMEBUFFER_SRGB);
@@ -162,6 +163,7 @@ std::optional<render::Content> readBound(const gpu::Capabilities& capabilities, 
             readAs<std::uint32_t>(pixels, kRead, GL_RGBA_INTEGER, GL_UNSIGNED_INT, content.components);
     else
         content.values = readAs<float>(pixels, kRead, GL_RGBA, GL_FLOAT, content.components);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, bound);
     if (isColor) glReadBuffer(GL_COLOR_ATTACHMENT0);
     return content;
 }

@@ -151,17 +151,18 @@ class PixelWatch {
         for (GLuint i = 0; i < 8; ++i) glColorMaski(i, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
         glDepthMask(GL_FALSE);
         glStencilMask(0);
-        const bool testsDepth = glIsEnabled(GL_DEPTH_TEST) != GL_FALSE;
-        const bool testsStencil = glIsEnabled(GL_STENCIL_TEST) != GL_FALSE;
-        event.passed = count(draw);
+        const GLboolean testsDepth = glIsEnabled(GL_DEPTH_TEST), testsStencil = glIsEnabled(GL_STENCIL_TEST);
         glDisable(GL_DEPTH_TEST);
-        const std::uint64_t afterStencil = testsDepth ? count(draw) : event.passed;
         glDisable(GL_STENCIL_TEST);
-        event.fragments = testsStencil ? count(draw) : afterStencil;
-        if (event.passed > 0) return;
-        if (event.fragments > 0) {
-            event.outcome =
-                afterStencil > 0 ? PixelEvent::Outcome::depthFails : PixelEvent::Outcome::stencilFails;
+        event.fragments = count(draw);
+        if (event.fragments > 0) {  // of most draws there are none
+            if (testsStencil != GL_FALSE) glEnable(GL_STENCIL_TEST);
+            const std::uint64_t afterStencil = testsStencil != GL_FALSE ? count(draw) : event.fragments;
+            if (testsDepth != GL_FALSE) glEnable(GL_DEPTH_TEST);
+            event.passed = testsDepth != GL_FALSE ? count(draw) : afterStencil;
+            if (event.passed == 0)
+                event.outcome =
+                    afterStencil > 0 ? PixelEvent::Outcome::depthFails : PixelEvent::Outcome::stencilFails;
             return;
         }
         if (glIsEnabled(GL_CULL_FACE) != GL_FALSE) {
@@ -188,14 +189,14 @@ class PixelWatch {
         if (!current_ || current_->item != item) return;
         PixelEvent event = std::move(*current_);
         current_.reset();
-        event.after = state();
-        const bool changes = event.after != event.before;
-        last_ = event.after;
-        const bool isThere = event.fragments > 0 || event.outcome != PixelEvent::Outcome::passed;
-        if (event.outcome == PixelEvent::Outcome::unknown ? changes : isThere || changes)
-            found_.events.push_back(std::move(event));
-        else
+        if (event.fragments == 0 && event.outcome == PixelEvent::Outcome::passed) {
             ++found_.untouched;
+            return;
+        }
+        event.after = state();
+        last_ = event.after;
+        if (event.outcome == PixelEvent::Outcome::unknown && event.after == event.before) return;
+        found_.events.push_back(std::move(event));
     }
 
     gpu::Context& context_;

@@ -341,8 +341,10 @@ class FramePanel final : public Panel {
     /// The chosen draw on the picture, if its pass draws that.
     void drawOver(Ui& ui) override {
         const FrameItem* item = isOpen ? window_.item() : nullptr;
-        if (item == nullptr || !window_.overlay || !window_.highlights) return;
-        if (!ui.session.live().scene().frame.passes.at(item->step.pass).isWindow) return;
+        // Of a moving picture it would be the pixels of an earlier one.
+        if (item == nullptr || !window_.overlay || !window_.highlights || ui.session.isMoving()) return;
+        const auto& passes = ui.session.live().scene().frame.passes;
+        if (item->step.pass >= passes.size() || !passes[item->step.pass].isWindow) return;
         const Rectangle& at = ui.frame.picture;
         ImGui::GetBackgroundDrawList()->AddImage(idOf(*window_.overlay), {at[0], at[1]},
                                                  {at[0] + at[2], at[1] + at[3]}, {0, 1}, {1, 0});
