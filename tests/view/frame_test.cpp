@@ -56,8 +56,9 @@ class Frame : public testing::Test {
         return 0;
     }
     view::FrameAnswer watch(std::size_t item, std::size_t target = 0) {
-        return view::watchFrame(context(), session.live(), items,
-                                {session.width(), session.height(), 0, true, item, target});
+        return view::watchFrame(
+            context(), session.live(), items,
+            {session.width(), session.height(), 0, std::vector<bool>(items.size(), true), item, target});
     }
     view::PixelHistory history(int x, int y) {
         return view::pixelHistory(context(), session.live(), items, draw(0), session.width(),
@@ -80,6 +81,7 @@ TEST_F(Frame, IsListedInOrder) {
     EXPECT_EQ(items[1].targets[0].name, "glow");
     EXPECT_EQ(items[5].targets[0].name, "window");
     EXPECT_EQ(items[1].key, "draw 0:11:0");
+    EXPECT_EQ(items[1].number, 0) << "the only one of its line";
 }
 
 TEST_F(Frame, ShowsWhatEachDrawLeft) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <span>
 #include <utility>
 #include <variant>
 
@@ -64,6 +65,16 @@ class ItemKeys {
     std::map<std::pair<std::string, int>, int> counted_;
 };
 
+/// Numbers the draws of a pass that have the same word and line.
+void numberDraws(std::span<FrameItem> ofPass) {
+    std::map<std::pair<std::string, int>, std::vector<FrameItem*>> equal;
+    for (FrameItem& each : ofPass)
+        if (each.kind == FrameItem::Kind::draw) equal[{each.title, each.place.line}].push_back(&each);
+    for (const auto& [key, all] : equal)
+        for (std::size_t i = 0; i < all.size() && all.size() > 1; ++i)
+            all[i]->number = static_cast<int>(i) + 1;
+}
+
 std::string programName(const scene::Scene& scene, scene::ProgramIndex program) {
     return program ? scene.programs[program].name : "";
 }
@@ -112,6 +123,7 @@ std::vector<FrameItem> frameItems(const scene::Scene& scene, const plan::FramePl
                          "",
                          targets,
                          keys.of("pass", pass.place.line)});
+        const std::size_t first = items.size();
         for (const auto& step : planned.steps) {
             if (const auto* drawn = std::get_if<plan::PlannedDraw>(&step)) {
                 const scene::Draw& draw = plan.drawOf(*drawn);
@@ -121,9 +133,10 @@ std::vector<FrameItem> frameItems(const scene::Scene& scene, const plan::FramePl
             }
             const auto& cleared = std::get<plan::PlannedClear>(step);
             const Place& place = plan.clearOf(cleared).place;
-            items.push_back(
-                {Kind::clear, node, cleared.step, place, "Clear", "", targets, keys.of("clear", place.line)});
+            items.push_back({Kind::clear, node, cleared.step, place, "Clear", "", targets,
+                             keys.of("clear", place.line)});
         }
+        numberDraws(std::span(items).subspan(first));
     }
     return items;
 }

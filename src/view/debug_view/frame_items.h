@@ -30,11 +30,12 @@ struct FrameItem {
     std::size_t node = 0;     ///< index into FramePlan::order
     scene::StepIndex step{};  ///< of a draw or a clear in a pass; its `pass` also for a pass
     Place place;
-    std::string title;                 ///< "pass into window", "Sphere", "Clear", "dispatch of Move"
+    std::string title;  ///< "pass into window", "Sphere", "Clear", "dispatch of Move"
     std::string program;               ///< of a draw or dispatch; empty: the built-in one
     std::vector<FrameTarget> targets;  ///< of a draw or a clear: those of its pass
     /// Tells the items of a frame apart, and stays when statements around it change: "draw 54:0".
     std::string key;
+    int number = 0;  ///< among the draws of its pass with that title and line, from 1; 0: it is the only one
 
     [[nodiscard]] bool isInPass() const { return kind == Kind::draw || kind == Kind::clear; }
 };

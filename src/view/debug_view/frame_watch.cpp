@@ -31,7 +31,7 @@ class FrameLook {
                 ofNode_[items[i].node] = i;
         }
         answer_.isExecuted.resize(items.size());
-        if (question.wantsThumbnails) answer_.thumbnails.resize(items.size());
+        if (!question.thumbnails.empty()) answer_.thumbnails.resize(items.size());
     }
 
     FrameAnswer run() {
@@ -55,7 +55,11 @@ class FrameLook {
             left(found->second);
         });
         const int width = question_.width, height = question_.height;
-        drawer.draw(*window, {scene_.view(), width, height, {0, 0, width, height}, question_.time});
+        render::Frame frame{scene_.view(), width, height, {0, 0, width, height}, question_.time};
+        // What the window's passes read is there from the last frame.
+        frame.texturePasses =
+            !question_.thumbnails.empty() || !question_.item || !isOfWindow(items_[*question_.item]);
+        drawer.draw(*window, frame);
         drawer.setDrawHook({});
         drawer.setNodeHook({});
         if (question_.item && !answer_.content && answer_.problem.empty())
@@ -68,6 +72,15 @@ class FrameLook {
   private:
     const scene::Pass& passOf(const FrameItem& item) const {
         return scene_.scene().frame.passes.at(item.step.pass);
+    }
+
+    bool isOfWindow(const FrameItem& item) const {
+        const bool isOfPass = item.kind == FrameItem::Kind::pass || item.isInPass();
+        return isOfPass && passOf(item).isWindow;
+    }
+    bool wantsThumbnail(std::size_t item) {
+        if (item >= question_.thumbnails.size() || !question_.thumbnails[item]) return false;
+        return ++thumbnails_ <= kMostThumbnails;
     }
 
     /// The clears of the node before that item have been carried out.
@@ -98,7 +111,7 @@ class FrameLook {
     void left(std::size_t index) {
         const FrameItem& item = items_[index];
         answer_.isExecuted[index] = true;
-        if (question_.wantsThumbnails && index < kMostThumbnails && !item.targets.empty()) {
+        if (wantsThumbnail(index) && !item.targets.empty()) {
             const FrameTarget& first = item.targets.front();
             const bool isDepth = first.kind == FrameTarget::Kind::depth;
             const bool isOther = first.kind != FrameTarget::Kind::color;
@@ -174,6 +187,7 @@ class FrameLook {
     std::map<scene::StepIndex, std::size_t> ofStep_;
     std::map<std::size_t, std::size_t> ofNode_;  ///< items that are not in a pass
     std::size_t next_ = 0;                       ///< the first item whose clear has not been seen
+    std::size_t thumbnails_ = 0;
     FrameAnswer answer_;
 };
 

@@ -36,14 +36,16 @@ struct DrawMask {
 struct FrameQuestion {
     int width = 1, height = 1;  ///< of the window's picture
     double time = 0;
-    bool wantsThumbnails = false;
+    std::vector<bool> thumbnails{};     ///< by item: wanted; empty: none is
     std::optional<std::size_t> item{};  ///< of the list: its target is read, and its mask is drawn
     std::size_t target = 0;             ///< index into its targets
 };
 
 struct FrameAnswer {
-    std::vector<bool> isExecuted;       ///< by item; false: nothing of it can be seen, or its program failed
-    std::vector<Thumbnail> thumbnails;  ///< by item, if they are wanted
+    /// By item; false: nothing of it can be seen, its program failed, or it was not asked for: without
+    /// thumbnails, only the passes into the window are drawn if the item is of them.
+    std::vector<bool> isExecuted;
+    std::vector<Thumbnail> thumbnails;       ///< by item; empty if none is wanted
     std::optional<render::Content> content;  ///< of the target after the item
     std::string problem;                     ///< why there is none
     std::optional<DrawMask> mask;            ///< of a draw

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
+#include "base/raster_state.h"
 #include "gpu/object/query.h"
 #include "gpu/object/target.h"
 #include "plan/accesses.h"
@@ -56,6 +58,19 @@ class PixelWatch {
             return std::move(found_);
         }
         render::FrameDrawer& drawer = scene_.drawer();
+        render::Frame frame{scene_.view(), width, height, {0, 0, width, height}, time};
+        // What the window's passes read is there from the last frame.
+        frame.texturePasses = !pass.isWindow;
+        // The first frame finds the few draws that have something at the pixel, the second one examines them:
+        // only that one waits for the device at each of them.
+        drawer.setDrawHook([&](const plan::PlannedDraw& draw, bool, bool begins) {
+            const auto at = ofStep_.find(draw.step);
+            if (at != ofStep_.end() && begins) ask(draw, at->second);
+        });
+        drawer.draw(*window, frame);
+        for (const auto& [item, query] : asked_)
+            if (query.result() > 0) touching_.insert(item);
+        asked_.clear();
         drawer.setDrawHook([&](const plan::PlannedDraw& draw, bool, bool begins) {
             const auto at = ofStep_.find(draw.step);
             if (at == ofStep_.end() || !found_.problem.empty()) return;
@@ -67,7 +82,7 @@ class PixelWatch {
             if (begun_ != node) beginNode(node, at->second);  // nothing is drawn
             takeClears(items_.size(), node);
         });
-        drawer.draw(*window, {scene_.view(), width, height, {0, 0, width, height}, time});
+        drawer.draw(*window, frame);
         drawer.setDrawHook({});
         drawer.setNodeHook({});
         return std::move(found_);
@@ -107,6 +122,43 @@ class PixelWatch {
         }
     }
 
+    [[nodiscard]] bool stores(const plan::PlannedDraw& draw) const {
+        return plan::writesMemory(scene_.plan().programs[draw.program], draw.textures);
+    }
+
+    /// Asks without waiting whether any primitive of the draw covers the pixel, whatever becomes of its
+    /// fragments.
+    void ask(const plan::PlannedDraw& draw, std::size_t item) {
+        const render::BuiltProgram* built = scene_.drawer().programOf(draw);
+        if (built == nullptr) return;
+        if (stores(draw)) {
+            touching_.insert(item);
+            return;
+        }
+        const KeptState kept;
+        if (!limitToPixel()) return;
+        writeNothing();
+        glDisable(GL_DEPTH_TEST);
+        glDisable(GL_STENCIL_TEST);
+        glDisable(GL_CULL_FACE);
+        if (const DebugProgram* whole = mayDiscard(*built) ? withoutDiscard(*built) : nullptr) {
+            whole->program.use();
+            whole->copyUniforms(*built);
+        }
+        gpu::Query query(GL_SAMPLES_PASSED);
+        query.begin();
+        scene_.drawer().submit(draw, true);
+        query.end();
+        asked_.emplace_back(item, std::move(query));
+    }
+
+    static void writeNothing() {
+        for (GLuint i = 0; i < base::kRasterTargets; ++i)
+            glColorMaski(i, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+        glDepthMask(GL_FALSE);
+        glStencilMask(0);
+    }
+
     /// Fragments that pass, of the draw in the state that is set.
     std::uint64_t count(const plan::PlannedDraw& draw) {
         const gpu::Query query(GL_SAMPLES_PASSED);
@@ -138,9 +190,9 @@ class PixelWatch {
         takeClears(item, drawn.node);
         PixelEvent event{item, PixelEvent::Outcome::passed, 0, 0, last_.value_or(PixelState{}), {}};
         const render::BuiltProgram* built = scene_.drawer().programOf(draw);
-        if (plan::writesMemory(scene_.plan().programs[draw.program], draw.textures))
+        if (stores(draw))
             event.outcome = PixelEvent::Outcome::unknown;
-        else if (built != nullptr)
+        else if (built != nullptr && touching_.contains(item))
             examine(draw, *built, event);
         current_ = std::move(event);
     }
@@ -148,9 +200,7 @@ class PixelWatch {
     void examine(const plan::PlannedDraw& draw, const render::BuiltProgram& built, PixelEvent& event) {
         const KeptState kept;
         if (!limitToPixel()) return;
-        for (GLuint i = 0; i < 8; ++i) glColorMaski(i, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-        glDepthMask(GL_FALSE);
-        glStencilMask(0);
+        writeNothing();
         const GLboolean testsDepth = glIsEnabled(GL_DEPTH_TEST), testsStencil = glIsEnabled(GL_STENCIL_TEST);
         glDisable(GL_DEPTH_TEST);
         glDisable(GL_STENCIL_TEST);
@@ -208,6 +258,8 @@ class PixelWatch {
     std::map<scene::StepIndex, std::size_t> ofStep_;
     std::map<std::size_t, std::size_t> ofNode_;
     std::map<const render::BuiltProgram*, std::optional<DebugProgram>> whole_;
+    std::vector<std::pair<std::size_t, gpu::Query>> asked_;
+    std::set<std::size_t> touching_;    ///< items
     std::optional<std::size_t> begun_;  ///< the node
     std::size_t next_ = 0;
     std::optional<PixelEvent> current_;

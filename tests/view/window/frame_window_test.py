@@ -21,7 +21,7 @@ Use Flat
 Pass glow clear {0 0 .25 1}
     QuadXY 0 .5
     Set uColor {0. 1. 0.}
-    QuadXY 1 .75
+    QuadXY -1 .75
 EndPass
 Fill window with Show
 """
@@ -30,6 +30,9 @@ FILES = {
     "flat.frag": "#version 330\nuniform vec3 uColor; out vec4 c;\nvoid main() { c = vec4(uColor, 1.); }\n",
     "show.frag": "#version 330\nuniform sampler2D uImage; out vec4 c;\n"
                  "void main() { c = texture(uImage, gl_FragCoord.xy / vec2(600., 450.)); }\n",
+    "read.frag": "#version 430\nuniform sampler2D uImage; out vec4 c;\n"
+                 "layout(std430) readonly buffer Places { vec4 places[]; };\n"
+                 "void main() { c = places[0].y / 2. * texture(uImage, gl_FragCoord.xy / vec2(600., 450.)); }\n",
     "place.comp": "#version 430\nlayout(local_size_x = 1) in;\nlayout(std430) buffer Places { vec4 places[]; };\n"
                   "void main() { places[gl_GlobalInvocationID.x] = vec4(gl_GlobalInvocationID.x, 2., 3., 4.); }\n",
 }
@@ -40,7 +43,8 @@ class FrameWindow(WindowTest):
         for name, text in FILES.items():
             (self.files / name).write_text(text)
         lines = [each for each in SCENE.splitlines(True) if not any(word in each for word in without)]
-        (self.files / "frame.glib").write_text("".join(lines))
+        text = "".join(lines)
+        (self.files / "frame.glib").write_text(text if without else text.replace("show.frag", "read.frag"))
         return self.open(self.files / "frame.glib", "--size", "1000x760", **options)
 
     @staticmethod
@@ -112,7 +116,7 @@ class FrameWindow(WindowTest):
         self.assertEqual(mesh[0]["rows"], mesh[1]["rows"])
         seen = window.state()["reloads"]
         (self.files / "frame.glib").write_text((self.files / "frame.glib").read_text().replace(
-            "    QuadXY 1 .75", "    QuadXY 1 .75\n    QuadXY -1 1"))
+            "    QuadXY -1 .75", "    QuadXY -1 .75\n    QuadXY -2 1"))
         state = window.wait(lambda s: s["reloads"] > seen and len(s["frame"]["items"]) == 7)
         self.assertEqual(state["frame"]["chosen"], items[2]["key"], "the choice stays")
 

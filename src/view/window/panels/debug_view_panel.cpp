@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "view/scene/window_draws.h"
 #include "view/window/panels/ui.h"
 
 namespace glibra::view {
@@ -47,6 +48,13 @@ void colorSwatch(const std::array<std::uint8_t, 3>& color, const std::string& la
     ImGui::Dummy({side, side});
     ImGui::SameLine(0, 3);
     ImGui::TextUnformatted(label.c_str());
+}
+
+/// True if the window shows only what a Fill makes of other passes.
+bool isFillAlone(const scene::Scene& scene) {
+    const std::vector<const scene::Draw*> draws = windowDraws(scene);
+    return !draws.empty() &&
+           std::all_of(draws.begin(), draws.end(), [](const scene::Draw* each) { return each->isFill; });
 }
 
 void legend(const Ui& ui) {
@@ -134,6 +142,11 @@ void debugViewControls(Ui& ui) {
         markField(ui, "view/normalLength", "Length");
     }
     legend(ui);
+    if (now != DebugView::picture && isFillAlone(ui.session.live().scene())) {
+        ImGui::TextWrapped("Only a Fill draws into the window. Frame shows this for every pass.");
+        if (ImGui::SmallButton("Frame")) toolWindow(ui, "frame").isOpen = true;
+        mark(ui, "view/showInFrame");
+    }
     ImGui::Checkbox("Probe a pixel", &toolWindow(ui, "probe").isOpen);
     mark(ui, "view/probe");
     if (ImGui::IsItemHovered())

@@ -97,7 +97,7 @@ nlohmann::ordered_json frameJson(const FrameWindow& window) {
         items.push_back({{"key", each.key},
                          {"title", each.title},
                          {"line", each.place.line},
-                         {"drawn", i < window.answer.isExecuted.size() && window.answer.isExecuted[i]},
+                         {"drawn", i < window.isDrawn.size() && window.isDrawn[i]},
                          {"thumbnail", i < window.thumbnails.size() && window.thumbnails[i].has_value()},
                          {"targets", targets}});
     }

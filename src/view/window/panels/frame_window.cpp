@@ -88,8 +88,20 @@ void takeNumbers(Ui& ui, FrameWindow& window) {
     window.colors = colorsOf(window.shows, window.numbers);
 }
 
+/// The items that are listed and have no thumbnail yet; empty if there are none.
+std::vector<bool> missingThumbnails(const FrameWindow& window) {
+    std::vector<bool> wanted(window.items.size());
+    bool isHidden = false;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        const FrameItem& each = window.items[i];
+        if (!each.isInPass()) isHidden = isFolded(window, each.key);
+        wanted[i] = !window.asked[i] && !(each.isInPass() && isHidden);
+    }
+    return std::find(wanted.begin(), wanted.end(), true) == wanted.end() ? std::vector<bool>() : wanted;
+}
+
 /// Draws the frame again if it is another one, or if another item is chosen. While time runs, the list stays
-/// that of the frame when it was asked for.
+/// that of the frame when it was asked for; while something is dragged, it waits.
 void watch(Ui& ui, FrameWindow& window) {
     Session& session = ui.session;
     if (!session.canLookInto()) {
@@ -100,30 +112,36 @@ void watch(Ui& ui, FrameWindow& window) {
     const std::string frame =
         fmt::format("{} {} {} {}", scene, session.framesDrawn(), session.width(), session.height());
     const bool isOther = !window.listedFor.starts_with(scene);
-    if (isOther || (window.listedFor != frame && !session.isMoving())) window.listedFor.clear();
-    const bool isNew = window.listedFor.empty();
-    if (isNew) listFrame(ui, window);
+    if (!isOther && ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
+    const bool isNew = isOther || (window.listedFor != frame && !session.isMoving());
+    if (isNew) {
+        listFrame(ui, window);
+        window.listedFor = frame;
+        window.thumbnails.clear();
+        window.thumbnails.resize(window.items.size());
+        window.asked.assign(window.items.size(), false);
+        window.isDrawn.assign(window.items.size(), true);
+    }
     const std::string wanted =
         fmt::format("{} {} {}", window.chosen, window.target, static_cast<int>(window.shows));
-    if (!isNew && wanted == window.watchedFor) return;
-    window.listedFor = frame;
+    std::vector<bool> missing = missingThumbnails(window);
+    if (!isNew && wanted == window.watchedFor && missing.empty()) return;
     window.watchedFor = wanted;
-    if (!isNew) window.items = frameItems(session.live().scene(), session.live().plan());
     window.time = session.clock().time();
-    FrameQuestion question{session.width(), session.height(), window.time,
-                           isNew,           window.index(),   window.target};
-    std::vector<Thumbnail> known = std::move(window.answer.thumbnails);
-    window.answer = watchFrame(ui.context, session.live(), window.items, question);
-    if (!isNew) window.answer.thumbnails = std::move(known);
+    window.answer =
+        watchFrame(ui.context, session.live(), window.items,
+                   {session.width(), session.height(), window.time, missing, window.index(), window.target});
+    for (std::size_t i = 0; i < missing.size(); ++i) window.asked[i] = window.asked[i] || missing[i];
+    if (!missing.empty()) window.isDrawn = window.answer.isExecuted;
     window.problem = window.answer.problem;
-    if (isNew) takeThumbnails(ui, window);
+    takeThumbnails(ui, window);
     takeMask(ui, window);
     takeNumbers(ui, window);
     window.view.forget();
 }
 
 std::string label(const FrameItem& item) {
-    std::string text = item.title;
+    std::string text = item.number > 0 ? fmt::format("{} {}", item.title, item.number) : item.title;
     if (!item.program.empty() && item.kind == FrameItem::Kind::draw) text += "  " + item.program;
     if (item.place.line > 0) text += fmt::format("  line {}", item.place.line);
     return text;
@@ -144,7 +162,7 @@ void row(Ui& ui, FrameWindow& window, std::size_t index) {
     const FrameItem& item = window.items[index];
     const bool isPass = item.kind == FrameItem::Kind::pass;
     const float height = (isPass || !item.isInPass() ? 44.F : 34.F) * ui.shared.scale;
-    const bool isExecuted = index >= window.answer.isExecuted.size() || window.answer.isExecuted[index];
+    const bool isExecuted = index >= window.isDrawn.size() || window.isDrawn[index];
     ImGui::PushID(item.key.c_str());
     const ImVec2 at = ImGui::GetCursorPos();
     const float indent = item.isInPass() ? 14 * ui.shared.scale : 0;
@@ -310,7 +328,7 @@ void frameWindow(Ui& ui, FrameWindow& window, bool& isOpen) {
     if (ImGui::Begin(kFrameRow.title, &isOpen, ImGuiWindowFlags_NoCollapse)) {
         markWindow(ui, "frameWindow");
         const ImVec2 room = ImGui::GetContentRegionAvail();
-        ImGui::BeginChild("items", {std::max(150.F, room.x * .32F), 0}, true);
+        ImGui::BeginChild("items", {std::max(150.F, room.x * .36F), 0}, true);
         list(ui, window);
         ImGui::EndChild();
         ImGui::SameLine();

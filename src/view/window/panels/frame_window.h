@@ -33,8 +33,9 @@ struct FrameWindow {
     std::string watchedFor, listedFor;  ///< what the following was made for
     FrameAnswer answer;
     std::vector<std::optional<gpu::Texture>> thumbnails;  ///< by item
-    std::optional<gpu::Texture> overlay;                  ///< the pixels of the chosen draw
-    TexelImage numbers;                                   ///< of a debug view
+    std::vector<bool> asked, isDrawn;  ///< by item: has been asked for a thumbnail; is executed by the frame
+    std::optional<gpu::Texture> overlay;  ///< the pixels of the chosen draw
+    TexelImage numbers;                   ///< of a debug view
     std::optional<render::Content> shownNumbers;
     std::vector<std::uint8_t> colors;
     std::string problem;
