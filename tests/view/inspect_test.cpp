@@ -210,6 +210,8 @@ TEST(FrameCost, CountsFramesDrawsAndVertices) {
     EXPECT_EQ(cost.draws[0].node, 0U);
     EXPECT_EQ(cost.draws[1].node, 1U);
     EXPECT_TRUE(cost.isTimed);
+    EXPECT_LE(cost.nodes[0].milliseconds + cost.nodes[1].milliseconds, cost.millisecondsOfParts)
+        << "passes are parts of the frame";
     EXPECT_GT(cost.nodes[0].milliseconds + cost.nodes[1].milliseconds, 0);
     for (const view::DrawCost& each : cost.draws)
         EXPECT_LE(each.milliseconds, cost.nodes[each.node].milliseconds) << "a draw is a part of its pass";
@@ -224,7 +226,7 @@ TEST(FrameCost, CountsFramesDrawsAndVertices) {
     EXPECT_TRUE(pixelsOf(session) == before);
 }
 
-TEST(FrameCost, HasNoGpuTimesWithoutATimer) {
+TEST(FrameCost, IsEstimatedWithoutATimer) {
     const SceneFolder folder(kTwoPasses, kPassFiles);
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene()));
@@ -232,10 +234,30 @@ TEST(FrameCost, HasNoGpuTimesWithoutATimer) {
     none.timerBits = 0;
     const view::FrameCost cost = view::measureFrames(session, none, 3, 0);
     EXPECT_FALSE(cost.isTimed);
+    EXPECT_TRUE(cost.isEstimate);
     EXPECT_GT(cost.millisecondsPerFrame, 0) << "real time needs no timer";
     ASSERT_EQ(cost.draws.size(), 2U);
     ASSERT_EQ(cost.nodes.size(), 2U);
-    EXPECT_EQ(cost.draws[0].milliseconds + cost.nodes[1].milliseconds, 0);
+    for (const view::DrawCost& each : cost.draws) {
+        EXPECT_GT(each.milliseconds, 0);
+        EXPECT_LE(each.milliseconds, cost.nodes[each.node].milliseconds);
+    }
+    EXPECT_LE(cost.nodes[0].milliseconds + cost.nodes[1].milliseconds, cost.millisecondsOfParts);
+}
+
+TEST(FrameCost, RoundsEstimatesToTwoDigitsAndCutsParts) {
+    view::FrameCost cost;
+    cost.millisecondsOfParts = 12.349;
+    EXPECT_EQ(view::decimalsOf(cost), 3);
+    EXPECT_EQ(view::millisecondsText(12.349, 3), "12.349");
+    cost.isEstimate = true;
+    EXPECT_EQ(view::decimalsOf(cost), 0);
+    cost.millisecondsOfParts = 1.249;
+    EXPECT_EQ(view::decimalsOf(cost), 1);
+    EXPECT_EQ(view::millisecondsText(1.249, 1), "1.2");
+    EXPECT_EQ(view::millisecondsText(.68, 1), "0.6") << "0.6 and 0.5 do not exceed 1.2";
+    EXPECT_EQ(view::millisecondsText(.04, 1), "< 0.1");
+    EXPECT_EQ(view::millisecondsText(0, 1), "0.0");
 }
 
 }  // namespace

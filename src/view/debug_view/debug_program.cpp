@@ -86,13 +86,15 @@ std::string normalsGeometry(const std::string& version, bool fromVertices) {
            std::string(debug_shaders::normals_geom());
 }
 
-std::optional<DebugProgram> link(const gpu::Context& context,
+/// The inputs of the scene's program keep their locations, so that its vertex arrays fit.
+std::optional<DebugProgram> link(const gpu::Context& context, const render::BuiltProgram& from,
                                  const std::vector<std::pair<GLenum, std::string>>& sources) {
     std::vector<gpu::StageSource> stages;
     stages.reserve(sources.size());
     for (const auto& [stage, text] : sources) stages.push_back({stage, text});
     gpu::BuildOutcome built = gpu::buildProgram(
-        context.capabilities(), {.stages = stages, .vertexInputs = {}, .fragmentOutputs = {}});
+        context.capabilities(),
+        {.stages = stages, .vertexInputs = render::inputLocations(from), .fragmentOutputs = {}});
     if (!built.program) return std::nullopt;
     base::ActiveResources resources = gpu::reflect(*built.program);
     return DebugProgram{std::move(*built.program), std::move(resources)};
@@ -142,11 +144,31 @@ std::optional<DebugProgram> makeDebugProgram(const gpu::Context& context, const 
         }
         sources.emplace_back(render::glStage(each.stage), std::move(source));
     }
-    std::optional<DebugProgram> made = link(context, sources);
+    const bool hasFragment = hasStage(built, glsl::Stage::fragment);
+    if (!hasFragment && !asLines && !built.interface.facts.stages.empty()) {  // of a pass without colours
+        const Addition alone = fragmentAddition(false, kind, stages, isVertexAlone);
+        sources.emplace_back(GL_FRAGMENT_SHADER, glsl::versionLine(built.interface.facts.stages.front()) +
+                                                     alone.declarations + "void main() {\n" + alone.body +
+                                                     "}\n");
+    }
+    std::optional<DebugProgram> made = link(context, built, sources);
     if (made || ownFragment.empty()) return made;
     for (auto& [stage, text] : sources)
         if (stage == GL_FRAGMENT_SHADER) text = ownFragment;
-    return link(context, sources);
+    return link(context, built, sources);
+}
+
+std::optional<DebugProgram> makeCoverageProgram(const gpu::Context& context,
+                                                const render::BuiltProgram& built) {
+    std::vector<std::pair<GLenum, std::string>> sources;
+    for (const glsl::TranslatedStage& each : built.interface.facts.stages)
+        if (each.stage != glsl::Stage::fragment)
+            sources.emplace_back(render::glStage(each.stage), each.source);
+    if (sources.empty()) return std::nullopt;
+    const Addition alone = fragmentAddition(false, DebugView::layers, DebugStages::numbers, true);
+    sources.emplace_back(GL_FRAGMENT_SHADER, glsl::versionLine(built.interface.facts.stages.front()) +
+                                                 alone.declarations + "void main() {\n" + alone.body + "}\n");
+    return link(context, built, sources);
 }
 
 void DebugProgram::set(std::string_view uniform, std::span<const double> values) const {

@@ -45,6 +45,11 @@ inline constexpr std::string_view kDebugCoordinates = "glibra_debugCoordinates";
 std::optional<DebugProgram> makeDebugProgram(const gpu::Context& context, const render::BuiltProgram& built,
                                              DebugView kind, DebugStages stages);
 
+/// Its stages before the fragment stage, with one that writes 1 to output 7 and discards nothing. Nothing if
+/// the driver does not link it.
+std::optional<DebugProgram> makeCoverageProgram(const gpu::Context& context,
+                                                const render::BuiltProgram& built);
+
 /// True if that program has a tessellation or geometry stage.
 bool hasStagesAfterVertices(const render::BuiltProgram& built);
 bool hasGeometryStage(const render::BuiltProgram& built);

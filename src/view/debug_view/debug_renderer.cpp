@@ -11,6 +11,7 @@
 
 #include "glsl/types/builtins.h"
 #include "scene/matrices.h"
+#include "view/debug_view/bound_target.h"
 
 namespace glibra::view {
 namespace {
@@ -132,9 +133,17 @@ const DebugRenderer::Drawn& DebugRenderer::drawn(const plan::PlannedDraw& draw, 
     return entry->second;
 }
 
+/// As FrameDrawer sees the pass of the draw.
+render::ViewMatrices DebugRenderer::viewOf(const plan::PlannedDraw& draw) const {
+    const scene::NodeList& frame = *scene_.plan().nodes;
+    const scene::Pass& pass = frame.passes.at(draw.step.pass);
+    if (!render::isMoved(frame, pass)) return scene_.view().unmoved();
+    return pass.shift == glm::dmat4(1) ? scene_.view() : scene_.view().shifted(pass.shift);
+}
+
 void DebugRenderer::bind(const plan::PlannedDraw& draw, const Drawn& with, const Request& request) {
     const DebugProgram& program = *with.program;
-    const render::ViewMatrices& view = scene_.view();
+    const render::ViewMatrices view = viewOf(draw);
     const double aspect = static_cast<double>(width_) / height_;
     const glm::dmat4 projection = view.projection(scene_.plan().drawOf(draw).projection, aspect);
     const glm::dmat4 modelView = view.modelView(scene_.plan().drawOf(draw));
@@ -171,6 +180,7 @@ void DebugRenderer::beginNumbers(const plan::PlannedDraw& draw, const Request& r
     if (!with.program || !with.vertices) return writeNothing();
     bind(draw, with, request);
     writeOnly(kDebugOutput);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     const bool counts = request.kind == DebugView::overdraw || request.kind == DebugView::layers;
     if (counts) {
         glEnable(GL_BLEND);
@@ -252,6 +262,50 @@ Diagnostics DebugRenderer::draw(const gpu::Target& picture, const ViewState& vie
     numbers_ = colorTexels(*target_);
     append(diagnostics, show(picture, request.kind));
     return diagnostics;
+}
+
+std::string DebugRenderer::drawPass(std::size_t pass, int width, int height, const Request& request) {
+    numbers_ = {};
+    const scene::Pass& shown = scene_.scene().frame.passes.at(pass);
+    const gpu::TextureSize size = sizeOf(scene_, shown, width, height);
+    const Result<gpu::Target> window =
+        gpu::Target::window(context_.capabilities(), width, height, gpu::TexelFormat::rgba8, 1,
+                            gpu::TexelFormat::depth24_stencil8);
+    if (!window) return "there is no memory for another picture";
+    width_ = size.width;
+    height_ = size.height;
+    const DebugStages stages =
+        request.kind == DebugView::normals ? DebugStages::flatNormals : DebugStages::numbers;
+    std::optional<BesideTarget> beside;
+    std::string problem;
+    GLint bound = 0;
+    render::FrameDrawer& drawer = scene_.drawer();
+    drawer.setDrawHook([&](const plan::PlannedDraw& draw, bool, bool begins) {
+        if (draw.step.pass != pass || !problem.empty()) return;
+        if (!begins) {
+            glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(bound));
+            glEnable(GL_DEPTH_TEST);
+            return;
+        }
+        if (!beside) {
+            beside = BesideTarget::make(context_.capabilities(), scene_, shown, size);
+            if (beside)
+                beside->clear();
+            else
+                problem = "a pass into several layers at once cannot be shown so";
+        }
+        if (!beside) return;
+        glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+        beside->bind(kDebugOutput);
+        beginNumbers(draw, request, stages);
+    });
+    drawer.draw(*window, {scene_.view(), width, height, {0, 0, width, height}, request.time});
+    drawer.setDrawHook({});
+    remarks_.clear();
+    if (!beside) return problem.empty() ? "nothing of this pass is drawn" : problem;
+    const render::Content content = beside->read(context_.capabilities());
+    numbers_ = {content.width, content.height, {content.values.begin(), content.values.end()}};
+    return {};
 }
 
 }  // namespace glibra::view

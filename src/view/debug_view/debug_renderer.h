@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <string>
 #include <tuple>
 #include <vector>
 
@@ -35,6 +36,10 @@ class DebugRenderer {
     /// Draws the debug view into `picture`. Draws that it cannot show are left out, with the warning view-W01
     /// once per program.
     Diagnostics draw(const gpu::Target& picture, const ViewState& view, const Request& request);
+    /// Draws the debug view of one pass (index into NodeList::passes), in the size of what it draws into, and
+    /// tests against its own depth. numbers() has the result; normals are colours there. `width` and `height`
+    /// are those of the window. Returns why there is none; empty on success.
+    std::string drawPass(std::size_t pass, int width, int height, const Request& request);
     /// Call it after the scene was planned again: forgets what was made for the plan.
     void forgetPlan() { drawn_.clear(); }
     /// The numbers of the last frame, bottom row first; empty for normals.
@@ -49,6 +54,7 @@ class DebugRenderer {
         std::optional<gpu::VertexArray> vertices;
     };
     const Drawn& drawn(const plan::PlannedDraw& draw, DebugView kind, DebugStages stages);
+    [[nodiscard]] render::ViewMatrices viewOf(const plan::PlannedDraw& draw) const;
     void connect(const plan::PlannedDraw& draw, Drawn& drawn);
     void bind(const plan::PlannedDraw& draw, const Drawn& drawn, const Request& request);
     void beginNumbers(const plan::PlannedDraw& draw, const Request& request, DebugStages stages);

@@ -12,6 +12,7 @@
 #include "glsl/facts/stage_variables.h"
 #include "gpu/object/query.h"
 #include "gpu/object/uniform.h"
+#include "view/debug_view/bound_target.h"
 #include "view/debug_view/debug_program.h"
 
 namespace glibra::view {
@@ -85,26 +86,46 @@ std::vector<ProbedValue> uniformsOf(const render::BuiltProgram& built, const ren
 /// Draws one pixel of a frame again and again.
 class Probe {
   public:
-    Probe(LiveScene& scene, const gpu::Target& target, double time, int x, int row)
-        : scene_(scene), target_(target), time_(time), x_(x), row_(row) {}
+    Probe(gpu::Context& context, LiveScene& scene, const gpu::Target& target, double time, int x, int row)
+        : context_(context), scene_(scene), target_(target), time_(time), x_(x), row_(row) {}
+
+    /// Probes that draw, whose targets have that size, in place of the visible one.
+    void run(ProbedPixel& result, scene::StepIndex step, const gpu::TextureSize& size) {
+        size_ = size;
+        isGiven_ = true;
+        for (const plan::PlannedPass& pass : scene_.plan().passes)
+            for (const auto& each : pass.steps)
+                if (const auto* draw = std::get_if<plan::PlannedDraw>(&each); draw && draw->step == step)
+                    if (!begin(*draw, result)) return;
+        if (built_ == nullptr) return;
+        ask(result);
+        drawFrame(true);
+        result.isDrawn = isThere_;
+        result.isHidden = isHidden_;
+        result.depth = static_cast<double>(depth_);
+    }
 
     void run(ProbedPixel& result) {
         const plan::PlannedDraw* found = findDraw();
-        if (found == nullptr) return;
-        step_ = found->step;
-        const scene::Draw& draw = scene_.plan().drawOf(*found);
-        built_ = scene_.drawer().programOf(*found);
-        if (!built_) return;
-        result.isDrawn = true;
-        result.draw = draw.id;
-        result.word = draw.word;
-        if (!built_->interface.isBuiltin) result.program = built_->interface.facts.name;
+        if (found == nullptr || !begin(*found, result)) return;
         glReadPixels(x_, row_, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depth_);
         result.depth = static_cast<double>(depth_);
         ask(result);
     }
 
   private:
+    bool begin(const plan::PlannedDraw& found, ProbedPixel& result) {
+        step_ = found.step;
+        const scene::Draw& draw = scene_.plan().drawOf(found);
+        built_ = scene_.drawer().programOf(found);
+        if (!built_) return false;
+        result.isDrawn = true;
+        result.draw = draw.id;
+        result.word = draw.word;
+        if (!built_->interface.isBuiltin) result.program = built_->interface.facts.name;
+        return true;
+    }
+
     void drawFrame(bool withTextures) {
         const int width = target_.width(), height = target_.height();
         render::FrameDrawer& drawer = scene_.drawer();
@@ -141,9 +162,7 @@ class Probe {
             if (!begins) return;
             const render::BuiltProgram& used = *scene_.drawer().programOf(draw);
             if (uniforms) *uniforms = uniformsOf(*built_, used);
-            const double choice = pass;
-            for (const base::ActiveUniform& each : used.interface.uniforms)
-                if (each.emittedName == kChoice) gpu::setUniform(*used.program, each, {&choice, 1});
+            choose(used, pass);
             glDisable(GL_BLEND);
             glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
         });
@@ -151,6 +170,80 @@ class Probe {
         std::array<float, kNumbersAtOnce> numbers{};
         glReadPixels(x_, row_, 1, 1, GL_RGBA, GL_FLOAT, numbers.data());
         return numbers;
+    }
+
+    static void choose(const render::BuiltProgram& used, int pass) {
+        const double choice = pass;
+        for (const base::ActiveUniform& each : used.interface.uniforms)
+            if (each.emittedName == kChoice) gpu::setUniform(*used.program, each, {&choice, 1});
+    }
+
+    /// Draws the given draw again and again at its place in the frame, with the depth that is there then.
+    void drawGiven(const plan::PlannedDraw& draw, int passes, std::vector<ProbedValue>* uniforms,
+                   std::vector<std::array<float, kNumbersAtOnce>>& all) {
+        const scene::Pass& pass = scene_.scene().frame.passes.at(draw.step.pass);
+        const gpu::Capabilities& capabilities = context_.capabilities();
+        const render::BuiltProgram& used = *scene_.drawer().programOf(draw);
+        const gpu::PixelRectangle pixel{x_, row_, 1, 1};
+        const KeptState kept;
+        const auto beside = BesideTarget::make(capabilities, scene_, pass, size_);
+        if (!beside) return;
+        if (uniforms) *uniforms = uniformsOf(*built_, used);
+        const auto before =
+            readBound(capabilities, {FrameTarget::Kind::depth, 0, {}, size_.width, size_.height}, 0, pixel);
+        beside->bind(kDebugOutput);
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(x_, row_, 1, 1);
+        glDisable(GL_BLEND);
+        glStencilMask(0);
+        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        const auto submit = [&](int number) {
+            choose(used, number);
+            const gpu::Query query(GL_SAMPLES_PASSED);
+            query.begin();
+            scene_.drawer().submit(draw, true);
+            query.end();
+            return query.result() > 0;
+        };
+        const auto restoreDepth = [&] {
+            if (!before || before->values.empty()) return;
+            const auto depth = static_cast<float>(before->values.front());
+            GLboolean writes = GL_TRUE;
+            glGetBooleanv(GL_DEPTH_WRITEMASK, &writes);
+            glDepthMask(GL_TRUE);
+            glClearBufferfv(GL_DEPTH, 0, &depth);
+            glDepthMask(writes);
+        };
+        isThere_ = submit(0);
+        restoreDepth();
+        if (!isThere_) {
+            glDisable(GL_DEPTH_TEST);
+            glDisable(GL_STENCIL_TEST);
+            isThere_ = isHidden_ = submit(0);
+        }
+        for (int number = 0; number < passes && isThere_; ++number) {
+            submit(number);
+            if (const auto depth = readBound(
+                    capabilities, {FrameTarget::Kind::depth, 0, {}, size_.width, size_.height}, 0, pixel);
+                depth && !depth->values.empty())
+                depth_ = static_cast<float>(depth->values.front());
+            restoreDepth();
+            const render::Content four = beside->read(capabilities, pixel);
+            beside->bind(kDebugOutput);
+            if (four.values.size() < kNumbersAtOnce) continue;
+            for (std::size_t i = 0; i < kNumbersAtOnce; ++i)
+                all[static_cast<std::size_t>(number)][i] = static_cast<float>(four.values[i]);
+        }
+    }
+
+    std::vector<std::array<float, kNumbersAtOnce>> numbersOfGiven(int passes,
+                                                                  std::vector<ProbedValue>* uniforms) {
+        std::vector<std::array<float, kNumbersAtOnce>> all(static_cast<std::size_t>(passes));
+        scene_.drawer().setDrawHook([&](const plan::PlannedDraw& draw, bool, bool begins) {
+            if (begins && draw.step == step_) drawGiven(draw, passes, uniforms, all);
+        });
+        drawFrame(true);
+        return all;
     }
 
     /// Reads the values with one program if it links, else with several.
@@ -172,11 +265,18 @@ class Probe {
             read(all.first(all.size() / 2), uniforms);
             return read(all.subspan(all.size() / 2), uniforms);
         }
-        drawTexturesIfNew();
+        int passes = 0;
+        for (const Asked& each : all) passes += each.passes();
+        std::vector<std::array<float, kNumbersAtOnce>> given;
+        if (isGiven_)
+            given = numbersOfGiven(passes, uniforms.empty() ? &uniforms : nullptr);
+        else
+            drawTexturesIfNew();
         int pass = 0;
         for (Asked& each : all)
             for (int i = 0; i < each.passes(); ++i, ++pass) {
-                const auto four = numbersOf(pass, uniforms.empty() ? &uniforms : nullptr);
+                const auto four = isGiven_ ? given[static_cast<std::size_t>(pass)]
+                                           : numbersOf(pass, uniforms.empty() ? &uniforms : nullptr);
                 const std::size_t left = each.numbers.size() - each.value.numbers.size();
                 each.value.numbers.insert(
                     each.value.numbers.end(), four.begin(),
@@ -228,6 +328,7 @@ class Probe {
         return {plan.passes.size(), plan.dispatches.size(), plan.sharing};
     }
 
+    gpu::Context& context_;
     LiveScene& scene_;
     const gpu::Target& target_;
     double time_;
@@ -236,36 +337,40 @@ class Probe {
     const render::BuiltProgram* built_ = nullptr;
     Textures textures_;  ///< as they were drawn last
     float depth_ = 1;
+    bool isGiven_ = false, isThere_ = false,
+         isHidden_ = false;  ///< the draw is given; it has a fragment there
+    gpu::TextureSize size_;  ///< of the targets of a given draw
 };
 
 }  // namespace
-
-const ProbedValue* ProbedPixel::find(std::string_view name) const {
-    for (const std::vector<ProbedValue>* list : {&outputs, &inputs, &uniforms})
-        for (const ProbedValue& each : *list)
-            if (each.name == name) return &each;
-    return nullptr;
-}
 
 ProbedPixel probePixel(gpu::Context& context, LiveScene& scene, int width, int height, double time, int x,
                        int y) {
     ProbedPixel result;
     result.x = x;
     result.y = y;
+    result.height = height;
     if (x < 0 || y < 0 || x >= width || y >= height) return result;
     const Result<gpu::Target> target =
         gpu::Target::window(context.capabilities(), width, height, gpu::TexelFormat::rgba32f, 1,
                             gpu::TexelFormat::depth24_stencil8);
-    if (target) Probe(scene, *target, time, x, height - 1 - y).run(result);
+    if (target) Probe(context, scene, *target, time, x, height - 1 - y).run(result);
     return result;
 }
 
-std::string numbersText(const ProbedValue& value) {
-    if (value.numbers.empty()) return value.why;
-    std::string text;
-    if (value.type == "bool") return value.numbers.front() != 0 ? "true" : "false";
-    for (const double each : value.numbers) text += fmt::format("{}{:.6g}", text.empty() ? "" : " ", each);
-    return text;
+ProbedPixel probeDraw(gpu::Context& context, LiveScene& scene, scene::StepIndex step, int width, int height,
+                      double time, int x, int row) {
+    ProbedPixel result;
+    const gpu::TextureSize size = sizeOf(scene, scene.scene().frame.passes.at(step.pass), width, height);
+    result.x = x;
+    result.y = size.height - 1 - row;
+    result.height = size.height;
+    if (x < 0 || row < 0 || x >= size.width || row >= size.height) return result;
+    const Result<gpu::Target> target =
+        gpu::Target::window(context.capabilities(), width, height, gpu::TexelFormat::rgba32f, 1,
+                            gpu::TexelFormat::depth24_stencil8);
+    if (target) Probe(context, scene, *target, time, x, row).run(result, step, size);
+    return result;
 }
 
 }  // namespace glibra::view

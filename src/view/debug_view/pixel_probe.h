@@ -23,8 +23,10 @@ struct ProbedValue {
 };
 
 struct ProbedPixel {
-    int x = -1, y = -1;    ///< of the picture; x counts to the right, y downwards
-    bool isDrawn = false;  ///< false: no fragment is visible there, and the rest is empty
+    int x = -1, y = -1;     ///< of the picture; x counts to the right, y downwards
+    int height = 0;         ///< of the picture
+    bool isHidden = false;  ///< of a given draw: its fragments fail the depth or stencil test
+    bool isDrawn = false;   ///< false: no fragment is visible there, and the rest is empty
     DrawId draw{};
     std::string word;     ///< the command that draws it
     std::string program;  ///< the name of its program; empty: the built-in one
@@ -42,7 +44,18 @@ struct ProbedPixel {
 ProbedPixel probePixel(gpu::Context& context, LiveScene& scene, int width, int height, double time, int x,
                        int y);
 
-/// "0.5 -1 2": the numbers with six digits; "true" or "false"; or why they are not known.
+/// The same for what one draw (of the frame's node list) has at a pixel of the targets of its pass, also
+/// where something hides it. `row` counts from the lower edge.
+ProbedPixel probeDraw(gpu::Context& context, LiveScene& scene, scene::StepIndex step, int width, int height,
+                      double time, int x, int row);
+
+/// The row of the pixel as gl_FragCoord counts it, from the lower edge.
+inline int rowOf(const ProbedPixel& pixel) {
+    return pixel.height - 1 - pixel.y;
+}
+
+/// "0.5 -1 2": the numbers with six digits, those of a matrix as lines with its rows; "true" or
+/// "false"; or why they are not known.
 std::string numbersText(const ProbedValue& value);
 
 }  // namespace glibra::view

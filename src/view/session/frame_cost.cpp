@@ -5,7 +5,9 @@
 
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <utility>
+#include <vector>
 
 #include "gpu/object/timer.h"
 #include "render/probe/gpu_times.h"
@@ -26,6 +28,33 @@ void drawOnce(Session& session) {
 
 constexpr int kTimedFrames = 5;
 
+/// Measures pieces by the driver's timer, or without one by waiting for the device around each of them.
+class PieceClock {
+  public:
+    PieceClock(const gpu::Capabilities& capabilities, gpu::Timer::Take take)
+        : timer_(capabilities, take), take_(std::move(take)) {}
+
+    [[nodiscard]] bool isTimer() const { return timer_.measures(); }
+    void begin(std::size_t piece) {
+        if (isTimer()) return timer_.begin(piece);
+        glFinish();
+        open_.emplace_back(piece, std::chrono::steady_clock::now());
+    }
+    void end() {
+        if (isTimer()) return timer_.end();
+        if (open_.empty()) return;
+        glFinish();
+        take_(open_.back().first, seconds(open_.back().second) * 1000);
+        open_.pop_back();
+    }
+    void finish() { timer_.finish(); }
+
+  private:
+    gpu::Timer timer_;
+    gpu::Timer::Take take_;
+    std::vector<std::pair<std::size_t, std::chrono::steady_clock::time_point>> open_;
+};
+
 NodeCost costOf(const scene::Scene& scene, const plan::FramePlan& plan, std::size_t node) {
     render::NodeName name = render::nameOf(scene, plan, node);
     return {std::move(name.what), name.line, 0};
@@ -37,12 +66,15 @@ void timeFrame(Session& session, const gpu::Capabilities& capabilities, FrameCos
     const plan::FramePlan& plan = session.live().plan();
     const std::size_t nodes = plan.order.size();
     for (std::size_t i = 0; i < nodes; ++i) cost.nodes.push_back(costOf(session.live().scene(), plan, i));
-    // Pieces are nodes, and after these draws.
-    gpu::Timer timer(capabilities, [&](std::size_t piece, double milliseconds) {
-        double& sum = piece < nodes ? cost.nodes[piece].milliseconds : cost.draws[piece - nodes].milliseconds;
+    // Pieces are nodes, after these the frame, and after that draws.
+    PieceClock timer(capabilities, [&](std::size_t piece, double milliseconds) {
+        double& sum = piece < nodes    ? cost.nodes[piece].milliseconds
+                      : piece == nodes ? cost.millisecondsOfParts
+                                       : cost.draws[piece - nodes - 1].milliseconds;
         sum += milliseconds / kTimedFrames;
     });
-    cost.isTimed = timer.measures();
+    cost.isTimed = timer.isTimer();
+    cost.isEstimate = !cost.isTimed || capabilities.isSoftware;
     for (int frame = 0; frame < kTimedFrames; ++frame) {
         std::size_t node = 0, draws = 0;
         drawer.setNodeHook([&](std::size_t index, bool begins) {
@@ -53,9 +85,11 @@ void timeFrame(Session& session, const gpu::Capabilities& capabilities, FrameCos
             if (!begins) return timer.end();
             const scene::Draw& drawn = plan.drawOf(draw);
             if (draws == cost.draws.size()) cost.draws.push_back({drawn.word, drawn.place.line, node, 0});
-            timer.begin(nodes + draws++);
+            timer.begin(nodes + 1 + draws++);
         });
+        timer.begin(nodes);
         drawOnce(session);
+        timer.end();
     }
     drawer.setDrawHook({});
     drawer.setNodeHook({});
@@ -72,7 +106,7 @@ void timeBlocks(Session& session, const gpu::Capabilities& capabilities, FrameCo
         double milliseconds = 0;
     };
     std::vector<Timed> timed;
-    gpu::Timer timer(capabilities, [&](std::size_t piece, double milliseconds) {
+    PieceClock timer(capabilities, [&](std::size_t piece, double milliseconds) {
         timed[piece].milliseconds = milliseconds;
     });
     std::vector<std::int64_t> ran(cost.blocks.size(), 0);
@@ -125,6 +159,20 @@ std::optional<PipelineCounts> countOnce(Session& session, const gpu::Capabilitie
 }
 
 }  // namespace
+
+int decimalsOf(const FrameCost& cost) {
+    constexpr int kExact = 3;
+    if (!cost.isEstimate) return kExact;
+    int decimals = 0;
+    for (double whole = cost.millisecondsOfParts; whole < 10 && decimals < kExact; whole *= 10) ++decimals;
+    return decimals;
+}
+
+std::string millisecondsText(double milliseconds, int decimals) {
+    const double unit = std::pow(10., -decimals);
+    if (milliseconds > 0 && milliseconds < unit) return fmt::format("< {:.{}f}", unit, decimals);
+    return fmt::format("{:.{}f}", std::floor(milliseconds / unit * (1 + 1e-12)) * unit, decimals);
+}
 
 FrameCost measureFrames(Session& session, const gpu::Capabilities& capabilities, int leastFrames,
                         double leastSeconds) {

@@ -45,12 +45,23 @@ struct PipelineCounts {
 struct FrameCost {
     int frames = 0;                   ///< measured; 0: there was no picture to draw
     double millisecondsPerFrame = 0;  ///< real time; the device is idle before and after
-    bool isTimed = false;             ///< false: the driver has no timer, and all GPU times below are 0
-    std::vector<NodeCost> nodes;      ///< of the frame, in order
+    bool isTimed =
+        false;  ///< false: the driver has no timer, and this process waits for the device at each part
+    /// The times of the parts are estimates: without a timer, or because the processor draws, which would do
+    /// parts together that are measured one by one.
+    bool isEstimate = false;
+    /// GPU time of a frame whose parts are measured, in the same frames as these: no part is longer.
+    double millisecondsOfParts = 0;
+    std::vector<NodeCost> nodes;  ///< of the frame, in order
     std::vector<DrawCost> draws;
     std::vector<BlockCost> blocks;
     std::optional<PipelineCounts> counts;  ///< empty if the driver has no such queries
 };
+
+/// Decimals that a time has in the list: three, and for estimates as many as give the whole frame two digits.
+int decimalsOf(const FrameCost& cost);
+/// A time with that many decimals, cut off, so that parts do not exceed their whole: "1.2", "< 0.1".
+std::string millisecondsText(double milliseconds, int decimals);
 
 /// Draws the current frame repeatedly: at least `leastFrames` times and for at least `leastSeconds`. Steps
 /// are run again from the start, and the last ones are measured.

@@ -79,6 +79,9 @@ bool Session::open(const std::filesystem::path& path) {
     animations_.clear();
     width_ = loading.scene->scene().width;
     height_ = loading.scene->scene().height;
+    before_.reset();
+    showsBefore_ = false;
+    isOfFiles_ = true;
     take(std::move(loading), false);
     return true;
 }
@@ -91,6 +94,8 @@ bool Session::reload() {
         if (loading.isPreviousLost) dropScene();
         return false;
     }
+    if (isOfFiles_) keepBefore();
+    isOfFiles_ = options_.texts.empty();
     take(std::move(loading), true);
     return true;
 }
@@ -114,6 +119,8 @@ void Session::releaseDevice() {
     received_.reset();
     process_.end();
     plain_.reset();
+    before_.reset();
+    showsBefore_ = false;
 }
 
 void Session::restoreDevice() {
@@ -143,7 +150,7 @@ void Session::take(LiveScene::Loading loading, bool sameScene) {
     } else if (!sameScene || !isReleased_) {
         kept_.forget();
     }
-    isReleased_ = isStopped_ = isWaiting_ = false;
+    isReleased_ = isStopped_ = isWaiting_ = showsBefore_ = false;
     openLoops_.reset();
     if (picked_) {
         const std::vector<const scene::Draw*> draws = windowDraws(loading.scene->scene());

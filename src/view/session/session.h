@@ -206,6 +206,25 @@ class Session {
     /// What the fragment of the last frame at that pixel has: its inputs, outputs and uniforms (probePixel).
     /// x counts to the right, y downwards. Only the place is set while there is no picture yet.
     ProbedPixel probe(int x, int y);
+    /// True if the frame that was drawn last can be drawn again, to look into it: for watchFrame() and its
+    /// like. Draws it first if it is out of date.
+    bool canLookInto();
+    /// What one draw of the frame has at a pixel of the targets of its pass (view::probeDraw); `row` counts
+    /// from the lower edge.
+    ProbedPixel probeDraw(scene::StepIndex step, int x, int row);
+    /// The debug view of one pass of the frame (DebugRenderer::drawPass), as numbers. Returns why there is
+    /// none; empty on success.
+    std::string numbersOfPass(std::size_t pass, DebugView kind, TexelImage& numbers);
+
+    /// The picture from before the last edit: of the files as they were last. Null if there is none.
+    [[nodiscard]] const gpu::Target* pictureBefore() const { return before_ ? &*before_ : nullptr; }
+    /// While it is on, shownPicture() is that picture. Another edit turns it off.
+    void showBefore(bool on) { showsBefore_ = on && before_; }
+    [[nodiscard]] bool showsBefore() const { return showsBefore_; }
+    [[nodiscard]] const gpu::Target* shownPicture() const {
+        return showsBefore_ ? pictureBefore() : picture();
+    }
+
     /// Picks the object at that pixel (x to the right, y downwards); the background picks none. While another
     /// process draws the picture, the pick waits for it.
     void pickAt(int x, int y);
@@ -232,6 +251,7 @@ class Session {
     const std::vector<Place>& openLoops();
     bool showReceived(const DrawingOrder& order);
     void stopOpenLoops(DrawingProcess::State why);
+    void keepBefore();
     bool makeTarget(std::optional<gpu::Target>& target, int samples);
     void pickWaiting();
     void moveAnimations();
@@ -271,6 +291,9 @@ class Session {
     std::optional<gpu::Target> target_;
     std::optional<gpu::Target> plain_;  ///< plainPicture() of frame number `plainFrame_`
     std::uint64_t plainFrame_ = 0;
+    std::optional<gpu::Target> before_;  ///< pictureBefore()
+    bool showsBefore_ = false;
+    bool isOfFiles_ = true;  ///< the scene was loaded without texts that are not saved
     std::vector<Animation> animations_;
     DrawingProcess process_;
     std::optional<std::vector<Place>> openLoops_;  ///< with the current values, if they are known

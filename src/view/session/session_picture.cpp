@@ -199,6 +199,7 @@ ProbedPixel Session::probe(int x, int y) {
         ProbedPixel none;
         none.x = x;
         none.y = y;
+        none.height = height_;
         return none;
     }
     ProbedPixel pixel =

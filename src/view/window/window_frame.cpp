@@ -155,9 +155,11 @@ void Window::present() {
     if (const gpu::Target* picture = session().picture()) {
         const int left = static_cast<int>(std::lround(ui().frame.picture[0] * perUnit));
         const int top = height - static_cast<int>(std::lround(ui().frame.picture[1] * perUnit));
-        picture->readable().bindForReading();
-        glBlitFramebuffer(0, 0, picture->width(), picture->height(), left, top - picture->height(),
-                          left + picture->width(), top, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+        const gpu::Target& shown = *session().shownPicture();
+        shown.readable().bindForReading();
+        glBlitFramebuffer(0, 0, shown.width(), shown.height(), left, top - picture->height(),
+                          left + picture->width(), top, GL_COLOR_BUFFER_BIT,
+                          shown.width() == picture->width() ? GL_NEAREST : GL_LINEAR);
     }
     glViewport(0, 0, width, height);
     // ImGui restores the bound program afterwards, which a reload may have deleted.

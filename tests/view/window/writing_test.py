@@ -349,7 +349,7 @@ class Probe(WritingTest):
         window.release()
         state = window.wait(lambda s: s["probe"]["drawn"])
         x = (state["probe"]["x"] + 0.5) / state["width"] * 2 - 1
-        y = 1 - (state["probe"]["y"] + 0.5) / state["height"] * 2
+        y = (state["probe"]["y"] + 0.5) / state["height"] * 2 - 1  # from the lower left corner
         x *= max(1, state["width"] / state["height"])
         y *= max(1, state["height"] / state["width"])
         values = state["probe"]["values"]

@@ -21,11 +21,11 @@ std::string lineNote(int line) {
     return line > 0 ? fmt::format(" (line {})", line) : "";
 }
 
-void bar(double milliseconds, double longest, const std::string& text) {
+void bar(double milliseconds, double longest, const std::string& text, int decimals) {
     const float part = longest > 0 ? static_cast<float>(milliseconds / longest) : 0;
     // A thin line below the text, which nobody takes for a slider.
     ImGui::BeginGroup();
-    ImGui::Text("%s: %.3f ms", text.c_str(), milliseconds);
+    ImGui::Text("%s: %s ms", text.c_str(), millisecondsText(milliseconds, decimals).c_str());
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float height = std::max(2.F, ImGui::GetFontSize() * .2F), width = ImGui::GetContentRegionAvail().x;
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -48,16 +48,20 @@ void inner(const Draw& draw) {
 /// A bar for each pass, dispatch and clear of the frame, with one for each draw below, and for each Once and
 /// Step block, with what a run executes. The longest bar has the full width.
 void bars(Ui& ui, const FrameCost& cost) {
-    double longest = 0;
+    const int decimals = decimalsOf(cost);
+    double longest = cost.millisecondsOfParts;
     for (const NodeCost& each : cost.nodes) longest = std::max(longest, each.milliseconds);
     for (const BlockCost& each : cost.blocks) longest = std::max(longest, each.milliseconds);
+    bar(cost.millisecondsOfParts, longest, cost.isEstimate ? "frame, about" : "frame", decimals);
+    mark(ui, "cost/whole");
     for (std::size_t node = 0; node < cost.nodes.size(); ++node) {
         const NodeCost& each = cost.nodes[node];
-        bar(each.milliseconds, longest, each.what + lineNote(each.line));
+        bar(each.milliseconds, longest, each.what + lineNote(each.line), decimals);
         mark(ui, "cost/node/{}", node);
         inner([&] {
             for (const DrawCost& draw : cost.draws)
-                if (draw.node == node) bar(draw.milliseconds, longest, draw.word + lineNote(draw.line));
+                if (draw.node == node)
+                    bar(draw.milliseconds, longest, draw.word + lineNote(draw.line), decimals);
         });
     }
     for (const BlockCost& each : cost.blocks) {
@@ -65,12 +69,12 @@ void bars(Ui& ui, const FrameCost& cost) {
             ImGui::TextDisabled("%s%s: no step has run yet", each.what.c_str(), lineNote(each.line).c_str());
             continue;
         }
-        bar(each.milliseconds, longest, each.what + lineNote(each.line));
+        bar(each.milliseconds, longest, each.what + lineNote(each.line), decimals);
         if (ImGui::IsItemHovered())
             ImGui::SetTooltip("One run of the block: mean of the last %d before this picture", each.runs);
         inner([&] {
             for (const NodeCost& node : each.nodes)
-                bar(node.milliseconds, longest, node.what + lineNote(node.line));
+                bar(node.milliseconds, longest, node.what + lineNote(node.line), decimals);
         });
     }
 }
@@ -97,16 +101,21 @@ void costPanel(Ui& ui, std::optional<FrameCost>& measured) {
     if (!measured || measured->frames == 0) return;
     const FrameCost& cost = *measured;
     constexpr double kMillisecondsInSecond = 1000;
-    ImGui::Text("%.1f frames per second, %.3f ms per frame",
-                kMillisecondsInSecond / cost.millisecondsPerFrame, cost.millisecondsPerFrame);
-    ImGui::TextDisabled("mean of %d frames, without panels", cost.frames);
+    ImGui::Text("%.1f frames per second", kMillisecondsInSecond / cost.millisecondsPerFrame);
+    ImGui::TextDisabled("mean of %d frames, without panels and timers", cost.frames);
     if (cost.counts)
         ImGui::Text("%llu vertices, %llu primitives, %llu fragments",
                     static_cast<unsigned long long>(cost.counts->vertices),
                     static_cast<unsigned long long>(cost.counts->primitives),
                     static_cast<unsigned long long>(cost.counts->fragments));
-    if (cost.isTimed) return bars(ui, cost);
-    ImGui::TextDisabled("GPU time: not measured, the driver has no timer");
+    if (!cost.isTimed)
+        ImGui::TextWrapped("Estimates, rounded: the driver has no timer, so each part is waited for.");
+    else if (cost.isEstimate)
+        ImGui::TextWrapped("Estimates, rounded: the processor draws, and would do parts together.");
+    else
+        ImGui::TextDisabled("GPU time by timer queries");
+    mark(ui, "cost/how");
+    bars(ui, cost);
 }
 
 nlohmann::ordered_json nodesJson(const std::vector<NodeCost>& nodes) {
@@ -127,6 +136,9 @@ nlohmann::ordered_json costJson(const FrameCost& cost) {
     return {{"frames", cost.frames},
             {"milliseconds", cost.millisecondsPerFrame},
             {"isTimed", cost.isTimed},
+            {"isEstimate", cost.isEstimate},
+            {"whole", cost.millisecondsOfParts},
+            {"wholeText", millisecondsText(cost.millisecondsOfParts, decimalsOf(cost))},
             {"nodes", nodesJson(cost.nodes)},
             {"blocks", blocks}};
 }

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "view/scene/window_draws.h"
 #include "view/window/panels/ui.h"
 
 namespace glibra::view {
@@ -70,6 +71,13 @@ std::vector<LegendEntry> legendOf(DebugView kind, const ValueRange& range) {
         entries = {{Color3{255, 217, 51}, "normals"}, {Color3{77, 230, 255}, "facing"}};
     }
     return entries;
+}
+
+/// True if the window shows only what a Fill makes of other passes.
+bool isFillAlone(const scene::Scene& scene) {
+    const std::vector<const scene::Draw*> draws = windowDraws(scene);
+    return !draws.empty() &&
+           std::all_of(draws.begin(), draws.end(), [](const scene::Draw* each) { return each->isFill; });
 }
 
 /// The legend on the upper left corner of the picture. Returns its text.
@@ -184,6 +192,11 @@ void debugViewControls(Ui& ui) {
         if (ImGui::SliderFloat("##length", &length, .005F, 1, "%.3f", ImGuiSliderFlags_Logarithmic))
             ui.session.setNormalLength(length);
         mark(ui, "view/normalLength");
+    }
+    if (now != DebugView::picture && isFillAlone(ui.session.live().scene())) {
+        ImGui::TextWrapped("Only a Fill draws into the window. Frame shows this for every pass.");
+        if (ImGui::SmallButton("Frame")) toolWindow(ui, "frame").isOpen = true;
+        mark(ui, "view/showInFrame");
     }
     ImGui::Checkbox("Probe a pixel", &toolWindow(ui, "probe").isOpen);
     mark(ui, "view/probe");

@@ -6,11 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "gpu/object/texture.h"
 #include "plan/buffer_table.h"
 #include "render/check/content.h"
 #include "scene/objects.h"
-#include "view/debug_view/texels.h"
+#include "view/window/panels/texel_view.h"
 
 namespace glibra::view {
 
@@ -23,16 +22,10 @@ struct Inspector {
     int level = 0, layer = 0;
     bool isPrevious = false;  ///< the other copy of an object with history
     bool wasOpen = false;     ///< in the last frame
-    bool wantsRange = false;  ///< the range of shown values follows from the next content
-    bool fits = true;         ///< the zoom follows the size of the window, until the user chooses one
-    float zoom = 1;
-    TexelDisplay display;
+    TexelView view;
     std::string readFor;  ///< what `content` or `rows` was read for
     std::optional<render::Content> content;
     std::string problem;  ///< why there is none
-    std::optional<gpu::Texture> shown;
-    TexelDisplay shownDisplay;
-    std::string hovered;  ///< the texel under the mouse: "12, 40: 0.5 0.25 0 1"
     // Of a buffer:
     std::uint64_t firstRow = 0;
     plan::BufferTable table;

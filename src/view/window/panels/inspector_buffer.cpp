@@ -1,8 +1,11 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <limits>
 #include <span>
 
+#include "render/file/buffer_file.h"
 #include "view/window/panels/inspector.h"
 #include "view/window/panels/ui.h"
 
@@ -59,6 +62,45 @@ void pages(Ui& ui, Inspector& inspector) {
     ImGui::Text("of %llu elements", static_cast<unsigned long long>(elements));
 }
 
+/// Returns what is wrong; empty on success.
+std::string exportBuffer(Ui& ui, const std::string& name, bool isPrevious,
+                         const std::filesystem::path& file) {
+    if (!ui.session.canLookInto()) return "no frame has been drawn";
+    const LiveScene& live = ui.session.live();
+    for (const scene::BufferIndex each : live.scene().buffers.indices()) {
+        if (live.scene().buffers[each].name != name) continue;
+        const gpu::Buffer* buffer = live.buffers().buffer({each, isPrevious});
+        const plan::BufferLayout* layout = live.buffers().layout(each);
+        if (buffer == nullptr || layout == nullptr) break;
+        render::BufferContent content{
+            *layout, plan::tableOf(*layout, live.blockOf(each), std::numeric_limits<std::size_t>::max()),
+            std::vector<std::byte>(buffer->size())};
+        buffer->read(0, content.bytes);
+        const Diagnostics problems = render::writeBuffer(content, file, image::NamedBy::user);
+        if (!problems.empty()) return problems.front().text;
+        ui.notice = "wrote " + file.string();
+        return {};
+    }
+    return "the scene has no buffer '" + name + "' any more";
+}
+
+/// Asks for the file of a table with all elements.
+void askExport(Ui& ui, const Inspector& inspector) {
+    ui.wanted.file =
+        FileRequest{FileQuestion{.kind = FileQuestion::Kind::save,
+                                 .title = "Write the buffer " + inspector.chosen,
+                                 .button = "Write",
+                                 .hint = ".csv is text, .npy an array of NumPy.",
+                                 .endings = ".csv .npy",
+                                 .entry = inspector.chosen + ".csv",
+                                 .chosen =
+                                     [name = inspector.chosen, isPrevious = inspector.isPrevious](
+                                         Ui& chosenIn, const std::filesystem::path& file) {
+                                         return exportBuffer(chosenIn, name, isPrevious, file);
+                                     }},
+                    false, ui.session.path().parent_path()};
+}
+
 }  // namespace
 
 void readBuffer(const Ui& ui, Inspector& inspector, scene::BufferIndex index) {
@@ -83,6 +125,8 @@ void readBuffer(const Ui& ui, Inspector& inspector, scene::BufferIndex index) {
 }
 
 void bufferTable(Ui& ui, Inspector& inspector) {
+    if (ImGui::Button("Export...")) askExport(ui, inspector);
+    mark(ui, "inspector/export");
     headTable(inspector);
     if (inspector.table.elements == 0) return;
     pages(ui, inspector);

@@ -3,16 +3,13 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
-#include <glad/gl.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <span>
 #include <string>
 
 #include "render/check/object_content.h"
@@ -22,8 +19,6 @@
 
 namespace glibra::view {
 namespace {
-
-constexpr float kNearest = 64, kFarthest = .02F;  // zoom
 
 /// The object that the user has chosen. Without one it is the picture.
 struct Chosen {
@@ -82,9 +77,7 @@ Chosen choose(Ui& ui, Inspector& inspector) {
             inspector.level = inspector.layer = 0;
             inspector.firstRow = 0;
             inspector.isPrevious = false;
-            inspector.fits = true;
-            inspector.wantsRange = needsRange(ui.session.live(), each);
-            inspector.display = {};
+            inspector.view.begin(needsRange(ui.session.live(), each));
             chosen = each;
         }
         mark(ui, "inspector/item/{}", key);
@@ -149,7 +142,7 @@ void read(Ui& ui, Inspector& inspector, const Chosen& chosen) {
     if (wanted != inspector.readFor) {
         inspector.readFor = std::move(wanted);
         inspector.content.reset();
-        inspector.shown.reset();
+        inspector.view.forget();
         inspector.problem.clear();
         if (chosen.buffer)
             readBuffer(ui, inspector, chosen.buffer);
@@ -158,127 +151,6 @@ void read(Ui& ui, Inspector& inspector, const Chosen& chosen) {
         else
             inspector.content = contentOf(*picture, chosen.isDepth);
     }
-    if (!inspector.content) return;
-    if (std::exchange(inspector.wantsRange, false))
-        std::tie(inspector.display.low, inspector.display.high) =
-            rangeOf(*inspector.content, inspector.display.channels);
-    if (inspector.shown && inspector.shownDisplay == inspector.display) return;
-    const std::vector<std::uint8_t> bytes = screenBytes(*inspector.content, inspector.display);
-    Result<gpu::Texture> made = gpu::Texture::create(
-        ui.context.capabilities(), gpu::TextureShape::texture2D, gpu::TexelFormat::rgba8,
-        {inspector.content->width, inspector.content->height, 1}, {std::as_bytes(std::span(bytes)), 4});
-    inspector.shown = std::move(made.value);
-    inspector.shownDisplay = inspector.display;
-    if (!inspector.shown) return;
-    glBindTexture(GL_TEXTURE_2D, inspector.shown->id());
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-}
-
-void displaySettings(Ui& ui, Inspector& inspector) {
-    ImGui::PushItemWidth(90 * ui.shared.scale);
-    int channels = static_cast<int>(inspector.display.channels);
-    if (ImGui::Combo("##channels", &channels, "RGB\0red\0green\0blue\0alpha\0"))
-        inspector.display.channels = static_cast<Channels>(channels);
-    mark(ui, "inspector/channels");
-    ImGui::SameLine();
-    ImGui::InputDouble("black", &inspector.display.low, 0, 0, "%.5g");
-    markField(ui, "inspector/low", "black");
-    ImGui::SameLine();
-    ImGui::InputDouble("white", &inspector.display.high, 0, 0, "%.5g");
-    markField(ui, "inspector/high", "white");
-    ImGui::SameLine();
-    if (ImGui::Button("Fit range")) inspector.wantsRange = true;
-    mark(ui, "inspector/fitRange");
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("Black is the least value of the shown channels, white the largest");
-    ImGui::SameLine();
-    if (ImGui::Button("0..1")) inspector.display.low = 0, inspector.display.high = 1;
-    mark(ui, "inspector/unitRange");
-    ImGui::PopItemWidth();
-}
-
-std::string texelText(const render::Content& content, std::size_t column, std::size_t row) {
-    std::string text = fmt::format("{}, {}:", column, row);
-    for (const double each : content.at(row * static_cast<std::size_t>(content.width) + column)) {
-        // Integers up to 2^32 with all their digits.
-        const bool isWhole = each == std::trunc(each) && std::abs(each) < 1e10;
-        text += isWhole ? fmt::format(" {:.0f}", each) : fmt::format(" {:.6g}", each);
-    }
-    return text;
-}
-
-/// The wheel zooms about the texel under the mouse. Call it before the image, whose size limits how far the
-/// next frame can be scrolled.
-void zoomImage(Inspector& inspector, const ImVec2& at) {
-    const ImGuiIO& io = ImGui::GetIO();
-    if (io.MouseWheel == 0 || !ImGui::IsWindowHovered()) return;
-    float& zoom = inspector.zoom;
-    inspector.fits = false;
-    const float before = zoom;
-    zoom = std::clamp(zoom * std::pow(1.2F, io.MouseWheel), kFarthest, kNearest);
-    const float more = zoom / before - 1;
-    ImGui::SetScrollX(ImGui::GetScrollX() + (io.MousePos.x - at.x) * more);
-    ImGui::SetScrollY(ImGui::GetScrollY() + (io.MousePos.y - at.y) * more);
-}
-
-/// Dragging moves the image.
-void panImage() {
-    if (!ImGui::IsItemActive()) return;
-    ImGui::SetScrollX(ImGui::GetScrollX() - ImGui::GetIO().MouseDelta.x);
-    ImGui::SetScrollY(ImGui::GetScrollY() - ImGui::GetIO().MouseDelta.y);
-}
-
-void image(Ui& ui, Inspector& inspector) {
-    if (!inspector.content || !inspector.shown) return ImGui::TextDisabled("%s", inspector.problem.c_str());
-    const render::Content& content = *inspector.content;
-    displaySettings(ui, inspector);
-    const auto width = static_cast<float>(content.width), height = static_cast<float>(content.height);
-    if (ImGui::Button("Fit")) inspector.fits = true;
-    mark(ui, "inspector/fit");
-    ImGui::SameLine();
-    if (ImGui::Button("1:1")) inspector.fits = false, inspector.zoom = 1;
-    mark(ui, "inspector/actualSize");
-    ImGui::SameLine();
-    ImGui::SetNextItemWidth(110 * ui.shared.scale);
-    double zoom = static_cast<double>(inspector.zoom);
-    if (labelledSlider(ui, "zoom", "inspector/zoom", {kFarthest, kNearest, false, true}, zoom)) {
-        inspector.fits = false;
-        inspector.zoom = static_cast<float>(zoom);
-    }
-    ImGui::SameLine();
-    ImGui::Text("%d x %d   %s", content.width, content.height, inspector.hovered.c_str());
-    const NonFiniteTexels bad = countNonFinite(content);
-    if (bad.nan + bad.infinite > 0)
-        ImGui::TextColored({1, .4F, .9F, 1}, "%d texels are NaN (magenta), %d infinite (cyan)", bad.nan,
-                           bad.infinite);
-    if (inspector.fits) {
-        const ImVec2 room = ImGui::GetContentRegionAvail();
-        const float border = 2 * ImGui::GetStyle().WindowPadding.x;
-        inspector.zoom =
-            std::clamp(std::min((room.x - border) / width, (room.y - border) / height), kFarthest, kNearest);
-    }
-    ImGui::BeginChild("image", {0, 0}, true,
-                      ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    zoomImage(inspector, at);
-    const ImVec2 size(std::max(1.F, width * inspector.zoom), std::max(1.F, height * inspector.zoom));
-    ImGui::InvisibleButton("texels", size);
-    mark(ui, "inspector/image");
-    ImGui::GetWindowDrawList()->AddImage(
-        std::bit_cast<ImTextureID>(static_cast<std::uintptr_t>(inspector.shown->id())), at,
-        {at.x + size.x, at.y + size.y}, {0, 1}, {1, 0});
-    inspector.hovered.clear();
-    if (ImGui::IsItemHovered()) {
-        const ImVec2 mouse = ImGui::GetIO().MousePos;
-        const int x = std::clamp(static_cast<int>((mouse.x - at.x) / inspector.zoom), 0, content.width - 1);
-        const int y = std::clamp(static_cast<int>((mouse.y - at.y) / inspector.zoom), 0, content.height - 1);
-        inspector.hovered =
-            texelText(content, static_cast<std::size_t>(x), static_cast<std::size_t>(content.height - 1 - y));
-        ImGui::SetTooltip("%s", inspector.hovered.c_str());
-    }
-    panImage();
-    ImGui::EndChild();
 }
 
 /// The picture is seen already: begins with the first texture that a pass or a dispatch writes, if there is
@@ -290,14 +162,13 @@ void beginWithHidden(const Ui& ui, Inspector& inspector) {
         if (!live.texture(each)) continue;
         inspector.chosen = textureKey(live.scene(), each);
         inspector.level = inspector.layer = 0;
-        inspector.fits = true;
-        inspector.wantsRange = needsRange(live, {each, {}, false});
+        inspector.view.begin(needsRange(live, {each, {}, false}));
         return;
     }
 }
 
 void inspectorWindow(Ui& ui, Inspector& inspector, bool& isOpen) {
-    if (!isOpen) inspector.fits = true;
+    if (!isOpen) inspector.view.fits = true;
     if (isOpen && !inspector.wasOpen && ui.session.hasScene()) beginWithHidden(ui, inspector);
     inspector.wasOpen = isOpen;
     if (!isOpen || !ui.session.hasScene()) return;
@@ -310,8 +181,10 @@ void inspectorWindow(Ui& ui, Inspector& inspector, bool& isOpen) {
         read(ui, inspector, chosen);
         if (chosen.buffer)
             bufferTable(ui, inspector);
+        else if (inspector.content)
+            texelView(ui, inspector.view, {*inspector.content}, "inspector");
         else
-            image(ui, inspector);
+            ImGui::TextDisabled("%s", inspector.problem.c_str());
     }
     ImGui::End();
 }
@@ -327,8 +200,8 @@ nlohmann::ordered_json inspectorJson(const Inspector& inspector) {
             {"layer", inspector.layer},
             {"width", inspector.content ? inspector.content->width : 0},
             {"height", inspector.content ? inspector.content->height : 0},
-            {"range", {inspector.display.low, inspector.display.high}},
-            {"zoom", inspector.zoom},
+            {"range", {inspector.view.display.low, inspector.view.display.high}},
+            {"zoom", inspector.view.zoom},
             {"problem", inspector.problem},
             {"columns", columns},
             {"head", head},
@@ -346,11 +219,11 @@ class InspectorWindow final : public Panel {
     }
     void show(Ui& ui) override { inspectorWindow(ui, inspector_, isOpen); }
     void addTo(nlohmann::ordered_json& state, const Ui& /*ui*/) const override {
-        state["inspected"] = inspector_.hovered;
+        state["inspected"] = inspector_.view.hovered;
         if (isOpen) state["inspector"] = inspectorJson(inspector_);
     }
     void releaseDevice() override {
-        inspector_.shown.reset();
+        inspector_.view.forget();
         inspector_.readFor.clear();
     }
 

@@ -6,12 +6,13 @@ namespace glibra::view {
 
 std::span<const PanelRow* const> panelRows() {
     static constexpr std::array kRows{
-        &kToolsRow,      &kMessagesRow,  &kValuesRow,     &kSceneKeysRow, &kViewRow,
-        &kTimeRow,       &kHardcopyRow,  &kSuiteRow,      &kTabBarRow,    &kSourceRow,
-        &kBannerRow,     &kDebugViewRow, &kInspectorRow,  &kCompareRow,   &kCostRow,
-        &kProbeRow,      &kNoiseRow,     &kExamplesRow,   &kVerboseRow,   &kFileDialogRow,
-        &kMessageBoxRow, &kQuestionRow,  &kWindowKeysRow, &kHelpRow,      &kCommandPaletteRow,
-        &kNoticeRow,     &kWelcomeRow,   &kPictureRow,    &kRecoveryRow,
+        &kToolsRow,          &kMessagesRow,   &kValuesRow,   &kSceneKeysRow,  &kViewRow,
+        &kTimeRow,           &kHardcopyRow,   &kSuiteRow,    &kTabBarRow,     &kSourceRow,
+        &kBannerRow,         &kDebugViewRow,  &kFrameRow,    &kInspectorRow,  &kCompareRow,
+        &kCostRow,           &kProbeRow,      &kNoiseRow,    &kExamplesRow,   &kVerboseRow,
+        &kFileDialogRow,     &kMessageBoxRow, &kQuestionRow, &kWindowKeysRow, &kHelpRow,
+        &kCommandPaletteRow, &kNoticeRow,     &kWelcomeRow,  &kPictureRow,    &kRecoveryRow,
+        &kBeforeAfterRow,
     };
     return kRows;
 }

@@ -13,7 +13,8 @@ namespace glibra::view {
 extern const PanelRow kToolsRow, kMessagesRow, kValuesRow, kSceneKeysRow, kViewRow, kTimeRow, kHardcopyRow,
     kSuiteRow, kTabBarRow, kSourceRow, kBannerRow, kDebugViewRow, kInspectorRow, kCompareRow, kCostRow,
     kProbeRow, kNoiseRow, kExamplesRow, kVerboseRow, kFileDialogRow, kMessageBoxRow, kQuestionRow,
-    kWindowKeysRow, kHelpRow, kPictureRow, kRecoveryRow, kCommandPaletteRow, kNoticeRow, kWelcomeRow;
+    kWindowKeysRow, kHelpRow, kPictureRow, kRecoveryRow, kCommandPaletteRow, kNoticeRow, kWelcomeRow,
+    kFrameRow, kBeforeAfterRow;
 
 /// The panels of each place in the order in which they are drawn, shortcuts of each group in the order in
 /// which they are listed.

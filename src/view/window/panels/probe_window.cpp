@@ -28,11 +28,14 @@ struct Probe {
 
 std::string pixelText(const ProbedPixel& pixel) {
     std::string text =
-        fmt::format("pixel {}, {}: line {} {}\n", pixel.x, pixel.y, pixel.draw.line, pixel.word);
+        fmt::format("pixel {}, {}: line {} {}\n", pixel.x, rowOf(pixel), pixel.draw.line, pixel.word);
     const auto add = [&](const char* title, const std::vector<ProbedValue>& values) {
         if (!values.empty()) text += fmt::format("{}\n", title);
-        for (const ProbedValue& each : values)
-            text += fmt::format("  {} {} = {}\n", each.type, each.name, numbersText(each));
+        for (const ProbedValue& each : values) {
+            const std::string numbers = numbersText(each);
+            const bool isMatrix = numbers.find('\n') != std::string::npos;
+            text += fmt::format("  {} {} ={}{}\n", each.type, each.name, isMatrix ? "\n" : " ", numbers);
+        }
     };
     add("outputs", pixel.outputs);
     add("inputs", pixel.inputs);
@@ -50,6 +53,13 @@ void valueSwatch(const ProbedValue& value) {
                                               ImGui::ColorConvertFloat4ToU32({part(0), part(1), part(2), 1}));
     ImGui::Dummy({side, side});
     ImGui::SameLine();
+}
+
+/// The rows of a matrix below each other.
+void matrixRows(const std::string& text) {
+    ImGui::PushFont(codeFont());
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopFont();
 }
 
 void table(Ui& ui, const char* title, const std::vector<ProbedValue>& values, bool areColors) {
@@ -76,8 +86,10 @@ void table(Ui& ui, const char* title, const std::vector<ProbedValue>& values, bo
         if (areColors && each.numbers.size() >= 3 && each.numbers.size() <= 4) valueSwatch(each);
         if (each.numbers.empty())
             ImGui::TextDisabled("%s", each.why.c_str());
+        else if (const std::string text = numbersText(each); text.find('\n') == std::string::npos)
+            ImGui::TextWrapped("%s", text.c_str());
         else
-            ImGui::TextWrapped("%s", numbersText(each).c_str());
+            matrixRows(text);
     }
     ImGui::EndTable();
 }
@@ -109,10 +121,10 @@ void place(const Ui& ui) {
 void probeContent(Ui& ui, const Probe& probe) {
     const ProbedPixel& pixel = *probe.pixel;
     if (!pixel.isDrawn) {
-        ImGui::Text("pixel %d, %d: nothing is drawn here", pixel.x, pixel.y);
+        ImGui::Text("pixel %d, %d: nothing is drawn here", pixel.x, rowOf(pixel));
         return;
     }
-    ImGui::Text("pixel %d, %d, depth %.6g, %s", pixel.x, pixel.y, pixel.depth,
+    ImGui::Text("pixel %d, %d, depth %.6g, %s", pixel.x, rowOf(pixel), pixel.depth,
                 pixel.isFront ? "front" : "back");
     if (ui.session.isMoving()) {
         ImGui::SameLine();
@@ -153,7 +165,9 @@ void probeWindow(Ui& ui, Probe& probe, bool& isOpen) {
         if (probe.pixel)
             probeContent(ui, probe);
         else
-            ImGui::TextWrapped("Click a pixel of the picture.");
+            ImGui::TextWrapped(
+                "Click a pixel of the picture. Pixels count from the lower left corner, as gl_FragCoord "
+                "does.");
     }
     ImGui::End();
     if (probe.pixel) ring(ui, *probe.pixel);
@@ -168,7 +182,7 @@ nlohmann::ordered_json probeJson(const Probe& probe, bool isOpen) {
             {"drawn", probe.pixel && probe.pixel->isDrawn},
             {"line", probe.pixel ? probe.pixel->draw.line : 0},
             {"x", probe.pixel ? probe.pixel->x : -1},
-            {"y", probe.pixel ? probe.pixel->y : -1},
+            {"y", probe.pixel ? rowOf(*probe.pixel) : -1},
             {"values", values}};
 }
 

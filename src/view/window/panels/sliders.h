@@ -26,12 +26,13 @@ struct TabStop {
 struct Sliders {
     std::vector<TabStop> drawn;  ///< in this frame, in the order of Tab
     unsigned focused = 0;        ///< gets the keys; 0: none
-    unsigned activated = 0;      ///< by Enter or the space bar in this frame, for stops that are no widgets of ImGui
+    unsigned activated =
+        0;  ///< by Enter or the space bar in this frame, for stops that are no widgets of ImGui
     SliderDrag drag;
     double moves = 0;         ///< by keys of this frame, as a part of the scale
     std::optional<bool> end;  ///< keys of this frame: to the minimum (false), to the maximum (true)
     bool isTyped = false, wasClicked = false, reveals = false;
-    bool wantsMenu = false;  ///< the menu of the focused value, by its key
+    bool wantsMenu = false;     ///< the menu of the focused value, by its key
     std::string typing;         ///< the slider that is a text field now: "uniform/Dots/uKd/0"
     bool typingBegins = false;  ///< the text field needs the keyboard focus
     double typed = 0;

@@ -6,7 +6,8 @@
 
 namespace glibra::view {
 
-/// tabStop(ui) (ui.h): the last widget is a stop; it has a frame while it has the keyboard. The same for what is no widget of ImGui. Returns true if it was activated in this frame.
+/// tabStop(ui) (ui.h): the last widget is a stop; it has a frame while it has the keyboard. The same for what
+/// is no widget of ImGui. Returns true if it was activated in this frame.
 bool tabStop(Ui& ui, unsigned id);
 
 /// Before the widgets of a frame: the keys that go from stop to stop and activate them.

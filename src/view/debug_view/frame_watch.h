@@ -1,0 +1,63 @@
+#pragma once
+// Draws a frame again and looks at what each of its passes, dispatches and draws leaves.
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "gpu/context/context.h"
+#include "render/check/content.h"
+#include "view/debug_view/frame_items.h"
+#include "view/scene/live_scene.h"
+
+namespace glibra::view {
+
+/// A small picture of what is there after an item: opaque RGBA bytes, bottom row first. Empty: there is none.
+struct Thumbnail {
+    int width = 0, height = 0;
+    std::vector<std::uint8_t> rgba;
+};
+
+/// The pixels that a draw covers, bottom row first.
+struct DrawMask {
+    enum Kind : std::uint8_t {
+        none = 0,
+        hidden = 1,
+        passed = 2
+    };  ///< hidden: the depth or stencil test failed
+    int width = 0, height = 0;
+    std::vector<std::uint8_t> pixels;
+    std::size_t passedPixels = 0, hiddenPixels = 0;
+};
+
+struct FrameQuestion {
+    int width = 1, height = 1;  ///< of the window's picture
+    double time = 0;
+    std::vector<bool> thumbnails{};     ///< by item: wanted; empty: none is
+    std::optional<std::size_t> item{};  ///< of the list: its target is read, and its mask is drawn
+    std::size_t target = 0;             ///< index into its targets
+};
+
+struct FrameAnswer {
+    /// By item; false: nothing of it can be seen, its program failed, or it was not asked for: without
+    /// thumbnails, only the passes into the window are drawn if the item is of them.
+    std::vector<bool> isExecuted;
+    std::vector<Thumbnail> thumbnails;       ///< by item; empty if none is wanted
+    std::optional<render::Content> content;  ///< of the target after the item
+    std::string problem;                     ///< why there is none
+    std::optional<DrawMask> mask;            ///< of a draw
+};
+
+inline constexpr int kThumbnailSide = 96;
+/// More items have no thumbnails.
+inline constexpr std::size_t kMostThumbnails = 400;
+
+/// `items` are those of the scene's plan. The scene has been drawn in that size at that time
+/// (LiveScene::look); nothing of it changes.
+FrameAnswer watchFrame(gpu::Context& context, LiveScene& scene, std::span<const FrameItem> items,
+                       const FrameQuestion& question);
+
+}  // namespace glibra::view

@@ -1,0 +1,168 @@
+// The tab "Pixel" of the window "Frame": which draws touch a pixel, and what the chosen one has there.
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "view/window/panels/frame_window.h"
+#include "view/window/panels/ui.h"
+#include "view/window/platform/theme.h"
+
+namespace glibra::view {
+namespace {
+
+std::string frameOf(const Ui& ui) {
+    return fmt::format("{} {}", ui.session.timesLoaded(), ui.session.framesDrawn());
+}
+
+int outputOf(const FrameItem& item, std::size_t target) {
+    if (item.targets.empty()) return 0;
+    const FrameTarget& chosen = item.targets[std::min(target, item.targets.size() - 1)];
+    return chosen.kind == FrameTarget::Kind::color ? chosen.output : 0;
+}
+
+/// Computes it again for another pixel, pass or frame.
+void examine(Ui& ui, FrameWindow& window, std::size_t index) {
+    const FrameItem& item = window.items[index];
+    const auto [x, y] = *window.pixel;
+    const int output = outputOf(item, window.target);
+    const std::string of = fmt::format("{} {} {} {} {}", frameOf(ui), item.step.pass, x, y, output);
+    const bool isHeld = ui.session.isMoving() && !window.pixelFor.empty();
+    if (of == window.pixelFor ||
+        (isHeld && window.pixelFor.ends_with(fmt::format(" {} {} {} {}", item.step.pass, x, y, output))))
+        return;
+    if (!ui.session.canLookInto()) return;
+    window.pixelFor = of;
+    window.history = pixelHistory(ui.context, ui.session.live(), window.items, index, ui.session.width(),
+                                  ui.session.height(), ui.session.clock().time(), x, y, output);
+}
+
+std::string colorText(const PixelState& state) {
+    std::string text;
+    for (const double each : state.color) text += fmt::format("{}{:.4g}", text.empty() ? "" : " ", each);
+    return text;
+}
+
+void swatch(const PixelState& state) {
+    if (state.color.empty()) return;
+    const float side = ImGui::GetTextLineHeight();
+    const auto part = [&](std::size_t i) {
+        return i < state.color.size() ? static_cast<float>(std::clamp(state.color[i], 0.0, 1.0)) : 0.F;
+    };
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + side, at.y + side},
+                                              ImGui::ColorConvertFloat4ToU32({part(0), part(1), part(2), 1}));
+    ImGui::Dummy({side, side});
+    ImGui::SameLine();
+}
+
+void eventRow(Ui& ui, FrameWindow& window, std::size_t number) {
+    const PixelEvent& event = window.history.events[number];
+    if (event.item >= window.items.size()) return;
+    const FrameItem& item = window.items[event.item];
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::PushID(static_cast<int>(number));
+    const std::string title = fmt::format("{}, line {}", item.title, item.place.line);
+    if (ImGui::Selectable(title.c_str(), item.key == window.chosen, ImGuiSelectableFlags_SpanAllColumns)) {
+        const auto pixel = window.pixel;
+        window.choose(item);
+        window.pixel = pixel;  // the passes have the same targets
+    }
+    ImGui::PopID();
+    mark(ui, "frame/event/{}", number);
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(std::string(wordsOf(event.outcome)).c_str());
+    ImGui::TableNextColumn();
+    if (event.fragments > 0)
+        ImGui::Text("%llu of %llu", static_cast<unsigned long long>(event.passed),
+                    static_cast<unsigned long long>(event.fragments));
+    ImGui::TableNextColumn();
+    swatch(event.after);
+    ImGui::TextUnformatted(colorText(event.after).c_str());
+    ImGui::TableNextColumn();
+    if (event.after.depth) ImGui::Text("%.6g", *event.after.depth);
+    ImGui::TableNextColumn();
+    if (event.after.stencil) ImGui::Text("%d", *event.after.stencil);
+}
+
+void events(Ui& ui, FrameWindow& window) {
+    constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit |
+                                       ImGuiTableFlags_Resizable | ImGuiTableFlags_BordersInnerV;
+    if (!ImGui::BeginTable("events", 6, kFlags)) return;
+    for (const char* each : {"by", "outcome", "passed", "colour after", "depth after", "stencil"})
+        ImGui::TableSetupColumn(each);
+    ImGui::TableHeadersRow();
+    for (std::size_t i = 0; i < window.history.events.size(); ++i) eventRow(ui, window, i);
+    ImGui::EndTable();
+    if (window.history.untouched > 0)
+        ImGui::TextDisabled("%zu other draws of the pass have nothing there", window.history.untouched);
+}
+
+void values(const char* title, const std::vector<ProbedValue>& all) {
+    if (all.empty() || !ImGui::TreeNodeEx(title, ImGuiTreeNodeFlags_DefaultOpen)) return;
+    if (ImGui::BeginTable(title, 3, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit)) {
+        for (const ProbedValue& each : all) {
+            ImGui::TableNextColumn();
+            ImGui::TextUnformatted(each.name.c_str());
+            ImGui::TableNextColumn();
+            ImGui::TextDisabled("%s", each.type.c_str());
+            ImGui::TableNextColumn();
+            ImGui::PushFont(codeFont());
+            ImGui::TextUnformatted(numbersText(each).c_str());
+            ImGui::PopFont();
+        }
+        ImGui::EndTable();
+    }
+    ImGui::TreePop();
+}
+
+/// The values that the chosen draw has at the pixel.
+void probe(Ui& ui, FrameWindow& window, const FrameItem& item) {
+    if (item.kind != FrameItem::Kind::draw) {
+        ImGui::TextDisabled("Choose a draw to see the values that it has there.");
+        return;
+    }
+    const bool isOpen = ImGui::CollapsingHeader("Probe: what the chosen draw has there");
+    mark(ui, "frame/probe");
+    if (!isOpen) return;
+    const auto [x, y] = *window.pixel;
+    const std::string of = fmt::format("{} {} {} {}", frameOf(ui), item.key, x, y);
+    const bool isHeld =
+        ui.session.isMoving() && window.probedFor.ends_with(fmt::format(" {} {} {}", item.key, x, y));
+    if (of != window.probedFor && !isHeld && ui.session.canLookInto()) {
+        window.probedFor = of;
+        window.probed = ui.session.probeDraw(item.step, x, y);
+    }
+    if (!window.probed) return;
+    const ProbedPixel& probed = *window.probed;
+    if (!probed.isDrawn) return ImGui::TextDisabled("The draw has no fragment at this pixel.");
+    ImGui::Text("depth %.6g, %s%s", probed.depth, probed.isFront ? "front" : "back",
+                probed.isHidden ? ", hidden" : "");
+    values("Outputs", probed.outputs);
+    values("Inputs", probed.inputs);
+    values("Uniforms", probed.uniforms);
+}
+
+}  // namespace
+
+void framePixel(Ui& ui, FrameWindow& window) {
+    const std::optional<std::size_t> index = window.index();
+    if (!index || window.items[*index].kind == FrameItem::Kind::dispatch ||
+        window.items[*index].kind == FrameItem::Kind::clearObject)
+        return ImGui::TextDisabled("Only passes draw pixels.");
+    if (!window.pixel)
+        return ImGui::TextWrapped(
+            "Click a pixel above to see which draws touched it. Pixels count from the lower left corner, as "
+            "gl_FragCoord does.");
+    examine(ui, window, *index);
+    ImGui::Text("pixel %d, %d", window.pixel->first, window.pixel->second);
+    mark(ui, "frame/pixel");
+    if (!window.history.problem.empty()) ImGui::TextWrapped("%s", window.history.problem.c_str());
+    events(ui, window);
+    if (const FrameItem* item = window.item()) probe(ui, window, *item);
+}
+
+}  // namespace glibra::view

@@ -1,0 +1,125 @@
+// The tab "State" of the window "Frame", and what the window reports.
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "render/draw/view_matrices.h"
+#include "view/debug_view/bound_target.h"
+#include "view/window/panels/frame_window.h"
+#include "view/window/panels/ui.h"
+#include "view/window/platform/theme.h"
+
+namespace glibra::view {
+namespace {
+
+std::vector<StateLine> linesOf(const Ui& ui, const FrameItem& item) {
+    const LiveScene& live = ui.session.live();
+    const plan::PlannedDraw* draw = plannedDraw(live.plan(), item);
+    if (draw == nullptr) return {};
+    const scene::NodeList& frame = live.scene().frame;
+    const scene::Pass& pass = frame.passes.at(item.step.pass);
+    const gpu::TextureSize size = sizeOf(live, pass, ui.session.width(), ui.session.height());
+    render::ViewMatrices view = render::isMoved(frame, pass) ? live.view() : live.view().unmoved();
+    if (render::isMoved(frame, pass) && pass.shift != glm::dmat4(1)) view = live.view().shifted(pass.shift);
+    return stateOf(live.scene(), live.plan(), *draw, view, static_cast<double>(size.width) / size.height);
+}
+
+nlohmann::ordered_json json(const PixelState& state) {
+    nlohmann::ordered_json made = {{"color", state.color}};
+    if (state.depth) made["depth"] = *state.depth;
+    if (state.stencil) made["stencil"] = *state.stencil;
+    return made;
+}
+
+nlohmann::ordered_json pixelJson(const FrameWindow& window) {
+    nlohmann::ordered_json events = nlohmann::ordered_json::array();
+    for (const PixelEvent& each : window.history.events)
+        if (each.item < window.items.size())
+            events.push_back({{"item", window.items[each.item].key},
+                              {"outcome", std::string(wordsOf(each.outcome))},
+                              {"fragments", each.fragments},
+                              {"passed", each.passed},
+                              {"after", json(each.after)}});
+    nlohmann::ordered_json made = {{"x", window.pixel->first},
+                                   {"y", window.pixel->second},
+                                   {"events", events},
+                                   {"problem", window.history.problem}};
+    if (!window.probed) return made;
+    nlohmann::ordered_json values = nlohmann::ordered_json::object();
+    for (const auto* list : {&window.probed->outputs, &window.probed->inputs, &window.probed->uniforms})
+        for (const ProbedValue& each : *list) values[each.name] = each.numbers;
+    made["probed"] = {{"drawn", window.probed->isDrawn},
+                      {"hidden", window.probed->isHidden},
+                      {"depth", window.probed->depth},
+                      {"values", values}};
+    return made;
+}
+
+}  // namespace
+
+void frameState(Ui& ui, const FrameWindow& window) {
+    const FrameItem* item = window.item();
+    const std::vector<StateLine> lines = item != nullptr ? linesOf(ui, *item) : std::vector<StateLine>();
+    if (lines.empty()) return ImGui::TextDisabled("Choose a draw to see its state.");
+    if (!ImGui::BeginTable("state", 2, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit)) return;
+    for (const StateLine& each : lines) {
+        ImGui::TableNextColumn();
+        // What differs from the state at the beginning of a pass is bright.
+        if (each.isChanged)
+            ImGui::TextUnformatted(each.name.c_str());
+        else
+            ImGui::TextDisabled("%s", each.name.c_str());
+        mark(ui, "frame/state/{}", each.name);
+        ImGui::TableNextColumn();
+        const bool isMatrix = each.value.find('\n') != std::string::npos;
+        if (isMatrix) ImGui::PushFont(codeFont());
+        ImGui::TextUnformatted(each.value.c_str());
+        if (isMatrix) ImGui::PopFont();
+        if (!each.texture) continue;
+        ImGui::SameLine();
+        ImGui::PushID(each.name.c_str());
+        if (ImGui::SmallButton("Show"))
+            ui.wanted.inspected = textureKey(ui.session.live().scene(), each.texture);
+        mark(ui, "frame/texture/{}", each.name);
+        ImGui::PopID();
+    }
+    ImGui::EndTable();
+}
+
+nlohmann::ordered_json frameJson(const FrameWindow& window) {
+    nlohmann::ordered_json items = nlohmann::ordered_json::array();
+    for (std::size_t i = 0; i < window.items.size(); ++i) {
+        const FrameItem& each = window.items[i];
+        nlohmann::ordered_json targets = nlohmann::ordered_json::array();
+        for (const FrameTarget& target : each.targets) targets.push_back(target.name);
+        items.push_back({{"key", each.key},
+                         {"title", each.title},
+                         {"line", each.place.line},
+                         {"drawn", i < window.isDrawn.size() && window.isDrawn[i]},
+                         {"thumbnail", i < window.thumbnails.size() && window.thumbnails[i].has_value()},
+                         {"targets", targets}});
+    }
+    nlohmann::ordered_json made = {{"items", items},
+                                   {"chosen", window.chosen},
+                                   {"target", window.target},
+                                   {"show", std::string(nameOf(window.shows))},
+                                   {"problem", window.problem},
+                                   {"hovered", window.view.hovered},
+                                   {"range", {window.view.display.low, window.view.display.high}}};
+    if (window.answer.content) made["size"] = {window.answer.content->width, window.answer.content->height};
+    if (const auto& mask = window.answer.mask)
+        made["mask"] = {{"passed", mask->passedPixels}, {"hidden", mask->hiddenPixels}};
+    if (window.pixel) made["pixel"] = pixelJson(window);
+    nlohmann::ordered_json mesh = nlohmann::ordered_json::array();
+    for (const MeshStage& each : window.mesh)
+        mesh.push_back({{"title", each.title},
+                        {"rows", each.rows},
+                        {"corners", each.corners},
+                        {"problem", each.problem}});
+    if (!mesh.empty()) made["mesh"] = mesh;
+    return made;
+}
+
+}  // namespace glibra::view

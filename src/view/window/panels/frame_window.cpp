@@ -1,0 +1,434 @@
+// The window "Frame": what the frame executes, and what each of its passes, dispatches and draws leaves.
+
+#include "view/window/panels/frame_window.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <nlohmann/json.hpp>
+
+#include "view/window/panels/ui.h"
+
+namespace glibra::view {
+namespace {
+
+constexpr std::size_t kUsualFolds = 60;  ///< with more items, the passes are folded at first
+
+/// What the target shows of the pass: not the picture, and normals as colours.
+std::string_view nameInFrame(DebugView kind) {
+    return kind == DebugView::picture ? "what it left" : nameOf(kind);
+}
+
+ImTextureID idOf(const gpu::Texture& texture) {
+    return std::bit_cast<ImTextureID>(static_cast<std::uintptr_t>(texture.id()));
+}
+
+bool isFolded(const FrameWindow& window, const std::string& key) {
+    return std::find(window.folded.begin(), window.folded.end(), key) != window.folded.end();
+}
+
+/// Lists the frame anew, with thumbnails.
+void listFrame(Ui& ui, FrameWindow& window) {
+    const LiveScene& live = ui.session.live();
+    const bool isFirst = window.items.empty();
+    window.items = frameItems(live.scene(), live.plan());
+    if (window.item() == nullptr) {
+        // The last one that leaves something: the picture.
+        window.chosen.clear();
+        for (const FrameItem& each : window.items)
+            if (each.kind == FrameItem::Kind::pass) window.chosen = each.key;
+        window.target = 0;
+        window.view.begin(false);
+    }
+    if (!isFirst || window.items.size() <= kUsualFolds) return;
+    for (const FrameItem& each : window.items)
+        if (each.kind == FrameItem::Kind::pass && each.key != window.chosen)
+            window.folded.push_back(each.key);
+}
+
+void takeThumbnails(Ui& ui, FrameWindow& window) {
+    window.thumbnails.clear();
+    for (const Thumbnail& each : window.answer.thumbnails)
+        window.thumbnails.push_back(
+            each.rgba.empty() ? std::nullopt : textureOfBytes(ui, each.width, each.height, each.rgba));
+}
+
+void takeMask(Ui& ui, FrameWindow& window) {
+    window.overlay.reset();
+    if (!window.answer.mask) return;
+    const DrawMask& mask = *window.answer.mask;
+    std::vector<std::uint8_t> rgba(4 * mask.pixels.size());
+    constexpr std::array<std::array<std::uint8_t, 4>, 3> kColors{
+        {{0, 0, 0, 0}, {60, 120, 255, 110}, {255, 150, 0, 150}}};
+    for (std::size_t i = 0; i < mask.pixels.size(); ++i)
+        std::copy_n(kColors.at(mask.pixels[i]).begin(), 4, rgba.begin() + static_cast<std::ptrdiff_t>(4 * i));
+    window.overlay = textureOfBytes(ui, mask.width, mask.height, rgba);
+}
+
+void takeNumbers(Ui& ui, FrameWindow& window) {
+    window.shownNumbers.reset();
+    const FrameItem* item = window.item();
+    if (window.shows == DebugView::picture || item == nullptr) return;
+    if (item->kind == FrameItem::Kind::dispatch || item->kind == FrameItem::Kind::clearObject) {
+        window.problem = "only passes can be shown so";
+        return;
+    }
+    window.problem = ui.session.numbersOfPass(item->step.pass, window.shows, window.numbers);
+    if (!window.problem.empty()) return;
+    render::Content content;
+    content.width = window.numbers.width;
+    content.height = window.numbers.height;
+    content.values.assign(window.numbers.rgba.begin(), window.numbers.rgba.end());
+    window.shownNumbers = std::move(content);
+    window.colors = colorsOf(window.shows, window.numbers);
+}
+
+/// The items that are listed and have no thumbnail yet; empty if there are none.
+std::vector<bool> missingThumbnails(const FrameWindow& window) {
+    std::vector<bool> wanted(window.items.size());
+    bool isHidden = false;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        const FrameItem& each = window.items[i];
+        if (!each.isInPass()) isHidden = isFolded(window, each.key);
+        wanted[i] = !window.asked[i] && !(each.isInPass() && isHidden);
+    }
+    return std::find(wanted.begin(), wanted.end(), true) == wanted.end() ? std::vector<bool>() : wanted;
+}
+
+/// Draws the frame again if it is another one, or if another item is chosen. While time runs, the list stays
+/// that of the frame when it was asked for; while something is dragged, it waits.
+void watch(Ui& ui, FrameWindow& window) {
+    Session& session = ui.session;
+    if (!session.canLookInto()) {
+        window.problem = "no frame has been drawn";
+        return;
+    }
+    const std::string scene = fmt::format("{} {}", session.path().string(), session.timesLoaded());
+    const std::string frame =
+        fmt::format("{} {} {} {}", scene, session.framesDrawn(), session.width(), session.height());
+    const bool isOther = !window.listedFor.starts_with(scene);
+    if (!isOther && ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
+    const bool isNew = isOther || (window.listedFor != frame && !session.isMoving());
+    if (isNew) {
+        listFrame(ui, window);
+        window.listedFor = frame;
+        window.thumbnails.clear();
+        window.thumbnails.resize(window.items.size());
+        window.asked.assign(window.items.size(), false);
+        window.isDrawn.assign(window.items.size(), true);
+    }
+    const std::string wanted =
+        fmt::format("{} {} {}", window.chosen, window.target, static_cast<int>(window.shows));
+    std::vector<bool> missing = missingThumbnails(window);
+    if (!isNew && wanted == window.watchedFor && missing.empty()) return;
+    window.watchedFor = wanted;
+    window.time = session.clock().time();
+    window.answer =
+        watchFrame(ui.context, session.live(), window.items,
+                   {session.width(), session.height(), window.time, missing, window.index(), window.target});
+    for (std::size_t i = 0; i < missing.size(); ++i) window.asked[i] = window.asked[i] || missing[i];
+    if (!missing.empty()) window.isDrawn = window.answer.isExecuted;
+    window.problem = window.answer.problem;
+    takeThumbnails(ui, window);
+    takeMask(ui, window);
+    takeNumbers(ui, window);
+    window.view.forget();
+}
+
+std::string label(const FrameItem& item) {
+    std::string text = item.number > 0 ? fmt::format("{} {}", item.title, item.number) : item.title;
+    if (!item.program.empty() && item.kind == FrameItem::Kind::draw) text += "  " + item.program;
+    if (item.place.line > 0) text += fmt::format("  line {}", item.place.line);
+    return text;
+}
+
+void thumbnail(const FrameWindow& window, std::size_t index, const ImVec2& at, const ImVec2& room) {
+    if (index >= window.thumbnails.size() || !window.thumbnails[index]) return;
+    const gpu::Texture& texture = *window.thumbnails[index];
+    const auto width = static_cast<float>(texture.size().width),
+               height = static_cast<float>(texture.size().height);
+    const float scale = std::min(room.x / width, room.y / height);
+    const ImVec2 from(at.x + (room.x - scale * width) / 2, at.y + (room.y - scale * height) / 2);
+    ImGui::GetWindowDrawList()->AddImage(idOf(texture), from,
+                                         {from.x + scale * width, from.y + scale * height}, {0, 1}, {1, 0});
+}
+
+void row(Ui& ui, FrameWindow& window, std::size_t index) {
+    const FrameItem& item = window.items[index];
+    const bool isPass = item.kind == FrameItem::Kind::pass;
+    const float height = (isPass || !item.isInPass() ? 44.F : 34.F) * ui.shared.scale;
+    const bool isExecuted = index >= window.isDrawn.size() || window.isDrawn[index];
+    ImGui::PushID(item.key.c_str());
+    const ImVec2 at = ImGui::GetCursorPos();
+    const float indent = item.isInPass() ? 14 * ui.shared.scale : 0;
+    ImGui::SetCursorPosX(at.x + indent);
+    const ImVec2 screen = ImGui::GetCursorScreenPos();
+    if (ImGui::Selectable("##row", item.key == window.chosen, ImGuiSelectableFlags_AllowDoubleClick,
+                          {0, height})) {
+        if (isPass && ImGui::IsMouseDoubleClicked(0)) {
+            if (isFolded(window, item.key))
+                std::erase(window.folded, item.key);
+            else
+                window.folded.push_back(item.key);
+        }
+        window.choose(item);
+    }
+    mark(ui, "frame/item/{}", item.key);
+    if (item.key == window.chosen && ImGui::IsWindowAppearing()) ImGui::SetScrollHereY();
+    if (ImGui::IsItemHovered() && !isExecuted)
+        ImGui::SetTooltip("nothing of it is drawn: it is out of sight, or its program failed");
+    const float wide = height * 1.5F;
+    thumbnail(window, index, screen, {wide, height - 2});
+    std::string text = label(item);
+    if (isPass && isFolded(window, item.key)) text += "  ...";
+    const ImU32 color = ImGui::GetColorU32(isExecuted ? ImGuiCol_Text : ImGuiCol_TextDisabled);
+    const float line = ImGui::GetTextLineHeight();
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    lineOfText(text.c_str(), {screen.x + wide + 6 * ui.shared.scale, screen.y + (height - line) / 2},
+               ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x);
+    ImGui::PopStyleColor();
+    ImGui::PopID();
+}
+
+/// The keys up and down choose the item before and after.
+void chooseByKeys(FrameWindow& window, const std::vector<std::size_t>& rows) {
+    if (!ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows) || ImGui::IsAnyItemActive()) return;
+    const int step = (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_DownArrow)) ? 1 : 0) -
+                     (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_UpArrow)) ? 1 : 0);
+    if (step == 0 || rows.empty()) return;
+    const auto found = std::find(rows.begin(), rows.end(), window.index().value_or(rows.front()));
+    const auto now = static_cast<int>(found == rows.end() ? 0 : found - rows.begin());
+    const int next = std::clamp(now + step, 0, static_cast<int>(rows.size()) - 1);
+    window.choose(window.items[rows[static_cast<std::size_t>(next)]]);
+}
+
+void list(Ui& ui, FrameWindow& window) {
+    std::vector<std::size_t> rows;
+    bool isHidden = false;
+    for (std::size_t i = 0; i < window.items.size(); ++i) {
+        const FrameItem& each = window.items[i];
+        if (!each.isInPass()) isHidden = isFolded(window, each.key);
+        if (!each.isInPass() || !isHidden) rows.push_back(i);
+    }
+    chooseByKeys(window, rows);
+    for (const std::size_t each : rows) row(ui, window, each);
+}
+
+void chooseTarget(Ui& ui, FrameWindow& window, const FrameItem& item) {
+    ImGui::SetNextItemWidth(170 * ui.shared.scale);
+    const std::size_t now = std::min(window.target, item.targets.size() - 1);
+    const bool isOpen = ImGui::BeginCombo("##target", item.targets[now].name.c_str());
+    mark(ui, "frame/target");
+    if (isOpen) {
+        for (std::size_t i = 0; i < item.targets.size(); ++i) {
+            ImGui::PushID(static_cast<int>(i));
+            if (ImGui::Selectable(item.targets[i].name.c_str(), i == now) && i != now) {
+                window.target = i;
+                window.view.begin(item.targets[i].kind != FrameTarget::Kind::color);
+            }
+            mark(ui, "frame/target/{}", i);
+            ImGui::PopID();
+        }
+        ImGui::EndCombo();
+    }
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(150 * ui.shared.scale);
+    const bool shows = ImGui::BeginCombo("Show", std::string(nameInFrame(window.shows)).c_str());
+    markField(ui, "frame/show", "Show");
+    if (!shows) return;
+    for (int i = 0; i < kDebugViewCount; ++i) {
+        const auto kind = static_cast<DebugView>(i);
+        const std::string name(nameInFrame(kind));
+        if (ImGui::Selectable(name.c_str(), kind == window.shows)) window.shows = kind;
+        mark(ui, "frame/show/{}", name);
+    }
+    ImGui::EndCombo();
+}
+
+void heading(Ui& ui, FrameWindow& window, const FrameItem& item) {
+    if (!item.targets.empty()) {
+        chooseTarget(ui, window, item);
+        ImGui::SameLine();
+    }
+    ImGui::Checkbox("Highlight", &window.highlights);
+    mark(ui, "frame/highlight");
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip(
+            "The pixels of the chosen draw: orange where it passes the tests, blue where something hides it");
+    if (item.place.line > 0) {
+        ImGui::SameLine();
+        if (ImGui::SmallButton("Source")) showSource(ui, item.place);
+        mark(ui, "frame/source");
+    }
+    std::string text = label(item);
+    if (const auto& mask = window.answer.mask)
+        text += fmt::format("   {} pixels, {} hidden", mask->passedPixels, mask->hiddenPixels);
+    if (ui.session.isMoving()) text += fmt::format("   as at {:.2f} s", window.time);
+    ImGui::TextUnformatted(text.c_str());
+}
+
+void target(Ui& ui, FrameWindow& window) {
+    const render::Content* content = window.shownNumbers     ? &*window.shownNumbers
+                                     : window.answer.content ? &*window.answer.content
+                                                             : nullptr;
+    if (!window.problem.empty() || content == nullptr) {
+        ImGui::TextWrapped("%s", window.problem.c_str());
+        if (const FrameItem* item = window.item(); item != nullptr && !item->targets.empty()) {
+            const FrameTarget& shown = item->targets[std::min(window.target, item->targets.size() - 1)];
+            if (shown.kind == FrameTarget::Kind::buffer) {
+                if (ImGui::Button("Show its content")) ui.wanted.inspected = shown.name;
+                mark(ui, "frame/buffer");
+            }
+        }
+        return;
+    }
+    const bool isDebug = window.shownNumbers.has_value();
+    TexelSource source{*content};
+    if (isDebug && !window.colors.empty()) source.colors = &window.colors;
+    if (isDebug && window.shows != DebugView::normals)
+        source.words = [&](int x, int y) {
+            const std::size_t at =
+                4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(window.numbers.width) +
+                     static_cast<std::size_t>(x));
+            return wordsOf(window.shows, window.numbers.rgba.data() + at);
+        };
+    const bool fits = window.answer.mask && window.answer.mask->width == content->width;
+    if (window.highlights && window.overlay && fits) source.overlay = &*window.overlay;
+    window.view.marked = window.pixel;
+    texelView(ui, window.view, source, "frame");
+    if (window.view.clicked) window.pixel = window.view.clicked;
+}
+
+void tabs(Ui& ui, FrameWindow& window) {
+    if (!ImGui::BeginTabBar("parts")) return;
+    const auto tab = [&](const char* title, const char* name, auto draw) {
+        const bool isOpen = ImGui::BeginTabItem(title);
+        mark(ui, name);
+        if (!isOpen) return;
+        ImGui::BeginChild(title);
+        draw();
+        ImGui::EndChild();
+        ImGui::EndTabItem();
+    };
+    tab("Pixel", "frame/tab/pixel", [&] { framePixel(ui, window); });
+    tab("State", "frame/tab/state", [&] { frameState(ui, window); });
+    tab("Mesh", "frame/tab/mesh", [&] { frameMesh(ui, window); });
+    ImGui::EndTabBar();
+}
+
+void frameWindow(Ui& ui, FrameWindow& window, bool& isOpen) {
+    ui.session.keepTextures();
+    watch(ui, window);
+    placeFloating(ui, 10, 10, 900, 660);
+    if (ImGui::Begin(kFrameRow.title, &isOpen, ImGuiWindowFlags_NoCollapse)) {
+        markWindow(ui, "frameWindow");
+        const ImVec2 room = ImGui::GetContentRegionAvail();
+        ImGui::BeginChild("items", {std::max(150.F, room.x * .36F), 0}, true);
+        list(ui, window);
+        ImGui::EndChild();
+        ImGui::SameLine();
+        ImGui::BeginGroup();
+        if (const FrameItem* item = window.item()) {
+            heading(ui, window, *item);
+            const float top = std::max(120.F, (ImGui::GetContentRegionAvail().y) * .6F);
+            ImGui::BeginChild("target", {0, top});
+            target(ui, window);
+            ImGui::EndChild();
+            tabs(ui, window);
+        }
+        ImGui::EndGroup();
+    }
+    ImGui::End();
+}
+
+class FramePanel final : public Panel {
+  public:
+    void show(Ui& ui) override {
+        isOpen = isOpen && ui.session.hasScene();
+        if (!isOpen) {
+            if (!window_.items.empty()) window_ = {};
+            return;
+        }
+        frameWindow(ui, window_, isOpen);
+    }
+    /// The chosen draw on the picture, if its pass draws that.
+    void drawOver(Ui& ui) override {
+        const FrameItem* item = isOpen ? window_.item() : nullptr;
+        // Of a moving picture it would be the pixels of an earlier one.
+        if (item == nullptr || !window_.overlay || !window_.highlights || ui.session.isMoving()) return;
+        const auto& passes = ui.session.live().scene().frame.passes;
+        if (item->step.pass >= passes.size() || !passes[item->step.pass].isWindow) return;
+        const Rectangle& at = ui.frame.picture;
+        ImGui::GetBackgroundDrawList()->AddImage(idOf(*window_.overlay), {at[0], at[1]},
+                                                 {at[0] + at[2], at[1] + at[3]}, {0, 1}, {1, 0});
+    }
+    void addTo(nlohmann::ordered_json& state, const Ui& /*ui*/) const override {
+        if (isOpen) state["frame"] = frameJson(window_);
+    }
+    void releaseDevice() override { window_ = {}; }
+
+  private:
+    FrameWindow window_;
+};
+
+constexpr auto kFrameKeys = std::to_array<Shortcut>(
+    {{KeyGroup::pipeline, GLFW_KEY_G, false, "G",
+      "the frame: its passes, dispatches and draws, and what each of them left", toggleOpen}});
+
+}  // namespace
+
+std::optional<std::size_t> FrameWindow::index() const {
+    for (std::size_t i = 0; i < items.size(); ++i)
+        if (items[i].key == chosen) return i;
+    return std::nullopt;
+}
+
+const FrameItem* FrameWindow::item() const {
+    const auto found = index();
+    return found ? &items[*found] : nullptr;
+}
+
+void FrameWindow::choose(const FrameItem& item) {
+    const FrameItem* before = this->item();
+    const auto nameOfTarget = [&](const FrameItem* each) {
+        return each == nullptr || each->targets.empty()
+                   ? std::string()
+                   : each->targets[std::min(target, each->targets.size() - 1)].name;
+    };
+    const std::string shown = nameOfTarget(before);
+    if (before != nullptr && before->step.pass != item.step.pass) {
+        target = 0;
+        pixel.reset();
+    }
+    chosen = item.key;
+    // The same target keeps its zoom and range, so that draws can be compared.
+    const bool isColor =
+        !item.targets.empty() &&
+        item.targets[std::min(target, item.targets.size() - 1)].kind == FrameTarget::Kind::color;
+    if (nameOfTarget(&item) != shown) view.begin(!isColor);
+}
+
+const plan::PlannedDraw* plannedDraw(const plan::FramePlan& plan, const FrameItem& item) {
+    if (item.kind != FrameItem::Kind::draw) return nullptr;
+    for (const plan::PlannedPass& pass : plan.passes)
+        for (const auto& step : pass.steps)
+            if (const auto* draw = std::get_if<plan::PlannedDraw>(&step); draw && draw->step == item.step)
+                return draw;
+    return nullptr;
+}
+
+const PanelRow kFrameRow{
+    .name = "frame",
+    .place = PanelPlace::floating,
+    .make = make<FramePanel>,
+    .keys = kFrameKeys,
+    .title = "Frame: passes, dispatches, draws",
+    .checkBox = "Frame",
+    .help = "List what the frame executes, with what each of it left; pixels, state, meshes (G)"};
+
+}  // namespace glibra::view

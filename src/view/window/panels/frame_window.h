@@ -1,0 +1,73 @@
+#pragma once
+// The state of the window "Frame", and its parts: the list of what the frame executes, what the chosen item
+// left, a pixel, the state and the mesh of a draw.
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "gpu/object/texture.h"
+#include "view/debug_view/debug_view.h"
+#include "view/debug_view/draw_state.h"
+#include "view/debug_view/frame_items.h"
+#include "view/debug_view/frame_watch.h"
+#include "view/debug_view/mesh_capture.h"
+#include "view/debug_view/pixel_history.h"
+#include "view/debug_view/pixel_probe.h"
+#include "view/window/panels/texel_view.h"
+
+namespace glibra::view {
+
+struct Ui;
+
+struct FrameWindow {
+    std::vector<FrameItem> items;
+    std::string chosen;                    ///< the key of an item; empty: none
+    std::vector<std::string> folded;       ///< keys of the passes whose draws are not listed
+    std::size_t target = 0;                ///< index into the targets of the chosen item
+    DebugView shows = DebugView::picture;  ///< `picture`: what the target holds
+    bool highlights = true;
+
+    std::string watchedFor, listedFor;  ///< what the following was made for
+    FrameAnswer answer;
+    std::vector<std::optional<gpu::Texture>> thumbnails;  ///< by item
+    std::vector<bool> asked, isDrawn;  ///< by item: has been asked for a thumbnail; is executed by the frame
+    std::optional<gpu::Texture> overlay;  ///< the pixels of the chosen draw
+    TexelImage numbers;                   ///< of a debug view
+    std::optional<render::Content> shownNumbers;
+    std::vector<std::uint8_t> colors;
+    std::string problem;
+    double time = 0;  ///< of the frame that is listed
+    TexelView view;
+
+    std::optional<std::pair<int, int>> pixel;  ///< of the targets, from the lower left corner
+    std::string pixelFor, probedFor;
+    PixelHistory history;
+    std::optional<ProbedPixel> probed;  ///< of the chosen draw at that pixel
+
+    std::string meshFor;
+    std::vector<MeshStage> mesh;
+    std::size_t meshStage = 0;
+    float turn = 30, tilt = 20, distance = 1;  ///< degrees; how far the mesh is from the eye
+    std::size_t firstRow = 0;
+
+    /// The chosen item; null if there is none.
+    [[nodiscard]] const FrameItem* item() const;
+    [[nodiscard]] std::optional<std::size_t> index() const;
+    void choose(const FrameItem& item);
+};
+
+/// The draw of the plan that the item is; null for other items.
+const plan::PlannedDraw* plannedDraw(const plan::FramePlan& plan, const FrameItem& item);
+
+// The tabs below the picture.
+void framePixel(Ui& ui, FrameWindow& window);
+void frameState(Ui& ui, const FrameWindow& window);
+void frameMesh(Ui& ui, FrameWindow& window);
+
+/// For `--state`.
+nlohmann::ordered_json frameJson(const FrameWindow& window);
+
+}  // namespace glibra::view

@@ -1,0 +1,191 @@
+#include "view/window/panels/texel_view.h"
+
+#include <fmt/format.h>
+#include <glad/gl.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <span>
+#include <tuple>
+
+#include "view/window/panels/ui.h"
+#include "view/window/panels/value_slider.h"
+
+namespace glibra::view {
+namespace {
+
+constexpr float kNearest = 64, kFarthest = .02F;  // zoom
+
+std::string named(std::string_view name, const char* widget) {
+    return fmt::format("{}/{}", name, widget);
+}
+
+void displaySettings(Ui& ui, TexelView& view, std::string_view name) {
+    ImGui::PushItemWidth(90 * ui.shared.scale);
+    int channels = static_cast<int>(view.display.channels);
+    if (ImGui::Combo("##channels", &channels, "RGB\0red\0green\0blue\0alpha\0"))
+        view.display.channels = static_cast<Channels>(channels);
+    mark(ui, named(name, "channels"));
+    ImGui::SameLine();
+    ImGui::InputDouble("black", &view.display.low, 0, 0, "%.5g");
+    markField(ui, named(name, "low"), "black");
+    ImGui::SameLine();
+    ImGui::InputDouble("white", &view.display.high, 0, 0, "%.5g");
+    markField(ui, named(name, "high"), "white");
+    ImGui::SameLine();
+    if (ImGui::Button("Fit range")) view.wantsRange = true;
+    mark(ui, named(name, "fitRange"));
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("Black is the least value of the shown channels, white the largest");
+    ImGui::SameLine();
+    if (ImGui::Button("0..1")) view.display.low = 0, view.display.high = 1;
+    mark(ui, named(name, "unitRange"));
+    ImGui::PopItemWidth();
+}
+
+std::string texelText(const render::Content& content, std::size_t column, std::size_t row) {
+    std::string text = fmt::format("{}, {}:", column, row);
+    for (const double each : content.at(row * static_cast<std::size_t>(content.width) + column)) {
+        // Integers up to 2^32 with all their digits.
+        const bool isWhole = each == std::trunc(each) && std::abs(each) < 1e10;
+        text += isWhole ? fmt::format(" {:.0f}", each) : fmt::format(" {:.6g}", each);
+    }
+    return text;
+}
+
+/// The wheel zooms about the texel under the mouse. Call it before the image, whose size limits how far the
+/// next frame can be scrolled.
+void zoomImage(TexelView& view, const ImVec2& at) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (io.MouseWheel == 0 || !ImGui::IsWindowHovered()) return;
+    float& zoom = view.zoom;
+    view.fits = false;
+    const float before = zoom;
+    zoom = std::clamp(zoom * std::pow(1.2F, io.MouseWheel), kFarthest, kNearest);
+    const float more = zoom / before - 1;
+    ImGui::SetScrollX(ImGui::GetScrollX() + (io.MousePos.x - at.x) * more);
+    ImGui::SetScrollY(ImGui::GetScrollY() + (io.MousePos.y - at.y) * more);
+}
+
+/// Dragging moves the image; a click without it chooses a texel.
+bool panImage(TexelView& view) {
+    const ImVec2& moved = ImGui::GetIO().MouseDelta;
+    if (ImGui::IsItemActivated()) view.isDragged = false;
+    if (ImGui::IsItemActive()) {
+        view.isDragged = view.isDragged || ImGui::IsMouseDragging(ImGuiMouseButton_Left, 4);
+        ImGui::SetScrollX(ImGui::GetScrollX() - moved.x);
+        ImGui::SetScrollY(ImGui::GetScrollY() - moved.y);
+    }
+    return ImGui::IsItemDeactivated() && !view.isDragged && ImGui::IsItemHovered();
+}
+
+void sizeSettings(Ui& ui, TexelView& view, const render::Content& content, std::string_view name) {
+    if (ImGui::Button("Fit")) view.fits = true;
+    mark(ui, named(name, "fit"));
+    ImGui::SameLine();
+    if (ImGui::Button("1:1")) view.fits = false, view.zoom = 1;
+    mark(ui, named(name, "actualSize"));
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(110 * ui.shared.scale);
+    double zoom = static_cast<double>(view.zoom);
+    if (labelledSlider(ui, "zoom", named(name, "zoom").c_str(), {kFarthest, kNearest, false, true}, zoom)) {
+        view.fits = false;
+        view.zoom = static_cast<float>(zoom);
+    }
+    ImGui::SameLine();
+    ImGui::Text("%d x %d   %s", content.width, content.height, view.hovered.c_str());
+    const NonFiniteTexels bad = countNonFinite(content);
+    if (bad.nan + bad.infinite > 0)
+        ImGui::TextColored({1, .4F, .9F, 1}, "%d texels are NaN (magenta), %d infinite (cyan)", bad.nan,
+                           bad.infinite);
+}
+
+void drawTexture(const gpu::Texture& texture, const ImVec2& at, const ImVec2& size) {
+    ImGui::GetWindowDrawList()->AddImage(
+        std::bit_cast<ImTextureID>(static_cast<std::uintptr_t>(texture.id())), at,
+        {at.x + size.x, at.y + size.y}, {0, 1}, {1, 0});
+}
+
+void ring(const Ui& ui, const TexelView& view, const render::Content& content, const ImVec2& at) {
+    const ImVec2 middle(
+        at.x + (static_cast<float>(view.marked->first) + .5F) * view.zoom,
+        at.y + (static_cast<float>(content.height - 1 - view.marked->second) + .5F) * view.zoom);
+    const float radius = std::max(6 * ui.shared.scale, view.zoom);
+    ImGui::GetWindowDrawList()->AddCircle(middle, radius, IM_COL32_BLACK, 0, 3 * ui.shared.scale);
+    ImGui::GetWindowDrawList()->AddCircle(middle, radius, IM_COL32_WHITE, 0, 1.5F * ui.shared.scale);
+}
+
+void upload(Ui& ui, TexelView& view, const TexelSource& source) {
+    if (std::exchange(view.wantsRange, false))
+        std::tie(view.display.low, view.display.high) = rangeOf(source.content, view.display.channels);
+    if (view.shown && view.shownDisplay == view.display) return;
+    view.shown =
+        textureOfBytes(ui, source.content.width, source.content.height,
+                       source.colors != nullptr ? *source.colors : screenBytes(source.content, view.display));
+    view.shownDisplay = view.display;
+}
+
+}  // namespace
+
+void TexelView::begin(bool withOwnRange) {
+    fits = true;
+    wantsRange = withOwnRange;
+    display = {};
+    shown.reset();
+    marked.reset();
+}
+
+std::optional<gpu::Texture> textureOfBytes(Ui& ui, int width, int height,
+                                           const std::vector<std::uint8_t>& rgba) {
+    Result<gpu::Texture> made =
+        gpu::Texture::create(ui.context.capabilities(), gpu::TextureShape::texture2D, gpu::TexelFormat::rgba8,
+                             {width, height, 1}, {std::as_bytes(std::span(rgba)), 4});
+    if (!made) return std::nullopt;
+    glBindTexture(GL_TEXTURE_2D, made->id());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    return std::move(made.value);
+}
+
+void texelView(Ui& ui, TexelView& view, const TexelSource& source, std::string_view name) {
+    view.clicked.reset();
+    const render::Content& content = source.content;
+    upload(ui, view, source);
+    if (!view.shown) return;
+    if (source.colors == nullptr) displaySettings(ui, view, name);
+    sizeSettings(ui, view, content, name);
+    const auto width = static_cast<float>(content.width), height = static_cast<float>(content.height);
+    if (view.fits) {
+        const ImVec2 room = ImGui::GetContentRegionAvail();
+        const float border = 2 * ImGui::GetStyle().WindowPadding.x;
+        view.zoom =
+            std::clamp(std::min((room.x - border) / width, (room.y - border) / height), kFarthest, kNearest);
+    }
+    ImGui::BeginChild("image", {0, 0}, true,
+                      ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    zoomImage(view, at);
+    const ImVec2 size(std::max(1.F, width * view.zoom), std::max(1.F, height * view.zoom));
+    ImGui::InvisibleButton("texels", size);
+    mark(ui, named(name, "image"));
+    drawTexture(*view.shown, at, size);
+    if (source.overlay != nullptr) drawTexture(*source.overlay, at, size);
+    if (view.marked) ring(ui, view, content, at);
+    view.hovered.clear();
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const int x = std::clamp(static_cast<int>((mouse.x - at.x) / view.zoom), 0, content.width - 1);
+    const int y = content.height - 1 -
+                  std::clamp(static_cast<int>((mouse.y - at.y) / view.zoom), 0, content.height - 1);
+    if (ImGui::IsItemHovered()) {
+        view.hovered = source.words
+                           ? fmt::format("{}, {}: {}", x, y, source.words(x, y))
+                           : texelText(content, static_cast<std::size_t>(x), static_cast<std::size_t>(y));
+        ImGui::SetTooltip("%s", view.hovered.c_str());
+    }
+    if (panImage(view)) view.clicked = std::pair(x, y);
+    ImGui::EndChild();
+}
+
+}  // namespace glibra::view

@@ -1,0 +1,57 @@
+#pragma once
+// Texels on the screen, as large as one likes: the range of values that is shown, the channels, zoom and pan,
+// and the numbers under the mouse.
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "gpu/object/texture.h"
+#include "render/check/content.h"
+#include "view/debug_view/texels.h"
+
+namespace glibra::view {
+
+struct Ui;
+
+struct TexelView {
+    TexelDisplay display;
+    bool wantsRange = false;  ///< the range of shown values follows from the next content
+    bool fits = true;         ///< the zoom follows the size of the window, until the user chooses one
+    float zoom = 1;
+    std::string hovered;                         ///< the texel under the mouse: "12, 40: 0.5 0.25 0 1"
+    std::optional<std::pair<int, int>> clicked;  ///< in this frame: a texel, from the lower left corner
+    std::optional<std::pair<int, int>> marked;   ///< a ring is drawn around this texel
+    std::optional<gpu::Texture> shown;
+
+    /// The content is another one: the texture is made anew.
+    void forget() { shown.reset(); }
+    /// For another object: its own range, the whole of it.
+    void begin(bool withOwnRange);
+
+    TexelDisplay shownDisplay;
+    bool isDragged = false;  ///< since the button went down
+};
+
+struct TexelSource {
+    const render::Content& content;  ///< bottom row first
+    const std::vector<std::uint8_t>* colors =
+        nullptr;  ///< opaque RGBA to show in its place; null: its values
+    /// The text about a texel (x, y, from the lower left corner); without it its numbers.
+    std::function<std::string(int x, int y)> words{};
+    const gpu::Texture* overlay = nullptr;  ///< of the same size, drawn over it
+};
+
+/// `name` begins the names of the widgets: "inspector".
+void texelView(Ui& ui, TexelView& view, const TexelSource& source, std::string_view name);
+
+/// Opaque or transparent RGBA bytes, bottom row first, as a texture that is magnified without filtering;
+/// nothing without memory.
+std::optional<gpu::Texture> textureOfBytes(Ui& ui, int width, int height,
+                                           const std::vector<std::uint8_t>& rgba);
+
+}  // namespace glibra::view
