@@ -23,7 +23,15 @@ glibra render /usr/share/glibra/glib/start/teapot.glib -o teapot.jpg >log 2>&1 &
 grep -q libOpenImageIO log || fail "no word about the library"
 cd - >/dev/null
 
-quietly apt-get install -y ./glibra_*.deb ./libglibra1_*.deb ./libglibra-dev_*.deb ./glibra-doc_*.deb
+begin=$(date +%s)
+quietly apt-get install -y --no-install-recommends ./libglibra1_*.deb ./python3-glibra_*.deb
+quietly python3 -c 'import glibra
+scene = glibra.Scene("/usr/share/glibra/glib/start/teapot.glib")
+scene.uShininess = 20
+picture = scene.draw(64, 48, time=1)
+assert picture.shape == (48, 64, 3) and picture.min() < picture.max()'
+echo "from apt-get install to the first array in Python: $(($(date +%s) - begin)) s"
+quietly apt-get install -y ./glibra_*.deb ./libglibra1_*.deb ./libglibra-dev_*.deb ./python3-glibra_*.deb ./glibra-doc_*.deb
 quietly apt-get install -y --no-install-recommends g++ cmake ninja-build pkg-config xvfb xauth x11-utils man-db desktop-file-utils
 cp CMakeLists.txt consumer.cpp "$place"
 cd "$place"
@@ -49,6 +57,6 @@ quietly g++ -std=c++20 consumer.cpp -o by_pkg_config $(pkg-config --cflags --lib
 quietly ./by_pkg_config /usr/share/glibra/glib/start/teapot.glib
 cd - >/dev/null
 
-quietly apt-get purge -y glibra libglibra1 libglibra-dev glibra-doc
+quietly apt-get purge -y glibra libglibra1 libglibra-dev python3-glibra glibra-doc
 find / -xdev -iname '*glibra*' ! -path '/proc/*' ! -path "$PWD/*" ! -path '/root/*' ! -path '/var/log/*' ! -path "$place/*" >"$place/log"
 [ ! -s "$place/log" ] || fail "left behind:"

@@ -58,6 +58,21 @@ grep -q "no 'python3'" "$place/log" || fail "no word about the component"
 find_glibra "-Dglibra_DIR=$build" 'REQUIRED COMPONENTS library program' || fail "a build tree is not found"
 find_glibra "-DCMAKE_PREFIX_PATH=$place/prefix" '99.0 REQUIRED' && fail "version 99 is found"
 
+# As a part of another project, by add_subdirectory and by FetchContent: with its alias, and without its tests.
+# shellcheck disable=SC2016
+for way in 'add_subdirectory(${GLIBRA} glibra)' 'include(FetchContent)
+FetchContent_Declare(glibra SOURCE_DIR ${GLIBRA})
+FetchContent_MakeAvailable(glibra)'; do
+    mkdir -p "$place/part"
+    printf '%s\n' 'cmake_minimum_required(VERSION 3.25)' 'project(part LANGUAGES CXX)' 'set(CMAKE_CXX_STANDARD 23)' "$way" \
+        'add_executable(part part.cpp)' 'target_link_libraries(part PRIVATE glibra::glibra)' \
+        'if(TARGET glibra_base_tests OR NOT CMAKE_CXX_STANDARD EQUAL 23)' '    message(FATAL_ERROR "not a part")' 'endif()' \
+        >"$place/part/CMakeLists.txt"
+    cp "$source/tests/install/consumer.cpp" "$place/part/part.cpp"
+    rm -rf "$place/part/build"
+    cmake -S "$place/part" -B "$place/part/build" -DGLIBRA="$source" >"$place/log" 2>&1 || fail "a part of another project: $way"
+done
+
 # pkg-config, also where the installation has moved.
 mv "$place/split" "$place/moved"
 pc=$(dirname "$(find "$place/moved" -name glibra.pc)")
@@ -78,6 +93,39 @@ ${CXX:-c++} -std=c++20 -Wall -Wextra -Werror -I"$place/prefix/include" "$place/t
 (cd "$place/tour" && "$place/prefix/bin/glibra" render teapot.glib -o golden.png --size 320x240 --time 3.3 --set uShininess=20 &&
     ./tour) >"$place/log" 2>&1 || fail "the program of docs/library.md ends with another status"
 grep -q 'uShininess float' "$place/log" || fail "the program of docs/library.md lists no values"
+
+# The blocks of the pages that are parts of a program, and the one above, by both compilers.
+# shellcheck disable=SC2016
+for page in README.md docs/library.md docs/classic.md; do
+    awk -v out="$place/tour/$(basename "$page" .md)" '
+        function close_block() { if (isOpen) { if (!isWhole) print "}" >file; close(file) } isOpen = 0 }
+        /^```cpp$/ { file = out "_" ++number ".cpp"; isOpen = 1; begun = 0; next }
+        /^```$/ { close_block(); next }
+        isOpen && !begun { begun = 1; isWhole = /^#include/ ? 2 : 0
+            if (!isWhole) print "#include <glibra/classic/classic.h>\nusing namespace glibra::classic;\nint program(float aspect) {" >file }
+        isOpen && isWhole == 2 && !/^#include/ && !/^$/ { isWhole = /^int main/; if (!isWhole) print "int program() {" >file }
+        isOpen { print >file }' "$source/$page"
+done
+ls "$place"/tour/README_1.cpp "$place"/tour/library_1.cpp "$place"/tour/classic_1.cpp >"$place/log" 2>&1 || fail "no blocks of the pages"
+for compiler in ${CXX:-c++} clang++-19; do
+    command -v "$compiler" >/dev/null || continue
+    for each in "$place"/tour/*_*.cpp; do
+        "$compiler" -std=c++20 -Wall -Werror -Wno-return-type -Wno-unused-variable -Wno-unused-but-set-variable -fsyntax-only \
+            -I"$place/prefix/include" "$each" >"$place/log" 2>&1 || fail "$compiler: a block of $(basename "$each")"
+    done
+done
+
+# A project of Meson.
+if command -v meson >/dev/null; then
+    mkdir "$place/meson"
+    cp "$source/tests/install/consumer.cpp" "$place/meson"
+    printf "%s\n" "project('consumer', 'cpp', default_options: ['cpp_std=c++20'])" \
+        "executable('consumer', 'consumer.cpp', dependencies: dependency('glibra'))" >"$place/meson/meson.build"
+    meson setup "$place/meson/build" "$place/meson" --pkg-config-path "$(dirname "$(find "$place/prefix" -name glibra.pc)")" \
+        >"$place/log" 2>&1 || fail "a project of Meson cannot be configured"
+    meson compile -C "$place/meson/build" >"$place/log" 2>&1 || fail "a project of Meson cannot be built"
+    "$place/meson/build/consumer" "$source/glib/start/teapot.glib" >"$place/log" 2>&1 || fail "a program of Meson"
+fi
 
 # The book's classes: in a program with a loader of its own, and the examples in a window.
 # shellcheck disable=SC2046
