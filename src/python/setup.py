@@ -1,4 +1,4 @@
-"""The wheel of glibra: `pip wheel .` in the repository builds the module with CMake. Needs what the library needs, and pybind11.
+"""The wheel of glibra: `pip wheel .` in this folder builds the module with CMake. Needs what the library needs, and pybind11.
 GLIBRA_BUILD may name a build folder of CMake that has been configured with GLIBRA_PYTHON; otherwise a new one is made and
 removed. Nothing is written into the repository."""
 import os
