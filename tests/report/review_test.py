@@ -147,6 +147,8 @@ class Review(unittest.TestCase):
         browser = self.open()
         self.key(browser, "r")
         self.said(browser, "1 rejected")
+        browser.wait("return document.body.dataset.ready === '1'")
+        self.seen(browser, 1)
         self.key(browser, "a")
         self.said(browser, "1 accepted")
         browser.run("document.querySelector('[data-shot=\"4\"]').click()")
