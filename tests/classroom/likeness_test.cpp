@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <cstring>
 #include <functional>
+#include <initializer_list>
 #include <limits>
 #include <map>
 #include <string>
@@ -216,7 +217,7 @@ TEST(Likeness, StaysBetweenZeroAndOneWhateverThePicturesAre) {
         std::memcpy(floats.data.data() + i * sizeof(float), &values[i * i % values.size()], sizeof(float));
     all.push_back(std::move(floats));
     for (const image::Image& a : all)
-        for (const image::Image* b : {&all[0], &all[1], &a}) {
+        for (const image::Image* b : std::initializer_list<const image::Image*>{&all[0], &all[1], &a}) {
             const double value = likeness(a, *b);
             EXPECT_TRUE(value >= 0 && value <= 1) << a.width << " x " << a.height << ", " << b->width;
         }

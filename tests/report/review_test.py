@@ -116,6 +116,7 @@ class Review(unittest.TestCase):
         self.said(browser, "1 rejected")
         browser.wait("return document.body.dataset.ready === '1'")
         self.assertEqual(self.golden("ball@time=1"), before)
+        self.seen(browser, 1)
         self.key(browser, "a")
         self.said(browser, "1 accepted")
         browser.wait("return document.body.dataset.ready === '2'")
