@@ -117,6 +117,8 @@ TEST_F(VerdictMatrix, EveryCombinationIsJudgedByTheRules) {
                             golden,          list,           checks, pair, (bits & 1) != 0, (bits & 2) != 0,
                             (bits & 4) != 0, (bits & 8) != 0};
                         if (each.update && !each.trustsHashes) continue;  // --untrusted updates nothing
+                        // Where there is a golden, those of others do not matter.
+                        if (each.otherShotHas && golden != GoldenIs::missing) continue;
                         const ShotResult result = decide(each);
                         EXPECT_EQ(name(result.verdict), std::string(name(expected(each))))
                             << each.text() << "\n"
@@ -127,7 +129,7 @@ TEST_F(VerdictMatrix, EveryCombinationIsJudgedByTheRules) {
                         ++seen[result.verdict];
                         ++count;
                     }
-    EXPECT_EQ(count, 3 * 4 * 3 * 4 * 12);
+    EXPECT_EQ(count, 4 * 4 * 3 * 4 * 6);
     EXPECT_GT(seen[Verdict::passed], 50);
     EXPECT_GT(seen[Verdict::missing], 20);
     EXPECT_GT(seen[Verdict::updated], 20);
