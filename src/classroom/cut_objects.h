@@ -49,8 +49,8 @@ struct Scale {
 /// What differs from the background.
 struct Objects {
     Color background{};
-    std::vector<char> isObject;                      ///< of each pixel
-    int left = 0, top = 0, right = 0, bottom = 0;    ///< the pixels at the ends
+    std::vector<char> isObject;                    ///< of each pixel
+    int left = 0, top = 0, right = 0, bottom = 0;  ///< the pixels at the ends
     /// Of the box around them, in pixels: the detail that the picture can have of them.
     [[nodiscard]] int longerSide() const { return std::max(right - left, bottom - top) + 1; }
 };
@@ -58,8 +58,8 @@ struct Objects {
 /// The objects of a picture; nothing if there are none.
 std::optional<Objects> findObjects(const Colors& colors);
 
-/// The objects, cut out and scaled so that their longer side is kSide, with no more detail than `detail` pixels
-/// on that side would have.
+/// The objects, cut out and scaled so that their longer side is kSide, with no more detail than `detail`
+/// pixels on that side would have.
 Scale cutOut(const Colors& colors, const Objects& objects, int detail);
 
 }  // namespace glibra::classroom

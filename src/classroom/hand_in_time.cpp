@@ -23,20 +23,60 @@ struct WordOfMonth {
     int month;
 };
 /// How the names of months begin in the languages of hand_in_time.h. "mar" alone would also be a Tuesday.
-constexpr WordOfMonth kMonths[] = {
-    {"jan", 1},           {"ene", 1},    {"gen", 1},    {"feb", 2},    {"fev", 2},       {"f\xC3\xA9v", 2},
-    {"march", 3},         {"mars", 3},   {"marzo", 3},  {"maart", 3},  {"m\xC3\xA4r", 3}, {"mar\xC3\xA7o", 3},
-    {"apr", 4},           {"avr", 4},    {"abr", 4},    {"may", 5},    {"mai", 5},       {"mag", 5},
-    {"mei", 5},           {"jun", 6},    {"juin", 6},   {"giu", 6},    {"jul", 7},       {"juil", 7},
-    {"lug", 7},           {"aug", 8},    {"ago", 8},    {"ao\xC3\xBB", 8}, {"sep", 9},   {"set", 9},
-    {"oct", 10},          {"okt", 10},   {"ott", 10},   {"out", 10},   {"nov", 11},      {"dec", 12},
-    {"dez", 12},          {"dic", 12},   {"d\xC3\xA9" "c", 12}};
+constexpr WordOfMonth kMonths[] = {{"jan", 1},
+                                   {"ene", 1},
+                                   {"gen", 1},
+                                   {"feb", 2},
+                                   {"fev", 2},
+                                   {"f\xC3\xA9v", 2},
+                                   {"march", 3},
+                                   {"mars", 3},
+                                   {"marzo", 3},
+                                   {"maart", 3},
+                                   {"m\xC3\xA4r", 3},
+                                   {"mar\xC3\xA7o", 3},
+                                   {"apr", 4},
+                                   {"avr", 4},
+                                   {"abr", 4},
+                                   {"may", 5},
+                                   {"mai", 5},
+                                   {"mag", 5},
+                                   {"mei", 5},
+                                   {"jun", 6},
+                                   {"juin", 6},
+                                   {"giu", 6},
+                                   {"jul", 7},
+                                   {"juil", 7},
+                                   {"lug", 7},
+                                   {"aug", 8},
+                                   {"ago", 8},
+                                   {"ao\xC3\xBB", 8},
+                                   {"sep", 9},
+                                   {"set", 9},
+                                   {"oct", 10},
+                                   {"okt", 10},
+                                   {"ott", 10},
+                                   {"out", 10},
+                                   {"nov", 11},
+                                   {"dec", 12},
+                                   {"dez", 12},
+                                   {"dic", 12},
+                                   {"d\xC3\xA9"
+                                    "c",
+                                    12}};
 
-constexpr std::string_view kLate[] = {"late",    "zu sp\xC3\xA4t",   "en retard", "despu\xC3\xA9s",
-                                      "ritardo", "te laat",          "atras"};
-constexpr std::string_view kExtended[] = {"xten", "erl\xC3\xA4ngerung", "prolong", "ampliaci", "proroga",
-                                          "erlenging", "prorroga"};
-constexpr std::string_view kDays[] = {"day", "tag", "jour", "d\xC3\xAD" "a", "dia", "giorn", "dag"};
+constexpr std::string_view kLate[] = {"late",    "zu sp\xC3\xA4t", "en retard", "despu\xC3\xA9s",
+                                      "ritardo", "te laat",        "atras"};
+constexpr std::string_view kExtended[] = {"xten",    "erl\xC3\xA4ngerung", "prolong", "ampliaci",
+                                          "proroga", "erlenging",          "prorroga"};
+constexpr std::string_view kDays[] = {"day",
+                                      "tag",
+                                      "jour",
+                                      "d\xC3\xAD"
+                                      "a",
+                                      "dia",
+                                      "giorn",
+                                      "dag"};
 constexpr std::string_view kYears[] = {"year", "jahr", "an", "a\xC3\xB1o", "jaar"};
 
 std::string lowered(std::string_view text) {
@@ -154,9 +194,9 @@ std::optional<Fields> readWords(const std::vector<std::string_view>& parts) {
             if (field >= 0 || part.size() == 3) return std::nullopt;
             field = numberAt(parts, i);
         } else if (isLetter(part[0])) {
-            const auto* const month = std::find_if(
-                std::begin(kMonths), std::end(kMonths),
-                [&](const WordOfMonth& each) { return part.starts_with(each.begin); });
+            const auto* const month =
+                std::find_if(std::begin(kMonths), std::end(kMonths),
+                             [&](const WordOfMonth& each) { return part.starts_with(each.begin); });
             if (month == std::end(kMonths)) continue;
             if (read.month > 0 && read.month != month->month) return std::nullopt;
             read.month = month->month;
@@ -177,8 +217,8 @@ std::optional<ReadTime> readTime(std::string_view text) {
     const year_month_day day{year(read->year), month(static_cast<unsigned>(read->month)),
                              std::chrono::day(static_cast<unsigned>(read->day))};
     if (!day.ok() || read->hour > 23 || read->minute > 59) return std::nullopt;
-    const std::int64_t minutes = std::int64_t{sys_days(day).time_since_epoch().count()} * 24 * 60 +
-                                 read->hour * 60 + read->minute;
+    const std::int64_t minutes =
+        std::int64_t{sys_days(day).time_since_epoch().count()} * 24 * 60 + read->hour * 60 + read->minute;
     return ReadTime{minutes - read->zone.value_or(0), read->zone.has_value()};
 }
 
@@ -193,9 +233,8 @@ std::int64_t onTheWall(const ReadTime& time) {
 
 template <std::size_t N>
 bool contains(std::string_view text, const std::string_view (&words)[N]) {
-    return std::any_of(std::begin(words), std::end(words), [&](std::string_view each) {
-        return text.find(each) != std::string_view::npos;
-    });
+    return std::any_of(std::begin(words), std::end(words),
+                       [&](std::string_view each) { return text.find(each) != std::string_view::npos; });
 }
 
 template <std::size_t N>
@@ -210,8 +249,7 @@ std::optional<double> daysBetween(std::string_view due, std::string_view time) {
     const std::optional<ReadTime> a = readTime(due), b = readTime(time);
     if (!a || !b) return std::nullopt;
     const bool isSame = a->isUtc == b->isUtc;
-    const std::int64_t minutes =
-        isSame ? b->minutes - a->minutes : onTheWall(*b) - onTheWall(*a);
+    const std::int64_t minutes = isSame ? b->minutes - a->minutes : onTheWall(*b) - onTheWall(*a);
     constexpr std::int64_t kDay = std::int64_t{24} * 60;
     return minutes <= 0 ? 0.0 : static_cast<double>((minutes + kDay - 1) / kDay);
 }

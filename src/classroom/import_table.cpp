@@ -155,8 +155,9 @@ std::string whyNoAssignment(const ImportOptions& options) {
     std::string known;
     for (const std::string& each : options.roster->records.front())
         if (assignmentOf(each)) known += fmt::format("{}'{}'", known.empty() ? "" : ", ", each);
-    return fmt::format("the roster has no column '{}', so that Canvas would add one; --assignment names one: {}",
-                       options.assignment, known.empty() ? "it has none" : known);
+    return fmt::format(
+        "the roster has no column '{}', so that Canvas would add one; --assignment names one: {}",
+        options.assignment, known.empty() ? "it has none" : known);
 }
 
 std::string importFile(GradeBook book) {
@@ -183,9 +184,8 @@ std::string importTable(const Classroom& room, const ImportOptions& options) {
     Record head;
     switch (options.book) {
         case GradeBook::moodle:
-            for (const char* each :
-                 {"Identifier", "Full name", "Email address", "Grade", "Last modified (grade)",
-                  "Feedback comments"})
+            for (const char* each : {"Identifier", "Full name", "Email address", "Grade",
+                                     "Last modified (grade)", "Feedback comments"})
                 head.theirs(each);
             break;
         case GradeBook::canvas:

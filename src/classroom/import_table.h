@@ -30,8 +30,8 @@ struct ImportOptions {
 /// the grade as it is.
 std::string importTable(const Classroom& classroom, const ImportOptions& options);
 
-/// The column of Canvas's own table that `wanted` means: "P2 (991)" by that text, "P2" or "991"; nothing if none
-/// or several fit.
+/// The column of Canvas's own table that `wanted` means: "P2 (991)" by that text, "P2" or "991"; nothing if
+/// none or several fit.
 std::optional<std::size_t> assignmentColumn(const Roster& roster, std::string_view wanted);
 /// Canvas's own table has no such column: which ones it has. Empty if there is nothing to say.
 std::string whyNoAssignment(const ImportOptions& options);

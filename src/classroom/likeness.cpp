@@ -15,12 +15,12 @@
 namespace glibra::classroom {
 namespace {
 
-constexpr int kScales = 3;  // each half as large as the one before
+constexpr int kScales = 3;         // each half as large as the one before
 constexpr std::size_t kBends = 6;  // in a right angle
 /// An edge between two colours has about 1 per pixel, where colours have the deviation 1; shading that goes
 /// over the whole object has at most 0.25.
 constexpr float kEdge = 0.5F;
-constexpr float kShading = 0.15F;  // what the correlation of edges leaves out
+constexpr float kShading = 0.15F;   // what the correlation of edges leaves out
 constexpr double kSameSize = 0.3;   // octaves by which the size of a pattern may differ
 constexpr double kOtherSize = 0.6;  // what a pattern keeps that is twice or half as large
 
@@ -147,14 +147,15 @@ double minorityOf(const Scale& scale) {
     return all > 0 ? std::min(counts[0], counts[1]) / all : 0;
 }
 
-/// The differences between the directions of edges that are near to each other, in the unit of the size of the
-/// pattern: of lines they are 0, of squares also a right angle, of discs anything.
+/// The differences between the directions of edges that are near to each other, in the unit of the size of
+/// the pattern: of lines they are 0, of squares also a right angle, of discs anything.
 void findBends(const Scale& scale, Pattern& pattern) {
     std::array<double, kBends>& bends = pattern.bends;
     std::vector<float> radii;
     for (const PatternPoint& each : pattern.points) radii.push_back(each.radius);
     if (radii.empty()) return;
-    std::nth_element(radii.begin(), radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2), radii.end());
+    std::nth_element(radii.begin(), radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2),
+                     radii.end());
     const float unit = std::max(radii[radii.size() / 2], 1.5F);
     struct Edge {
         float x, y, angle, strength;
@@ -163,10 +164,13 @@ void findBends(const Scale& scale, Pattern& pattern) {
     for (int y = 0; y < scale.side; ++y)
         for (int x = 0; x < scale.side; ++x)
             if (const std::size_t at = scale.index(x, y); scale.edges[at] >= kEdge)
-                edges.push_back({static_cast<float>(x), static_cast<float>(y), scale.angles[at], scale.edges[at]});
-    const auto inside = std::count_if(scale.inside.begin(), scale.inside.end(), [](float each) { return each >= 1; });
+                edges.push_back(
+                    {static_cast<float>(x), static_cast<float>(y), scale.angles[at], scale.edges[at]});
+    const auto inside =
+        std::count_if(scale.inside.begin(), scale.inside.end(), [](float each) { return each >= 1; });
     constexpr double kManyEdges = 0.08;  // of the pixels
-    pattern.sharp = std::min(1.0, static_cast<double>(edges.size()) / (kManyEdges * static_cast<double>(inside)));
+    pattern.sharp =
+        std::min(1.0, static_cast<double>(edges.size()) / (kManyEdges * static_cast<double>(inside)));
     constexpr std::size_t kMostEdges = 500;
     const std::size_t step = edges.size() / kMostEdges + 1;
     double all = 0;
@@ -259,18 +263,18 @@ double alignedLikeness(const Pattern& a, const Pattern& b) {
            overlap(a.scales[0], b.scales[0]);
 }
 
-/// How alike the patterns are, wherever they are. The limits are where patterns that have nothing in common and
-/// patterns on other models end, of scenes that were made for that (docs/class.md).
+/// How alike the patterns are, wherever they are. The limits are where patterns that have nothing in common
+/// and patterns on other models end, of scenes that were made for that (docs/class.md).
 double patternLikeness(const Pattern& a, const Pattern& b) {
     if (a.isPlain || b.isPlain) return a.isPlain && b.isPlain ? 1 : 0;
     const FoundAgain found = foundAgain(a.points, b.points);
     // Where the outlines are the same, so are model and camera, and another size is a mistake.
     const double size = std::max(0.0, std::abs(found.octaves) - kSameSize);
     const double sameOutline = std::pow(overlap(a.scales[0], b.scales[0]), 2);
-    const double product =
-        partOf(found.correlation, 0.72, 0.86) * std::pow(partOf(commonKinds(a.kinds, b.kinds), 0.5, 1), 0.4) *
-        bendsLikeness(a, b) * std::pow(ratio(a.minority, b.minority, 0.05), 0.35) *
-        std::pow(kOtherSize, size * sameOutline);
+    const double product = partOf(found.correlation, 0.72, 0.86) *
+                           std::pow(partOf(commonKinds(a.kinds, b.kinds), 0.5, 1), 0.4) *
+                           bendsLikeness(a, b) * std::pow(ratio(a.minority, b.minority, 0.05), 0.35) *
+                           std::pow(kOtherSize, size * sameOutline);
     return std::pow(product, 0.8);
 }
 
@@ -295,7 +299,8 @@ double likeness(const image::Image& expected, const image::Image& got) {
     if (!objectsA || !objectsB) return 0;
     // A small object has less detail than a large one; both are compared with that of the smaller.
     constexpr int kLeastDetail = 24;
-    const int detail = std::clamp(std::min(objectsA->longerSide(), objectsB->longerSide()), kLeastDetail, kSide);
+    const int detail =
+        std::clamp(std::min(objectsA->longerSide(), objectsB->longerSide()), kLeastDetail, kSide);
     const Pattern expectedPattern = patternOf(cutOut(colorsA, *objectsA, detail));
     const Pattern gotPattern = patternOf(cutOut(colorsB, *objectsB, detail));
     return std::clamp(std::max(alignedLikeness(expectedPattern, gotPattern),

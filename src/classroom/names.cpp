@@ -25,9 +25,9 @@ std::string_view unquoted(std::string_view text) {
     return text;
 }
 
-/// The submitters of each submission of Gradescope's file, whose lines have one key each. A group hands in one
-/// submission under the name of all. The file also has texts that programs of students have printed, which lie
-/// deeper, in other sections.
+/// The submitters of each submission of Gradescope's file, whose lines have one key each. A group hands in
+/// one submission under the name of all. The file also has texts that programs of students have printed,
+/// which lie deeper, in other sections.
 std::map<std::string, Person> readMetadata(std::string_view text) {
     std::map<std::string, Person> people;
     Person* person = nullptr;
@@ -83,9 +83,9 @@ Result<NameRule> NameRule::of(const std::string& text) try {
             Pattern{std::regex("([^_].*?)_(\\d+)_assignsubmission_[a-z]+(?:_(.*))?", flags)});
     } else if (text == "canvas") {
         rule.book_ = GradeBook::canvas;
-        rule.pattern_ = std::make_shared<Pattern>(
-            Pattern{std::regex("(?:(.+?)_(?:(LATE)_)?(\\d+)|(?:(LATE)_)?(anon_[A-Za-z0-9]+))_\\d+_(.+)", flags),
-                    1, 3, 6, 2, 5, 4});
+        rule.pattern_ = std::make_shared<Pattern>(Pattern{
+            std::regex("(?:(.+?)_(?:(LATE)_)?(\\d+)|(?:(LATE)_)?(anon_[A-Za-z0-9]+))_\\d+_(.+)", flags), 1, 3,
+            6, 2, 5, 4});
     } else if (text == "gradescope") {
         rule.book_ = GradeBook::gradescope;
         rule.pattern_ = std::make_shared<Pattern>(Pattern{std::regex("(submission_(\\d+))", flags), 1, 2, 0});

@@ -154,8 +154,9 @@ std::string picturesHtml(const PictureSource& source, const Classroom& room, con
             : picture.isIncomplete   ? std::string("incomplete: the scene has errors")
             : picture.reason.empty() ? std::string()
                                      : std::string("not drawn");
-        if (!hasReference(room)) {
-            Picture shape = picture;
+        // Beside what failed, the reference stands once.
+        if (!hasReference(room) || (i > 0 && !isDrawn(entry))) {
+            Picture shape = hasReference(room) ? room.reference.pictures[i] : picture;
             if (shape.height == 0) std::tie(shape.width, shape.height) = std::pair(4, 3);
             html += pictureHtml(source, picture, shape, name,
                                 label.empty() || caption.empty() ? label + caption : label + ": " + caption);

@@ -26,8 +26,8 @@ std::vector<std::uint8_t> kindsOf(const ToneScales& tones, std::size_t scale) {
                 return static_cast<std::size_t>((y + v * step) * side + x + u * step);
             };
             const auto isInside = [&](int u, int v) { return tones.inside[index(u, v)] > 0; };
-            if (tones.known[scale][index(0, 0)] < 0.8F || !isInside(0, 0) || !isInside(1, 0) || !isInside(-1, 0) ||
-                !isInside(0, 1) || !isInside(0, -1))
+            if (tones.known[scale][index(0, 0)] < 0.8F || !isInside(0, 0) || !isInside(1, 0) ||
+                !isInside(-1, 0) || !isInside(0, 1) || !isInside(0, -1))
                 continue;
             const auto at = [&](int u, int v) { return tone[index(u, v)]; };
             const float dx = unit * (at(1, 0) - at(-1, 0)) / 2, dy = unit * (at(0, 1) - at(0, -1)) / 2;
@@ -35,8 +35,9 @@ std::vector<std::uint8_t> kindsOf(const ToneScales& tones, std::size_t scale) {
             const float yy = unit * unit * (at(0, 1) - 2 * at(0, 0) + at(0, -1));
             const float xy = unit * unit * (at(1, 1) - at(-1, 1) - at(1, -1) + at(-1, -1)) / 4;
             const float sum = xx + yy, spread = std::hypot(xx - yy, 2 * xy), root = std::sqrt(0.5F);
-            const std::array<float, kPlaceKinds> responses{kFlat, 2 * std::hypot(dx, dy),  sum,   -sum,
-                                                           root * (spread + sum), root * (spread - sum), spread};
+            const std::array<float, kPlaceKinds> responses{
+                kFlat, 2 * std::hypot(dx, dy), sum, -sum, root * (spread + sum), root * (spread - sum),
+                spread};
             kinds[index(0, 0)] = static_cast<std::uint8_t>(
                 std::max_element(responses.begin(), responses.end()) - responses.begin());
         }

@@ -37,8 +37,8 @@ void readAround(PatternPoint& point, const Plane& tones, const Plane& inside, in
         }
 }
 
-/// The largest correlation of two surroundings over all angles; places that one of them does not know are left
-/// out.
+/// The largest correlation of two surroundings over all angles; places that one of them does not know are
+/// left out.
 float correlationOf(const PatternPoint& a, const PatternPoint& b) {
     float best = 0;
     for (std::size_t turn = 0; turn < kAngles; ++turn) {
@@ -114,7 +114,8 @@ std::vector<PatternPoint> findPatternPoints(const ToneScales& tones) {
         const auto level = static_cast<std::size_t>(std::max(each.level - 2, 0.0F));
         readAround(point, tones.levels[level], tones.inside, side, each.strength < 0 ? -1.0F : 1.0F);
         // What stands at the outline has nothing to compare.
-        if (std::accumulate(point.known.begin(), point.known.end(), 0.0F) >= kLeastKnown * 2 * kRings * kAngles)
+        if (std::accumulate(point.known.begin(), point.known.end(), 0.0F) >=
+            kLeastKnown * 2 * kRings * kAngles)
             found.push_back(point);
     }
     return found;

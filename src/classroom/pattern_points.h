@@ -14,7 +14,8 @@ namespace glibra::classroom {
 inline constexpr int kRings = 5;    ///< around a blob, at 1 to kRings times its radius
 inline constexpr int kAngles = 16;  ///< on each ring
 
-/// A blob: a place that is brighter, or darker, than what is around it, and its surroundings in polar samples.
+/// A blob: a place that is brighter, or darker, than what is around it, and its surroundings in polar
+/// samples.
 struct PatternPoint {
     float x = 0, y = 0;  ///< in pixels
     float radius = 0;    ///< deviation of the Gaussian that fits it, in pixels
@@ -23,8 +24,8 @@ struct PatternPoint {
     std::array<float, std::size_t{kRings} * kAngles * 2> tones{}, known{};
 };
 
-/// The blobs of a picture, the strongest first. They are maxima of differences of Gaussians over place and size
-/// (D. Lowe: "Distinctive Image Features from Scale-Invariant Keypoints", IJCV 2004).
+/// The blobs of a picture, the strongest first. They are maxima of differences of Gaussians over place and
+/// size (D. Lowe: "Distinctive Image Features from Scale-Invariant Keypoints", IJCV 2004).
 std::vector<PatternPoint> findPatternPoints(const ToneScales& tones);
 
 /// How well the points of one picture are found in the other.
@@ -34,8 +35,8 @@ struct FoundAgain {
 };
 
 /// Each point is compared with all points of the other picture, turned by any angle, and the other way round
-/// (D. Simakov et al.: "Summarizing Visual Data Using Bidirectional Similarity", CVPR 2008). The means are those of
-/// the largest correlations.
+/// (D. Simakov et al.: "Summarizing Visual Data Using Bidirectional Similarity", CVPR 2008). The means are
+/// those of the largest correlations.
 FoundAgain foundAgain(std::span<const PatternPoint> a, std::span<const PatternPoint> b);
 
 }  // namespace glibra::classroom

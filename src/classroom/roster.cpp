@@ -152,9 +152,10 @@ Result<Roster> readRoster(const fs::path& file) {
         else if (!text_.empty() && text_ != "-" && problems.empty())
             problems.push_back(withoutId(
                 Severity::warning,
-                fmt::format("cannot read the time '{}' in the roster '{}'; a time is '2026-11-20 23:59', or as "
-                            "Moodle writes it in English",
-                            text_, file.string()),
+                fmt::format(
+                    "cannot read the time '{}' in the roster '{}'; a time is '2026-11-20 23:59', or as "
+                    "Moodle writes it in English",
+                    text_, file.string()),
                 {file.string(), static_cast<int>(i + 1), 1}));
         roster.students.push_back(std::move(student));
     }

@@ -86,9 +86,11 @@ struct UnpackOptions {
 inline constexpr const char* kUnpacked = "unpacked";
 inline constexpr const char* kExport = "export";
 
-/// Unpacks the zip file in which a learning platform exports all submissions to SITE/export. Returns that folder, or
-/// the only folder in it if that is not itself a submission. Errors: file-E10, or why it cannot be unpacked.
-Result<std::filesystem::path> unpackExport(const std::filesystem::path& archive, const UnpackOptions& options);
+/// Unpacks the zip file in which a learning platform exports all submissions to SITE/export. Returns that
+/// folder, or the only folder in it if that is not itself a submission. Errors: file-E10, or why it cannot be
+/// unpacked.
+Result<std::filesystem::path> unpackExport(const std::filesystem::path& archive,
+                                           const UnpackOptions& options);
 
 /// Makes the folders of the submissions that have `parts` and finds their scenes. Those that cannot be
 /// unpacked have a `problem`. Removes what an earlier run has unpacked. Error: file-E10.

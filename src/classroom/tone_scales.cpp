@@ -74,7 +74,8 @@ std::array<double, 3> principalAxis(const std::array<std::array<double, 3>, 3>& 
     return axis;
 }
 
-/// The tone of each pixel; no values if the objects have one colour. `inside` is 1 for their pixels and 0 for others.
+/// The tone of each pixel; no values if the objects have one colour. `inside` is 1 for their pixels and 0 for
+/// others.
 Plane toneOf(const Scale& objects, const Plane& inside) {
     const std::size_t count = objects.colors.size();
     Plane made(count, 0);
@@ -83,8 +84,7 @@ Plane toneOf(const Scale& objects, const Plane& inside) {
     double pixels = 0;
     for (std::size_t k = 0; k < 3; ++k) {
         Plane component(count);
-        for (std::size_t i = 0; i < count; ++i)
-            component[i] = inside[i] * objects.colors[i][k];
+        for (std::size_t i = 0; i < count; ++i) component[i] = inside[i] * objects.colors[i][k];
         local[k] = around.of(component);
         for (std::size_t i = 0; i < count; ++i) local[k][i] = inside[i] * (component[i] - local[k][i]);
     }
@@ -125,7 +125,8 @@ float toneDeviation(float scale) {
 
 ToneScales toneScalesOf(const Scale& objects) {
     ToneScales made{objects.side, Plane(objects.inside.size()), {}, {}};
-    for (std::size_t i = 0; i < made.inside.size(); ++i) made.inside[i] = objects.inside[i] >= 0.5F ? 1.0F : 0.0F;
+    for (std::size_t i = 0; i < made.inside.size(); ++i)
+        made.inside[i] = objects.inside[i] >= 0.5F ? 1.0F : 0.0F;
     const Plane tone = toneOf(objects, made.inside);
     if (tone.empty()) return made;
     for (std::size_t i = 0; i < kToneScales; ++i) {

@@ -13,8 +13,8 @@ using Plane = std::vector<float>;
 
 inline constexpr std::size_t kToneScales = 9;  ///< each coarser than the one before by the square root of two
 
-/// The tone is the principal component of the colours after their mean around each pixel is taken away, divided by
-/// its deviation there: neither hues nor shading matter.
+/// The tone is the principal component of the colours after their mean around each pixel is taken away,
+/// divided by its deviation there: neither hues nor shading matter.
 struct ToneScales {
     int side = 0;
     Plane inside;               ///< 1 for pixels of the objects, 0 for others

@@ -101,8 +101,7 @@ Result<fs::path> unpackExport(const fs::path& archive, const UnpackOptions& opti
     const fs::path folder = options.site / kExport;
     std::string why = "it could not be unpacked within the limits";
     base::runInWorkers(
-        1,
-        {.memory = base::memoryShare(1, 1), .stop = options.stop, .sandbox = options.sandbox},
+        1, {.memory = base::memoryShare(1, 1), .stop = options.stop, .sandbox = options.sandbox},
         [&](std::size_t, const base::Step&) {
             UnpackLimits limits{kMostBytes, kMostEntries};
             return unpackArchive(archive, folder, limits);
@@ -123,7 +122,8 @@ Diagnostics unpackSubmissions(Submissions& submissions, const SubmissionOptions&
         if (!each.parts.empty()) packed.push_back(&each);
     std::error_code failure;
     if (packed.empty() && !fs::exists(options.site / kUnpacked / kMark, failure)) return {};
-    if (Diagnostics problems = makeFolder(options.site, kUnpacked); !problems.empty() || packed.empty()) return problems;
+    if (Diagnostics problems = makeFolder(options.site, kUnpacked); !problems.empty() || packed.empty())
+        return problems;
     std::vector<std::string> names;
     for (std::size_t i = 0; i < packed.size(); ++i) {
         std::string name = folderName(packed[i]->name, i);

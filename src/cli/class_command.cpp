@@ -7,20 +7,16 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "base/utf8.h"
-#include "classroom/archive.h"
 #include "classroom/class_page.h"
 #include "classroom/class_run.h"
 #include "classroom/hand_in_time.h"
 #include "classroom/import_table.h"
-#include "classroom/moments.h"
-#include "classroom/roster.h"
 #include "classroom/rubric.h"
-#include "classroom/submissions.h"
+#include "cli/class_input.h"
 #include "cli/class_serve.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
@@ -30,7 +26,6 @@
 #include "cli/site_options.h"
 #include "cli/suite_progress.h"
 #include "cli/untrusted.h"
-#include "glib/text.h"
 #include "suite/golden/hash_key.h"
 #include "suite/options/option_table.h"
 #include "suite/options/option_words.h"
@@ -39,57 +34,6 @@ namespace glibra::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct ClassArguments {
-    std::string folder;
-    std::string reference;
-    std::vector<std::string> scenes, scenesOf;
-    std::string names, roster, assignment, rubric;
-    classroom::GradeBook book = classroom::GradeBook::none;
-    std::vector<std::string> templates;
-    int common = 0;
-    bool studentPages = false, isAnonymous = false, serves = false;
-    std::vector<double> times;
-    std::vector<std::string> sweeps;
-    SiteOptions made{.site = "glibra-class"};
-};
-
-/// What is found out before anything is drawn.
-struct ClassInput {
-    classroom::ClassPlan plan;
-    classroom::SubmissionOptions find;
-    std::optional<classroom::Roster> roster;
-    std::vector<std::optional<std::size_t>> handed;  ///< of the students of the roster
-    std::optional<classroom::Rubric> rubric;
-    classroom::TeacherMarks own;
-};
-
-/// The moments, and the reference's scene. Without a value, the reason has been printed.
-std::optional<std::vector<classroom::Moment>> momentsOf(const ClassArguments& arguments,
-                                                        fs::path& reference) {
-    const suite::Shot& picture = arguments.made.picture;
-    const bool isSuite = glib::sameWord(fs::path(arguments.reference).extension().string(), ".toml");
-    if (isSuite && (!arguments.times.empty() || !arguments.sweeps.empty() || !picture.options.set.empty() ||
-                    picture.options.width > 0)) {
-        printError("--time, --set, --sweep and --size belong into the suite that --reference names");
-        return std::nullopt;
-    }
-    Result<std::vector<classroom::Moment>> moments =
-        isSuite ? classroom::momentsOfSuite(arguments.reference)
-                : classroom::momentsOf(picture, arguments.times, arguments.sweeps);
-    print(moments.diagnostics);
-    if (!moments) return std::nullopt;
-    reference = isSuite ? moments->front().shot.script : fs::path(arguments.reference);
-    for (classroom::Moment& each : *moments) {
-        std::vector<fs::path>& roots = each.shot.options.libraryRoots;
-        if (isSuite) {
-            const std::vector<fs::path>& named = picture.options.libraryRoots;
-            roots.insert(roots.end(), named.begin(), named.end());
-        }
-        for (fs::path& root : libraryRoots()) roots.push_back(std::move(root));
-    }
-    return std::move(*moments.value);
-}
 
 /// What confines the workers. Every submission's folder can be read by all workers, but a scene reads only
 /// its own, because the file look-up refuses the others.
@@ -103,53 +47,6 @@ base::Sandbox drawingSandbox(const classroom::ClassPlan& plan, Driver driver) {
     sandbox.readable.emplace_back(plan.site, fs::path(classroom::kUnpacked));
     sandbox.readable.insert(sandbox.readable.end(), plan.given.begin(), plan.given.end());
     return sandbox;
-}
-
-/// Reads --scene, --scene-of, --names and --roster. The exit status; kDone if all is well.
-int readNames(const ClassArguments& arguments, ClassInput& input) {
-    input.find.scenes = arguments.scenes;
-    for (const std::string& each : arguments.scenesOf) {
-        const std::size_t equals = each.rfind('=');
-        if (equals == std::string::npos || equals == 0 || equals + 1 == each.size()) {
-            printError(fmt::format("--scene-of '{}': expected STUDENT=PATTERN, as 'ana=final.glib'", each));
-            return kWrongUsage;
-        }
-        input.find.sceneOf[each.substr(0, equals)] = each.substr(equals + 1);
-    }
-    if (!arguments.names.empty()) {
-        Result<classroom::NameRule> rule = classroom::NameRule::of(arguments.names);
-        print(rule.diagnostics);
-        if (!rule) return kWrongUsage;
-        input.find.names = std::move(*rule);
-    }
-    if (!arguments.roster.empty()) {
-        Result<classroom::Roster> roster = classroom::readRoster(arguments.roster);
-        print(roster.diagnostics);
-        if (!roster) return kWrongUsage;
-        for (const classroom::Student& each : roster->students)
-            if (!each.scene.empty())
-                input.find.sceneOf.try_emplace(each.number.empty() ? each.name : each.number, each.scene);
-        input.roster = std::move(*roster);
-    }
-    return kDone;
-}
-
-/// Reads --rubric, and what the teacher has typed. The exit status; kDone if all is well.
-int readChecks(const ClassArguments& arguments, ClassInput& input) {
-    Result<classroom::TeacherMarks> own = classroom::readTeacherMarks(input.plan.site);
-    print(own.diagnostics);
-    if (!own) return kSceneIsWrong;
-    input.own = std::move(*own);
-    if (arguments.rubric.empty()) return kDone;
-    Result<classroom::Rubric> rubric = classroom::readRubric(arguments.rubric);
-    print(rubric.diagnostics);
-    if (!rubric) return kWrongUsage;
-    const Diagnostics problems = classroom::problemsOf(
-        *rubric, input.plan.moments, classroom::slidersOf(input.plan.moments), !input.plan.reference.empty());
-    print(problems);
-    if (hasError(problems)) return kWrongUsage;
-    input.rubric = std::move(*rubric);
-    return kDone;
 }
 
 /// Gives all marks. False if the late rule knows of no submission when it came in.
@@ -173,87 +70,6 @@ bool mark(const ClassInput& input, classroom::Classroom& room) {
         classroom::applyTeacherMarks(input.own, entry);
     }
     return knowsTimes || !input.rubric || !input.rubric->late;
-}
-
-/// If the submissions are one zip file, as a learning platform exports them, unpacks it. False: it cannot be.
-bool unpackExport(const ClassArguments& arguments, classroom::ClassPlan& plan) {
-    std::error_code failure;
-    if (!classroom::isArchive(plan.folder) || !fs::is_regular_file(plan.folder, failure)) return true;
-    std::optional<base::Sandbox> sandbox;
-    if (arguments.made.untrusted) {
-        sandbox.emplace();
-        sandbox->readable.push_back(plan.folder);
-        sandbox->writable.emplace_back(plan.site, fs::path(classroom::kExport));
-    }
-    Result<fs::path> folder = classroom::unpackExport(
-        plan.folder, {.site = plan.site, .jobs = 1, .timeout = 0, .sandbox = sandbox ? &*sandbox : nullptr});
-    print(folder.diagnostics);
-    if (folder) plan.folder = std::move(*folder);
-    return folder.value.has_value();
-}
-
-/// Finds out what is to be drawn. The exit status; kDone if all is well.
-int readInput(const ClassArguments& arguments, ClassInput& input) {
-    classroom::ClassPlan& plan = input.plan;
-    plan.folder = arguments.folder;
-    plan.site = arguments.made.site;
-    plan.common = static_cast<std::size_t>(arguments.common);
-    plan.given.assign(arguments.templates.begin(), arguments.templates.end());
-    for (const fs::path& each : plan.given)
-        if (std::error_code failure; !fs::exists(each, failure)) {
-            printError(fmt::format("there is no template '{}'", each.string()));
-            return kWrongUsage;
-        }
-    if (std::error_code failure; fs::equivalent(plan.site, plan.folder, failure)) {
-        printError(fmt::format(
-            "-o {}: this is the folder of the submissions, among which the page would count; name "
-            "another one",
-            arguments.made.site));
-        return kWrongUsage;
-    }
-    if (!mayWriteSite(arguments.made)) return kSceneIsWrong;
-    std::optional<std::vector<classroom::Moment>> moments = momentsOf(arguments, plan.reference);
-    if (!moments) return kWrongUsage;
-    plan.moments = std::move(*moments);
-    if (const int status = readNames(arguments, input); status != kDone) return status;
-    if (const int status = readChecks(arguments, input); status != kDone) return status;
-    input.find.reference = plan.reference;
-    input.find.others = plan.given;
-    input.find.others.emplace_back(plan.site);
-    input.find.others.emplace_back(arguments.roster);
-    input.find.others.emplace_back(arguments.rubric);
-    if (!plan.reference.empty()) {
-        input.find.others.emplace_back(plan.reference.has_parent_path() ? plan.reference.parent_path()
-                                                                        : fs::path("."));
-        input.find.others.emplace_back(arguments.reference);
-    }
-    if (!unpackExport(arguments, plan)) return kWrongUsage;
-    Result<classroom::Submissions> found = classroom::findSubmissions(plan.folder, input.find);
-    print(found.diagnostics);
-    if (!found) return kWrongUsage;
-    plan.submissions = std::move(*found);
-    return kDone;
-}
-
-/// Unpacks zip files and gives the students the names of the roster. The exit status; kDone if all is well.
-int unpack(const ClassArguments& arguments, ClassInput& input, const Interruption& interruption) {
-    std::optional<base::Sandbox> sandbox;
-    if (arguments.made.untrusted) {
-        sandbox.emplace();
-        sandbox->readable.push_back(input.plan.folder);
-        sandbox->writable.emplace_back(input.plan.site, fs::path(classroom::kUnpacked));
-    }
-    const Diagnostics problems =
-        classroom::unpackSubmissions(input.plan.submissions, input.find,
-                                     {.site = input.plan.site,
-                                      .jobs = arguments.made.jobs,
-                                      .timeout = arguments.made.timeout,
-                                      .sandbox = sandbox ? &*sandbox : nullptr,
-                                      .stop = [&] { return interruption.signal() != 0; }});
-    print(problems);
-    if (hasError(problems)) return kSceneIsWrong;
-    if (input.roster) input.handed = classroom::applyRoster(*input.roster, input.plan.submissions);
-    return kDone;
 }
 
 void nameAbsent(const ClassInput& input, classroom::Classroom& room) {
@@ -340,7 +156,8 @@ int runClassCommand(const ClassArguments& arguments, const std::string& command)
     nameAbsent(input, room);
     if (!mark(input, room))
         printLine(
-            "glibra: note: the late rule takes nothing, because nothing says when the submissions came in; a roster "
+            "glibra: note: the late rule takes nothing, because nothing says when the submissions came in; a "
+            "roster "
             "says it in a column 'submitted' or 'days late'");
     if (const int status = writeFiles(arguments, input, room); status != kDone) return status;
     report(room, plan.site);
@@ -397,7 +214,9 @@ void addClass(CommandLine& program, int& status) {
         "glibra class submissions/ --reference solution.glib --time 0 --time 2.5 --untrusted\n"
         "glibra class export/ --names moodle --roster grades.csv        # a learning platform's own names");
     ClassArguments& to = *arguments;
-    command.option("SUBMISSIONS", to.folder, "folder with a folder, a zip file or a .glib file per student; or a zip file of all")
+    command
+        .option("SUBMISSIONS", to.folder,
+                "folder with a folder, a zip file or a .glib file per student; or a zip file of all")
         .required();
     command.option(
         "--reference", to.reference,

@@ -61,9 +61,8 @@ void list(const suite::Review& review) {
         for (const std::size_t each : group.shots) {
             const suite::ShotResult& shot = review.shots()[each];
             const std::string decided = review.decisionOf(each);
-            text += base::printableText(
-                        fmt::format("    {}{}/{}: {}", decided.empty() ? "" : decided + ": ", shot.suite,
-                                    shot.shot, suite::reasonOf(shot))) +
+            text += base::printableText(fmt::format("    {}{}/{}: {}", decided.empty() ? "" : decided + ": ",
+                                                    shot.suite, shot.shot, suite::reasonOf(shot))) +
                     "\n";
         }
     }

@@ -98,17 +98,20 @@ TEST(Rosters, AreReadByTheNamesOfTheirColumns) {
 TEST(Rosters, KnowWhenSomethingWasHandedIn) {
     const suite::Folder made;
     // mod/assign/gradingtable.php of Moodle, Gradescope's export of scores, and a teacher's own table.
-    suite::writeText(made / "moodle.csv",
-                     "Identifier,\"Full name\",\"Email address\",Status,Grade,\"Last modified (submission)\",\"Last "
-                     "modified (grade)\",\"Feedback comments\"\n"
-                     "\"Participant 7\",\"Ana Lee\",ana@x.org,\"Submitted for grading - 1 day 3 hours "
-                     "late\",,\"Sunday, 22 November 2026, 2:59 AM\",-,\n"
-                     "\"Participant 8\",Bob,,\"No submission\",,-,-,\n");
-    suite::writeText(made / "gradescope.csv",
-                     "First Name,Last Name,SID,Email,Total Score,Max Points,Status,Submission ID,Submission "
-                     "Time,Lateness (H:M:S),View Count\n"
-                     "Ana,Lee,7,a@x,,10,Ungraded,1,2026-11-22 02:59:00 -0800,27:00:00,0\nBob,Ray,8,,,10,Missing,,,,\n");
-    suite::writeText(made / "own.csv", "name;submitted;days late\nAna;20.11.2026 23:59;\nBob;;2\nCem;yesterday;\n");
+    suite::writeText(
+        made / "moodle.csv",
+        "Identifier,\"Full name\",\"Email address\",Status,Grade,\"Last modified (submission)\",\"Last "
+        "modified (grade)\",\"Feedback comments\"\n"
+        "\"Participant 7\",\"Ana Lee\",ana@x.org,\"Submitted for grading - 1 day 3 hours "
+        "late\",,\"Sunday, 22 November 2026, 2:59 AM\",-,\n"
+        "\"Participant 8\",Bob,,\"No submission\",,-,-,\n");
+    suite::writeText(
+        made / "gradescope.csv",
+        "First Name,Last Name,SID,Email,Total Score,Max Points,Status,Submission ID,Submission "
+        "Time,Lateness (H:M:S),View Count\n"
+        "Ana,Lee,7,a@x,,10,Ungraded,1,2026-11-22 02:59:00 -0800,27:00:00,0\nBob,Ray,8,,,10,Missing,,,,\n");
+    suite::writeText(made / "own.csv",
+                     "name;submitted;days late\nAna;20.11.2026 23:59;\nBob;;2\nCem;yesterday;\n");
     const Roster moodle = *readRoster(made / "moodle.csv");
     ASSERT_EQ(moodle.students.size(), 2U);
     EXPECT_EQ(moodle.students[0].time, "Sunday, 22 November 2026, 2:59 AM");

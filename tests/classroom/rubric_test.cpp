@@ -125,18 +125,22 @@ TEST(Rubrics, BonusIsNotAmongTheMostAndLateTakesItsPart) {
 
 TEST(Rubrics, TheFirstOfWhatIsKnownAboutATimeCounts) {
     Classroom room = classOfOne();
-    const Result<Rubric> rubric =
-        readRubricText("[[check]]\ndrawn = true\npoints = 10\n[late]\ndue = \"2026-11-20 23:59\"\n", "class.toml");
+    const Result<Rubric> rubric = readRubricText(
+        "[[check]]\ndrawn = true\npoints = 10\n[late]\ndue = \"2026-11-20 23:59\"\n", "class.toml");
     const auto lost = [&](const HandedIn& handedIn) {
         giveMarks(*rubric, room, handedIn, room.entries[0]);
         return std::round(10 - pointsOf(room.entries[0]).value_or(-1));
     };
     const std::string time = "Monday, 23 November 2026, 8:00 AM";
     EXPECT_EQ(lost({{}, time, false}), 3);
-    EXPECT_EQ(lost({{}, time, false, "Submitted for grading - 1 day 3 hours late"}), 3) << "the rule has a due date";
+    EXPECT_EQ(lost({{}, time, false, "Submitted for grading - 1 day 3 hours late"}), 3)
+        << "the rule has a due date";
     EXPECT_EQ(lost({{}, {}, false, "Submitted for grading - 1 day 3 hours late"}), 2);
-    EXPECT_EQ(lost({{}, time, false, "Submitted for grading - Extension granted until: Tuesday, 24 November 2026"}), 0);
-    EXPECT_EQ(lost({{}, time, false, "Submitted for grading - 5 mins late - Extension granted until: Monday"}), 1);
+    EXPECT_EQ(
+        lost({{}, time, false, "Submitted for grading - Extension granted until: Tuesday, 24 November 2026"}),
+        0);
+    EXPECT_EQ(
+        lost({{}, time, false, "Submitted for grading - 5 mins late - Extension granted until: Monday"}), 1);
     EXPECT_EQ(lost({0.0, time, true}), 0) << "the teacher's own column";
     EXPECT_EQ(lost({{}, {}, true}), 1);
 }

@@ -52,9 +52,9 @@ inline std::vector<std::map<std::string, std::string>> strictly(const std::strin
     return rows;
 }
 
-/// As importgradeslib.php of Moodle's assignfeedback_offline reads it: a table without one of three columns, which
-/// are compared letter by letter, is refused, lines without a known identifier are skipped, an empty grade changes
-/// nothing.
+/// As importgradeslib.php of Moodle's assignfeedback_offline reads it: a table without one of three columns,
+/// which are compared letter by letter, is refused, lines without a known identifier are skipped, an empty
+/// grade changes nothing.
 inline std::map<std::string, double> moodleGrades(const std::string& table) {
     std::map<std::string, double> grades;
     for (const auto& row : strictly(table)) {
@@ -68,8 +68,8 @@ inline std::map<std::string, double> moodleGrades(const std::string& table) {
     return grades;
 }
 
-/// As Canvas reads it: five columns with their names in this order, then assignments; lines without an id, as that of the
-/// points possible, are no students.
+/// As Canvas reads it: five columns with their names in this order, then assignments; lines without an id, as
+/// that of the points possible, are no students.
 inline std::map<std::string, double> canvasGrades(const std::string& table, const std::string& assignment) {
     const std::string head = table.substr(0, table.find('\n'));
     if (!head.starts_with("Student,ID,SIS User ID,SIS Login ID,Section,"))

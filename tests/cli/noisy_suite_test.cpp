@@ -106,10 +106,14 @@ TEST_F(NoisySuite, ADrawingThatEndsItsProcessIsRepeated) {
 #ifdef GLIBRA_END_ON_OPEN
 TEST_F(NoisySuite, RetriesOfAShotThatAlwaysEndsItsProcessOrIsLateEnd) {
     for (const char* name : {"deadly.frag", "endless.frag"}) {
-        folder.write(name, "#version 330 core\nout vec4 f;\nvoid main() { f = vec4(gl_FragCoord.xy / 16., 0., 1.); }\n");
+        folder.write(
+            name,
+            "#version 330 core\nout vec4 f;\nvoid main() { f = vec4(gl_FragCoord.xy / 16., 0., 1.); }\n");
         folder.write("a.glib", std::string("WindowSize 16 16\nOrtho -1 1 -1 1\nFragment ") + name +
                                    "\nVertex a.vert\nProgram P\nSphere .5\n");
-        folder.write("a.vert", "#version 330 core\nvoid main() { gl_Position = uModelViewProjectionMatrix * aVertex; }\n");
+        folder.write(
+            "a.vert",
+            "#version 330 core\nvoid main() { gl_Position = uModelViewProjectionMatrix * aVertex; }\n");
         suite("retries = 2\ntimeout = 2\n");
         ASSERT_EQ(run("--update").status, 0);
         const Finished end = run("", preload(GLIBRA_END_ON_OPEN));

@@ -69,8 +69,8 @@ struct ShotResult {
 
 /// True for a shot that failed without a picture: its scene has errors, or the process that drew it ended.
 bool wasNotDrawn(const ShotResult& shot);
-/// Makes the result that of a flaky shot: drawing number `drawing` is right, and one before had the verdict of
-/// `before`, which may be the result itself.
+/// Makes the result that of a flaky shot: drawing number `drawing` is right, and one before had the verdict
+/// of `before`, which may be the result itself.
 void makeFlaky(ShotResult& shot, int drawing, const ShotResult& before);
 /// With --strict-flaky: a flaky shot is unstable, which is a failure.
 void countFlakyAsFailure(ShotResult& shot);

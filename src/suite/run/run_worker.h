@@ -25,8 +25,8 @@ struct RunPlan {
     const RunOptions& options;
     std::vector<std::vector<ShotReference>> pieces;
     int jobs = 1;
-    /// Drawings of a shot that ended their worker, or were late, and that `retries` forgive: the shot is drawn
-    /// again, alone.
+    /// Drawings of a shot that ended their worker, or were late, and that `retries` forgive: the shot is
+    /// drawn again, alone.
     struct Ended {
         int times = 0;
         ShotResult first;  ///< of the first of them

@@ -13,8 +13,9 @@ namespace glibra::suite {
 /// none does, it is the one that was being drawn, because an end without a reason must be reported.
 class Suspicions {
   public:
-    /// `ended` is the result of `drawn` if no shot ends its worker again. If it is forgiven (Shot::retries), the
-    /// result is that of `drawn` by itself, which is flaky if it passes. A shot is under at most one suspicion.
+    /// `ended` is the result of `drawn` if no shot ends its worker again. If it is forgiven (Shot::retries),
+    /// the result is that of `drawn` by itself, which is flaky if it passes. A shot is under at most one
+    /// suspicion.
     void add(const ShotReference& drawn, std::vector<ShotReference> prepared, ShotResult ended,
              bool isForgiven = false);
     /// True for a shot that must be drawn by itself from now on.

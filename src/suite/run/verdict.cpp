@@ -356,7 +356,8 @@ void ShotJudge::fail(const Attempt& attempt, const Findings& found, ShotResult& 
                 "Expect statements suffice",
                 found.lost.string(), goldens_.hashFile().string());
         else if (attempt.own.hasChecks)
-            result.reason += ", though the suite has goldens; write golden = false if the Expect statements suffice";
+            result.reason +=
+                ", though the suite has goldens; write golden = false if the Expect statements suffice";
     }
 }
 

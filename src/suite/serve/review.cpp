@@ -247,7 +247,8 @@ std::string Review::acceptOne(std::size_t index, bool force, bool also) {
     if (!golden) return golden.message();
     Diagnostics problems;
     if (isKey(result.acceptKey)) {
-        const AcceptedHash line{known.shot->name, variant, golden->identity, hashOf(picture), result.acceptKey};
+        const AcceptedHash line{known.shot->name, variant, golden->identity, hashOf(picture),
+                                result.acceptKey};
         problems = acceptHashes(store->hashFile(), {&line, 1});
     }
     if (!decide(index, "accepted")) problems.push_back(cannotKeep());
@@ -275,7 +276,8 @@ WebReply Review::reject(const WebRequest& request) {
     bool isKept = true;
     for (const std::size_t each : asked->shots)
         if (decisionOf(each) != "accepted") isKept = decide(each, "rejected") && isKept;
-    return isKept ? WebReply{200, "application/json", "{}"} : refuse(500, "rejected, but " + cannotKeep().text);
+    return isKept ? WebReply{200, "application/json", "{}"}
+                  : refuse(500, "rejected, but " + cannotKeep().text);
 }
 
 std::string Review::decisionOf(std::size_t index) const {

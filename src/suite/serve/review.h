@@ -49,9 +49,9 @@ class Review {
     /// {"shots": [3, 5]}: the pictures `got` of these shots have been in view on the page. Those that no
     /// browser has fetched do not count.
     WebReply see(const WebRequest& request);
-    /// {"shots": [3, 5], "force": false, "also": false}: makes their pictures goldens, with their lines in the
-    /// list of hashes. Replies with what became of each; a shot whose picture has not been in view, or whose
-    /// file has changed since, is refused.
+    /// {"shots": [3, 5], "force": false, "also": false}: makes their pictures goldens, with their lines in
+    /// the list of hashes. Replies with what became of each; a shot whose picture has not been in view, or
+    /// whose file has changed since, is refused.
     WebReply accept(const WebRequest& request);
     /// {"shots": [3]}: marks them as rejected.
     WebReply reject(const WebRequest& request);
@@ -71,8 +71,8 @@ class Review {
     [[nodiscard]] std::string whyNot(std::size_t index) const;
     /// Returns why the picture could not be accepted, or nothing.
     std::string acceptOne(std::size_t index, bool force, bool also);
-    /// Takes over what an earlier review of the same pictures has decided. Results may come from somebody else:
-    /// a picture counts as accepted only if it is one of the goldens.
+    /// Takes over what an earlier review of the same pictures has decided. Results may come from somebody
+    /// else: a picture counts as accepted only if it is one of the goldens.
     void readDecisions();
     /// Remembers a decision, also on the disk. Returns false if it cannot be written there.
     bool decide(std::size_t index, std::string word);

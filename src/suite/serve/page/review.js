@@ -119,6 +119,8 @@ async function send(what, body) {
 async function decide(what, shots, more = {}) {
     if (!ready) return;
     byId("said").textContent = "";
+    // What has just come into view is reported with the next frame.
+    await new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
     await reported;
     const reply = await send(what, {shots, ...more});
     const refused = reply.refused || [];

@@ -1,0 +1,48 @@
+#pragma once
+// What `glibra class` is asked for, and what is found out before anything is drawn.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "classroom/class_run.h"
+#include "classroom/names.h"
+#include "classroom/roster.h"
+#include "classroom/rubric.h"
+#include "classroom/submissions.h"
+#include "cli/interruption.h"
+#include "cli/site_options.h"
+
+namespace glibra::cli {
+
+struct ClassArguments {
+    std::string folder;
+    std::string reference;
+    std::vector<std::string> scenes, scenesOf;
+    std::string names, roster, assignment, rubric;
+    classroom::GradeBook book = classroom::GradeBook::none;
+    std::vector<std::string> templates;
+    int common = 0;
+    bool studentPages = false, isAnonymous = false, serves = false;
+    std::vector<double> times;
+    std::vector<std::string> sweeps;
+    SiteOptions made{.site = "glibra-class"};
+};
+
+/// What is found out before anything is drawn.
+struct ClassInput {
+    classroom::ClassPlan plan;
+    classroom::SubmissionOptions find;
+    std::optional<classroom::Roster> roster;
+    std::vector<std::optional<std::size_t>> handed;  ///< of the students of the roster
+    std::optional<classroom::Rubric> rubric;
+    classroom::TeacherMarks own;
+};
+
+/// Finds out what is to be drawn. The exit status; kDone if all is well.
+int readInput(const ClassArguments& arguments, ClassInput& input);
+/// Unpacks zip files and gives the students the names of the roster. The exit status; kDone if all is well.
+int unpack(const ClassArguments& arguments, ClassInput& input, const Interruption& interruption);
+
+}  // namespace glibra::cli
