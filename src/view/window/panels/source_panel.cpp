@@ -113,7 +113,9 @@ void sourceContent(Ui& ui, SourceState& panel) {
         codeEditor(panel.chosen.string().c_str(), file.text(), view, {marks, find.found, find.shown},
                    language, !file.whyReadOnly().empty(), below);
     markPlace(ui, "source/text");
-    if (tabStop(ui, ImGui::GetItemID())) view.select = view.selection;
+    const unsigned stop = ImGui::GetID("text stop");  // the widget's own number is 0 at times
+    if (tabStop(ui, stop)) view.select = view.selection;
+    if (ui.sliders.focused == stop) ui.frame.focusedName = "source/text";
     ui.shared.textTakesTab = view.isActive && file.whyReadOnly().empty();
     if (isChanged && ui.notice.text == savedNotice(panel.chosen)) ui.notice = {};
     if (isChanged)

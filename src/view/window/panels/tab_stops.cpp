@@ -102,7 +102,7 @@ void tabStop(Ui& ui) {
 
 bool tabStop(Ui& ui, unsigned id) {
     addStop(ui, {id, thisWindow(), false, false});
-    if (ui.sliders.activated != id) return false;
+    if (id == 0 || ui.sliders.activated != id) return false;
     ui.sliders.activated = 0;
     return true;
 }
