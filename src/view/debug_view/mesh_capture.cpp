@@ -240,6 +240,9 @@ MeshStage capture(const gpu::Capabilities& capabilities, render::FrameDrawer& dr
     glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0);
     stage.rows = static_cast<std::size_t>(std::min<std::uint64_t>(rows, written * corners));
     take(stage, *buffer);
+    // Vertices in the order of the indices of a list are those of its primitives.
+    if (wanted.asPoints && !draw.submission.strip)
+        stage.corners = primitivesOf(draw.submission.topology).corners;
     return stage;
 }
 

@@ -23,7 +23,7 @@ std::string matrixText(const ProbedValue& value, std::size_t rows) {
     std::vector<std::string> texts;
     std::size_t widest = 0;
     for (const double each : value.numbers) {
-        texts.push_back(fmt::format("{:.6g}", each));
+        texts.push_back(fmt::format("{:.6g}", each == 0 ? 0 : each));  // no "-0"
         widest = std::max(widest, texts.back().size());
     }
     std::string text;

@@ -11,6 +11,7 @@
 #include <array>
 #include <bit>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "view/window/panels/ui.h"
 
@@ -43,7 +44,7 @@ void listFrame(Ui& ui, FrameWindow& window) {
         for (const FrameItem& each : window.items)
             if (each.kind == FrameItem::Kind::pass) window.chosen = each.key;
         window.target = 0;
-        window.view.begin(false);
+        window.begins = false;
     }
     if (!isFirst || window.items.size() <= kUsualFolds) return;
     for (const FrameItem& each : window.items)
@@ -138,6 +139,9 @@ void watch(Ui& ui, FrameWindow& window) {
     takeMask(ui, window);
     takeNumbers(ui, window);
     window.view.forget();
+    // Only now: the range follows from this content.
+    if (const auto withOwnRange = std::exchange(window.begins, std::nullopt))
+        window.view.begin(*withOwnRange);
 }
 
 std::string label(const FrameItem& item) {
@@ -168,9 +172,8 @@ void row(Ui& ui, FrameWindow& window, std::size_t index) {
     const float indent = item.isInPass() ? 14 * ui.shared.scale : 0;
     ImGui::SetCursorPosX(at.x + indent);
     const ImVec2 screen = ImGui::GetCursorScreenPos();
-    if (ImGui::Selectable("##row", item.key == window.chosen, ImGuiSelectableFlags_AllowDoubleClick,
-                          {0, height})) {
-        if (isPass && ImGui::IsMouseDoubleClicked(0)) {
+    if (ImGui::Selectable("##row", item.key == window.chosen, 0, {0, height})) {
+        if (isPass && item.key == window.chosen) {
             if (isFolded(window, item.key))
                 std::erase(window.folded, item.key);
             else
@@ -229,7 +232,7 @@ void chooseTarget(Ui& ui, FrameWindow& window, const FrameItem& item) {
             ImGui::PushID(static_cast<int>(i));
             if (ImGui::Selectable(item.targets[i].name.c_str(), i == now) && i != now) {
                 window.target = i;
-                window.view.begin(item.targets[i].kind != FrameTarget::Kind::color);
+                window.begins = item.targets[i].kind != FrameTarget::Kind::color;
             }
             mark(ui, "frame/target/{}", i);
             ImGui::PopID();
@@ -410,7 +413,7 @@ void FrameWindow::choose(const FrameItem& item) {
     const bool isColor =
         !item.targets.empty() &&
         item.targets[std::min(target, item.targets.size() - 1)].kind == FrameTarget::Kind::color;
-    if (nameOfTarget(&item) != shown) view.begin(!isColor);
+    if (nameOfTarget(&item) != shown) begins = !isColor;
 }
 
 const plan::PlannedDraw* plannedDraw(const plan::FramePlan& plan, const FrameItem& item) {

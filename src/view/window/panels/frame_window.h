@@ -41,6 +41,8 @@ struct FrameWindow {
     std::string problem;
     double time = 0;  ///< of the frame that is listed
     TexelView view;
+    /// The view begins anew with the next content; true: with the range that this has.
+    std::optional<bool> begins;
 
     std::optional<std::pair<int, int>> pixel;  ///< of the targets, from the lower left corner
     std::string pixelFor, probedFor;
