@@ -55,7 +55,6 @@ struct SharedState {
     ExpressionCache expressions;
     std::map<WrittenAt, MadeOfNames<std::optional<expression::Type>>> arrayTypes;  ///< of `Let name[n] (...)`
     std::vector<const glib::Script*> includedOrder;
-    std::map<std::filesystem::path, std::string> texts;                   ///< InterpretOptions::texts
     std::map<std::string, std::unique_ptr<const glib::Script>> included;  ///< by path
     List<FileReference> files;  ///< of all frames so far, so that a file keeps its index
     std::map<std::string, FileIndex> fileIndices;
