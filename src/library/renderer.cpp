@@ -80,8 +80,8 @@ Diagnostics problemsOfLoading(const RenderOptions& options) {
 }
 
 /// A driver that draws with the processor takes megabytes for each draw and frees them. glibc would give them
-/// back to the system, and every page of the next draw would be a new one, which takes up to half of its
-/// time. Once a block of this size has been freed, glibc keeps up to twice as much (mallopt(3),
+/// back to the system, and every page of the next draw would be a new one: a third of the time of a teapot.
+/// Once a block of this size has been freed, glibc keeps up to twice as much (mallopt(3),
 /// M_MMAP_THRESHOLD), unless the program has decided otherwise. The block itself is never written to.
 void keepFreedMemory() {
 #ifdef __GLIBC__
