@@ -8,6 +8,7 @@
 #include <glibra/result.h>
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <filesystem>
 #include <functional>
@@ -64,6 +65,12 @@ enum class LabelCorner { none, bottomLeft, bottomRight, topLeft, topRight };
 inline constexpr int kLargestPictureSide = 65'536;
 inline constexpr double kLeastMaxError = 1e-9, kLargestMaxError = 1e6;
 
+/// Gives the content of a file in place of the disk, or nothing: then the disk has it, if there is one. The
+/// path is one at which the scene looks for the file: a folder that is searched, the scene's own first, and
+/// the name. It is called while a scene is read, on any thread, one call at a time, and must not use the
+/// renderer.
+using FileReader = std::function<std::optional<std::string>(const std::filesystem::path& path)>;
+
 /// The options of a picture, in addition to what the scene states.
 struct RenderOptions {
     int width = 0;  ///< pixels; 0: the scene's WindowSize
@@ -103,9 +110,11 @@ struct RenderOptions {
     bool checks = false;  ///< what Expect statements read is made, even if the picture does not show it
     /// The text of the scene; nothing: what its file has. With a text the file need not exist.
     std::optional<std::string> sceneText{};
-    /// Texts in place of what files have: of the scene, of shaders, and of files that these include. The
-    /// paths are those under which the scene finds the files.
+    /// Contents in place of what files have: of the scene, shaders, what these include, pictures, models,
+    /// buffers. The paths are those under which the scene finds the files.
     std::map<std::filesystem::path, std::string> texts{};
+    /// The same by a function, which is asked first. May be null; options are equal only if they share it.
+    std::shared_ptr<const FileReader> reader{};
     int tileSize = 0;  ///< pixels per side of the tiles of a large picture; 0: as large as the driver allows
     ViewState viewState{};
     /// Textures of a modern scene, or parts of them, and buffers that are made even if the picture does not
@@ -162,10 +171,16 @@ class GLIBRA_API Renderer {
     /// library-E01 for the others, which are those of render() or draw().
     Result<Scene> load(const std::filesystem::path& scene, const RenderOptions& options = {});
     /// The same for a scene in memory. `name` is its name in messages, and files are looked for beside it.
-    /// `files` are texts in place of files that the scene and its shaders read, by their names.
+    /// `files` are the contents of files in place of those of the disk, by the names that the scene and its
+    /// shaders use: texts of shaders and of what they include, pictures, models and buffers as files have
+    /// them.
     Result<Scene> loadText(std::string_view text, const std::string& name = "scene.glib",
                            const std::map<std::string, std::string>& files = {},
                            const RenderOptions& options = {});
+    /// The same with a function that gives the contents, as a FileReader does.
+    template <std::invocable<const std::filesystem::path&> Reader>
+    Result<Scene> loadText(std::string_view text, const std::string& name, Reader files,
+                           RenderOptions options = {});
 
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;

@@ -8,15 +8,18 @@
 #include <glibra/result.h>
 
 #include <algorithm>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
 #include <initializer_list>
 #include <map>
 #include <memory>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace glibra {
@@ -128,5 +131,12 @@ class GLIBRA_API Scene {
     explicit Scene(std::unique_ptr<State> state);
     std::unique_ptr<State> state_;
 };
+
+template <std::invocable<const std::filesystem::path&> Reader>
+Result<Scene> Renderer::loadText(std::string_view text, const std::string& name, Reader files,
+                                 RenderOptions options) {
+    options.reader = std::make_shared<const FileReader>(std::move(files));
+    return loadText(text, name, std::map<std::string, std::string>(), options);
+}
 
 }  // namespace glibra

@@ -125,9 +125,9 @@ std::array<double, 3> cubeDirection(int face, double s, double t) {
     }
 }
 
-Result<TexelBlock> readCubePicture(const std::filesystem::path& path, const Place& place,
+Result<TexelBlock> readCubePicture(const base::FileSource& source, const Place& place,
                                    const ReadOptions& options) {
-    Result<Image> read = readImage(path, place, options);
+    Result<Image> read = readImage(source, place, options);
     if (!read) return std::move(read.diagnostics);
     const Image picture = withComponents(*read, 4);
     if (picture.width == 2 * picture.height) return {cubeOfPanorama(picture), std::move(read.diagnostics)};
@@ -136,7 +136,7 @@ Result<TexelBlock> readCubePicture(const std::filesystem::path& path, const Plac
     read.diagnostics.push_back(diagnose(
         "file-E06",
         fmt::format("CubeMap: '{}' is {} x {}; one picture must be a panorama (2:1) or a cross (4:3)",
-                    path.filename().string(), picture.width, picture.height),
+                    source.path.filename().string(), picture.width, picture.height),
         place));
     return std::move(read.diagnostics);
 }

@@ -4,8 +4,8 @@
 #include <glibra/result.h>
 
 #include <array>
-#include <filesystem>
 
+#include "base/file_source.h"
 #include "image/image.h"
 #include "image/read.h"
 
@@ -17,7 +17,7 @@ namespace glibra::image {
 ///   bilinear samples.
 /// - 4:3, a cross: +y above and -y below +z in the row -x +z +x -z. Its texels are copied.
 /// Errors: those of readImage; file-E06 for another shape.
-Result<TexelBlock> readCubePicture(const std::filesystem::path& path, const Place& place = {},
+Result<TexelBlock> readCubePicture(const base::FileSource& source, const Place& place = {},
                                    const ReadOptions& options = {});
 
 /// The direction (not normalised) that GL's cube map of that face reads at s, t in 0..1, where the first row

@@ -13,6 +13,7 @@
 #include <ctime>
 #include <memory>
 #include <new>
+#include <optional>
 #include <string_view>
 #include <system_error>
 
@@ -81,12 +82,26 @@ fs::path resolved(const fs::path& path) {
 
 }  // namespace
 
-Result<std::vector<std::byte>> readFile(const fs::path& path, const FileLabel& label, std::uint64_t largest) {
+Result<std::vector<std::byte>> readFile(const base::FileSource& source, const FileLabel& label,
+                                        std::uint64_t largest) {
     const auto unreadable = [&](const std::string& why) {
         return diagnose("file-E02", fmt::format("cannot read '{}': {}", label.name, why), label.place);
     };
+    const auto wrongSize = [&](std::uint64_t size) -> std::optional<Diagnostic> {
+        if (size == 0) return diagnose("file-E02", fmt::format("'{}' is empty", label.name), label.place);
+        if (size <= largest) return std::nullopt;
+        return diagnose("file-E09",
+                        fmt::format("'{}' has {}, the limit is {}", label.name, readableBytes(size),
+                                    readableBytes(largest)),
+                        label.place);
+    };
+    if (source.content) {
+        if (auto wrong = wrongSize(source.content->size())) return std::move(*wrong);
+        const auto* const begin = reinterpret_cast<const std::byte*>(source.content->data());
+        return std::vector<std::byte>(begin, begin + source.content->size());
+    }
     // Without O_NONBLOCK, opening a pipe blocks until somebody writes to it.
-    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    const Descriptor file(::open(source.path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     if (file.number() < 0 && (errno == ENOENT || errno == ENOTDIR))
         return about(diagnose("file-E01", fmt::format("cannot find '{}'", label.name), label.place),
                      label.name);
@@ -95,12 +110,7 @@ Result<std::vector<std::byte>> readFile(const fs::path& path, const FileLabel& l
     if (S_ISDIR(status.st_mode)) return unreadable("it is a folder");
     if (!S_ISREG(status.st_mode)) return unreadable("it is not an ordinary file");
     const auto size = static_cast<std::uint64_t>(status.st_size);
-    if (size == 0) return diagnose("file-E02", fmt::format("'{}' is empty", label.name), label.place);
-    if (size > largest)
-        return diagnose("file-E09",
-                        fmt::format("'{}' has {}, the limit is {}", label.name, readableBytes(size),
-                                    readableBytes(largest)),
-                        label.place);
+    if (auto wrong = wrongSize(size)) return std::move(*wrong);
 
     std::vector<std::byte> bytes;
     try {

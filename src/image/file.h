@@ -11,13 +11,14 @@
 #include <string>
 #include <vector>
 
+#include "base/file_source.h"
 #include "image/limits.h"
 
 namespace glibra::image {
 
 /// The content of a file. Errors: file-E01 missing; file-E02 empty, unreadable, a folder or another special
 /// file (pipes and devices would block); file-E09 longer than `largest` bytes.
-Result<std::vector<std::byte>> readFile(const std::filesystem::path& path, const FileLabel& label,
+Result<std::vector<std::byte>> readFile(const base::FileSource& file, const FileLabel& label,
                                         std::uint64_t largest = 2 * kGiB);
 
 /// file-E10 for the file at `path`.

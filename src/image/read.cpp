@@ -73,10 +73,10 @@ Result<Image> decodeImage(std::span<const std::byte> file, const fs::path& path,
     return result;
 }
 
-Result<Image> readImage(const fs::path& path, const Place& place, const ReadOptions& options) {
-    auto file = readFile(path, {path.filename().string(), place}, options.limits.fileBytes);
+Result<Image> readImage(const base::FileSource& source, const Place& place, const ReadOptions& options) {
+    auto file = readFile(source, {source.path.filename().string(), place}, options.limits.fileBytes);
     if (!file) return std::move(file.diagnostics);
-    return decodeImage(*file, path, place, options);
+    return decodeImage(*file, source.path, place, options);
 }
 
 }  // namespace glibra::image

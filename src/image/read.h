@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "base/file_source.h"
 #include "image/image.h"
 #include "image/limits.h"
 #include "image/module_loader.h"
@@ -25,7 +26,7 @@ struct ReadOptions {
 /// another format. Errors: file-E01 and E02 missing or unreadable; file-E03 not a picture, or one that needs
 /// the module, which is not installed; file-E04 damaged or short; file-E09 exceeds the limits; file-E11 its
 /// decoder crashed or took too long; draw-E08 exceeds what the textures of a scene may have together.
-Result<Image> readImage(const std::filesystem::path& path, const Place& place = {},
+Result<Image> readImage(const base::FileSource& source, const Place& place = {},
                         const ReadOptions& options = {});
 
 /// The same for a file that is already in memory. `path` gives the name for messages, and the suffix.

@@ -83,10 +83,11 @@ TexelBlock withBlockType(TexelBlock block, Component type) {
 
 }  // namespace
 
-Result<TexelBlock> readTexture(const fs::path& path, int dimensions, const Place& place,
+Result<TexelBlock> readTexture(const base::FileSource& source, int dimensions, const Place& place,
                                const ReadOptions& options) {
+    const fs::path& path = source.path;
     const FileLabel label{path.filename().string(), place};
-    auto file = readFile(path, label, options.limits.fileBytes);
+    auto file = readFile(source, label, options.limits.fileBytes);
     if (!file) return std::move(file.diagnostics);
     try {
         const Format format = formatOf(*file);
@@ -114,20 +115,20 @@ struct Pictures {
 /// Reads all of them, so that the messages of all come together. `problemOf` says what is wrong with a
 /// picture after the first one, in the words of `command`, or nothing.
 template <class ProblemOf>
-Pictures readPictures(std::span<const fs::path> files, int dimensions, const char* command,
+Pictures readPictures(std::span<const base::FileSource> files, int dimensions, const char* command,
                       const Place& place, const ReadOptions& options, ProblemOf problemOf) {
     Pictures all;
     std::uint64_t bytes = 0;
     ReadOptions rest = options;
-    for (const fs::path& path : files) {
-        auto block = readTexture(path, dimensions, place, rest);
+    for (const base::FileSource& source : files) {
+        auto block = readTexture(source, dimensions, place, rest);
         append(all.remarks, std::move(block.diagnostics));
         if (!block) continue;
         const TexelBlock& first = all.blocks.empty() ? *block : all.blocks.front();
         if (const std::string problem = problemOf(*block, first); !problem.empty()) {
             all.remarks.push_back(
                 diagnose("file-E06",
-                         fmt::format("{}: '{}' is {} x {}, {}", command, path.filename().string(),
+                         fmt::format("{}: '{}' is {} x {}, {}", command, source.path.filename().string(),
                                      block->width, block->height, problem),
                          place));
             return all;
@@ -166,7 +167,7 @@ void join(Pictures& all, bool flips, TexelBlock& to) {
 
 }  // namespace
 
-Result<TexelBlock> readCubeMap(std::span<const fs::path> six, const Place& place,
+Result<TexelBlock> readCubeMap(std::span<const base::FileSource> six, const Place& place,
                                const ReadOptions& options) {
     if (six.size() != 6)
         return diagnose("file-E06", fmt::format("CubeMap: expected 6 faces, found {}", six.size()), place);
@@ -182,7 +183,7 @@ Result<TexelBlock> readCubeMap(std::span<const fs::path> six, const Place& place
     return {std::move(cube), std::move(faces.remarks)};
 }
 
-Result<TexelBlock> readLayers(std::span<const fs::path> files, int dimensions, const Place& place,
+Result<TexelBlock> readLayers(std::span<const base::FileSource> files, int dimensions, const Place& place,
                               const ReadOptions& options) {
     Pictures layers =
         readPictures(files, dimensions, "layers", place, options, [](const auto& layer, const auto& first) {

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstddef>
+#include <cstdlib>
 #include <utility>
 
 #include "base/device_lost.h"
@@ -78,6 +80,30 @@ Diagnostics problemsOfLoading(const RenderOptions& options) {
     return found;
 }
 
+/// A driver that draws with the processor takes megabytes for each draw and frees them. glibc would give them
+/// back to the system, and every page of the next draw would be a new one: a third of the time of a teapot.
+/// Once a block of this size has been freed, glibc keeps up to twice as much (mallopt(3),
+/// M_MMAP_THRESHOLD), unless the program has decided otherwise. The block itself is never written to.
+void keepFreedMemory() {
+#ifdef __GLIBC__
+    constexpr std::size_t kBytes = std::size_t{16} << 20;
+    void* volatile block = std::malloc(kBytes);  // volatile, because compilers remove such pairs
+    std::free(block);
+#endif
+}
+
+/// The options with a reader that is called once at a time.
+RenderOptions withOrder(RenderOptions options) {
+    if (options.reader)
+        options.reader = std::make_shared<const FileReader>(
+            [reader = options.reader, mutex = std::make_shared<std::mutex>()](
+                const std::filesystem::path& path) -> std::optional<std::string> {
+                const std::lock_guard<std::mutex> lock(*mutex);
+                return (*reader)(path);
+            });
+    return options;
+}
+
 /// The renderer whose context the calls of this thread used last.
 thread_local const void* lastOfThread = nullptr;
 
@@ -91,6 +117,7 @@ Renderer::~Renderer() = default;
 Result<Renderer> Renderer::open(Driver driver) {
     Result<gpu::Context> context = openFor(driver);
     if (!context) return std::move(context.diagnostics);
+    keepFreedMemory();
     return {Renderer(std::make_shared<State>(driver, std::move(*context))), std::move(context.diagnostics)};
 }
 
@@ -99,6 +126,7 @@ Result<Renderer> Renderer::open(const CurrentContext& current) {
         return diagnose("gpu-E01", "no usable OpenGL driver: no context is current on this thread");
     Result<gpu::Context> context = gpu::adopt(current.loader);
     if (!context) return std::move(context.diagnostics);
+    keepFreedMemory();
     auto state = std::make_shared<State>(Driver::automatic, std::move(*context));
     state->isAdopted = true;
     return {Renderer(std::move(state)), std::move(context.diagnostics)};
@@ -192,7 +220,7 @@ Result<Picture> Renderer::render(const std::filesystem::path& scene, const Rende
     if (Diagnostics problems = problemsOf(options); !problems.empty()) return problems;
     if (Diagnostics problems = state_->begin(); !problems.empty()) return problems;
     try {
-        return state_->render(scene, options);
+        return state_->render(scene, withOrder(options));
     } catch (const base::DeviceLost& lost) {
         state_->lose();
         return base::diagnosticOf(lost, scene.string());
@@ -217,7 +245,7 @@ Result<Scene> Renderer::load(const std::filesystem::path& scene, const RenderOpt
     if (Diagnostics problems = problemsOfLoading(options); !problems.empty()) return problems;
     if (Diagnostics problems = state_->begin(); !problems.empty()) return problems;
     try {
-        auto state = std::make_unique<Scene::State>(state_, scene, options);
+        auto state = std::make_unique<Scene::State>(state_, scene, withOrder(options));
         Result<void> loaded = state->load();
         if (!loaded) return std::move(loaded.diagnostics);
         Diagnostics remarks = state->diagnostics;
@@ -232,9 +260,20 @@ Result<Scene> Renderer::loadText(std::string_view text, const std::string& name,
                                  const std::map<std::string, std::string>& files, const RenderOptions& from) {
     RenderOptions options = from;
     options.sceneText = std::string(text);
-    const std::filesystem::path path = name;
-    for (const auto& [file, content] : files) options.texts[path.parent_path() / file] = content;
-    return load(path, options);
+    if (files.empty()) return load(name, options);
+    const auto pathOf = [&](const std::string& file) {
+        return (std::filesystem::path(name).parent_path() / file).lexically_normal();
+    };
+    std::map<std::filesystem::path, std::string> contents;
+    for (const auto& [file, content] : files) contents[pathOf(file)] = content;
+    options.reader = std::make_shared<const FileReader>(
+        [contents = std::move(contents),
+         before = from.reader](const std::filesystem::path& path) -> std::optional<std::string> {
+            if (const auto found = contents.find(path.lexically_normal()); found != contents.end())
+                return found->second;
+            return before ? (*before)(path) : std::nullopt;
+        });
+    return load(name, options);
 }
 
 }  // namespace glibra

@@ -30,7 +30,14 @@ struct OnDevice {
     std::optional<SceneWindow> window;      ///< that the last picture was drawn into
 };
 
-struct Renderer::State {
+// What stands behind the interface is not exported, unlike its classes.
+#if defined(__GNUC__)
+#define GLIBRA_INSIDE __attribute__((visibility("hidden")))
+#else
+#define GLIBRA_INSIDE
+#endif
+
+struct GLIBRA_INSIDE Renderer::State {
     State(Driver asked, gpu::Context opened);
     State(const State&) = delete;
     State& operator=(const State&) = delete;
@@ -58,7 +65,7 @@ struct Renderer::State {
     bool makeCurrent();
 };
 
-struct Scene::State {
+struct GLIBRA_INSIDE Scene::State {
     State(std::shared_ptr<Renderer::State> on, std::filesystem::path file, RenderOptions from)
         : renderer(std::move(on)), path(std::move(file)), options(std::move(from)) {}
     State(const State&) = delete;

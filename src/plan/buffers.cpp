@@ -39,7 +39,7 @@ std::string countedText(std::uint64_t count, std::string_view one, std::string_v
 class LayoutFinder {
   public:
     LayoutFinder(const scene::Scene& scene, const FramePlan& plan, std::uint64_t mostBytes,
-                 std::uint64_t (*fileBytes)(const std::filesystem::path&),
+                 std::uint64_t (*fileBytes)(const scene::FileReference&),
                  std::map<scene::BufferIndex, BufferLayout>& layouts)
         : scene_(scene), plan_(plan), mostBytes_(mostBytes), fileBytes_(fileBytes), layouts_(layouts) {}
 
@@ -173,7 +173,7 @@ class LayoutFinder {
         std::uint64_t elements = elementsFor(buffer.values.size());
         std::uint64_t fileBytes = 0;
         if (buffer.file) {
-            fileBytes = fileBytes_(scene_.files[buffer.file].path);
+            fileBytes = fileBytes_(scene_.files[buffer.file]);
             if (pattern.stride > 0)
                 elements = (fileBytes - std::min(fileBytes, pattern.elementsAt)) / pattern.stride;
         }
@@ -295,7 +295,7 @@ class LayoutFinder {
     const scene::Scene& scene_;
     const FramePlan& plan_;
     std::uint64_t mostBytes_;
-    std::uint64_t (*fileBytes_)(const std::filesystem::path&);
+    std::uint64_t (*fileBytes_)(const scene::FileReference&);
     std::map<scene::BufferIndex, BufferLayout>& layouts_;
     std::set<scene::BufferIndex> failed_;
     Diagnostics diagnostics_;
@@ -384,7 +384,7 @@ std::string describe(const BlockUse& use, const ProgramInterface& interface) {
 }
 
 Diagnostics BufferLayouts::add(const scene::Scene& scene, const FramePlan& plan, std::uint64_t mostBytes,
-                               std::uint64_t (*fileBytes)(const std::filesystem::path& path)) {
+                               std::uint64_t (*fileBytes)(const scene::FileReference& file)) {
     Diagnostics diagnostics = LayoutFinder(scene, plan, mostBytes, fileBytes, layouts_).add();
     append(diagnostics, countsProblems(scene, plan, *this));
     append(diagnostics, reachProblems(scene, plan, *this));

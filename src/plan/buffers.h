@@ -61,7 +61,7 @@ class BufferLayouts {
     /// memory-E05 for a buffer whose type is not known, and memory-E12 for one that does not begin with the
     /// counts that a draw or dispatch takes from it. `fileBytes` returns the size of a file.
     Diagnostics add(const scene::Scene& scene, const FramePlan& plan, std::uint64_t mostBytes,
-                    std::uint64_t (*fileBytes)(const std::filesystem::path& path));
+                    std::uint64_t (*fileBytes)(const scene::FileReference& file));
     /// Null if no plan uses the buffer, or with an error.
     [[nodiscard]] const BufferLayout* find(scene::BufferIndex buffer) const;
 

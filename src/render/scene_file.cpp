@@ -124,10 +124,12 @@ bool InterpretedScene::changesWithTime() const {
 Result<InterpretedScene> interpretFile(const std::filesystem::path& path, const RenderOptions& options,
                                        Stats& stats) {
     stats.add("files read", 1);
-    const auto edited = options.texts.find(path);
-    Result<std::string> text = options.sceneText               ? Result<std::string>(*options.sceneText)
-                               : edited != options.texts.end() ? Result<std::string>(edited->second)
-                                                               : readScene(path);
+    const scene::MemoryFiles inMemory = scene::memoryFiles(options.texts, options.reader);
+    const auto content =
+        inMemory && !options.sceneText ? inMemory(path) : std::shared_ptr<const std::string>();
+    Result<std::string> text = options.sceneText ? Result<std::string>(*options.sceneText)
+                               : content         ? Result<std::string>(*content)
+                                                 : readScene(path);
     if (!text) return std::move(text.diagnostics);
     glib::Script script;
     {
@@ -151,7 +153,7 @@ Result<InterpretedScene> interpretFile(const std::filesystem::path& path, const 
             }
     const bool isModern = script.isModern;
     auto source = std::make_shared<scene::Interpretation>(
-        std::move(script), scene::InterpretOptions{options.libraryRoots, options.within, options.texts});
+        std::move(script), scene::InterpretOptions{options.libraryRoots, options.within, inMemory});
     result.scene = source->at(result.inputs);
     if (isModern) result.source = std::move(source);
     append(diagnostics, std::move(result.scene.diagnostics));

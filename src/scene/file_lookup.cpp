@@ -111,16 +111,18 @@ class CaselessSearch {
 /// for a path that differs only in case.
 class FolderSearch {
   public:
-    FolderSearch(FileReference& reference, const std::set<fs::path>& inMemory, FolderListings& listings)
-        : reference_(reference), inMemory_(inMemory), listings_(listings) {}
+    FolderSearch(FileReference& reference, const SearchFolders& all, FolderListings& listings)
+        : reference_(reference), all_(all), listings_(listings) {}
 
     bool find(const std::vector<fs::path>& folders, const std::vector<std::string>& parts) {
         if (parts.empty()) return false;
         for (const fs::path& folder : folders) {
             fs::path path = folder;
             for (const std::string& part : parts) path /= part;
-            if (!inMemory_.contains(path) && !isOrdinaryFile(path)) continue;
-            reference_.path = std::move(path);
+            base::FileSource source = all_.sourceAt(path);
+            if (source.path.empty()) continue;
+            reference_.path = std::move(source.path);
+            reference_.content = std::move(source.content);
             return true;
         }
         return !listings_.isSpent() &&
@@ -153,7 +155,7 @@ class FolderSearch {
     }
 
     FileReference& reference_;
-    const std::set<fs::path>& inMemory_;
+    const SearchFolders& all_;
     FolderListings& listings_;
 };
 
@@ -278,6 +280,24 @@ bool isOrdinaryFile(const fs::path& path) {
     return fs::is_regular_file(path, failure);
 }
 
+MemoryFiles memoryFiles(const std::map<fs::path, std::string>& texts,
+                        const std::shared_ptr<const FileReader>& reader) {
+    if (texts.empty() && !reader) return {};
+    return [texts, reader](const fs::path& path) -> std::shared_ptr<const std::string> {
+        if (reader)
+            if (std::optional<std::string> content = (*reader)(path))
+                return std::make_shared<const std::string>(std::move(*content));
+        const auto text = texts.find(path);
+        return text == texts.end() ? nullptr : std::make_shared<const std::string>(text->second);
+    };
+}
+
+base::FileSource SearchFolders::sourceAt(const fs::path& path) const {
+    if (inMemory)
+        if (std::shared_ptr<const std::string> content = inMemory(path)) return {path, std::move(content)};
+    return isOrdinaryFile(path) ? base::FileSource(path) : base::FileSource();
+}
+
 bool FolderListings::spend(std::size_t work) {
     budget_ -= std::min(work, budget_);
     return budget_ > 0;
@@ -330,7 +350,7 @@ base::Roots shownRoots(const SearchFolders& folders) {
 
 SearchFolders searchFolders(const fs::path& scenePath, const InterpretOptions& options) {
     SearchFolders folders;
-    for (const auto& [path, text] : options.texts) folders.inMemory.insert(path);
+    folders.inMemory = options.inMemory;
     folders.beside.push_back(scenePath.parent_path());
     std::error_code failure;
     const fs::path absolute = fs::absolute(scenePath, failure).lexically_normal();
@@ -366,13 +386,14 @@ static FileReference lookUp(std::string_view written, const Place& place, const 
         return reference;
     }
     const CleanName name = clean(written);
-    FolderSearch search(reference, folders.inMemory, listings);
+    FolderSearch search(reference, folders, listings);
     if (name.isAbsolute && !name.isNetwork && search.find({"/"}, name.parts)) return reference;
     if (!name.isAbsolute && search.find(folders.beside, name.parts)) return reference;
     if (name.hasFolders && !name.last.empty()) {
         FileReference beside = reference;
-        if (FolderSearch(beside, folders.inMemory, listings).find(folders.beside, {name.last})) {
+        if (FolderSearch(beside, folders, listings).find(folders.beside, {name.last})) {
             reference.path = beside.path;
+            reference.content = beside.content;
             reference.remarks.push_back(diagnose(
                 "file-W02",
                 fmt::format("'{}' found as '{}' beside the scene", written, beside.path.filename().string()),
@@ -395,7 +416,7 @@ static FileReference lookUp(std::string_view written, const Place& place, const 
 FileReference findFile(std::string_view written, const Place& place, const SearchFolders& folders,
                        FolderListings& listings) {
     FileReference reference = lookUp(written, place, folders, listings);
-    if (reference.path.empty() || folders.mayRead(reference.path)) return reference;
+    if (reference.path.empty() || reference.content || folders.mayRead(reference.path)) return reference;
     reference.path.clear();
     reference.remarks = {diagnose("file-E12",
                                   fmt::format("'{}' lies outside of the scene's folder and the library, and "

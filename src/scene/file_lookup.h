@@ -6,13 +6,13 @@
 #include <filesystem>
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "base/contained.h"
+#include "base/file_source.h"
 #include "scene/interpret.h"
 #include "scene/scene.h"
 
@@ -60,8 +60,10 @@ struct SearchFolders {
     std::vector<std::filesystem::path> roots;  ///< for each of `library` the library root that it belongs to
     /// If given, the folders whose files may be read (InterpretOptions::within).
     std::optional<base::Roots> readable{};
-    std::set<std::filesystem::path> inMemory{};  ///< those of InterpretOptions::texts, which need not exist
+    MemoryFiles inMemory{};  ///< InterpretOptions::inMemory
 
+    /// The file at a path as it is in memory or on the disk; without a path if there is none.
+    [[nodiscard]] base::FileSource sourceAt(const std::filesystem::path& path) const;
     [[nodiscard]] bool mayRead(const std::filesystem::path& file) const {
         return !readable || readable->contains(file);
     }

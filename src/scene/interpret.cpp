@@ -362,7 +362,6 @@ Interpretation::Interpretation(glib::Script script, InterpretOptions options)
     : state_(std::make_unique<State>()) {
     state_->script = std::move(script);
     state_->folders = searchFolders(state_->script.path, options);
-    state_->shared.files.texts = options.texts;
     state_->options = std::move(options);
 }
 Interpretation::Interpretation(Interpretation&&) noexcept = default;

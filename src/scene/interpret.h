@@ -1,5 +1,6 @@
 #pragma once
 
+#include <glibra/render.h>
 #include <glibra/result.h>
 
 #include <cstdint>
@@ -16,13 +17,19 @@
 
 namespace glibra::scene {
 
+/// The content of a file that the calling program has in memory, or null. May be empty.
+using MemoryFiles = std::function<std::shared_ptr<const std::string>(const std::filesystem::path& path)>;
+
+/// Both together: what `reader` has, else what `texts` has. `reader` may be null.
+MemoryFiles memoryFiles(const std::map<std::filesystem::path, std::string>& texts,
+                        const std::shared_ptr<const FileReader>& reader);
+
 /// Folders that are searched after the scene's own (language, 8.6): normally those in GLIBRA_PATH.
 struct InterpretOptions {
     std::vector<std::filesystem::path> libraryRoots;
     /// If it is not empty, only files below this folder and below the library folders are found.
     std::filesystem::path within{};
-    /// Texts in place of what included scene files have, by path.
-    std::map<std::filesystem::path, std::string> texts{};
+    MemoryFiles inMemory{};  ///< these files need not exist, and may lie outside of `within`
 };
 
 /// What a frame is a function of, besides the script and its files.

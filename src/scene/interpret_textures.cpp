@@ -107,8 +107,8 @@ bool chargeTexels(Interpreter& in, const glib::Command& command, std::uint64_t b
 Texture pictureTexture(Interpreter& in, const std::string& name, const Place& place, std::size_t wanted) {
     Texture texture;
     const FileIndex file = fileOf(in, name, place);
-    const std::filesystem::path& path = in.scene.files[file].path;
-    const auto noise = path.empty() ? noiseNameOf(name) : std::nullopt;
+    const base::FileSource source = in.scene.files[file].source();
+    const auto noise = source.path.empty() ? noiseNameOf(name) : std::nullopt;
     if (noise && (wanted == 0 || wanted == static_cast<std::size_t>(noise->dimensions))) {
         texture.target = targetOfDimensions(static_cast<std::size_t>(noise->dimensions));
         texture.source = NoiseSource{
@@ -119,7 +119,7 @@ Texture pictureTexture(Interpreter& in, const std::string& name, const Place& pl
                                  place)}};
         return texture;
     }
-    texture.target = wanted == 0 ? targetOfFile(path) : targetOfDimensions(wanted);
+    texture.target = wanted == 0 ? targetOfFile(source) : targetOfDimensions(wanted);
     texture.source = PictureSource{{file}};
     return texture;
 }
@@ -193,9 +193,7 @@ void finishNoise(Interpreter& in) {
         noise.dimensions = index == kNoise2Texture ? 2 : 3;
         noise.size = in.noise.sizes[index.position()];
         noise.isSizeGiven = in.noise.areGiven[index.position()];
-        FileReference file =
-            noiseFileBeside(in.folders.beside.front(), noise.dimensions, noise.size, texture.place);
-        if (!file.path.empty() && !in.folders.mayRead(file.path)) file.path.clear();
+        FileReference file = noiseFileBeside(in.folders, noise.dimensions, noise.size, texture.place);
         noise.remarks = std::move(file.remarks);
         const std::string key = "\n" + file.path.string();
         if (!file.path.empty()) noise.file = fileNamed(in, key, [&] { return std::move(file); });

@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/file_source.h"
 #include "base/program_resources.h"
 #include "base/sampler_state.h"
 #include "base/texel_format.h"
@@ -58,6 +59,9 @@ struct FileReference {
     /// The text of a shader that stands in the script, with as many empty lines before it as put it on its
     /// lines of the script, which is `path`.
     std::optional<std::string> text{};
+    std::shared_ptr<const std::string> content{};  ///< of a file that is in memory (MemoryFiles)
+
+    [[nodiscard]] base::FileSource source() const { return {path, content}; }
 };
 
 /// What a geometry command draws: the command with its numbers, or a list made by glBegin, Triangles or

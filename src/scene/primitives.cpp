@@ -68,11 +68,12 @@ Result<Mesh> readModel(const Shape& shape, const FileReference& file, const std:
                        bool withTangents) {
     Diagnostics diagnostics = file.remarks;
     if (file.path.empty()) return diagnostics;
-    auto bytes = image::readFile(file.path, {file.name, file.place}, geo::kLargestModelFile);
+    auto bytes = image::readFile(file.source(), {file.name, file.place}, geo::kLargestModelFile);
     append(diagnostics, bytes.diagnostics);
     if (!bytes) return diagnostics;
     Result<Mesh> mesh = parseModel(shape.command, std::move(*bytes), file.path.string(), withTangents);
-    if (!mesh.diagnostics.empty() && !shownRoots(searchFolders(scenePath)).contains(file.path))
+    if (!mesh.diagnostics.empty() && !file.content &&
+        !shownRoots(searchFolders(scenePath)).contains(file.path))
         hideTexts(mesh.diagnostics, file.name);
     append(diagnostics, std::move(mesh.diagnostics));
     if (!mesh) return diagnostics;

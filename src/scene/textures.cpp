@@ -9,14 +9,16 @@
 #include <cstddef>
 #include <cstdint>
 #include <fstream>
+#include <istream>
+#include <memory>
 #include <span>
+#include <sstream>
 #include <string>
 #include <system_error>
 
 #include "base/text.h"
 #include "image/format.h"
 #include "noise/noise.h"
-#include "scene/file_lookup.h"
 
 namespace glibra::scene {
 namespace {
@@ -37,15 +39,21 @@ struct Beginning {
     }
 };
 
-std::optional<Beginning> beginningOf(const std::filesystem::path& path) {
-    if (!isOrdinaryFile(path)) return std::nullopt;
+std::unique_ptr<std::istream> opened(const base::FileSource& source) {
+    if (source.content) return std::make_unique<std::istringstream>(*source.content);
+    return std::make_unique<std::ifstream>(source.path, std::ios::binary);
+}
+
+std::optional<Beginning> beginningOf(const base::FileSource& source) {
+    if (!source.content && !isOrdinaryFile(source.path)) return std::nullopt;
     Beginning beginning;
     std::error_code failure;
-    beginning.length = std::filesystem::file_size(path, failure);
-    std::ifstream file(path, std::ios::binary);
+    beginning.length =
+        source.content ? source.content->size() : std::filesystem::file_size(source.path, failure);
     std::array<char, kLookedAt> read{};
-    file.read(read.data(), read.size());
-    beginning.count = static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0));
+    const auto file = opened(source);
+    file->read(read.data(), read.size());
+    beginning.count = static_cast<std::size_t>(std::max<std::streamsize>(file->gcount(), 0));
     if (failure || beginning.count == 0) return std::nullopt;
     std::transform(read.begin(), read.end(), beginning.bytes.begin(),
                    [](char c) { return static_cast<std::byte>(c); });
@@ -69,9 +77,8 @@ bool fitsRaw(const Beginning& beginning, std::size_t dimensions, std::uint64_t c
 }
 
 /// The size in the first frame header (ISO/IEC 10918-1, B.2.2).
-std::optional<std::array<double, 3>> sizeOfJpeg(const std::filesystem::path& path) {
+std::optional<std::array<double, 3>> sizeOfJpeg(std::istream& file) {
     constexpr int kMostSegments = 1000;
-    std::ifstream file(path, std::ios::binary);
     const auto byte = [&] { return file.get() & 0xff; };
     const auto number = [&] {
         const int high = byte();
@@ -99,8 +106,8 @@ std::optional<std::array<double, 3>> sizeOfJpeg(const std::filesystem::path& pat
 
 }  // namespace
 
-std::optional<std::array<double, 3>> sizeOfFile(const std::filesystem::path& path, std::size_t dimensions) {
-    const auto beginning = beginningOf(path);
+std::optional<std::array<double, 3>> sizeOfFile(const base::FileSource& source, std::size_t dimensions) {
+    const auto beginning = beginningOf(source);
     if (!beginning) return std::nullopt;
     const auto byte = [&](std::size_t at) { return std::to_integer<std::uint32_t>(beginning->bytes.at(at)); };
     const auto whole = [](std::uint32_t value) {
@@ -110,7 +117,7 @@ std::optional<std::array<double, 3>> sizeOfFile(const std::filesystem::path& pat
     std::array<double, 3> size{1, 1, 1};
     switch (image::formatOf(std::span(beginning->bytes).first(beginning->count))) {
         case image::Format::jpeg:
-            return sizeOfJpeg(path);
+            return sizeOfJpeg(*opened(source));
         case image::Format::png:
             if (beginning->count < kNeeded) return std::nullopt;
             for (std::size_t i = 0; i < 2; ++i) {
@@ -142,8 +149,8 @@ std::optional<std::array<double, 3>> sizeOfFile(const std::filesystem::path& pat
     return size;
 }
 
-TextureTarget targetOfFile(const std::filesystem::path& path) {
-    const auto beginning = beginningOf(path);
+TextureTarget targetOfFile(const base::FileSource& source) {
+    const auto beginning = beginningOf(source);
     if (!beginning) return TextureTarget::texture2D;
     const std::span<const std::byte> bytes(beginning->bytes.data(), beginning->count);
     if (image::formatOf(bytes) != image::Format::unknown) return TextureTarget::texture2D;
@@ -154,8 +161,8 @@ TextureTarget targetOfFile(const std::filesystem::path& path) {
     return TextureTarget::texture2D;
 }
 
-bool holdsNoise(const std::filesystem::path& path, int dimensions, int size) {
-    const auto beginning = beginningOf(path);
+bool holdsNoise(const base::FileSource& source, int dimensions, int size) {
+    const auto beginning = beginningOf(source);
     if (!beginning || !fitsRaw(*beginning, static_cast<std::size_t>(dimensions), 1)) return false;
     for (std::size_t i = 0; i < static_cast<std::size_t>(dimensions); ++i)
         if (beginning->integer(i) != static_cast<std::uint64_t>(size)) return false;
@@ -186,13 +193,14 @@ std::string noiseFileName(int dimensions, int size) {
     return fmt::format("noise{}d.{:03}.tex", dimensions, size);
 }
 
-FileReference noiseFileBeside(const std::filesystem::path& sceneFolder, int dimensions, int size,
-                              const Place& place) {
+FileReference noiseFileBeside(const SearchFolders& folders, int dimensions, int size, const Place& place) {
     FileReference file{noiseFileName(dimensions, size), {}, {}, place};
-    const std::filesystem::path path = sceneFolder / file.name;
-    if (!isOrdinaryFile(path)) return file;
-    if (holdsNoise(path, dimensions, size)) {
-        file.path = path;
+    const base::FileSource source = folders.sourceAt(folders.beside.front() / file.name);
+    if (source.path.empty()) return file;
+    if (holdsNoise(source, dimensions, size)) {
+        if (!source.content && !folders.mayRead(source.path)) return file;
+        file.path = source.path;
+        file.content = source.content;
         file.remarks.push_back(
             diagnose("file-N01", fmt::format("noise is read from '{}' beside the scene", file.name), place));
     } else {

@@ -86,7 +86,7 @@ TEST_F(Hostile, TexturesBeyondWhatTheSceneMayHaveAreRefusedBeforeDecoding) {
     ReadOptions options;
     options.limits.sceneBytesLeft = 32 * 32 * 4;
     EXPECT_TRUE(readTexture(path, 2, {}, options));
-    const std::vector<std::filesystem::path> six(6, path);
+    const std::vector<base::FileSource> six(6, path);
     EXPECT_EQ(idsOf(readCubeMap(six, {}, options).diagnostics),
               "draw-E08 draw-E08 draw-E08 draw-E08 draw-E08");
     options.limits.sceneBytesLeft *= 6;

@@ -215,8 +215,8 @@ TEST_F(TextureFile, SixteenBitsStaySixteen) {
 
 class CubeMapFiles : public testing::InFolder {
   protected:
-    std::vector<fs::path> faces(int width = 4, int height = 4) {
-        std::vector<fs::path> paths;
+    std::vector<base::FileSource> faces(int width = 4, int height = 4) {
+        std::vector<base::FileSource> paths;
         for (std::uint32_t i = 0; i < 6; ++i) {
             images.push_back(testing::noisyImage(width, height, 4, Component::u8, 1000 * i));
             paths.push_back(put("face" + std::to_string(i) + ".png", encodePng(images.back())));

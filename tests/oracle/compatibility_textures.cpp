@@ -82,13 +82,14 @@ void CompatibilityTextures::fill(scene::TextureIndex index) const {
         return;
     }
     const auto& picture = std::get<scene::PictureSource>(texture.source);
-    std::vector<std::filesystem::path> paths;
-    for (const scene::FileIndex file : picture.files) paths.push_back(scene_.files[file].path);
+    std::vector<base::FileSource> files;
+    for (const scene::FileIndex file : picture.files) files.push_back(scene_.files[file].source());
     const Result<image::TexelBlock> read = target == GL_TEXTURE_CUBE_MAP
-                                               ? image::readCubeMap(paths)
-                                               : image::readTexture(paths.front(), dimensionsOf(target));
+                                               ? image::readCubeMap(files)
+                                               : image::readTexture(files.front(), dimensionsOf(target));
     if (!read || read->type != image::Component::u8 || read->components != 4)
-        throw std::runtime_error("the oracle reads textures of RGBA bytes only: " + paths.front().string());
+        throw std::runtime_error("the oracle reads textures of RGBA bytes only: " +
+                                 files.front().path.string());
     const image::TexelBlock& block = *read;
     if (target == GL_TEXTURE_1D) {
         gl_.TexImage1D(target, 0, GL_RGBA8, block.width, 0, GL_RGBA, GL_UNSIGNED_BYTE, block.data.data());

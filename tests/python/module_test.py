@@ -2,6 +2,8 @@
 build tree on PYTHONPATH."""
 import os
 import pathlib
+import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -61,6 +63,13 @@ class Drawing(unittest.TestCase):
         self.assertIn("uLevel", dir(scene))
         level = next(each for each in scene.values if each.name == "uLevel")
         self.assertEqual((level.type, level.range, level.initial), ("float", (0, 2), [1]))
+
+    def test_reads_pictures_from_memory(self):
+        files = dict(FILES, **{"photo.ppm": b"P6 1 1 255\n\xff\x33\x00", "photo.frag": "#version 330\nuniform sampler2D uPhoto;\n"
+                               "out vec4 color;\nvoid main() { color = texture(uPhoto, vec2(.5)); }\n"})
+        scene = glibra.Scene(text="WindowSize 8 6\nTexture2D 5 photo.ppm\nVertex square.vert\nFragment photo.frag\n"
+                             "Program Photo uPhoto 5\nQuadXY 0 10\n", files=files)
+        self.assertEqual(scene.draw()[0, 0].tolist(), [255, 51, 0])
 
     def test_reports_what_is_wrong(self):
         scene = square()
@@ -140,6 +149,23 @@ class Pictures(unittest.TestCase):
 
     def test_show_themselves_in_notebooks(self):
         self.assertEqual(square()._repr_png_()[:8], b"\x89PNG\r\n\x1a\n")
+
+
+class Pages(unittest.TestCase):
+    def test_have_programs_that_run(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for each in [TEAPOT, *(SOURCE / "shaders/start").iterdir()]:
+                shutil.copy(each, folder)
+            first = glibra.Scene(os.path.join(folder, "teapot.glib"))
+            first.uShininess = 20
+            glibra.save(first.draw(320, 240, time=2.5), os.path.join(folder, "golden.png"))
+            for page in "README.md", "docs/python.md":
+                blocks = re.findall(r"```python\n(import.*?)```", (SOURCE / page).read_text(), re.DOTALL)
+                self.assertTrue(blocks, page)
+                for block in blocks:
+                    ran = subprocess.run([sys.executable, "-c", block], cwd=folder, capture_output=True, text=True)
+                    self.assertEqual(ran.returncode, 0, page + ran.stderr)
+            self.assertIn("same", ran.stdout)
 
 
 class Pytest(unittest.TestCase):

@@ -100,7 +100,7 @@ TEST_F(Frame, ShowsWhatEachDrawLeft) {
     EXPECT_EQ(at(pass, 1, 1), (std::vector<double>{0, 0, 2, 1}));
     EXPECT_EQ(at(pass, 12, 1), (std::vector<double>{0, 2, 0, 1})) << "the far quad is behind";
     ASSERT_EQ(pass.thumbnails.size(), items.size());
-    for (const view::Thumbnail& each : pass.thumbnails) EXPECT_FALSE(each.rgba.empty());
+    for (const view::FrameThumbnail& each : pass.thumbnails) EXPECT_FALSE(each.rgba.empty());
     EXPECT_EQ(std::count(pass.isExecuted.begin(), pass.isExecuted.end(), true), 6);
     session.setNeedsFrame();
     session.drawIfNeeded();

@@ -7,8 +7,6 @@
 include(CMakePackageConfigHelpers)
 
 # The library: the files of src/library and the room classic, and what the linker takes for them from the rooms.
-# The number of the binary interface is increased by a release whose library cannot take the place of the one before.
-set(GLIBRA_ABI 1)
 file(GLOB library_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/library/*.cpp)
 add_library(glibra SHARED ${library_sources} $<TARGET_OBJECTS:glibra_classic>)
 add_library(glibra::glibra ALIAS glibra)

@@ -50,7 +50,8 @@ class Scene:
     """
 
     def __init__(self, path=None, *, text=None, name="scene.glib", files=None):
-        """Reads a scene file, or with ``text`` a scene in memory; ``files`` are texts in place of files that it reads."""
+        """Reads a scene file, or with ``text`` a scene in memory; ``files`` are the contents of the files
+        that it reads, by their names, as texts or bytes."""
         if (path is None) == (text is None):
             raise TypeError("Scene takes a path or a text")
         made = (_renderer().load(os.fspath(path)) if text is None

@@ -12,9 +12,10 @@
 namespace glibra::render {
 namespace {
 
-std::uint64_t sizeOfFile(const std::filesystem::path& path) {
+std::uint64_t sizeOfFile(const scene::FileReference& file) {
+    if (file.content) return file.content->size();
     std::error_code failure;
-    const std::uintmax_t bytes = path.empty() ? 0 : std::filesystem::file_size(path, failure);
+    const std::uintmax_t bytes = file.path.empty() ? 0 : std::filesystem::file_size(file.path, failure);
     return failure ? 0 : bytes;
 }
 
@@ -97,7 +98,7 @@ Result<std::vector<std::byte>> DeviceBuffers::declaredBytes(scene::BufferIndex i
         Diagnostics diagnostics = file.remarks;
         if (hasError(diagnostics)) return diagnostics;
         stats_.add("files read", 1);
-        auto bytes = image::readFile(file.path, {file.name, buffer.place}, layout.bytes);
+        auto bytes = image::readFile(file.source(), {file.name, buffer.place}, layout.bytes);
         append(diagnostics, std::move(bytes.diagnostics));
         if (!bytes) return diagnostics;
         return {std::move(*bytes), std::move(diagnostics)};

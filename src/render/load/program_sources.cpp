@@ -43,6 +43,7 @@ ProgramSources::ProgramSources(const scene::Scene& scene, const RenderOptions& o
     : scene_(scene),
       options_(options),
       stats_(stats),
+      search_{options.libraryRoots, options.within, scene::memoryFiles(options.texts, options.reader)},
       shown_(scene::shownRoots(scene::searchFolders(scene.path, {.libraryRoots = options.libraryRoots}))) {}
 
 std::vector<std::filesystem::path> ProgramSources::filesRead() const {
@@ -54,7 +55,12 @@ std::vector<std::filesystem::path> ProgramSources::filesRead() const {
 }
 
 void ProgramSources::noteIfHidden(scene::ProgramIndex program, const std::string& file) {
-    if (!shown_.contains(file)) hidden_.emplace(program, file);
+    if (!isShown(file)) hidden_.emplace(program, file);
+}
+
+bool ProgramSources::isShown(const std::string& file) const {
+    return shown_.contains(file) || (options_.sceneText && file == scene_.path) ||
+           (search_.inMemory && search_.inMemory(file));
 }
 
 std::string ProgramSources::hiddenSource(scene::ProgramIndex program) const {
@@ -67,7 +73,7 @@ void ProgramSources::hideTexts(scene::ProgramIndex program, Diagnostics& diagnos
     if (hidden.empty()) return;
     HiddenWords words;
     const auto add = [&](const std::string& file, const std::string& text) {
-        if (shown_.contains(file))
+        if (isShown(file))
             words.addShown(text);
         else
             words.addHidden(text);
@@ -81,7 +87,7 @@ void ProgramSources::hideTexts(scene::ProgramIndex program, Diagnostics& diagnos
     for (Diagnostic& each : diagnostics) {
         // Messages about finding and opening a file name the file and nothing else.
         if (each.id.starts_with("file-")) continue;
-        if (!each.place.file.empty() && !shown_.contains(each.place.file)) {
+        if (!each.place.file.empty() && !isShown(each.place.file)) {
             each.text = fmt::format("{}, because it may quote {}", kHiddenText, why);
         } else if (std::string text = words.removedFrom(each.text); text != each.text) {
             each.text = fmt::format("{} (\"...\" stands for words of {})", text, why);
@@ -98,12 +104,8 @@ const ProgramSources::SourceFile& ProgramSources::file(scene::FileIndex index) {
     source.path = reference.path.string();
     if (reference.text) source.text = reference.text;
     if (reference.path.empty() || reference.text) return source;
-    if (const auto edited = options_.texts.find(reference.path); edited != options_.texts.end()) {
-        source.text = edited->second;
-        return source;
-    }
     stats_.add("files read", 1);
-    auto bytes = image::readFile(reference.path, {reference.name, reference.place}, kLargestSource);
+    auto bytes = image::readFile(reference.source(), {reference.name, reference.place}, kLargestSource);
     append(source.diagnostics, std::move(bytes.diagnostics));
     if (bytes) source.text = asText(*bytes);
     return source;
@@ -165,19 +167,14 @@ glsl::ProgramRequest ProgramSources::request(const plan::ProgramVariant& variant
             return glsl::IncludedFile{given->second.path.string(), *given->second.text,
                                       fmt::format("Glsl {} (line {})", name, given->second.place.line)};
         }
-        const scene::FileReference found = scene::findInclude(
-            name, from, scene_.path, {options_.libraryRoots, options_.within, options_.texts}, listings_);
+        const scene::FileReference found = scene::findInclude(name, from, scene_.path, search_, listings_);
         if (found.path.empty()) return std::nullopt;
         stats_.add("files read", 1);
         noteIfHidden(program, found.path.string());
+        const auto bytes = image::readFile(found.source(), {found.name, found.place}, kLargestSource);
         std::string& text = included_[found.path];
-        if (const auto edited = options_.texts.find(found.path); edited != options_.texts.end()) {
-            text = edited->second;
-        } else {
-            const auto bytes = image::readFile(found.path, {found.name, found.place}, kLargestSource);
-            if (!bytes) return std::nullopt;
-            text = asText(*bytes);
-        }
+        if (!bytes) return std::nullopt;
+        text = asText(*bytes);
         return glsl::IncludedFile{found.path.string(), text};
     };
     request.samplerKindsOfTag = [this, program = variant.program](std::string_view tag) {

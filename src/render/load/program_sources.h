@@ -51,6 +51,8 @@ class ProgramSources {
   private:
     /// Notes that the program has a source that may not be shown (scene::shownRoots), if the file is one.
     void noteIfHidden(scene::ProgramIndex program, const std::string& file);
+    /// True for files that the calling program has given, too.
+    [[nodiscard]] bool isShown(const std::string& file) const;
     [[nodiscard]] std::vector<glsl::SamplerKind> samplerKinds(scene::ProgramIndex program,
                                                               std::string_view tag) const;
 
@@ -60,6 +62,7 @@ class ProgramSources {
     std::map<scene::FileIndex, SourceFile> sources_;
     std::map<std::filesystem::path, std::string> included_;  ///< what #include has read, with its text
     scene::FolderListings listings_;
+    scene::InterpretOptions search_;
     base::Roots shown_;
     std::map<scene::ProgramIndex, std::string> hidden_;  ///< programs with a source that may not be shown
 };

@@ -6,12 +6,20 @@
 #include <system_error>
 #include <variant>
 
+// Compiled in, because a shared library would be loaded at every start of the program.
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
 namespace glibra::render {
 namespace {
 
 std::string stampOf(const scene::Scene& scene, scene::FileIndex file) {
     if (!file) return "-";
     const std::filesystem::path& path = scene.files[file].path;
+    if (const auto& content = scene.files[file].content) {
+        const XXH128_hash_t hash = XXH3_128bits(content->data(), content->size());
+        return fmt::format("|{}|{:x}{:016x}", path.string(), hash.high64, hash.low64);
+    }
     std::error_code failure;
     const auto size = std::filesystem::file_size(path, failure);
     const auto changed = std::filesystem::last_write_time(path, failure).time_since_epoch().count();

@@ -94,10 +94,10 @@ noise::TexelShorts widened(const noise::TexelBytes& bytes) {
 }
 
 /// The files of a picture, in order.
-std::vector<std::filesystem::path> pathsOf(const scene::Scene& scene, const scene::PictureSource& picture) {
-    std::vector<std::filesystem::path> paths;
-    for (const scene::FileIndex each : picture.files) paths.push_back(scene.files[each].path);
-    return paths;
+std::vector<base::FileSource> sourcesOf(const scene::Scene& scene, const scene::PictureSource& picture) {
+    std::vector<base::FileSource> sources;
+    for (const scene::FileIndex each : picture.files) sources.push_back(scene.files[each].source());
+    return sources;
 }
 
 }  // namespace
@@ -115,7 +115,7 @@ DeviceTextures::NoiseTexels DeviceTextures::noiseTexels(const scene::NoiseSource
     const scene::FileReference& file = scene_.files[source.file];
     image::ReadOptions options;
     options.limits.sceneBytesLeft = texelBytesLeft_;
-    Result<image::TexelBlock> read = image::readTexture(file.path, source.dimensions, place, options);
+    Result<image::TexelBlock> read = image::readTexture(file.source(), source.dimensions, place, options);
     if (!read) return std::move(read.diagnostics);
     noise::TexelBytes bytes(read->data.size());
     for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = std::to_integer<std::uint8_t>(read->data[i]);
@@ -125,21 +125,21 @@ DeviceTextures::NoiseTexels DeviceTextures::noiseTexels(const scene::NoiseSource
 DeviceTextures::PictureTexels DeviceTextures::pictureTexels(const scene::Texture& texture,
                                                             const scene::PictureSource& picture) {
     const StageTimer timer(stats_, "read");
-    const std::vector<std::filesystem::path> paths = pathsOf(scene_, picture);
-    stats_.add("files read", paths.size());
+    const std::vector<base::FileSource> files = sourcesOf(scene_, picture);
+    stats_.add("files read", files.size());
     image::ReadOptions options;
     options.limits.sceneBytesLeft = texelBytesLeft_;
     const auto read = [&]() -> PictureTexels {
         if (texture.target == scene::TextureTarget::cube)
-            return paths.size() == 1 ? image::readCubePicture(paths.front(), texture.place, options)
-                                     : image::readCubeMap(paths, texture.place, options);
+            return files.size() == 1 ? image::readCubePicture(files.front(), texture.place, options)
+                                     : image::readCubeMap(files, texture.place, options);
         if (texture.target == scene::TextureTarget::texture1DArray)
-            return image::readLayers(paths, 1, texture.place, options);
+            return image::readLayers(files, 1, texture.place, options);
         const bool hasLayers =
-            paths.size() > 1 || (texture.target == scene::TextureTarget::texture2DArray &&
-                                 scene::targetOfFile(paths.front()) == scene::TextureTarget::texture2D);
-        if (hasLayers) return image::readLayers(paths, 2, texture.place, options);
-        return image::readTexture(paths.front(), dimensionsOf(texture.target), texture.place, options);
+            files.size() > 1 || (texture.target == scene::TextureTarget::texture2DArray &&
+                                 scene::targetOfFile(files.front()) == scene::TextureTarget::texture2D);
+        if (hasLayers) return image::readLayers(files, 2, texture.place, options);
+        return image::readTexture(files.front(), dimensionsOf(texture.target), texture.place, options);
     };
     PictureTexels texels = read();
     if (texels) texelBytesLeft_ -= texels->data.size();

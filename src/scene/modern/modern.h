@@ -51,7 +51,6 @@ struct MeshContent {
 
 /// The files that frames have read, so that a file is read once and keeps its index.
 struct KnownFiles {
-    std::map<std::filesystem::path, std::string> texts;                   ///< InterpretOptions::texts
     std::map<std::string, std::unique_ptr<const glib::Script>> included;  ///< by path
     std::vector<const glib::Script*> includedOrder;
     List<FileReference> all;

@@ -283,18 +283,13 @@ const glib::Script* includedScript(Interpreter& in, const Command& command, cons
     const std::string path = reference.path.string();
     std::unique_ptr<const glib::Script>& script = in.shared->files.included[path];
     if (script) return script.get();
-    if (const auto edited = in.shared->files.texts.find(reference.path);
-        edited != in.shared->files.texts.end()) {
-        script = std::make_unique<const glib::Script>(glib::parse(edited->second, path));
-    } else {
-        const auto bytes = image::readFile(reference.path, {name, in.place(command)}, glib::kLargestFile);
-        if (!bytes) {
-            for (const Diagnostic& each : bytes.diagnostics) in.report(each);
-            return nullptr;
-        }
-        script = std::make_unique<const glib::Script>(
-            glib::parse({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, path));
+    const auto bytes = image::readFile(reference.source(), {name, in.place(command)}, glib::kLargestFile);
+    if (!bytes) {
+        for (const Diagnostic& each : bytes.diagnostics) in.report(each);
+        return nullptr;
     }
+    script = std::make_unique<const glib::Script>(
+        glib::parse({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, path));
     in.shared->files.includedOrder.push_back(script.get());
     for (const Diagnostic& each : script->diagnostics) in.report(each);
     return script.get();

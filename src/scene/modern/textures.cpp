@@ -263,7 +263,7 @@ void setPictureSize(Interpreter& in, const std::string& name, const Texture& tex
         return set(side, side, side);
     }
     const std::vector<FileIndex>& files = std::get<PictureSource>(texture.source).files;
-    const auto size = sizeOfFile(in.scene.files[files.front()].path, sideCount(texture.target));
+    const auto size = sizeOfFile(in.scene.files[files.front()].source(), sideCount(texture.target));
     if (!size)
         return names.forget(name + ".size",
                             "the size of a file of this format is known only when it is read");

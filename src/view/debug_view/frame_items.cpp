@@ -40,7 +40,8 @@ std::vector<FrameTarget> targetsOf(const scene::Scene& scene, const scene::Pass&
 /// What the shaders of a node write, and what a clear sets to zero.
 std::vector<FrameTarget> writtenBy(const scene::Scene& scene, const plan::FramePlan& plan, std::size_t node) {
     std::vector<FrameTarget> targets;
-    for (const plan::ObjectUse& each : plan::usesOf(plan, node)) {
+    if (node >= plan.accesses.size()) return targets;
+    for (const plan::ObjectUse& each : plan.accesses[node].uses) {
         if (!each.writes) continue;
         if (const auto* texture = std::get_if<scene::TextureView>(&each.object))
             targets.push_back({FrameTarget::Kind::texture, 0, nameOfTexture(scene, *texture), *texture});

@@ -13,7 +13,7 @@
 namespace glibra::view {
 namespace {
 
-Thumbnail thumbnailOf(const render::Content& content, bool fits) {
+FrameThumbnail thumbnailOf(const render::Content& content, bool fits) {
     TexelDisplay display;
     if (fits) std::tie(display.low, display.high) = rangeOf(content, display.channels);
     return {content.width, content.height, screenBytes(content, display)};

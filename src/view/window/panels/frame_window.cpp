@@ -54,7 +54,7 @@ void listFrame(Ui& ui, FrameWindow& window) {
 
 void takeThumbnails(Ui& ui, FrameWindow& window) {
     window.thumbnails.clear();
-    for (const Thumbnail& each : window.answer.thumbnails)
+    for (const FrameThumbnail& each : window.answer.thumbnails)
         window.thumbnails.push_back(
             each.rgba.empty() ? std::nullopt : textureOfBytes(ui, each.width, each.height, each.rgba));
 }

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <concepts>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+
+namespace glibra::base {
+
+/// A file to read: one of the disk, or one whose content the calling program gave.
+struct FileSource {
+    std::filesystem::path path{};                  ///< also gives its name and its suffix
+    std::shared_ptr<const std::string> content{};  ///< null: what the disk has
+
+    FileSource() = default;
+    template <class Path>
+        requires std::convertible_to<Path, std::filesystem::path>
+    FileSource(Path&& onDisk) : path(std::forward<Path>(onDisk)) {}
+    FileSource(std::filesystem::path name, std::shared_ptr<const std::string> bytes)
+        : path(std::move(name)), content(std::move(bytes)) {}
+};
+
+}  // namespace glibra::base
