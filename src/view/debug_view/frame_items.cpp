@@ -7,7 +7,7 @@
 #include <utility>
 #include <variant>
 
-#include "plan/accesses.h"
+#include "plan/frame_plan.h"
 #include "plan/texture_binding.h"
 #include "render/probe/gpu_times.h"
 
