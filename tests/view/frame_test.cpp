@@ -212,6 +212,29 @@ TEST_F(Frame, ShowsADebugViewOfOnePass) {
     EXPECT_NEAR(at(1, 1, 1), 6, 1e-3) << "from the eye";
 }
 
+TEST(PassView, ShowsAShadowMapWhoseShaderNamesItsInputsItself) {
+    const SceneFolder folder(
+        "WindowSize 20 20\nCamera eye LookAt 0 0 5  0 0 0  0 1 0  Ortho -1 1 -1 1 1 10\n"
+        "Texture2D shadow 16 16 depth24\nVertex depth.vert\nProgram Depth\nFragment show.frag\n"
+        "Program Show uImage shadow\nUse Depth\nPass shadow\n    QuadXY 0 .5\nEndPass\nFill window with "
+        "Show\n",
+        {{"depth.vert",
+          "#version 430\nuniform mat4 m_matrix, v_matrix, p_matrix; in vec3 vertPos;\n"
+          "void main() { gl_Position = p_matrix * v_matrix * m_matrix * vec4(vertPos, 1.); }\n"},
+         {"show.frag",
+          "#version 430\nuniform sampler2D uImage; out vec4 c;\nvoid main() { c = texture(uImage, vec2(.5)); "
+          "}\n"}});
+    Session session(context(), {});
+    ASSERT_TRUE(session.open(folder.scene())) << text(session.diagnostics());
+    session.drawIfNeeded();
+    ASSERT_FALSE(hasError(session.diagnostics())) << text(session.diagnostics());
+    view::TexelImage numbers;
+    ASSERT_EQ(session.numbersOfPass(0, view::DebugView::layers, numbers), "");
+    ASSERT_EQ(numbers.width, 16);
+    EXPECT_EQ(numbers.rgba[4 * (16 * 8 + 8)], 1);
+    EXPECT_EQ(numbers.rgba[4 * (16 * 1 + 1)], 0);
+}
+
 TEST_F(Frame, CapturesTheVerticesOfADraw) {
     const auto stages = view::captureMesh(context(), session.live(), items[draw(1)].step, 40, 20, 0);
     ASSERT_EQ(stages.size(), 2U);

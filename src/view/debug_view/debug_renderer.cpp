@@ -40,16 +40,20 @@ std::string_view sceneAttribute(std::string_view input) {
     return row ? row->attribute : std::string_view();
 }
 
-/// What feeds the input of that name from a buffer of the scene; null if it is fed otherwise.
-const plan::InputSource* bufferSource(const plan::FramePlan& plan, const plan::PlannedDraw& draw,
-                                      const render::BuiltProgram& built, const std::string& input) {
-    if (!draw.inputs) return nullptr;
+/// What feeds the input of that name in the scene's program; null if the plan does not say.
+const plan::InputSource* sourceOf(const plan::FramePlan& plan, const plan::PlannedDraw& draw,
+                                  const render::BuiltProgram* built, const std::string& input) {
+    if (!draw.inputs || built == nullptr) return nullptr;
     const std::vector<plan::InputSource>& sources = plan.inputs[draw.inputs].sources;
-    for (std::size_t i = 0; i < sources.size() && i < built.interface.inputs.size(); ++i)
-        if (built.interface.inputs[i].name == input &&
-            std::holds_alternative<scene::BufferView>(sources[i].from))
-            return &sources[i];
+    for (std::size_t i = 0; i < sources.size() && i < built->interface.inputs.size(); ++i)
+        if (built->interface.inputs[i].name == input) return &sources[i];
     return nullptr;
+}
+
+/// The mesh attribute that an input reads, also by a name of its own such as `vertPos`.
+std::string_view attributeOf(const plan::InputSource* source, std::string_view input) {
+    const auto* name = source != nullptr ? std::get_if<std::string>(&source->from) : nullptr;
+    return name != nullptr ? *name : sceneAttribute(input);
 }
 
 /// True if indices or attributes come from buffers of the scene. Equal meshes may then have others, and the
@@ -76,8 +80,8 @@ void DebugRenderer::connect(const plan::PlannedDraw& draw, Drawn& made) {
     made.buffers.reserve(made.program->resources.inputs.size());  // `sources` points to them
     for (const base::ActiveInput& input : made.program->resources.inputs) {
         if (input.location < 0) continue;
-        if (const plan::InputSource* fed =
-                built != nullptr ? bufferSource(scene_.plan(), draw, *built, input.name) : nullptr) {
+        const plan::InputSource* fed = sourceOf(scene_.plan(), draw, built, input.name);
+        if (fed != nullptr && std::holds_alternative<scene::BufferView>(fed->from)) {
             if (const auto elements = scene_.device().elementsOf(scene_.plan(), *fed))
                 render::DeviceScene::addBufferSources(*elements, fed->isPerInstance, input, sources);
             continue;
@@ -86,7 +90,7 @@ void DebugRenderer::connect(const plan::PlannedDraw& draw, Drawn& made) {
         source.location = static_cast<GLuint>(input.location);
         const bool isInteger = input.type.base == base::BaseType::integer;
         for (const render::DeviceMesh::Attribute& each : device->attributes) {
-            if (each.name != sceneAttribute(input.name)) continue;
+            if (each.name != attributeOf(fed, input.name)) continue;
             const bool asIntegers = isInteger && each.integers;
             source.buffer = asIntegers ? &*each.integers : &each.floats;
             if (asIntegers) source.type = gpu::AttributeSource::Type::integer;
@@ -166,7 +170,9 @@ void DebugRenderer::bind(const plan::PlannedDraw& draw, const Drawn& with, const
         if (input.location >= 0 && !debugAttribute(input.name).empty())
             gpu::setConstantAttribute(static_cast<GLuint>(input.location), input.type, {0, 0, 0, 1});
     for (const base::ActiveInput& input : program.resources.inputs) {
-        if (input.location < 0 || sceneAttribute(input.name) != geometry::kColor) continue;
+        const plan::InputSource* fed =
+            sourceOf(scene_.plan(), draw, scene_.drawer().programOf(draw), input.name);
+        if (input.location < 0 || attributeOf(fed, input.name) != geometry::kColor) continue;
         const glm::dvec4& color = scene_.plan().drawOf(draw).color;
         gpu::setConstantAttribute(static_cast<GLuint>(input.location), input.type,
                                   {color.r, color.g, color.b, color.a});
