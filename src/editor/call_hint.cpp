@@ -21,8 +21,8 @@ std::string withoutComments(std::string_view text, std::string_view line) {
     std::string kept(text);
     for (std::size_t at = kept.find(line); at != std::string::npos; at = kept.find(line, at)) {
         const std::size_t end = std::min(kept.find('\n', at), kept.size());
-        std::fill(kept.begin() + static_cast<std::ptrdiff_t>(at), kept.begin() + static_cast<std::ptrdiff_t>(end),
-                  ' ');
+        std::fill(kept.begin() + static_cast<std::ptrdiff_t>(at),
+                  kept.begin() + static_cast<std::ptrdiff_t>(end), ' ');
         at = end;
     }
     return kept;
@@ -136,7 +136,8 @@ CallHint callAt(std::string_view text, std::size_t cursor, const CodeContext& co
     line = text.substr(begin, cursor - begin);
     if (const std::optional<OpenCall> call = openCall(line, "")) {
         const TextRange name{call->name.begin + begin, call->name.end + begin};
-        if (CallHint hint = functionHint(text, {name, call->argument}, context); !hint.word.empty()) return hint;
+        if (CallHint hint = functionHint(text, {name, call->argument}, context); !hint.word.empty())
+            return hint;
     }
     return commandHint(text, line, context);
 }

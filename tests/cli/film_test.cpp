@@ -117,7 +117,8 @@ TEST_F(Film, AGifNeedsNoFfmpegAndKeepsItsSize) {
     ASSERT_TRUE(first);
     EXPECT_EQ(std::pair(first->width, first->height), std::pair(20, 15));
     ASSERT_EQ(glibra(folder.path(), "render a.glib -o one.gif", without).status, 0);
-    EXPECT_EQ(readFile(folder / "one.gif").find("NETSCAPE2.0"), std::string::npos) << "one frame is a picture";
+    EXPECT_EQ(readFile(folder / "one.gif").find("NETSCAPE2.0"), std::string::npos)
+        << "one frame is a picture";
 }
 
 TEST_F(Film, AnAnimatedPngNeedsNoFfmpeg) {

@@ -43,9 +43,9 @@ TEST(CallHint, ChoosesTheOverloadsThatHaveTheArgument) {
 }
 
 TEST(CallHint, SaysNothingWhereNothingIsCalled) {
-    for (const char* text :
-         {"#version 330\nvoid main() { float f = |", "#version 330\nvoid main() { if (|",
-          "#version 330\nvoid main() { f = mix(1., 2., 3.); |", "// mix(|", "void main() { mix(1., // 2|", "|"})
+    for (const char* text : {"#version 330\nvoid main() { float f = |", "#version 330\nvoid main() { if (|",
+                             "#version 330\nvoid main() { f = mix(1., 2., 3.); |", "// mix(|",
+                             "void main() { mix(1., // 2|", "|"})
         EXPECT_EQ(hintAt(text), "") << text;
     EXPECT_EQ(hintAt("void main() { mix(1., // half (\n  |"), "T mix(T x, [T y], T a)");
 }

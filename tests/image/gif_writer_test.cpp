@@ -155,9 +155,9 @@ TEST(AnimatedGif, LastsAsLongAsTheFramesDo) {
         double rate;
         std::vector<std::uint32_t> hundredths;
     };
-    for (const Case& each : {Case{30, {3, 4, 3, 3, 4, 3}}, Case{10, {10, 10, 10, 10, 10, 10}},
-                             Case{50, {2, 2, 2, 2, 2, 2}}, Case{100, {2, 2, 2}},
-                             Case{.001, {65535, 65535, 65535, 65535, 65535, 65535}}}) {
+    for (const Case& each :
+         {Case{30, {3, 4, 3, 3, 4, 3}}, Case{10, {10, 10, 10, 10, 10, 10}}, Case{50, {2, 2, 2, 2, 2, 2}},
+          Case{100, {2, 2, 2}}, Case{.001, {65535, 65535, 65535, 65535, 65535, 65535}}}) {
         AnimatedGif film(each.rate);
         for (int i = 0; i < 6; ++i) film.add(evenly(2, 2, i));
         EXPECT_EQ(playedGif(film.finish()).hundredths, each.hundredths) << each.rate;

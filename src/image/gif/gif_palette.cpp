@@ -62,8 +62,8 @@ struct Bin {
 constexpr unsigned kBinBits = 5;
 
 std::size_t binOf(const Rgb& color) {
-    return std::size_t{color[0]} >> (8 - kBinBits) << (2 * kBinBits) | std::size_t{color[1]} >> (8 - kBinBits) << kBinBits |
-           std::size_t{color[2]} >> (8 - kBinBits);
+    return std::size_t{color[0]} >> (8 - kBinBits) << (2 * kBinBits) |
+           std::size_t{color[1]} >> (8 - kBinBits) << kBinBits | std::size_t{color[2]} >> (8 - kBinBits);
 }
 
 struct Box {
@@ -100,9 +100,8 @@ std::vector<Rgb> medianCut(const Image& rgb) {
     std::erase_if(all, [](const Bin& each) { return each.weight == 0; });
     std::vector<Box> boxes{boxOf(all, 0, all.size())};
     while (boxes.size() < kLargestPalette) {
-        const auto widest = std::max_element(boxes.begin(), boxes.end(), [](const Box& a, const Box& b) {
-            return a.spread < b.spread;
-        });
+        const auto widest = std::max_element(boxes.begin(), boxes.end(),
+                                             [](const Box& a, const Box& b) { return a.spread < b.spread; });
         if (widest->spread <= 0) break;
         const std::size_t axis = widest->axis;
         const double middle = widest->all.mean(axis);

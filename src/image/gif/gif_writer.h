@@ -17,8 +17,8 @@ inline constexpr int kLargestGifSide = 65'535;  ///< pixels
 /// 1976).
 class AnimatedGif {
   public:
-    /// The animation is repeated for ever. Times are multiples of 1/100 s; those of the frames are rounded, so
-    /// that the whole lasts as long as it should. Above 50 frames per second frames are left out, since
+    /// The animation is repeated for ever. Times are multiples of 1/100 s; those of the frames are rounded,
+    /// so that the whole lasts as long as it should. Above 50 frames per second frames are left out, since
     /// browsers show none for less than 1/50 s.
     explicit AnimatedGif(double framesPerSecond) : framesPerSecond_(framesPerSecond) {}
 
@@ -34,9 +34,9 @@ class AnimatedGif {
 
     double framesPerSecond_;
     std::vector<std::byte> body_;
-    std::size_t delayAt_ = 0;  ///< in body_, of the shown frame
-    long long added_ = 0;      ///< frames
-    long long shownSince_ = 0; ///< hundredths of a second
+    std::size_t delayAt_ = 0;   ///< in body_, of the shown frame
+    long long added_ = 0;       ///< frames
+    long long shownSince_ = 0;  ///< hundredths of a second
     int stored_ = 0;
     Image last_;  ///< the frame that is shown, RGB in bytes
 };

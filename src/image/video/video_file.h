@@ -25,7 +25,8 @@ inline constexpr const char* kFfmpegIsMissing =
     "the program ffmpeg is not installed; install it, or write a .gif or .apng, or single frames to a .png";
 
 /// A file that is being written. ffmpeg gets raw pixels and writes a temporary file, which gets its name when
-/// it is complete; animated PNG and GIF files are kept in memory until then. Without finish(), no file remains.
+/// it is complete; animated PNG and GIF files are kept in memory until then. Without finish(), no file
+/// remains.
 class VideoFile {
   public:
     /// Frames have width x height pixels. Videos whose width or height is odd get a black column or row more,

@@ -134,8 +134,8 @@ std::vector<FrameItem> frameItems(const scene::Scene& scene, const plan::FramePl
             }
             const auto& cleared = std::get<plan::PlannedClear>(step);
             const Place& place = plan.clearOf(cleared).place;
-            items.push_back({Kind::clear, node, cleared.step, place, "Clear", "", targets,
-                             keys.of("clear", place.line)});
+            items.push_back(
+                {Kind::clear, node, cleared.step, place, "Clear", "", targets, keys.of("clear", place.line)});
         }
         numberDraws(std::span(items).subspan(first));
     }

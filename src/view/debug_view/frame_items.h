@@ -30,7 +30,7 @@ struct FrameItem {
     std::size_t node = 0;     ///< index into FramePlan::order
     scene::StepIndex step{};  ///< of a draw or a clear in a pass; its `pass` also for a pass
     Place place;
-    std::string title;  ///< "pass into window", "Sphere", "Clear", "dispatch of Move"
+    std::string title;                 ///< "pass into window", "Sphere", "Clear", "dispatch of Move"
     std::string program;               ///< of a draw or dispatch; empty: the built-in one
     std::vector<FrameTarget> targets;  ///< of a draw or a clear: those of its pass
     /// Tells the items of a frame apart, and stays when statements around it change: "draw 54:0".

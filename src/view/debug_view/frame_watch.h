@@ -45,7 +45,7 @@ struct FrameAnswer {
     /// By item; false: nothing of it can be seen, its program failed, or it was not asked for: without
     /// thumbnails, only the passes into the window are drawn if the item is of them.
     std::vector<bool> isExecuted;
-    std::vector<FrameThumbnail> thumbnails;       ///< by item; empty if none is wanted
+    std::vector<FrameThumbnail> thumbnails;  ///< by item; empty if none is wanted
     std::optional<render::Content> content;  ///< of the target after the item
     std::string problem;                     ///< why there is none
     std::optional<DrawMask> mask;            ///< of a draw
