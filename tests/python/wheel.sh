@@ -4,7 +4,7 @@
 set -eu
 source=$1
 python=/usr/bin/python3
-$python -c 'import pip, setuptools, venv, wheel, numpy' 2>/dev/null || { echo "skipped: no pip, setuptools or venv"; exit 77; }
+$python -c 'import setuptools, pip, venv, wheel, numpy' 2>/dev/null || { echo "skipped: no pip, setuptools or venv"; exit 77; }
 place=$(mktemp -d)
 trap 'rm -rf "$place"' EXIT
 fail() { echo "$*"; cat "$place/log"; exit 1; }
