@@ -309,7 +309,7 @@ TEST_F(Frame, TellsTheStateOfADraw) {
     const auto texture = std::find_if(ofFill.begin(), ofFill.end(),
                                       [](const view::StateLine& each) { return each.name == "uImage"; });
     ASSERT_NE(texture, ofFill.end());
-    EXPECT_EQ(texture->value, "glow");
+    EXPECT_EQ(texture->value, "'glow'");
     EXPECT_TRUE(bool(texture->texture));
 }
 

@@ -159,10 +159,10 @@ TEST_F(ChangedScene, AFilmGetsThePixelsOfItsFrames) {
 TEST_F(ChangedScene, WithoutFfmpegAFilmIsAnErrorWithAHint) {
     const std::string before = std::getenv("PATH");
     ::setenv("PATH", "/nowhere", 1);
-    const Diagnostics problems = writeAll(session, {folder / "a.gif", 0, 0, 2, 4});
+    const Diagnostics problems = writeAll(session, {folder / "a.webm", 0, 0, 2, 4});
     ::setenv("PATH", before.c_str(), 1);
     EXPECT_NE(text(problems).find("ffmpeg is not installed"), std::string::npos) << text(problems);
-    EXPECT_FALSE(std::filesystem::exists(folder / "a.gif"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.webm"));
 }
 
 TEST_F(ChangedScene, LabelsAreInTheFileWhenTheyAreOnTheScreen) {

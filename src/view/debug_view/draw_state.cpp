@@ -150,7 +150,7 @@ std::vector<StateLine> stateOf(const scene::Scene& scene, const plan::FramePlan&
             at(uniforms, each.uniform).name +
             (at(uniforms, each.uniform).isArray ? fmt::format("[{}]", each.element) : "");
         const std::string value = each.view.texture    ? plan::nameOf(scene, each.view)
-                                  : each.buffer.buffer ? scene.buffers[each.buffer.buffer].name
+                                  : each.buffer.buffer ? "'" + scene.buffers[each.buffer.buffer].name + "'"
                                                        : "nothing: reads (0, 0, 0, 1)";
         all.add(name, value, !each.view.texture && !each.buffer.buffer, each.view.texture);
     }
