@@ -62,6 +62,7 @@ void DeviceTextures::drop(Made& made) {
     made.copies.reset();
     made.texture.reset();
     made.state.isChanged = false;
+    made.key.clear();
 }
 
 Diagnostics DeviceTextures::followSizes(bool& hasLost) {
@@ -82,7 +83,7 @@ Diagnostics DeviceTextures::followSizes(bool& hasLost) {
 
 bool DeviceTextures::isMade(scene::TextureIndex index, const std::string& key) {
     Made& made = made_[index];
-    if (!made.texture) return bool(made.sameAs);
+    if (!made.texture) return false;
     const auto* empty = std::get_if<scene::EmptySource>(&scene_.textures[index].source);
     const gpu::TextureSize size = made.texture->size();
     const bool isSame = empty != nullptr ? size.width == empty->width && size.height == empty->height &&
@@ -137,24 +138,26 @@ Diagnostics DeviceTextures::make(scene::TextureIndex index, bool isFilled) {
     // Animations and steps plan each moment anew; their textures stay.
     if (isNamed && (kept.copies || (kept.texture && !kept.mayBeWritten))) return {};
     const std::string key = reuseKey(scene_, texture);
-    if (isNamed ? bool(kept.sameAs) : isMade(index, key)) return {};
+    if (!isNamed && isMade(index, key)) return {};
+    const bool isPicture = std::holds_alternative<scene::PictureSource>(texture.source);
+    if (isPicture && !kept.texture && kept.key == key) return {};  // faulty files are reported once
     const std::uint64_t bytesLeft = texelBytesLeft_;
-    const auto* picture = std::get_if<scene::PictureSource>(&texture.source);
-    if (picture && sharesTextures_ && !(isNamed && kept.mayBeWritten)) {
+    kept.key = key;
+    const bool isOwn = key.empty() || kept.mayBeWritten;
+    if (sharesTextures_ && !isOwn && isPicture) {
         // Files used twice are read once: statements that name the same files share one texture.
-        const auto [first, isNew] = pictures_.try_emplace(
-            {picture->files, texture.target, texture.isFlipped, texture.isSrgb, texture.hasMipmaps}, index);
-        if (!isNew) {
-            kept.sameAs = first->second;
+        scene::TextureIndex& first = pictures_.try_emplace(key, index).first->second;
+        const Made& owner = made_[first];
+        if (first != index && owner.key == key && !owner.mayBeWritten) {
+            kept.texture = owner.texture;  // null if the file is faulty, which the owner has reported
             stats_.skip("texture",
                         fmt::format("{}: shares the texture that line {} makes from the same file",
-                                    textureLabel(texture), scene_.textures[first->second].place.line),
+                                    textureLabel(texture), scene_.textures[first].place.line),
                         texture.place);
             return {};
         }
+        first = index;
     }
-    kept.key = key;
-    const bool isOwn = key.empty() || kept.mayBeWritten;
     if (!isOwn)
         if (std::shared_ptr<const gpu::Texture> earlier = earlierTexture(key, texture)) {
             const std::uint64_t bytes =
@@ -232,8 +235,7 @@ Diagnostics DeviceTextures::reset(scene::TextureIndex texture) {
 }
 
 const gpu::Texture* DeviceTextures::texture(scene::TextureIndex texture) const {
-    auto found = made_.find(texture);
-    if (found != made_.end() && found->second.sameAs) found = made_.find(found->second.sameAs);
+    const auto found = made_.find(texture);
     return found == made_.end() ? nullptr : found->second.texture.get();
 }
 

@@ -110,7 +110,6 @@ class DeviceTextures {
     struct Made {
         std::shared_ptr<const gpu::Texture> texture;  ///< the current copy; null: it has not been made
         std::optional<Copies> copies;
-        scene::TextureIndex sameAs{};   ///< the one that is made from the same file, in its place
         scene::TextureIndex sharing{};  ///< the one whose memory it uses (FramePlan::sharing)
         std::string key;                ///< reuseKey() of what it was made from
         std::uint64_t charged = 0;      ///< from texelBytesLeft_
@@ -161,15 +160,8 @@ class DeviceTextures {
     gpu::TextureCopier copier_;
     /// Parts of textures as samplers read them: texture, level, layer.
     std::map<std::tuple<const gpu::Texture*, int, int>, gpu::Texture> views_;
-    /// What decides the texels of a picture -> the texture that holds it.
-    struct PictureKey {
-        std::vector<scene::FileIndex> files;
-        scene::TextureTarget target{};
-        bool isFlipped = false, isSrgb = false, hasMipmaps = false;
-        friend auto operator<=>(const PictureKey&, const PictureKey&) = default;
-    };
-    std::map<PictureKey, scene::TextureIndex> pictures_;
-    std::map<std::string, PictureTexels> picturesAhead_;  ///< by reuseKey()
+    std::map<std::string, scene::TextureIndex> pictures_;  ///< reuseKey() -> the texture made of it last
+    std::map<std::string, PictureTexels> picturesAhead_;   ///< by reuseKey()
     std::map<std::string, NoiseTexels> noiseAhead_;
     std::uint64_t texelBytesLeft_ = image::kSceneTexelBytes;
     std::map<scene::TextureTarget, gpu::Texture> emptyTextures_;

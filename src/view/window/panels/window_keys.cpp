@@ -65,9 +65,8 @@ bool closeFront(Ui& ui) {
         owner != kCommandPaletteRow.title)
         return false;
     if (closeToolWindow(ui) || close(ui, Closing::bar)) return true;
-    if (std::exchange(ui.sliders.focused, 0) != 0) return true;
     ui.session.clearPick();
-    return false;
+    return std::exchange(ui.sliders.focused, 0) != 0;
 }
 
 void escape(Ui& ui, Panel& /*panel*/) {
