@@ -31,6 +31,13 @@ scene.uShininess = 20
 picture = scene.draw(64, 48, time=1)
 assert picture.shape == (48, 64, 3) and picture.min() < picture.max()'
 echo "from apt-get install to the first array in Python: $(($(date +%s) - begin)) s"
+# pytest knows the fixture by what is installed.
+quietly apt-get install -y --no-install-recommends python3-pytest
+printf 'def test_teapot(golden):\n    golden.check("/usr/share/glibra/glib/start/teapot.glib", time=2)\n' >"$place/test_it.py"
+for words in --glibra-update --glibra-report=report; do
+    (cd "$place" && python3 -m pytest -q $words test_it.py) >"$place/log" 2>&1 || fail "pytest $words"
+done
+[ -s "$place/golden/test_teapot.png" ] || fail "no golden picture"
 # A package that is there already does not get what it recommends.
 quietly apt-get purge -y glibra
 quietly apt-get install -y ./glibra_*.deb ./libglibra1_*.deb ./libglibra-dev_*.deb ./python3-glibra_*.deb ./glibra-doc_*.deb

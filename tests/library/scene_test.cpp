@@ -383,26 +383,37 @@ TEST(LibraryRenderer, MayEndOnAnyThread) {
     EXPECT_EQ(firstPixel(*picture), (std::vector<int>{51, 102, 153}));
 }
 
+/// Scenes with a built-in shape, noise textures, pictures, passes and a simulation; the second thread draws
+/// them in the opposite order, so that each reads while the other draws.
 TEST(LibraryRenderer, TwoOnTwoThreadsDrawEqualPixels) {
-    std::vector<std::vector<std::byte>> pictures(2);
-    std::vector<std::string> problems(2);
+    const std::vector<fs::path> scenes{"start/teapot.glib", "noise/marble.glib",
+                                       "texture/reflect_refract.glib", "modern/bloom.glib",
+                                       "modern/cloth.glib"};
+    std::vector<std::vector<std::byte>> pictures[2];
+    std::string problems[2];
     std::vector<std::thread> threads;
-    for (std::size_t i = 0; i < 2; ++i)
-        threads.emplace_back([&, i] {
+    for (std::size_t thread = 0; thread < 2; ++thread)
+        threads.emplace_back([&, thread] {
+            pictures[thread].resize(scenes.size());
             Result<Renderer> renderer = Renderer::open();
-            if (!renderer) return void(problems[i] = renderer.message());
-            Result<Scene> scene = renderer->load(kScenes / "start/teapot.glib");
-            if (!scene) return void(problems[i] = scene.message());
-            for (int frame = 0; frame < 30; ++frame) {
-                Result<Picture> picture = scene->draw({.width = 64, .height = 48, .time = frame / 30.});
-                if (!picture) return void(problems[i] = picture.message());
-                pictures[i] = std::move(picture->data);
+            if (!renderer) return void(problems[thread] = renderer.message());
+            for (std::size_t i = 0; i < scenes.size(); ++i) {
+                const std::size_t which = thread == 0 ? i : scenes.size() - 1 - i;
+                Result<Scene> scene = renderer->load(kScenes / scenes[which]);
+                if (!scene) return void(problems[thread] = scene.message());
+                for (int frame = 0; frame < 10; ++frame) {
+                    Result<Picture> picture = scene->draw({.width = 64, .height = 48, .time = frame / 30.});
+                    if (!picture) return void(problems[thread] = picture.message());
+                    pictures[thread][which] = std::move(picture->data);
+                }
             }
         });
     for (std::thread& each : threads) each.join();
     EXPECT_EQ(problems[0] + problems[1], "");
-    EXPECT_FALSE(pictures[0].empty());
-    EXPECT_TRUE(pictures[0] == pictures[1]);
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+        EXPECT_FALSE(pictures[0][i].empty()) << scenes[i];
+        EXPECT_TRUE(pictures[0][i] == pictures[1][i]) << scenes[i];
+    }
 }
 
 TEST(LibraryRenderer, AdoptsTheCallersContext) {

@@ -148,6 +148,7 @@ class Pictures(unittest.TestCase):
             glibra.save(numpy.zeros(5), "a.png")
 
     def test_show_themselves_in_notebooks(self):
+        self.assertEqual(repr(square()), "<glibra.Scene square.glib>")
         self.assertEqual(square()._repr_png_()[:8], b"\x89PNG\r\n\x1a\n")
 
 
@@ -170,7 +171,7 @@ class Pages(unittest.TestCase):
 
 class Pytest(unittest.TestCase):
     def run_pytest(self, folder, *words):
-        command = [sys.executable, "-m", "pytest", "-q", "-p", "glibra.pytest_plugin", *words]
+        command = [sys.executable, "-m", "pytest", "-q", *words]
         return subprocess.run(command, cwd=folder, capture_output=True, text=True)
 
     def test_compares_golden_pictures(self):

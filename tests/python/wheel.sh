@@ -10,7 +10,7 @@ trap 'rm -rf "$place"' EXIT
 fail() { echo "$*"; cat "$place/log"; exit 1; }
 
 before=$(ls -A "$source" "$source/src/python")
-(cd "$source/src/python" && GLIBRA_BUILD=$2 $python -m pip wheel . --no-build-isolation --no-index --no-deps -w "$place/wheels") \
+(cd "$source" && GLIBRA_BUILD=$2 $python -m pip wheel src/python --no-build-isolation --no-index --no-deps -w "$place/wheels") \
     >"$place/log" 2>&1 || fail "pip wheel"
 [ "$(ls -A "$source" "$source/src/python")" = "$before" ] || fail "pip wheel leaves files in the source"
 

@@ -6,21 +6,42 @@
 
 include(CMakePackageConfigHelpers)
 
-# The library: the files of src/library and the room classic, and what the linker takes for them from the rooms.
-file(GLOB library_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/library/*.cpp)
-add_library(glibra SHARED ${library_sources} $<TARGET_OBJECTS:glibra_classic>)
+# The library: the rooms library and classic, and what the linker takes for them from the other rooms. BUILD_SHARED_LIBS=OFF makes
+# an archive that has these rooms inside; programs link the libraries of others besides, which the packages name.
+set(glibra_objects $<TARGET_OBJECTS:glibra_library> $<TARGET_OBJECTS:glibra_classic>)
+set(glibra_dependencies "")
+set(glibra_pc_requires "")
+if(DEFINED BUILD_SHARED_LIBS AND NOT BUILD_SHARED_LIBS)
+    glibra_rooms_of(rooms glibra_library)
+    foreach(room ${rooms} glibra_glad)
+        list(APPEND glibra_objects $<TARGET_OBJECTS:${room}>)
+    endforeach()
+    add_library(glibra STATIC ${glibra_objects})
+    target_link_libraries(glibra PRIVATE fmt::fmt tomlplusplus::tomlplusplus PkgConfig::deflate PkgConfig::spng Threads::Threads
+                                         ${CMAKE_DL_LIBS})
+    set(glibra_pc_requires "Requires: fmt tomlplusplus libdeflate spng")
+    set(glibra_dependencies "include(CMakeFindDependencyMacro)
+find_dependency(fmt)
+find_dependency(tomlplusplus)
+find_dependency(Threads)
+find_dependency(PkgConfig)
+pkg_check_modules(deflate REQUIRED IMPORTED_TARGET libdeflate)
+pkg_check_modules(spng REQUIRED IMPORTED_TARGET spng)")
+else()
+    add_library(glibra SHARED ${glibra_objects})
+    target_link_libraries(glibra PRIVATE $<BUILD_INTERFACE:glibra_view>)
+    # Templates of the standard library and functions of static libraries stay inside, too.
+    target_link_options(glibra PRIVATE LINKER:--version-script=${PROJECT_SOURCE_DIR}/tools/cmake/glibra.map)
+    set_property(TARGET glibra APPEND PROPERTY LINK_DEPENDS ${PROJECT_SOURCE_DIR}/tools/cmake/glibra.map)
+endif()
 add_library(glibra::glibra ALIAS glibra)
 add_executable(glibra::program ALIAS glibra_program)
 glibra_compile_options(glibra)
-set_target_properties(glibra PROPERTIES VERSION ${GLIBRA_ABI}.${PROJECT_VERSION} SOVERSION ${GLIBRA_ABI})
-# Templates of the standard library and functions of static libraries stay inside, too.
-target_link_options(glibra PRIVATE LINKER:--version-script=${PROJECT_SOURCE_DIR}/tools/cmake/glibra.map)
-set_property(TARGET glibra APPEND PROPERTY LINK_DEPENDS ${PROJECT_SOURCE_DIR}/tools/cmake/glibra.map)
+set_target_properties(glibra PROPERTIES LINKER_LANGUAGE CXX VERSION ${GLIBRA_ABI}.${PROJECT_VERSION} SOVERSION ${GLIBRA_ABI})
 target_compile_features(glibra PUBLIC cxx_std_20)
 target_include_directories(glibra PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
                                          $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>
                                          $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
-target_link_libraries(glibra PRIVATE $<BUILD_INTERFACE:glibra_view>)
 
 set(program ${PROJECT_BINARY_DIR}/glibra)
 set(share ${CMAKE_INSTALL_DATADIR}/glibra)
@@ -87,7 +108,8 @@ if(TARGET glibra_window)
 endif()
 
 install(TARGETS glibra EXPORT glibraLibraryTargets
-        LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library NAMELINK_COMPONENT devel)
+        LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library NAMELINK_COMPONENT devel
+        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT devel)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/glibra ${PROJECT_BINARY_DIR}/include/glibra
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT devel)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/glibra)

@@ -97,3 +97,27 @@ function(glibra_room room)
         glibra_precompile(glibra_${room} glibra_base)
     endif()
 endfunction()
+
+# glibra_rooms_of(RESULT TARGET): the rooms that a room is linked with, directly and through others.
+function(glibra_rooms_of result target)
+    set(found "")
+    set(waiting ${target})
+    while(waiting)
+        list(POP_FRONT waiting each)
+        get_target_property(linked ${each} LINK_LIBRARIES)
+        list(FILTER linked INCLUDE REGEX "^glibra_")
+        list(REMOVE_ITEM linked ${found} glibra_glad)
+        list(APPEND found ${linked})
+        list(APPEND waiting ${linked})
+    endwhile()
+    list(REMOVE_DUPLICATES found)
+    set(${result} ${found} PARENT_SCOPE)
+endfunction()
+
+# glibra_refuse_without(OPTION LIBRARY FOUND): one message where a library is missing that an option needs.
+function(glibra_refuse_without option library found)
+    if(NOT found)
+        message(FATAL_ERROR "${library} is missing. Install it, or leave out what needs it by -D${option}=OFF "
+                            "(docs/packages.md).")
+    endif()
+endfunction()

@@ -3,8 +3,10 @@
 if(NOT GLIBRA_WINDOW)
     return()
 endif()
-pkg_check_modules(glfw REQUIRED IMPORTED_TARGET glfw3)
-pkg_check_modules(imgui REQUIRED IMPORTED_TARGET imgui)
+pkg_check_modules(glfw IMPORTED_TARGET glfw3)
+glibra_refuse_without(GLIBRA_WINDOW GLFW "${glfw_FOUND}")
+pkg_check_modules(imgui IMPORTED_TARGET imgui)
+glibra_refuse_without(GLIBRA_WINDOW "Dear ImGui" "${imgui_FOUND}")
 
 file(GLOB_RECURSE window_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/view/window/*.cpp)
 add_executable(glibra_window ${window_sources})

@@ -139,6 +139,9 @@ class Scene:
     def stats(self):
         return self._scene.stats()
 
+    def __repr__(self):
+        return f"<glibra.Scene {self.files[0]}>"
+
     def _repr_png_(self):
         with tempfile.TemporaryDirectory() as folder:
             file = os.path.join(folder, "picture.png")
