@@ -10,10 +10,20 @@ float craterProfile(float r) {
 
 /// One crater at most in each cell of a grid, which is finer for a higher frequency. Its size is random.
 float craterField(vec3 p, float frequency, uint seed) {
-    float height = 0.;
-    ivec3 cell = ivec3(floor(p * frequency));
+    ivec3 first = ivec3(floor(p * frequency)) - 1;
+    // A bit for each of the 27 cells around p whose crater may reach p. There are few, so what follows is short.
+    uint some = 0u;
     for (int i = 0; i < 27; ++i) {
-        ivec3 near = cell + ivec3(i % 3, (i / 3) % 3, i / 9) - 1;
+        ivec3 near = first + ivec3(i % 3, (i / 3) % 3, i / 9);
+        vec3 center = vec3(near) + randomOf(near, seed);
+        float far = length(center), depth = abs(far - frequency);
+        if (depth < .51 && distance(p * far, center) < 1. + depth) some |= 1u << i;
+    }
+    float height = 0.;
+    while (some != 0u) {
+        int i = findLSB(some);
+        some &= some - 1u;
+        ivec3 near = first + ivec3(i % 3, (i / 3) % 3, i / 9);
         vec3 center = (vec3(near) + randomOf(near, seed)) / frequency;
         float size = mix(.15, .5, randomOf(near, seed + 7u).x) / frequency;
         // A centre far above or below the surface makes no crater.

@@ -11,10 +11,12 @@ in vec3 vPosition;
 out vec4 fColor;
 
 void main() {
-    vec4 fine = texture(Noise2, uGrain * vXY) - .5;
+    // Two turned lookups: the lattice of the noise is not seen.
+    vec4 fine = .7 * (texture(Noise2, uGrain * mat2(.80, .60, -.60, .80) * vXY)
+                    + texture(Noise2, 1.37 * uGrain * mat2(.28, .96, -.96, .28) * vXY + .4) - 1.);
     vec4 coarse = texture(Noise2, .11 * uGrain * vXY + .3) - .5;
     float grain = 2. * (fine.r + 1.5 * fine.g + 2. * fine.b);
-    vec3 color = vec3(.36, .36, .38) + vec3(.30, .29, .28) * grain + .2 * coarse.r;
+    vec3 color = vec3(.36, .36, .38) + vec3(.42, .41, .40) * grain + .2 * coarse.r;
 
     // Two tracks with soft edges, which noise makes irregular.
     float fromTrack = abs(abs(vXY.x) - uTrack) + .25 * coarse.g;

@@ -2,7 +2,8 @@
 // mirror, and let light through. A ray carries a weight, the product of what it met before; so the picture is the sum over all
 // rays, and a stack holds the rays that still have to be followed.
 //
-// Before the #include: `#define SHADOWS` for shadows, `#define SKY` for a sky of six pictures where no object is.
+// Before the #include: `#define SHADOWS` for shadows, `#define SKY` for a sky of six pictures where no object is,
+// `#define MARBLE` for that pattern, which a software driver compiles for half a second.
 #include "modern/rays.glsl"
 #include "modern/noise.glsl"
 
@@ -85,10 +86,12 @@ vec3 surfaceColor(Object object, vec3 place) {
         ivec3 tile = ivec3(floor(p * 12. / max(object.size.x, object.size.z) + 1e-3));
         return ((tile.x + tile.y + tile.z) & 1) == 0 ? vec3(.08) : object.color;
     }
+#ifdef MARBLE
     if (object.pattern == kMarble) {
         float vein = abs(sin(4. * (p.x + p.y + p.z) + 4. * fractalNoise(1.5 * p, 4)));
         return mix(vec3(.20, .24, .34), object.color, pow(vein, .6));
     }
+#endif
     return object.color;
 }
 
