@@ -111,12 +111,28 @@ TEST(InputQueue, KeysKeepTheirOrderAndAClickComesBeforeWhatIsTypedAfterIt) {
     const auto frames =
         framesOf(queue, {move(5, 5), press(kLeft), release(kLeft), key(kA, true), a, key(kA, false),
                          key(kEnter, true), key(kEnter, false), press(kLeft)});
-    ASSERT_EQ(frames.size(), 5U);
+    ASSERT_EQ(frames.size(), 6U);
     EXPECT_TRUE(frames[0].characters.empty() && frames[1].characters.empty());
     EXPECT_EQ(frames[2].characters, std::vector<unsigned>{'a'});
-    ASSERT_EQ(frames[2].pressed.size(), 2U) << "the letter and, as the last of the frame, Enter";
-    EXPECT_EQ(frames[2].pressed[1].key, kEnter);
-    EXPECT_EQ(frames[4].buttons, 1U);
+    ASSERT_EQ(frames[2].pressed.size(), 1U);
+    ASSERT_EQ(frames[3].pressed.size(), 1U) << "Enter knows the text before it";
+    EXPECT_EQ(frames[3].pressed[0].key, kEnter);
+    EXPECT_TRUE(frames[3].characters.empty());
+    EXPECT_EQ(frames[5].buttons, 1U);
+}
+
+TEST(InputQueue, CharactersGoTogetherAndAKeyThatEditsAlone) {
+    constexpr int kB = 66;
+    InputQueue queue;
+    const auto character = [](int code) { return Event{Event::Kind::character, code, true, {}}; };
+    const auto frames =
+        framesOf(queue, {key(kA, true), character('a'), key(kB, true), character('b'), key(kEnter, true),
+                         key(kEnter, false), key(kB, false), key(kA, false), key(kA, true), character('a')});
+    std::vector<std::pair<std::size_t, std::size_t>> charactersAndKeys;
+    for (const InputQueue::Frame& each : frames)
+        charactersAndKeys.emplace_back(each.characters.size(), each.pressed.size());
+    EXPECT_EQ(charactersAndKeys,
+              (std::vector<std::pair<std::size_t, std::size_t>>{{2, 2}, {0, 1}, {0, 0}, {1, 1}}));
 }
 
 TEST(InputQueue, TheMouseIsUnknownOutsideTheWindowButForADrag) {

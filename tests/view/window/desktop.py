@@ -4,6 +4,7 @@ mouse and the keyboard, and check the screen and the state that `--state` writes
 import json
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import tempfile
@@ -29,7 +30,18 @@ class Desktop:
         # The density of the screen, where desktops store it.
         subprocess.run(["xprop", "-root", "-f", "RESOURCE_MANAGER", "8s", "-set", "RESOURCE_MANAGER", f"Xft.dpi: {dpi}"],
                        env=self.environment, check=True)
-        self.manager = subprocess.Popen(["openbox"], env=self.environment, stderr=subprocess.DEVNULL)
+        self.manager = subprocess.Popen(["openbox"], env=self.environment, stdout=subprocess.DEVNULL,
+                                        stderr=subprocess.DEVNULL)
+        self.await_manager()
+
+    def await_manager(self):
+        """A window asks once, when it starts, what the window manager can do: full screen, the sizes of frames."""
+        end = time.monotonic() + HANGING
+        while "window id" not in subprocess.run(["xprop", "-root", "_NET_SUPPORTING_WM_CHECK"], env=self.environment, text=True,
+                                                stdout=subprocess.PIPE).stdout:
+            if time.monotonic() > end:
+                raise AssertionError("the window manager has not started")
+            time.sleep(PAUSE)
 
     def close(self):
         for each in (self.manager, self.server):
@@ -197,6 +209,12 @@ class Window:
     def keyup(self, key):
         self.xdotool("keyup", key)
         time.sleep(3 * PAUSE)
+
+    def position(self):
+        """Left and top of the window's content on the screen. (xdotool counts the window's frame twice.)"""
+        text = subprocess.run(["xwininfo", "-id", self.id], env=self.environment, check=True, text=True,
+                              stdout=subprocess.PIPE).stdout
+        return [int(re.search(rf"Absolute upper-left {each}: +(-?\d+)", text)[1]) for each in "XY"]
 
     def resize(self, width, height):
         self.xdotool("windowsize", "--sync", self.id, str(width), str(height))

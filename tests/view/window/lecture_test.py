@@ -3,7 +3,6 @@ offers of an empty window; and of the window on screens from 800 x 600 to 3840 x
 
 import json
 import os
-import re
 import shutil
 import subprocess
 import sys
@@ -53,8 +52,12 @@ class Lecture(LectureTest):
         self.assertAlmostEqual(after["room"][3], before["room"][3], delta=2)
 
     def test_shift_f11_is_a_lecture_and_ends_as_it_was(self):
-        window = self.open(self.files / "four.glib", "--size", "400x600")
-        before = window.settle()
+        # The picture is white, and as large as the screen, so that it is behind the text.
+        (self.files / "white.glib").write_text(FOUR.replace("400 300", "1400 1100").replace("Ortho", "Background 1 1 1\nOrtho"))
+        window = self.open(self.files / "white.glib")
+        window.resize(776, 600)
+        before = window.wait(lambda s: s["window"] == [776, 600])
+        window.move(760, 590)
         window.key("shift+F11")
         window.wait(lambda s: s["window"] == [1400, 1100] and s["source"]["shown"] and abs(s["scale"] - 1.4) < 1e-3)
         state = window.settle()
@@ -63,9 +66,12 @@ class Lecture(LectureTest):
         self.assertIn("Lecture", state["notice"])
         left, top, width, height = state["widgets"]["source"]
         self.assertAlmostEqual(width, 700, delta=2)
-        # The picture is seen behind the text.
-        behind = self.pixel(window, left + width - 30, top + height * .7)
-        self.assertGreater(max(behind), 40, behind)
+        # The picture is seen behind the text, which stays legible.
+        self.assertEqual(state["picture"], [0, 0, 1400, 1100])
+        left, top, width, height = state["widgets"]["source/text"]
+        behind = self.pixel(window, left + width * .5, top + height * .9)
+        self.assertGreater(min(behind), 50, behind)
+        self.assertLess(max(behind), 90, behind)
         window.key("ctrl+e")
         window.wait(lambda s: not s["source"]["shown"])
         window.key("shift+F11")
@@ -280,8 +286,7 @@ class Screens(LectureTest):
         for name, (left, top, across, down) in state["widgets"].items():
             if left >= panel:
                 self.assertLessEqual(left + across, state["window"][0] + .5, name)
-        place = window.xdotool("getwindowgeometry", "--shell", window.id)
-        x, y = (int(re.search(rf"^{each}=(-?\d+)", place, re.M)[1]) for each in "XY")
+        x, y = window.position()
         self.assertLessEqual(y + state["window"][1], height)
         self.assertGreaterEqual(min(x, y), 0)
         # The four numbers of a colour have room for their digits.
@@ -315,8 +320,7 @@ class Screens(LectureTest):
         (self.files / "tall.glib").write_text(SCENE.format("one").replace("WindowSize 300 300", "WindowSize 600 2000"))
         window = self.open_on(desktop, self.files / "tall.glib")
         state = window.settle()
-        place = window.xdotool("getwindowgeometry", "--shell", window.id)
-        y = int(re.search(r"^Y=(-?\d+)", place, re.M)[1])
+        _, y = window.position()
         self.assertLessEqual(y + state["window"][1], 768)
         self.assertGreaterEqual(y, 0)
 

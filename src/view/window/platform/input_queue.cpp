@@ -66,13 +66,18 @@ InputQueue::Frame InputQueue::next() {
         }
         // A key must be up for one frame before it can be pressed again.
         if (event.isDown && std::find(released.begin(), released.end(), event.code) != released.end()) break;
+        const bool control = isEitherDown(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
+        const bool edits =
+            event.isDown && !isModifier(event.code) &&
+            (control || !isPrinted(event.code) || isEitherDown(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT));
+        // What takes such a key, such as the list of words, has to know the text before it.
+        if (edits && !frame.characters.empty()) break;
         down_.at(static_cast<std::size_t>(event.code)) = event.isDown;
         if (!event.isDown) released.push_back(event.code);
         if (!event.isDown || isModifier(event.code)) continue;
-        const bool control = isEitherDown(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
         const bool shift = isEitherDown(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
         frame.pressed.push_back({event.code, control, shift});
-        isFull = control || !isPrinted(event.code) || isEitherDown(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT);
+        isFull = edits;
     }
     frame.mouse = mouse_;
     frame.buttons = buttons_;

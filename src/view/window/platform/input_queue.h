@@ -28,9 +28,9 @@ class InputQueue {
     };
 
     void add(std::span<const Display::InputEvent> events);
-    /// The next frame has characters and at most one key that edits or is pressed with Ctrl or Alt, or at
-    /// most one change of a button, where the mouse was at that time; a button changes in a later frame than
-    /// the mouse was dragged.
+    /// The next frame has characters, or at most one key that edits or is pressed with Ctrl or Alt and what
+    /// it types, or at most one change of a button, where the mouse was at that time; a button changes in a
+    /// later frame than the mouse was dragged.
     Frame next();
     /// True if further frames are needed for the remaining input.
     [[nodiscard]] bool isWaiting() const { return !waiting_.empty(); }
