@@ -284,7 +284,7 @@ say(ask('textDocument/hover', 4, 2).contents.value)
 local place = ask('textDocument/definition', 1, 11)
 say('goes to ' .. vim.fn.fnamemodify(vim.uri_to_fname(place.uri), ':t'))
 local edits = vim.lsp.buf_request_sync(0, 'textDocument/formatting', vim.lsp.util.make_formatting_params(), 10000)[client].result
-vim.lsp.util.apply_text_edits(edits, 0, 'utf-16')
+vim.lsp.util.apply_text_edits(edits, vim.api.nvim_get_current_buf(), 'utf-16')
 say(table.concat(vim.api.nvim_buf_get_lines(0, 3, 6, true), '|'))
 vim.lsp.stop_client(client)
 wait('end', function() return vim.lsp.client_is_stopped(client) end)

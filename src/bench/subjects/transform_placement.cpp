@@ -123,8 +123,9 @@ constexpr PlacementShader kPlacementShaders[] = {
      "uniform int uHalf;\n"
      "vec4 value() {\n"
      "    dvec4 p = uSecond * (uFirst * dvec4(given(0).xyz, 1.));\n"
-     "    vec4 high = vec4(p);\n"
-     "    return uHalf == 0 ? high : vec4(p - dvec4(high));\n"
+     "    precise vec4 high = vec4(p);\n"  // Mesa 25 takes dvec4(vec4(p)) for p otherwise
+     "    precise dvec4 rest = p - dvec4(high);\n"
+     "    return uHalf == 0 ? high : vec4(rest);\n"
      "}\n",
      true},
 };
