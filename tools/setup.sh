@@ -16,7 +16,7 @@ server_packages="libcpp-httplib-dev"
 # What tools/package-portable needs besides.
 portable_packages="patchelf xz-utils"
 # What tools/package needs besides.
-debian_packages="debhelper dpkg-dev fakeroot libegl-dev lintian python3-dev pybind11-dev python3-numpy dh-python"
+debian_packages="build-essential debhelper dpkg-dev fakeroot libegl-dev lintian python3-dev pybind11-dev python3-numpy dh-python"
 # What the tests need besides all of these.
 test_packages="clang-19 libclang-rt-19-dev clang-format-19 clang-tidy libgtest-dev libtinyobjloader-dev libpng-dev libegl-dev
  meson glslang-tools mesa-vulkan-drivers python3 python3-pil python3-yaml chromium? chromium-driver? imagemagick
