@@ -13,17 +13,23 @@ float craterField(vec3 p, float frequency, uint seed) {
     ivec3 first = ivec3(floor(p * frequency)) - 1;
     // A bit for each of the 27 cells around p whose crater may reach p. There are few, so what follows is short.
     uint some = 0u;
-    for (int i = 0; i < 27; ++i) {
-        ivec3 near = first + ivec3(i % 3, (i / 3) % 3, i / 9);
-        vec3 center = vec3(near) + randomOf(near, seed);
-        float far = length(center), depth = abs(far - frequency);
-        if (depth < .51 && distance(p * far, center) < 1. + depth) some |= 1u << i;
+    for (int z = 0; z < 3; ++z) {
+        uint layer = mixBits(uint(first.z + z) + mixBits(seed));
+        for (int y = 0; y < 3; ++y) {
+            uint row = mixBits(uint(first.y + y) + layer);
+            for (int x = 0; x < 3; ++x) {
+                vec3 center = vec3(first + ivec3(x, y, z)) + randomOfBits(uint(first.x + x) + row);
+                float far = length(center), depth = abs(far - frequency);
+                if (depth < .51 && distance(p * far, center) < 1. + depth) some |= 1u << (x + 3 * y + 9 * z);
+            }
+        }
     }
     float height = 0.;
     while (some != 0u) {
         int i = findLSB(some);
         some &= some - 1u;
-        ivec3 near = first + ivec3(i % 3, (i / 3) % 3, i / 9);
+        int row = i * 171 >> 9, layer = i * 57 >> 9;  // i / 3 and i / 9, up to 26
+        ivec3 near = first + ivec3(i - 3 * row, row - 3 * layer, layer);
         vec3 center = (vec3(near) + randomOf(near, seed)) / frequency;
         float size = mix(.15, .5, randomOf(near, seed + 7u).x) / frequency;
         // A centre far above or below the surface makes no crater.

@@ -6,11 +6,16 @@ uint mixBits(uint x) {
     return x ^ (x >> 16);
 }
 
-/// Three numbers in 0 to 1 that belong to a cell of the unit grid.
-vec3 randomOf(ivec3 cell, uint seed) {
-    uint bits = mixBits(uint(cell.x) + mixBits(uint(cell.y) + mixBits(uint(cell.z) + mixBits(seed))));
+/// Three numbers in 0 to 1 that belong to `key`.
+vec3 randomOfBits(uint key) {
+    uint bits = mixBits(key);
     uvec3 three = uvec3(bits, mixBits(bits + 1u), mixBits(bits + 2u));
     return vec3(three >> 8) / 16777216.;
+}
+
+/// Three numbers in 0 to 1 that belong to a cell of the unit grid.
+vec3 randomOf(ivec3 cell, uint seed) {
+    return randomOfBits(uint(cell.x) + mixBits(uint(cell.y) + mixBits(uint(cell.z) + mixBits(seed))));
 }
 
 /// About -1 to 1. It repeats after `period` units along each axis, a power of two.

@@ -118,45 +118,49 @@ vec3 skyColor(vec3 d) {
 
 vec3 trace(Ray first, int maxDepth) {
     vec3 color = vec3(0.);
+    Pending now = Pending(first, vec3(1.), 0);
     int height = 0;
-    stack[height++] = Pending(first, vec3(1.), 0);
-    while (height > 0) {
-        --height;
-        Ray ray = stack[height].ray;
-        vec3 weight = stack[height].weight;
-        int depth = stack[height].depth;
-
+    bool more = true;
+    while (more) {
+        bool mirrors = false;  // whether the mirrored ray is the next one
         int which;
-        Hit hit = nearest(ray, which);
-        if (hit.t == kNone) {
-            color += weight * skyColor(ray.direction);
-            continue;
-        }
-        Object object = objects[which];
-        vec3 place = ray.start + hit.t * ray.direction;
-        vec3 normal = hit.fromInside ? -hit.normal : hit.normal;  // toward the ray
-        vec3 paint = surfaceColor(object, place);
+        Hit hit = nearest(now.ray, which);
+        if (hit.t == kNone) color += now.weight * skyColor(now.ray.direction);
+        else {
+            Object object = objects[which];
+            vec3 place = now.ray.start + hit.t * now.ray.direction;
+            vec3 normal = hit.fromInside ? -hit.normal : hit.normal;  // toward the ray
+            vec3 paint = surfaceColor(object, place);
 
-        // Ambient and diffuse light, and a highlight unless the surface is dull.
-        vec3 toLight = normalize(uLight - place);
-        float light = hit.fromInside ? 0. : lightAt(place + uOffset * normal, toLight);
-        if (!hit.fromInside) color += weight * object.own * (.3 + .7 * light * max(dot(normal, toLight), 0.)) * paint;
-        if (!hit.fromInside && object.kind != kRoom && object.kind != kPlane && dot(normal, toLight) > 0.)
-            color += weight * .6 * light * pow(max(dot(reflect(-toLight, normal), -ray.direction), 0.), 60.);
+            // Ambient and diffuse light, and a highlight unless the surface is dull.
+            vec3 toLight = normalize(uLight - place);
+            float light = hit.fromInside ? 0. : lightAt(place + uOffset * normal, toLight);
+            if (!hit.fromInside)
+                color += now.weight * object.own * (.3 + .7 * light * max(dot(normal, toLight), 0.)) * paint;
+            if (!hit.fromInside && object.kind != kRoom && object.kind != kPlane && dot(normal, toLight) > 0.)
+                color += now.weight * .6 * light * pow(max(dot(reflect(-toLight, normal), -now.ray.direction), 0.), 60.);
 
-        if (depth == maxDepth) continue;
-        // Inside of glass, light only leaves it, or is mirrored if it cannot.
-        float mirrored = hit.fromInside ? 0. : object.mirror;
-        if (object.glass > 0.) {
-            vec3 direction = refract(ray.direction, normal, hit.fromInside ? object.index : 1. / object.index);
-            if (direction == vec3(0.)) mirrored = 1.;
-            else {
-                vec3 share = hit.fromInside ? vec3(1.) : object.glass * (object.pattern == kPlain ? object.color : paint);
-                stack[height++] = Pending(Ray(place - uOffset * normal, direction), weight * share, depth + 1);
+            if (now.depth < maxDepth) {
+                // Inside of glass, light only leaves it, or is mirrored if it cannot.
+                float mirrored = hit.fromInside ? 0. : object.mirror;
+                if (object.glass > 0.) {
+                    vec3 direction = refract(now.ray.direction, normal, hit.fromInside ? object.index : 1. / object.index);
+                    if (direction == vec3(0.)) mirrored = 1.;
+                    else {
+                        vec3 share = hit.fromInside ? vec3(1.) : object.glass * (object.pattern == kPlain ? object.color : paint);
+                        stack[height++] = Pending(Ray(place - uOffset * normal, direction), now.weight * share, now.depth + 1);
+                    }
+                }
+                mirrors = mirrored > 0.;
+                if (mirrors)
+                    now = Pending(Ray(place + uOffset * normal, reflect(now.ray.direction, normal)), now.weight * mirrored,
+                                  now.depth + 1);
             }
         }
-        if (mirrored > 0.)
-            stack[height++] = Pending(Ray(place + uOffset * normal, reflect(ray.direction, normal)), weight * mirrored, depth + 1);
+        if (!mirrors) {
+            more = height > 0;
+            if (more) now = stack[--height];
+        }
     }
     return color;
 }

@@ -180,6 +180,10 @@ Parser::Parsed Parser::primary() {
         if (token_.is("(")) return withinLimits(call(first));
         return withinLimits(named(first));
     }
+    if (first.is("["))
+        return problem(first.range, "expr-E01",
+                       "expected a value, found '['; write vec3(1, 2, 3), or give a longer list a name: 'Let "
+                       "a [5 3 1 2 4]'");
     if (!first.is("(")) return unexpected("a value");
     take();
     Parsed inner = expression();

@@ -139,6 +139,9 @@ TEST(ExpressionSyntax, ReportsTheFirstMistakeWithItsPlace) {
         {"  # nothing", "expr-E01 '  # nothing': the expression is empty"},
         {"a +", "expr-E01 '': expected a value, found the end of the expression"},
         {"a + * b", "expr-E01 '*': expected a value, found '*'"},
+        {"[1 2 3][a]",
+         "expr-E01 '[': expected a value, found '['; write vec3(1, 2, 3), or give a longer list a name: 'Let "
+         "a [5 3 1 2 4]'"},
         {"(a + b", "expr-E01 '': expected ')', found the end of the expression"},
         {"a b", "expr-E01 'b': expected an operator or the end of the expression, found 'b'"},
         {"a)", "expr-E01 ')': expected an operator or the end of the expression, found ')'"},
