@@ -59,7 +59,7 @@ def make(folder):
         "deep.ppm": ["-depth", "16"], "deep.pgm": ["-depth", "16"], "rle.tga": ["-compress", "RLE"],
         "dxt1.dds": ["-define", "dds:compression=dxt1"], "dxt5.dds": ["-define", "dds:compression=dxt5"],
         "levels.dds": ["-define", "dds:compression=none", "-define", "dds:mipmaps=3"],
-        "associated.tif": ["-define", "tiff:alpha=associated"], "fax.tif": ["-monochrome", "-compress", "Group4"],
+        "fax.tif": ["-monochrome", "-compress", "Group4"],
         "tiles.tif": ["-define", "tiff:tile-geometry=16x16"], "lines.tif": ["-define", "tiff:rows-per-strip=1"],
         "planes.tif": ["-interlace", "Plane"], "big.tif": ["-define", "tiff:endian=msb"],
         "deep.tif": ["-depth", "16"], "one.tif": ["-monochrome", "-depth", "1"], "two.tif": ["-colors", "4", "-depth", "2"],
@@ -71,6 +71,7 @@ def make(folder):
         "order3.tif": ["-define", "tiff:fill-order=lsb", "-compress", "None"],
         "order4.tif": ["-define", "tiff:fill-order=lsb", "-monochrome", "-compress", "Group4"], "jpeg.tif": ["-compress", "JPEG"],
         "rle8.bmp": ["-colors", "20", "-compress", "RLE"], "old.bmp": ["-define", "bmp:format=bmp2"],
+        "associated.tif": ["-define", "tiff:alpha=associated"],  # the last: ImageMagick 7 keeps it for the pictures after it
     }.items():
         form = {"big.tif": "TIFF:", "old.bmp": "BMP2:"}.get(name, "")
         for alpha, command in commands.items():
