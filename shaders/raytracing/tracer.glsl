@@ -3,7 +3,8 @@
 // rays, and a stack holds the rays that still have to be followed.
 //
 // Before the #include: `#define SHADOWS` for shadows, `#define SKY` for a sky of six pictures where no object is,
-// `#define MARBLE` for that pattern, which a software driver compiles for half a second.
+// `#define MARBLE` for that pattern, `#define FIRST_HIT` if nothing mirrors or lets light through: a software driver compiles
+// each of them for half a second.
 #include "modern/rays.glsl"
 #include "modern/noise.glsl"
 
@@ -140,6 +141,7 @@ vec3 trace(Ray first, int maxDepth) {
             if (!hit.fromInside && object.kind != kRoom && object.kind != kPlane && dot(normal, toLight) > 0.)
                 color += now.weight * .6 * light * pow(max(dot(reflect(-toLight, normal), -now.ray.direction), 0.), 60.);
 
+#ifndef FIRST_HIT
             if (now.depth < maxDepth) {
                 // Inside of glass, light only leaves it, or is mirrored if it cannot.
                 float mirrored = hit.fromInside ? 0. : object.mirror;
@@ -156,11 +158,15 @@ vec3 trace(Ray first, int maxDepth) {
                     now = Pending(Ray(place + uOffset * normal, reflect(now.ray.direction, normal)), now.weight * mirrored,
                                   now.depth + 1);
             }
+#endif
         }
-        if (!mirrors) {
-            more = height > 0;
-            if (more) now = stack[--height];
+        more = mirrors;
+#ifndef FIRST_HIT
+        if (!mirrors && height > 0) {
+            now = stack[--height];
+            more = true;
         }
+#endif
     }
     return color;
 }
