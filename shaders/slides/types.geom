@@ -3,21 +3,22 @@
 
 uniform int uOut;       // 0 points, 1 line_strip, 2 triangle_strip
 
+void corner(vec4 centre, float turns, float size) {
+    float angle = 6.2831853 * turns;
+    gl_Position = centre + size * vec4(sin(angle), cos(angle), 0., 0.);
+    EmitVertex();
+}
+
 void main() {
     int count = gl_in.length();
-    bool isDiamond = uOut == 1 && count == 1;             // a single point as a line
-    int ends = uOut == 1 && count > 1 ? count + 1 : count;  // a closed line comes back to its first vertex
-    int corners = uOut == 2 ? 3 : isDiamond ? 5 : 1;
-    float size = uOut == 2 ? .16 : isDiamond ? .35 : 0.;
-    for (int i = 0; i < ends; ++i) {
-        // Mesa 25 draws wrong pictures for gl_in[i] where it cannot unroll the loop over i.
-        vec4 centre = gl_in[0].gl_Position;
-        for (int n = 1; n < count; ++n) if (n == i) centre = gl_in[n].gl_Position;
-        for (int k = 0; k < corners; ++k) {
-            float angle = 6.2831853 * float(k) / (uOut == 2 ? 3. : 4.);
-            gl_Position = centre + size * vec4(sin(angle), cos(angle), 0., 0.);
-            EmitVertex();
-        }
+    bool isDiamond = uOut == 1 && count == 1;
+    for (int i = 0; i < count; ++i) {
+        vec4 place = gl_in[i].gl_Position;
+        if (uOut == 2) for (int k = 0; k < 3; ++k) corner(place, float(k) / 3., .16);
+        else if (isDiamond) for (int k = 0; k < 5; ++k) corner(place, .25 * float(k), .35);
+        else corner(place, 0., 0.);
         if (uOut != 1) EndPrimitive();
     }
+    // A closed line comes back to its first vertex.
+    if (uOut == 1 && count > 1) corner(gl_in[0].gl_Position, 0., 0.);
 }
