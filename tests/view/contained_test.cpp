@@ -39,7 +39,8 @@ TEST(OpenLoops, AreThoseWhoseRoundsAreUnknownOrMany) {
 }
 
 TEST(EndlessLoops, AreThoseWhoseConditionNothingChanges) {
-    const auto linesOf = [](const std::string& body) {
+    bool isRemoved = false;
+    const auto linesOf = [&isRemoved](const std::string& body) {
         const std::string shader =
             "#version 330\nuniform float uN; out vec4 c;\nvoid main() { float x = uN; int i = 0;\n" + body +
             "\nc = vec4(x * uN); }\n";
@@ -50,11 +51,15 @@ TEST(EndlessLoops, AreThoseWhoseConditionNothingChanges) {
         std::vector<int> lines;
         for (const Diagnostic& each : loading.diagnostics)
             if (each.id == "view-W02") lines.push_back(each.place.line);
+        // Mesa 25 keeps such a loop: then no uniform is unused, and there is nothing to explain.
+        isRemoved = !lines.empty() || has(loading.diagnostics, "glib-W24");
         return lines;
     };
     const std::vector<int> none, first{4};
-    EXPECT_EQ(linesOf("for (int j = 0; j < 10; ) x += 1.;"), first);
-    EXPECT_EQ(linesOf("while (i < 10) { x += 1.; }"), first);
+    for (const char* body : {"for (int j = 0; j < 10; ) x += 1.;", "while (i < 10) { x += 1.; }"}) {
+        const std::vector<int> lines = linesOf(body);
+        EXPECT_EQ(lines, isRemoved ? first : none) << body;
+    }
     EXPECT_EQ(linesOf("while (i < 10) { x += 1.; ++i; }"), none);
     EXPECT_EQ(linesOf("for (int j = 0; j < 10; ++j) x += 1.;"), none);
     EXPECT_EQ(linesOf("while (i < 10) { x += 1.; if (x > 9.) break; }"), none);

@@ -219,7 +219,8 @@ TEST(FrameCost, CountsFramesDrawsAndVertices) {
     EXPECT_EQ(cost.draws[1].line, 12);
     if (cost.counts) {
         EXPECT_EQ(cost.counts->primitives, 2U * 2 * 4 * 4) << "two quads of 4 x 4 cells";
-        EXPECT_GE(cost.counts->fragments, 20U * 10 + 8 * 4);
+        // The pixels of both quads. Mesa 22 also counts other ones of the blocks that they touch.
+        EXPECT_GE(cost.counts->fragments, 10U * 10 + 8 * 4);
         EXPECT_GE(cost.counts->vertices, 2U * 25);
     }
     session.drawIfNeeded();

@@ -1,5 +1,6 @@
 #include <glm/gtc/type_ptr.hpp>
 
+#include "gpu/object/loop_limit.h"
 #include "render/draw/view_matrices.h"
 #include "scene_folder.h"
 #include "view/session/object_timer.h"
@@ -103,17 +104,20 @@ TEST(Session, WarnsOfALoopThatIsTooLongUntilTheValueIsReset) {
     ASSERT_TRUE(session.open(folder.scene())) << text(session.diagnostics());
     session.drawIfNeeded();
     const Diagnostics before = session.diagnostics();
+    const int limit = gpu::measureLoopLimit(context());
+    const std::size_t warnings = limit > 0 && limit < 70'000 ? 1 : 0;
     for (const double rounds : {70'000., 80'000.}) {
         session.setValue(knobIndex(session, "uN"), {rounds});
         session.drawIfNeeded();
-        ASSERT_EQ(session.diagnostics().size(), before.size() + 1) << text(session.diagnostics());
+        ASSERT_EQ(session.diagnostics().size(), before.size() + warnings) << text(session.diagnostics());
+        if (warnings == 0) continue;
         const Diagnostic& warned = session.diagnostics().back();
         EXPECT_EQ(warned.id, "draw-W08");
         EXPECT_EQ(warned.place.line, 5);
         EXPECT_NE(warned.text.find(rounds == 70'000 ? "70,000" : "80,000"), std::string::npos) << warned.text;
     }
     session.reload();
-    EXPECT_EQ(session.diagnostics().size(), before.size() + 1) << "the value is kept";
+    EXPECT_EQ(session.diagnostics().size(), before.size() + warnings) << "the value is kept";
     session.setValue(knobIndex(session, "uN"), {200});
     EXPECT_EQ(text(session.diagnostics()), text(before));
 }

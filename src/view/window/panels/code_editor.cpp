@@ -155,10 +155,13 @@ bool edit(const char* name, Editing editing, const ImVec2& size, bool isReadOnly
                                    GLFW_KEY_KP_ENTER, GLFW_KEY_UP,  GLFW_KEY_DOWN};
     const std::span<const int> listKeys = kListKeys;
     const HiddenKeys hidden(editing.view.leavesListKeys ? listKeys : listKeys.first(1));
+    // ImGui 1.90.1 does not give the keyboard focus to a text that takes Tab.
+    const bool takesTab = editing.view.isActive;
     const bool isChanged =
         ImGui::InputTextMultiline(label.c_str(), editing.text.data(), editing.text.capacity() + 1, size,
-                                  ImGuiInputTextFlags_AllowTabInput | ImGuiInputTextFlags_CallbackResize |
-                                      ImGuiInputTextFlags_CallbackAlways | ImGuiInputTextFlags_NoUndoRedo |
+                                  ImGuiInputTextFlags_CallbackResize | ImGuiInputTextFlags_CallbackAlways |
+                                      ImGuiInputTextFlags_NoUndoRedo |
+                                      (takesTab ? ImGuiInputTextFlags_AllowTabInput : 0) |
                                       (isReadOnly ? ImGuiInputTextFlags_ReadOnly : 0),
                                   onEdit, &editing);
     ImGui::PopStyleVar();
