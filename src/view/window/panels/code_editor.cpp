@@ -150,6 +150,7 @@ bool edit(const char* name, Editing editing, const ImVec2& size, bool isReadOnly
     ImGui::PushStyleColor(ImGuiCol_FrameBg, IM_COL32_BLACK_TRANS);
     ImGui::PushStyleColor(ImGuiCol_TextSelectedBg, tintColor(CodeTint::selection));
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, 0));
+    ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 0);
     // In ImGui, Esc undoes all edits since the widget got the keyboard focus.
     constexpr std::array kListKeys{GLFW_KEY_ESCAPE,   GLFW_KEY_TAB, GLFW_KEY_ENTER,
                                    GLFW_KEY_KP_ENTER, GLFW_KEY_UP,  GLFW_KEY_DOWN};
@@ -161,7 +162,7 @@ bool edit(const char* name, Editing editing, const ImVec2& size, bool isReadOnly
                                       ImGuiInputTextFlags_CallbackAlways | ImGuiInputTextFlags_NoUndoRedo |
                                       (isReadOnly ? ImGuiInputTextFlags_ReadOnly : 0),
                                   onEdit, &editing);
-    ImGui::PopStyleVar();
+    ImGui::PopStyleVar(2);
     ImGui::PopStyleColor(3);
     return isChanged;
 }

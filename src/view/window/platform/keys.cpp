@@ -177,8 +177,21 @@ HiddenKeys::~HiddenKeys() {
 
 #else
 
+namespace {
+
+/// In menus and lists Enter does what a click does, as in later versions; in this one it only begins to edit.
+void chooseByEnter(const FrameInput& input) {
+    const ImGuiContext& context = *ImGui::GetCurrentContext();
+    if (context.OpenPopupStack.empty() || context.ActiveId != 0 || context.NavDisableHighlight) return;
+    for (const int key : {GLFW_KEY_ENTER, GLFW_KEY_KP_ENTER})
+        if (isDown(input, key, key) && context.IO.KeysDownDuration[key] < 0) activateItem(context.NavId, false);
+}
+
+}  // namespace
+
 void giveToImGui(const FrameInput& input) {
     ImGuiIO& io = ImGui::GetIO();
+    chooseByEnter(input);
     io.ClearInputCharacters();
     giveText(input.text);
     io.KeyMap[ImGuiKey_Tab] = GLFW_KEY_TAB;
