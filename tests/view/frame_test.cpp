@@ -4,12 +4,15 @@
 #include <glm/matrix.hpp>
 
 #include "scene_folder.h"
+#include "view/debug_view/display_expression.h"
 #include "view/debug_view/draw_state.h"
 #include "view/debug_view/frame_items.h"
 #include "view/debug_view/frame_watch.h"
 #include "view/debug_view/mesh_capture.h"
 #include "view/debug_view/pixel_history.h"
 #include "view/debug_view/pixel_probe.h"
+#include "view/debug_view/state_choices.h"
+#include "view/session/frame_cost.h"
 #include "view/session/session.h"
 
 namespace glibra::test {
@@ -40,6 +43,10 @@ const std::map<std::string, std::string> kFrameFiles{
     {"show.frag",
      "#version 330\nuniform sampler2D uImage; out vec4 c;\n"
      "void main() { c = texture(uImage, gl_FragCoord.xy / vec2(40., 20.)); }\n"}};
+
+std::string changed(std::string text, std::string_view from, std::string_view to) {
+    return text.replace(text.find(from), from.size(), to);
+}
 
 class Frame : public testing::Test {
   protected:
@@ -311,6 +318,182 @@ TEST_F(Frame, TellsTheStateOfADraw) {
     ASSERT_NE(texture, ofFill.end());
     EXPECT_EQ(texture->value, "'glow'");
     EXPECT_TRUE(bool(texture->texture));
+}
+
+TEST_F(Frame, TriesAnotherStateForADraw) {
+    const std::vector<std::byte> before = pixelsOf(session);
+    const auto far = [&]() -> const scene::Draw& {
+        return std::get<scene::Draw>(session.live()
+                                         .scene()
+                                         .frame.passes.at(items[draw(2)].step.pass)
+                                         .steps.at(items[draw(2)].step.step));
+    };
+    base::RasterState always = far().raster;
+    always.depthFunction = base::Comparison::always;
+    session.tryState(far(), always);
+    session.drawIfNeeded();
+    EXPECT_FALSE(pixelsOf(session) == before) << "the far quad is in front now";
+    EXPECT_EQ(far().raster, always);
+    EXPECT_EQ(watch(draw(2)).mask->hiddenPixels, 0U);
+    EXPECT_NE(session.onlyOnScreen().find("tried"), std::string::npos);
+    // It stays while other things change, also when the scene is read again.
+    folder.write("a.frag", changed(kFrameFiles.at("a.frag"), "2. *", "3. *"));
+    ASSERT_TRUE(session.reload());
+    EXPECT_EQ(far().raster, always);
+    session.setCamera("eye");
+    EXPECT_EQ(far().raster, always);
+    folder.write("a.frag", kFrameFiles.at("a.frag"));
+    ASSERT_TRUE(session.reload());
+    // A third state is another one than the scene's, not than the second.
+    base::RasterState lines = always;
+    lines.polygon = base::PolygonMode::line;
+    session.tryState(far(), lines);
+    ASSERT_EQ(session.triedStates().size(), 1U);
+    EXPECT_EQ(session.triedStates().begin()->second.ofScene.depthFunction, base::Comparison::lequal);
+    session.tryState(far(), session.triedStates().begin()->second.ofScene);
+    EXPECT_TRUE(session.triedStates().empty());
+    session.drawIfNeeded();
+    EXPECT_TRUE(pixelsOf(session) == before) << "as in the scene";
+    session.tryState(far(), always);
+    session.endTrials();
+    session.drawIfNeeded();
+    EXPECT_TRUE(pixelsOf(session) == before);
+}
+
+TEST_F(Frame, WhatTheSceneSaysNowCountsMoreThanWhatIsTried) {
+    const scene::StepIndex at = items[draw(1)].step;
+    const auto near = [&]() -> const scene::Draw& {
+        return std::get<scene::Draw>(session.live().scene().frame.passes.at(at.pass).steps.at(at.step));
+    };
+    base::RasterState wanted = near().raster;
+    wanted.cull = base::Cull::both;
+    session.tryState(near(), wanted);
+    folder.write("scene.glib", changed(kFrame, "Set uColor {0. 1. 0.} uCut 0", "State depthwrite off"));
+    ASSERT_TRUE(session.reload());
+    EXPECT_FALSE(near().raster.depthWrite);
+    EXPECT_EQ(near().raster.cull, base::Cull::off);
+}
+
+TEST(StateChoices, AreTheWordsOfTheStatement) {
+    base::RasterState state;
+    EXPECT_EQ(view::stateStatement(state, state), "");
+    for (const view::StateChoice& each : view::stateChoices()) {
+        EXPECT_LT(each.wordOf(state), each.words.size()) << each.key;
+        for (std::size_t i = 0; i < each.words.size(); ++i) {
+            base::RasterState chosen;
+            each.choose(chosen, i);
+            EXPECT_EQ(each.wordOf(chosen), i) << each.key;
+            if (i == each.wordOf(state)) continue;
+            // The language reads the statement as that state.
+            const std::string statement = view::stateStatement(state, chosen);
+            const SceneFolder folder{
+                "Camera eye LookAt 0 0 5  0 0 0  0 1 0  Ortho -1 1 -1 1 1 10\nPass window\n" + statement +
+                    "\nQuadXY 0 1\nEndPass\n",
+                {}};
+            Session session{context(), {}};
+            ASSERT_TRUE(session.open(folder.scene()));
+            EXPECT_FALSE(hasError(session.diagnostics())) << statement << text(session.diagnostics());
+            const auto& steps = session.live().scene().frame.passes.at(0).steps;
+            ASSERT_FALSE(steps.empty()) << statement;
+            EXPECT_EQ(std::get<scene::Draw>(steps.at(0)).raster, chosen) << statement;
+        }
+    }
+    base::RasterState biased = state;
+    biased.offsetFactor = 1.5;
+    biased.offsetUnits = 4;
+    biased.cull = base::Cull::front;
+    EXPECT_EQ(view::stateStatement(state, biased), "State cull front  offset 1.5 4");
+    // What has no word of its own is not said.
+    biased.blend[1].isOn = true;
+    EXPECT_EQ(view::stateStatement(state, biased), "State cull front  offset 1.5 4");
+}
+
+TEST(DisplayExpression, ComputesTexels) {
+    render::Content content;
+    content.width = 3;
+    content.height = 2;
+    content.components = 2;
+    content.values = {0, 1, .25, 2, .5, 3, 10, 4, 20, 5, 30, 6};
+    const auto shown = [&](const std::string& expression, std::size_t texel) {
+        const view::Displayed made = view::displayedBy(context(), content, expression);
+        EXPECT_EQ(made.problem, "");
+        if (!made.content) return std::vector<double>();
+        EXPECT_EQ(made.content->width, 3);
+        EXPECT_EQ(made.content->height, 2);
+        const auto values = made.content->at(texel);
+        return std::vector<double>(values.begin(), values.end());
+    };
+    EXPECT_EQ(shown("color", 1), (std::vector<double>{.25, 2, 0, 1}));
+    EXPECT_EQ(shown("color.gr", 4), (std::vector<double>{5, 20, 0, 1}));
+    EXPECT_EQ(shown("10. * color.r", 2), (std::vector<double>{5, 5, 5, 1}));
+    EXPECT_EQ(shown("near(1, 0).r - color.r", 3), (std::vector<double>{10, 10, 10, 1}));
+    EXPECT_EQ(shown("near(1, 1).g", 5), (std::vector<double>{6, 6, 6, 1})) << "no texel beyond the edge";
+    EXPECT_NEAR(shown("vec3(st, size.x)", 3).at(0), 1. / 6, 1e-6);
+    EXPECT_NEAR(shown("vec3(st, size.x)", 3).at(1), .75, 1e-6);
+    EXPECT_EQ(shown("vec3(st, size.x)", 3).at(2), 3);
+    EXPECT_EQ(shown("texel", 5), (std::vector<double>{2, 1, 0, 1}));
+    EXPECT_EQ(shown("color.r > 1.", 0), (std::vector<double>{0, 0, 0, 1}));
+}
+
+TEST(DisplayExpression, SaysWhatIsWrong) {
+    render::Content content;
+    content.width = 1;
+    content.values = {1, 1, 1, 1};
+    const auto problem = [&](const std::string& expression) {
+        const view::Displayed made = view::displayedBy(context(), content, expression);
+        EXPECT_FALSE(made.content) << expression;
+        return made.problem;
+    };
+    EXPECT_NE(problem("colour * 2."), "");
+    EXPECT_NE(problem("mat3(1.)"), "");
+    EXPECT_EQ(problem("1.; for (;;) ;"), "one expression, such as color.rgb * 10");
+    EXPECT_EQ(problem("#define a"), "one expression, such as color.rgb * 10");
+}
+
+TEST(FrameLayers, AreReadOneByOne) {
+    const SceneFolder folder{
+        "WindowSize 20 20\nTexture2DArray stack 8 8 3 rgba8\nCamera eye LookAt 0 0 5  0 0 0  0 1 0  Ortho -1 "
+        "1 -1 1 1 10\n"
+        "Vertex a.vert\nGeometry a.geom\nFragment a.frag\nProgram Layers\n"
+        "Geometry\nFragment show.frag\nProgram Show uImage stack\n"
+        "Use Layers\nPass stack clear {0 0 0 1}\n    QuadXY 0 1\nEndPass\nFill window with Show\n",
+        {{"a.vert", "#version 330\nvoid main() { gl_Position = uModelViewProjectionMatrix * aVertex; }\n"},
+         {"a.geom",
+          "#version 330\nlayout(triangles) in; layout(triangle_strip, max_vertices = 9) out;\n"
+          "flat out int vLayer;\n"
+          "void main() { for (int i = 0; i < 3; ++i) { for (int k = 0; k < 3; ++k) { gl_Layer = i; vLayer = "
+          "i;\n"
+          "gl_Position = gl_in[k].gl_Position; EmitVertex(); } EndPrimitive(); } }\n"},
+         {"a.frag",
+          "#version 330\nflat in int vLayer; out vec4 c;\n"
+          "void main() { c = vec4(float(vLayer) / 2., 0., 0., 1.); }\n"},
+         {"show.frag",
+          "#version 330\nuniform sampler2DArray uImage; out vec4 c;\n"
+          "void main() { c = texture(uImage, vec3(gl_FragCoord.xy / 20., 1.)); }\n"}}};
+    Session session{context(), {}};
+    ASSERT_TRUE(session.open(folder.scene())) << text(session.diagnostics());
+    session.keepTextures();
+    session.drawIfNeeded();
+    ASSERT_FALSE(hasError(session.diagnostics())) << text(session.diagnostics());
+    const std::vector<FrameItem> items = view::frameItems(session.live().scene(), session.live().plan());
+    for (const int layer : {0, 1, 2}) {
+        const view::FrameAnswer answer = view::watchFrame(
+            context(), session.live(), items,
+            {session.width(), session.height(), 0, std::vector<bool>(items.size(), true), 1, 0, layer});
+        EXPECT_EQ(answer.layers, 3);
+        ASSERT_TRUE(answer.content) << answer.problem;
+        EXPECT_NEAR(answer.content->at(8 * 4 + 4)[0], layer / 2., .01);
+    }
+}
+
+TEST_F(Frame, TimesItsParts) {
+    const view::FrameCost cost = view::measureParts(session, context().capabilities());
+    ASSERT_EQ(cost.nodes.size(), 2U);
+    ASSERT_EQ(cost.draws.size(), 4U);
+    EXPECT_EQ(cost.draws[1].step, items[draw(1)].step);
+    EXPECT_EQ(cost.frames, 0) << "the whole is not measured";
+    for (const view::DrawCost& each : cost.draws)
+        EXPECT_LE(each.milliseconds, cost.nodes[each.node].milliseconds + 1e-9);
 }
 
 TEST(ProbedText, ShowsMatricesByTheirRows) {

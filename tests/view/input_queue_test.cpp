@@ -38,16 +38,18 @@ TEST(InputQueue, ADragBetweenTwoFramesBeginsAndEndsWhereItsButtonChanged) {
     InputQueue queue;
     const auto frames = framesOf(
         queue, {move(10, 20), press(kLeft), move(50, 20), move(130, 25), release(kLeft), move(300, 300)});
-    ASSERT_EQ(frames.size(), 4U);
-    EXPECT_EQ(frames[0].buttons, 1U);
+    ASSERT_EQ(frames.size(), 5U);
+    EXPECT_EQ(frames[0].buttons, 0U) << "what is below the mouse knows of it before it is clicked";
     EXPECT_EQ(frames[0].mouse, (Point{10, 20}));
-    EXPECT_TRUE(frames[0].way.empty());
     EXPECT_EQ(frames[1].buttons, 1U);
-    EXPECT_EQ(frames[1].way, (std::vector<Point>{{50, 20}, {130, 25}}));
-    EXPECT_EQ(frames[2].buttons, 0U);
-    EXPECT_EQ(frames[2].mouse, (Point{130, 25}));
-    EXPECT_TRUE(frames[2].way.empty());
-    EXPECT_EQ(frames[3].mouse, (Point{300, 300}));
+    EXPECT_EQ(frames[1].mouse, (Point{10, 20}));
+    EXPECT_TRUE(frames[1].way.empty());
+    EXPECT_EQ(frames[2].buttons, 1U);
+    EXPECT_EQ(frames[2].way, (std::vector<Point>{{50, 20}, {130, 25}}));
+    EXPECT_EQ(frames[3].buttons, 0U);
+    EXPECT_EQ(frames[3].mouse, (Point{130, 25}));
+    EXPECT_TRUE(frames[3].way.empty());
+    EXPECT_EQ(frames[4].mouse, (Point{300, 300}));
 }
 
 TEST(InputQueue, TheWayIsTheSameInOneFrameAndInMany) {
@@ -63,7 +65,7 @@ TEST(InputQueue, TheWayIsTheSameInOneFrameAndInMany) {
     std::vector<InputQueue::Frame> many;
     for (const Event& each : events)
         for (InputQueue::Frame& frame : framesOf(fast, {each})) many.push_back(std::move(frame));
-    EXPECT_EQ(few.size(), 3U);
+    EXPECT_EQ(few.size(), 4U);
     EXPECT_EQ(many.size(), 6U);
     EXPECT_EQ(wayOf(few), wayOf(many)) << "there and back is no click";
     EXPECT_EQ(wayOf(few).size(), 3U);
@@ -75,8 +77,14 @@ TEST(InputQueue, EveryClickOfSeveralHasItsPlace) {
                                          release(kLeft), press(kRight), release(kRight)});
     std::vector<std::pair<unsigned, Point>> changes;
     for (const InputQueue::Frame& each : frames) changes.emplace_back(each.buttons, *each.mouse);
-    EXPECT_EQ(changes, (std::vector<std::pair<unsigned, Point>>{
-                           {1, {5, 5}}, {0, {5, 5}}, {1, {9, 9}}, {0, {9, 9}}, {2, {9, 9}}, {0, {9, 9}}}));
+    EXPECT_EQ(changes, (std::vector<std::pair<unsigned, Point>>{{0, {5, 5}},
+                                                                {1, {5, 5}},
+                                                                {0, {5, 5}},
+                                                                {0, {9, 9}},
+                                                                {1, {9, 9}},
+                                                                {0, {9, 9}},
+                                                                {2, {9, 9}},
+                                                                {0, {9, 9}}}));
 }
 
 TEST(InputQueue, AKeyThatIsHeldDuringADragHoldsForAllOfIt) {
@@ -111,14 +119,14 @@ TEST(InputQueue, KeysKeepTheirOrderAndAClickComesBeforeWhatIsTypedAfterIt) {
     const auto frames =
         framesOf(queue, {move(5, 5), press(kLeft), release(kLeft), key(kA, true), a, key(kA, false),
                          key(kEnter, true), key(kEnter, false), press(kLeft)});
-    ASSERT_EQ(frames.size(), 6U);
-    EXPECT_TRUE(frames[0].characters.empty() && frames[1].characters.empty());
-    EXPECT_EQ(frames[2].characters, std::vector<unsigned>{'a'});
-    ASSERT_EQ(frames[2].pressed.size(), 1U);
-    ASSERT_EQ(frames[3].pressed.size(), 1U) << "Enter knows the text before it";
-    EXPECT_EQ(frames[3].pressed[0].key, kEnter);
-    EXPECT_TRUE(frames[3].characters.empty());
-    EXPECT_EQ(frames[5].buttons, 1U);
+    ASSERT_EQ(frames.size(), 7U);
+    EXPECT_TRUE(frames[1].characters.empty() && frames[2].characters.empty());
+    EXPECT_EQ(frames[3].characters, std::vector<unsigned>{'a'});
+    ASSERT_EQ(frames[3].pressed.size(), 1U);
+    ASSERT_EQ(frames[4].pressed.size(), 1U) << "Enter knows the text before it";
+    EXPECT_EQ(frames[4].pressed[0].key, kEnter);
+    EXPECT_TRUE(frames[4].characters.empty());
+    EXPECT_EQ(frames[6].buttons, 1U);
 }
 
 TEST(InputQueue, CharactersGoTogetherAndAKeyThatEditsAlone) {
@@ -133,6 +141,17 @@ TEST(InputQueue, CharactersGoTogetherAndAKeyThatEditsAlone) {
         charactersAndKeys.emplace_back(each.characters.size(), each.pressed.size());
     EXPECT_EQ(charactersAndKeys,
               (std::vector<std::pair<std::size_t, std::size_t>>{{2, 2}, {0, 1}, {0, 0}, {1, 1}}));
+}
+
+TEST(InputQueue, AltIsDownForAFrameBeforeItGoesUp) {
+    constexpr int kAlt = 342;
+    InputQueue queue;
+    queue.add(std::vector<Event>{key(kAlt, true), key(kAlt, false)});
+    queue.next();
+    EXPECT_TRUE(queue.isDown(kAlt));
+    queue.next();
+    EXPECT_FALSE(queue.isDown(kAlt));
+    EXPECT_FALSE(queue.isWaiting());
 }
 
 TEST(InputQueue, TheMouseIsUnknownOutsideTheWindowButForADrag) {

@@ -94,11 +94,22 @@ class FrameLook {
         if (question_.item == item) drawMask(draw, items_[item]);
     }
 
-    std::optional<render::Content> read(const FrameItem& item, const FrameTarget& target, int mostSide) {
+    /// The layers of the target that the item draws into, or whose shaders write it, all at once; 1: one.
+    int layersOf(const FrameTarget& target) const {
+        const gpu::Texture* texture = target.view.texture ? scene_.texture(target.view.texture) : nullptr;
+        if (texture == nullptr || target.view.layer) return 1;
+        return texture->layers(target.view.level.value_or(0));
+    }
+
+    std::optional<render::Content> read(const FrameItem& item, const FrameTarget& target, int mostSide,
+                                        int layer = 0) {
         if (target.kind == FrameTarget::Kind::buffer) return std::nullopt;
-        if (target.kind == FrameTarget::Kind::texture) {
+        const int layers = layersOf(target);
+        if (target.kind == FrameTarget::Kind::texture || layers > 1) {
             const gpu::Texture* texture = scene_.texture(target.view.texture);
-            return texture != nullptr ? readTexture(context_.capabilities(), *texture, target.view, mostSide)
+            scene::TextureView view = target.view;
+            if (layers > 1) view.layer = std::min(layer, layers - 1);
+            return texture != nullptr ? readTexture(context_.capabilities(), *texture, view, mostSide)
                                       : std::nullopt;
         }
         return readBound(
@@ -124,7 +135,8 @@ class FrameLook {
             answer_.problem = "'" + wanted.name + "' is a buffer";
             return;
         }
-        answer_.content = read(item, wanted, 0);
+        answer_.layers = layersOf(wanted);
+        answer_.content = read(item, wanted, 0, question_.layer);
     }
 
     /// True if the values of the target lie in 0..1.

@@ -39,6 +39,7 @@ struct FrameQuestion {
     std::vector<bool> thumbnails{};     ///< by item: wanted; empty: none is
     std::optional<std::size_t> item{};  ///< of the list: its target is read, and its mask is drawn
     std::size_t target = 0;             ///< index into its targets
+    int layer = 0;                      ///< that is read where the pass draws into all layers of the target
 };
 
 struct FrameAnswer {
@@ -47,6 +48,7 @@ struct FrameAnswer {
     std::vector<bool> isExecuted;
     std::vector<FrameThumbnail> thumbnails;  ///< by item; empty if none is wanted
     std::optional<render::Content> content;  ///< of the target after the item
+    int layers = 1;                          ///< of that target, if the pass draws into all of them
     std::string problem;                     ///< why there is none
     std::optional<DrawMask> mask;            ///< of a draw
 };

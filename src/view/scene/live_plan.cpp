@@ -84,12 +84,13 @@ void LiveScene::State::planAgain() {
 /// Replaces the camera of the passes that the window's transforms move.
 void LiveScene::State::lookThrough() {
     ownFrame.reset();
+    untried.clear();
     const auto find = [&](const std::string& name) {
         return std::find_if(cameras.begin(), cameras.end(),
                             [&](const scene::NamedCamera& each) { return each.name == name; });
     };
     const auto wanted = find(camera);
-    if (wanted == cameras.end()) return;
+    if (wanted == cameras.end()) return giveTried();
     ownFrame = scene.frame;
     ownView = std::exchange(scene.view, wanted->view);
     for (scene::Pass& pass : scene.frame.passes) {
@@ -106,6 +107,29 @@ void LiveScene::State::lookThrough() {
                 draw->raster.front == base::Winding::ccw ? base::Winding::cw : base::Winding::ccw;
         }
     }
+    giveTried();
+}
+
+/// Gives the draws of the frame the states that are tried.
+void LiveScene::State::giveTried() {
+    if (tried.empty()) return;
+    auto& passes = scene.frame.passes;
+    for (std::size_t pass = 0; pass < passes.size(); ++pass)
+        for (std::size_t step = 0; step < passes[pass].steps.size(); ++step) {
+            auto* draw = std::get_if<scene::Draw>(&passes[pass].steps[step]);
+            const auto found = draw == nullptr ? tried.end() : tried.find(draw->id);
+            if (found == tried.end() || draw->word != found->second.word ||
+                draw->raster != found->second.ofScene)
+                continue;
+            untried.emplace_back(scene::StepIndex{pass, step}, draw->raster);
+            draw->raster = found->second.wanted;
+        }
+}
+
+void LiveScene::State::takeTriedBack() {
+    for (const auto& [at, raster] : untried)
+        std::get<scene::Draw>(scene.frame.passes.at(at.pass).steps.at(at.step)).raster = raster;
+    untried.clear();
 }
 
 }  // namespace glibra::view

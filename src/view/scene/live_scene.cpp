@@ -285,6 +285,7 @@ const base::StorageBlock* LiveScene::blockOf(scene::BufferIndex buffer) const {
 void LiveScene::setCamera(const std::string& name) {
     State& state = *state_;
     state.forgetDrawn();
+    state.takeTriedBack();
     if (state.ownFrame) {
         state.scene.frame = *state.ownFrame;
         state.scene.view = state.ownView;
@@ -292,6 +293,14 @@ void LiveScene::setCamera(const std::string& name) {
     state.camera = name;
     state.lookThrough();
     state.forgetView();
+}
+
+void LiveScene::tryStates(TriedStates states) {
+    State& state = *state_;
+    state.takeTriedBack();
+    state.tried = std::move(states);
+    state.giveTried();
+    state.planAgain();
 }
 
 const std::vector<scene::NamedCamera>& LiveScene::cameras() const {

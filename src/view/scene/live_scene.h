@@ -2,13 +2,16 @@
 // A scene on the device whose values, matrices and size change while it is shown. When its files change it is
 // loaded again and reuses whatever is still the same. A faulty statement is left out; the rest is drawn.
 
+#include <glibra/draw_id.h>
 #include <glibra/render.h>
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
 
+#include "base/raster_state.h"
 #include "glsl/emit/emitted_lines.h"
 #include "glsl/emit/wrapped_main.h"
 #include "gpu/context/context.h"
@@ -23,6 +26,15 @@
 #include "view/scene/knobs.h"
 
 namespace glibra::view {
+
+/// A draw of the frame that is drawn with another state than the scene says, to try that.
+struct TriedState {
+    std::string word;           ///< the command that draws
+    base::RasterState ofScene;  ///< as the scene says
+    base::RasterState wanted;
+    friend bool operator==(const TriedState&, const TriedState&) = default;
+};
+using TriedStates = std::map<DrawId, TriedState>;
 
 class LiveScene {
   public:
@@ -64,6 +76,9 @@ class LiveScene {
     /// The camera that the picture is seen from in place of the scene's own, where the window's transforms
     /// act; expressions keep the scene's. Empty, or a name that the scene does not declare: the scene's own.
     void setCamera(const std::string& name);
+    /// From now on these draws have the states that are tried, while their words and states in the scene are
+    /// those. Indices into an earlier plan are not valid any more.
+    void tryStates(TriedStates states);
     /// The cameras that the scene declares, sorted by name.
     [[nodiscard]] const std::vector<scene::NamedCamera>& cameras() const;
     /// Where the mouse is, 0..1 from the lower left corner, and whether its left button is down.

@@ -57,6 +57,9 @@ struct LiveScene::State : LiveStats, render::Pipeline {
     std::string camera;                       ///< LiveScene::setCamera
     std::optional<scene::NodeList> ownFrame;  ///< `scene.frame` and `scene.view` without that camera
     glm::dmat4 ownView{1.0};
+    TriedStates tried;  ///< LiveScene::tryStates
+    /// The draws that have a tried state, with that of the scene.
+    std::vector<std::pair<scene::StepIndex, base::RasterState>> untried;
     std::map<scene::BufferIndex, base::StorageBlock> askedBlocks;  ///< that blockOf() has been asked for
     double mouseX = .5, mouseY = .5;
     bool isMouseDown = false;
@@ -66,6 +69,8 @@ struct LiveScene::State : LiveStats, render::Pipeline {
     void planAgain();
     [[nodiscard]] std::string sourceOfSteps() const;
     void lookThrough();
+    void giveTried();
+    void takeTriedBack();
     bool moveTo(const scene::FrameInputs& wanted, Diagnostics& diagnostics);
     Diagnostics drawFrame(const gpu::Target& target, double time);
 };

@@ -84,7 +84,8 @@ void timeFrame(Session& session, const gpu::Capabilities& capabilities, FrameCos
         drawer.setDrawHook([&](const plan::PlannedDraw& draw, bool, bool begins) {
             if (!begins) return timer.end();
             const scene::Draw& drawn = plan.drawOf(draw);
-            if (draws == cost.draws.size()) cost.draws.push_back({drawn.word, drawn.place.line, node, 0});
+            if (draws == cost.draws.size())
+                cost.draws.push_back({drawn.word, drawn.place.line, node, 0, draw.step});
             timer.begin(nodes + 1 + draws++);
         });
         timer.begin(nodes);
@@ -172,6 +173,15 @@ std::string millisecondsText(double milliseconds, int decimals) {
     const double unit = std::pow(10., -decimals);
     if (milliseconds > 0 && milliseconds < unit) return fmt::format("< {:.{}f}", unit, decimals);
     return fmt::format("{:.{}f}", std::floor(milliseconds / unit * (1 + 1e-12)) * unit, decimals);
+}
+
+FrameCost measureParts(Session& session, const gpu::Capabilities& capabilities) {
+    FrameCost cost;
+    session.drawIfNeeded();
+    if (!session.hasScene() || !session.picture()) return cost;
+    timeFrame(session, capabilities, cost);
+    session.setNeedsFrame();
+    return cost;
 }
 
 FrameCost measureFrames(Session& session, const gpu::Capabilities& capabilities, int leastFrames,

@@ -17,6 +17,7 @@ struct DrawCost {
     int line = 0;
     std::size_t node = 0;     ///< index into FrameCost::nodes
     double milliseconds = 0;  ///< GPU time (gpu/object/timer.h), mean of all repeats
+    scene::StepIndex step{};
 };
 
 /// A pass, dispatch or clear.
@@ -62,6 +63,10 @@ struct FrameCost {
 int decimalsOf(const FrameCost& cost);
 /// A time with that many decimals, cut off, so that parts do not exceed their whole: "1.2", "< 0.1".
 std::string millisecondsText(double milliseconds, int decimals);
+
+/// Measures the times of the parts of the current frame alone, in a few frames: isTimed, isEstimate,
+/// millisecondsOfParts, nodes, draws.
+FrameCost measureParts(Session& session, const gpu::Capabilities& capabilities);
 
 /// Draws the current frame repeatedly: at least `leastFrames` times and for at least `leastSeconds`. Steps
 /// are run again from the start, and the last ones are measured.

@@ -209,6 +209,12 @@ class Session {
     /// True if the frame that was drawn last can be drawn again, to look into it: for watchFrame() and its
     /// like. Draws it first if it is out of date.
     bool canLookInto();
+    /// The draws that are drawn with another state than the scene says (LiveScene::tryStates), until the
+    /// scene says another one for them, or another scene is opened.
+    [[nodiscard]] const TriedStates& triedStates() const { return triedStates_; }
+    void tryState(const scene::Draw& draw, const base::RasterState& state);
+    /// All draws are as the scene says.
+    void endTrials();
     /// What one draw of the frame has at a pixel of the targets of its pass (view::probeDraw); `row` counts
     /// from the lower edge.
     ProbedPixel probeDraw(scene::StepIndex step, int x, int row);
@@ -295,6 +301,7 @@ class Session {
     bool showsBefore_ = false;
     bool isOfFiles_ = true;  ///< the scene was loaded without texts that are not saved
     std::vector<Animation> animations_;
+    TriedStates triedStates_;
     DrawingProcess process_;
     std::optional<std::vector<Place>> openLoops_;  ///< with the current values, if they are known
     std::string tried_;                            ///< what the process has drawn

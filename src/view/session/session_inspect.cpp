@@ -21,6 +21,28 @@ ProbedPixel Session::probeDraw(scene::StepIndex step, int x, int row) {
     return pixel;
 }
 
+void Session::tryState(const scene::Draw& draw, const base::RasterState& state) {
+    if (!live_) return;
+    const auto known = triedStates_.find(draw.id);
+    const bool isTried = known != triedStates_.end() && known->second.wanted == draw.raster;
+    const base::RasterState ofScene = isTried ? known->second.ofScene : draw.raster;
+    if (state == ofScene)
+        triedStates_.erase(draw.id);
+    else
+        triedStates_.insert_or_assign(draw.id, TriedState{draw.word, ofScene, state});
+    live_->tryStates(triedStates_);
+    if (debugRenderer_) debugRenderer_->forgetPlan();
+    isStale_ = true;
+}
+
+void Session::endTrials() {
+    if (triedStates_.empty() || !live_) return;
+    triedStates_.clear();
+    live_->tryStates({});
+    if (debugRenderer_) debugRenderer_->forgetPlan();
+    isStale_ = true;
+}
+
 std::string Session::numbersOfPass(std::size_t pass, DebugView kind, TexelImage& numbers) {
     if (!canLookInto() || pass >= live_->scene().frame.passes.size()) return "no frame has been drawn";
     // Not that of the picture, whose numbers stay.

@@ -73,6 +73,7 @@ class FrameWindow(WindowTest):
         window.click("frame/item/" + items[3]["key"])
         state = window.wait(lambda s: s["frame"]["chosen"] == items[3]["key"] and "mask" in s["frame"])
         self.assertEqual(state["frame"]["size"], [64, 64])
+        self.assertTrue(all(each["thumbnail"] for each in window.settle()["frame"]["items"][1:]), "all small pictures stay")
         self.assertEqual(state["frame"]["mask"], {"passed": 48 * 48 - 32 * 32, "hidden": 32 * 32})
         # The history of a pixel of the small quad: the large one is behind it.
         self.click_texel(window, 32, 20)
@@ -119,6 +120,68 @@ class FrameWindow(WindowTest):
             "    QuadXY -1 .75", "    QuadXY -1 .75\n    QuadXY -2 1"))
         state = window.wait(lambda s: s["reloads"] > seen and len(s["frame"]["items"]) == 7)
         self.assertEqual(state["frame"]["chosen"], items[2]["key"], "the choice stays")
+
+    def test_another_state_is_tried(self):
+        window = self.open_frame()
+        before = window.pixels()
+        window.key("g")
+        items = window.wait(lambda s: "frame" in s and s["frame"]["items"])["frame"]["items"]
+        window.click("frame/item/" + items[3]["key"])
+        hidden = {"passed": 48 * 48 - 32 * 32, "hidden": 32 * 32}
+        window.wait(lambda s: s["frame"].get("mask") == hidden)
+        window.click("frame/tab/try")
+        window.settle()
+        for key, word in (("depth", "always"), ("cull", "back")):
+            window.click("frame/try/" + key)
+            window.wait(lambda s: f"frame/try/{key}/{word}" in s["widgets"])
+            window.settle()
+            window.click(f"frame/try/{key}/{word}")
+            window.settle()
+        window.wait(lambda s: s["frame"]["tried"] == ["State cull back  depth always"])
+        window.wait(lambda s: s["frame"].get("mask") == {"passed": 48 * 48, "hidden": 0})
+        window.click("frame/try/offset", 0.2)
+        window.key("ctrl+a")
+        window.type("2")
+        window.key("Return")
+        window.wait(lambda s: s["frame"]["tried"] == ["State cull back  depth always  offset 2 0"])
+        window.key("Escape")
+        window.wait(lambda s: "frame" not in s)
+        self.assertNotEqual(window.pixels(), before, "the picture follows")
+        window.key("g")
+        window.wait(lambda s: "frame" in s and s["frame"]["items"])
+        window.click("frame/item/" + items[3]["key"])
+        window.click("frame/tab/try")
+        window.settle()
+        window.click("frame/try/end")
+        window.wait(lambda s: s["frame"]["tried"] == [] and s["frame"].get("mask") == hidden)
+        window.key("Escape")
+        window.wait(lambda s: "frame" not in s)
+        self.assertEqual(window.pixels(), before)
+
+    def test_texels_are_shown_by_an_expression_and_items_have_times(self):
+        window = self.open_frame()
+        window.key("g")
+        items = window.wait(lambda s: "frame" in s and s["frame"]["items"])["frame"]["items"]
+        window.click("frame/item/" + items[1]["key"])
+        window.click("frame/glsl")
+        window.click("frame/expression")
+        window.wait(lambda s: s["takesText"])
+        window.type("10. * color.bgr")
+        left, top, width, height = window.wait(lambda s: "frame/image" in s["widgets"])["widgets"]["frame/image"]
+        window.settle()
+        window.move(left + width / 2, top + height / 2)
+        window.wait(lambda s: s["frame"]["hovered"].endswith(": 0 0 10 1"))
+        window.click("frame/fitRange")
+        window.wait(lambda s: s["frame"]["range"] == [0, 10])
+        window.click("frame/expression")
+        window.key("ctrl+a")
+        window.type("colour")
+        window.wait(lambda s: "frame/expressionProblem" in s["widgets"])
+        window.click("frame/glsl")
+        window.wait(lambda s: "frame/expressionProblem" not in s["widgets"])
+        window.click("frame/times")
+        times = window.wait(lambda s: s["frame"]["times"])["frame"]["times"]
+        self.assertEqual(set(times), {each["key"] for each in items})
 
     def test_it_works_on_opengl_4_1(self):
         window = self.open_frame(without=("Buffer", "Comp", "Place"),

@@ -18,6 +18,21 @@ class Keyboard(ScenesTest):
     def focused(self, window, name):
         return window.wait(lambda s: s["focused"] == name)
 
+    def tab(self, window, key="Tab"):
+        """Goes to the next widget, and returns its name; empty if it has none for tests."""
+        presented = window.state()["framesPresented"]
+        window.xdotool("key", key)
+        return window.wait(lambda s: s["framesPresented"] > presented and s["waiting"])["focused"]
+
+    def choose(self, window, name, key="Down"):
+        """Goes on until that entry of a menu or list is chosen, and takes it."""
+        for _ in range(20):
+            if window.settle()["focused"] == name:
+                break
+            window.key(key)
+        self.focused(window, name)
+        window.key("Return")
+
     def test_tab_goes_from_widget_to_widget_and_enter_does_what_a_click_does(self):
         (self.files / "focus.glib").write_text(FOCUS)
         window = self.open(self.files / "focus.glib", "--size", "300x900")
@@ -44,31 +59,29 @@ class Keyboard(ScenesTest):
         # Back to the buttons above the values, and to the sections below.
         for _ in range(3):
             window.key("Escape", "shift+Tab")
-        seen = set()
+        missing = {"uniforms/reset", "scene/save", "uniforms/labels", "file", "scene/open", "help", "uniforms",
+                   "transforms", "mode/Eye", "view/axes", "view/show", "hardcopy", "suite", "cost"}
         for _ in range(80):
-            window.key("Tab")
-            seen.add(window.settle()["focused"])
-        for each in ("uniforms/reset", "scene/save", "uniforms/labels", "file", "scene/open", "help", "uniforms",
-                     "transforms", "mode/Eye", "view/axes", "view/show", "hardcopy", "suite", "cost"):
-            self.assertIn(each, seen)
+            missing.discard(self.tab(window))
+            if not missing:
+                break
+        self.assertEqual(missing, set())
         window.key("Escape")
 
     def test_a_section_folds_and_a_list_is_chosen_from(self):
         window = self.open(self.files / "one.glib", "--size", "300x900")
         window.move(20, 20)
         for _ in range(60):
-            window.key("Tab")
-            if window.settle()["focused"] == "view/samples":
+            if self.tab(window) == "view/samples":
                 break
         self.focused(window, "view/samples")
         window.key("Return")
         window.wait(lambda s: "view/samples/8" in s["widgets"])
-        window.key("Down", "Down", "Down", "Return")
+        self.choose(window, "view/samples/4")
         window.wait(lambda s: "view/samples/8" not in s["widgets"])
         window.key("shift+Tab", "shift+Tab", "shift+Tab")
         for _ in range(40):
-            window.key("shift+Tab")
-            if window.settle()["focused"] == "uniforms":
+            if self.tab(window, "shift+Tab") == "uniforms":
                 break
         self.focused(window, "uniforms")
         window.key("Return")
@@ -83,7 +96,7 @@ class Keyboard(ScenesTest):
         self.focused(window, "uniform/Plain/uBlue")
         window.key("shift+F10")
         window.wait(lambda s: "menu/reset" in s["widgets"])
-        window.key("Down", "Down", "Return")
+        self.choose(window, "menu/reset")
         window.wait_knob("uBlue", lambda v: v == [0.25])
         for keys in (("F10",), ("alt",)):
             window.key(*keys)

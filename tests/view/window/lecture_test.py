@@ -36,6 +36,12 @@ class LectureTest(ScenesTest):
 
 
 class Lecture(LectureTest):
+    def columns(self, window, left, right):
+        """The pixels between two columns, below a notice."""
+        ppm = subprocess.run(["import", "-window", window.id, "-crop", f"{round(right - left)}x1000+{round(left)}+80", "+repage",
+                              "-depth", "8", "ppm:-"], env=window.environment, check=True, stdout=subprocess.PIPE).stdout
+        return read_ppm(ppm)[2]
+
     def test_the_picture_keeps_its_size_when_texts_grow(self):
         window = self.open(self.files / "four.glib")
         window.resize(1366, 768)
@@ -59,7 +65,8 @@ class Lecture(LectureTest):
         before = window.wait(lambda s: s["window"] == [776, 600])
         window.move(760, 590)
         window.key("shift+F11")
-        window.wait(lambda s: s["window"] == [1400, 1100] and s["source"]["shown"] and abs(s["scale"] - 1.4) < 1e-3)
+        notice = window.wait(lambda s: s["window"] == [1400, 1100] and s["source"]["shown"] and abs(s["scale"] - 1.4) < 1e-3 and
+                             "notice/overlay" in s["widgets"])["widgets"]["notice/overlay"]
         state = window.settle()
         self.assertEqual(state["room"], [0, 0, 1400, 1100], "the source stands over the picture")
         self.assertEqual(state["sourcePlace"], "over the picture")
@@ -72,6 +79,17 @@ class Lecture(LectureTest):
         behind = self.pixel(window, left + width * .5, top + height * .9)
         self.assertGreater(min(behind), 50, behind)
         self.assertLess(max(behind), 90, behind)
+        # What stands on the picture stands where the source does not cover it: the notice, the legend, labels.
+        edge = state["widgets"]["source"][2]
+        self.assertGreater(notice[0], edge)
+        plain = self.columns(window, edge, 1400)
+        window.move(1390, 1090)
+        window.key("l")
+        window.wait(lambda s: s["labels"])
+        window.settle()
+        self.assertTrue(self.columns(window, edge, 1400) != plain, "the labels are seen")
+        window.key("l")
+        window.settle()
         window.key("ctrl+e")
         window.wait(lambda s: not s["source"]["shown"])
         window.key("shift+F11")

@@ -2,6 +2,7 @@
 that are moved, and a hardcopy. Nothing is written by other means. TUTORIAL_STEPS=1-13 does all steps, which takes minutes."""
 
 import os
+import pathlib
 import re
 import sys
 import unittest
@@ -61,7 +62,8 @@ class Tutorial(ScenesTest):
             window.wait(lambda s: "file/new/empty" in s["widgets"])
             window.settle()
             window.click("file/new/empty")
-            window.wait(lambda s: s["dialog"].startswith("A new, empty scene") and s["takesText"])
+            state = window.wait(lambda s: s["dialog"].startswith("A new, empty scene") and s["takesText"])
+            self.assertTrue(pathlib.Path(state["folder"]).is_dir(), "that of the last scene is gone")
             window.settle()
             window.key("ctrl+a")
             window.type(str(scene))

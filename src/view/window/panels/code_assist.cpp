@@ -238,10 +238,13 @@ void hover(Ui& ui, CodeAssist& state, const EditedFile& file, const CodeView& vi
             view.hovered ? referenceAt(file.text(), *view.hovered, contextOf(ui, file)) : ReferenceEntry();
     }
     std::string messages;
+    Severity worst = Severity::warning;
     for (const Diagnostic& each : ui.session.diagnostics())
         if (each.severity != Severity::note && each.place.line == *view.hoveredLine &&
-            each.place.file == file.path().string())
+            each.place.file == file.path().string()) {
             messages += (messages.empty() ? "" : "\n") + each.text;
+            worst = std::max(worst, each.severity);
+        }
     const ReferenceEntry& entry = state.hoveredEntry;
     if (messages.empty() && entry.word.empty()) return;
     if (now - state.hoveredSince < kHoverSeconds) {
@@ -255,7 +258,7 @@ void hover(Ui& ui, CodeAssist& state, const EditedFile& file, const CodeView& vi
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * 32);
     if (!messages.empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, packed(severityColor(Severity::error)));
+        ImGui::PushStyleColor(ImGuiCol_Text, packed(severityColor(worst)));
         ImGui::TextWrapped("%s", messages.c_str());
         ImGui::PopStyleColor();
     }
@@ -354,7 +357,7 @@ void referenceWindow(Ui& ui, CodeAssist& state, const EditedFile* file) {
     placeFloating(ui, 60, 60, 460, 260);
     if (ImGui::Begin("Reference", &state.showsReference, ImGuiWindowFlags_NoCollapse)) {
         ImGui::SetNextItemWidth(-1);
-        if (std::exchange(state.focusEntry, false)) ImGui::SetKeyboardFocusHere();
+        if (std::exchange(state.focusEntry, false)) giveKeyboardToNext();
         if (ImGui::InputTextWithHint("##word", "a word of the scene language, of GLSL or of this scene",
                                      state.word.data(), state.word.size(), ImGuiInputTextFlags_AutoSelectAll))
             lookUp(ui, state, file);

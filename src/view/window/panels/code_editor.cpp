@@ -150,6 +150,7 @@ bool edit(const char* name, Editing editing, const ImVec2& size, bool isReadOnly
     ImGui::PushStyleColor(ImGuiCol_FrameBg, IM_COL32_BLACK_TRANS);
     ImGui::PushStyleColor(ImGuiCol_TextSelectedBg, tintColor(CodeTint::selection));
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, 0));
+    ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 0);
     // In ImGui, Esc undoes all edits since the widget got the keyboard focus.
     constexpr std::array kListKeys{GLFW_KEY_ESCAPE,   GLFW_KEY_TAB, GLFW_KEY_ENTER,
                                    GLFW_KEY_KP_ENTER, GLFW_KEY_UP,  GLFW_KEY_DOWN};
@@ -157,14 +158,13 @@ bool edit(const char* name, Editing editing, const ImVec2& size, bool isReadOnly
     const HiddenKeys hidden(editing.view.leavesListKeys ? listKeys : listKeys.first(1));
     // ImGui 1.90.1 does not give the keyboard focus to a text that takes Tab.
     const bool takesTab = editing.view.isActive;
-    const bool isChanged =
-        ImGui::InputTextMultiline(label.c_str(), editing.text.data(), editing.text.capacity() + 1, size,
-                                  ImGuiInputTextFlags_CallbackResize | ImGuiInputTextFlags_CallbackAlways |
-                                      ImGuiInputTextFlags_NoUndoRedo |
-                                      (takesTab ? ImGuiInputTextFlags_AllowTabInput : 0) |
-                                      (isReadOnly ? ImGuiInputTextFlags_ReadOnly : 0),
-                                  onEdit, &editing);
-    ImGui::PopStyleVar();
+    const bool isChanged = ImGui::InputTextMultiline(
+        label.c_str(), editing.text.data(), editing.text.capacity() + 1, size,
+        ImGuiInputTextFlags_CallbackResize | ImGuiInputTextFlags_CallbackAlways |
+            ImGuiInputTextFlags_NoUndoRedo | (takesTab ? ImGuiInputTextFlags_AllowTabInput : 0) |
+            (isReadOnly ? ImGuiInputTextFlags_ReadOnly : 0),
+        onEdit, &editing);
+    ImGui::PopStyleVar(2);
     ImGui::PopStyleColor(3);
     return isChanged;
 }
@@ -231,7 +231,7 @@ bool editInChild(const char* name, std::string& text, CodeView& view, const Code
     const CodeLayout layout = layoutOf(text, starts);
     const bool goes = view.goTo || view.select;
     if (goes && !view.isActive) {
-        ImGui::SetKeyboardFocusHere();
+        giveKeyboardToNext();
         view.framesToHold = kFramesOfFocus;
     }
     const int cursorBefore = view.cursor;

@@ -127,7 +127,7 @@ class CommandPalette final : public Panel {
 
   private:
     void list(Ui& ui, bool isNew) {
-        if (isNew) ImGui::SetKeyboardFocusHere();
+        if (isNew) giveKeyboardToNext();
         ImGui::SetNextItemWidth(-1);
         const bool isEntered = ImGui::InputTextWithHint(
             "##words", "what to do", words_.data(), words_.size(),

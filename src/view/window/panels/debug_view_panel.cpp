@@ -80,7 +80,7 @@ bool isFillAlone(const scene::Scene& scene) {
            std::all_of(draws.begin(), draws.end(), [](const scene::Draw* each) { return each->isFill; });
 }
 
-/// The legend on the upper left corner of the picture. Returns its text.
+/// The legend on the upper left corner of the picture, as far as it is seen. Returns its text.
 std::string drawLegend(const Ui& ui, DebugView kind, const std::vector<LegendEntry>& entries) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     const float gap = 6 * ui.shared.scale, side = ImGui::GetTextLineHeight();
@@ -88,7 +88,7 @@ std::string drawLegend(const Ui& ui, DebugView kind, const std::vector<LegendEnt
     float width = ImGui::CalcTextSize(text.c_str()).x + gap;
     for (const LegendEntry& each : entries)
         width += (each.color ? side + gap / 2 : 0) + ImGui::CalcTextSize(each.text.c_str()).x + gap;
-    ImVec2 at(ui.frame.picture[0] + 2 * gap, ui.frame.picture[1] + 2 * gap);
+    ImVec2 at(std::max(ui.frame.picture[0], ui.frame.covered) + 2 * gap, ui.frame.picture[1] + 2 * gap);
     list.PushClipRect({ui.frame.picture[0], ui.frame.picture[1]},
                       {ui.frame.picture[0] + ui.frame.picture[2], ui.frame.picture[1] + ui.frame.picture[3]});
     list.AddRectFilled({at.x - gap, at.y - gap}, {at.x + width, at.y + side + gap}, IM_COL32(0, 0, 0, 190),
@@ -113,8 +113,8 @@ std::string drawLegend(const Ui& ui, DebugView kind, const std::vector<LegendEnt
 }
 
 /// The debug view's numbers of the pixel under the mouse.
-void debugViewUnderMouse(const Ui& ui, std::string& text) {
-    text.clear();
+void debugViewUnderMouse(Ui& ui, std::string& text) {
+    const std::string before = std::exchange(text, {});
     const TexelImage& numbers = ui.session.debugNumbers();
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     if (numbers.rgba.empty() || ImGui::GetIO().WantCaptureMouse || ui.frame.isDragging ||
@@ -128,6 +128,8 @@ void debugViewUnderMouse(const Ui& ui, std::string& text) {
                                 static_cast<std::size_t>(x));
     text = wordsOf(ui.session.debugView(), numbers.rgba.data() + at);
     ImGui::SetTooltip("%s", text.c_str());
+    // Its window gets the size of the text one frame later.
+    if (text != before) ui.frame.isFollowed = true;
 }
 
 class DebugViewPanel final : public Panel {

@@ -313,7 +313,7 @@ void exampleWindow(Ui& ui, ExampleBrowser& browser, bool& isOpen) {
                 "environment variable GLIBRA_PATH to the folder that contains 'glib'.");
         } else {
             ImGui::SetNextItemWidth(260 * ui.shared.scale);
-            if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+            if (ImGui::IsWindowAppearing()) giveKeyboardToNext();
             const bool isEntered =
                 ImGui::InputTextWithHint("##search", "search", browser.search.data(), browser.search.size(),
                                          ImGuiInputTextFlags_EnterReturnsTrue);

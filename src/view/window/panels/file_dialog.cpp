@@ -184,7 +184,7 @@ void pathEntry(Ui& ui, FileDialog& dialog) {
     const float width =
         ImGui::CalcTextSize(words.c_str()).x + 6 * style.FramePadding.x + 3 * style.ItemSpacing.x;
     ImGui::SetNextItemWidth(std::max(120 * ui.shared.scale, ImGui::GetContentRegionAvail().x - width));
-    if (std::exchange(dialog.focusEntry, false)) ImGui::SetKeyboardFocusHere();
+    if (std::exchange(dialog.focusEntry, false)) giveKeyboardToNext();
     const std::string before = dialog.entry.data();
     const bool isEntered =
         ImGui::InputTextWithHint("##path", "file name or path", dialog.entry.data(), dialog.entry.size(),
@@ -204,14 +204,21 @@ void pathEntry(Ui& ui, FileDialog& dialog) {
     mark(ui, "dialog/cancel");
 }
 
+/// The folder of the scene, or of the last one whose folder is still there.
+fs::path usualFolder(const Ui& ui) {
+    if (ui.session.hasScene()) return ui.session.path().parent_path();
+    std::error_code failure;
+    for (const std::string& each : ui.settings.recent)
+        if (const fs::path folder = fs::path(each).parent_path(); fs::is_directory(folder, failure))
+            return folder;
+    return ".";
+}
+
 /// Sets the dialog up for what is wanted.
 void beginDialog(const Ui& ui, FileDialog& dialog) {
-    const fs::path usual = ui.session.hasScene()        ? ui.session.path().parent_path()
-                           : ui.settings.recent.empty() ? fs::path(".")
-                                                        : fs::path(ui.settings.recent.front()).parent_path();
     const fs::path wanted = std::exchange(dialog.folder, {});
     if (dialog.question) setEntry(dialog, dialog.question->entry);
-    showFolder(dialog, wanted.empty() ? usual : wanted);
+    showFolder(dialog, wanted.empty() ? usualFolder(ui) : wanted);
     ImGui::OpenPopup(kId);
 }
 

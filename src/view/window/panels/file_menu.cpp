@@ -147,7 +147,7 @@ void fileMenu(Ui& ui, FileMenu& menu) {
     mark(ui, "file");
     ImGui::SetNextWindowPos({ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y}, ImGuiCond_Appearing);
     if (!ImGui::BeginPopup("file menu")) return;
-    if (std::exchange(menu.opens, false)) ImGui::SetKeyboardFocusHere();
+    if (std::exchange(menu.opens, false)) giveKeyboardToNext();
     const bool isOpen = ImGui::BeginMenu("New");
     mark(ui, "file/new");
     if (isOpen) {

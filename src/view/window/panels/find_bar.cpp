@@ -79,7 +79,7 @@ bool toggle(Ui& ui, const char* label, bool& on, const char* name, const char* h
 bool findEntry(Ui& ui, const char* hint, std::array<char, 256>& text, bool focus, float width,
                const char* name) {
     ImGui::SetNextItemWidth(width);
-    if (focus) ImGui::SetKeyboardFocusHere();
+    if (focus) giveKeyboardToNext();
     const std::string label = fmt::format("##{}", name);
     const bool isEntered =
         ImGui::InputTextWithHint(label.c_str(), hint, text.data(), text.size(),
@@ -140,7 +140,7 @@ void replaceRow(Ui& ui, FindBar& bar, EditedFile& file, CodeView& view) {
 }
 
 void lineRow(Ui& ui, FindBar& bar, CodeView& view) {
-    if (std::exchange(bar.focus, false)) ImGui::SetKeyboardFocusHere();
+    if (std::exchange(bar.focus, false)) giveKeyboardToNext();
     ImGui::SetNextItemWidth(90 * ui.shared.scale);
     ImGui::InputInt("go to line", &bar.line, 0, 0, ImGuiInputTextFlags_AutoSelectAll);
     const bool isEntered =

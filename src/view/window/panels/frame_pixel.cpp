@@ -41,7 +41,7 @@ void examine(Ui& ui, FrameWindow& window, std::size_t index) {
 
 std::string colorText(const PixelState& state) {
     std::string text;
-    for (const double each : state.color) text += fmt::format("{}{:.4g}", text.empty() ? "" : " ", each);
+    for (const double each : state.color) text += fmt::format("{}{:.3g}", text.empty() ? "" : " ", each);
     return text;
 }
 
@@ -56,6 +56,12 @@ void swatch(const PixelState& state) {
                                               ImGui::ColorConvertFloat4ToU32({part(0), part(1), part(2), 1}));
     ImGui::Dummy({side, side});
     ImGui::SameLine();
+}
+
+/// Without it the columns have more room.
+bool hasStencil(const PixelHistory& history) {
+    return std::any_of(history.events.begin(), history.events.end(),
+                       [](const PixelEvent& each) { return each.after.stencil.value_or(0) != 0; });
 }
 
 void eventRow(Ui& ui, FrameWindow& window, std::size_t number) {
@@ -83,17 +89,20 @@ void eventRow(Ui& ui, FrameWindow& window, std::size_t number) {
     swatch(event.after);
     ImGui::TextUnformatted(colorText(event.after).c_str());
     ImGui::TableNextColumn();
-    if (event.after.depth) ImGui::Text("%.6g", *event.after.depth);
-    ImGui::TableNextColumn();
-    if (event.after.stencil) ImGui::Text("%d", *event.after.stencil);
+    if (event.after.depth) ImGui::Text("%.5g", *event.after.depth);
+    if (hasStencil(window.history) && ImGui::TableNextColumn() && event.after.stencil)
+        ImGui::Text("%d", *event.after.stencil);
 }
 
 void events(Ui& ui, FrameWindow& window) {
     constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit |
                                        ImGuiTableFlags_Resizable | ImGuiTableFlags_BordersInnerV;
-    if (!ImGui::BeginTable("events", 6, kFlags)) return;
-    for (const char* each : {"by", "outcome", "passed", "colour after", "depth after", "stencil"})
+    const bool withStencil = hasStencil(window.history);
+    if (!ImGui::BeginTable(withStencil ? "events and stencil" : "events", withStencil ? 6 : 5, kFlags))
+        return;
+    for (const char* each : {"by", "outcome", "passed", "colour after", "depth"})
         ImGui::TableSetupColumn(each);
+    if (withStencil) ImGui::TableSetupColumn("stencil");
     ImGui::TableHeadersRow();
     for (std::size_t i = 0; i < window.history.events.size(); ++i) eventRow(ui, window, i);
     ImGui::EndTable();

@@ -7,6 +7,7 @@
 
 #include "render/draw/view_matrices.h"
 #include "view/debug_view/bound_target.h"
+#include "view/debug_view/state_choices.h"
 #include "view/window/panels/frame_window.h"
 #include "view/window/panels/ui.h"
 #include "view/window/platform/theme.h"
@@ -88,7 +89,7 @@ void frameState(Ui& ui, const FrameWindow& window) {
     ImGui::EndTable();
 }
 
-nlohmann::ordered_json frameJson(const FrameWindow& window) {
+nlohmann::ordered_json frameJson(const Ui& ui, const FrameWindow& window) {
     nlohmann::ordered_json items = nlohmann::ordered_json::array();
     for (std::size_t i = 0; i < window.items.size(); ++i) {
         const FrameItem& each = window.items[i];
@@ -108,6 +109,13 @@ nlohmann::ordered_json frameJson(const FrameWindow& window) {
                                    {"problem", window.problem},
                                    {"hovered", window.view.hovered},
                                    {"range", {window.view.display.low, window.view.display.high}}};
+    nlohmann::ordered_json tried = nlohmann::ordered_json::array();
+    for (const auto& [draw, state] : ui.session.triedStates())
+        tried.push_back(stateStatement(state.ofScene, state.wanted));
+    made["tried"] = tried;
+    made["layer"] = window.layer;
+    made["times"] = window.times.milliseconds;
+    made["layers"] = window.answer.layers;
     if (window.answer.content) made["size"] = {window.answer.content->width, window.answer.content->height};
     if (const auto& mask = window.answer.mask)
         made["mask"] = {{"passed", mask->passedPixels}, {"hidden", mask->hiddenPixels}};

@@ -10,10 +10,12 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "view/window/panels/ui.h"
+#include "view/window/panels/value_slider.h"
 
 namespace glibra::view {
 namespace {
@@ -27,10 +29,6 @@ std::string_view nameInFrame(DebugView kind) {
 
 ImTextureID idOf(const gpu::Texture& texture) {
     return std::bit_cast<ImTextureID>(static_cast<std::uintptr_t>(texture.id()));
-}
-
-bool isFolded(const FrameWindow& window, const std::string& key) {
-    return std::find(window.folded.begin(), window.folded.end(), key) != window.folded.end();
 }
 
 /// Lists the frame anew, with thumbnails.
@@ -53,10 +51,11 @@ void listFrame(Ui& ui, FrameWindow& window) {
 }
 
 void takeThumbnails(Ui& ui, FrameWindow& window) {
-    window.thumbnails.clear();
-    for (const FrameThumbnail& each : window.answer.thumbnails)
-        window.thumbnails.push_back(
-            each.rgba.empty() ? std::nullopt : textureOfBytes(ui, each.width, each.height, each.rgba));
+    const auto& made = window.answer.thumbnails;
+    // Those that were not asked for stay.
+    for (std::size_t i = 0; i < std::min(made.size(), window.thumbnails.size()); ++i)
+        if (!made[i].rgba.empty())
+            window.thumbnails[i] = textureOfBytes(ui, made[i].width, made[i].height, made[i].rgba);
 }
 
 void takeMask(Ui& ui, FrameWindow& window) {
@@ -95,7 +94,7 @@ std::vector<bool> missingThumbnails(const FrameWindow& window) {
     bool isHidden = false;
     for (std::size_t i = 0; i < wanted.size(); ++i) {
         const FrameItem& each = window.items[i];
-        if (!each.isInPass()) isHidden = isFolded(window, each.key);
+        if (!each.isInPass()) isHidden = window.isFolded(each.key);
         wanted[i] = !window.asked[i] && !(each.isInPass() && isHidden);
     }
     return std::find(wanted.begin(), wanted.end(), true) == wanted.end() ? std::vector<bool>() : wanted;
@@ -115,6 +114,7 @@ void watch(Ui& ui, FrameWindow& window) {
     const bool isOther = !window.listedFor.starts_with(scene);
     if (!isOther && ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
     const bool isNew = isOther || (window.listedFor != frame && !session.isMoving());
+    if (isOther) window.times = {};
     if (isNew) {
         listFrame(ui, window);
         window.listedFor = frame;
@@ -123,15 +123,15 @@ void watch(Ui& ui, FrameWindow& window) {
         window.asked.assign(window.items.size(), false);
         window.isDrawn.assign(window.items.size(), true);
     }
-    const std::string wanted =
-        fmt::format("{} {} {}", window.chosen, window.target, static_cast<int>(window.shows));
+    const std::string wanted = fmt::format("{} {} {} {}", window.chosen, window.target, window.layer,
+                                           static_cast<int>(window.shows));
     std::vector<bool> missing = missingThumbnails(window);
     if (!isNew && wanted == window.watchedFor && missing.empty()) return;
     window.watchedFor = wanted;
     window.time = session.clock().time();
-    window.answer =
-        watchFrame(ui.context, session.live(), window.items,
-                   {session.width(), session.height(), window.time, missing, window.index(), window.target});
+    window.answer = watchFrame(ui.context, session.live(), window.items,
+                               {session.width(), session.height(), window.time, missing, window.index(),
+                                window.target, window.layer});
     for (std::size_t i = 0; i < missing.size(); ++i) window.asked[i] = window.asked[i] || missing[i];
     if (!missing.empty()) window.isDrawn = window.answer.isExecuted;
     window.problem = window.answer.problem;
@@ -142,84 +142,6 @@ void watch(Ui& ui, FrameWindow& window) {
     // Only now: the range follows from this content.
     if (const auto withOwnRange = std::exchange(window.begins, std::nullopt))
         window.view.begin(*withOwnRange);
-}
-
-std::string label(const FrameItem& item) {
-    std::string text = item.number > 0 ? fmt::format("{} {}", item.title, item.number) : item.title;
-    if (!item.program.empty() && item.kind == FrameItem::Kind::draw) text += "  " + item.program;
-    if (item.place.line > 0) text += fmt::format("  line {}", item.place.line);
-    return text;
-}
-
-void thumbnail(const FrameWindow& window, std::size_t index, const ImVec2& at, const ImVec2& room) {
-    if (index >= window.thumbnails.size() || !window.thumbnails[index]) return;
-    const gpu::Texture& texture = *window.thumbnails[index];
-    const auto width = static_cast<float>(texture.size().width),
-               height = static_cast<float>(texture.size().height);
-    const float scale = std::min(room.x / width, room.y / height);
-    const ImVec2 from(at.x + (room.x - scale * width) / 2, at.y + (room.y - scale * height) / 2);
-    ImGui::GetWindowDrawList()->AddImage(idOf(texture), from,
-                                         {from.x + scale * width, from.y + scale * height}, {0, 1}, {1, 0});
-}
-
-void row(Ui& ui, FrameWindow& window, std::size_t index) {
-    const FrameItem& item = window.items[index];
-    const bool isPass = item.kind == FrameItem::Kind::pass;
-    const float height = (isPass || !item.isInPass() ? 44.F : 34.F) * ui.shared.scale;
-    const bool isExecuted = index >= window.isDrawn.size() || window.isDrawn[index];
-    ImGui::PushID(item.key.c_str());
-    const ImVec2 at = ImGui::GetCursorPos();
-    const float indent = item.isInPass() ? 14 * ui.shared.scale : 0;
-    ImGui::SetCursorPosX(at.x + indent);
-    const ImVec2 screen = ImGui::GetCursorScreenPos();
-    if (ImGui::Selectable("##row", item.key == window.chosen, 0, {0, height})) {
-        if (isPass && item.key == window.chosen) {
-            if (isFolded(window, item.key))
-                std::erase(window.folded, item.key);
-            else
-                window.folded.push_back(item.key);
-        }
-        window.choose(item);
-    }
-    mark(ui, "frame/item/{}", item.key);
-    if (item.key == window.chosen && ImGui::IsWindowAppearing()) ImGui::SetScrollHereY();
-    if (ImGui::IsItemHovered() && !isExecuted)
-        ImGui::SetTooltip("nothing of it is drawn: it is out of sight, or its program failed");
-    const float wide = height * 1.5F;
-    thumbnail(window, index, screen, {wide, height - 2});
-    std::string text = label(item);
-    if (isPass && isFolded(window, item.key)) text += "  ...";
-    const ImU32 color = ImGui::GetColorU32(isExecuted ? ImGuiCol_Text : ImGuiCol_TextDisabled);
-    const float line = ImGui::GetTextLineHeight();
-    ImGui::PushStyleColor(ImGuiCol_Text, color);
-    lineOfText(text.c_str(), {screen.x + wide + 6 * ui.shared.scale, screen.y + (height - line) / 2},
-               ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x);
-    ImGui::PopStyleColor();
-    ImGui::PopID();
-}
-
-/// The keys up and down choose the item before and after.
-void chooseByKeys(FrameWindow& window, const std::vector<std::size_t>& rows) {
-    if (!ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows) || ImGui::IsAnyItemActive()) return;
-    const int step = (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_DownArrow)) ? 1 : 0) -
-                     (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_UpArrow)) ? 1 : 0);
-    if (step == 0 || rows.empty()) return;
-    const auto found = std::find(rows.begin(), rows.end(), window.index().value_or(rows.front()));
-    const auto now = static_cast<int>(found == rows.end() ? 0 : found - rows.begin());
-    const int next = std::clamp(now + step, 0, static_cast<int>(rows.size()) - 1);
-    window.choose(window.items[rows[static_cast<std::size_t>(next)]]);
-}
-
-void list(Ui& ui, FrameWindow& window) {
-    std::vector<std::size_t> rows;
-    bool isHidden = false;
-    for (std::size_t i = 0; i < window.items.size(); ++i) {
-        const FrameItem& each = window.items[i];
-        if (!each.isInPass()) isHidden = isFolded(window, each.key);
-        if (!each.isInPass() || !isHidden) rows.push_back(i);
-    }
-    chooseByKeys(window, rows);
-    for (const std::size_t each : rows) row(ui, window, each);
 }
 
 void chooseTarget(Ui& ui, FrameWindow& window, const FrameItem& item) {
@@ -239,10 +161,20 @@ void chooseTarget(Ui& ui, FrameWindow& window, const FrameItem& item) {
         }
         ImGui::EndCombo();
     }
-    ImGui::SameLine();
+    if (window.answer.layers > 1) {
+        besideIfRoom(170 * ui.shared.scale);
+        wordBefore("layer");
+        ImGui::SetNextItemWidth(120 * ui.shared.scale);
+        double layer = std::min(window.layer, window.answer.layers - 1);
+        if (labelledSlider(ui, "##layer", "frame/layer",
+                           {0, static_cast<double>(window.answer.layers - 1), true}, layer))
+            window.layer = static_cast<int>(std::lround(layer));
+    }
+    besideIfRoom(190 * ui.shared.scale);
+    wordBefore("Show");
     ImGui::SetNextItemWidth(150 * ui.shared.scale);
-    const bool shows = ImGui::BeginCombo("Show", std::string(nameInFrame(window.shows)).c_str());
-    markField(ui, "frame/show", "Show");
+    const bool shows = ImGui::BeginCombo("##show", std::string(nameInFrame(window.shows)).c_str());
+    mark(ui, "frame/show");
     if (!shows) return;
     for (int i = 0; i < kDebugViewCount; ++i) {
         const auto kind = static_cast<DebugView>(i);
@@ -256,7 +188,7 @@ void chooseTarget(Ui& ui, FrameWindow& window, const FrameItem& item) {
 void heading(Ui& ui, FrameWindow& window, const FrameItem& item) {
     if (!item.targets.empty()) {
         chooseTarget(ui, window, item);
-        ImGui::SameLine();
+        besideIfRoom(100 * ui.shared.scale);
     }
     ImGui::Checkbox("Highlight", &window.highlights);
     mark(ui, "frame/highlight");
@@ -264,11 +196,11 @@ void heading(Ui& ui, FrameWindow& window, const FrameItem& item) {
         ImGui::SetTooltip(
             "The pixels of the chosen draw: orange where it passes the tests, blue where something hides it");
     if (item.place.line > 0) {
-        ImGui::SameLine();
+        besideIfRoom(60 * ui.shared.scale);
         if (ImGui::SmallButton("Source")) showSource(ui, item.place);
         mark(ui, "frame/source");
     }
-    std::string text = label(item);
+    std::string text = labelOf(item);
     if (const auto& mask = window.answer.mask)
         text += fmt::format("   {} pixels, {} hidden", mask->passedPixels, mask->hiddenPixels);
     if (ui.session.isMoving()) text += fmt::format("   as at {:.2f} s", window.time);
@@ -320,8 +252,19 @@ void tabs(Ui& ui, FrameWindow& window) {
     };
     tab("Pixel", "frame/tab/pixel", [&] { framePixel(ui, window); });
     tab("State", "frame/tab/state", [&] { frameState(ui, window); });
+    tab("Try", "frame/tab/try", [&] { frameTrial(ui, window); });
     tab("Mesh", "frame/tab/mesh", [&] { frameMesh(ui, window); });
     ImGui::EndTabBar();
+}
+
+/// The border between the picture and the tabs, which is dragged.
+void splitter(Ui& ui, FrameWindow& window, float whole) {
+    constexpr float kLeast = .25F, kMost = .8F;
+    ImGui::InvisibleButton("split", {-1, 5 * ui.shared.scale});
+    markPlace(ui, "frame/split");
+    if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
+    if (ImGui::IsItemActive() && whole > 1)
+        window.upperPart = std::clamp(window.upperPart + ImGui::GetIO().MouseDelta.y / whole, kLeast, kMost);
 }
 
 void frameWindow(Ui& ui, FrameWindow& window, bool& isOpen) {
@@ -332,16 +275,17 @@ void frameWindow(Ui& ui, FrameWindow& window, bool& isOpen) {
         markWindow(ui, "frameWindow");
         const ImVec2 room = ImGui::GetContentRegionAvail();
         ImGui::BeginChild("items", {std::max(150.F, room.x * .36F), 0}, true);
-        list(ui, window);
+        frameList(ui, window);
         ImGui::EndChild();
         ImGui::SameLine();
         ImGui::BeginGroup();
         if (const FrameItem* item = window.item()) {
             heading(ui, window, *item);
-            const float top = std::max(120.F, (ImGui::GetContentRegionAvail().y) * .6F);
-            ImGui::BeginChild("target", {0, top});
+            const float whole = ImGui::GetContentRegionAvail().y;
+            ImGui::BeginChild("target", {0, std::max(120.F, whole * window.upperPart)});
             target(ui, window);
             ImGui::EndChild();
+            splitter(ui, window, whole);
             tabs(ui, window);
         }
         ImGui::EndGroup();
@@ -370,8 +314,8 @@ class FramePanel final : public Panel {
         ImGui::GetBackgroundDrawList()->AddImage(idOf(*window_.overlay), {at[0], at[1]},
                                                  {at[0] + at[2], at[1] + at[3]}, {0, 1}, {1, 0});
     }
-    void addTo(nlohmann::ordered_json& state, const Ui& /*ui*/) const override {
-        if (isOpen) state["frame"] = frameJson(window_);
+    void addTo(nlohmann::ordered_json& state, const Ui& ui) const override {
+        if (isOpen) state["frame"] = frameJson(ui, window_);
     }
     void releaseDevice() override { window_ = {}; }
 
@@ -391,6 +335,10 @@ std::optional<std::size_t> FrameWindow::index() const {
     return std::nullopt;
 }
 
+bool FrameWindow::isFolded(const std::string& key) const {
+    return std::find(folded.begin(), folded.end(), key) != folded.end();
+}
+
 const FrameItem* FrameWindow::item() const {
     const auto found = index();
     return found ? &items[*found] : nullptr;
@@ -406,6 +354,7 @@ void FrameWindow::choose(const FrameItem& item) {
     const std::string shown = nameOfTarget(before);
     if (before != nullptr && before->step.pass != item.step.pass) {
         target = 0;
+        layer = 0;
         pixel.reset();
     }
     chosen = item.key;

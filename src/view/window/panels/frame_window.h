@@ -2,6 +2,7 @@
 // The state of the window "Frame", and its parts: the list of what the frame executes, what the chosen item
 // left, a pixel, the state and the mesh of a draw.
 
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -27,8 +28,10 @@ struct FrameWindow {
     std::string chosen;                    ///< the key of an item; empty: none
     std::vector<std::string> folded;       ///< keys of the passes whose draws are not listed
     std::size_t target = 0;                ///< index into the targets of the chosen item
+    int layer = 0;                         ///< of that target, if the pass draws into all of its layers
     DebugView shows = DebugView::picture;  ///< `picture`: what the target holds
     bool highlights = true;
+    float upperPart = .6F;  ///< of the height, for the picture above the tabs
 
     std::string watchedFor, listedFor;  ///< what the following was made for
     FrameAnswer answer;
@@ -55,6 +58,14 @@ struct FrameWindow {
     float turn = 30, tilt = 20, distance = 1;  ///< degrees; how far the mesh is from the eye
     std::size_t firstRow = 0;
 
+    /// GPU times of the items by their keys, as they were measured last.
+    struct Times {
+        int decimals = 3;
+        bool isEstimate = false;
+        std::map<std::string, double> milliseconds;
+    } times;
+
+    [[nodiscard]] bool isFolded(const std::string& key) const;
     /// The chosen item; null if there is none.
     [[nodiscard]] const FrameItem* item() const;
     [[nodiscard]] std::optional<std::size_t> index() const;
@@ -64,12 +75,17 @@ struct FrameWindow {
 /// The draw of the plan that the item is; null for other items.
 const plan::PlannedDraw* plannedDraw(const plan::FramePlan& plan, const FrameItem& item);
 
+/// "Cylinder 2  Sunlit  line 34".
+std::string labelOf(const FrameItem& item);
+void frameList(Ui& ui, FrameWindow& window);
+
 // The tabs below the picture.
 void framePixel(Ui& ui, FrameWindow& window);
 void frameState(Ui& ui, const FrameWindow& window);
+void frameTrial(Ui& ui, const FrameWindow& window);
 void frameMesh(Ui& ui, FrameWindow& window);
 
 /// For `--state`.
-nlohmann::ordered_json frameJson(const FrameWindow& window);
+nlohmann::ordered_json frameJson(const Ui& ui, const FrameWindow& window);
 
 }  // namespace glibra::view

@@ -216,6 +216,8 @@ class InspectorWindow final : public Panel {
         isOpen = true;
         inspector_.chosen = *ui.wanted.inspected;
         inspector_.level = inspector_.layer = 0;
+        if (ui.session.hasScene())
+            inspector_.view.begin(needsRange(ui.session.live(), chosenOf(ui, inspector_)));
     }
     void show(Ui& ui) override { inspectorWindow(ui, inspector_, isOpen); }
     void addTo(nlohmann::ordered_json& state, const Ui& /*ui*/) const override {

@@ -3,6 +3,7 @@
 #include <glad/gl.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -86,8 +87,13 @@ void labelOverlay(Ui& ui, LabelOverlay& overlay) {
     if (!overlay.texture) return;
     // The picture is blitted pixel by pixel; so is the block.
     const float pixels = ImGui::GetIO().DisplayFramebufferScale.x;  // per unit of the screen
-    const ImVec2 at((std::round(ui.frame.picture[0] * pixels) + static_cast<float>(block.left)) / pixels,
-                    (std::round(ui.frame.picture[1] * pixels) + static_cast<float>(block.top)) / pixels);
+    ImVec2 at((std::round(ui.frame.picture[0] * pixels) + static_cast<float>(block.left)) / pixels,
+              (std::round(ui.frame.picture[1] * pixels) + static_cast<float>(block.top)) / pixels);
+    // Beside a source that stands over the picture.
+    if (at.x < ui.frame.covered)
+        at.x = std::max(at.x, std::min(std::round(ui.frame.covered + 4 * ui.shared.scale),
+                                       ui.frame.picture[0] + ui.frame.picture[2] -
+                                           static_cast<float>(block.width) / pixels));
     const ImVec2 end(at.x + static_cast<float>(block.width) / pixels,
                      at.y + static_cast<float>(block.height) / pixels);
     ImGui::GetBackgroundDrawList()->AddImage(

@@ -138,6 +138,7 @@ void showAll(Ui& ui) {
     frame.translation.clear();
     frame.hoverText.clear();
     frame.isFollowed = false;
+    frame.covered = 0;
     shortcuts(ui);
     for (const PanelUse& each : ui.panels) each.panel->update(ui);
     ui.wanted = {};

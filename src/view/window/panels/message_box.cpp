@@ -51,7 +51,7 @@ void showMessages(Ui& ui, MessageBox& box) {
     for (const std::string& each : box.texts) ImGui::TextUnformatted(each.c_str());
     ImGui::PopTextWrapPos();
     ImGui::Spacing();
-    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+    if (ImGui::IsWindowAppearing()) giveKeyboardToNext();
     if (ImGui::Button("OK", {80 * ui.shared.scale, 0}) || isKeyPressed(GLFW_KEY_ENTER) ||
         isKeyPressed(GLFW_KEY_ESCAPE)) {
         box.isShown = false;

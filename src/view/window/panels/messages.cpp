@@ -275,9 +275,12 @@ void errorBanner(Ui& ui, std::string& banner) {
 
     const ImGuiStyle& style = ImGui::GetStyle();
     const float height = std::ceil(ImGui::GetTextLineHeight() + 2 * style.FramePadding.y + 4);
-    ImGui::SetNextWindowPos({ui.frame.picture[0], ui.frame.picture[1] + ui.frame.picture[3]},
-                            ImGuiCond_Always, {0, 1});
-    ImGui::SetNextWindowSize({ui.frame.picture[2], height});
+    const Rectangle& picture = ui.frame.picture;
+    const float end = picture[0] + picture[2];
+    // Where the picture is seen.
+    const float left = std::clamp(ui.frame.covered, picture[0], std::max(picture[0], end - 1));
+    ImGui::SetNextWindowPos({left, picture[1] + picture[3]}, ImGuiCond_Always, {0, 1});
+    ImGui::SetNextWindowSize({end - left, height});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
     ImGui::PushStyleColor(ImGuiCol_WindowBg, packed(palette().banner));
@@ -285,7 +288,7 @@ void errorBanner(Ui& ui, std::string& banner) {
         ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
         ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav;
     if (ImGui::Begin("##banner", nullptr, kFlags)) {
-        const bool isClicked = ImGui::InvisibleButton("first error", {ui.frame.picture[2], height});
+        const bool isClicked = ImGui::InvisibleButton("first error", {end - left, height});
         mark(ui, "banner");
         if (ImGui::IsItemHovered()) {
             ui.frame.hoverText = text;
@@ -298,13 +301,13 @@ void errorBanner(Ui& ui, std::string& banner) {
         if (isClicked && !first->place.file.empty() && ui.session.hasScene()) showSource(ui, first->place);
         ImDrawList& draw = *ImGui::GetWindowDrawList();
         const float pad = style.FramePadding.x + 2;
-        const float top = ui.frame.picture[1] + ui.frame.picture[3] - height + style.FramePadding.y + 2;
-        const float right = ui.frame.picture[0] + ui.frame.picture[2] - pad;
+        const float top = picture[1] + picture[3] - height + style.FramePadding.y + 2;
+        const float right = end - pad;
         const float moreLeft = more.empty() ? right : right - ImGui::CalcTextSize(more.c_str()).x;
         const ImU32 color = packed(palette().bannerText);
         draw.AddText({moreLeft, top}, color, more.c_str());
         ImGui::PushStyleColor(ImGuiCol_Text, color);
-        lineOfText(text.c_str(), {ui.frame.picture[0] + pad, top}, more.empty() ? right : moreLeft - pad);
+        lineOfText(text.c_str(), {left + pad, top}, more.empty() ? right : moreLeft - pad);
         ImGui::PopStyleColor();
     }
     ImGui::End();

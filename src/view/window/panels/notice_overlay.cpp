@@ -26,13 +26,16 @@ class NoticeOverlay final : public Panel {
         if (!isShown_) return;
         ui.frame.isFollowed = true;  // until it goes
         const float gap = 8 * ui.shared.scale;
-        ImGui::SetNextWindowPos({ui.frame.room[0] + gap, ui.frame.room[1] + gap});
+        // Not over the tabs of the source.
+        const Rectangle& room = ui.frame.room;
+        const float left = std::max(room[0], ui.frame.covered);
+        ImGui::SetNextWindowPos({left + gap, room[1] + gap});
         ImGui::SetNextWindowBgAlpha(.9F);
         if (ImGui::Begin("##notice", nullptr,
                          ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                              ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoInputs |
                              ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing)) {
-            ImGui::PushTextWrapPos(std::max(100.F, ui.frame.room[2] - 4 * gap));
+            ImGui::PushTextWrapPos(std::max(100.F, room[0] + room[2] - left - 4 * gap));
             if (ui.notice.isError) ImGui::PushStyleColor(ImGuiCol_Text, asVector(palette().error));
             ImGui::TextUnformatted(text_.c_str());
             if (ui.notice.isError) ImGui::PopStyleColor();

@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -59,8 +60,11 @@ std::string save(Ui& ui, fs::path target) {
 
 fs::path ownFolder(const Ui& ui) {
     if (ui.session.hasScene() && !isExample(ui.session.path())) return ui.session.path().parent_path();
+    std::error_code failure;
     for (const std::string& each : ui.settings.recent)
-        if (!isExample(each)) return fs::path(each).parent_path();
+        if (const fs::path folder = fs::path(each).parent_path();
+            !isExample(each) && fs::is_directory(folder, failure))
+            return folder;
     const char* home = std::getenv("HOME");
     return home ? home : ".";
 }

@@ -11,7 +11,8 @@ struct Ui;
 void saveScene(Ui& ui);
 /// Asks where to save the scene with its values, and opens the result in a tab.
 void saveSceneAs(Ui& ui);
-/// Where users keep their own scenes: beside this one, unless it is an example.
+/// Where users keep their own scenes: beside this one, unless it is an example; else beside a recent one
+/// whose folder is there.
 std::filesystem::path ownFolder(const Ui& ui);
 
 }  // namespace glibra::view

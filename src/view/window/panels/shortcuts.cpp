@@ -92,7 +92,10 @@ void shortcuts(Ui& ui) {
     if (!isTyping) holdKeys(ui);
     const bool isSpaceTaken = takesSpace(ui);
     for (const Display::KeyPress& each : pressed) {
-        if (each.key == GLFW_KEY_SPACE && !each.control && isSpaceTaken) continue;
+        if (each.key == GLFW_KEY_SPACE && !each.control && isSpaceTaken) {
+            ui.sliders.isSpacePressed = true;
+            continue;
+        }
         const bool isPlain = !isTyping && !each.control && !each.shift;
         const std::string name = isPlain ? keyName(each.key) : std::string();
         if (name.empty() || !ui.session.pressKey(name)) press(ui, each, isTyping);

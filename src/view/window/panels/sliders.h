@@ -32,6 +32,9 @@ struct Sliders {
     double moves = 0;         ///< by keys of this frame, as a part of the scale
     std::optional<bool> end;  ///< keys of this frame: to the minimum (false), to the maximum (true)
     bool isTyped = false, wasClicked = false, reveals = false;
+    /// The space bar, for the stop that has the keyboard. ImGui does not see a key that goes up again within
+    /// a frame.
+    bool isSpacePressed = false;
     bool wantsMenu = false;     ///< the menu of the focused value, by its key
     std::string typing;         ///< the slider that is a text field now: "uniform/Dots/uKd/0"
     bool typingBegins = false;  ///< the text field needs the keyboard focus

@@ -43,8 +43,9 @@ void fileTabs(Ui& ui, SourceState& panel) {
         ImGuiTabItemFlags flags = isChanged ? ImGuiTabItemFlags_UnsavedDocument : 0;
         if (panel.follow && each.path == panel.chosen) flags |= ImGuiTabItemFlags_SetSelected;
         if (isWrong) ImGui::PushStyleColor(ImGuiCol_Text, asVector(palette().error));
-        const bool isShown =
-            ImGui::BeginTabItem((each.label + "###" + each.path.string()).c_str(), nullptr, flags);
+        // ImGui leaves no room for the point of what is not saved.
+        const std::string label = each.label + (isChanged ? "    ###" : "###") + each.path.string();
+        const bool isShown = ImGui::BeginTabItem(label.c_str(), nullptr, flags);
         if (isWrong) ImGui::PopStyleColor();
         mark(ui, "source/file/" + each.label);
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s\n%s", each.role.c_str(), each.path.c_str());

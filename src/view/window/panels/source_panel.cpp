@@ -229,6 +229,9 @@ void sourcePanel(Ui& ui, SourceState& panel, Rectangle& free) {
                                                      : "Source over";
     constexpr float kOpaque = .86F;  // over the picture
     if (place == SourcePlace::over) ImGui::SetNextWindowBgAlpha(kOpaque);
+    // Its border is dragged; a grip in the corner would be at the wrong end.
+    constexpr std::array kGrips{ImGuiCol_ResizeGrip, ImGuiCol_ResizeGripHovered, ImGuiCol_ResizeGripActive};
+    for (const ImGuiCol each : kGrips) ImGui::PushStyleColor(each, ImVec4(0, 0, 0, 0));
     if (ImGui::Begin(name, nullptr,
                      ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
                          ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollbar |
@@ -242,9 +245,13 @@ void sourcePanel(Ui& ui, SourceState& panel, Rectangle& free) {
     }
     const float extent = isAcross ? ImGui::GetWindowWidth() : ImGui::GetWindowHeight();
     ImGui::End();
+    ImGui::PopStyleColor(static_cast<int>(kGrips.size()));
     // What the user has dragged; rounding changes nothing.
     if (std::abs(extent - wanted) > 1) part = std::clamp(extent / room, kLeastSource, kMostSource);
-    if (place == SourcePlace::over) return;
+    if (place == SourcePlace::over) {
+        ui.frame.covered = free[0] + extent;
+        return;
+    }
     free[isAcross ? 2 : 3] -= extent;
     if (isAcross) free[0] += extent;
 }

@@ -111,6 +111,7 @@ void beginStops(Ui& ui) {
     Sliders& sliders = ui.sliders;
     sliders.activated = 0;
     sliders.wantsMenu = false;
+    const bool isSpace = std::exchange(sliders.isSpacePressed, false);
     const ImGuiIO& io = ImGui::GetIO();
     const bool isElsewhere = ui.shared.question || !ImGui::GetCurrentContext()->OpenPopupStack.empty();
     if (isElsewhere || io.KeyAlt || io.KeyCtrl || sliders.drawn.empty()) return;
@@ -123,7 +124,6 @@ void beginStops(Ui& ui) {
     if (now->isValue) return;
     const bool isEnter = (isKeyPressed(GLFW_KEY_ENTER, false) || isKeyPressed(GLFW_KEY_KP_ENTER, false)) &&
                          !isUsedByScene(ui, "enter");
-    const bool isSpace = isKeyPressed(GLFW_KEY_SPACE, false) && !isUsedByScene(ui, "space");
     if (!isEnter && !isSpace) return;
     sliders.activated = now->id;
     activateItem(now->id, now->isEntry);

@@ -12,6 +12,7 @@
 
 #include "view/window/panels/ui.h"
 #include "view/window/panels/value_slider.h"
+#include "view/window/platform/theme.h"
 
 namespace glibra::view {
 namespace {
@@ -23,18 +24,20 @@ std::string named(std::string_view name, const char* widget) {
 }
 
 void displaySettings(Ui& ui, TexelView& view, std::string_view name) {
-    ImGui::PushItemWidth(90 * ui.shared.scale);
+    ImGui::PushItemWidth(72 * ui.shared.scale);
     int channels = static_cast<int>(view.display.channels);
     if (ImGui::Combo("##channels", &channels, "RGB\0red\0green\0blue\0alpha\0"))
         view.display.channels = static_cast<Channels>(channels);
     mark(ui, named(name, "channels"));
     ImGui::SameLine();
-    ImGui::InputDouble("black", &view.display.low, 0, 0, "%.5g");
-    markField(ui, named(name, "low"), "black");
-    ImGui::SameLine();
-    ImGui::InputDouble("white", &view.display.high, 0, 0, "%.5g");
-    markField(ui, named(name, "high"), "white");
-    ImGui::SameLine();
+    const auto bound = [&](const char* label, const char* widget, double& value) {
+        wordBefore(label);
+        ImGui::InputDouble(fmt::format("##{}", widget).c_str(), &value, 0, 0, "%.5g");
+        mark(ui, named(name, widget));
+        ImGui::SameLine();
+    };
+    bound("black", "low", view.display.low);
+    bound("white", "high", view.display.high);
     if (ImGui::Button("Fit range")) view.wantsRange = true;
     mark(ui, named(name, "fitRange"));
     if (ImGui::IsItemHovered())
@@ -43,6 +46,35 @@ void displaySettings(Ui& ui, TexelView& view, std::string_view name) {
     if (ImGui::Button("0..1")) view.display.low = 0, view.display.high = 1;
     mark(ui, named(name, "unitRange"));
     ImGui::PopItemWidth();
+    besideIfRoom(ImGui::GetFrameHeight() + ImGui::CalcTextSize("GLSL").x +
+                 2 * ImGui::GetStyle().ItemSpacing.x);
+    ImGui::Checkbox("GLSL", &view.asksForExpression);
+    mark(ui, named(name, "glsl"));
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("Show what an expression of GLSL makes of each texel, such as color.rgb * 10");
+}
+
+/// The expression that the texels are shown by. It is computed when its text or the content has changed.
+void display(Ui& ui, TexelView& view, const render::Content& content, std::string_view name) {
+    if (view.asksForExpression) {
+        ImGui::SetNextItemWidth(-1);
+        ImGui::InputTextWithHint("##expression", "color.rgb * 10    color, near(1, 0), texel, st, size",
+                                 view.expression.data(), view.expression.size());
+        mark(ui, named(name, "expression"));
+    }
+    const std::string wanted = view.asksForExpression ? view.expression.data() : "";
+    if (wanted != view.displayedFor) {
+        view.displayedFor = wanted;
+        view.displayed = wanted.find_first_not_of(' ') == std::string::npos
+                             ? Displayed{}
+                             : displayedBy(ui.context, content, wanted);
+        view.shown.reset();
+    }
+    if (view.displayed.problem.empty()) return;
+    ImGui::PushStyleColor(ImGuiCol_Text, asVector(palette().error));
+    ImGui::TextWrapped("%s", view.displayed.problem.c_str());
+    ImGui::PopStyleColor();
+    markPlace(ui, named(name, "expressionProblem"));
 }
 
 std::string texelText(const render::Content& content, std::size_t column, std::size_t row) {
@@ -88,24 +120,23 @@ void sizeSettings(Ui& ui, TexelView& view, const render::Content& content, std::
     if (ImGui::Button("1:1")) view.fits = false, view.zoom = 1;
     mark(ui, named(name, "actualSize"));
     ImGui::SameLine();
+    wordBefore("zoom");
     ImGui::SetNextItemWidth(110 * ui.shared.scale);
     double zoom = static_cast<double>(view.zoom);
-    if (labelledSlider(ui, "zoom", named(name, "zoom").c_str(), {kFarthest, kNearest, false, true}, zoom)) {
+    if (labelledSlider(ui, "##zoom", named(name, "zoom").c_str(), {kFarthest, kNearest, false, true}, zoom)) {
         view.fits = false;
         view.zoom = static_cast<float>(zoom);
     }
     ImGui::SameLine();
-    ImGui::Text("%d x %d   %s", content.width, content.height, view.hovered.c_str());
+    const std::string size = fmt::format("{} x {}", content.width, content.height);
+    besideIfRoom(ImGui::CalcTextSize(size.c_str()).x);
+    ImGui::TextUnformatted(
+        shortened(view.hovered.empty() ? size : size + "   " + view.hovered, ImGui::GetContentRegionAvail().x)
+            .c_str());
     const NonFiniteTexels bad = countNonFinite(content);
     if (bad.nan + bad.infinite > 0)
         ImGui::TextColored({1, .4F, .9F, 1}, "%d texels are NaN (magenta), %d infinite (cyan)", bad.nan,
                            bad.infinite);
-}
-
-void drawTexture(const gpu::Texture& texture, const ImVec2& at, const ImVec2& size) {
-    ImGui::GetWindowDrawList()->AddImage(
-        std::bit_cast<ImTextureID>(static_cast<std::uintptr_t>(texture.id())), at,
-        {at.x + size.x, at.y + size.y}, {0, 1}, {1, 0});
 }
 
 void ring(const Ui& ui, const TexelView& view, const render::Content& content, const ImVec2& at) {
@@ -117,13 +148,13 @@ void ring(const Ui& ui, const TexelView& view, const render::Content& content, c
     ImGui::GetWindowDrawList()->AddCircle(middle, radius, IM_COL32_WHITE, 0, 1.5F * ui.shared.scale);
 }
 
-void upload(Ui& ui, TexelView& view, const TexelSource& source) {
+void upload(Ui& ui, TexelView& view, const TexelSource& source, const render::Content& content) {
     if (std::exchange(view.wantsRange, false))
-        std::tie(view.display.low, view.display.high) = rangeOf(source.content, view.display.channels);
+        std::tie(view.display.low, view.display.high) = rangeOf(content, view.display.channels);
     if (view.shown && view.shownDisplay == view.display) return;
     view.shown =
-        textureOfBytes(ui, source.content.width, source.content.height,
-                       source.colors != nullptr ? *source.colors : screenBytes(source.content, view.display));
+        textureOfBytes(ui, content.width, content.height,
+                       source.colors != nullptr ? *source.colors : screenBytes(content, view.display));
     view.shownDisplay = view.display;
 }
 
@@ -135,6 +166,12 @@ void TexelView::begin(bool withOwnRange) {
     display = {};
     shown.reset();
     marked.reset();
+}
+
+void drawTexture(const gpu::Texture& texture, const std::array<float, 4>& at) {
+    ImGui::GetWindowDrawList()->AddImage(
+        std::bit_cast<ImTextureID>(static_cast<std::uintptr_t>(texture.id())), {at[0], at[1]},
+        {at[0] + at[2], at[1] + at[3]}, {0, 1}, {1, 0});
 }
 
 std::optional<gpu::Texture> textureOfBytes(Ui& ui, int width, int height,
@@ -151,10 +188,14 @@ std::optional<gpu::Texture> textureOfBytes(Ui& ui, int width, int height,
 
 void texelView(Ui& ui, TexelView& view, const TexelSource& source, std::string_view name) {
     view.clicked.reset();
-    const render::Content& content = source.content;
-    upload(ui, view, source);
+    if (source.colors == nullptr) {
+        displaySettings(ui, view, name);
+        display(ui, view, source.content, name);
+    }
+    const bool isComputed = source.colors == nullptr && view.displayed.content;
+    const render::Content& content = isComputed ? *view.displayed.content : source.content;
+    upload(ui, view, source, content);
     if (!view.shown) return;
-    if (source.colors == nullptr) displaySettings(ui, view, name);
     sizeSettings(ui, view, content, name);
     const auto width = static_cast<float>(content.width), height = static_cast<float>(content.height);
     if (view.fits) {
@@ -170,8 +211,8 @@ void texelView(Ui& ui, TexelView& view, const TexelSource& source, std::string_v
     const ImVec2 size(std::max(1.F, width * view.zoom), std::max(1.F, height * view.zoom));
     ImGui::InvisibleButton("texels", size);
     mark(ui, named(name, "image"));
-    drawTexture(*view.shown, at, size);
-    if (source.overlay != nullptr) drawTexture(*source.overlay, at, size);
+    drawTexture(*view.shown, {at.x, at.y, size.x, size.y});
+    if (source.overlay != nullptr) drawTexture(*source.overlay, {at.x, at.y, size.x, size.y});
     if (view.marked) ring(ui, view, content, at);
     view.hovered.clear();
     const ImVec2 mouse = ImGui::GetIO().MousePos;

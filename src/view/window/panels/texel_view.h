@@ -2,6 +2,7 @@
 // Texels on the screen, as large as one likes: the range of values that is shown, the channels, zoom and pan,
 // and the numbers under the mouse.
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -12,6 +13,7 @@
 
 #include "gpu/object/texture.h"
 #include "render/check/content.h"
+#include "view/debug_view/display_expression.h"
 #include "view/debug_view/texels.h"
 
 namespace glibra::view {
@@ -28,8 +30,17 @@ struct TexelView {
     std::optional<std::pair<int, int>> marked;   ///< a ring is drawn around this texel
     std::optional<gpu::Texture> shown;
 
+    bool asksForExpression = false;      ///< the field for it is open
+    std::array<char, 256> expression{};  ///< GLSL (displayedBy); empty: the texels as they are
+    Displayed displayed;                 ///< by the expression `displayedFor`
+    std::string displayedFor;
+
     /// The content is another one: the texture is made anew.
-    void forget() { shown.reset(); }
+    void forget() {
+        shown.reset();
+        displayed = {};
+        displayedFor.clear();
+    }
     /// For another object: its own range, the whole of it.
     void begin(bool withOwnRange);
 
@@ -39,8 +50,8 @@ struct TexelView {
 
 struct TexelSource {
     const render::Content& content;  ///< bottom row first
-    const std::vector<std::uint8_t>* colors =
-        nullptr;  ///< opaque RGBA to show in its place; null: its values
+    /// Opaque RGBA to show in its place; null: its values, or what the expression of the view makes of them.
+    const std::vector<std::uint8_t>* colors = nullptr;
     /// The text about a texel (x, y, from the lower left corner); without it its numbers.
     std::function<std::string(int x, int y)> words{};
     const gpu::Texture* overlay = nullptr;  ///< of the same size, drawn over it
@@ -48,6 +59,9 @@ struct TexelSource {
 
 /// `name` begins the names of the widgets: "inspector".
 void texelView(Ui& ui, TexelView& view, const TexelSource& source, std::string_view name);
+
+/// Draws it at that place (left, top, width, height in screen coordinates) of the current window.
+void drawTexture(const gpu::Texture& texture, const std::array<float, 4>& at);
 
 /// Opaque or transparent RGBA bytes, bottom row first, as a texture that is magnified without filtering;
 /// nothing without memory.

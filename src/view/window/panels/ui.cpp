@@ -48,7 +48,11 @@ void mark(Ui& ui, std::string_view name) {
 
 void markPlace(Ui& ui, std::string_view name) {
     if (!ui.shared.marksWidgets || !ImGui::IsItemVisible()) return;
-    if (ui.sliders.focused != 0 && ImGui::GetItemID() == ui.sliders.focused) ui.frame.focusedName = name;
+    // In menus and lists the arrow keys choose.
+    const bool isInPopup = !ImGui::GetCurrentContext()->OpenPopupStack.empty();
+    if (isInPopup ? ImGui::IsItemFocused()
+                  : ui.sliders.focused != 0 && ImGui::GetItemID() == ui.sliders.focused)
+        ui.frame.focusedName = name;
     const ImVec2 low = ImGui::GetItemRectMin();
     const ImVec2 size = ImGui::GetItemRectSize();
     ui.frame.widgets[std::string(name)] = {low.x, low.y, size.x, size.y};
@@ -97,6 +101,17 @@ void fieldLabel(const char* label) {
     ImGui::TextUnformatted(label);
     ImGui::SameLine(left + column);
     ImGui::SetNextItemWidth(-1);
+}
+
+void wordBefore(const char* word) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(word);
+    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+}
+
+void besideIfRoom(float width) {
+    ImGui::SameLine();
+    if (ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
 }
 
 std::string shortened(const std::string& text, float width) {

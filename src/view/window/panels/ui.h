@@ -52,6 +52,7 @@ struct Frame {
     bool isFollowed = false;      ///< by another frame, because something changes by itself
     Rectangle room{};             ///< what the panels leave free
     Rectangle picture{};          ///< position of the picture in it
+    float covered = 0;            ///< from here to the left the source stands over the room; 0: it does not
     std::map<std::string, Rectangle> widgets;  ///< by name
     std::string focusedName;                   ///< of the widget with the keyboard
     std::string hoverText;                     ///< about what is under the mouse
@@ -116,6 +117,11 @@ bool group(Ui& ui, const char* title, std::string_view name);
 
 /// Draws a label in a column that all fields of the panel share; the next field takes the rest of the row.
 void fieldLabel(const char* label);
+
+/// A word before the next field, in the same row.
+void wordBefore(const char* word);
+/// The next widget stands beside the last one if there is room for that width, otherwise below.
+void besideIfRoom(float width);
 
 /// Sets the initial position and size of the next window, which is never larger than the screen. The values
 /// are screen coordinates at scale 1.

@@ -172,7 +172,7 @@ SliderUse valueSlider(Ui& ui, const char* id, const SliderScale& scale, double& 
 bool sliderEntry(Ui& ui, const char* id, double& value) {
     if (std::exchange(ui.sliders.typingBegins, false)) {
         ui.sliders.typed = value;
-        ImGui::SetKeyboardFocusHere();
+        giveKeyboardToNext();
     }
     const unsigned window = ImGui::GetCurrentContext()->CurrentWindow->RootWindow->ID;
     ui.sliders.drawn.push_back(

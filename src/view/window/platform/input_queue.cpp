@@ -47,15 +47,17 @@ void InputQueue::takeMouse(const Display::InputEvent& event, Frame& frame) {
 InputQueue::Frame InputQueue::next() {
     Frame frame;
     std::vector<int> released;
-    bool isFull = false, hasKeys = false, hasButton = false;
+    bool isFull = false, hasKeys = false, hasButton = false, hasMoved = false, hasAlt = false;
     for (; !waiting_.empty() && !isFull; waiting_.pop_front()) {
         const Display::InputEvent event = waiting_.front();
         const bool isKey = event.kind == EventKind::key || event.kind == EventKind::character;
         if (!isKey) {
             const bool isButton = event.kind == EventKind::button;
-            if (hasButton || (isButton && (hasKeys || !frame.way.empty()))) break;
+            if (hasButton || (isButton && (hasKeys || hasMoved || !frame.way.empty()))) break;
             hasButton = isButton;
+            const std::optional<MousePoint> before = mouse_;
             takeMouse(event, frame);
+            hasMoved = hasMoved || mouse_ != before;
             continue;
         }
         if (hasButton || !frame.way.empty()) break;
@@ -70,6 +72,10 @@ InputQueue::Frame InputQueue::next() {
         const bool edits =
             event.isDown && !isModifier(event.code) &&
             (control || !isPrinted(event.code) || isEitherDown(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT));
+        // Alt alone opens the menu; ImGui has to see it down.
+        const bool isAlt = event.code == GLFW_KEY_LEFT_ALT || event.code == GLFW_KEY_RIGHT_ALT;
+        if (isAlt && !event.isDown && hasAlt) break;
+        hasAlt = hasAlt || (isAlt && event.isDown);
         // What takes such a key, such as the list of words, has to know the text before it.
         if (edits && !frame.characters.empty()) break;
         down_.at(static_cast<std::size_t>(event.code)) = event.isDown;

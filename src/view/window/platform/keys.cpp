@@ -153,6 +153,12 @@ bool isKeyDown(int key) {
     return to != ImGuiKey_None && ImGui::IsKeyDown(to);
 }
 
+void giveKeyboardToNext() {
+    // ImGui 1.90 passes over items outside of the focused window.
+    ImGui::SetWindowFocus();
+    ImGui::SetKeyboardFocusHere();
+}
+
 void keepFromImGui(int key) {
     // ImGui moves its focus only by keys that nobody owns.
     ImGui::SetKeyOwner(keyOf(key), ImHashStr("window"));
@@ -177,8 +183,22 @@ HiddenKeys::~HiddenKeys() {
 
 #else
 
+namespace {
+
+/// In menus and lists Enter does what a click does, as in later versions; in this one it only begins to edit.
+void chooseByEnter(const FrameInput& input) {
+    const ImGuiContext& context = *ImGui::GetCurrentContext();
+    if (context.OpenPopupStack.empty() || context.ActiveId != 0 || context.NavDisableHighlight) return;
+    for (const int key : {GLFW_KEY_ENTER, GLFW_KEY_KP_ENTER})
+        if (isDown(input, key, key) && context.IO.KeysDownDuration[key] < 0)
+            activateItem(context.NavId, false);
+}
+
+}  // namespace
+
 void giveToImGui(const FrameInput& input) {
     ImGuiIO& io = ImGui::GetIO();
+    chooseByEnter(input);
     io.ClearInputCharacters();
     giveText(input.text);
     io.KeyMap[ImGuiKey_Tab] = GLFW_KEY_TAB;
@@ -201,6 +221,10 @@ bool isKeyPressed(int key, bool repeats) {
 
 bool isKeyDown(int key) {
     return ImGui::IsKeyDown(key);
+}
+
+void giveKeyboardToNext() {
+    ImGui::SetKeyboardFocusHere();
 }
 
 void keepFromImGui(int key) {

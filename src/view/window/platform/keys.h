@@ -1,7 +1,7 @@
 #pragma once
 // The keyboard, mouse and text of a frame for Dear ImGui, with keys by their GLFW codes. Dear ImGui has
 // changed how keys are given and asked for (1.87); no other file of the window knows that Debian 12 has 1.86
-// and Debian 13 has 1.91.
+// and Debian 13 has 1.90.
 
 #include <memory>
 #include <span>
@@ -22,6 +22,9 @@ bool isKeyPressed(int key, bool repeats = true);
 
 /// True if the key is down in this frame.
 bool isKeyDown(int key);
+
+/// Gives the keyboard to the next widget of the current window.
+void giveKeyboardToNext();
 
 /// Call it before ImGui::NewFrame(): ImGui does nothing by itself with Tab (its keyboard focus) or Escape
 /// (its menus) in that frame.
