@@ -230,6 +230,7 @@ class Shapes(LayoutTest):
         window = self.open(scene)
         window.resize(520, 800)
         window.wait(lambda s: s["window"] == [520, 800])
+        window.settle()
         window.click("view/shape")
         window.click("view/shape/fill")
         state = window.wait(lambda s: s["picture"] == s["room"] and s["waiting"])
