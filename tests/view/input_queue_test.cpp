@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
 #include <vector>
 
 namespace glibra::view {
@@ -141,6 +142,17 @@ TEST(InputQueue, CharactersGoTogetherAndAKeyThatEditsAlone) {
         charactersAndKeys.emplace_back(each.characters.size(), each.pressed.size());
     EXPECT_EQ(charactersAndKeys,
               (std::vector<std::pair<std::size_t, std::size_t>>{{2, 2}, {0, 1}, {0, 0}, {1, 1}}));
+}
+
+TEST(InputQueue, AFrameHasAWordAtMost) {
+    InputQueue queue;
+    std::vector<Event> typed;
+    for (const char each : std::string("ab  c "))
+        typed.push_back({Event::Kind::character, static_cast<int>(each), true, {}});
+    std::vector<std::string> words;
+    for (const InputQueue::Frame& each : framesOf(queue, typed))
+        words.emplace_back(each.characters.begin(), each.characters.end());
+    EXPECT_EQ(words, (std::vector<std::string>{"ab  ", "c "}));
 }
 
 TEST(InputQueue, AltIsDownForAFrameBeforeItGoesUp) {

@@ -63,6 +63,8 @@ InputQueue::Frame InputQueue::next() {
         if (hasButton || !frame.way.empty()) break;
         hasKeys = true;
         if (event.kind == EventKind::character) {
+            // A word at most, so that undo goes by words however slow frames are.
+            if (event.code != ' ' && !frame.characters.empty() && frame.characters.back() == ' ') break;
             frame.characters.push_back(static_cast<unsigned>(event.code));
             continue;
         }

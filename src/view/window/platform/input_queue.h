@@ -28,10 +28,10 @@ class InputQueue {
     };
 
     void add(std::span<const Display::InputEvent> events);
-    /// The next frame has characters, or at most one key that edits or is pressed with Ctrl or Alt and what
-    /// it types, or at most one change of a button, where the mouse was at that time; a button changes in a
-    /// later frame than the mouse was moved, as some widgets of ImGui take clicks only where they have seen
-    /// the mouse before.
+    /// The next frame has characters of one word, or at most one key that edits or is pressed with Ctrl or
+    /// Alt and what it types, or at most one change of a button, where the mouse was at that time; a button
+    /// changes in a later frame than the mouse was moved, as some widgets of ImGui take clicks only where
+    /// they have seen the mouse before.
     Frame next();
     /// True if further frames are needed for the remaining input.
     [[nodiscard]] bool isWaiting() const { return !waiting_.empty(); }
