@@ -30,7 +30,7 @@ struct OnDevice {
     std::optional<SceneWindow> window;      ///< that the last picture was drawn into
 };
 
-// What stands behind the interface is not exported, unlike its classes.
+// Only the classes of the interface are exported; what they are made of is not.
 #if defined(__GNUC__)
 #define GLIBRA_INSIDE __attribute__((visibility("hidden")))
 #else

@@ -15,7 +15,7 @@ try:
     import yaml
 except ImportError:
     print("skipped: Python's yaml is missing")
-    sys.exit(77)
+    sys.exit("python3-yaml is missing" if os.environ.get("GLIBRA_NO_SKIPS") else 77)
 
 PROGRAM = SOURCE = None
 

@@ -1,10 +1,14 @@
 #!/bin/sh
 # usage: wheel.sh SOURCE_DIR BUILD_DIR   builds the wheel without a network from what BUILD_DIR has compiled, installs it in an
-# empty virtual environment (and NumPy, which it requires, from this system), and draws. Exit status 77: pip is missing.
+# empty virtual environment (and NumPy, which it requires, from this system), and draws. Exit status 77: pip is missing; with
+# GLIBRA_NO_SKIPS set, as by tools/test, that is a failure.
 set -eu
 source=$1
 python=/usr/bin/python3
-$python -c 'import setuptools, pip, venv, wheel, numpy' 2>/dev/null || { echo "skipped: no pip, setuptools or venv"; exit 77; }
+$python -c 'import setuptools, pip, venv, wheel, numpy' 2>/dev/null || {
+    echo "skipped: no pip, setuptools or venv"
+    if [ -n "${GLIBRA_NO_SKIPS-}" ]; then exit 1; else exit 77; fi
+}
 place=$(mktemp -d)
 trap 'rm -rf "$place"' EXIT
 fail() { echo "$*"; cat "$place/log"; exit 1; }
