@@ -13,7 +13,7 @@ if [ "${2-}" = --static ]; then
     # shellcheck disable=SC2086
     configure $none -DBUILD_SHARED_LIBS=OFF -DCMAKE_UNITY_BUILD=ON -DCMAKE_CXX_COMPILER_LAUNCHER="$source/tools/cmake/compile-cached" ||
         fail "a static library cannot be configured"
-    cmake --build "$place/build" --target glibra >"$place/log" 2>&1 || fail "a static library cannot be built"
+    cmake --build "$place/build" --target libglibra.a >"$place/log" 2>&1 || fail "a static library cannot be built"
     cmake --install "$place/build" --prefix "$place/prefix" --component devel >"$place/log" 2>&1 || fail "it cannot be installed"
     rm -r "$place/build"
     scene=$source/glib/start/teapot.glib
