@@ -12,6 +12,7 @@
 #include "classroom/cut_objects.h"
 #include "classroom/pattern_kinds.h"
 #include "classroom/pattern_points.h"
+#include "image/compare/flip.h"
 
 namespace glibra::classroom {
 namespace {
@@ -302,6 +303,19 @@ double likeness(const image::Image& expected, const image::Image& got) {
         best = std::max(best, patternLikeness(nearA, nearB, closely, octaves, sameOutline));
     }
     return std::clamp(std::max(alignedLikeness(a, b), 0.95 * best), 0.0, 1.0);
+}
+
+double reaction(const image::Image& one, const image::Image& other) {
+    const double mean = image::flip(one, other, {.threads = 1}).mean;
+    if (one.width != other.width || one.height != other.height) return mean;
+    const Colors colorsA = colorsOf(one), colorsB = colorsOf(other);
+    const std::optional<Objects> objectsA = findObjects(colorsA), objectsB = findObjects(colorsB);
+    if (!objectsA || !objectsB || colorDistance(objectsA->background, objectsB->background) > 2.5F / 255)
+        return mean;
+    std::size_t shown = 0;
+    for (std::size_t i = 0; i < colorsA.at.size(); ++i)
+        shown += objectsA->isObject[i] != 0 || objectsB->isObject[i] != 0 ? 1 : 0;
+    return std::min(1.0, mean * static_cast<double>(colorsA.at.size()) / static_cast<double>(shown));
 }
 
 }  // namespace glibra::classroom
