@@ -82,7 +82,7 @@ struct Entry {
     /// What was left out of the search for similar code, and why: one phrase each.
     std::vector<std::string> notCompared;
     std::string reproduce;  ///< the command that draws its first picture
-    /// For each slider of the class the mean FLIP between its own pictures; nothing if they were not drawn.
+    /// For each slider of the class the mean reaction of its own pictures; nothing if they were not drawn.
     std::vector<std::optional<double>> reactions{};
     std::vector<RangedUniform> ranges{};
     std::vector<std::string> calls{};  ///< names of the functions that its shaders call, sorted

@@ -182,6 +182,35 @@ std::optional<Objects> findObjects(const Colors& colors) {
     return found;
 }
 
+Objects closer(const Colors& colors, const Objects& objects) {
+    constexpr int kSteps = 8;
+    const int side = std::max(objects.longerSide() / 2, 1);
+    // A side that is shorter than the square stands in its middle.
+    const auto placed = [&](int begin, int end, int step) {
+        const int spare = end - begin + 1 - side;
+        return begin + (spare > 0 ? spare * step / kSteps : spare / 2);
+    };
+    Objects best = objects;
+    double most = -1;
+    for (int i = 0; i <= kSteps; ++i)
+        for (int k = 0; k <= kSteps; ++k) {
+            const int left = placed(objects.left, objects.right, i);
+            const int top = placed(objects.top, objects.bottom, k);
+            double shown = 0;
+            for (int y = std::max(top, 0); y < std::min(top + side, colors.height); ++y)
+                for (int x = std::max(left, 0); x < std::min(left + side, colors.width); ++x)
+                    shown += objects.isObject[colors.index(x, y)];
+            shown -= 0.02 * side * side * std::hypot(i - kSteps / 2, k - kSteps / 2) / kSteps;
+            if (shown <= most) continue;
+            most = shown;
+            best.left = left;
+            best.top = top;
+            best.right = left + side - 1;
+            best.bottom = top + side - 1;
+        }
+    return best;
+}
+
 Scale cutOut(const Colors& colors, const Objects& objects, int detail) {
     const double width = objects.right - objects.left + 1, height = objects.bottom - objects.top + 1;
     const double step = std::max(width, height) / detail;

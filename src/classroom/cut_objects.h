@@ -58,6 +58,10 @@ struct Objects {
 /// The objects of a picture; nothing if there are none.
 std::optional<Objects> findObjects(const Colors& colors);
 
+/// The part of the objects to look at more closely: in a square of half the longer side, where that shows
+/// most of them; of equal places the one nearest to the middle.
+Objects closer(const Colors& colors, const Objects& objects);
+
 /// The objects, cut out and scaled so that their longer side is kSide, with no more detail than `detail`
 /// pixels on that side would have.
 Scale cutOut(const Colors& colors, const Objects& objects, int detail);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "classroom/cut_objects.h"
 #include "classroom/pattern_kinds.h"
 #include "classroom/pattern_points.h"
+#include "image/compare/flip.h"
 
 namespace glibra::classroom {
 namespace {
@@ -23,6 +25,7 @@ constexpr float kEdge = 0.5F;
 constexpr float kShading = 0.15F;   // what the correlation of edges leaves out
 constexpr double kSameSize = 0.3;   // octaves by which the size of a pattern may differ
 constexpr double kOtherSize = 0.6;  // what a pattern keeps that is twice or half as large
+constexpr double kFiner = 0.4;      // octaves from which on the finer pattern is looked at more closely
 
 /// Divides the colours of the objects by their deviation. False if they have one colour.
 bool normalize(Scale& scale) {
@@ -101,50 +104,30 @@ struct Pattern {
     PatternKinds kinds;
     std::array<double, kBends> bends{};  ///< findBends
     double sharp = 0;                    ///< 1 if there are many edges, 0 if there is shading alone
-    double minority = 0;                 ///< share of the rarer of the two main colours, up to 0.5
+    double minority = 0;                 ///< share of the rarer of the two main tones, up to 0.5
+    double repeats = 0;                  ///< repetition of its points
     bool isPlain = false;                ///< the objects have one colour
 };
 
-/// The share of the rarer of two colours that divide the objects best (k-means, from the colours at both ends
-/// of the widest component).
-double minorityOf(const Scale& scale) {
-    std::array<Color, 2> centres{};
-    float range = -1;
-    for (std::size_t k = 0; k < 3; ++k) {
-        float least = 1e9F, largest = -1e9F;
-        std::array<Color, 2> ends{};
-        for (std::size_t i = 0; i < scale.colors.size(); ++i) {
-            if (scale.inside[i] < 1) continue;
-            if (scale.colors[i][k] < least) least = (ends[0] = scale.colors[i])[k];
-            if (scale.colors[i][k] > largest) largest = (ends[1] = scale.colors[i])[k];
-        }
-        if (largest - least > range) {
-            range = largest - least;
-            centres = ends;
-        }
+/// The share of the rarer of the two tones that divide the objects best (k-means in one dimension).
+double minorityOf(const ToneScales& tones) {
+    if (tones.levels.empty()) return 0;
+    std::vector<float> values;
+    for (std::size_t i = 0; i < tones.inside.size(); ++i)
+        if (tones.inside[i] > 0) values.push_back(tones.levels[0][i]);
+    std::sort(values.begin(), values.end());
+    const std::size_t stray = values.size() / 50;
+    double low = values[stray], high = values[values.size() - 1 - stray];
+    const auto count = static_cast<double>(values.size());
+    double lower = 0;  // number of values that are nearer to the lower centre
+    for (int round = 0; round < 10; ++round) {
+        const auto limit =
+            std::upper_bound(values.begin(), values.end(), static_cast<float>((low + high) / 2));
+        lower = static_cast<double>(limit - values.begin());
+        if (lower > 0) low = std::accumulate(values.begin(), limit, 0.0) / lower;
+        if (lower < count) high = std::accumulate(limit, values.end(), 0.0) / (count - lower);
     }
-    std::array<double, 2> counts{};
-    for (int round = 0; round < 8; ++round) {
-        std::array<std::array<double, 3>, 2> sums{};
-        counts = {};
-        for (std::size_t i = 0; i < scale.colors.size(); ++i) {
-            if (scale.inside[i] < 1) continue;
-            const auto squared = [&](const Color& centre) {
-                double sum = 0;
-                for (std::size_t k = 0; k < 3; ++k)
-                    sum += std::pow(static_cast<double>(scale.colors[i][k] - centre[k]), 2);
-                return sum;
-            };
-            const std::size_t own = squared(centres[0]) <= squared(centres[1]) ? 0 : 1;
-            for (std::size_t k = 0; k < 3; ++k) sums[own][k] += scale.colors[i][k];
-            ++counts[own];
-        }
-        for (std::size_t own = 0; own < 2; ++own)
-            for (std::size_t k = 0; k < 3 && counts[own] > 0; ++k)
-                centres[own][k] = static_cast<float>(sums[own][k] / counts[own]);
-    }
-    const double all = counts[0] + counts[1];
-    return all > 0 ? std::min(counts[0], counts[1]) / all : 0;
+    return std::min(lower, count - lower) / count;
 }
 
 /// The differences between the directions of edges that are near to each other, in the unit of the size of
@@ -193,12 +176,13 @@ Pattern patternOf(Scale objects) {
     Pattern pattern;
     const ToneScales tones = toneScalesOf(objects);
     pattern.points = findPatternPoints(tones);
+    pattern.repeats = repetition(pattern.points);
     pattern.kinds = patternKindsOf(tones);
+    pattern.minority = minorityOf(tones);
     pattern.isPlain = !normalize(objects);
     pattern.scales.push_back(std::move(objects));
     for (int i = 1; i < kScales; ++i) pattern.scales.push_back(halved(pattern.scales.back()));
     if (pattern.isPlain) return pattern;
-    pattern.minority = minorityOf(pattern.scales[0]);
     for (Scale& each : pattern.scales) findEdges(each);
     findBends(pattern.scales[0], pattern);
     return pattern;
@@ -263,18 +247,21 @@ double alignedLikeness(const Pattern& a, const Pattern& b) {
            overlap(a.scales[0], b.scales[0]);
 }
 
-/// How alike the patterns are, wherever they are. The limits are where patterns that have nothing in common
-/// and patterns on other models end, of scenes that were made for that (docs/class.md).
-double patternLikeness(const Pattern& a, const Pattern& b) {
+/// How alike the patterns are, wherever they are, if their sizes differ by these octaves. The limits are
+/// where patterns that have nothing in common and patterns on other models end (docs/class.md).
+double patternLikeness(const Pattern& a, const Pattern& b, const FoundAgain& found, double octaves,
+                       double sameOutline) {
     if (a.isPlain || b.isPlain) return a.isPlain && b.isPlain ? 1 : 0;
-    const FoundAgain found = foundAgain(a.points, b.points);
     // Where the outlines are the same, so are model and camera, and another size is a mistake.
-    const double size = std::max(0.0, std::abs(found.octaves) - kSameSize);
-    const double sameOutline = std::pow(overlap(a.scales[0], b.scales[0]), 2);
+    const double size = std::max(0.0, std::abs(octaves) - kSameSize);
+    // Dots are like each other; patches that the triangles of a model cut out of dots are not.
+    constexpr double kSameRepetition = 0.06, kOtherRepetition = 0.16, kLost = 0.85;
+    const double repeats =
+        1 - kLost * partOf(std::abs(a.repeats - b.repeats), kSameRepetition, kOtherRepetition);
     const double product = partOf(found.correlation, 0.72, 0.86) *
                            std::pow(partOf(commonKinds(a.kinds, b.kinds), 0.5, 1), 0.4) *
                            bendsLikeness(a, b) * std::pow(ratio(a.minority, b.minority, 0.05), 0.35) *
-                           std::pow(kOtherSize, size * sameOutline);
+                           std::pow(kOtherSize, size * sameOutline) * repeats;
     return std::pow(product, 0.8);
 }
 
@@ -297,15 +284,38 @@ double likeness(const image::Image& expected, const image::Image& got) {
     const Colors colorsA = colorsOf(expected), colorsB = colorsOf(got);
     const std::optional<Objects> objectsA = findObjects(colorsA), objectsB = findObjects(colorsB);
     if (!objectsA || !objectsB) return 0;
-    // A small object has less detail than a large one; both are compared with that of the smaller.
-    constexpr int kLeastDetail = 24;
-    const int detail =
-        std::clamp(std::min(objectsA->longerSide(), objectsB->longerSide()), kLeastDetail, kSide);
-    const Pattern expectedPattern = patternOf(cutOut(colorsA, *objectsA, detail));
-    const Pattern gotPattern = patternOf(cutOut(colorsB, *objectsB, detail));
-    return std::clamp(std::max(alignedLikeness(expectedPattern, gotPattern),
-                               0.95 * patternLikeness(expectedPattern, gotPattern)),
-                      0.0, 1.0);
+    const auto patterns = [&](const Objects& a, const Objects& b) {
+        // A small object has less detail than a large one; both are compared with that of the smaller.
+        constexpr int kLeastDetail = 24;
+        const int detail = std::clamp(std::min(a.longerSide(), b.longerSide()), kLeastDetail, kSide);
+        return std::pair(patternOf(cutOut(colorsA, a, detail)), patternOf(cutOut(colorsB, b, detail)));
+    };
+    const auto [a, b] = patterns(*objectsA, *objectsB);
+    const double sameOutline = std::pow(overlap(a.scales[0], b.scales[0]), 2);
+    const FoundAgain found = foundAgain(a.points, b.points);
+    double best = patternLikeness(a, b, found, found.octaves, sameOutline);
+    if (std::abs(found.octaves) > kFiner) {
+        const bool isGotFiner = found.octaves < 0;
+        const auto [nearA, nearB] = isGotFiner ? patterns(*objectsA, closer(colorsB, *objectsB))
+                                               : patterns(closer(colorsA, *objectsA), *objectsB);
+        const FoundAgain closely = foundAgain(nearA.points, nearB.points);
+        const double octaves = closely.octaves + (isGotFiner ? -1 : 1);
+        best = std::max(best, patternLikeness(nearA, nearB, closely, octaves, sameOutline));
+    }
+    return std::clamp(std::max(alignedLikeness(a, b), 0.95 * best), 0.0, 1.0);
+}
+
+double reaction(const image::Image& one, const image::Image& other) {
+    const double mean = image::flip(one, other, {.threads = 1}).mean;
+    if (one.width != other.width || one.height != other.height) return mean;
+    const Colors colorsA = colorsOf(one), colorsB = colorsOf(other);
+    const std::optional<Objects> objectsA = findObjects(colorsA), objectsB = findObjects(colorsB);
+    if (!objectsA || !objectsB || colorDistance(objectsA->background, objectsB->background) > 2.5F / 255)
+        return mean;
+    std::size_t shown = 0;
+    for (std::size_t i = 0; i < colorsA.at.size(); ++i)
+        shown += objectsA->isObject[i] != 0 || objectsB->isObject[i] != 0 ? 1 : 0;
+    return std::min(1.0, mean * static_cast<double>(colorsA.at.size()) / static_cast<double>(shown));
 }
 
 }  // namespace glibra::classroom

@@ -17,13 +17,17 @@ bool showsNothing(const image::Image& picture);
 ///   aligned   the correlation of the edges inside of the objects in two scales, shifted to where it is
 ///             largest, times the overlap of the shapes: 1 for the same scene in other colours
 ///   pattern   0.95 times a product: how well the parts of each pattern are found in the other one, at any
-///   place,
-///             angle and size (pattern_points.h); how alike their statistics are (pattern_kinds.h), the
-///             angles between edges that are near to each other, and the shares of the two main colours; and,
-///             where the outlines are the same, their sizes. It is high for the same pattern on another model
-///             or from elsewhere.
+///             place, angle and size, and how much they repeat (pattern_points.h); how alike their statistics
+///             are (pattern_kinds.h), the angles between edges that are near to each other, and the shares of
+///             the two main tones; and, where the outlines are the same, their sizes. It is high for the same
+///             pattern on another model or from elsewhere. A pattern that is finer than the other one is also
+///             looked at in half of the picture.
 /// A picture that shows nothing has 0, unless both do. A pattern that is finer than about 3 pixels, of 128 on
 /// the longer side of the objects, is not recognised.
 double likeness(const image::Image& expected, const image::Image& got);
+
+/// How much two pictures of one scene differ: the mean FLIP of the pixels that show objects in either of
+/// them, so that it is the same from near and from far; of all pixels if the backgrounds differ. 0 to 1.
+double reaction(const image::Image& one, const image::Image& other);
 
 }  // namespace glibra::classroom

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <numeric>
 #include <utility>
@@ -154,6 +155,29 @@ FoundAgain foundAgain(std::span<const PatternPoint> a, std::span<const PatternPo
         if ((half -= weight) <= 0) break;
     }
     return found;
+}
+
+double repetition(std::span<const PatternPoint> points) {
+    constexpr std::size_t kOthers = 3;
+    if (points.size() < 2) return 0;
+    std::vector<std::vector<float>> values(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k) {
+            const float value = correlationOf(points[i], points[k]);
+            values[i].push_back(value);
+            values[k].push_back(value);
+        }
+    double sum = 0, weights = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const std::size_t others = std::min(kOthers, values[i].size());
+        std::partial_sort(values[i].begin(), values[i].begin() + static_cast<std::ptrdiff_t>(others),
+                          values[i].end(), std::greater<>());
+        const float best =
+            std::accumulate(values[i].begin(), values[i].begin() + static_cast<std::ptrdiff_t>(others), 0.0F);
+        sum += static_cast<double>(points[i].radius) * best / static_cast<double>(others);
+        weights += points[i].radius;
+    }
+    return sum / weights;
 }
 
 }  // namespace glibra::classroom

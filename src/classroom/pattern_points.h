@@ -39,4 +39,8 @@ struct FoundAgain {
 /// those of the largest correlations.
 FoundAgain foundAgain(std::span<const PatternPoint> a, std::span<const PatternPoint> b);
 
+/// How alike the points of one picture are to each other: the mean correlation of each with the three that
+/// are most like it, 0 to 1.
+double repetition(std::span<const PatternPoint> points);
+
 }  // namespace glibra::classroom

@@ -218,7 +218,7 @@ void scorePicture(const ReviewTask& task, const std::pair<std::string, std::stri
                       image::structure(*expected, *got).difference, likeness(*expected, *got)};
 }
 
-/// The mean FLIP between a submission's own pictures that differ in one value.
+/// How much a submission's own pictures differ that differ in one value.
 std::optional<double> reactionTo(const ReviewTask& task, const Slider& slider,
                                  const std::function<void()>& scored) {
     double sum = 0;
@@ -228,7 +228,7 @@ std::optional<double> reactionTo(const ReviewTask& task, const Slider& slider,
         const std::optional<image::Image> b = pictureOf(task.site, task.pictures.at(other).second);
         if (scored) scored();
         if (!a || !b) continue;
-        sum += image::flip(*a, *b, {.threads = 1}).mean;
+        sum += reaction(*a, *b);
         ++count;
     }
     return count > 0 ? std::optional(sum / static_cast<double>(count)) : std::nullopt;

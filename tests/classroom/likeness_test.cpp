@@ -19,6 +19,10 @@
 #include <utility>
 #include <vector>
 
+#include "classroom/cut_objects.h"
+#include "classroom/pattern_points.h"
+#include "classroom/tone_scales.h"
+
 namespace glibra::classroom {
 namespace {
 
@@ -75,15 +79,16 @@ struct Shown {
     Model model = Model::ball;
     double x = 100, y = 100, radius = 70, turned = 0;  ///< pixels, radians
     double ambient = .3;
+    int detail = 1;  ///< pixels per unit of `x`, `y` and `radius`
 };
 
-/// A picture of 200 x 200 pixels.
+/// A picture of 200 x 200 units.
 image::Image draw(const Shown& shown) {
-    image::Image made{200, 200, 3, image::Component::u8, {}};
+    image::Image made{200 * shown.detail, 200 * shown.detail, 3, image::Component::u8, {}};
     for (int row = 0; row < made.height; ++row)
         for (int column = 0; column < made.width; ++column) {
-            const double dx = (column + .5 - shown.x) / shown.radius,
-                         dy = (row + .5 - shown.y) / shown.radius;
+            const double dx = ((column + .5) / shown.detail - shown.x) / shown.radius,
+                         dy = ((row + .5) / shown.detail - shown.y) / shown.radius;
             const double u = dx * std::cos(shown.turned) - dy * std::sin(shown.turned);
             const double v = dx * std::sin(shown.turned) + dy * std::cos(shown.turned);
             double light = 1, s = u, t = v;
@@ -176,6 +181,60 @@ TEST(Likeness, OfAPictureToItselfIsOneAndItDoesNotDependOnTheOrder) {
     const image::Image small = draw({.pattern = dotsOf(kPeriod), .radius = 30});
     EXPECT_NEAR(likeness(dots, small), likeness(small, dots), .02);
     EXPECT_GT(likeness(dots, small), .7) << "what is small has less detail, and the same pattern";
+}
+
+TEST(Likeness, FinerDotsOnATileAreLookedAtMoreClosely) {
+    const image::Image dots = draw({.pattern = dotsOf(kPeriod), .detail = 3});
+    const auto finer = [&](double times) {
+        return likeness(dots, draw({.pattern = dotsOf(kPeriod / times),
+                                    .ground = {.1, .2, .7},
+                                    .model = Model::tile,
+                                    .radius = 95,
+                                    .detail = 3}));
+    };
+    EXPECT_GT(finer(2.2), .45);
+    EXPECT_GT(finer(2.6), .4);
+}
+
+TEST(Likeness, DotsRepeatThemselvesAndStainsDoNot) {
+    const auto repeats = [](const SurfacePattern& pattern, Model model) {
+        const Colors colors = colorsOf(draw({.pattern = pattern, .model = model, .detail = 3}));
+        return repetition(
+            findPatternPoints(toneScalesOf(cutOut(colors, findObjects(colors).value(), kSide))));
+    };
+    for (const Model model : {Model::ball, Model::can, Model::tile}) {
+        EXPECT_GT(repeats(dotsOf(kPeriod), model), .9);
+        for (const std::uint32_t seed : {1U, 2U, 3U, 4U})
+            EXPECT_LT(repeats(stainsOf(kPeriod * .7, seed), model), .88) << seed;
+    }
+    EXPECT_EQ(repetition({}), 0);
+}
+
+TEST(Likeness, ACloserLookIsWhereMostOfTheObjectsIs) {
+    const Colors colors = colorsOf(draw({.pattern = plain(), .model = Model::tile, .x = 60, .radius = 40}));
+    const Objects all = findObjects(colors).value(), near = closer(colors, all);
+    EXPECT_EQ(near.longerSide(), all.longerSide() / 2);
+    EXPECT_NEAR((near.left + near.right) / 2.0, 60, 2);
+    EXPECT_NEAR((near.top + near.bottom) / 2.0, 100, 2);
+}
+
+TEST(Likeness, ReactionsAreTheSameFromNearAndFromFar) {
+    const auto reactionAt = [](double radius, double ambient) {
+        const Shown one{.pattern = dotsOf(kPeriod), .radius = radius, .ambient = ambient};
+        Shown other = one;
+        other.pattern = dotsOf(kPeriod * 1.5);
+        return reaction(draw(one), draw(other));
+    };
+    const double near = reactionAt(90, .3);
+    EXPECT_GT(near, .02);
+    for (const double radius : {70, 45, 30}) EXPECT_NEAR(reactionAt(radius, .3) / near, 1, .4) << radius;
+    const image::Image dots = draw({.pattern = dotsOf(kPeriod)});
+    const image::Image nothing = draw({.pattern = dotsOf(kPeriod), .x = 900});
+    EXPECT_EQ(reaction(dots, dots), 0);
+    EXPECT_EQ(reaction(nothing, nothing), 0);
+    EXPECT_GT(reaction(dots, nothing), .02);
+    EXPECT_EQ(reaction(dots, image::Image{3, 2, 3, image::Component::u8, std::vector<std::byte>(18)}), 1)
+        << "pictures of two sizes";
 }
 
 TEST(Likeness, OfSomethingToNothingIsZero) {

@@ -116,6 +116,9 @@ class Served(unittest.TestCase):
         self.assertEqual(browser.run("return document.querySelector(arguments[0]).value", POINTS % (bo, "report")), "6", "no more than there are")
         row = "return document.querySelector(`.overview a[href='#${arguments[0]}']`).closest('tr').querySelector('.points').textContent"
         self.assertEqual(browser.run(row, ada), "10.5")
+        lines = """return [...document.querySelectorAll('.marks td:nth-child(3)')].map((each) =>
+            { const text = document.createRange(); text.selectNodeContents(each); return text.getClientRects().length; })"""
+        self.assertEqual(set(browser.run(lines)), {1}, "'of 10' stands in one line")
         # An empty field gives the points of the check back.
         drawn = POINTS % (ada, "is drawn")
         self.type(browser, drawn, "1")
