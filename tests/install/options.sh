@@ -80,4 +80,13 @@ configure $none || fail "the defaults"
 grep -q '^build libglibra.so[.0-9]*:' "$rules" || fail "no shared library"
 grep -q -- '-std=c++20' "$rules" || fail "not compiled as C++20"
 grep -q Unity/unity_ "$rules" && fail "a unity build that nobody asked for"
-exit 0
+
+# The targets that debian/rules names link all that is installed; `glibra` alone is the program, not the library.
+configure -DGLIBRA_PYTHON=ON || fail "all parts"
+# shellcheck disable=SC2046
+ninja -C "$place/build" -t commands $(sed -n 's/^\tdh_auto_build -- //p' "$source/debian/rules") >"$place/log" 2>&1 ||
+    fail "targets of debian/rules"
+ninja -C "$place/build" -t targets all | sed -n 's/: CXX_\(EXECUTABLE\|[A-Z]*_LIBRARY\)_LINKER__.*//p' | while read -r file; do
+    ! grep -q "\"$place/build/$file\"" "$place/build/cmake_install.cmake" || grep -q -- "-o $file " "$place/log" || echo "$file"
+done >"$place/missing"
+[ ! -s "$place/missing" ] || fail "installed, and not made by debian/rules: $(cat "$place/missing")"
