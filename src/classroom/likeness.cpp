@@ -111,10 +111,10 @@ struct Pattern {
 
 /// The share of the rarer of the two tones that divide the objects best (k-means in one dimension).
 double minorityOf(const ToneScales& tones) {
-    if (tones.levels.empty()) return 0;
     std::vector<float> values;
-    for (std::size_t i = 0; i < tones.inside.size(); ++i)
+    for (std::size_t i = 0; !tones.levels.empty() && i < tones.inside.size(); ++i)
         if (tones.inside[i] > 0) values.push_back(tones.levels[0][i]);
+    if (values.empty()) return 0;
     std::sort(values.begin(), values.end());
     const std::size_t stray = values.size() / 50;
     double low = values[stray], high = values[values.size() - 1 - stray];
