@@ -270,9 +270,13 @@ class ClassRun {
         const Entry& reference = end_.classroom.reference;
         if (end_.noDriver || end_.stopped) return false;
         if (!isDrawn(reference)) {
-            append(end_.diagnostics, reference.diagnostics);
-            end_.diagnostics.push_back(withoutId(Severity::error,
-                                                 "the reference cannot be drawn: " + reasonOf(reference),
+            const Diagnostics& own = reference.diagnostics;
+            const bool isSaid = std::any_of(own.begin(), own.end(), [](const Diagnostic& each) {
+                return each.severity == Severity::error;
+            });
+            const std::string reason = isSaid ? "" : ": " + reasonOf(reference);
+            append(end_.diagnostics, own);
+            end_.diagnostics.push_back(withoutId(Severity::error, "the reference cannot be drawn" + reason,
                                                  {plan_.reference.string(), 1, 1}));
             return false;
         }

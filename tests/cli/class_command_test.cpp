@@ -350,6 +350,7 @@ TEST_F(ClassCommand, AWrongReferenceIsAnErrorAndTheSiteStaysAsItWas) {
     const Finished wrong = run("");
     EXPECT_EQ(wrong.status, 3);
     EXPECT_TRUE(contains(wrong.err, "the reference cannot be drawn")) << wrong.err;
+    EXPECT_EQ(countOf(wrong.err, "uNowhere"), 1U) << wrong.err;
     EXPECT_EQ(page(), before);
     EXPECT_TRUE(fs::exists(folder / "site/pictures/0000-1.png"));
     EXPECT_TRUE(fs::exists(folder / "site/pictures/0001-1.png"));
