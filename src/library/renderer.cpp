@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <string_view>
 #include <utility>
 
 #include "base/device_lost.h"
@@ -48,7 +51,7 @@ Diagnostics problemsOf(const RenderOptions& options) {
 /// library-E01 for each option that only one picture at a time can have.
 Diagnostics problemsOfLoading(const RenderOptions& options) {
     Diagnostics found = problemsOf(options);
-    const auto only = [&](const char* name, bool isSet) {
+    const auto only = [&](std::string_view name, bool isSet) {
         if (isSet)
             found.push_back(
                 diagnose("library-E01", fmt::format("{}: only render() has this; load() has not", name)));
@@ -57,9 +60,6 @@ Diagnostics problemsOfLoading(const RenderOptions& options) {
     only("maxError", options.maxError != none.maxError);
     only("overrideCounts", options.overrideCounts);
     only("lastTime", options.lastTime != none.lastTime);
-    only("axes", options.axes);
-    only("labels", options.labels != none.labels);
-    only("incomplete", options.incomplete);
     only("checkNan", options.checkNan);
     only("checkUndefined", options.checkUndefined);
     only("checks", options.checks);
@@ -77,6 +77,14 @@ Diagnostics problemsOfLoading(const RenderOptions& options) {
     ofDraw("alpha", options.alpha);
     ofDraw("floatPixels", options.floatPixels);
     ofDraw("viewState", options.viewState != none.viewState);
+    if (!found.empty()) return found;
+    // Every other option is one of render(), too, unless it is named here as one that a loaded scene keeps.
+    constexpr std::array<std::string_view, 7> kKept{"steps",   "set",     "eye",    "strict",
+                                                    "no-shim", "no-skip", "library"};
+    suite::Shot shot;
+    shot.options = options;
+    for (const suite::OptionRow& row : suite::optionTable())
+        only(row.name, std::ranges::find(kKept, row.name) == kKept.end() && !suite::isDefault(row, shot));
     return found;
 }
 

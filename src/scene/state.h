@@ -40,6 +40,9 @@ struct TargetList {
     Place place;
 };
 
+/// The parts of the raster state that statements decide: all of it, the viewport, the scissor.
+enum class RasterPart { state, viewport, scissor };
+
 /// State of modern statements that ends with its scope, as RasterState does.
 struct LocalState {
     bool isBlendStated = false;  ///< otherwise the target decides how draws outside of Pass are blended
@@ -47,7 +50,7 @@ struct LocalState {
     CountFrom instancesFrom{};
     AttributeSetIndex attributes{};
     std::optional<std::array<double, 6>> tessellationLevels{};
-    /// The statements State, Viewport and Scissor that decide the raster state; null: none does.
+    /// The statements that decide the raster state, by RasterPart; null: none does.
     std::array<const glib::Command*, 3> rasterStatements{};
 };
 

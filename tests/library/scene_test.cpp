@@ -13,10 +13,14 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <set>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <vector>
+
+#include "../suite/option_samples.h"
 
 namespace glibra {
 namespace {
@@ -162,6 +166,19 @@ TEST(LibraryScene, RefusesOptionsThatItWouldNotKeep) {
         EXPECT_FALSE(scene);
         ASSERT_EQ(scene.diagnostics().size(), 1U);
         EXPECT_EQ(scene.diagnostics().front().id, "library-E01");
+    }
+}
+
+TEST(LibraryScene, KeepsOrRefusesEveryOptionOfPictures) {
+    Renderer renderer = opened();
+    const std::set<std::string_view> kept{"steps",   "set",     "eye",     "strict", "no-shim",
+                                          "no-skip", "library", "timeout", "memory"};
+    for (const suite::OptionRow& row : suite::optionTable()) {
+        suite::Shot shot;
+        suite::test::setSample(row, shot);
+        const Result<Scene> scene = renderer.loadText(kSquare, "square.glib", kShaders, shot.options);
+        const bool isRefused = !scene && scene.diagnostics().front().id == "library-E01";
+        EXPECT_EQ(isRefused, !kept.contains(row.name)) << row.name;
     }
 }
 

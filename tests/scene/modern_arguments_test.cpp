@@ -11,11 +11,13 @@
 #include <string_view>
 #include <vector>
 
+#include "glib/command_table.h"
 #include "glib/diagnostic_catalogue.h"
 #include "glib/modern/grammar.h"
 #include "glib/modern/statement_table.h"
 #include "glib/script.h"
 #include "scene/interpret.h"
+#include "scene/state.h"
 #include "support.h"
 
 namespace glibra::scene {
@@ -300,6 +302,16 @@ class Statements : public testing::Test {
 
     TemporaryFolder folder_;
 };
+
+TEST_F(Statements, AndClassicCommandsHaveAWordAndAnActionEach) {
+    for (int i = 0; i < static_cast<int>(glib::CommandId::firstPrimitive); ++i) {
+        const auto id = static_cast<glib::CommandId>(i);
+        EXPECT_FALSE(glib::nameOf(id).empty())
+            << "name " << i << " of command_id.h has no row; the one before: "
+            << (i == 0 ? "none" : glib::nameOf(static_cast<glib::CommandId>(i - 1)));
+        EXPECT_NE(actionOf(id), nullptr) << glib::nameOf(id);
+    }
+}
 
 TEST_F(Statements, HaveASpecimenEachAndAllTheirKeys) {
     for (const glib::StatementRow& row : glib::statementTable()) {

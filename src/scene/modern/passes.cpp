@@ -433,12 +433,12 @@ std::optional<base::FractionRectangle> areaOf(Interpreter& in, const Command& co
 }
 
 void doViewport(Interpreter& in, const Command& command) {
-    noteRasterStatement(in, command);
+    noteRasterStatement(in, command, RasterPart::viewport);
     if (const auto area = areaOf(in, command, false)) in.state.raster.viewport = *area;
 }
 
 void doScissor(Interpreter& in, const Command& command) {
-    noteRasterStatement(in, command);
+    noteRasterStatement(in, command, RasterPart::scissor);
     if (const auto area = areaOf(in, command, true)) in.state.raster.scissor = *area;
 }
 

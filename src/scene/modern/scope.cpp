@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-
 namespace glibra::scene {
 
 void resetRaster(Interpreter& in) {
@@ -12,10 +9,8 @@ void resetRaster(Interpreter& in) {
     in.state.local.rasterStatements = {};
 }
 
-void noteRasterStatement(Interpreter& in, const glib::Command& command) {
-    constexpr std::array kKinds{glib::CommandId::state, glib::CommandId::viewport, glib::CommandId::scissor};
-    const auto kind = std::find(kKinds.begin(), kKinds.end(), command.id) - kKinds.begin();
-    in.state.local.rasterStatements.at(static_cast<std::size_t>(kind)) = &command;
+void noteRasterStatement(Interpreter& in, const glib::Command& command, RasterPart part) {
+    in.state.local.rasterStatements.at(static_cast<std::size_t>(part)) = &command;
 }
 
 void noteFreshRaster(Interpreter& in, const glib::Command& command) {

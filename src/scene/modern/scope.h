@@ -65,8 +65,8 @@ class InFile {
 /// Sets the state at the beginning of a pass.
 void resetRaster(Interpreter&);
 
-/// Remembers that the statement State, Viewport or Scissor decides the raster state of the draws after it.
-void noteRasterStatement(Interpreter&, const glib::Command& command);
+/// Remembers that the statement decides this part of the raster state of the draws after it.
+void noteRasterStatement(Interpreter&, const glib::Command& command, RasterPart part);
 /// Remembers that the Pass or Fill does not take over what these statements before it have set.
 void noteFreshRaster(Interpreter&, const glib::Command& command);
 /// Reports glib-W39 for each of these statements that stands before a Pass or Fill and decides no draw.

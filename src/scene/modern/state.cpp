@@ -315,7 +315,7 @@ class StateReader {
 };
 
 void doState(Interpreter& in, const Command& command) {
-    noteRasterStatement(in, command);
+    noteRasterStatement(in, command, RasterPart::state);
     StateReader(in, command).read();
 }
 

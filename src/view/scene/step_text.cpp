@@ -16,39 +16,6 @@ bool isStage(CommandId id) {
     return (id >= CommandId::vertex && id <= CommandId::fragment) || id == CommandId::compute;
 }
 
-/// True for statements that outside of blocks act on the frame only.
-bool drawsFrame(CommandId id) {
-    switch (id) {
-        case CommandId::pass:
-        case CommandId::endPass:
-        case CommandId::fill:
-        case CommandId::draw:
-        case CommandId::dispatch:
-        case CommandId::clearParts:
-        case CommandId::viewport:
-        case CommandId::scissor:
-        case CommandId::state:
-        case CommandId::vertices:
-        case CommandId::expect:
-        case CommandId::print:
-        case CommandId::key:
-        case CommandId::background:
-        case CommandId::messageBox:
-        case CommandId::verbose:
-        case CommandId::obj:
-        case CommandId::wireObj:
-        case CommandId::objAdj:
-        case CommandId::objPatch:
-        case CommandId::shp:
-        case CommandId::linesAdjacency:
-        case CommandId::triangles:
-            return true;
-        default:
-            return id >= CommandId::firstPrimitive ||
-                   (id >= CommandId::translate && id <= CommandId::popMatrix);
-    }
-}
-
 bool isControl(Value::Kind kind) {
     return kind == Value::Kind::range || kind == Value::Kind::color || kind == Value::Kind::truth;
 }
@@ -96,7 +63,7 @@ std::string stepText(std::span<const glib::Script* const> scripts) {
             const bool opens = command.partner != Command::kNoPartner && command.partner > i;
             const bool isInBlock = blockEnd > i || (blockEnd == i && i > 0);
             if (opens && command.id != CommandId::pass) blockEnd = std::max(blockEnd, command.partner);
-            if (isStage(command.id) || (!isInBlock && drawsFrame(command.id))) continue;
+            if (isStage(command.id) || (!isInBlock && glib::drawsFrame(command.id))) continue;
             add(command, text);
         }
         text += '\f';

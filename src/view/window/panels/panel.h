@@ -1,5 +1,5 @@
 #pragma once
-// A panel of the window, and the row that registers it in panel_table.cpp.
+// A panel of the window, and the row that registers it in panels.def.
 
 #include <memory>
 #include <nlohmann/json_fwd.hpp>

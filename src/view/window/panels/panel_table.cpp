@@ -6,13 +6,9 @@ namespace glibra::view {
 
 std::span<const PanelRow* const> panelRows() {
     static constexpr std::array kRows{
-        &kToolsRow,          &kMessagesRow,   &kValuesRow,   &kSceneKeysRow,  &kViewRow,
-        &kTimeRow,           &kHardcopyRow,   &kSuiteRow,    &kTabBarRow,     &kSourceRow,
-        &kBannerRow,         &kDebugViewRow,  &kFrameRow,    &kInspectorRow,  &kCompareRow,
-        &kCostRow,           &kProbeRow,      &kNoiseRow,    &kExamplesRow,   &kVerboseRow,
-        &kFileDialogRow,     &kMessageBoxRow, &kQuestionRow, &kWindowKeysRow, &kHelpRow,
-        &kCommandPaletteRow, &kNoticeRow,     &kWelcomeRow,  &kPictureRow,    &kRecoveryRow,
-        &kBeforeAfterRow,
+#define GLIBRA_PANEL(row) &row,
+#include "view/window/panels/panels.def"
+#undef GLIBRA_PANEL
     };
     return kRows;
 }

@@ -9,15 +9,11 @@
 
 namespace glibra::view {
 
-// Each row stands at the end of its panel's file. A new one is named here and in panelRows().
-extern const PanelRow kToolsRow, kMessagesRow, kValuesRow, kSceneKeysRow, kViewRow, kTimeRow, kHardcopyRow,
-    kSuiteRow, kTabBarRow, kSourceRow, kBannerRow, kDebugViewRow, kInspectorRow, kCompareRow, kCostRow,
-    kProbeRow, kNoiseRow, kExamplesRow, kVerboseRow, kFileDialogRow, kMessageBoxRow, kQuestionRow,
-    kWindowKeysRow, kHelpRow, kPictureRow, kRecoveryRow, kCommandPaletteRow, kNoticeRow, kWelcomeRow,
-    kFrameRow, kBeforeAfterRow;
+#define GLIBRA_PANEL(row) extern const PanelRow row;
+#include "view/window/panels/panels.def"
+#undef GLIBRA_PANEL
 
-/// The panels of each place in the order in which they are drawn, shortcuts of each group in the order in
-/// which they are listed.
+/// All rows, in the order of panels.def.
 std::span<const PanelRow* const> panelRows();
 
 /// One entry per row; null for the rows that are not of that kind.
