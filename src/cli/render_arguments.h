@@ -8,11 +8,12 @@
 #include <vector>
 
 #include "cli/suite_options.h"
+#include "render/file/job.h"
 #include "suite/suite.h"
 
 namespace glibra::cli {
 
-struct RenderArguments {
+struct RenderArguments : render::JobOptions {
     std::vector<std::string> scenes;
     /// The text of the scene kStandardInput, if it is one of them.
     std::optional<std::string> standardInput;
@@ -21,13 +22,9 @@ struct RenderArguments {
     std::string statsFile;        ///< --stats; "-" is standard output
     suite::Shot picture;          ///< what the options of a picture state
     Driver driver = Driver::automatic;
-    int frames = 1;
-    double framesPerSecond = 30;
     int jobs = 0;  ///< 0: gpu::usualWorkers()
     SuiteArguments suite;
     std::vector<std::string> saves;  ///< --save, each NAME=FILE
-    bool explain = false;
-    bool trace = false;
     bool untrusted = false;
 };
 

@@ -116,6 +116,7 @@ class JobRunner {
             context_.emplace(std::move(*opened));
         }
         render::Job job;
+        static_cast<render::JobOptions&>(job) = arguments_;
         job.scene = arguments_.scenes[index];
         const auto fileOf = [&](const fs::path& file) {
             return staging_ && file != "-" ? staging_->fileOf(piece, file) : file;
@@ -130,13 +131,9 @@ class JobRunner {
         }
         job.named = namedBy(arguments_);
         job.options = optionsFor(job.scene.string(), arguments_.standardInput, arguments_.picture.options);
-        job.frames = arguments_.frames;
         job.written = written_[piece];
-        job.framesPerSecond = arguments_.framesPerSecond;
         job.part = static_cast<int>(piece % parts_);
         job.parts = static_cast<int>(parts_);
-        job.explain = arguments_.explain;
-        job.trace = arguments_.trace;
         job.stats = !arguments_.statsFile.empty();
         return pack(guarded(arguments_.scenes[index], [&] {
             render::JobResult result =

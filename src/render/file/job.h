@@ -17,20 +17,24 @@
 
 namespace glibra::render {
 
-struct Job {
+/// The options of `glibra render` that a job takes as they are.
+struct JobOptions {
+    int frames = 1;
+    double framesPerSecond = 30;
+    bool explain = false;
+    bool trace = false;  ///< lists the GL calls of the last frame
+};
+
+struct Job : JobOptions {
     std::filesystem::path scene;
     std::filesystem::path output;                 ///< file; "-" is standard output, as PNG
     image::NamedBy named = image::NamedBy::user;  ///< what becomes of links that have the names of pictures
     RenderOptions options;
-    int frames = 1;
-    double framesPerSecond = 30;
     int written = 0;  ///< frames that an earlier job has already written to standard output
     /// An animation may be divided among `parts` jobs; this one is number `part`. The jobs must run on the
     /// same machine, each in its own process. Each draws its share of the frames if the driver draws on the
     /// processor and no frame depends on earlier ones; otherwise part 0 draws all.
     int part = 0, parts = 1;
-    bool explain = false;
-    bool trace = false;  ///< lists the GL calls of the last frame
     bool stats = false;
     /// The content of a texture or buffer, which goes into a file after each picture
     /// (RenderOptions::wantedObjects).
