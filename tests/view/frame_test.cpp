@@ -374,6 +374,49 @@ TEST_F(Frame, WhatTheSceneSaysNowCountsMoreThanWhatIsTried) {
     EXPECT_EQ(near().raster.cull, base::Cull::off);
 }
 
+TEST_F(Frame, WhatIsTriedGoesWithItsDrawWhenTheSceneIsEdited) {
+    // The depth function of each draw of the pass.
+    const auto functions = [&] {
+        std::vector<base::Comparison> found;
+        for (const FrameItem& each : view::frameItems(session.live().scene(), session.live().plan()))
+            if (each.title == "QuadXY")
+                found.push_back(
+                    std::get<scene::Draw>(
+                        session.live().scene().frame.passes.at(each.step.pass).steps.at(each.step.step))
+                        .raster.depthFunction);
+        return found;
+    };
+    const auto edit = [&](const std::string& text) {
+        folder.write("scene.glib", text);
+        return session.reload();
+    };
+    using enum base::Comparison;
+    using Functions = std::vector<base::Comparison>;
+    const scene::StepIndex at = items[draw(1)].step;
+    const auto& middle =
+        std::get<scene::Draw>(session.live().scene().frame.passes.at(at.pass).steps.at(at.step));
+    base::RasterState wanted = middle.raster;
+    wanted.depthFunction = base::Comparison::always;
+    session.tryState(middle, wanted);
+    EXPECT_EQ(functions(), (Functions{lequal, always, lequal}));
+    // Lines are inserted and removed before it; it is edited, also so that it is no statement for a while.
+    ASSERT_TRUE(
+        edit(changed(kFrame, "    QuadXY 0 .5\n", "    # A comment.\n    QuadXY 0 .5\n    QuadXY 0 .2\n")));
+    EXPECT_EQ(functions(), (Functions{lequal, lequal, always, lequal}));
+    ASSERT_TRUE(edit(changed(kFrame, "    QuadXY 0 .5\n", "")));
+    EXPECT_EQ(functions(), (Functions{always, lequal}));
+    ASSERT_TRUE(edit(changed(kFrame, "    QuadXY 1 1\n", "    QuadX\n")));
+    EXPECT_EQ(functions(), (Functions{lequal, lequal}));
+    EXPECT_TRUE(session.triedStates().empty());
+    ASSERT_TRUE(edit(changed(kFrame, "    QuadXY 1 1\n", "    QuadXY 1 .9\n")));
+    EXPECT_EQ(functions(), (Functions{lequal, always, lequal}));
+    // The last draw stands on its line now, with the same words and state, but it is another one.
+    ASSERT_TRUE(edit(changed(kFrame, "    QuadXY 1 1\n    Set uColor {0. 0. 1.} uCut -2\n", "")));
+    EXPECT_EQ(functions(), (Functions{lequal, lequal}));
+    ASSERT_TRUE(edit(kFrame));
+    EXPECT_EQ(functions(), (Functions{lequal, always, lequal})) << "undone";
+}
+
 TEST(StateChoices, AreTheWordsOfTheStatement) {
     base::RasterState state;
     EXPECT_EQ(view::stateStatement(state, state), "");
