@@ -5,7 +5,9 @@ import os
 import pathlib
 import re
 import sys
+import time
 import unittest
+import unittest.mock
 
 from scenes_test import ScenesTest
 from window_case import SOURCES
@@ -41,8 +43,10 @@ class Tutorial(ScenesTest):
         window.settle()
 
     def save(self, window):
+        seen = window.state()["reloads"]
         window.key("ctrl+s")
-        window.wait(lambda s: not s["source"]["changed"])
+        # Scenes that move never settle, so it waits for the messages of the new text.
+        window.wait(lambda s: not s["source"]["changed"] and s["reloads"] > seen)
         return window.settle()
 
     @staticmethod
@@ -58,7 +62,13 @@ class Tutorial(ScenesTest):
             window.key("F10")
             window.wait(lambda s: "file/new" in s["widgets"])
             window.settle()
-            window.click("file/new")
+            # A moving scene never settles, so the menu may not be ready for the first click.
+            for _ in range(10):
+                window.click("file/new")
+                window.settle()
+                if "file/new/empty" in window.state()["widgets"]:
+                    break
+                time.sleep(.3)
             window.wait(lambda s: "file/new/empty" in s["widgets"])
             window.settle()
             window.click("file/new/empty")
@@ -99,6 +109,10 @@ class Tutorial(ScenesTest):
         before = os.getcwd()
         self.addCleanup(os.chdir, before)
         os.chdir(folder)
+        # The files of the library, for the window and for the pictures to compare with.
+        library = unittest.mock.patch.dict(os.environ, {"GLIBRA_PATH": str(SOURCES)})
+        library.start()
+        self.addCleanup(library.stop)
         settings = self.files / "settings"
         (settings / "glibra").mkdir(parents=True)
         (settings / "glibra/view.json").write_text('{"recent": ["/nowhere/x.glib"]}')
