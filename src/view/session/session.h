@@ -222,8 +222,8 @@ class Session {
     /// from the lower edge.
     ProbedPixel probeDraw(scene::StepIndex step, int x, int row);
     /// The debug view of one pass of the frame (DebugRenderer::drawPass), as numbers. Returns why there is
-    /// none; empty on success.
-    std::string numbersOfPass(std::size_t pass, DebugView kind, TexelImage& numbers);
+    /// none; empty on success. `layer`: of a pass into several.
+    std::string numbersOfPass(std::size_t pass, DebugView kind, TexelImage& numbers, int layer = 0);
 
     /// The picture from before the last edit: of the files as they were last. Null if there is none.
     [[nodiscard]] const gpu::Target* pictureBefore() const { return before_ ? &*before_ : nullptr; }

@@ -53,13 +53,13 @@ void Session::drawTrials() {
     isStale_ = true;
 }
 
-std::string Session::numbersOfPass(std::size_t pass, DebugView kind, TexelImage& numbers) {
+std::string Session::numbersOfPass(std::size_t pass, DebugView kind, TexelImage& numbers, int layer) {
     if (!canLookInto() || pass >= live_->scene().frame.passes.size()) return "no frame has been drawn";
     // Not that of the picture, whose numbers stay.
     DebugRenderer renderer(context_, *live_);
-    std::string problem =
-        renderer.drawPass(pass, target_->width(), target_->height(),
-                          {.kind = kind, .normalLength = normalLength_, .time = clock_.time()});
+    std::string problem = renderer.drawPass(
+        pass, target_->width(), target_->height(),
+        {.kind = kind, .normalLength = normalLength_, .time = clock_.time(), .layer = layer});
     numbers = renderer.numbers();
     return problem;
 }
