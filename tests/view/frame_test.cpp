@@ -1,6 +1,7 @@
 // What a frame executes, and what each part of it leaves.
 
 #include <algorithm>
+#include <array>
 #include <glm/matrix.hpp>
 
 #include "scene_folder.h"
@@ -374,6 +375,49 @@ TEST_F(Frame, WhatTheSceneSaysNowCountsMoreThanWhatIsTried) {
     EXPECT_EQ(near().raster.cull, base::Cull::off);
 }
 
+TEST_F(Frame, WhatIsTriedGoesWithItsDrawWhenTheSceneIsEdited) {
+    // The depth function of each draw of the pass.
+    const auto functions = [&] {
+        std::vector<base::Comparison> found;
+        for (const FrameItem& each : view::frameItems(session.live().scene(), session.live().plan()))
+            if (each.title == "QuadXY")
+                found.push_back(
+                    std::get<scene::Draw>(
+                        session.live().scene().frame.passes.at(each.step.pass).steps.at(each.step.step))
+                        .raster.depthFunction);
+        return found;
+    };
+    const auto edit = [&](const std::string& text) {
+        folder.write("scene.glib", text);
+        return session.reload();
+    };
+    using enum base::Comparison;
+    using Functions = std::vector<base::Comparison>;
+    const scene::StepIndex at = items[draw(1)].step;
+    const auto& middle =
+        std::get<scene::Draw>(session.live().scene().frame.passes.at(at.pass).steps.at(at.step));
+    base::RasterState wanted = middle.raster;
+    wanted.depthFunction = base::Comparison::always;
+    session.tryState(middle, wanted);
+    EXPECT_EQ(functions(), (Functions{lequal, always, lequal}));
+    // Lines are inserted and removed before it; it is edited, also so that it is no statement for a while.
+    ASSERT_TRUE(
+        edit(changed(kFrame, "    QuadXY 0 .5\n", "    # A comment.\n    QuadXY 0 .5\n    QuadXY 0 .2\n")));
+    EXPECT_EQ(functions(), (Functions{lequal, lequal, always, lequal}));
+    ASSERT_TRUE(edit(changed(kFrame, "    QuadXY 0 .5\n", "")));
+    EXPECT_EQ(functions(), (Functions{always, lequal}));
+    ASSERT_TRUE(edit(changed(kFrame, "    QuadXY 1 1\n", "    QuadX\n")));
+    EXPECT_EQ(functions(), (Functions{lequal, lequal}));
+    EXPECT_TRUE(session.triedStates().empty());
+    ASSERT_TRUE(edit(changed(kFrame, "    QuadXY 1 1\n", "    QuadXY 1 .9\n")));
+    EXPECT_EQ(functions(), (Functions{lequal, always, lequal}));
+    // The last draw stands on its line now, with the same words and state, but it is another one.
+    ASSERT_TRUE(edit(changed(kFrame, "    QuadXY 1 1\n    Set uColor {0. 0. 1.} uCut -2\n", "")));
+    EXPECT_EQ(functions(), (Functions{lequal, lequal}));
+    ASSERT_TRUE(edit(kFrame));
+    EXPECT_EQ(functions(), (Functions{lequal, always, lequal})) << "undone";
+}
+
 TEST(StateChoices, AreTheWordsOfTheStatement) {
     base::RasterState state;
     EXPECT_EQ(view::stateStatement(state, state), "");
@@ -463,7 +507,8 @@ TEST(FrameLayers, AreReadOneByOne) {
           "flat out int vLayer;\n"
           "void main() { for (int i = 0; i < 3; ++i) { for (int k = 0; k < 3; ++k) { gl_Layer = i; vLayer = "
           "i;\n"
-          "gl_Position = gl_in[k].gl_Position; EmitVertex(); } EndPrimitive(); } }\n"},
+          "gl_Position = gl_in[k].gl_Position * vec4(vec2(float(i + 1) / 3.), 1., 1.); EmitVertex(); } "
+          "EndPrimitive(); } }\n"},
          {"a.frag",
           "#version 330\nflat in int vLayer; out vec4 c;\n"
           "void main() { c = vec4(float(vLayer) / 2., 0., 0., 1.); }\n"},
@@ -483,7 +528,55 @@ TEST(FrameLayers, AreReadOneByOne) {
         EXPECT_EQ(answer.layers, 3);
         ASSERT_TRUE(answer.content) << answer.problem;
         EXPECT_NEAR(answer.content->at(8 * 4 + 4)[0], layer / 2., .01);
+        EXPECT_EQ(answer.layerName, "layer " + std::to_string(layer));
+        // The quad is larger in each layer: its pixels, and how many surfaces there are.
+        constexpr std::array<std::size_t, 3> kCovered{4, 36, 64};
+        const std::size_t covered = kCovered.at(static_cast<std::size_t>(layer));
+        ASSERT_TRUE(answer.mask);
+        EXPECT_EQ(answer.mask->passedPixels, covered);
+        EXPECT_EQ(answer.mask->hiddenPixels, 0U);
+        view::TexelImage numbers;
+        ASSERT_EQ(session.numbersOfPass(items[1].step.pass, view::DebugView::layers, numbers, layer), "");
+        float surfaces = 0;
+        for (std::size_t i = 0; i < numbers.rgba.size(); i += 4) surfaces += numbers.rgba[i];
+        EXPECT_EQ(surfaces, static_cast<float>(covered));
     }
+}
+
+TEST(FrameLayers, OfACubeAreFacesAndHaveNoHistory) {
+    const SceneFolder folder{
+        "WindowSize 20 20\nCubeMap sides 8 rgba8\nCamera eye LookAt 0 0 5  0 0 0  0 1 0  Ortho -1 1 -1 1 "
+        "1 "
+        "10\nVertex a.vert\nGeometry a.geom\nFragment a.frag\nProgram Layers\n"
+        "Pass sides clear {0 0 0 1}\n    QuadXY 0 1\nEndPass\nGeometry\nFragment show.frag\nProgram Show "
+        "uImage sides\nFill window with Show\n",
+        {{"a.vert", "#version 330\nvoid main() { gl_Position = uModelViewProjectionMatrix * aVertex; }\n"},
+         {"a.geom",
+          "#version 330\nlayout(triangles) in; layout(triangle_strip, max_vertices = 3) out;\n"
+          "void main() { for (int k = 0; k < 3; ++k) { gl_Layer = 3;\n"
+          "gl_Position = gl_in[k].gl_Position; EmitVertex(); } EndPrimitive(); }\n"},
+         {"a.frag", "#version 330\nout vec4 c;\nvoid main() { c = vec4(1.); }\n"},
+         {"show.frag",
+          "#version 330\nuniform samplerCube uImage; out vec4 c;\n"
+          "void main() { c = texture(uImage, vec3(0., -1., 0.)); }\n"}}};
+    Session session{context(), {}};
+    ASSERT_TRUE(session.open(folder.scene())) << text(session.diagnostics());
+    session.keepTextures();
+    session.drawIfNeeded();
+    ASSERT_FALSE(hasError(session.diagnostics())) << text(session.diagnostics());
+    const std::vector<FrameItem> items = view::frameItems(session.live().scene(), session.live().plan());
+    for (const int layer : {2, 3}) {
+        const view::FrameAnswer answer = view::watchFrame(
+            context(), session.live(), items,
+            {session.width(), session.height(), 0, std::vector<bool>(items.size(), true), 1, 0, layer});
+        EXPECT_EQ(answer.layerName, layer == 2 ? "face +y" : "face -y");
+        ASSERT_TRUE(answer.mask);
+        EXPECT_EQ(answer.mask->passedPixels, layer == 2 ? 0U : 64U);
+    }
+    const view::PixelHistory history =
+        view::pixelHistory(context(), session.live(), items, 1, 20, 20, 0, 4, 4, 0);
+    EXPECT_TRUE(history.events.empty());
+    EXPECT_NE(history.problem.find("several layers"), std::string::npos);
 }
 
 TEST_F(Frame, TimesItsParts) {

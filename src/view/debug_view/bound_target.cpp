@@ -1,5 +1,7 @@
 #include "view/debug_view/bound_target.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <span>
@@ -71,6 +73,19 @@ struct Copy {
         return true;
     }
 };
+
+/// The first texture that the pass draws into; none: the window, or a depth buffer that no texture holds.
+gpu::TexturePart firstPart(const LiveScene& scene, const scene::Pass& pass) {
+    scene::TextureView view;
+    if (!pass.targets.empty()) {
+        const scene::TargetPart part = pass.parts.empty() ? scene::TargetPart{} : pass.parts.front();
+        view = {.texture = pass.targets.front(), .level = part.level, .layer = part.layer};
+    } else if (pass.depth) {
+        view = *pass.depth;
+    }
+    const gpu::Texture* texture = !pass.isWindow && view.texture ? scene.texture(view.texture) : nullptr;
+    return {texture, view.level.value_or(0), view.layer};
+}
 
 }  // namespace
 
@@ -187,15 +202,25 @@ std::optional<render::Content> readTexture(const gpu::Capabilities& capabilities
 }
 
 gpu::TextureSize sizeOf(const LiveScene& scene, const scene::Pass& pass, int width, int height) {
-    scene::TextureView view;
-    if (!pass.targets.empty())
-        view = {.texture = pass.targets.front(),
-                .level = pass.parts.empty() ? std::nullopt : pass.parts.front().level};
-    else if (pass.depth)
-        view = *pass.depth;
-    const gpu::Texture* texture = !pass.isWindow && view.texture ? scene.texture(view.texture) : nullptr;
-    if (texture == nullptr) return {width, height, 1};
-    return gpu::sizeOfLevel(texture->shape(), texture->size(), view.level.value_or(0));
+    const gpu::TexturePart part = firstPart(scene, pass);
+    return part.texture == nullptr ? gpu::TextureSize{width, height, 1} : part.size();
+}
+
+int layersOf(const LiveScene& scene, const scene::Pass& pass) {
+    const gpu::TexturePart part = firstPart(scene, pass);
+    return part.texture != nullptr && part.isLayered() ? part.texture->layers(part.level) : 1;
+}
+
+std::string layerName(const LiveScene& scene, const scene::Pass& pass, int layer) {
+    constexpr std::array<const char*, 6> kFaces{"+x", "-x", "+y", "-y", "+z", "-z"};
+    const gpu::Texture* texture = firstPart(scene, pass).texture;
+    const auto face = static_cast<std::size_t>(layer) % kFaces.size();
+    if (texture != nullptr && texture->shape() == gpu::TextureShape::cube)
+        return fmt::format("face {}", kFaces.at(face));
+    if (texture != nullptr && texture->shape() == gpu::TextureShape::cubeArray)
+        return fmt::format("cube {}, face {}", static_cast<std::size_t>(layer) / kFaces.size(),
+                           kFaces.at(face));
+    return fmt::format("layer {}", layer);
 }
 
 BoundPart partOf(const LiveScene& scene, const FrameTarget& target, const gpu::TextureSize& size) {
@@ -206,17 +231,36 @@ BoundPart partOf(const LiveScene& scene, const FrameTarget& target, const gpu::T
 }
 
 std::optional<BesideTarget> BesideTarget::make(const gpu::Capabilities& capabilities, const LiveScene& scene,
-                                               const scene::Pass& pass, const gpu::TextureSize& size) {
+                                               const scene::Pass& pass, const gpu::TextureSize& size,
+                                               int layer) {
     const KeptState kept;
     const int samples = std::max(1, integerOf(GL_SAMPLES));
-    auto color =
-        gpu::Renderbuffer::color(capabilities, size.width, size.height, base::TexelFormat::rgba32f, samples);
-    if (!color) return std::nullopt;
+    const int layers = layersOf(scene, pass);
     BesideTarget made;
     made.width_ = size.width;
     made.height_ = size.height;
-    made.color_ = std::move(*color);
-    // Attaching by name is for the depth buffers that no texture holds.
+    const gpu::Texture* texture = pass.depth ? scene.texture(pass.depth->texture) : nullptr;
+    if (layers > 1) {
+        // All layers of a framebuffer have one shape; 3D textures are drawn with depth of an array.
+        gpu::TextureShape shape = (texture != nullptr ? texture : firstPart(scene, pass).texture)->shape();
+        if (shape == gpu::TextureShape::texture3D) shape = gpu::TextureShape::array2D;
+        const int depth = shape == gpu::TextureShape::cube ? 1 : layers;
+        auto color = gpu::Texture::create(
+            capabilities, {shape, base::TexelFormat::rgba32f, {size.width, size.height, depth}, 1, samples});
+        if (!color) return std::nullopt;
+        made.layers_ = std::move(*color);
+        const std::array<gpu::Attachment, 1> one{
+            gpu::TexturePart{&*made.layers_, 0, std::clamp(layer, 0, layers - 1)}};
+        auto read = gpu::Framebuffer::create(one);
+        if (!read) return std::nullopt;
+        made.layer_ = std::move(read.value);
+    } else {
+        auto color = gpu::Renderbuffer::color(capabilities, size.width, size.height,
+                                              base::TexelFormat::rgba32f, samples);
+        if (!color) return std::nullopt;
+        made.color_ = std::move(*color);
+    }
+    // Attaching by name is for the depth buffers that no texture of the scene holds.
     struct Depth {
         GLenum point;
         GLint type = GL_NONE, name = 0;
@@ -225,25 +269,27 @@ std::optional<BesideTarget> BesideTarget::make(const gpu::Capabilities& capabili
     for (Depth& each : depths) {
         glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, each.point,
                                               GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &each.type);
-        if (each.type == GL_RENDERBUFFER)
+        if (each.type != GL_NONE)
             glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, each.point,
                                                   GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME, &each.name);
     }
-    const std::array<gpu::Attachment, 1> colors{&made.color_};
-    gpu::Attachment depth = gpu::kNothing;
-    const gpu::Texture* texture = pass.depth ? scene.texture(pass.depth->texture) : nullptr;
+    gpu::Attachment color = &made.color_, depth = gpu::kNothing;
+    if (made.layers_) color = gpu::TexturePart{&*made.layers_};
     if (texture != nullptr)
         depth = gpu::TexturePart{texture, pass.depth->level.value_or(0), pass.depth->layer};
-    auto framebuffer = gpu::Framebuffer::create(colors, depth);
+    auto framebuffer = gpu::Framebuffer::create({&color, 1}, depth);
     if (!framebuffer) return std::nullopt;
     made.framebuffer_ = std::move(framebuffer.value);
     made.framebuffer_->bindForDrawing();
-    for (const Depth& each : depths)
+    for (const Depth& each : depths) {
         if (each.type == GL_RENDERBUFFER)
             glFramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, each.point, GL_RENDERBUFFER,
                                       static_cast<GLuint>(each.name));
-    const bool isLayered = texture == nullptr && depths[0].type == GL_TEXTURE;
-    if (isLayered || glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        else if (each.type == GL_TEXTURE && texture == nullptr && layers > 1)
+            glFramebufferTexture(GL_DRAW_FRAMEBUFFER, each.point, static_cast<GLuint>(each.name), 0);
+    }
+    const bool isOther = texture == nullptr && depths[0].type == GL_TEXTURE && layers == 1;
+    if (isOther || glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         return std::nullopt;
     return made;
 }
@@ -265,7 +311,10 @@ void BesideTarget::clear() const {
 render::Content BesideTarget::read(const gpu::Capabilities& capabilities,
                                    const std::optional<gpu::PixelRectangle>& only) const {
     const KeptState kept;
-    bind(0);
+    if (layer_)
+        layer_->bindForDrawing();
+    else
+        bind(0);
     return readBound(capabilities, {FrameTarget::Kind::color, 0, base::TexelFormat::rgba32f, width_, height_},
                      0, only)
         .value_or(render::Content{});

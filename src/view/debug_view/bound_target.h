@@ -5,6 +5,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 
 #include "gpu/context/context.h"
 #include "gpu/object/framebuffer.h"
@@ -57,13 +58,19 @@ gpu::TextureSize sizeOf(const LiveScene& scene, const scene::Pass& pass, int wid
 /// The part of the framebuffer of a pass that the target is.
 BoundPart partOf(const LiveScene& scene, const FrameTarget& target, const gpu::TextureSize& size);
 
+/// How many layers or faces the pass draws into at once, between which gl_Layer chooses; 1: one.
+int layersOf(const LiveScene& scene, const scene::Pass& pass);
+/// "layer 2", or "face -y" of a cube, or "cube 1, face -y".
+std::string layerName(const LiveScene& scene, const scene::Pass& pass, int layer);
+
 /// A colour of floats beside the depth of the bound framebuffer: what is drawn into it is tested as in that.
 class BesideTarget {
   public:
     /// Call it while the framebuffer of the pass is bound for drawing. Nothing if the driver cannot draw into
-    /// such a combination: passes into several layers at once.
+    /// such a combination. `layer`: that read() reads where the pass draws into several at once.
     static std::optional<BesideTarget> make(const gpu::Capabilities& capabilities, const LiveScene& scene,
-                                            const scene::Pass& pass, const gpu::TextureSize& size);
+                                            const scene::Pass& pass, const gpu::TextureSize& size,
+                                            int layer = 0);
     /// Binds it for drawing; colour output `output` is written.
     void bind(int output) const;
     /// Sets the colour to zero.
@@ -74,7 +81,9 @@ class BesideTarget {
 
   private:
     gpu::Renderbuffer color_;
+    std::optional<gpu::Texture> layers_;  ///< in place of color_, for a pass into several layers
     std::optional<gpu::Framebuffer> framebuffer_;
+    std::optional<gpu::Framebuffer> layer_;  ///< the layer that is read
     int width_ = 1, height_ = 1;
 };
 

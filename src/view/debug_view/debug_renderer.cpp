@@ -294,11 +294,11 @@ std::string DebugRenderer::drawPass(std::size_t pass, int width, int height, con
             return;
         }
         if (!beside) {
-            beside = BesideTarget::make(context_.capabilities(), scene_, shown, size);
+            beside = BesideTarget::make(context_.capabilities(), scene_, shown, size, request.layer);
             if (beside)
                 beside->clear();
             else
-                problem = "a pass into several layers at once cannot be shown so";
+                problem = "the driver cannot draw this view beside the depth of the pass";
         }
         if (!beside) return;
         glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);

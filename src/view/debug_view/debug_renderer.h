@@ -32,6 +32,7 @@ class DebugRenderer {
         double normalLength = kUsualNormalLength;
         double time = 0;
         bool axes = false;  ///< with normals only
+        int layer = 0;      ///< of drawPass(), for a pass into several layers
     };
     /// Draws the debug view into `picture`. Draws that it cannot show are left out, with the warning view-W01
     /// once per program.

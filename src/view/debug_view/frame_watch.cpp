@@ -136,6 +136,10 @@ class FrameLook {
             return;
         }
         answer_.layers = layersOf(wanted);
+        if (item.kind != FrameItem::Kind::dispatch && item.kind != FrameItem::Kind::clearObject &&
+            view::layersOf(scene_, passOf(item)) > 1)  // of a depth that no texture holds, the first is read
+            answer_.layerName =
+                layerName(scene_, passOf(item), std::min(question_.layer, answer_.layers - 1));
         answer_.content = read(item, wanted, 0, question_.layer);
     }
 
@@ -151,7 +155,7 @@ class FrameLook {
         const scene::Pass& pass = passOf(item);
         const gpu::TextureSize size = sizeOf(scene_, pass, question_.width, question_.height);
         const KeptState kept;
-        const auto beside = BesideTarget::make(context_.capabilities(), scene_, pass, size);
+        const auto beside = BesideTarget::make(context_.capabilities(), scene_, pass, size, question_.layer);
         const auto program = makeDebugProgram(context_, *built, DebugView::layers, DebugStages::numbers);
         if (!beside || !program) return;
         program->program.use();

@@ -49,8 +49,9 @@ struct FrameAnswer {
     std::vector<FrameThumbnail> thumbnails;  ///< by item; empty if none is wanted
     std::optional<render::Content> content;  ///< of the target after the item
     int layers = 1;                          ///< of that target, if the pass draws into all of them
+    std::string layerName;                   ///< "face -y": the one that is read, if there are several
     std::string problem;                     ///< why there is none
-    std::optional<DrawMask> mask;            ///< of a draw
+    std::optional<DrawMask> mask;            ///< of a draw, in that layer
 };
 
 inline constexpr int kThumbnailSide = 96;

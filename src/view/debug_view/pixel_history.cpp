@@ -301,6 +301,11 @@ PixelHistory pixelHistory(gpu::Context& context, LiveScene& scene, std::span<con
         return none;
     }
     const scene::Pass& pass = scene.scene().frame.passes.at(items[item].step.pass);
+    if (layersOf(scene, pass) > 1) {
+        PixelHistory none;
+        none.problem = "The pass draws into several layers at once, so its pixels have no history.";
+        return none;
+    }
     return PixelWatch(context, scene, items, item, x, y, output).run(width, height, time, pass);
 }
 

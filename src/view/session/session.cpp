@@ -77,7 +77,7 @@ bool Session::open(const std::filesystem::path& path) {
     camera_.clear();
     clock_ = {};
     animations_.clear();
-    triedStates_.clear();
+    trials_.clear();
     width_ = loading.scene->scene().width;
     height_ = loading.scene->scene().height;
     before_.reset();
@@ -193,7 +193,7 @@ void Session::take(LiveScene::Loading loading, bool sameScene) {
     });
     for (std::size_t i = 0; i < knobs_.size(); ++i)
         if (knobs_[i].isChanged()) applyValue(i);
-    if (!triedStates_.empty()) live_->tryStates(triedStates_);
+    followTrials();
     live_->drawer().setWireframe(wireframe_);
     live_->setMouse(mouse_.x, mouse_.y, mouse_.isDown);
     setCamera(camera_);
@@ -256,7 +256,7 @@ std::string Session::onlyOnScreen() const {
     std::string words;
     const auto add = [&](const std::string& word) { words += (words.empty() ? "" : " and ") + word; };
     if (wireframe_) add("wireframe");
-    if (!triedStates_.empty()) add("states of draws that are tried");
+    if (!trials_.states().empty()) add("states of draws that are tried");
     if (debugView_ != DebugView::picture) add("the debug view '" + std::string(nameOf(debugView_)) + "'");
     if (!camera_.empty()) add("the camera '" + camera_ + "'");
     if (live_ && live_->readsMouse() && mouse_ != Mouse{}) add("the mouse");

@@ -29,6 +29,7 @@
 #include "view/session/drawing_process.h"
 #include "view/session/drawing_service.h"
 #include "view/session/object_timer.h"
+#include "view/session/trials.h"
 
 namespace glibra::view {
 
@@ -211,7 +212,9 @@ class Session {
     bool canLookInto();
     /// The draws that are drawn with another state than the scene says (LiveScene::tryStates), until the
     /// scene says another one for them, or another scene is opened.
-    [[nodiscard]] const TriedStates& triedStates() const { return triedStates_; }
+    /// They are found again after an edit, and a draw that takes the place of another does not inherit its
+    /// state.
+    [[nodiscard]] const TriedStates& triedStates() const { return trials_.states(); }
     void tryState(const scene::Draw& draw, const base::RasterState& state);
     /// All draws are as the scene says.
     void endTrials();
@@ -219,8 +222,8 @@ class Session {
     /// from the lower edge.
     ProbedPixel probeDraw(scene::StepIndex step, int x, int row);
     /// The debug view of one pass of the frame (DebugRenderer::drawPass), as numbers. Returns why there is
-    /// none; empty on success.
-    std::string numbersOfPass(std::size_t pass, DebugView kind, TexelImage& numbers);
+    /// none; empty on success. `layer`: of a pass into several.
+    std::string numbersOfPass(std::size_t pass, DebugView kind, TexelImage& numbers, int layer = 0);
 
     /// The picture from before the last edit: of the files as they were last. Null if there is none.
     [[nodiscard]] const gpu::Target* pictureBefore() const { return before_ ? &*before_ : nullptr; }
@@ -246,6 +249,9 @@ class Session {
     [[nodiscard]] bool isChanged() const;
 
   private:
+    [[nodiscard]] std::string readText(const std::filesystem::path& file) const;
+    void followTrials();
+    void drawTrials();
     void take(LiveScene::Loading loading, bool sameScene);
     void dropScene();
     Diagnostics drawShown();
@@ -301,7 +307,7 @@ class Session {
     bool showsBefore_ = false;
     bool isOfFiles_ = true;  ///< the scene was loaded without texts that are not saved
     std::vector<Animation> animations_;
-    TriedStates triedStates_;
+    Trials trials_;
     DrawingProcess process_;
     std::optional<std::vector<Place>> openLoops_;  ///< with the current values, if they are known
     std::string tried_;                            ///< what the process has drawn

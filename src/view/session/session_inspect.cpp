@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "image/file.h"
 #include "view/session/session.h"
 
 namespace glibra::view {
@@ -21,35 +22,44 @@ ProbedPixel Session::probeDraw(scene::StepIndex step, int x, int row) {
     return pixel;
 }
 
+std::string Session::readText(const std::filesystem::path& file) const {
+    if (const auto typed = options_.texts.find(file); typed != options_.texts.end()) return typed->second;
+    const auto bytes = image::readFile(file, {file.string(), {}});
+    return bytes ? std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size()) : std::string();
+}
+
 void Session::tryState(const scene::Draw& draw, const base::RasterState& state) {
     if (!live_) return;
-    const auto known = triedStates_.find(draw.id);
-    const bool isTried = known != triedStates_.end() && known->second.wanted == draw.raster;
-    const base::RasterState ofScene = isTried ? known->second.ofScene : draw.raster;
-    if (state == ofScene)
-        triedStates_.erase(draw.id);
-    else
-        triedStates_.insert_or_assign(draw.id, TriedState{draw.word, ofScene, state});
-    live_->tryStates(triedStates_);
-    if (debugRenderer_) debugRenderer_->forgetPlan();
-    isStale_ = true;
+    trials_.set(draw, state, [this](const std::filesystem::path& file) { return readText(file); });
+    drawTrials();
 }
 
 void Session::endTrials() {
-    if (triedStates_.empty() || !live_) return;
-    triedStates_.clear();
-    live_->tryStates({});
+    if (trials_.empty() || !live_) return;
+    trials_.clear();
+    drawTrials();
+}
+
+/// The scene has been read again.
+void Session::followTrials() {
+    if (trials_.empty()) return;
+    trials_.follow(live_->scene(), [this](const std::filesystem::path& file) { return readText(file); });
+    live_->tryStates(trials_.states());
+}
+
+void Session::drawTrials() {
+    live_->tryStates(trials_.states());
     if (debugRenderer_) debugRenderer_->forgetPlan();
     isStale_ = true;
 }
 
-std::string Session::numbersOfPass(std::size_t pass, DebugView kind, TexelImage& numbers) {
+std::string Session::numbersOfPass(std::size_t pass, DebugView kind, TexelImage& numbers, int layer) {
     if (!canLookInto() || pass >= live_->scene().frame.passes.size()) return "no frame has been drawn";
     // Not that of the picture, whose numbers stay.
     DebugRenderer renderer(context_, *live_);
-    std::string problem =
-        renderer.drawPass(pass, target_->width(), target_->height(),
-                          {.kind = kind, .normalLength = normalLength_, .time = clock_.time()});
+    std::string problem = renderer.drawPass(
+        pass, target_->width(), target_->height(),
+        {.kind = kind, .normalLength = normalLength_, .time = clock_.time(), .layer = layer});
     numbers = renderer.numbers();
     return problem;
 }

@@ -258,6 +258,32 @@ class Lists(LectureTest):
         window.key("Return")
         window.wait(lambda s: [t["label"] for t in s["tabs"]] == ["second/planet", "first/planet"])
 
+    def test_a_recent_scene_whose_file_is_gone_says_so_and_can_be_removed(self):
+        settings = self.files / "settings"
+        (settings / "glibra").mkdir(parents=True)
+        (self.files / "here.glib").write_text("Sphere 1\n")
+        recent = ["/nowhere/gone.glib", str(self.files / "here.glib"), "/nowhere/lost.glib"]
+        (settings / "glibra/view.json").write_text(json.dumps({"recent": recent}))
+        window = self.open(None, settings=settings)
+        window.wait(lambda s: "welcome/recent/1" in s["widgets"])
+        state = window.settle()
+        self.assertNotIn("welcome/recent/0", state["widgets"], "it cannot be chosen")
+        self.assertIn("welcome/recent/gone/0", state["widgets"])
+        window.click("welcome/recent/remove/0")
+        window.wait(lambda s: "welcome/recent/0" in s["widgets"] and "welcome/recent/remove/1" in s["widgets"])
+        window.key("ctrl+o")
+        window.wait(lambda s: "dialog/recent/remove/1" in s["widgets"])
+        window.settle()
+        window.click("dialog/recent/remove/1")
+        window.wait(lambda s: "dialog/recent/gone/1" not in s["widgets"])
+        window.settle()
+        window.click("dialog/recent/0")
+        window.wait(lambda s: s["scene"].endswith("here.glib"))
+        window.key("ctrl+q")
+        window.process.wait(20)
+        self.assertEqual(json.loads((settings / "glibra/view.json").read_text())["recent"],
+                         [str(self.files / "here.glib")])
+
     def test_a_message_has_one_line_and_more_on_demand(self):
         (self.files / "one.frag").write_text(SHADER.replace("uBlue, 1.", "uBleu + " + "oops + " * 30 + "uGone, 1."))
         window = self.open(self.files / "one.glib", "--size", "640x900")

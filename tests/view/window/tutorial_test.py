@@ -5,7 +5,9 @@ import os
 import pathlib
 import re
 import sys
+import time
 import unittest
+import unittest.mock
 
 from scenes_test import ScenesTest
 from window_case import SOURCES
@@ -40,9 +42,18 @@ class Tutorial(ScenesTest):
         window.xdotool("key", "Return")
         window.settle()
 
+    @staticmethod
+    def rest(window):
+        """Waits until a new menu, dialog or button has found its place, also while a scene moves, which never settles."""
+        window.settle()
+        if window.state()["moving"]:
+            time.sleep(.5)
+
     def save(self, window):
+        seen = window.state()["reloads"]
         window.key("ctrl+s")
-        window.wait(lambda s: not s["source"]["changed"])
+        # Scenes that move never settle, so it waits for the messages of the new text.
+        window.wait(lambda s: not s["source"]["changed"] and s["reloads"] > seen)
         return window.settle()
 
     @staticmethod
@@ -57,14 +68,14 @@ class Tutorial(ScenesTest):
         if not scene.exists():
             window.key("F10")
             window.wait(lambda s: "file/new" in s["widgets"])
-            window.settle()
+            self.rest(window)
             window.click("file/new")
             window.wait(lambda s: "file/new/empty" in s["widgets"])
-            window.settle()
+            self.rest(window)
             window.click("file/new/empty")
             state = window.wait(lambda s: s["dialog"].startswith("A new, empty scene") and s["takesText"])
             self.assertTrue(pathlib.Path(state["folder"]).is_dir(), "that of the last scene is gone")
-            window.settle()
+            self.rest(window)
             window.key("ctrl+a")
             window.type(str(scene))
             window.key("Return")
@@ -78,8 +89,9 @@ class Tutorial(ScenesTest):
         self.assertTrue(self.same(scene.read_text(), text), scene.read_text())
         while missing := [m for m in state["messages"] if m["id"] == "file-E01"]:
             shader = re.search(r"'([^']+)'", missing[0]["text"])[1]
-            state = window.wait(lambda s: any("/fix/0" in k for k in s["widgets"]))
-            window.settle()
+            window.wait(lambda s: any("/fix/0" in k for k in s["widgets"]))
+            self.rest(window)
+            state = window.state()
             window.click(next(k for k in state["widgets"] if "/fix/0" in k))
             window.wait(lambda s: s["source"]["file"].endswith(shader) and (folder / shader).exists())
             window.settle()
@@ -99,6 +111,10 @@ class Tutorial(ScenesTest):
         before = os.getcwd()
         self.addCleanup(os.chdir, before)
         os.chdir(folder)
+        # The files of the library, for the window and for the pictures to compare with.
+        library = unittest.mock.patch.dict(os.environ, {"GLIBRA_PATH": str(SOURCES)})
+        library.start()
+        self.addCleanup(library.stop)
         settings = self.files / "settings"
         (settings / "glibra").mkdir(parents=True)
         (settings / "glibra/view.json").write_text('{"recent": ["/nowhere/x.glib"]}')

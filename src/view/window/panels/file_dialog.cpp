@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "view/browse/folder_list.h"
+#include "view/window/panels/recent_scenes.h"
 #include "view/window/panels/ui.h"
 #include "view/window/platform/keys.h"
 #include "view/window/platform/theme.h"
@@ -112,22 +113,8 @@ void places(Ui& ui, FileDialog& dialog) {
     if (dialog.question) return;
     ImGui::Spacing();
     ImGui::TextDisabled("Recent scenes");
-    int index = 0;
-    const std::vector<std::string>& recent = ui.settings.recent;
-    for (const std::string& each : recent) {
-        ImGui::PushID(index);
-        const fs::path path = each;
-        if (ImGui::Selectable(path.filename().c_str())) openAndClose(ui, dialog, path);
-        mark(ui, "dialog/recent/" + std::to_string(index));
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", each.c_str());
-        ImGui::Indent();
-        const std::string folder = path.parent_path().string();
-        ImGui::TextDisabled("%s", shortened(folder, ImGui::GetContentRegionAvail().x).c_str());
-        markPlace(ui, "dialog/recent/folder/" + std::to_string(index));
-        ImGui::Unindent();
-        ImGui::PopID();
-        ++index;
-    }
+    const fs::path chosen = recentScenes(ui, ui.settings.recent.size(), "dialog/recent", true);
+    if (!chosen.empty()) openAndClose(ui, dialog, chosen);
 }
 
 void folderList(Ui& ui, FileDialog& dialog) {

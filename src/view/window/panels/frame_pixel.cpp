@@ -169,7 +169,7 @@ void framePixel(Ui& ui, FrameWindow& window) {
     examine(ui, window, *index);
     ImGui::Text("pixel %d, %d", window.pixel->first, window.pixel->second);
     mark(ui, "frame/pixel");
-    if (!window.history.problem.empty()) ImGui::TextWrapped("%s", window.history.problem.c_str());
+    if (!window.history.problem.empty()) return ImGui::TextWrapped("%s", window.history.problem.c_str());
     events(ui, window);
     if (const FrameItem* item = window.item()) probe(ui, window, *item);
 }

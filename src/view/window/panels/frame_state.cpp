@@ -116,6 +116,7 @@ nlohmann::ordered_json frameJson(const Ui& ui, const FrameWindow& window) {
     made["layer"] = window.layer;
     made["times"] = window.times.milliseconds;
     made["layers"] = window.answer.layers;
+    made["layerName"] = window.answer.layerName;
     if (window.answer.content) made["size"] = {window.answer.content->width, window.answer.content->height};
     if (const auto& mask = window.answer.mask)
         made["mask"] = {{"passed", mask->passedPixels}, {"hidden", mask->hiddenPixels}};

@@ -78,7 +78,7 @@ void takeNumbers(Ui& ui, FrameWindow& window) {
         window.problem = "only passes can be shown so";
         return;
     }
-    window.problem = ui.session.numbersOfPass(item->step.pass, window.shows, window.numbers);
+    window.problem = ui.session.numbersOfPass(item->step.pass, window.shows, window.numbers, window.layer);
     if (!window.problem.empty()) return;
     render::Content content;
     content.width = window.numbers.width;
@@ -201,6 +201,7 @@ void heading(Ui& ui, FrameWindow& window, const FrameItem& item) {
         mark(ui, "frame/source");
     }
     std::string text = labelOf(item);
+    if (!window.answer.layerName.empty()) text += "   " + window.answer.layerName;
     if (const auto& mask = window.answer.mask)
         text += fmt::format("   {} pixels, {} hidden", mask->passedPixels, mask->hiddenPixels);
     if (ui.session.isMoving()) text += fmt::format("   as at {:.2f} s", window.time);

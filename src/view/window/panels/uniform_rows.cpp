@@ -23,7 +23,12 @@ namespace glibra::view {
 namespace {
 
 constexpr int kMostInRow = 4;
-constexpr const char* kNumberFormat = "%.4g";
+
+/// Large numbers are shown whole: 20000, not 2e+04.
+const char* numberFormat(double value) {
+    constexpr double kLarge = 1e4, kHuge = 1e8;
+    return std::abs(value) >= kLarge && std::abs(value) < kHuge ? "%.0f" : "%.4g";
+}
 
 /// A knob as a row shows it: of its program, or for all programs that share it.
 struct Row {
@@ -127,7 +132,7 @@ void number(Ui& ui, const Part& part) {
         value = integer;
     } else {
         changed = ImGui::DragScalar("##number", ImGuiDataType_Double, &value, speed, nullptr, nullptr,
-                                    kNumberFormat);
+                                    numberFormat(value));
     }
     markPart(ui, part);
     if (changed && ImGui::IsMouseDown(ImGuiMouseButton_Left))

@@ -2,11 +2,10 @@
 
 #include <imgui.h>
 
-#include <algorithm>
 #include <filesystem>
-#include <string>
 
 #include "view/window/panels/file_menu.h"
+#include "view/window/panels/recent_scenes.h"
 #include "view/window/panels/ui.h"
 
 namespace glibra::view {
@@ -34,16 +33,8 @@ void welcome(Ui& ui) {
         mark(ui, "welcome/examples");
         constexpr std::size_t kMost = 8;
         if (!ui.settings.recent.empty()) ImGui::TextDisabled("Recent scenes");
-        for (std::size_t i = 0; i < std::min(kMost, ui.settings.recent.size()); ++i) {
-            const std::filesystem::path file = ui.settings.recent[i];
-            ImGui::PushID(static_cast<int>(i));
-            if (ImGui::Selectable(file.filename().c_str())) ui.requests.open = file;
-            mark(ui, "welcome/recent/{}", i);
-            ImGui::SameLine();
-            const float width = std::max(80.F, ui.frame.room[2] * .6F);
-            ImGui::TextDisabled("%s", shortened(file.parent_path().string(), width).c_str());
-            ImGui::PopID();
-        }
+        const std::filesystem::path chosen = recentScenes(ui, kMost, "welcome/recent", false);
+        if (!chosen.empty()) ui.requests.open = chosen;
     }
     ImGui::End();
 }
