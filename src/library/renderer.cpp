@@ -48,43 +48,40 @@ Diagnostics problemsOf(const RenderOptions& options) {
     return found;
 }
 
-/// library-E01 for each option that only one picture at a time can have.
+/// library-E01 for each option that load() would not keep.
 Diagnostics problemsOfLoading(const RenderOptions& options) {
     Diagnostics found = problemsOf(options);
-    const auto only = [&](std::string_view name, bool isSet) {
-        if (isSet)
-            found.push_back(
-                diagnose("library-E01", fmt::format("{}: only render() has this; load() has not", name)));
-    };
     const RenderOptions none;
-    only("maxError", options.maxError != none.maxError);
-    only("overrideCounts", options.overrideCounts);
-    only("lastTime", options.lastTime != none.lastTime);
-    only("checkNan", options.checkNan);
-    only("checkUndefined", options.checkUndefined);
-    only("checks", options.checks);
-    only("tileSize", options.tileSize != none.tileSize);
-    only("wantedObjects", !options.wantedObjects.empty());
-    const auto ofDraw = [&](const char* name, bool isSet) {
-        if (isSet)
-            found.push_back(
-                diagnose("library-E01", fmt::format("{}: an option of draw(), not of load()", name)));
+    suite::Shot rest;  // options that have no message yet
+    rest.options = options;
+    const auto refuse = [&](std::string_view name, auto member, const char* words) {
+        if (options.*member != none.*member)
+            found.push_back(diagnose("library-E01", fmt::format("{}: {}", name, words)));
+        rest.options.*member = none.*member;
     };
-    ofDraw("width", options.width != none.width);
-    ofDraw("height", options.height != none.height);
-    ofDraw("time", options.time != none.time);
-    ofDraw("samples", options.samples != none.samples);
-    ofDraw("alpha", options.alpha);
-    ofDraw("floatPixels", options.floatPixels);
-    ofDraw("viewState", options.viewState != none.viewState);
-    if (!found.empty()) return found;
-    // Every other option is one of render(), too, unless it is named here as one that a loaded scene keeps.
+    constexpr const char* kOfRender = "only render() has this; load() has not";
+    refuse("maxError", &RenderOptions::maxError, kOfRender);
+    refuse("overrideCounts", &RenderOptions::overrideCounts, kOfRender);
+    refuse("lastTime", &RenderOptions::lastTime, kOfRender);
+    refuse("checkNan", &RenderOptions::checkNan, kOfRender);
+    refuse("checkUndefined", &RenderOptions::checkUndefined, kOfRender);
+    refuse("checks", &RenderOptions::checks, kOfRender);
+    refuse("tileSize", &RenderOptions::tileSize, kOfRender);
+    refuse("wantedObjects", &RenderOptions::wantedObjects, kOfRender);
+    constexpr const char* kOfDraw = "an option of draw(), not of load()";
+    refuse("width", &RenderOptions::width, kOfDraw);
+    refuse("height", &RenderOptions::height, kOfDraw);
+    refuse("time", &RenderOptions::time, kOfDraw);
+    refuse("samples", &RenderOptions::samples, kOfDraw);
+    refuse("alpha", &RenderOptions::alpha, kOfDraw);
+    refuse("floatPixels", &RenderOptions::floatPixels, kOfDraw);
+    refuse("viewState", &RenderOptions::viewState, kOfDraw);
+    // Every other one is of render(), too, unless it is named here as one that a loaded scene keeps.
     constexpr std::array<std::string_view, 7> kKept{"steps",   "set",     "eye",    "strict",
                                                     "no-shim", "no-skip", "library"};
-    suite::Shot shot;
-    shot.options = options;
     for (const suite::OptionRow& row : suite::optionTable())
-        only(row.name, std::ranges::find(kKept, row.name) == kKept.end() && !suite::isDefault(row, shot));
+        if (std::ranges::find(kKept, row.name) == kKept.end() && !suite::isDefault(row, rest))
+            found.push_back(diagnose("library-E01", fmt::format("{}: {}", row.name, kOfRender)));
     return found;
 }
 

@@ -83,8 +83,10 @@ grep -q Unity/unity_ "$rules" && fail "a unity build that nobody asked for"
 
 # The targets that debian/rules names link all that is installed; `glibra` alone is the program, not the library.
 configure -DGLIBRA_PYTHON=ON || fail "all parts"
-# shellcheck disable=SC2046
-ninja -C "$place/build" -t commands $(sed -n 's/^\tdh_auto_build -- //p' "$source/debian/rules") >"$place/log" 2>&1 ||
+targets=$(sed -n 's/^\tdh_auto_build -- //p' "$source/debian/rules")
+[ -n "$targets" ] || fail "debian/rules names no targets"
+# shellcheck disable=SC2086
+ninja -C "$place/build" -t commands $targets >"$place/log" 2>&1 ||
     fail "targets of debian/rules"
 ninja -C "$place/build" -t targets all | sed -n 's/: CXX_\(EXECUTABLE\|[A-Z]*_LIBRARY\)_LINKER__.*//p' | while read -r file; do
     ! grep -q "\"$place/build/$file\"" "$place/build/cmake_install.cmake" || grep -q -- "-o $file " "$place/log" || echo "$file"

@@ -288,6 +288,23 @@ class Files(KeepingTest):
         window.key("Return")
         window.wait(lambda s: s["scene"] == str(self.here / "other/mine.glib"))
 
+    def test_a_click_opens_a_menu_in_the_menu_that_keys_have_opened(self):
+        window = self.open(self.files / "one.glib", "--size", "900x700")
+        window.key("e")
+        window.wait(lambda s: "source/text" in s["widgets"])
+        for _ in range(3):
+            window.settle()
+            window.click("source/text")
+            window.wait(lambda s: s["source"]["active"])
+            window.move(5, 5)
+            window.key("F10")
+            window.wait(lambda s: "file/new" in s["widgets"])
+            window.settle()
+            window.click("file/new")
+            window.wait(lambda s: "file/new/empty" in s["widgets"])
+            window.key("Escape", "Escape")
+            window.wait(lambda s: "file/new/empty" not in s["widgets"] and "file/new" not in s["widgets"])
+
     def test_a_new_scene_from_a_template(self):
         window = self.open(self.files / "one.glib", "--size", "520x560")
         window.click("file")

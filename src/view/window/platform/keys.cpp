@@ -22,6 +22,13 @@ bool isDown(const FrameInput& input, int left, int right) {
                        [&](int key) { return key == left || key == right; });
 }
 
+/// ImGui keeps in mind that keys made the last active item so, also when it is none any more, and takes the
+/// next click for a key: it then marks nothing below the mouse, and a menu in a menu closes below the click.
+void tellOfMouse(const FrameInput& input) {
+    ImGuiContext& context = *ImGui::GetCurrentContext();
+    if (input.buttons != 0 && context.ActiveId == 0) context.ActiveIdSource = ImGuiInputSource_Mouse;
+}
+
 void giveText(const std::string& text) {
     for (const char* at = text.c_str(); *at != '\0';) {
         unsigned character = 0;
@@ -126,6 +133,7 @@ ImGuiKey keyOf(int key) {
 
 void giveToImGui(const FrameInput& input) {
     ImGuiIO& io = ImGui::GetIO();
+    tellOfMouse(input);
     // The queue of glibra has already divided the input into frames, and the backend's events are the same
     // once more.
     io.ConfigInputTrickleEventQueue = false;
@@ -198,6 +206,7 @@ void chooseByEnter(const FrameInput& input) {
 
 void giveToImGui(const FrameInput& input) {
     ImGuiIO& io = ImGui::GetIO();
+    tellOfMouse(input);
     chooseByEnter(input);
     io.ClearInputCharacters();
     giveText(input.text);
