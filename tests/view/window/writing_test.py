@@ -188,6 +188,17 @@ class Completion(WritingTest):
         self.assertFalse(window.state()["completion"]["open"])
         self.assertIn("smoo\n", self.text_of(window))
 
+    def test_enter_after_a_whole_word_in_other_case_is_a_new_line(self):
+        window = self.open(self.files / "one.glib", "--size", "640x560")
+        self.edit(window, 3)
+        window.key("Return")
+        window.type("UBlue")
+        state = window.wait(lambda s: s["completion"]["open"])
+        self.assertEqual(self.words(state)[0], "uBlue")
+        window.key("Return")
+        window.wait(lambda s: not s["completion"]["open"])
+        self.assertIn("    UBlue\n", self.text_of(window))
+
     def test_scenes_get_their_own_words(self):
         window = self.open(self.files / "one.glib", "--size", "640x560")
         self.edit(window, 3)

@@ -57,12 +57,12 @@ void updateWords(CodeAssist& state, const Ui& ui, const EditedFile& file, const 
     state.isOpen = !state.words.empty();
 }
 
-/// True if the typed word is one of the list.
+/// True if the typed word is one of the list, also in other case: `Dust` may be a new name beside `dust`.
 bool isWholeWord(const CodeAssist& state, const EditedFile& file) {
     if (state.typed.end > file.text().size()) return false;
     const std::string typed = file.text().substr(state.typed.begin, state.typed.end - state.typed.begin);
     return std::any_of(state.words.begin(), state.words.end(),
-                       [&](const Completion& each) { return each.word == typed; });
+                       [&](const Completion& each) { return glib::sameWord(each.word, typed); });
 }
 
 void accept(CodeAssist& state, EditedFile& file, CodeView& view) {
