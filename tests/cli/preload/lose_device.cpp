@@ -127,7 +127,20 @@ void (*ownShaderSource)(unsigned, int, const char* const*, const int*) = nullptr
 void (*ownAttachShader)(unsigned, unsigned) = nullptr;
 void (*ownUseProgram)(unsigned) = nullptr;
 unsigned (*ownGetError)() = nullptr;
+unsigned (*ownCreateShader)(unsigned) = nullptr;
+unsigned (*ownCreateProgram)() = nullptr;
 
+// Drivers may give the number of a deleted shader or program to a new one.
+unsigned createShader(unsigned stage) {
+    const unsigned shader = ownCreateShader(stage);
+    hangingShaders.erase(shader);
+    return shader;
+}
+unsigned createProgram() {
+    const unsigned program = ownCreateProgram();
+    hangingPrograms.erase(program);
+    return program;
+}
 void shaderSource(unsigned shader, int count, const char* const* texts, const int* lengths) {
     for (int i = 0; i < count; ++i) {
         const std::string text = lengths != nullptr && lengths[i] >= 0
@@ -170,6 +183,8 @@ Function hooked(const char* name, Function got) {
     HOOK(glGetTexImage, Reads, unsigned, int, unsigned, unsigned, void*)
     HOOK(glGetBufferSubData, Reads, unsigned, std::intptr_t, std::intptr_t, void*)
     HOOK(glGetQueryObjectui64v, Reads, unsigned, unsigned, std::uint64_t*)
+    if (std::strcmp(name, "glCreateShader") == 0) return replace(ownCreateShader, got, &createShader);
+    if (std::strcmp(name, "glCreateProgram") == 0) return replace(ownCreateProgram, got, &createProgram);
     if (std::strcmp(name, "glShaderSource") == 0) return replace(ownShaderSource, got, &shaderSource);
     if (std::strcmp(name, "glAttachShader") == 0) return replace(ownAttachShader, got, &attachShader);
     if (std::strcmp(name, "glUseProgram") == 0) return replace(ownUseProgram, got, &useProgram);

@@ -7,6 +7,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <thread>
 #include <tuple>
 #include <utility>
@@ -89,6 +90,13 @@ void Display::listen(GLFWwindow* window, Events& events) {
 }
 
 Result<Display> Display::open(int width, int height, const std::string& title) {
+#ifdef GLFW_PLATFORM
+    // GLFW 3.4 looks for Wayland before X, and the library of Wayland complains to standard error if there is
+    // none.
+    if (std::getenv("WAYLAND_DISPLAY") == nullptr && std::getenv("DISPLAY") != nullptr &&
+        glfwPlatformSupported(GLFW_PLATFORM_X11) == GLFW_TRUE)
+        glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+#endif
     if (glfwInit() == GLFW_FALSE)
         return diagnose("view-E02", "no display found (" + lastError() +
                                         "); `glibra render SCENE` writes a picture without one");
