@@ -68,7 +68,7 @@ class Frame : public testing::Test {
     }
     view::PixelHistory history(int x, int y) {
         return view::pixelHistory(context(), session.live(), items, draw(0), session.width(),
-                                  session.height(), 0, x, y, 0);
+                                  session.height(), 0, {x, y}, 0);
     }
 
     const SceneFolder folder{kFrame, kFrameFiles};
@@ -171,7 +171,7 @@ TEST(PixelHistory, TellsStencilAndCulling) {
     ASSERT_FALSE(hasError(session.diagnostics())) << text(session.diagnostics());
     const auto items = view::frameItems(session.live().scene(), session.live().plan());
     const view::PixelHistory found =
-        view::pixelHistory(context(), session.live(), items, 0, 20, 20, 0, 10, 10, 0);
+        view::pixelHistory(context(), session.live(), items, 0, 20, 20, 0, {10, 10}, 0);
     ASSERT_EQ(found.events.size(), 4U) << found.problem;
     EXPECT_EQ(found.events[1].outcome, PixelEvent::Outcome::stencilFails);
     EXPECT_EQ(found.events[2].outcome, PixelEvent::Outcome::culled);
@@ -180,7 +180,7 @@ TEST(PixelHistory, TellsStencilAndCulling) {
 }
 
 TEST_F(Frame, ProbesAnyDrawOfAnyPass) {
-    const view::ProbedPixel hidden = session.probeDraw(items[draw(2)].step, 12, 1);
+    const view::ProbedPixel hidden = session.probeDraw(items[draw(2)].step, {12, 1});
     ASSERT_TRUE(hidden.isDrawn);
     EXPECT_TRUE(hidden.isHidden);
     EXPECT_EQ(view::rowOf(hidden), 1);
@@ -189,12 +189,12 @@ TEST_F(Frame, ProbesAnyDrawOfAnyPass) {
     ASSERT_NE(hidden.find("vPlace"), nullptr);
     EXPECT_NEAR(hidden.find("vPlace")->numbers[0], 2 * 12.5 / 16 - 1, 1e-5);
     EXPECT_EQ(hidden.find("gl_FragCoord")->numbers[1], 1.5);
-    const view::ProbedPixel seen = session.probeDraw(items[draw(0)].step, 8, 8);
+    const view::ProbedPixel seen = session.probeDraw(items[draw(0)].step, {8, 8});
     ASSERT_TRUE(seen.isDrawn);
     EXPECT_FALSE(seen.isHidden);
     EXPECT_NEAR(seen.depth, 4. / 9, 1e-4);
     EXPECT_EQ(seen.find("uColor")->numbers, (std::vector<double>{1, 0, 0}));
-    EXPECT_FALSE(session.probeDraw(items[draw(0)].step, 1, 1).isDrawn) << "the small quad is not there";
+    EXPECT_FALSE(session.probeDraw(items[draw(0)].step, {1, 1}).isDrawn) << "the small quad is not there";
     const std::vector<std::byte> before = pixelsOf(session);
     session.setNeedsFrame();
     session.drawIfNeeded();

@@ -127,9 +127,48 @@ KeptState::~KeptState() {
     glStencilMaskSeparate(GL_BACK, static_cast<GLuint>(stencilBack_));
 }
 
+BoundLayer::BoundLayer(const std::optional<LayerOfPass>& layer) {
+    if (!layer) return;
+    whole_ = static_cast<GLuint>(integerOf(GL_DRAW_FRAMEBUFFER_BINDING));
+    struct Attached {
+        GLenum point;
+        GLint type = GL_NONE, name = 0, level = 0;
+    };
+    std::vector<Attached> all{{GL_DEPTH_ATTACHMENT}, {GL_STENCIL_ATTACHMENT}};
+    for (GLenum i = 0; i < base::kRasterTargets; ++i) all.push_back({GL_COLOR_ATTACHMENT0 + i});
+    const auto ask = [](GLenum point, GLenum what, GLint& value) {
+        glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, point, what, &value);
+    };
+    for (Attached& each : all) {
+        ask(each.point, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, each.type);
+        if (each.type != GL_TEXTURE) continue;
+        ask(each.point, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME, each.name);
+        ask(each.point, GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL, each.level);
+    }
+    glGenFramebuffers(1, &layer_);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, layer_);
+    for (const Attached& each : all) {
+        if (each.type != GL_TEXTURE) continue;
+        const auto name = static_cast<GLuint>(each.name);
+        if (layer->shape == gpu::TextureShape::cube)
+            glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, each.point,
+                                   GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(layer->layer), name,
+                                   each.level);
+        else
+            glFramebufferTextureLayer(GL_DRAW_FRAMEBUFFER, each.point, name, each.level, layer->layer);
+    }
+}
+
+BoundLayer::~BoundLayer() {
+    if (layer_ == 0) return;
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, whole_);
+    glDeleteFramebuffers(1, &layer_);
+}
+
 std::optional<render::Content> readBound(const gpu::Capabilities& capabilities, const BoundPart& part,
                                          int mostSide, const std::optional<gpu::PixelRectangle>& only) {
     const KeptState kept;
+    const BoundLayer layer(part.layer);
     using Kind = FrameTarget::Kind;
     const bool isColor = part.kind == Kind::color;
     const GLenum type = isColor ? componentType(part.output) : GL_FLOAT;
@@ -223,9 +262,16 @@ std::string layerName(const LiveScene& scene, const scene::Pass& pass, int layer
     return fmt::format("layer {}", layer);
 }
 
-BoundPart partOf(const LiveScene& scene, const FrameTarget& target, const gpu::TextureSize& size) {
+std::optional<LayerOfPass> layerOf(const LiveScene& scene, const scene::Pass& pass, int layer) {
+    const int layers = layersOf(scene, pass);
+    if (layers == 1) return std::nullopt;
+    return LayerOfPass{firstPart(scene, pass).texture->shape(), std::clamp(layer, 0, layers - 1)};
+}
+
+BoundPart partOf(const LiveScene& scene, const FrameTarget& target, const gpu::TextureSize& size,
+                 const std::optional<LayerOfPass>& layer) {
     const gpu::Texture* texture = target.view.texture ? scene.texture(target.view.texture) : nullptr;
-    BoundPart part{target.kind, target.output, std::nullopt, size.width, size.height};
+    BoundPart part{target.kind, target.output, std::nullopt, size.width, size.height, layer};
     if (texture != nullptr) part.format = texture->format();
     return part;
 }
@@ -236,6 +282,19 @@ std::optional<BesideTarget> BesideTarget::make(const gpu::Capabilities& capabili
     const KeptState kept;
     const int samples = std::max(1, integerOf(GL_SAMPLES));
     const int layers = layersOf(scene, pass);
+    // Attaching by name is for the depth buffers that no texture of the scene holds.
+    struct Depth {
+        GLenum point;
+        GLint type = GL_NONE, name = 0;
+    };
+    std::array<Depth, 2> depths{{{GL_DEPTH_ATTACHMENT}, {GL_STENCIL_ATTACHMENT}}};
+    for (Depth& each : depths) {
+        glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, each.point,
+                                              GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &each.type);
+        if (each.type != GL_NONE)
+            glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, each.point,
+                                                  GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME, &each.name);
+    }
     BesideTarget made;
     made.width_ = size.width;
     made.height_ = size.height;
@@ -259,19 +318,6 @@ std::optional<BesideTarget> BesideTarget::make(const gpu::Capabilities& capabili
                                               base::TexelFormat::rgba32f, samples);
         if (!color) return std::nullopt;
         made.color_ = std::move(*color);
-    }
-    // Attaching by name is for the depth buffers that no texture of the scene holds.
-    struct Depth {
-        GLenum point;
-        GLint type = GL_NONE, name = 0;
-    };
-    std::array<Depth, 2> depths{{{GL_DEPTH_ATTACHMENT}, {GL_STENCIL_ATTACHMENT}}};
-    for (Depth& each : depths) {
-        glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, each.point,
-                                              GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &each.type);
-        if (each.type != GL_NONE)
-            glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, each.point,
-                                                  GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME, &each.name);
     }
     gpu::Attachment color = &made.color_, depth = gpu::kNothing;
     if (made.layers_) color = gpu::TexturePart{&*made.layers_};

@@ -37,12 +37,33 @@ class KeptState {
     GLint depthFunction_ = 0, stencilFront_ = 0, stencilBack_ = 0;
 };
 
+/// One of the layers or faces that a pass draws into at once.
+struct LayerOfPass {
+    gpu::TextureShape shape = gpu::TextureShape::array2D;  ///< of what the pass draws into
+    int layer = 0;
+};
+
+/// Binds one layer of the framebuffer that is bound for drawing in its place, with all its attachments.
+/// The destructor binds the whole one again.
+class BoundLayer {
+  public:
+    /// Without a layer it does nothing.
+    explicit BoundLayer(const std::optional<LayerOfPass>& layer);
+    BoundLayer(const BoundLayer&) = delete;
+    BoundLayer& operator=(const BoundLayer&) = delete;
+    ~BoundLayer();
+
+  private:
+    GLuint whole_ = 0, layer_ = 0;
+};
+
 /// A part of the framebuffer that is bound for drawing.
 struct BoundPart {
     FrameTarget::Kind kind = FrameTarget::Kind::color;  ///< color, depth or stencil
     int output = 0;
     std::optional<base::TexelFormat> format{};  ///< if it is known
     int width = 1, height = 1;                  ///< of the framebuffer
+    std::optional<LayerOfPass> layer{};         ///< if it has several
 };
 
 /// The numbers of that part. `mostSide`: larger pictures are made smaller, to that many texels; 0: none is.
@@ -55,11 +76,13 @@ std::optional<render::Content> readTexture(const gpu::Capabilities& capabilities
 
 /// Size of what a pass draws into; `width` and `height` are those of the window.
 gpu::TextureSize sizeOf(const LiveScene& scene, const scene::Pass& pass, int width, int height);
-/// The part of the framebuffer of a pass that the target is.
-BoundPart partOf(const LiveScene& scene, const FrameTarget& target, const gpu::TextureSize& size);
-
 /// How many layers or faces the pass draws into at once, between which gl_Layer chooses; 1: one.
 int layersOf(const LiveScene& scene, const scene::Pass& pass);
+/// That layer, or the last one if there are fewer; nothing: the pass draws into one only.
+std::optional<LayerOfPass> layerOf(const LiveScene& scene, const scene::Pass& pass, int layer);
+/// The part of the framebuffer of a pass that the target is.
+BoundPart partOf(const LiveScene& scene, const FrameTarget& target, const gpu::TextureSize& size,
+                 const std::optional<LayerOfPass>& layer = {});
 /// "layer 2", or "face -y" of a cube, or "cube 1, face -y".
 std::string layerName(const LiveScene& scene, const scene::Pass& pass, int layer);
 

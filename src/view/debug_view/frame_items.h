@@ -40,6 +40,12 @@ struct FrameItem {
     [[nodiscard]] bool isInPass() const { return kind == Kind::draw || kind == Kind::clear; }
 };
 
+/// A pixel of what a pass draws into. x and y count from the lower left corner.
+struct TargetPixel {
+    int x = 0, y = 0;
+    int layer = 0;  ///< or face, where the pass draws into several at once
+};
+
 std::vector<FrameItem> frameItems(const scene::Scene& scene, const plan::FramePlan& plan);
 
 /// True if both passes draw into the same textures, or both into the window.

@@ -74,10 +74,10 @@ class FrameLook {
         return scene_.scene().frame.passes.at(item.step.pass);
     }
 
-    bool isOfWindow(const FrameItem& item) const {
-        const bool isOfPass = item.kind == FrameItem::Kind::pass || item.isInPass();
-        return isOfPass && passOf(item).isWindow;
+    static bool hasPass(const FrameItem& item) {
+        return item.kind == FrameItem::Kind::pass || item.isInPass();
     }
+    bool isOfWindow(const FrameItem& item) const { return hasPass(item) && passOf(item).isWindow; }
     bool wantsThumbnail(std::size_t item) {
         if (item >= question_.thumbnails.size() || !question_.thumbnails[item]) return false;
         return ++thumbnails_ <= kMostThumbnails;
@@ -95,7 +95,8 @@ class FrameLook {
     }
 
     /// The layers of the target that the item draws into, or whose shaders write it, all at once; 1: one.
-    int layersOf(const FrameTarget& target) const {
+    int layersOf(const FrameItem& item, const FrameTarget& target) const {
+        if (hasPass(item)) return view::layersOf(scene_, passOf(item));
         const gpu::Texture* texture = target.view.texture ? scene_.texture(target.view.texture) : nullptr;
         if (texture == nullptr || target.view.layer) return 1;
         return texture->layers(target.view.level.value_or(0));
@@ -104,18 +105,18 @@ class FrameLook {
     std::optional<render::Content> read(const FrameItem& item, const FrameTarget& target, int mostSide,
                                         int layer = 0) {
         if (target.kind == FrameTarget::Kind::buffer) return std::nullopt;
-        const int layers = layersOf(target);
-        if (target.kind == FrameTarget::Kind::texture || layers > 1) {
+        if (!hasPass(item)) {
             const gpu::Texture* texture = scene_.texture(target.view.texture);
             scene::TextureView view = target.view;
+            const int layers = layersOf(item, target);
             if (layers > 1) view.layer = std::min(layer, layers - 1);
             return texture != nullptr ? readTexture(context_.capabilities(), *texture, view, mostSide)
                                       : std::nullopt;
         }
-        return readBound(
-            context_.capabilities(),
-            partOf(scene_, target, sizeOf(scene_, passOf(item), question_.width, question_.height)),
-            mostSide);
+        const scene::Pass& pass = passOf(item);
+        const gpu::TextureSize size = sizeOf(scene_, pass, question_.width, question_.height);
+        return readBound(context_.capabilities(), partOf(scene_, target, size, layerOf(scene_, pass, layer)),
+                         mostSide);
     }
 
     /// Looks at what is there after the item.
@@ -135,9 +136,8 @@ class FrameLook {
             answer_.problem = "'" + wanted.name + "' is a buffer";
             return;
         }
-        answer_.layers = layersOf(wanted);
-        if (item.kind != FrameItem::Kind::dispatch && item.kind != FrameItem::Kind::clearObject &&
-            view::layersOf(scene_, passOf(item)) > 1)  // of a depth that no texture holds, the first is read
+        answer_.layers = layersOf(item, wanted);
+        if (hasPass(item) && answer_.layers > 1)
             answer_.layerName =
                 layerName(scene_, passOf(item), std::min(question_.layer, answer_.layers - 1));
         answer_.content = read(item, wanted, 0, question_.layer);

@@ -3,6 +3,7 @@
 #include <glad/gl.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <utility>
@@ -27,14 +28,18 @@ bool mayDiscard(const render::BuiltProgram& built) {
 class PixelWatch {
   public:
     PixelWatch(gpu::Context& context, LiveScene& scene, std::span<const FrameItem> items, std::size_t item,
-               int x, int y, int output)
-        : context_(context), scene_(scene), items_(items), pixel_{x, y, 1, 1} {
+               const TargetPixel& pixel, int output)
+        : context_(context),
+          scene_(scene),
+          items_(items),
+          pass_(scene.scene().frame.passes.at(items[item].step.pass)),
+          pixel_{pixel.x, pixel.y, 1, 1},
+          layer_(layerOf(scene, pass_, pixel.layer)) {
         const auto& passes = scene.scene().frame.passes;
-        const scene::Pass& wanted = passes.at(items[item].step.pass);
         for (std::size_t i = 0; i < items.size(); ++i) {
             const FrameItem& each = items[i];
             const bool isOfPass = each.isInPass() || each.kind == FrameItem::Kind::pass;
-            if (!isOfPass || !haveSameTargets(wanted, passes.at(each.step.pass))) continue;
+            if (!isOfPass || !haveSameTargets(pass_, passes.at(each.step.pass))) continue;
             if (each.kind == FrameItem::Kind::pass)
                 ofNode_[each.node] = i;
             else
@@ -44,8 +49,8 @@ class PixelWatch {
             if (each.kind != FrameTarget::Kind::color || each.output == output) targets_.push_back(each);
     }
 
-    PixelHistory run(int width, int height, double time, const scene::Pass& pass) {
-        size_ = sizeOf(scene_, pass, width, height);
+    PixelHistory run(int width, int height, double time) {
+        size_ = sizeOf(scene_, pass_, width, height);
         if (pixel_.x < 0 || pixel_.y < 0 || pixel_.x >= size_.width || pixel_.y >= size_.height) {
             found_.problem = "the pixel lies outside of the target";
             return std::move(found_);
@@ -60,7 +65,7 @@ class PixelWatch {
         render::FrameDrawer& drawer = scene_.drawer();
         render::Frame frame{scene_.view(), width, height, {0, 0, width, height}, time};
         // What the window's passes read is there from the last frame.
-        frame.texturePasses = !pass.isWindow;
+        frame.texturePasses = !pass_.isWindow;
         // The first frame finds the few draws that have something at the pixel, the second one examines them:
         // only that one waits for the device at each of them.
         drawer.setDrawHook([&](const plan::PlannedDraw& draw, bool, bool begins) {
@@ -93,7 +98,8 @@ class PixelWatch {
         PixelState now;
         bool isRead = false;
         for (const FrameTarget& each : targets_) {
-            const auto content = readBound(context_.capabilities(), partOf(scene_, each, size_), 0, pixel_);
+            const auto content =
+                readBound(context_.capabilities(), partOf(scene_, each, size_, layer_), 0, pixel_);
             if (!content || content->values.empty()) continue;
             isRead = true;
             if (each.kind == FrameTarget::Kind::color) now.color = content->values;
@@ -127,7 +133,7 @@ class PixelWatch {
     }
 
     /// Asks without waiting whether any primitive of the draw covers the pixel, whatever becomes of its
-    /// fragments.
+    /// fragments, in any layer.
     void ask(const plan::PlannedDraw& draw, std::size_t item) {
         const render::BuiltProgram* built = scene_.drawer().programOf(draw);
         if (built == nullptr) return;
@@ -159,13 +165,44 @@ class PixelWatch {
         glStencilMask(0);
     }
 
-    /// Fragments that pass, of the draw in the state that is set.
-    std::uint64_t count(const plan::PlannedDraw& draw) {
+    /// Fragments that pass, of the draw in the state that is set; with `whole` also those that its fragment
+    /// stage discards.
+    std::uint64_t count(const plan::PlannedDraw& draw, const render::BuiltProgram& built,
+                        const DebugProgram* whole = nullptr) {
+        if (layer_) {
+            const DebugProgram* counting = whole != nullptr ? whole : ones(built);
+            return counting != nullptr ? countInLayer(draw, built, *counting) : 0;
+        }
+        const KeptState kept;
+        if (whole != nullptr) {
+            whole->program.use();
+            whole->copyUniforms(built);
+        }
         const gpu::Query query(GL_SAMPLES_PASSED);
         query.begin();
         scene_.drawer().submit(draw, true);
         query.end();
         return query.result();
+    }
+
+    /// A query would count in all layers, so every fragment adds 1 to a colour beside them.
+    std::uint64_t countInLayer(const plan::PlannedDraw& draw, const render::BuiltProgram& built,
+                               const DebugProgram& program) {
+        const KeptState kept;
+        const auto beside = BesideTarget::make(context_.capabilities(), scene_, pass_, size_, layer_->layer);
+        if (!beside) return 0;
+        program.program.use();
+        program.copyUniforms(built);
+        beside->clear();
+        beside->bind(kDebugOutput);
+        glColorMaski(kDebugOutput, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        glEnablei(GL_BLEND, kDebugOutput);
+        glBlendFunci(kDebugOutput, GL_ONE, GL_ONE);
+        glBlendEquationi(kDebugOutput, GL_FUNC_ADD);
+        scene_.drawer().submit(draw, true);
+        const render::Content counted = beside->read(context_.capabilities(), pixel_);
+        // Of a pixel with several samples the mean is read.
+        return counted.values.empty() ? 0 : static_cast<std::uint64_t>(std::ceil(counted.values.front()));
     }
 
     /// Only the pixel is drawn. False if the draw's own scissor leaves it out.
@@ -204,12 +241,13 @@ class PixelWatch {
         const GLboolean testsDepth = glIsEnabled(GL_DEPTH_TEST), testsStencil = glIsEnabled(GL_STENCIL_TEST);
         glDisable(GL_DEPTH_TEST);
         glDisable(GL_STENCIL_TEST);
-        event.fragments = count(draw);
+        event.fragments = count(draw, built);
         if (event.fragments > 0) {  // of most draws there are none
             if (testsStencil != GL_FALSE) glEnable(GL_STENCIL_TEST);
-            const std::uint64_t afterStencil = testsStencil != GL_FALSE ? count(draw) : event.fragments;
+            const std::uint64_t afterStencil =
+                testsStencil != GL_FALSE ? count(draw, built) : event.fragments;
             if (testsDepth != GL_FALSE) glEnable(GL_DEPTH_TEST);
-            event.passed = testsDepth != GL_FALSE ? count(draw) : afterStencil;
+            event.passed = testsDepth != GL_FALSE ? count(draw, built) : afterStencil;
             if (event.passed == 0)
                 event.outcome =
                     afterStencil > 0 ? PixelEvent::Outcome::depthFails : PixelEvent::Outcome::stencilFails;
@@ -217,21 +255,25 @@ class PixelWatch {
         }
         if (glIsEnabled(GL_CULL_FACE) != GL_FALSE) {
             glDisable(GL_CULL_FACE);
-            if (count(draw) > 0) event.outcome = PixelEvent::Outcome::culled;
+            if (count(draw, built) > 0) event.outcome = PixelEvent::Outcome::culled;
             glEnable(GL_CULL_FACE);
         }
         if (event.outcome == PixelEvent::Outcome::culled || !mayDiscard(built)) return;
         const DebugProgram* whole = withoutDiscard(built);
-        if (whole == nullptr) return;
-        whole->program.use();
-        whole->copyUniforms(built);
-        if (count(draw) > 0) event.outcome = PixelEvent::Outcome::discarded;
+        if (whole != nullptr && count(draw, built, whole) > 0) event.outcome = PixelEvent::Outcome::discarded;
     }
 
     /// The stages before the fragment stage, with one that discards nothing.
     const DebugProgram* withoutDiscard(const render::BuiltProgram& built) {
         const auto [known, isNew] = whole_.try_emplace(&built);
         if (isNew) known->second = makeCoverageProgram(context_, built);
+        return known->second ? &*known->second : nullptr;
+    }
+
+    /// Its stages, with 1 in the output for numbers.
+    const DebugProgram* ones(const render::BuiltProgram& built) {
+        const auto [known, isNew] = ones_.try_emplace(&built);
+        if (isNew) known->second = makeDebugProgram(context_, built, DebugView::layers, DebugStages::numbers);
         return known->second ? &*known->second : nullptr;
     }
 
@@ -252,12 +294,14 @@ class PixelWatch {
     gpu::Context& context_;
     LiveScene& scene_;
     std::span<const FrameItem> items_;
+    const scene::Pass& pass_;  ///< of the item that was asked for
     gpu::PixelRectangle pixel_;
+    std::optional<LayerOfPass> layer_;
     gpu::TextureSize size_;
     std::vector<FrameTarget> targets_;
     std::map<scene::StepIndex, std::size_t> ofStep_;
     std::map<std::size_t, std::size_t> ofNode_;
-    std::map<const render::BuiltProgram*, std::optional<DebugProgram>> whole_;
+    std::map<const render::BuiltProgram*, std::optional<DebugProgram>> whole_, ones_;
     std::vector<std::pair<std::size_t, gpu::Query>> asked_;
     std::set<std::size_t> touching_;    ///< items
     std::optional<std::size_t> begun_;  ///< the node
@@ -293,20 +337,15 @@ std::string_view wordsOf(PixelEvent::Outcome outcome) {
 }
 
 PixelHistory pixelHistory(gpu::Context& context, LiveScene& scene, std::span<const FrameItem> items,
-                          std::size_t item, int width, int height, double time, int x, int y, int output) {
+                          std::size_t item, int width, int height, double time, const TargetPixel& pixel,
+                          int output) {
     if (item >= items.size() || items[item].kind == FrameItem::Kind::dispatch ||
         items[item].kind == FrameItem::Kind::clearObject) {
         PixelHistory none;
         none.problem = "only passes draw pixels";
         return none;
     }
-    const scene::Pass& pass = scene.scene().frame.passes.at(items[item].step.pass);
-    if (layersOf(scene, pass) > 1) {
-        PixelHistory none;
-        none.problem = "The pass draws into several layers at once, so its pixels have no history.";
-        return none;
-    }
-    return PixelWatch(context, scene, items, item, x, y, output).run(width, height, time, pass);
+    return PixelWatch(context, scene, items, item, pixel, output).run(width, height, time);
 }
 
 }  // namespace glibra::view

@@ -52,9 +52,10 @@ struct PixelHistory {
 std::string_view wordsOf(PixelEvent::Outcome outcome);
 
 /// The history of a pixel of the targets of that pass, a draw of it or a clear in it (`item`), through all
-/// passes of the frame into the same targets. x and y count from the lower left corner. `output`: the colour
-/// output whose colours are reported.
+/// passes of the frame into the same targets. `width` and `height` are those of the window. `output`: the
+/// colour output whose colours are reported.
 PixelHistory pixelHistory(gpu::Context& context, LiveScene& scene, std::span<const FrameItem> items,
-                          std::size_t item, int width, int height, double time, int x, int y, int output);
+                          std::size_t item, int width, int height, double time, const TargetPixel& pixel,
+                          int output);
 
 }  // namespace glibra::view

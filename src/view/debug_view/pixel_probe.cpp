@@ -21,6 +21,7 @@ namespace {
 constexpr int kMostElements = 16;
 constexpr int kNumbersAtOnce = 4;
 constexpr std::string_view kChoice = "glibra_debugChoice";
+constexpr int kOnes = -1;  ///< the choice that writes 1
 constexpr std::string_view kDeclarations =
     "layout(location = 7) out vec4 glibra_debugNumber;\nuniform int glibra_debugChoice;\n";
 
@@ -46,9 +47,10 @@ Asked askedOf(const glsl::StageVariable& variable) {
     return asked;
 }
 
-/// GLSL that writes four of the numbers, chosen by a uniform.
+/// GLSL that writes four of the numbers, or ones, chosen by a uniform.
 std::string choiceOf(std::span<const Asked> all) {
-    std::string text;
+    std::string text =
+        fmt::format("    if (glibra_debugChoice == {}) glibra_debugNumber = vec4(1.);\n", kOnes);
     int pass = 0;
     for (const Asked& each : all)
         for (int i = 0; i < each.passes(); ++i, ++pass) {
@@ -90,8 +92,9 @@ class Probe {
         : context_(context), scene_(scene), target_(target), time_(time), x_(x), row_(row) {}
 
     /// Probes that draw, whose targets have that size, in place of the visible one.
-    void run(ProbedPixel& result, scene::StepIndex step, const gpu::TextureSize& size) {
+    void run(ProbedPixel& result, scene::StepIndex step, const gpu::TextureSize& size, int layer) {
         size_ = size;
+        layer_ = layerOf(scene_, scene_.scene().frame.passes.at(step.pass), layer);
         isGiven_ = true;
         for (const plan::PlannedPass& pass : scene_.plan().passes)
             for (const auto& each : pass.steps)
@@ -102,14 +105,14 @@ class Probe {
         drawFrame(true);
         result.isDrawn = isThere_;
         result.isHidden = isHidden_;
-        result.depth = static_cast<double>(depth_);
     }
 
     void run(ProbedPixel& result) {
         const plan::PlannedDraw* found = findDraw();
         if (found == nullptr || !begin(*found, result)) return;
-        glReadPixels(x_, row_, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depth_);
-        result.depth = static_cast<double>(depth_);
+        float depth = 1;
+        glReadPixels(x_, row_, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depth);
+        result.depth = static_cast<double>(depth);
         ask(result);
     }
 
@@ -186,11 +189,18 @@ class Probe {
         const render::BuiltProgram& used = *scene_.drawer().programOf(draw);
         const gpu::PixelRectangle pixel{x_, row_, 1, 1};
         const KeptState kept;
-        const auto beside = BesideTarget::make(capabilities, scene_, pass, size_);
+        const auto beside = BesideTarget::make(capabilities, scene_, pass, size_, layer_ ? layer_->layer : 0);
         if (!beside) return;
         if (uniforms) *uniforms = uniformsOf(*built_, used);
-        const auto before =
-            readBound(capabilities, {FrameTarget::Kind::depth, 0, {}, size_.width, size_.height}, 0, pixel);
+        // The draw may change the depth of the pixel in every layer.
+        std::vector<std::pair<std::optional<LayerOfPass>, float>> before;
+        for (int i = 0; i < layersOf(scene_, pass); ++i) {
+            const auto layer = layerOf(scene_, pass, i);
+            const BoundPart depthPart{FrameTarget::Kind::depth, 0, {}, size_.width, size_.height, layer};
+            if (const auto depth = readBound(capabilities, depthPart, 0, pixel);
+                depth && !depth->values.empty())
+                before.emplace_back(layer, static_cast<float>(depth->values.front()));
+        }
         beside->bind(kDebugOutput);
         glEnable(GL_SCISSOR_TEST);
         glScissor(x_, row_, 1, 1);
@@ -199,34 +209,35 @@ class Probe {
         glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
         const auto submit = [&](int number) {
             choose(used, number);
-            const gpu::Query query(GL_SAMPLES_PASSED);
-            query.begin();
             scene_.drawer().submit(draw, true);
-            query.end();
-            return query.result() > 0;
         };
         const auto restoreDepth = [&] {
-            if (!before || before->values.empty()) return;
-            const auto depth = static_cast<float>(before->values.front());
             GLboolean writes = GL_TRUE;
             glGetBooleanv(GL_DEPTH_WRITEMASK, &writes);
             glDepthMask(GL_TRUE);
-            glClearBufferfv(GL_DEPTH, 0, &depth);
+            for (const auto& [layer, depth] : before) {
+                const BoundLayer bound(layer);
+                glClearBufferfv(GL_DEPTH, 0, &depth);
+            }
             glDepthMask(writes);
         };
-        isThere_ = submit(0);
-        restoreDepth();
+        const auto hasFragment = [&] {  // A query would count in all layers.
+            beside->clear();
+            beside->bind(kDebugOutput);
+            submit(kOnes);
+            restoreDepth();
+            const render::Content ones = beside->read(capabilities, pixel);
+            beside->bind(kDebugOutput);
+            return !ones.values.empty() && ones.values.front() > 0;
+        };
+        isThere_ = hasFragment();
         if (!isThere_) {
             glDisable(GL_DEPTH_TEST);
             glDisable(GL_STENCIL_TEST);
-            isThere_ = isHidden_ = submit(0);
+            isThere_ = isHidden_ = hasFragment();
         }
         for (int number = 0; number < passes && isThere_; ++number) {
             submit(number);
-            if (const auto depth = readBound(
-                    capabilities, {FrameTarget::Kind::depth, 0, {}, size_.width, size_.height}, 0, pixel);
-                depth && !depth->values.empty())
-                depth_ = static_cast<float>(depth->values.front());
             restoreDepth();
             const render::Content four = beside->read(capabilities, pixel);
             beside->bind(kDebugOutput);
@@ -316,6 +327,11 @@ class Probe {
         read(all, result.uniforms);
         scene_.stopObserving();
         if (textures_ != before) drawFrame(true);
+        // Of a given draw, the depth buffer may have another's.
+        const ProbedValue &place = all.front().value, &written = all.back().value;
+        if (isGiven_ && place.numbers.size() > 2) result.depth = place.numbers[2];
+        if (isGiven_ && written.name == "gl_FragDepth" && !written.numbers.empty())
+            result.depth = written.numbers.front();
         if (!all[1].value.numbers.empty()) result.isFront = all[1].value.numbers.front() > .5;
         std::rotate(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(builtins), all.end());
         for (Asked& each : all)
@@ -335,11 +351,11 @@ class Probe {
     int x_, row_;
     scene::StepIndex step_;  ///< of the found draw
     const render::BuiltProgram* built_ = nullptr;
-    Textures textures_;  ///< as they were drawn last
-    float depth_ = 1;
-    bool isGiven_ = false, isThere_ = false,
-         isHidden_ = false;  ///< the draw is given; it has a fragment there
-    gpu::TextureSize size_;  ///< of the targets of a given draw
+    Textures textures_;                        ///< as they were drawn last
+    bool isGiven_ = false;                     ///< the draw
+    bool isThere_ = false, isHidden_ = false;  ///< its fragment
+    gpu::TextureSize size_;                    ///< of the targets of a given draw
+    std::optional<LayerOfPass> layer_;         ///< of them
 };
 
 }  // namespace
@@ -359,17 +375,17 @@ ProbedPixel probePixel(gpu::Context& context, LiveScene& scene, int width, int h
 }
 
 ProbedPixel probeDraw(gpu::Context& context, LiveScene& scene, scene::StepIndex step, int width, int height,
-                      double time, int x, int row) {
+                      double time, const TargetPixel& pixel) {
     ProbedPixel result;
     const gpu::TextureSize size = sizeOf(scene, scene.scene().frame.passes.at(step.pass), width, height);
-    result.x = x;
-    result.y = size.height - 1 - row;
+    result.x = pixel.x;
+    result.y = size.height - 1 - pixel.y;
     result.height = size.height;
-    if (x < 0 || row < 0 || x >= size.width || row >= size.height) return result;
+    if (pixel.x < 0 || pixel.y < 0 || pixel.x >= size.width || pixel.y >= size.height) return result;
     const Result<gpu::Target> target =
         gpu::Target::window(context.capabilities(), width, height, gpu::TexelFormat::rgba32f, 1,
                             gpu::TexelFormat::depth24_stencil8);
-    if (target) Probe(context, scene, *target, time, x, row).run(result, step, size);
+    if (target) Probe(context, scene, *target, time, pixel.x, pixel.y).run(result, step, size, pixel.layer);
     return result;
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "gpu/context/context.h"
+#include "view/debug_view/frame_items.h"
 #include "view/scene/live_scene.h"
 
 namespace glibra::view {
@@ -45,9 +46,9 @@ ProbedPixel probePixel(gpu::Context& context, LiveScene& scene, int width, int h
                        int y);
 
 /// The same for what one draw (of the frame's node list) has at a pixel of the targets of its pass, also
-/// where something hides it. `row` counts from the lower edge.
+/// where something hides it.
 ProbedPixel probeDraw(gpu::Context& context, LiveScene& scene, scene::StepIndex step, int width, int height,
-                      double time, int x, int row);
+                      double time, const TargetPixel& pixel);
 
 /// The row of the pixel as gl_FragCoord counts it, from the lower edge.
 inline int rowOf(const ProbedPixel& pixel) {

@@ -218,9 +218,8 @@ class Session {
     void tryState(const scene::Draw& draw, const base::RasterState& state);
     /// All draws are as the scene says.
     void endTrials();
-    /// What one draw of the frame has at a pixel of the targets of its pass (view::probeDraw); `row` counts
-    /// from the lower edge.
-    ProbedPixel probeDraw(scene::StepIndex step, int x, int row);
+    /// What one draw of the frame has at a pixel of the targets of its pass (view::probeDraw).
+    ProbedPixel probeDraw(scene::StepIndex step, const TargetPixel& at);
     /// The debug view of one pass of the frame (DebugRenderer::drawPass), as numbers. Returns why there is
     /// none; empty on success. `layer`: of a pass into several.
     std::string numbersOfPass(std::size_t pass, DebugView kind, TexelImage& numbers, int layer = 0);

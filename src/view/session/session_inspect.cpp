@@ -14,10 +14,10 @@ bool Session::canLookInto() {
     return live_ && target_ && !isWaiting_ && !isStopped_;
 }
 
-ProbedPixel Session::probeDraw(scene::StepIndex step, int x, int row) {
+ProbedPixel Session::probeDraw(scene::StepIndex step, const TargetPixel& at) {
     if (!canLookInto() || step.pass >= live_->scene().frame.passes.size()) return {};
     ProbedPixel pixel =
-        view::probeDraw(context_, *live_, step, target_->width(), target_->height(), clock_.time(), x, row);
+        view::probeDraw(context_, *live_, step, target_->width(), target_->height(), clock_.time(), at);
     if (debugRenderer_) debugRenderer_->forgetPlan();
     return pixel;
 }

@@ -23,20 +23,27 @@ int outputOf(const FrameItem& item, std::size_t target) {
     return chosen.kind == FrameTarget::Kind::color ? chosen.output : 0;
 }
 
+/// The clicked pixel, in the layer that is shown.
+TargetPixel pixelOf(const FrameWindow& window) {
+    return {window.pixel->first, window.pixel->second, std::clamp(window.layer, 0, window.answer.layers - 1)};
+}
+
+std::string textOf(const TargetPixel& pixel) {
+    return fmt::format("{} {} {}", pixel.x, pixel.y, pixel.layer);
+}
+
 /// Computes it again for another pixel, pass or frame.
 void examine(Ui& ui, FrameWindow& window, std::size_t index) {
     const FrameItem& item = window.items[index];
-    const auto [x, y] = *window.pixel;
+    const TargetPixel pixel = pixelOf(window);
     const int output = outputOf(item, window.target);
-    const std::string of = fmt::format("{} {} {} {} {}", frameOf(ui), item.step.pass, x, y, output);
-    const bool isHeld = ui.session.isMoving() && !window.pixelFor.empty();
-    if (of == window.pixelFor ||
-        (isHeld && window.pixelFor.ends_with(fmt::format(" {} {} {} {}", item.step.pass, x, y, output))))
-        return;
+    const std::string what = fmt::format(" {} {} {}", item.step.pass, textOf(pixel), output);
+    const std::string of = frameOf(ui) + what;
+    if (of == window.pixelFor || (ui.session.isMoving() && window.pixelFor.ends_with(what))) return;
     if (!ui.session.canLookInto()) return;
     window.pixelFor = of;
     window.history = pixelHistory(ui.context, ui.session.live(), window.items, index, ui.session.width(),
-                                  ui.session.height(), ui.session.clock().time(), x, y, output);
+                                  ui.session.height(), ui.session.clock().time(), pixel, output);
 }
 
 std::string colorText(const PixelState& state) {
@@ -137,13 +144,13 @@ void probe(Ui& ui, FrameWindow& window, const FrameItem& item) {
     const bool isOpen = ImGui::CollapsingHeader("Probe: what the chosen draw has there");
     mark(ui, "frame/probe");
     if (!isOpen) return;
-    const auto [x, y] = *window.pixel;
-    const std::string of = fmt::format("{} {} {} {}", frameOf(ui), item.key, x, y);
-    const bool isHeld =
-        ui.session.isMoving() && window.probedFor.ends_with(fmt::format(" {} {} {}", item.key, x, y));
+    const TargetPixel pixel = pixelOf(window);
+    const std::string what = fmt::format(" {} {}", item.key, textOf(pixel));
+    const std::string of = frameOf(ui) + what;
+    const bool isHeld = ui.session.isMoving() && window.probedFor.ends_with(what);
     if (of != window.probedFor && !isHeld && ui.session.canLookInto()) {
         window.probedFor = of;
-        window.probed = ui.session.probeDraw(item.step, x, y);
+        window.probed = ui.session.probeDraw(item.step, pixel);
     }
     if (!window.probed) return;
     const ProbedPixel& probed = *window.probed;
@@ -167,7 +174,9 @@ void framePixel(Ui& ui, FrameWindow& window) {
             "Click a pixel above to see which draws touched it. Pixels count from the lower left corner, as "
             "gl_FragCoord does.");
     examine(ui, window, *index);
-    ImGui::Text("pixel %d, %d", window.pixel->first, window.pixel->second);
+    const std::string& layer = window.answer.layerName;
+    ImGui::Text("pixel %d, %d%s%s", window.pixel->first, window.pixel->second, layer.empty() ? "" : ", ",
+                layer.c_str());
     mark(ui, "frame/pixel");
     if (!window.history.problem.empty()) return ImGui::TextWrapped("%s", window.history.problem.c_str());
     events(ui, window);
