@@ -1,19 +1,19 @@
 # A room is a folder of src with its sub-folders: one static library of all its .cpp files. Every room sees include/
 # and src/, so that an include reads "room/file.h".
 
-set(GLIBRA_WARNINGS -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
-if(GLIBRA_WERROR)
-    list(APPEND GLIBRA_WARNINGS -Werror)
-endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     # GCC 12 reports overlaps and overflows in std::string that do not exist (GCC bugs 105651 and 105329),
     # most of all where headers are precompiled.
-    list(APPEND GLIBRA_WARNINGS -Wno-restrict -Wno-stringop-overflow -Wno-array-bounds)
+    set(GLIBRA_FALSE_WARNINGS -Wno-restrict -Wno-stringop-overflow -Wno-array-bounds)
 endif()
 if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
     # libstdc++'s std::stable_sort calls a deprecated function of its own, and Clang reports that at our call. GCC
     # reports deprecated functions that we call ourselves.
-    list(APPEND GLIBRA_WARNINGS -Wno-deprecated-declarations)
+    set(GLIBRA_FALSE_WARNINGS -Wno-deprecated-declarations)
+endif()
+set(GLIBRA_WARNINGS -Wall -Wextra -Wpedantic -Wconversion -Wshadow ${GLIBRA_FALSE_WARNINGS})
+if(GLIBRA_WERROR)
+    list(APPEND GLIBRA_WARNINGS -Werror)
 endif()
 
 function(glibra_compile_options target)

@@ -218,6 +218,8 @@ class Session {
     void tryState(const scene::Draw& draw, const base::RasterState& state);
     /// All draws are as the scene says.
     void endTrials();
+    /// The text of a file of the scene, with what was typed in it; empty if it cannot be read.
+    [[nodiscard]] std::string readText(const std::filesystem::path& file) const;
     /// What one draw of the frame has at a pixel of the targets of its pass (view::probeDraw).
     ProbedPixel probeDraw(scene::StepIndex step, const TargetPixel& at);
     /// The debug view of one pass of the frame (DebugRenderer::drawPass), as numbers. Returns why there is
@@ -248,7 +250,6 @@ class Session {
     [[nodiscard]] bool isChanged() const;
 
   private:
-    [[nodiscard]] std::string readText(const std::filesystem::path& file) const;
     void followTrials();
     void drawTrials();
     void take(LiveScene::Loading loading, bool sameScene);

@@ -120,6 +120,11 @@ class FrameWindow(WindowTest):
             "    QuadXY -1 .75", "    QuadXY -1 .75\n    QuadXY -2 1"))
         state = window.wait(lambda s: s["reloads"] > seen and len(s["frame"]["items"]) == 7)
         self.assertEqual(state["frame"]["chosen"], items[2]["key"], "the choice stays")
+        seen = state["reloads"]
+        (self.files / "frame.glib").write_text((self.files / "frame.glib").read_text().replace(
+            "    QuadXY 0 .5", "    # before it\n    QuadXY -1 .5\n    QuadXY 0 .5"))
+        state = window.wait(lambda s: s["reloads"] > seen and len(s["frame"]["items"]) == 8)
+        self.assertEqual(state["frame"]["chosen"], state["frame"]["items"][3]["key"], "also when its line moves")
 
     def test_another_state_is_tried(self):
         window = self.open_frame()

@@ -12,8 +12,10 @@
 #include <bit>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <utility>
 
+#include "view/edit/moved_line.h"
 #include "view/window/panels/ui.h"
 #include "view/window/panels/value_slider.h"
 
@@ -27,15 +29,52 @@ std::string_view nameInFrame(DebugView kind) {
     return kind == DebugView::picture ? "what it left" : nameOf(kind);
 }
 
+bool haveOneLine(const FrameItem& a, const FrameItem& b) {
+    return a.kind == b.kind && a.place.file == b.place.file && a.place.line == b.place.line;
+}
+
 ImTextureID idOf(const gpu::Texture& texture) {
     return std::bit_cast<ImTextureID>(static_cast<std::uintptr_t>(texture.id()));
 }
 
-/// Lists the frame anew, with thumbnails.
-void listFrame(Ui& ui, FrameWindow& window) {
+/// Among the items of that kind and line.
+std::size_t placeAmongEqual(std::span<const FrameItem> items, std::size_t item) {
+    return static_cast<std::size_t>(
+        std::count_if(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(item),
+                      [&](const FrameItem& each) { return haveOneLine(each, items[item]); }));
+}
+
+/// The key of the item after the scene has been read again; empty if its line is gone.
+std::string followedKey(std::span<const FrameItem> before, const FrameWindow::Texts& texts,
+                        const std::string& key, const FrameWindow& now) {
+    const auto found =
+        std::find_if(before.begin(), before.end(), [&](const FrameItem& each) { return each.key == key; });
+    if (found == before.end()) return "";
+    const auto textNow = now.texts.find(found->place.file);
+    if (textNow == now.texts.end()) return "";
+    FrameItem moved = *found;
+    moved.place.line = movedLine(texts.at(found->place.file), textNow->second, found->place.line);
+    std::size_t left = placeAmongEqual(before, static_cast<std::size_t>(found - before.begin()));
+    for (const FrameItem& each : now.items)
+        if (haveOneLine(each, moved) && left-- == 0) return each.key;
+    return "";
+}
+
+/// Lists the frame anew, with thumbnails. The chosen item and the folded passes stay, also when their lines
+/// have moved.
+void listFrame(Ui& ui, FrameWindow& window, bool isOther) {
     const LiveScene& live = ui.session.live();
-    const bool isFirst = window.items.empty();
-    window.items = frameItems(live.scene(), live.plan());
+    const std::vector<FrameItem> before = std::exchange(window.items, frameItems(live.scene(), live.plan()));
+    const bool isFirst = before.empty();
+    if (isOther) {
+        const FrameWindow::Texts texts = std::exchange(window.texts, {});
+        for (const FrameItem& each : window.items)
+            if (!window.texts.contains(each.place.file))
+                window.texts.emplace(each.place.file, ui.session.readText(each.place.file));
+        window.chosen = followedKey(before, texts, window.chosen, window);
+        for (std::string& each : window.folded) each = followedKey(before, texts, each, window);
+        std::erase(window.folded, "");
+    }
     if (window.item() == nullptr) {
         // The last one that leaves something: the picture.
         window.chosen.clear();
@@ -116,7 +155,7 @@ void watch(Ui& ui, FrameWindow& window) {
     const bool isNew = isOther || (window.listedFor != frame && !session.isMoving());
     if (isOther) window.times = {};
     if (isNew) {
-        listFrame(ui, window);
+        listFrame(ui, window, isOther);
         window.listedFor = frame;
         window.thumbnails.clear();
         window.thumbnails.resize(window.items.size());

@@ -2,6 +2,7 @@
 // The state of the window "Frame", and its parts: the list of what the frame executes, what the chosen item
 // left, a pixel, the state and the mesh of a draw.
 
+#include <filesystem>
 #include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -25,6 +26,8 @@ struct Ui;
 
 struct FrameWindow {
     std::vector<FrameItem> items;
+    using Texts = std::map<std::filesystem::path, std::string>;
+    Texts texts;                           ///< of the files with the items, as the scene was read
     std::string chosen;                    ///< the key of an item; empty: none
     std::vector<std::string> folded;       ///< keys of the passes whose draws are not listed
     std::size_t target = 0;                ///< index into the targets of the chosen item
