@@ -79,12 +79,15 @@ TEST(Palette, EveryTextIsReadableInBothThemes) {
                 << each.name << (isLight ? ", light" : ", dark");
 }
 
-TEST(Palette, ThumbsAndBordersAreSeenInBothThemes) {
+TEST(Palette, ThumbsAndOutlinesAreSeenInBothThemes) {
     for (const bool isLight : {false, true}) {
         const Palette& p = paletteOf(isLight);
         EXPECT_GE(contrast(p.accent, p.frame), kSeen);
         EXPECT_GE(contrast(p.accent, p.panel), kSeen);
         EXPECT_GE(contrast(p.accent, p.button), kSeen);
+        EXPECT_GE(contrast(p.outline, p.frame), kSeen);
+        EXPECT_GE(contrast(p.outline, p.panel), kSeen);
+        EXPECT_GE(contrast(p.outline, p.popup), kSeen);
     }
 }
 

@@ -91,7 +91,7 @@ void costPanel(Ui& ui, std::optional<FrameCost>& measured) {
     mark(ui, "cost/measure");
     ImGui::SameLine();
     bool isLive = ui.session.measuresObjects();
-    if (ImGui::Checkbox("On the picture", &isLive)) ui.session.setMeasuresObjects(isLive);
+    if (checkBox("On the picture", &isLive)) ui.session.setMeasuresObjects(isLive);
     mark(ui, "cost/live");
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip(

@@ -200,7 +200,7 @@ void debugViewControls(Ui& ui) {
         if (ImGui::SmallButton("Frame")) toolWindow(ui, "frame").isOpen = true;
         mark(ui, "view/showInFrame");
     }
-    ImGui::Checkbox("Probe a pixel", &toolWindow(ui, "probe").isOpen);
+    checkBox("Probe a pixel", &toolWindow(ui, "probe").isOpen);
     mark(ui, "view/probe");
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("Click the picture to see the inputs, outputs and uniforms of the fragment (D)");

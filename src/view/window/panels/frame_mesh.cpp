@@ -206,7 +206,7 @@ void frameMesh(Ui& ui, FrameWindow& window) {
     if (window.mesh.empty()) return ImGui::TextDisabled("Nothing of the draw is drawn.");
     for (std::size_t i = 0; i < window.mesh.size(); ++i) {
         if (i > 0) ImGui::SameLine();
-        if (ImGui::RadioButton(window.mesh[i].title.c_str(), window.meshStage == i)) {
+        if (radioButton(window.mesh[i].title.c_str(), window.meshStage == i)) {
             window.meshStage = i;
             window.firstRow = 0;
         }

@@ -229,7 +229,7 @@ void heading(Ui& ui, FrameWindow& window, const FrameItem& item) {
         chooseTarget(ui, window, item);
         besideIfRoom(100 * ui.shared.scale);
     }
-    ImGui::Checkbox("Highlight", &window.highlights);
+    checkBox("Highlight", &window.highlights);
     mark(ui, "frame/highlight");
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip(

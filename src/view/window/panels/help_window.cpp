@@ -73,12 +73,20 @@ std::vector<ListedKeys> listedKeys(const Ui& ui) {
     return groups;
 }
 
-void showGroup(Ui& ui, const ListedKeys& group, float keyWidth) {
+/// Of the column with the keys of a group; what is longer goes on in a second line.
+float keyWidth(const ListedKeys& group) {
+    float width = 0;
+    for (const auto& [keys, what] : group.rows) width = std::max(width, ImGui::CalcTextSize(keys.c_str()).x);
+    return std::min(width, ImGui::CalcTextSize("Ctrl+left or middle drag, wheel ").x) +
+           ImGui::GetStyle().ItemSpacing.x;
+}
+
+void showGroup(Ui& ui, const ListedKeys& group) {
     ImGui::TextDisabled("%s", group.heading);
     mark(ui, "help/{}", group.heading);
     ImGui::Separator();
     if (!ImGui::BeginTable(group.heading, 2)) return;
-    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, keyWidth);
+    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, keyWidth(group));
     ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch);
     for (std::size_t i = 0; i < group.rows.size(); ++i) {
         ImGui::TableNextColumn();
@@ -112,7 +120,6 @@ void helpWindow(Ui& ui, bool& isOpen) {
             ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
         markWindow(ui, "helpWindow");
         if (ImGui::BeginTable("columns", static_cast<int>(columns))) {
-            const float keyWidth = ImGui::CalcTextSize("Ctrl+left or middle drag, wheel ").x;
             const auto perColumn =
                 (rows + static_cast<std::size_t>(columns) - 1) / static_cast<std::size_t>(columns);
             std::size_t inColumn = perColumn;  // the first group begins the first column
@@ -121,7 +128,7 @@ void helpWindow(Ui& ui, bool& isOpen) {
                     ImGui::TableNextColumn();
                     inColumn = 0;
                 }
-                showGroup(ui, each, keyWidth);
+                showGroup(ui, each);
                 inColumn += each.height();
             }
             ImGui::EndTable();

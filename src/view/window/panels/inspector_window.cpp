@@ -97,7 +97,7 @@ Chosen choose(Ui& ui, Inspector& inspector) {
 /// Which level, layer and copy of the object is shown.
 void part(Ui& ui, Inspector& inspector, const Chosen& chosen) {
     if (hasHistory(ui.session.live().scene(), chosen)) {
-        ImGui::Checkbox("previous copy (.prev)", &inspector.isPrevious);
+        checkBox("previous copy (.prev)", &inspector.isPrevious);
         mark(ui, "inspector/previous");
     }
     if (!chosen.texture) return;

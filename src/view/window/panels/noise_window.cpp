@@ -62,7 +62,7 @@ void functionControls(Ui& ui, NoiseState& window) {
         std::erase_if(options.curvatures, isGone);
         window.chosen = std::min(window.chosen, options.cells - 1);
     }
-    ImGui::Checkbox("Turbulence", &options.turbulence);
+    checkBox("Turbulence", &options.turbulence);
     mark(ui, "noise/Turbulence");
     ImGui::SameLine();
     if (ImGui::Button("New random numbers")) ++options.seed;

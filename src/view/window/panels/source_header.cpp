@@ -173,7 +173,7 @@ void sourceButtons(Ui& ui, const SourceState& panel, EditedFile& file, CodeView&
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("Open the file at this line in your own editor, which the variable EDITOR names");
     continueRowForCheck("Live");
-    ImGui::Checkbox("Live", &ui.settings.compilesWhileTyping);
+    checkBox("Live", &ui.settings.compilesWhileTyping);
     mark(ui, "source/live");
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip(

@@ -48,7 +48,7 @@ void displaySettings(Ui& ui, TexelView& view, std::string_view name) {
     ImGui::PopItemWidth();
     besideIfRoom(ImGui::GetFrameHeight() + ImGui::CalcTextSize("GLSL").x +
                  2 * ImGui::GetStyle().ItemSpacing.x);
-    ImGui::Checkbox("GLSL", &view.asksForExpression);
+    checkBox("GLSL", &view.asksForExpression);
     mark(ui, named(name, "glsl"));
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("Show what an expression of GLSL makes of each texel, such as color.rgb * 10");

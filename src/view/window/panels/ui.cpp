@@ -103,6 +103,33 @@ void fieldLabel(const char* label) {
     ImGui::SetNextItemWidth(-1);
 }
 
+namespace {
+
+class Outlined {
+  public:
+    Outlined() {
+        ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 1);
+        ImGui::PushStyleColor(ImGuiCol_Border, asVector(palette().outline));
+    }
+    Outlined(const Outlined&) = delete;
+    Outlined& operator=(const Outlined&) = delete;
+    ~Outlined() {
+        ImGui::PopStyleColor();
+        ImGui::PopStyleVar();
+    }
+};
+
+}  // namespace
+
+bool checkBox(const char* label, bool* isOn) {
+    const Outlined outlined;
+    return ImGui::Checkbox(label, isOn);
+}
+bool radioButton(const char* label, bool isOn) {
+    const Outlined outlined;
+    return ImGui::RadioButton(label, isOn);
+}
+
 void wordBefore(const char* word) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(word);

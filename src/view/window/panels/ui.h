@@ -118,6 +118,10 @@ bool group(Ui& ui, const char* title, std::string_view name);
 /// Draws a label in a column that all fields of the panel share; the next field takes the rest of the row.
 void fieldLabel(const char* label);
 
+/// Those of ImGui, with an outline that is seen on the panel also when they are off.
+bool checkBox(const char* label, bool* isOn);
+bool radioButton(const char* label, bool isOn);
+
 /// A word before the next field, in the same row.
 void wordBefore(const char* word);
 /// The next widget stands beside the last one if there is room for that width, otherwise below.

@@ -165,10 +165,10 @@ bool components(Ui& ui, const Row& row) {
     return wantsMenu;
 }
 
-void checkBox(Ui& ui, const Row& row) {
+void booleanRow(Ui& ui, const Row& row) {
     const Knob& knob = ui.session.knobs()[row.index];
     bool on = knob.current.front() != 0;
-    if (ImGui::Checkbox("##on", &on))
+    if (checkBox("##on", &on))
         ui.session.setValue(row.index, std::vector<double>(knob.current.size(), on ? 1.0 : 0.0));
     mark(ui, "uniform/{}/{}", ownerOf(knob, row), knob.tag);
 }
@@ -275,7 +275,7 @@ void rowOf(Ui& ui, const Row& row) {
     const std::size_t stopsBefore = ui.sliders.drawn.size();
     switch (knob.widget) {
         case Widget::checkBox:
-            checkBox(ui, row);
+            booleanRow(ui, row);
             break;
         case Widget::color:
             color(ui, row);

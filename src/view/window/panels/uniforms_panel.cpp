@@ -60,7 +60,7 @@ void withoutValues(Ui& ui) {
 /// Which values are labelled on the picture.
 void labelControls(Ui& ui) {
     continueRowForCheck("Labels");
-    ImGui::Checkbox("Labels", &ui.shared.showLabels);
+    checkBox("Labels", &ui.shared.showLabels);
     mark(ui, "uniforms/labels");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Show the values over the picture (L)");
     if (!ui.shared.showLabels) return;

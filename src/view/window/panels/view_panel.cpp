@@ -34,7 +34,7 @@ constexpr std::array<ModeRow, 4> kModes{
 void modes(Ui& ui) {
     for (const ModeRow& each : kModes) {
         if (each.mode != TransformMode::scene) continueRowForCheck(each.label);
-        if (ImGui::RadioButton(each.label, ui.mode == each.mode)) ui.mode = each.mode;
+        if (radioButton(each.label, ui.mode == each.mode)) ui.mode = each.mode;
         mark(ui, "mode/{}", each.label);
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", each.help);
     }
@@ -115,7 +115,7 @@ void toolWindows(Ui& ui) {
     for (const PanelUse& each : ui.panels) {
         if (!each.row->checkBox) continue;
         if (!std::exchange(isFirst, false)) continueRowForCheck(each.row->checkBox);
-        ImGui::Checkbox(each.row->checkBox, &each.panel->isOpen);
+        checkBox(each.row->checkBox, &each.panel->isOpen);
         mark(ui, "view/{}", each.row->name);
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", each.row->help);
     }
@@ -137,7 +137,7 @@ void ownBackground(Ui& ui) {
     ViewState view = ui.session.view();
     bool own = view.background.has_value();
     continueRowForCheck("Background");
-    bool isChanged = ImGui::Checkbox("Background", &own);
+    bool isChanged = checkBox("Background", &own);
     mark(ui, "view/ownBackground");
     if (isChanged && own)
         view.background = {0, 0, 0, 1};
@@ -157,11 +157,11 @@ void ownBackground(Ui& ui) {
 
 void drawnParts(Ui& ui) {
     bool axes = ui.session.axes();
-    if (ImGui::Checkbox("Axes", &axes)) ui.session.setAxes(axes);
+    if (checkBox("Axes", &axes)) ui.session.setAxes(axes);
     mark(ui, "view/axes");
     continueRowForCheck("Wireframe");
     bool wireframe = ui.session.wireframe();
-    if (ImGui::Checkbox("Wireframe", &wireframe)) ui.session.setWireframe(wireframe);
+    if (checkBox("Wireframe", &wireframe)) ui.session.setWireframe(wireframe);
     mark(ui, "view/wireframe");
     ownBackground(ui);
 }
