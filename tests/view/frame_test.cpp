@@ -353,10 +353,6 @@ TEST_F(Frame, TriesAnotherStateForADraw) {
     EXPECT_TRUE(session.triedStates().empty());
     session.drawIfNeeded();
     EXPECT_TRUE(pixelsOf(session) == before) << "as in the scene";
-    session.tryState(far(), always);
-    session.endTrials();
-    session.drawIfNeeded();
-    EXPECT_TRUE(pixelsOf(session) == before);
 }
 
 TEST_F(Frame, WhatTheSceneSaysNowCountsMoreThanWhatIsTried) {

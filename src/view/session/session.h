@@ -216,8 +216,6 @@ class Session {
     /// state.
     [[nodiscard]] const TriedStates& triedStates() const { return trials_.states(); }
     void tryState(const scene::Draw& draw, const base::RasterState& state);
-    /// All draws are as the scene says.
-    void endTrials();
     /// The text of a file of the scene, with what was typed in it; empty if it cannot be read.
     [[nodiscard]] std::string readText(const std::filesystem::path& file) const;
     /// What one draw of the frame has at a pixel of the targets of its pass (view::probeDraw).

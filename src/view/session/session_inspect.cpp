@@ -34,12 +34,6 @@ void Session::tryState(const scene::Draw& draw, const base::RasterState& state) 
     drawTrials();
 }
 
-void Session::endTrials() {
-    if (trials_.empty() || !live_) return;
-    trials_.clear();
-    drawTrials();
-}
-
 /// The scene has been read again.
 void Session::followTrials() {
     if (trials_.empty()) return;
