@@ -78,8 +78,8 @@ void eventRow(Ui& ui, FrameWindow& window, std::size_t number) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::PushID(static_cast<int>(number));
-    const std::string number = item.number > 0 ? fmt::format(" {}", item.number) : "";
-    const std::string title = fmt::format("{}{}, line {}", item.title, number, item.place.line);
+    const std::string copy = item.number > 0 ? fmt::format(" {}", item.number) : "";
+    const std::string title = fmt::format("{}{}, line {}", item.title, copy, item.place.line);
     if (ImGui::Selectable(title.c_str(), item.key == window.chosen, ImGuiSelectableFlags_SpanAllColumns)) {
         const auto pixel = window.pixel;
         window.choose(item);
