@@ -3,7 +3,7 @@
 if(NOT GLIBRA_BENCH_PROGRAM)
     return()
 endif()
-find_package(Boost 1.74)  # headers: Multiprecision, for references with 100 digits
+find_package(Boost 1.74 CONFIG)  # headers: Multiprecision, for references with 100 digits
 glibra_refuse_without(GLIBRA_BENCH_PROGRAM "Boost 1.74" "${Boost_FOUND}")
 
 glibra_room(bench ROOMS render LINK Boost::headers nlohmann_json::nlohmann_json)
