@@ -242,7 +242,7 @@ void addClass(CommandLine& program, int& status) {
                 "the class, at least 4 and at most 10")
         .atLeast(1)
         .rare();
-    const suite::OptionRow& time = *suite::findOption("time");
+    const suite::OptionRow& time = suite::optionNamed("time");
     command
         .repeated(
             "--time",

@@ -58,7 +58,7 @@ void addNeeds(CommandLine& command, const suite::OptionRow& row) {
 }  // namespace
 
 void addPictureOption(CommandLine& command, std::string_view name, suite::Shot& to) {
-    add(command, *suite::findOption(name), to);
+    add(command, suite::optionNamed(name), to);
 }
 
 void addPictureOptions(CommandLine& command, suite::Shot& to) {

@@ -77,10 +77,12 @@ Diagnostics problemsOfLoading(const RenderOptions& options) {
     refuse("floatPixels", &RenderOptions::floatPixels, kOfDraw);
     refuse("viewState", &RenderOptions::viewState, kOfDraw);
     // Every other one is of render(), too, unless it is named here as one that a loaded scene keeps.
-    constexpr std::array<std::string_view, 7> kKept{"steps",   "set",     "eye",    "strict",
-                                                    "no-shim", "no-skip", "library"};
+    static const std::array kKept{&suite::optionNamed("steps"),   &suite::optionNamed("set"),
+                                  &suite::optionNamed("eye"),     &suite::optionNamed("strict"),
+                                  &suite::optionNamed("no-shim"), &suite::optionNamed("no-skip"),
+                                  &suite::optionNamed("library")};
     for (const suite::OptionRow& row : suite::optionTable())
-        if (std::ranges::find(kKept, row.name) == kKept.end() && !suite::isDefault(row, rest))
+        if (std::ranges::find(kKept, &row) == kKept.end() && !suite::isDefault(row, rest))
             found.push_back(diagnose("library-E01", fmt::format("{}: {}", row.name, kOfRender)));
     return found;
 }

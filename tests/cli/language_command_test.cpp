@@ -4,12 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <functional>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "base/texel_format.h"
 #include "glib/command_table.h"
 #include "glib/modern/statement_table.h"
 #include "program.h"
@@ -113,6 +116,32 @@ TEST(LanguageCommand, ThePageDescribesEveryCommandAndStatement) {
     for (const std::string_view each : words)
         EXPECT_TRUE(describes(each)) << each << ": describe it in docs/language.md, outside of the generated "
                                      << "tables (commands: 3, shapes: 4, modern statements: 12)";
+}
+
+TEST(LanguageCommand, ThePageDescribesNothingThatIsNotThere) {
+    const std::string page = readFile(fs::path(GLIBRA_SOURCE_DIR) / "docs" / "language.md");
+    const auto section = [&](const std::string& title) {
+        const std::size_t from = page.find("\n## " + title);
+        return page.substr(from, page.find("\n## ", from + 1) - from);
+    };
+    const std::string tables = section("3. Commands") + section("4. Geometry") + section("12. Modern scenes");
+    std::set<std::string, std::less<>> words;
+    for (const glib::CommandRow& row : glib::commandTable()) words.insert(row.names.begin(), row.names.end());
+    std::string syntax;  // also has the words inside of statements
+    for (const glib::StatementRow& row : glib::statementTable())
+        syntax += fmt::format("{} {} ", row.name, row.syntax);
+    const std::regex kWord("[A-Z]\\w*"), kFirst("\n\\| `([A-Z][a-z]\\w*)");
+    for (std::sregex_iterator each(syntax.begin(), syntax.end(), kWord), end; each != end; ++each)
+        words.insert(each->str());
+    for (std::sregex_iterator each(tables.begin(), tables.end(), kFirst), end; each != end; ++each)
+        EXPECT_TRUE(words.contains((*each)[1].str())) << (*each)[1] << ": docs/language.md describes it";
+
+    const std::size_t from = page.find("\n| Format | Names |");
+    const std::string formats = page.substr(from, page.find("\n\n", from) - from);
+    const std::regex kFormat("`([a-z]\\w+)`");
+    for (std::sregex_iterator each(formats.begin(), formats.end(), kFormat), end; each != end; ++each)
+        EXPECT_TRUE(base::texelFormatNamed((*each)[1].str()))
+            << (*each)[1] << ": docs/language.md has this format";
 }
 
 TEST(LanguageCommand, ListsTheNamesThatShadersReadWithTheirTypes) {

@@ -1,5 +1,4 @@
-// Each line of any bytes as an expression: read, evaluated twice, and looked at as the text of a classic
-// statement.
+// Each line of any bytes as an expression: read, and evaluated twice.
 
 #include <algorithm>
 #include <array>
@@ -9,7 +8,6 @@
 #include "expression/expression.h"
 #include "expression/functions.h"
 #include "expression/name_table.h"
-#include "expression/parentheses.h"
 #include "text_mutator.h"
 
 namespace {
@@ -99,10 +97,6 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         text.remove_prefix(std::min(text.size(), one.size() + 1));
         attempt(one, names, {});
         attempt(one, names, {kTypes, kWords});
-        const std::size_t open = one.find('(');
-        if (open == std::string_view::npos) continue;
-        const std::size_t close = partnerOf(one, open);
-        check(close == std::string_view::npos || (close > open && one[close] == ')'), "a partner is a ')'");
     }
     return 0;
 }

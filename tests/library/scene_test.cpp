@@ -180,6 +180,7 @@ TEST(LibraryScene, KeepsOrRefusesEveryOptionOfPictures) {
         const bool isRefused = !scene && scene.diagnostics().front().id == "library-E01";
         EXPECT_EQ(isRefused, !kept.contains(row.name)) << row.name;
     }
+    for (const std::string_view each : kept) EXPECT_TRUE(suite::findOption(each)) << each;
     RenderOptions several;
     several.axes = several.checkNan = several.alpha = true;
     EXPECT_EQ(renderer.loadText(kSquare, "square.glib", kShaders, several).diagnostics().size(), 3U);

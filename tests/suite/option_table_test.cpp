@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <fstream>
 #include <iterator>
+#include <regex>
 #include <set>
 #include <string>
 #include <vector>
@@ -131,12 +132,22 @@ TEST(OptionTable, NamesAndKeysAreUniqueAndDescribed) {
     }
 }
 
-TEST(OptionTable, ThePageOfSuitesHasEveryKey) {
+TEST(OptionTable, ThePageOfSuitesHasEveryKeyAndNoOther) {
     std::ifstream file(GLIBRA_SOURCE_DIR "/docs/suites.md");
     const std::string page{std::istreambuf_iterator<char>(file), {}};
     const std::size_t table = page.find("## Keys of a shot");
     ASSERT_NE(table, std::string::npos);
     const std::string keys = page.substr(table, page.find("\n## ", table) - table);
+    static const std::regex kFirstCell("\n\\| (`[^|]*`) \\|"), kKey("`([a-z-]+)`");
+    const test::SceneFolder folder({"a.glib"});
+    for (std::sregex_iterator row(keys.begin(), keys.end(), kFirstCell), end; row != end; ++row) {
+        const std::string cell = (*row)[1];
+        for (std::sregex_iterator key(cell.begin(), cell.end(), kKey); key != end; ++key)
+            EXPECT_EQ(
+                folder.show("[[shot]]\nscript = 'a.glib'\n" + (*key)[1].str() + " = 0\n").find("suite-E02"),
+                std::string::npos)
+                << (*key)[1] << ": the table under 'Keys of a shot' in docs/suites.md has a key that is none";
+    }
     for (const OptionRow& row : optionTable())
         EXPECT_TRUE(row.key.empty() || keys.find(fmt::format("`{}`", row.key)) != std::string::npos)
             << row.key << ": add it to the table under 'Keys of a shot' in docs/suites.md";

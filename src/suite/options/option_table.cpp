@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
 
 #include "glib/number.h"
 
@@ -193,6 +194,12 @@ const OptionRow* findOptionKey(std::string_view key) {
     for (const OptionRow& row : kRows)
         if (!key.empty() && (row.key == key || row.former == key)) return &row;
     return nullptr;
+}
+
+const OptionRow& optionNamed(std::string_view name) {
+    if (const OptionRow* row = findOption(name)) return *row;
+    throw std::logic_error(
+        fmt::format("'{}' is named as an option, but src/suite/options/option_table.cpp has none", name));
 }
 
 bool isDefault(const OptionRow& row, const Shot& shot) {

@@ -110,6 +110,8 @@ std::span<const OptionRow> optionTable();
 /// The row of a name or key, also of a former one; null if there is none.
 const OptionRow* findOption(std::string_view name);
 const OptionRow* findOptionKey(std::string_view key);
+/// The row that our own sources name; std::logic_error if there is none (any more).
+const OptionRow& optionNamed(std::string_view name);
 
 /// True if the shot has the value that a new Shot has.
 bool isDefault(const OptionRow& row, const Shot& shot);
