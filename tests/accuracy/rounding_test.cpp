@@ -112,7 +112,8 @@ TEST(Curves, ConvergeWithTheOrdersOfTheirMethods) {
         EXPECT_LE(point.error, std::ldexp(1., -25)) << "half a unit in the last place below 1";
     EXPECT_GT(curveOf(parameter, "float, t += dt").points.back().error, 1e-4);
     EXPECT_LT(curveOf(parameter, "float, t += dt with compensation").points.back().error, 1e-6);
-    EXPECT_GT(curveOf(parameter, "shader, t += dt (at the end)").points.back().error, 1e-4);
+    // How a driver rounds decides how much is lost: 1e-4 on llvmpipe, 5e-5 on zink of Mesa 25.
+    EXPECT_GT(curveOf(parameter, "shader, t += dt (at the end)").points.back().error, 2e-5);
 
     for (const char* name : {"chords", "chords-step"}) {
         const Figure& chords = figureOf(figures, name);

