@@ -15,7 +15,7 @@ struct Capabilities {
     /// One word for the family of drivers, for choosing tolerances and work-arounds: "llvmpipe", "softpipe",
     /// "osmesa-llvmpipe", "osmesa-softpipe", "nvidia", "amd", "intel", "apple", "zink", "d3d12", "other".
     std::string family;
-    bool isSoftware = false;   ///< Mesa draws on the processor: llvmpipe or softpipe, through EGL or OSMesa
+    bool isSoftware = false;  ///< Mesa draws on the processor: llvmpipe or softpipe, through EGL or OSMesa
     /// Mesa's software rasterizer draws, also below zink: it tessellates with the limits of drawPatches().
     bool tessellatesInSoftware = false;
     int major = 0, minor = 0;  ///< of GL

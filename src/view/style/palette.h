@@ -30,7 +30,7 @@ struct Palette {
     Color button, buttonHovered, buttonActive;
     Color section, sectionHovered, sectionActive;  ///< headings of sections, chosen rows of lists
     Color border;
-    Color outline;  ///< of what is known by its shape alone: check boxes, round buttons
+    Color outline;             ///< of what is known by its shape alone: check boxes, round buttons
     Color text, dim;           ///< dim: secondary text, not disabled text
     Color accent;              ///< thumbs, check marks, the focused slider
     Color fill;                ///< the part of a slider below its value, progress
