@@ -10,6 +10,7 @@
 #include <iterator>
 #include <regex>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -130,6 +131,12 @@ TEST(OptionTable, NamesAndKeysAreUniqueAndDescribed) {
         EXPECT_TRUE(row.key.empty() || keys.insert(row.key).second) << row.key;
         EXPECT_TRUE(row.needs.empty() || findOption(row.needs)) << row.name;
     }
+}
+
+TEST(OptionTable, ANameThatOurSourcesGiveWithoutARowIsReported) {
+    EXPECT_EQ(optionNamed("size").name, "size");
+    EXPECT_EQ(optionNamed("view").name, "eye") << "its former name";
+    EXPECT_THROW((void)optionNamed("colour"), std::logic_error);
 }
 
 TEST(OptionTable, ThePageOfSuitesHasEveryKeyAndNoOther) {
