@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-namespace glibra::test {
+namespace glibra::gpu::test {
 
 /// Unsets it. The destructor gives it back the value that it had, whatever the test has set.
 class UnsetVariable {
@@ -24,4 +24,4 @@ class UnsetVariable {
     std::optional<std::string> before_;
 };
 
-}  // namespace glibra::test
+}  // namespace glibra::gpu::test
