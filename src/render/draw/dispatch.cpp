@@ -30,11 +30,11 @@ GroupCounts objectSizeOf(const DeviceScene& device, const scene::ObjectView& obj
 }
 
 /// Sets what a piece of a dispatch knows of the whole.
-void setPiece(const BuiltProgram& built, const GroupCounts& first, const GroupCounts& all,
-              const std::array<int, 3>& localSize) {
+void setPiece(const BuiltProgram& built, const GroupCounts& first, const GroupCounts& all) {
     const std::array piece{first, all};
     if (built.piece == piece) return;
     built.piece = piece;
+    const std::array<int, 3> localSize = gpu::localSizeOf(*built.program);
     const auto set = [&](const char* name, auto&& valueOf) {
         for (const base::ActiveUniform& uniform : built.interface.uniforms)
             if (uniform.emittedName == name)
@@ -128,7 +128,6 @@ Diagnostics FrameDrawer::dispatchPieces(const BuiltProgram& built, const GroupCo
     while (axis > 0 && groups.at(axis) <= 1) --axis;
     const std::uint64_t pieces =
         std::clamp<std::uint64_t>(groups.at(axis), 1, static_cast<std::uint64_t>(dispatch.tiles));
-    const std::array<int, 3> localSize = gpu::localSizeOf(*built.program);
     Diagnostics remarks;
     const auto run = [&](std::uint64_t begin, std::uint64_t end) -> Diagnostics {
         GroupCounts first{}, part = groups;
@@ -138,7 +137,7 @@ Diagnostics FrameDrawer::dispatchPieces(const BuiltProgram& built, const GroupCo
             checkedGroups(part, context_.capabilities(), dispatch.place);
         if (!checked) return checked.diagnostics;
         if (remarks.empty()) remarks = checked.diagnostics;  // once for all pieces
-        setPiece(built, first, groups, localSize);
+        setPiece(built, first, groups);
         context_.debugLog().setPlace(dispatch.place);  // waiting has ended what was dispatched before
         gpu::dispatch(*checked);
         return {};
