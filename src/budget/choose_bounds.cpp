@@ -187,11 +187,12 @@ class BoundSearch {
         for (std::size_t i = 0; i < request_.variables.size(); ++i) {
             const BoundVariable& each = request_.variables[i];
             if (isFree(i) || each.isGiven) continue;
-            result_.diagnostics.push_back(
+            result_.diagnostics.push_back(about(
                 diagnose("draw-W07",
                          fmt::format("'{}' is kept at {}, which may break the bound of {}: {}", each.name,
                                      glib::numberText(each.current), pixelText(request_.maxError), why_[i]),
-                         each.place));
+                         each.place),
+                each.name));
         }
     }
 

@@ -45,7 +45,7 @@ struct BoundRequest {
 struct ChosenBounds {
     std::vector<double> values;  ///< one for each variable; those that are not chosen are current
     std::vector<Decision> decisions;
-    Diagnostics diagnostics;  ///< draw-W07: the bound cannot be kept
+    Diagnostics diagnostics;  ///< draw-W07 about a variable: the bound cannot be kept
 };
 
 /// The values that may be chosen, from the coarsest to the finest: each is twice or half the one before, up

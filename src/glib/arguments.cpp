@@ -178,7 +178,7 @@ void reportMissing(const CommandRow& row, const Command& command, MessageLog& lo
         "glib-E04",
         fmt::format("{} needs {}{}, found {}", row.name(), needed < row.arguments.size() ? "at least " : "",
                     counted(needed, "number"), command.givenNumbers),
-        command.position);
+        command.position, {{Expectation::Kind::number, "a number"}});
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <vector>
 
 #include "glib/bracket_group.h"
 #include "glib/modern/grammar.h"
@@ -29,27 +30,6 @@ std::string_view wordOfNextLine(std::string_view text, std::size_t end) {
     if (!next) return {};
     const std::size_t begin = line + (text.substr(line, 2) == "\r\n" ? 2 : 1);
     return startOf(text, {next->number, begin + next->begin, begin + next->end}).word;
-}
-
-bool startsNumber(std::string_view word) {
-    const std::size_t at = word.find_first_not_of("+-.");
-    return at != std::string_view::npos && at < 3 && isDigit(word[at]);
-}
-
-/// True if a message that ends before something says that a line with this first word has it.
-bool isMissing(std::string_view message, std::string_view word) {
-    const auto says = [&](std::string_view part) { return message.find(part) != std::string_view::npos; };
-    if (startsNumber(word) || word.starts_with('('))
-        return says("number") || says("a value") || says("an expression");
-    if (word.starts_with('{')) return says("a colour") || says("components") || says("a value");
-    if (word.starts_with('[')) return says("a list") || says("components") || says("a value");
-    if (word.starts_with('<')) return says("a value");
-    return !word.empty() && says(fmt::format("'{}'", word));
-}
-
-bool endsTooEarly(const Diagnostic& message) {
-    return (message.id == "glib-E17" && message.text.ends_with("found the end of the statement")) ||
-           (message.id == "glib-E04" && message.text.find(" needs ") != std::string::npos);
 }
 
 bool isKeyOf(const StatementRow& row, std::string_view word) {
@@ -87,9 +67,11 @@ void ContinuationAdvice::advise(std::string_view text, const Statement& statemen
                                      firstLine_, lastLine_);
         return;
     }
-    if (!endsTooEarly(*message)) return;
     const std::string_view word = wordOfNextLine(text, statement.end);
-    if (!isMissing(message->text, word)) return;
+    const std::vector<Expectation>& missing = log.lastMissing();
+    if (std::none_of(missing.begin(), missing.end(),
+                     [&](const Expectation& each) { return each.mayBegin(word); }))
+        return;
     message->text += fmt::format("; end line {} with a backslash if the statement goes on in the next one",
                                  lastLineOf(statement));
     skippedLine_ = lastLineOf(statement) + 1;

@@ -16,6 +16,7 @@ void MessageLog::report(const char* id, std::string text, Position position) {
 void MessageLog::report(Diagnostic message) {
     const bool isError = message.severity == Severity::error;
     ++count_;
+    missing_.clear();
     if (isError) ++errors_;
     if (counted_ < kMostMessages) {
         ++counted_;
@@ -24,6 +25,12 @@ void MessageLog::report(Diagnostic message) {
     } else if (isError && !firstCutError_) {
         firstCutError_ = std::move(message);
     }
+}
+
+void MessageLog::report(const char* id, std::string text, Position position,
+                        std::vector<Expectation> missing) {
+    report(id, std::move(text), position);
+    missing_ = std::move(missing);
 }
 
 Diagnostics MessageLog::take() {

@@ -7,7 +7,9 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "glib/expectation.h"
 #include "glib/script.h"
 
 namespace glibra::glib {
@@ -21,6 +23,8 @@ class MessageLog {
 
     void report(const char* id, std::string text, Position position);
     void report(Diagnostic message);
+    /// Reports that a statement ends too early: `missing` is what it could have gone on with.
+    void report(const char* id, std::string text, Position position, std::vector<Expectation> missing);
     /// Keeps a message that the scene asks for, such as those of Verbose, beside the 100.
     void keep(Diagnostic message) { kept_.push_back(std::move(message)); }
 
@@ -29,6 +33,9 @@ class MessageLog {
 
     /// The last message that was kept; null if there is none.
     [[nodiscard]] Diagnostic* last() { return kept_.empty() ? nullptr : &kept_.back(); }
+
+    /// What the statement of the last message could have gone on with where it ends too early; else empty.
+    [[nodiscard]] const std::vector<Expectation>& lastMissing() const { return missing_; }
 
     /// Errors reported so far, kept or not.
     [[nodiscard]] std::size_t errorCount() const { return errors_; }
@@ -41,6 +48,7 @@ class MessageLog {
   private:
     std::string path_;
     Diagnostics kept_;
+    std::vector<Expectation> missing_;  ///< of the last message
     std::optional<Diagnostic> firstCutError_;
     std::size_t counted_ = 0;  ///< those of kept_ that the limit counts
     std::size_t errors_ = 0;

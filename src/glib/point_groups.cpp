@@ -74,7 +74,7 @@ class GroupReader {
             log_.report(
                 "glib-E04",
                 fmt::format("{}: a point needs 3 numbers, found {}", command_.word, points.values.size()),
-                points.position);
+                points.position, {{Expectation::Kind::number, "a number"}});
         command_.points.push_back(std::move(points));
     }
 

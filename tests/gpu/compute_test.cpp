@@ -47,7 +47,7 @@ void main() {
 TEST_F(ComputeTest, EveryInvocationRuns) {
     const auto program = compute(kDouble);
     ASSERT_TRUE(program);
-    EXPECT_EQ(localSizeOf(*program), (std::array<int, 3>{4, 1, 1}));
+    EXPECT_EQ(program->localSize(), (std::array<int, 3>{4, 1, 1}));
     const Buffer buffer = bufferOf({10, 12, 16, 18, 50, 17});
     buffer.bindBase(GL_SHADER_STORAGE_BUFFER, 0);
     program->use();

@@ -38,8 +38,11 @@ Result<BoundValues> valuesWith(gpu::Context& context, const ShippedScene& scene,
         values.set.push_back(fmt::format("{}={}", each.name, each.current.front()));
         values.finest.push_back(fmt::format("{}={}", each.name, each.bound->finest));
     }
-    values.isKept = std::ranges::any_of(loaded.diagnostics, [](const Diagnostic& each) {
-        return each.id == "draw-W07" && each.text.find("may break the bound") != std::string::npos;
+    values.isKept = std::ranges::any_of(loaded.diagnostics, [&](const Diagnostic& each) {
+        return each.id == "draw-W07" &&
+               std::ranges::any_of(loaded->scene().variables, [&](const auto& variable) {
+                   return variable.bound && variable.name == each.subject;
+               });
     });
     return values;
 }

@@ -20,6 +20,7 @@ namespace glibra::glib {
 namespace {
 
 using Node = SyntaxNode;
+using Kind = Expectation::Kind;
 
 class Matcher {
   public:
@@ -122,12 +123,14 @@ class Matcher {
     bool matchKey(const Node& node, std::size_t& at) {
         const Value* value = pieces_.find(at);
         if (value == nullptr || !isUnquoted(*value) || !sameWord(beforePoint(value->text), node.text))
-            return mismatch_.expect(at, "'" + node.text + "'", true);
+            return mismatch_.expectWord(at, node.text);
         if (!suffixFits(node, value->text)) {
-            if (node.hasNumberSuffix) return mismatch_.expect(at, fmt::format("'{0}' or '{0}.1'", node.text));
+            if (node.hasNumberSuffix)
+                return mismatch_.expect(at,
+                                        {Kind::other, fmt::format("'{0}' or '{0}.1'", node.text), node.text});
             for (const std::string& each : node.words)
-                mismatch_.expect(at, fmt::format("'{}.{}'", node.text, each), true);
-            return mismatch_.expect(at, "'" + node.text + "'", true);
+                mismatch_.expectWord(at, fmt::format("{}.{}", node.text, each));
+            return mismatch_.expectWord(at, node.text);
         }
         events_.push_back({Event::Kind::key, &node, at, at + 1});
         ++at;
@@ -151,9 +154,10 @@ class Matcher {
             hasExpression = pieces_[at++].kind == Value::Kind::expression || hasExpression;
         const std::size_t count = at - begin;
         if (count < node.most)
-            mismatch_.expect(at, node.most == 1
-                                     ? fmt::format("a number ({})", node.text)
-                                     : fmt::format("number {} of {} ({})", count + 1, node.most, node.text));
+            mismatch_.expect(
+                at, {Kind::number,
+                     node.most == 1 ? fmt::format("a number ({})", node.text)
+                                    : fmt::format("number {} of {} ({})", count + 1, node.most, node.text)});
         if (count < (hasExpression ? 1 : node.least)) return rewind(at, begin, events_.size());
         events_.push_back({Event::Kind::value, &node, begin, at});
         return true;
@@ -166,9 +170,10 @@ class Matcher {
             const bool fits = value != nullptr && (value->kind == Value::Kind::text || isUnquoted(*value)) &&
                               !isKeyInstead(*value, isSkippable || node.isChosen || at > begin);
             if (!fits) {
-                mismatch_.expect(at, node.most == 1 ? fmt::format("a file ({})", node.text)
-                                                    : fmt::format("file {} of {} ({})", at - begin + 1,
-                                                                  node.most, node.text));
+                mismatch_.expect(
+                    at, {Kind::other, node.most == 1 ? fmt::format("a file ({})", node.text)
+                                                     : fmt::format("file {} of {} ({})", at - begin + 1,
+                                                                   node.most, node.text)});
                 return rewind(at, begin, events_.size());
             }
             ++at;
@@ -183,7 +188,7 @@ class Matcher {
         const std::size_t end = valueEnd(node, at, isSkippable);
         if (end == at) {
             if (node.type != ValueType::oneOf) return mismatch_.expect(at, describe(node));
-            for (const std::string& each : node.words) mismatch_.expect(at, "'" + each + "'", true);
+            for (const std::string& each : node.words) mismatch_.expectWord(at, each);
             return false;
         }
         events_.push_back({Event::Kind::value, &node, at, end});
@@ -191,32 +196,33 @@ class Matcher {
         return true;
     }
 
-    static std::string describe(const Node& node) {
+    static Expectation describe(const Node& node) {
         switch (node.type) {
             case ValueType::name:
             case ValueType::array:
-                return node.text == "name" ? "a name" : fmt::format("a name ({})", node.text);
+                return {Kind::other, node.text == "name" ? "a name" : fmt::format("a name ({})", node.text)};
             case ValueType::object:
-                return node.text == "object" ? "a name" : fmt::format("a name ({})", node.text);
+                return {Kind::other,
+                        node.text == "object" ? "a name" : fmt::format("a name ({})", node.text)};
             case ValueType::word:
             case ValueType::program:
-                return fmt::format("a word ({})", node.text);
+                return {Kind::other, fmt::format("a word ({})", node.text)};
             case ValueType::key:
-                return "a key of the keyboard";
+                return {Kind::other, "a key of the keyboard"};
             case ValueType::any:
             case ValueType::constant:
-                return "a value";
+                return {Kind::value, "a value"};
             case ValueType::expression:
-                return fmt::format("an expression in parentheses ({})", node.text);
+                return {Kind::expression, fmt::format("an expression in parentheses ({})", node.text)};
             case ValueType::list:
             case ValueType::words:
-                return fmt::format("a list in [ ] ({})", node.text);
+                return {Kind::list, fmt::format("a list in [ ] ({})", node.text)};
             case ValueType::color:
-                return "a colour {r g b}";
+                return {Kind::color, "a colour {r g b}"};
             case ValueType::components:
-                return "components [r g b a]";
+                return {Kind::components, "components [r g b a]"};
             default:
-                return node.text;
+                return {Kind::other, node.text};
         }
     }
 
@@ -322,15 +328,16 @@ class Matcher {
             const std::size_t tag = pieces_.tagEnd(at);
             std::string key = unusedKeyNear(pieces_[at]);
             if (tag == at || sameWord(key, pieces_[at].text)) {
-                mismatch_.expect(at, "a tag");
+                mismatch_.expect(at, {Kind::other, "a tag"});
                 break;
             }
             const std::size_t end = anyEnd(tag);
             if (end == tag) {
                 if (key.empty())
-                    mismatch_.expect(tag, fmt::format("a value of '{}'", pieces_.onOneLine(at, tag)));
+                    mismatch_.expect(
+                        tag, {Kind::value, fmt::format("a value of '{}'", pieces_.onOneLine(at, tag))});
                 else
-                    mismatch_.expect(at, "a tag");
+                    mismatch_.expect(at, {Kind::other, "a tag"});
                 break;
             }
             events_.push_back({Event::Kind::tag, &node, at, tag, std::move(key)});
@@ -338,7 +345,7 @@ class Matcher {
             at = end;
             any = true;
         }
-        if (!any && at == pieces_.size()) mismatch_.expect(at, "a tag");
+        if (!any && at == pieces_.size()) mismatch_.expect(at, {Kind::other, "a tag"});
         return any || !node.needsOne;
     }
 

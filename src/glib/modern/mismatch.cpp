@@ -20,19 +20,28 @@ std::string found(const Pieces& pieces, std::size_t at) {
 
 }  // namespace
 
-bool Mismatch::expect(std::size_t at, std::string expected, bool isWord) {
+bool Mismatch::expect(std::size_t at, Expectation expected) {
     if (at > furthest_) {
         furthest_ = at;
         expected_.clear();
     }
     if (at == furthest_ && std::none_of(expected_.begin(), expected_.end(),
-                                        [&](const Expectation& each) { return each.text == expected; }))
-        expected_.push_back({std::move(expected), isWord});
+                                        [&](const Expectation& each) { return each.text == expected.text; }))
+        expected_.push_back(std::move(expected));
     return false;
+}
+
+bool Mismatch::expectWord(std::size_t at, const std::string& word) {
+    return expect(at, {Kind::word, fmt::format("'{}'", word), word});
 }
 
 void Mismatch::contradict(std::size_t before, std::size_t at) {
     if (!conflict_ || at > conflict_->second) conflict_ = {before, at};
+}
+
+bool Mismatch::expects(Kind kind) const {
+    return std::any_of(expected_.begin(), expected_.end(),
+                       [&](const Expectation& each) { return each.kind == kind; });
 }
 
 std::string Mismatch::listOfExpected() const {
@@ -49,7 +58,7 @@ std::string Mismatch::listOfExpected() const {
 std::string Mismatch::suggested(std::string_view word) const {
     std::vector<std::string_view> words;
     for (const Expectation& each : expected_)
-        if (each.isWord) words.push_back(std::string_view(each.text).substr(1, each.text.size() - 2));
+        if (each.kind == Kind::word) words.push_back(each.name);
     std::string nearest = base::nearestName(word, words);
     if (nearest.empty()) nearest = base::nearestName(beforePoint(word), words);
     // `culling` for `cull`: the longest word with which it begins.
@@ -65,13 +74,8 @@ std::string Mismatch::valueHint(const Pieces& pieces, std::size_t at, const Decl
     constexpr std::string_view kCounter = "i";
     const Value& found = pieces[at];
     const std::string_view head = beforePoint(found.text);
-    const bool expectsNumber = std::any_of(expected_.begin(), expected_.end(), [](const Expectation& each) {
-        return each.text.starts_with("a number") || each.text.starts_with("number ");
-    });
-    const bool expectsValue =
-        expectsNumber || std::any_of(expected_.begin(), expected_.end(), [](const Expectation& each) {
-            return each.text.starts_with("a value") || each.text.starts_with("an expression");
-        });
+    const bool expectsNumber = expects(Kind::number);
+    const bool expectsValue = expectsNumber || expects(Kind::value) || expects(Kind::expression);
     if (expectsValue && isUnquoted(found)) {
         const std::string whole = pieces.expressionFrom(at);
         const bool isCall = whole.size() > found.text.size() && whole.ends_with(')');
@@ -88,11 +92,7 @@ std::string Mismatch::bracketHint(const Pieces& pieces, std::size_t at) const {
     if (at > 0 && isUnquoted(found) && found.text.size() == 1 &&
         std::string_view("+-*/%").find(found.text) != std::string_view::npos && at + 1 < pieces.size())
         return fmt::format("; write ({}) for its value", pieces.onOneLine(at - 1, pieces.size()));
-    const auto wants = [&](std::string_view what) {
-        return std::any_of(expected_.begin(), expected_.end(),
-                           [&](const Expectation& each) { return each.text.starts_with(what); });
-    };
-    const bool isColor = wants("a colour"), isList = wants("components");
+    const bool isColor = expects(Kind::color), isList = expects(Kind::components);
     std::size_t end = at;
     constexpr std::size_t kMost = 4;
     while (end < pieces.size() && end - at < kMost && pieces[end].kind == Value::Kind::number) ++end;
@@ -103,11 +103,10 @@ std::string Mismatch::bracketHint(const Pieces& pieces, std::size_t at) const {
 
 std::string Mismatch::nameHint(const Pieces& pieces) const {
     // `Camera LookAt 0 0 5 ...`: the name and what follows it are read as one.
-    const bool isKeyword =
-        furthest_ == 1 && pieces[0].kind == Value::Kind::word &&
-        std::any_of(expected_.begin(), expected_.end(), [&](const Expectation& each) {
-            return each.isWord && sameWord(each.text.substr(1, each.text.size() - 2), pieces[0].text);
-        });
+    const bool isKeyword = furthest_ == 1 && pieces[0].kind == Value::Kind::word &&
+                           std::any_of(expected_.begin(), expected_.end(), [&](const Expectation& each) {
+                               return each.kind == Kind::word && sameWord(each.name, pieces[0].text);
+                           });
     return isKeyword ? fmt::format("; write a name before '{}'", pieces[0].text) : std::string();
 }
 
@@ -170,15 +169,13 @@ void Mismatch::report(const StatementRow& row, const Pieces& pieces, const Decla
                                 fmt::format("unknown word {}; did you mean '{}'?", found(pieces, i), meant));
         log.report("glib-E17",
                    fmt::format("{}: expected {}, found the end of the statement", row.name, listOfExpected()),
-                   command);
+                   command, expected_);
         return;
     }
     const std::string text = found(pieces, furthest_);
-    const bool expectsWord =
-        std::any_of(expected_.begin(), expected_.end(), [](const Expectation& each) { return each.isWord; });
     std::string hint = valueHint(pieces, furthest_, names);
     if (hint.empty()) hint = nameHint(pieces);
-    if (isUnquoted(pieces[furthest_]) && expectsWord) {
+    if (isUnquoted(pieces[furthest_]) && expects(Kind::word)) {
         const std::string nearest = hint.empty() ? suggested(pieces[furthest_].text) : std::string();
         if (hint.empty() && nearest.empty()) hint = commandHint(row, pieces[furthest_]);
         return reportAt("glib-E16", furthest_,

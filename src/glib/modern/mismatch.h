@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "glib/expectation.h"
 #include "glib/message_log.h"
 #include "glib/modern/match.h"
 #include "glib/modern/pieces.h"
@@ -18,9 +19,10 @@ namespace glibra::glib {
 
 class Mismatch {
   public:
-    /// Notes what an alternative expected at a piece. `isWord`: a key or one of several words, in quotes, so
-    /// that a suggestion can name it. Returns false.
-    bool expect(std::size_t at, std::string expected, bool isWord = false);
+    /// Notes what an alternative expected at a piece; a suggestion can name a word. Returns false.
+    bool expect(std::size_t at, Expectation expected);
+    /// The same for a key or one of several words.
+    bool expectWord(std::size_t at, const std::string& word);
 
     /// Notes that a piece repeats or contradicts an earlier one.
     void contradict(std::size_t before, std::size_t at);
@@ -31,11 +33,9 @@ class Mismatch {
                 std::size_t at, Position command, MessageLog& log);
 
   private:
-    struct Expectation {
-        std::string text;
-        bool isWord = false;
-    };
+    using Kind = Expectation::Kind;
 
+    [[nodiscard]] bool expects(Kind kind) const;
     [[nodiscard]] std::string listOfExpected() const;
     [[nodiscard]] std::string suggested(std::string_view word) const;
     /// What to write for the value of a name that stands without parentheses; empty if that is not the

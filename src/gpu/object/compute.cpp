@@ -4,12 +4,6 @@
 
 namespace glibra::gpu {
 
-std::array<int, 3> localSizeOf(const Program& program) {
-    std::array<GLint, 3> size{1, 1, 1};
-    glGetProgramiv(program.id(), GL_COMPUTE_WORK_GROUP_SIZE, size.data());
-    return size;
-}
-
 std::array<std::uint64_t, 3> groupsOver(const std::array<std::uint64_t, 3>& invocations,
                                         const std::array<int, 3>& localSize) {
     std::array<std::uint64_t, 3> groups{};

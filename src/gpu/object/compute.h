@@ -12,10 +12,7 @@
 
 namespace glibra::gpu {
 
-/// Invocations per group along x, y and z, as the compute stage declares them.
-std::array<int, 3> localSizeOf(const Program& program);
-
-/// The groups that give at least that many invocations: each count divided by the local size, rounded up.
+/// The groups that give at least that many invocations: each count divided by Program::localSize(), rounded up.
 std::array<std::uint64_t, 3> groupsOver(const std::array<std::uint64_t, 3>& invocations,
                                         const std::array<int, 3>& localSize);
 

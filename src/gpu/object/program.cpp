@@ -72,6 +72,15 @@ ProgramBuild::ProgramBuild(const Capabilities& capabilities, const ProgramSource
     glLinkProgram(program_.get());
 }
 
+const std::array<int, 3>& Program::localSize() const {
+    if (!localSize_) {
+        std::array<GLint, 3> size{1, 1, 1};
+        glGetProgramiv(id(), GL_COMPUTE_WORK_GROUP_SIZE, size.data());
+        localSize_ = size;
+    }
+    return *localSize_;
+}
+
 bool ProgramBuild::isReady() const {
     if (!canAsk_) return true;
     GLint done = GL_TRUE;

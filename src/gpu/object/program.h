@@ -4,6 +4,7 @@
 
 #include <glad/gl.h>
 
+#include <array>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -34,10 +35,13 @@ class Program {
     /// Notes the bytes that are about to be uploaded to `count` elements of a uniform, from that location on.
     /// False if the last upload was the same, so that it need not be repeated.
     bool willHold(GLint location, int count, std::span<const std::byte> bytes) const;
+    /// Invocations per group along x, y and z, as the compute stage declares them; the driver is asked once.
+    [[nodiscard]] const std::array<int, 3>& localSize() const;
 
   private:
     Name<deleteProgram> name_;
     mutable std::map<GLint, std::vector<std::byte>> uploaded_;  ///< by location, one element each
+    mutable std::optional<std::array<int, 3>> localSize_;
 };
 
 /// One stage, GL_VERTEX_SHADER ..., and its complete text.

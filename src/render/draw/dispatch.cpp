@@ -34,7 +34,7 @@ void setPiece(const BuiltProgram& built, const GroupCounts& first, const GroupCo
     const std::array piece{first, all};
     if (built.piece == piece) return;
     built.piece = piece;
-    const std::array<int, 3> localSize = gpu::localSizeOf(*built.program);
+    const std::array<int, 3>& localSize = built.program->localSize();
     const auto set = [&](const char* name, auto&& valueOf) {
         for (const base::ActiveUniform& uniform : built.interface.uniforms)
             if (uniform.emittedName == name)
@@ -166,7 +166,7 @@ const GroupCounts& FrameDrawer::groupsOf(const plan::PlannedDispatch& planned, c
         const auto* object = std::get_if<scene::ObjectView>(&over->what);
         groups = gpu::groupsOver(
             object ? objectSizeOf(device_, *object) : std::get<std::array<std::uint64_t, 3>>(over->what),
-            gpu::localSizeOf(*built.program));
+            built.program->localSize());
     }
     return groups;
 }
@@ -175,7 +175,7 @@ bool FrameDrawer::coversWhole(const plan::PlannedDispatch& planned, const plan::
     const BuiltProgram* built = programs_.find(plan_.programs[planned.program].variant);
     if (built == nullptr || !built->program) return false;
     const GroupCounts& groups = groupsOf(planned, *built);
-    const std::array<int, 3> localSize = gpu::localSizeOf(*built->program);
+    const std::array<int, 3>& localSize = built->program->localSize();
     scene::ObjectView whole;
     if (const auto* buffer = std::get_if<scene::BufferIndex>(&exchange.object))
         whole = scene::BufferView{*buffer};
