@@ -5,8 +5,6 @@
 namespace glibra::base {
 namespace {
 
-constexpr std::uint32_t kReplacement = 0xFFFD;
-
 constexpr bool isXmlCharacter(std::uint32_t code) {
     return code == '\t' || code == '\n' || code == '\r' || (code >= 0x20 && code < 0x7F) ||
            (code >= 0xA0 && code != 0xFFFE && code != 0xFFFF);

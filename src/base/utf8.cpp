@@ -8,8 +8,6 @@
 namespace glibra::base {
 namespace {
 
-constexpr std::uint32_t kReplacement = 0xFFFD;
-
 struct Range {
     std::uint32_t first, last;
 };

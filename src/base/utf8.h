@@ -8,15 +8,18 @@
 
 namespace glibra::base {
 
+/// Stands for what is not UTF-8: U+FFFD.
+inline constexpr std::uint32_t kReplacement = 0xFFFD;
+
 /// One character of UTF-8.
 struct Character {
-    std::uint32_t code = 0;  ///< U+FFFD where the bytes are not UTF-8
+    std::uint32_t code = 0;  ///< kReplacement where the bytes are not UTF-8
     std::size_t bytes = 1;   ///< its length in the text
     bool valid = true;
 };
 
 /// Returns the first character of a text that is not empty, as RFC 3629 defines it: shortest form, no
-/// surrogates, up to U+10FFFF. A byte that begins no such character is a character of its own, U+FFFD.
+/// surrogates, up to U+10FFFF. A byte that begins no such character is a character of its own, kReplacement.
 Character firstCharacter(std::string_view text);
 
 /// True if all of it is UTF-8.

@@ -16,14 +16,14 @@
 namespace glibra::budget {
 namespace {
 
-constexpr double kMostColored = .001;
+constexpr double kMostOtherwiseColored = .001;
 /// Values depend on each other, as the offset of a shadow map does on its size: what is chosen for one may
 /// allow less for another.
 constexpr int kMostBoundRounds = 3;
 
 std::string changeText(const PictureChange& change) {
     std::string text = fmt::format("about {} off", pixelText(change.pixels));
-    if (change.colored > kMostColored)
+    if (change.colored > kMostOtherwiseColored)
         text += fmt::format(", and {:.2g} of 1000 pixels have another colour", 1000 * change.colored);
     return text;
 }
@@ -47,7 +47,7 @@ class BoundSearch {
                 break;
             }
             own_ = std::max(own->pixels, request_.resolution);
-            if (own_ <= request_.maxError && own->colored <= kMostColored) {
+            if (own_ <= request_.maxError && own->colored <= kMostOtherwiseColored) {
                 choose();
                 break;
             }
@@ -140,7 +140,7 @@ class BoundSearch {
 
     bool isWithin(const Places& places) {
         const std::optional<PictureChange> found = measure(places);
-        return found && found->pixels + own_ <= request_.maxError && found->colored <= kMostColored;
+        return found && found->pixels + own_ <= request_.maxError && found->colored <= kMostOtherwiseColored;
     }
 
     /// Finds the coarsest value of a variable that keeps the bound with the present ones of the others.

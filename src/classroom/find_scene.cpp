@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 /// What is looked at in one submission. A student may hand in a whole disk.
 constexpr int kDeepest = 8;
-constexpr std::size_t kMostEntries = 20'000;
+constexpr std::size_t kMostSeen = 20'000;
 
 /// What a folder has, relative to it, in the order of the paths.
 struct Contents {
@@ -48,8 +48,8 @@ Contents contentsOf(const fs::path& folder, std::string& problem, bool& isUnlist
     std::size_t seen = 0;
     fs::recursive_directory_iterator each(folder, failure);
     for (; !failure && each != fs::recursive_directory_iterator(); each.increment(failure)) {
-        if (++seen > kMostEntries) {
-            problem = fmt::format("the folder has more than {} files and folders", kMostEntries);
+        if (++seen > kMostSeen) {
+            problem = fmt::format("the folder has more than {} files and folders", kMostSeen);
             break;
         }
         std::error_code ignored;

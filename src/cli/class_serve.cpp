@@ -21,7 +21,7 @@ namespace glibra::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 using suite::WebReply;
 using suite::WebRequest;
 

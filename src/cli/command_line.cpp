@@ -84,7 +84,7 @@ CLI::Validator keepingWords(const std::vector<std::string>& words) {
     return CLI::Validator([](std::string&) { return std::string(); }, "", name);
 }
 
-std::vector<std::string> linesOf(const std::string& text) {
+std::vector<std::string> splitLines(const std::string& text) {
     std::vector<std::string> lines;
     std::istringstream from(text);
     for (std::string line; std::getline(from, line);) lines.push_back(line);
@@ -95,7 +95,7 @@ std::vector<std::string> linesOf(const std::string& text) {
 std::vector<std::string> wordsOf(CLI::Option& option) {
     try {
         for (int i = 0;; ++i) {
-            std::vector<std::string> lines = linesOf(option.get_validator(i)->get_name());
+            std::vector<std::string> lines = splitLines(option.get_validator(i)->get_name());
             if (lines.empty() || lines.front() != kWords) continue;
             lines.erase(lines.begin());
             return lines;
@@ -125,7 +125,7 @@ CommandDescription describedCommand(CLI::App& app) {
     to.name = app.get_name();
     to.summary = app.get_description();
     if (const auto* formatter = dynamic_cast<const ExamplesFirst*>(app.get_formatter().get()))
-        to.examples = linesOf(formatter->examples());
+        to.examples = splitLines(formatter->examples());
     to.isProgram = app.get_prefix_command();
     for (CLI::Option* each : app.get_options({}))
         if (!each->get_group().empty()) to.options.push_back(describedOption(*each));
@@ -144,10 +144,19 @@ void readOne(const std::string& name, const ReadValue& read, const std::string& 
         throw CLI::ValidationError(shownName(name), wrong);
 }
 
+/// The option with the check that its value is not another option: `--stats -o picture.png`.
+CLI::Option* withValue(CLI::App& app, CLI::Option* option) {
+    return option->check([&app](const std::string& text) -> std::string {
+        if (text.size() < 2 || text.front() != '-' || app.get_option_no_throw(text) == nullptr) return {};
+        return fmt::format("expected a value, found the option {0} (./{0} is a file of that name)", text);
+    });
+}
+
 CLI::Option* addReader(CLI::App& app, const std::string& name, const ReadValue& read,
                        const std::string& help) {
-    return app.add_option_function<std::string>(
-        name, [name, read](const std::string& text) { readOne(name, read, text); }, help);
+    return withValue(app,
+                     app.add_option_function<std::string>(
+                         name, [name, read](const std::string& text) { readOne(name, read, text); }, help));
 }
 
 /// Reads the whole text as a number.
@@ -292,11 +301,11 @@ bool Option::isGiven() const {
 }
 
 Option CommandLine::option(const std::string& name, std::string& to, const std::string& help) {
-    return Option(*app_->add_option(name, to, help));
+    return Option(*withValue(*app_, app_->add_option(name, to, help)));
 }
 
 Option CommandLine::option(const std::string& name, std::filesystem::path& to, const std::string& help) {
-    return Option(*app_->add_option(name, to, help));
+    return Option(*withValue(*app_, app_->add_option(name, to, help)));
 }
 
 Option CommandLine::option(const std::string& name, int& to, const std::string& help) {
@@ -333,7 +342,7 @@ Option CommandLine::flag(const std::string& name, const std::function<void()>& a
 }
 
 Option CommandLine::repeated(const std::string& name, std::vector<std::string>& to, const std::string& help) {
-    return Option(*app_->add_option(name, to, help)->allow_extra_args(false));
+    return Option(*withValue(*app_, app_->add_option(name, to, help)->allow_extra_args(false)));
 }
 
 Option CommandLine::repeated(const std::string& name, const ReadValue& read, const std::string& help) {
@@ -341,11 +350,11 @@ Option CommandLine::repeated(const std::string& name, const ReadValue& read, con
         for (const std::string& each : texts) readOne(name, read, each);
     };
     CLI::Option* option = app_->add_option_function<std::vector<std::string>>(name, readAll, help);
-    return Option(*option->allow_extra_args(false));
+    return Option(*withValue(*app_, option->allow_extra_args(false)));
 }
 
 Option CommandLine::list(const std::string& name, std::vector<std::string>& to, const std::string& help) {
-    return Option(*app_->add_option(name, to, help));
+    return Option(*withValue(*app_, app_->add_option(name, to, help)));
 }
 
 Option CommandLine::choice(const std::string& name, std::vector<std::string> words,

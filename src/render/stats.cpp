@@ -72,11 +72,11 @@ namespace {
 
 /// One line for each kind of thing and reason, with their number and the line of the first.
 std::string listed(std::span<const plan::Skipped> all) {
-    struct Kind {
+    struct Listed {
         const plan::Skipped* first;
         std::size_t count = 1;
     };
-    std::vector<Kind> kinds;
+    std::vector<Listed> kinds;
     std::map<std::pair<std::string_view, std::string_view>, std::size_t> known;
     for (const plan::Skipped& each : all) {
         const auto [entry, isNew] = known.try_emplace({each.what, each.why}, kinds.size());
@@ -86,7 +86,7 @@ std::string listed(std::span<const plan::Skipped> all) {
             ++kinds[entry->second].count;
     }
     std::string text;
-    for (const Kind& each : kinds) {
+    for (const Listed& each : kinds) {
         text += fmt::format("  line {:<4} {}: {}", each.first->place.line, each.first->what, each.first->why);
         text += each.count == 1 ? "\n" : fmt::format(" ({} times)\n", each.count);
     }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -89,6 +90,29 @@ TEST(Start, AnUnknownOptionGetsASuggestionBeforeAnythingElse) {
     EXPECT_TRUE(contains(glibra(folder.path(), "render a.glib --size").err, "--size needs a value: WxH"));
     EXPECT_TRUE(contains(glibra(folder.path(), "render --suite s.toml --time 1").err,
                          "cannot be given together with"));
+}
+
+TEST(Start, NoOptionTakesAnotherForItsValue) {
+    const Folder folder;
+    const std::regex withValue(R"(\n  (?:-[a-zA-Z],)?(--[-a-z]+) [A-Z])");
+    for (const std::string command :
+         {"render", "test", "check", "class", "gallery", "compare", "noise", "info"}) {
+        const std::string help = glibra(folder.path(), command + " --help-all").out;
+        int count = 0;
+        for (std::sregex_iterator each(help.begin(), help.end(), withValue), end; each != end;
+             ++each, ++count) {
+            const std::string option = (*each)[1].str();
+            const Finished run = glibra(folder.path(), command + " " + option + " --help");
+            EXPECT_EQ(run.status, 2) << command << option << run.out;
+            EXPECT_TRUE(contains(run.err, option + ": expected ")) << run.err;
+            EXPECT_TRUE(contains(run.err, "--help")) << run.err;
+        }
+        EXPECT_GT(count, 0) << command;
+    }
+    const Finished run = glibra(folder.path(), "render a.glib --stats -o a.png");
+    EXPECT_TRUE(
+        contains(run.err, "--stats: expected a value, found the option -o (./-o is a file of that name)"))
+        << run.err;
 }
 
 TEST(Start, EveryHelpBeginsWithThreeExamplesAndHasNoLongLines) {

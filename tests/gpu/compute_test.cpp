@@ -2,11 +2,15 @@
 
 #include "gpu/object/compute.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include "fixture.h"
 #include "gpu/object/buffer_clear.h"
+#include "gpu/object/deferred_clears.h"
 #include "gpu/object/query.h"
+#include "gpu/object/readback.h"
+#include "gpu/object/target.h"
 #include "gpu/object/vertex_array.h"
 
 namespace glibra::gpu {
@@ -54,6 +58,33 @@ TEST_F(ComputeTest, EveryInvocationRuns) {
     dispatch({2, 1, 1});
     finishShaderWrites();
     EXPECT_EQ(content(buffer), (std::vector<std::uint32_t>{20, 24, 32, 36, 100, 34}));
+}
+
+TEST_F(ComputeTest, StoresComeAfterTheClearBeforeThem) {
+    auto texture = Texture::create(driver(), TextureShape::texture2D, TexelFormat::rgba8, {64, 64, 1});
+    ASSERT_TRUE(texture);
+    const std::array<const Texture*, 1> colors{&*texture};
+    const Result<Target> target = Target::textures(driver(), colors);
+    ASSERT_TRUE(target);
+    // Each round has a program of its own: whether one was compiled before decides on zink.
+    for (int round = 0; round < 4; ++round) {
+        const auto program = compute(R"(#version 430 core
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(rgba8, binding = 0) writeonly uniform image2D uImage;
+void main() { imageStore(uImage, ivec2(gl_GlobalInvocationID.xy), vec4(0, 0, 1, 1)); }
+)");
+        ASSERT_TRUE(program);
+        target->bind();
+        target->clearColor(0, {1, 0, 0, 1});
+        settleClears(driver());
+        texture->bindImage(0, 0, {}, GL_WRITE_ONLY);
+        program->use();
+        dispatch({8, 8, 1});
+        finishShaderWrites();
+        const auto pixels = readPixels(driver(), target->readable(), 0, {0, 0, 64, 64}, {1, TexelType::u8});
+        ASSERT_TRUE(pixels);
+        EXPECT_EQ(std::count(pixels->begin(), pixels->end(), std::byte{0}), 64 * 64) << round;
+    }
 }
 
 TEST_F(ComputeTest, BuffersOfAnySizeAreCleared) {

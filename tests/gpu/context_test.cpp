@@ -114,16 +114,6 @@ TEST(OpenContext, LlvmpipeIsToldToFilterInFloatUnlessTheUserSaysOtherwise) {
     ASSERT_EQ(unsetenv("GALLIVM_PERF"), 0);
 }
 
-TEST(OpenContext, ZinkMakesNoConstantsOfUniformsUnlessTheUserSaysSo) {
-    ASSERT_EQ(unsetenv("ZINK_INLINE_UNIFORMS"), 0);
-    prepareEnvironment();
-    EXPECT_STREQ(std::getenv("ZINK_INLINE_UNIFORMS"), "0");
-    ASSERT_EQ(setenv("ZINK_INLINE_UNIFORMS", "1", 1), 0);
-    prepareEnvironment();
-    EXPECT_STREQ(std::getenv("ZINK_INLINE_UNIFORMS"), "1");
-    ASSERT_EQ(unsetenv("ZINK_INLINE_UNIFORMS"), 0);
-}
-
 TEST(OpenContext, AMissingEglLibraryIsOneDiagnosticThatSaysWhy) {
     const auto context = openContext({.driver = Driver::egl, .eglLibrary = "libnosuchthing.so.1"});
     ASSERT_FALSE(context);

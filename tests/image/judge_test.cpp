@@ -320,10 +320,10 @@ Tolerance perceptual(std::optional<double> flipLimit, std::optional<double> stru
 
 /// All pairs of values, as whole pictures and as single pixels, under every combination of measures.
 TEST(JudgeFloats, PassOnlyWhereAMeasureSeesTheDifference) {
-    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    constexpr float infinity = std::numeric_limits<float>::infinity();
     const float nan = std::numeric_limits<float>::quiet_NaN();
-    const std::vector<float> values{0,    .25F,  1,     1.0001F, 1.5F,   2,         50,         100,
-                                    -.5F, -1.5F, 3e38F, -3e38F,  1e-30F, kInfinity, -kInfinity, nan};
+    const std::vector<float> values{0,    .25F,  1,     1.0001F, 1.5F,   2,        50,        100,
+                                    -.5F, -1.5F, 3e38F, -3e38F,  1e-30F, infinity, -infinity, nan};
     const auto isFinite = [](float value) { return std::isfinite(value); };
     const auto isInRange = [](float value) { return value >= 0 && value <= 1; };
     constexpr int kSide = 16;

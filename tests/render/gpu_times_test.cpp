@@ -21,7 +21,7 @@ layout(local_size_x = 4) in;
 layout(std430) buffer Sums { float sums[]; };
 void main() { sums[gl_GlobalInvocationID.x] += 1.; }
 )";
-constexpr const char* kFill = "#version 330 core\nout vec4 f;\nvoid main() { f = vec4(.5); }\n";
+constexpr const char* kGrey = "#version 330 core\nout vec4 f;\nvoid main() { f = vec4(.5); }\n";
 
 /// Draws `scene` and returns "times: what, line" for each entry.
 class GpuTimesOf {
@@ -76,7 +76,7 @@ const std::string kSteps =
     "Fill window with Fill_\n";
 
 TEST_F(GpuTimesTest, AreThoseOfEachNodeByItsLine) {
-    const GpuTimesOf drawn(kSteps, {{"count.comp", kCount}, {"fill.frag", kFill}}, {.skip = false},
+    const GpuTimesOf drawn(kSteps, {{"count.comp", kCount}, {"fill.frag", kGrey}}, {.skip = false},
                            {0, .5, 1});
     EXPECT_EQ(drawn.entries(), (std::vector<std::string>{"3: pass into half, 11", "3: pass into window, 12",
                                                          "10: dispatch of Count, 9"}))
@@ -87,7 +87,7 @@ TEST_F(GpuTimesTest, ContainEveryTile) {
     RenderOptions options;
     options.tileSize = 4;
     const GpuTimesOf drawn("WindowSize 8 8\nFragment fill.frag\nProgram P\nFill window with P\n",
-                           {{"fill.frag", kFill}}, options);
+                           {{"fill.frag", kGrey}}, options);
     EXPECT_EQ(drawn.entries(), (std::vector<std::string>{"4: pass into window, 4"}));
 }
 
@@ -95,13 +95,13 @@ TEST_F(GpuTimesTest, NameTheMeansOfSamples) {
     RenderOptions options;
     options.samples = 4;
     const GpuTimesOf drawn("WindowSize 8 8\nFragment fill.frag\nProgram P\nFill window with P\n",
-                           {{"fill.frag", kFill}}, options);
+                           {{"fill.frag", kGrey}}, options);
     EXPECT_EQ(drawn.entries(),
               (std::vector<std::string>{"1: pass into window, 4", "1: means of the window's samples, 0"}));
 }
 
 TEST_F(GpuTimesTest, DoNotChangeThePictureOrTheCalls) {
-    const SceneFolder folder(kSteps, {{"count.comp", kCount}, {"fill.frag", kFill}});
+    const SceneFolder folder(kSteps, {{"count.comp", kCount}, {"fill.frag", kGrey}});
     const auto draw = [&](bool isMeasured) {
         render::GpuTimes times(sharedContext().capabilities());
         render::Stats stats;
@@ -119,7 +119,7 @@ TEST_F(GpuTimesTest, DoNotChangeThePictureOrTheCalls) {
 }
 
 TEST_F(GpuTimesTest, AreInTheExplanationAndTheFigures) {
-    const SceneFolder folder(kSteps, {{"count.comp", kCount}, {"fill.frag", kFill}});
+    const SceneFolder folder(kSteps, {{"count.comp", kCount}, {"fill.frag", kGrey}});
     render::Job job;
     job.scene = folder / "scene.glib";
     job.output = folder / "out.png";

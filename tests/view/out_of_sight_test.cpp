@@ -19,20 +19,20 @@ std::uint64_t countOf(const Session& session, std::string_view name) {
     return 0;
 }
 
-struct Frame {
+struct FrameNumbers {
     std::vector<std::byte> pixels;
     std::uint64_t draws = 0, leftOut = 0;
 };
 
 /// Draws the current frame again.
-Frame frameOf(Session& session, bool everything) {
+FrameNumbers frameOf(Session& session, bool everything) {
     session.live().drawOutOfSight(everything);
     session.setNeedsFrame();
     const std::uint64_t draws = countOf(session, "draws");
     const std::uint64_t leftOut = countOf(session, "draws out of their tile");
     session.drawIfNeeded();
-    Frame frame{pixelsOf(session), countOf(session, "draws") - draws,
-                countOf(session, "draws out of their tile") - leftOut};
+    FrameNumbers frame{pixelsOf(session), countOf(session, "draws") - draws,
+                       countOf(session, "draws out of their tile") - leftOut};
     session.live().drawOutOfSight(false);
     return frame;
 }
@@ -45,8 +45,8 @@ TEST(OutOfSight, IsNotDrawn) {
     const SceneFolder folder(kRow);
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene())) << text(session.diagnostics());
-    const Frame all = frameOf(session, true);
-    const Frame seen = frameOf(session, false);
+    const FrameNumbers all = frameOf(session, true);
+    const FrameNumbers seen = frameOf(session, false);
     EXPECT_EQ(all.draws, 4U);
     EXPECT_EQ(all.leftOut, 0U);
     EXPECT_EQ(seen.draws, 1U) << "two are beside the picture and one behind the eye";
@@ -68,8 +68,8 @@ TEST(OutOfSight, ComesBackWhenTheViewTurnsToIt) {
         session.drag(view::TransformMode::scene,
                      {view::Gesture::pan, {distance(random), distance(random)}, {96, 64}});
         session.setWireframe(i % 3 == 0);
-        const Frame all = frameOf(session, true);
-        const Frame seen = frameOf(session, false);
+        const FrameNumbers all = frameOf(session, true);
+        const FrameNumbers seen = frameOf(session, false);
         EXPECT_TRUE(seen.pixels == all.pixels) << i;
         EXPECT_EQ(seen.draws + seen.leftOut, all.draws);
         counts.insert(seen.draws);
@@ -104,8 +104,8 @@ TEST(OutOfSight, InATextureIsNotDrawnEither) {
           "texture(uT, vST.st); }\n"}});
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene())) << text(session.diagnostics());
-    const Frame all = frameOf(session, true);
-    const Frame seen = frameOf(session, false);
+    const FrameNumbers all = frameOf(session, true);
+    const FrameNumbers seen = frameOf(session, false);
     EXPECT_EQ(all.draws, 3U) << text(session.diagnostics());
     EXPECT_EQ(seen.draws, 2U);
     EXPECT_EQ(seen.leftOut, 1U);

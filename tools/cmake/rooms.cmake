@@ -16,9 +16,14 @@ if(GLIBRA_WERROR)
     list(APPEND GLIBRA_WARNINGS -Werror)
 endif()
 
+# GCC collects its garbage from this many kB on; with its default of 128 MB a tenth of its time goes there.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    set(GLIBRA_COMPILER_MEMORY --param=ggc-min-heapsize=600000)
+endif()
+
 function(glibra_compile_options target)
     # No fused multiply-add: geometry and noise are the same bits on every processor.
-    target_compile_options(${target} PRIVATE ${GLIBRA_WARNINGS} -ffp-contract=off)
+    target_compile_options(${target} PRIVATE ${GLIBRA_WARNINGS} ${GLIBRA_COMPILER_MEMORY} -ffp-contract=off)
     # A library exports what include/glibra marks, and nothing else. Modules are found by their names.
     get_target_property(type ${target} TYPE)
     if(NOT type STREQUAL "MODULE_LIBRARY")
@@ -74,28 +79,38 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_G
     set(GLIBRA_QUICK_OWNER glibra_glib)  # the first of these rooms
 endif()
 
-# glibra_room(NAME [QUICK_TO_COMPILE] [ROOMS room...] [LINK library...])
-# ROOMS are the rooms whose headers this one may include; their own rooms come with them.
+# glibra_room(NAME [QUICK_TO_COMPILE [OFTEN_RUN pattern...]] [ROOMS room...] [LINK library...])
+# ROOMS are the rooms whose headers this one may include; their own rooms come with them. OFTEN_RUN are the files of a room
+# that run for every pixel, vertex or draw all the same: the target glibra_NAME_often.
 function(glibra_room room)
-    cmake_parse_arguments(arg "QUICK_TO_COMPILE" "" "ROOMS;LINK" ${ARGN})
+    cmake_parse_arguments(arg "QUICK_TO_COMPILE" "" "OFTEN_RUN;ROOMS;LINK" ${ARGN})
     # Without the sub-folders that are a module or a program of their own.
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${room}/*.cpp)
     list(FILTER sources EXCLUDE REGEX "/src/${room}/(module|window|program)/")
+    set(targets glibra_${room})
+    if(arg_OFTEN_RUN)
+        list(TRANSFORM arg_OFTEN_RUN PREPEND ${PROJECT_SOURCE_DIR}/src/${room}/)
+        file(GLOB often CONFIGURE_DEPENDS ${arg_OFTEN_RUN})
+        list(REMOVE_ITEM sources ${often})
+        list(APPEND targets glibra_${room}_often)
+        add_library(glibra_${room}_often STATIC ${often})
+    endif()
+    add_library(glibra_${room} STATIC ${sources})
     set(rooms ${arg_ROOMS})
     list(TRANSFORM rooms PREPEND glibra_)
-
-    add_library(glibra_${room} STATIC ${sources})
-    glibra_compile_options(glibra_${room})
-    if(arg_QUICK_TO_COMPILE)
-        glibra_quick_to_compile(glibra_${room} -O1)
-    endif()
-    target_include_directories(glibra_${room} PUBLIC ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src)
-    target_link_libraries(glibra_${room} PUBLIC glm::glm fmt::fmt ${rooms} ${arg_LINK})
-    if(arg_QUICK_TO_COMPILE)
-        glibra_precompile(glibra_${room} ${GLIBRA_QUICK_OWNER})
-    else()
-        glibra_precompile(glibra_${room} glibra_base)
-    endif()
+    foreach(target ${targets})
+        glibra_compile_options(${target})
+        target_include_directories(${target} PUBLIC ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src)
+        set(other ${targets})  # the two targets of a room use each other
+        list(REMOVE_ITEM other ${target})
+        target_link_libraries(${target} PUBLIC glm::glm fmt::fmt ${other} ${rooms} ${arg_LINK})
+        if(arg_QUICK_TO_COMPILE AND target STREQUAL "glibra_${room}")
+            glibra_quick_to_compile(${target} -O1)
+            glibra_precompile(${target} ${GLIBRA_QUICK_OWNER})
+        else()
+            glibra_precompile(${target} glibra_base)
+        endif()
+    endforeach()
 endfunction()
 
 # glibra_rooms_of(RESULT TARGET): the rooms that a room is linked with, directly and through others.

@@ -9,13 +9,13 @@
 namespace glibra::glsl {
 namespace {
 
-constexpr int kDeepest = 200;                 // statements and brackets in each other
+constexpr int kDeepestStatement = 200;        // statements and brackets in each other
 constexpr std::size_t kMostVariables = 4096;  // of a function
 
 }  // namespace
 
 bool AssignmentWalk::isTooMuch() {
-    if (depth_ > kDeepest || variables_.size() > kMostVariables || !search_.spend(1)) gaveUp_ = true;
+    if (depth_ > kDeepestStatement || variables_.size() > kMostVariables || !search_.spend(1)) gaveUp_ = true;
     return gaveUp_;
 }
 

@@ -124,6 +124,7 @@ Capabilities readCapabilities(bool throughOsmesa) {
     driver.family = familyOf(driver, throughOsmesa);
     driver.isSoftware = driver.family.ends_with("llvmpipe") || driver.family.ends_with("softpipe");
     driver.tessellatesInSoftware = driver.isSoftware || driver.renderer.find("llvmpipe") != std::string::npos;
+    driver.defersClears = driver.family == "zink";
     readExtensions(driver);
     readLimits(driver);
     readRaster(driver);

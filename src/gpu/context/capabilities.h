@@ -34,6 +34,7 @@ struct Capabilities {
     bool packInvert = false;       ///< GL_MESA_pack_invert: rows can be read top first
     bool parallelCompile = false;  ///< GL_KHR_parallel_shader_compile
     bool debugOutput = false;      ///< KHR_debug or GL 4.3
+    bool defersClears = false;     ///< zink: see gpu/object/deferred_clears.h
     bool persistentMaps = false;   ///< buffers can stay mapped while the device uses them: GL 4.4
     int timerBits = 0;             ///< of GL_TIMESTAMP queries; 0: the driver has no timer
 

@@ -154,9 +154,6 @@ Context::State::~State() {
 void prepareEnvironment(const ContextOptions& options) {
     // A value that the user has set is kept.
     if (options.floatFiltering) setenv("GALLIVM_PERF", "no_aos_sampling", 0);
-    // Over lavapipe zink makes constants of uniforms; of a loop that then never ends its compiler removes the
-    // draw, and the picture would be the background without a word.
-    setenv("ZINK_INLINE_UNIFORMS", "0", 0);
 }
 
 Context::Context(std::unique_ptr<State> state) : state_(std::move(state)) {}

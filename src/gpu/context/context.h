@@ -72,8 +72,7 @@ class Context {
 /// failed.
 Result<Context> openContext(const ContextOptions& options = {});
 
-/// Sets the environment variables that drivers read when they are loaded (ContextOptions::floatFiltering, and what zink makes of
-/// uniforms).
+/// Sets the environment variables that drivers read when they are loaded (ContextOptions::floatFiltering).
 /// openContext calls it. Call it before making a context to adopt, and before any thread exists.
 void prepareEnvironment(const ContextOptions& options = {});
 

@@ -12,21 +12,21 @@ namespace {
 using enum base::BaseType;
 using enum base::TextureTarget;
 
-using Target = std::optional<base::TextureTarget>;
-constexpr Target kNone = std::nullopt;  // no unit of a scene holds such textures
+using AnyTarget = std::optional<base::TextureTarget>;
+constexpr AnyTarget kNone = std::nullopt;  // no unit of a scene holds such textures
 
 struct Row {
     GLenum type;
     std::string_view word;
     base::BaseType base;
     int columns, rows;
-    Target target;
+    AnyTarget target;
 };
 
 constexpr Row numeric(GLenum type, std::string_view word, base::BaseType base, int columns, int rows) {
     return {type, word, base, columns, rows, kNone};
 }
-constexpr Row opaque(GLenum type, std::string_view word, base::BaseType base, Target target) {
+constexpr Row opaque(GLenum type, std::string_view word, base::BaseType base, AnyTarget target) {
     return {type, word, base, 1, 1, target};
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kWord = 16;    ///< bytes of an element
 constexpr std::size_t kGroup = 256;  ///< invocations
-constexpr const char* kZeros = R"(#version 430 core
+constexpr const char* kClearing = R"(#version 430 core
 layout(local_size_x = 256) in;
 layout(std430, binding = 0) writeonly buffer Words { uvec4 words[]; };
 void main() {
@@ -59,7 +59,7 @@ bool BufferClearer::clearByShader(const Capabilities& capabilities, Buffer& buff
     if (!capabilities.compute || std::cmp_greater(buffer.size(), capabilities.maxStorageBlockBytes))
         return false;
     if (!program_) {
-        const std::array<StageSource, 1> stages{{{GL_COMPUTE_SHADER, kZeros}}};
+        const std::array<StageSource, 1> stages{{{GL_COMPUTE_SHADER, kClearing}}};
         program_ = ProgramBuild(capabilities, {.stages = stages}).finish().program;
         if (!program_) return false;
     }

@@ -12,7 +12,8 @@
 
 namespace glibra::gpu {
 
-/// The groups that give at least that many invocations: each count divided by Program::localSize(), rounded up.
+/// The groups that give at least that many invocations: each count divided by Program::localSize(), rounded
+/// up.
 std::array<std::uint64_t, 3> groupsOver(const std::array<std::uint64_t, 3>& invocations,
                                         const std::array<int, 3>& localSize);
 

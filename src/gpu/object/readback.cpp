@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "gpu/context/errors.h"
+#include "gpu/object/deferred_clears.h"
 
 namespace glibra::gpu {
 namespace {
@@ -88,8 +89,7 @@ Diagnostics readPixels(const Capabilities& capabilities, const Framebuffer& fram
     if (const GLenum before = takeError(); before != GL_NO_ERROR && !capabilities.debugOutput)
         return {allocationError(before, "what was drawn")};
     framebuffer.bindForReading();
-    // Zink puts clears under a scissor off, and glReadPixels into memory (not into a buffer) misses them.
-    if (capabilities.family == "zink") glFlush();
+    settleClears(capabilities);
     glReadBuffer(static_cast<GLenum>(GL_COLOR_ATTACHMENT0 + index));
     glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);

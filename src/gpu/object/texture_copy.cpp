@@ -10,6 +10,7 @@
 
 #include "gpu/context/errors.h"
 #include "gpu/object/compute.h"
+#include "gpu/object/deferred_clears.h"
 #include "gpu/object/framebuffer.h"
 #include "gpu/object/texture_storage.h"
 
@@ -127,6 +128,7 @@ void Texture::clear(const Capabilities& capabilities) {
                     glDrawBuffer(hasDepth(format_) ? GL_NONE : GL_COLOR_ATTACHMENT0);
                     clearAttached(format_);
                 });
+        settleClears(capabilities);
         return;
     }
     if (isMultisampled(shape_)) return;

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 3> kKeys{"solution", "times", "sweep"};
+constexpr std::array<std::string_view, 3> kExerciseKeys{"solution", "times", "sweep"};
 constexpr double kLargestTime = 1e9;
 constexpr std::uint64_t kLargestExercise = 1 << 20;
 
@@ -54,7 +54,7 @@ Result<Exercise> readExerciseText(std::string_view text, const fs::path& file) {
         } else if (each.key == "sweep") {
             exercise.sweeps = reader.texts(each.value, "sweep").value_or(std::vector<std::string>());
         } else {
-            reader.unknownKey(each, "an exercise", kKeys);
+            reader.unknownKey(each, "an exercise", kExerciseKeys);
         }
     }
     if (reader.hasErrors()) return reader.take();
