@@ -17,5 +17,5 @@ add_executable(glibra_bench_program ${bench_program_sources})
 set_target_properties(glibra_bench_program PROPERTIES OUTPUT_NAME glibra-bench RUNTIME_OUTPUT_DIRECTORY
                                                                                ${PROJECT_BINARY_DIR})
 glibra_compile_options(glibra_bench_program)
-glibra_quick_to_compile(glibra_bench_program -O1)
+glibra_quick_to_compile(glibra_bench_program -Og)
 target_link_libraries(glibra_bench_program PRIVATE glibra_bench glibra_cli)

@@ -5,7 +5,7 @@ file(GLOB cli_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/cli/*.cpp)
 list(REMOVE_ITEM cli_sources ${PROJECT_SOURCE_DIR}/src/cli/main.cpp)
 add_library(glibra_cli STATIC ${cli_sources})
 glibra_compile_options(glibra_cli)
-glibra_quick_to_compile(glibra_cli -O1)
+glibra_quick_to_compile(glibra_cli -Og)
 # Programs that glibra starts, glibra-view and glibra-bench, are installed in GLIBRA_PROGRAMS_DIR.
 target_compile_definitions(glibra_cli PUBLIC GLIBRA_VERSION="${PROJECT_VERSION}"
                                       PRIVATE GLIBRA_PROGRAMS_DIR="${CMAKE_INSTALL_LIBDIR}/glibra")

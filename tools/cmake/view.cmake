@@ -12,6 +12,6 @@ file(GLOB_RECURSE window_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/vie
 add_executable(glibra_window ${window_sources})
 set_target_properties(glibra_window PROPERTIES OUTPUT_NAME glibra-view RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
 glibra_compile_options(glibra_window)
-glibra_quick_to_compile(glibra_window -O1)
+glibra_quick_to_compile(glibra_window -Og)
 glibra_precompile(glibra_window glibra_window)
 target_link_libraries(glibra_window PRIVATE glibra_view glibra_cli PkgConfig::imgui PkgConfig::glfw Threads::Threads)
