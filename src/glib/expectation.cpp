@@ -7,7 +7,7 @@ namespace {
 
 bool beginsNumber(std::string_view word) {
     const std::size_t at = word.find_first_not_of("+-.");
-    return at != std::string_view::npos && at < 3 && isDigit(word[at]);
+    return at < 3 && isDigit(word[at]);
 }
 
 }  // namespace

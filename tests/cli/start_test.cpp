@@ -102,7 +102,8 @@ TEST(Start, NoOptionTakesAnotherForItsValue) {
         for (std::sregex_iterator each(help.begin(), help.end(), withValue), end; each != end;
              ++each, ++count) {
             const std::string option = (*each)[1].str();
-            const Finished run = glibra(folder.path(), command + " " + option + " --help");
+            const Finished run =
+                glibra(folder.path(), std::string(command).append(" ").append(option).append(" --help"));
             EXPECT_EQ(run.status, 2) << command << option << run.out;
             EXPECT_TRUE(contains(run.err, option + ": expected ")) << run.err;
             EXPECT_TRUE(contains(run.err, "--help")) << run.err;

@@ -12,7 +12,7 @@
 namespace glibra::gpu {
 namespace {
 
-constexpr int kRounds = 1 << 20;  // a float holds every count up to here
+constexpr int kLoopRounds = 1 << 20;  // a float holds every count up to here
 constexpr const char* kVertex =
     "#version 410 core\nvoid main() { gl_Position = vec4(vec2(gl_VertexID % 2, gl_VertexID / 2) * 4. - 1., "
     "0., 1.); "
@@ -34,7 +34,7 @@ int measureLoopLimit(const Context& context) {
     target->bind();
     target->clearDepth();
     built.program->use();
-    glUniform1i(glGetUniformLocation(built.program->id(), "uRounds"), kRounds);
+    glUniform1i(glGetUniformLocation(built.program->id(), "uRounds"), kLoopRounds);
     glUniform1i(glGetUniformLocation(built.program->id(), "uStep"), 1);
     const VertexArray nothing{{}};
     nothing.bind();
@@ -44,7 +44,7 @@ int measureLoopLimit(const Context& context) {
     const auto bytes = readPixels(driver, target->readable(), 0, {0, 0, 1, 1}, {1, TexelType::f32});
     if (!bytes || bytes->size() != sizeof count) return 0;
     std::memcpy(&count, bytes->data(), sizeof count);
-    return count < kRounds ? static_cast<int>(count) : 0;
+    return count < kLoopRounds ? static_cast<int>(count) : 0;
 }
 
 }  // namespace glibra::gpu
