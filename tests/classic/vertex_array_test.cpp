@@ -69,7 +69,7 @@ TEST_F(ClassicArray, TheCubeHasEightVertices) {
 
 TEST_F(ClassicArray, QuadsPolygonsAndFansFillWhatTheyEnclose) {
     GLSLProgram program = colored();
-    for (const unsigned int each : {GL_QUADS, GL_POLYGON, GL_TRIANGLE_FAN}) {
+    for (const unsigned int each : std::array<unsigned int, 3>{GL_QUADS, GL_POLYGON, GL_TRIANGLE_FAN}) {
         clear();
         VertexArray array;
         array.glBegin(each);

@@ -142,7 +142,7 @@ TEST_F(ModernCompute, CountsOfGroupsComeFromABuffer) {
 layout(local_size_x = 5) in;
 layout(std430) buffer Count { uint count; };
 void main() { atomicAdd(count, 1u); })");
-    dispatch.groups = scene::GroupsFrom{{groups}};
+    dispatch.groups = scene::GroupsFrom{.first = {.buffer = {.buffer = groups}}};
     made.scene.frame.add(dispatch);
     made.window();
     EXPECT_EQ(resultOf(made, count, 1), std::vector<double>{30});

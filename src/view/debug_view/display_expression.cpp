@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -110,8 +111,8 @@ Displayed displayedBy(gpu::Context& context, const render::Content& content, con
     glGenVertexArrays(1, &vertices);
     target->bindForDrawing();
     writeOnly(0);
-    for (const GLenum each :
-         {GL_DEPTH_TEST, GL_STENCIL_TEST, GL_SCISSOR_TEST, GL_CULL_FACE, GL_FRAMEBUFFER_SRGB})
+    for (const GLenum each : std::initializer_list<GLenum>{GL_DEPTH_TEST, GL_STENCIL_TEST, GL_SCISSOR_TEST,
+                                                           GL_CULL_FACE, GL_FRAMEBUFFER_SRGB})
         glDisable(each);
     glDisable(GL_RASTERIZER_DISCARD);
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
