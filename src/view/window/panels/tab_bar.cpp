@@ -45,13 +45,15 @@ void tabBar(Ui& ui) {
         ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
             ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoBringToFrontOnFocus);
     ImGui::PopStyleVar(2);
+    // A bar that is new, as after the device was lost, would choose its first tab.
+    const bool isGiven = ui.shared.tabChanged || ImGui::IsWindowAppearing();
     if (isOpen && ImGui::BeginTabBar("scenes", ImGuiTabBarFlags_FittingPolicyScroll)) {
         const float room = roomForNames(ui, free[2]);
         for (std::size_t i = 0; i < ui.shared.tabs.size(); ++i) {
             const TabTitle& each = ui.shared.tabs[i];
             ImGuiTabItemFlags flags = each.isUnsaved ? ImGuiTabItemFlags_UnsavedDocument : 0;
             const bool isShown = i == ui.shared.shownTab;
-            if (ui.shared.tabChanged && isShown) flags |= ImGuiTabItemFlags_SetSelected;
+            if (isGiven && isShown) flags |= ImGuiTabItemFlags_SetSelected;
             bool stays = true;
             if (each.hasError) ImGui::PushStyleColor(ImGuiCol_Text, asVector(palette().error));
             const bool isChosen = ImGui::BeginTabItem(
@@ -60,7 +62,7 @@ void tabBar(Ui& ui) {
             mark(ui, "tab/{}", i);
             if (ImGui::IsItemHovered() && !each.path.empty()) ImGui::SetTooltip("%s", each.path.c_str());
             if (isChosen) ImGui::EndTabItem();
-            if (isChosen && !isShown && !ui.shared.tabChanged) ui.requests.showTab = i;
+            if (isChosen && !isShown && !isGiven) ui.requests.showTab = i;
             if (!stays) ui.requests.closeTab = i;
         }
         if (ImGui::TabItemButton("+", ImGuiTabItemFlags_Trailing)) openDialog(ui, true);
