@@ -89,16 +89,14 @@ build() (
     fi
     failed=$(mktemp)
     trap 'rm -f "$failed"' EXIT
+    shown=0
     { NINJA_STATUS='@%p ' ninja -C "$build_folder" "$@" 2>&1 || echo failed >"$failed"; } | tee "build/$preset.log" |
-        {
-            shown=0
-            while IFS= read -r line; do  # awk may wait for more than a line
-                case $line in "@"*"%"*) now=${line%%\%*} ;; *) continue ;; esac
-                now=${now##*[@ ]}
-                case $now in "" | *[!0-9]*) continue ;; esac
-                [ "$now" -lt $((shown + 10)) ] || { shown=$((now - now % 10)); say "built $shown%"; }
-            done
-        }
+        while IFS= read -r line; do  # awk may wait for more than a line
+            case $line in "@"*"%"*) now=${line%%\%*} ;; *) continue ;; esac
+            now=${now##*[@ ]}
+            case $now in "" | *[!0-9]*) continue ;; esac
+            [ "$now" -lt $((shown + 10)) ] || { shown=$((now - now % 10)); say "built $shown%"; }
+        done
     if [ -s "$failed" ]; then
         tail -n 100 "build/$preset.log" >&2
         exit 4

@@ -1,6 +1,5 @@
 #pragma once
-// What a statement could go on with at the place where its arguments do not fit: the fact behind the words of
-// a message.
+// What could stand where the arguments of a statement do not fit or end too early. Messages list it in words.
 
 #include <string>
 #include <string_view>

@@ -233,19 +233,16 @@ Diagnostics FrameDrawer::drawPass(const plan::PlannedPass& pass, const gpu::Targ
     completeReads(pass);
     beginPass(pass, target);
     std::size_t drawIndex = begin;
-    bool endsWithClears = true;
     for (const auto& step : pass.steps) {
         if (drawIndex >= drawLimit_) break;
         if (const auto* draw = std::get_if<plan::PlannedDraw>(&step)) {
             append(diagnostics, drawOne(*draw, target, isWindow));
             ++drawIndex;
-            endsWithClears = false;
         } else {
             clear(target, plan_.clearOf(std::get<plan::PlannedClear>(step)), isWindow);
-            endsWithClears = true;
         }
     }
-    if (endsWithClears) gpu::settleClears(context_.capabilities());
+    gpu::settleClears(context_.capabilities());  // the draws may have been skipped
     const scene::Pass& drawn = plan_.passOf(pass);
     for (const scene::TextureIndex each : drawn.targets) device_.textures().wasWritten(each);
     stats_.add("passes", 1);

@@ -8,17 +8,19 @@ import unittest
 
 from scenes_test import SHADER, ScenesTest
 
-# Compilers remove a loop that never ends, so these end after years.
+# Compilers remove a loop that never ends, so these end after years. Mesa 22 ends them after 65,535 rounds,
+# which must take longer than the 2 s that the window waits, on a fast machine too: hence the many sines.
 ENDLESS = """#version 330
 uniform float uBlue; out vec4 c;
 void main() {
     float sum = uBlue;
     while (sum < 1e9)
-        for (int i = 0; i < 1000; ++i) sum += abs(sin(sum + gl_FragCoord.x)) * 1e-6;
+        for (int i = 0; i < 1000; ++i) sum += abs(sin(sin(sin(sin(sum + gl_FragCoord.x))))) * 1e-6;
     c = vec4(sum);
 }
 """
-LONG = " for (int i = 0; i < 99999; ++i) for (int j = 0; j < 99999; ++j) c.g += sin(c.r + float(i * j));"
+LONG = (" for (int i = 0; i < 99999; ++i) for (int j = 0; j < 99999; ++j) "
+        "c.g += sin(sin(sin(sin(sin(sin(sin(sin(c.g + float(i * j)))))))));")
 REMOVED = """#version 330
 uniform float uBlue; out vec4 c;
 void main() {
