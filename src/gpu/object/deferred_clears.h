@@ -1,7 +1,7 @@
 #pragma once
-// Zink records a clear and carries it out with the next draw into the same framebuffer (Mesa 22 and 25).
-// Until then glReadPixels into memory gives what was there before, and the clear wipes out what a dispatch
-// stores in the texture.
+// Zink records a clear and carries it out with the next draw into the same framebuffer. Until then
+// glReadPixels into memory gives what was there before (Mesa 22 and 25), and the clear wipes out what a
+// dispatch stores (Mesa 25).
 
 #include <glad/gl.h>
 
