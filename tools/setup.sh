@@ -7,7 +7,7 @@
 # ends with a question mark is installed where the system has it: Mesa 25.1 and later have no OSMesa, and Chromium is a snap
 # on Ubuntu.
 core_packages="g++ cmake ninja-build ccache pkg-config python3-glad libglm-dev libfmt-dev libcli11-dev
- nlohmann-json3-dev libtomlplusplus-dev libdeflate-dev libspng-dev libminizip-dev libxxhash-dev libegl1 libegl-mesa0 libgl1-mesa-dri
+ nlohmann-json3-dev libtomlplusplus-dev libdeflate-dev libspng-dev libminizip-dev libxxhash-dev libseccomp-dev libegl1 libegl-mesa0 libgl1-mesa-dri
  libosmesa6?"
 window_packages="libglfw3-dev libimgui-dev libstb-dev fonts-dejavu-core"
 images_packages="libopenimageio-dev libopenexr-dev libwebp-dev"
@@ -18,7 +18,7 @@ portable_packages="patchelf xz-utils"
 # What tools/package needs besides.
 debian_packages="build-essential debhelper dpkg-dev fakeroot libegl-dev lintian python3-dev pybind11-dev python3-numpy dh-python"
 # What the tests need besides all of these.
-test_packages="clang-19 libclang-rt-19-dev clang-format-19 clang-tidy libgtest-dev libtinyobjloader-dev libpng-dev libegl-dev
+test_packages="clang-19 libclang-rt-19-dev clang-format-19 clang-tidy-19 libgtest-dev libtinyobjloader-dev libpng-dev libegl-dev
  meson glslang-tools mesa-vulkan-drivers python3 python3-pil python3-yaml chromium? chromium-driver? imagemagick
  procps xvfb xauth x11-utils xdotool openbox libx11-dev shellcheck python3-dev pybind11-dev python3-numpy python3-pytest python3-pip
  python3-venv python3-setuptools python3-wheel zsh fish mandoc vim neovim $portable_packages"

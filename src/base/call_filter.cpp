@@ -1,36 +1,28 @@
 #include "base/call_filter.h"
 
 #ifdef __linux__
-#include <linux/audit.h>
-#include <linux/filter.h>
+#include <fcntl.h>
 #include <linux/seccomp.h>
+#include <sched.h>
+#include <seccomp.h>
 #include <sys/ioctl.h>
 #include <sys/prctl.h>
 #include <sys/syscall.h>
-#endif
-#include <fcntl.h>
-#include <sched.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <vector>
+#include <initializer_list>
+#endif
 
 namespace glibra::base {
 
-#if defined(__linux__) && (defined(__x86_64__) || defined(__aarch64__)) && defined(SYS_seccomp)
+#ifdef __linux__
 
 namespace {
 
-#ifdef __x86_64__
-constexpr std::uint32_t kArchitecture = AUDIT_ARCH_X86_64;
-#else
-constexpr std::uint32_t kArchitecture = AUDIT_ARCH_AARCH64;
-#endif
-
-/// Calls that are let through with any arguments.
+/// Calls that are let through, with all arguments that the filter of refusals does not name.
 constexpr long kAllowed[] = {
     // files, which Landlock confines
     SYS_read,
@@ -42,6 +34,7 @@ constexpr long kAllowed[] = {
     SYS_preadv,
     SYS_pwritev,
     SYS_lseek,
+    SYS_openat,
     SYS_close,
     SYS_close_range,
     SYS_fstat,
@@ -56,6 +49,8 @@ constexpr long kAllowed[] = {
     SYS_getcwd,
     SYS_dup,
     SYS_dup3,
+    SYS_fcntl,
+    SYS_ioctl,
     SYS_pipe2,
     SYS_ftruncate,
     SYS_fallocate,
@@ -134,6 +129,7 @@ constexpr long kAllowed[] = {
     SYS_rseq,
 #endif
 #ifdef __x86_64__  // older forms, which other architectures do not have
+    SYS_open,
     SYS_stat,
     SYS_lstat,
     SYS_access,
@@ -155,53 +151,45 @@ constexpr long kAllowed[] = {
 #endif
 };
 
-class Program {
+/// Rules for system calls, and what happens to calls that no rule names.
+class Filter {
   public:
-    Program() {
-        load(offsetof(seccomp_data, arch));
+    explicit Filter(std::uint32_t otherwise) : filter_(seccomp_init(otherwise)) {
         // Another architecture has other numbers.
-        code_.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, kArchitecture, 1, 0));
-        end(SECCOMP_RET_KILL_PROCESS);
-        load(offsetof(seccomp_data, nr));
+        if (filter_ != nullptr)
+            keep(seccomp_attr_set(filter_, SCMP_FLTATR_ACT_BADARCH, SCMP_ACT_KILL_PROCESS));
     }
+    Filter(const Filter&) = delete;
+    Filter& operator=(const Filter&) = delete;
+    ~Filter() { seccomp_release(filter_); }
 
-    void allow(long call) {
-        compare(static_cast<std::uint32_t>(call), 1);
-        end(SECCOMP_RET_ALLOW);
+    void add(std::uint32_t action, long call) {
+        keep(seccomp_rule_add_array(filter_, action, number(call), 0, nullptr));
     }
-    /// Lets the call through if `argument & mask` is one of the values, or, with `except`, if it is none.
-    void allowIf(long call, unsigned argument, std::uint32_t mask, const std::vector<std::uint32_t>& values,
-                 bool except = false) {
-        compare(static_cast<std::uint32_t>(call), static_cast<std::uint8_t>(3 + 2 * values.size()));
-        // The lower half: what the kernel reads of these arguments has 32 bits.
-        load(static_cast<std::uint32_t>(offsetof(seccomp_data, args) + argument * sizeof(std::uint64_t)));
-        code_.push_back(BPF_STMT(BPF_ALU | BPF_AND | BPF_K, mask));
+    /// For calls with `argument & mask` equal to one of the values. What the kernel reads of these arguments
+    /// has 32 bits.
+    void add(std::uint32_t action, long call, unsigned argument, std::uint32_t mask,
+             std::initializer_list<std::uint32_t> values) {
         for (const std::uint32_t each : values) {
-            compare(each, 1);
-            end(except ? kRefused : SECCOMP_RET_ALLOW);
+            const scmp_arg_cmp comparison{argument, SCMP_CMP_MASKED_EQ, mask, each};
+            keep(seccomp_rule_add_array(filter_, action, number(call), 1, &comparison));
         }
-        end(except ? SECCOMP_RET_ALLOW : kRefused);
     }
-    /// Installs the filter on this thread. Returns 0 or an error number.
+    /// Holds for this thread from now on. Returns 0 or an error number.
     int install() {
-        end(SECCOMP_RET_ERRNO | ENOSYS);  // so that libraries fall back to an older call
-        const sock_fprog program{static_cast<unsigned short>(code_.size()), code_.data()};
-        return ::syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, 0, &program) == 0 ? 0 : errno;
+        if (filter_ == nullptr) return ENOMEM;
+        keep(seccomp_load(filter_));
+        return failed_;
     }
 
   private:
-    static constexpr std::uint32_t kRefused = SECCOMP_RET_ERRNO | EPERM;
-
-    void load(std::size_t offset) {
-        code_.push_back(BPF_STMT(BPF_LD | BPF_W | BPF_ABS, static_cast<std::uint32_t>(offset)));
+    static int number(long call) { return static_cast<int>(call); }
+    void keep(int result) {
+        if (result < 0 && failed_ == 0) failed_ = -result;
     }
-    /// Skips instructions unless the loaded value is this one.
-    void compare(std::uint32_t value, std::uint8_t skipped) {
-        code_.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, value, 0, skipped));
-    }
-    void end(std::uint32_t action) { code_.push_back(BPF_STMT(BPF_RET | BPF_K, action)); }
 
-    std::vector<sock_filter> code_;
+    scmp_filter_ctx filter_;
+    int failed_ = 0;  ///< the first error number
 };
 
 }  // namespace
@@ -213,37 +201,46 @@ std::string missingCallFilter() {
 }
 
 std::string filterCalls() {
+    if (std::string missing = missingCallFilter(); !missing.empty()) return missing;
     constexpr std::uint32_t kWhole = 0xFFFF'FFFFU;
     constexpr std::uint32_t kNewNamespaces = CLONE_NEWNS | CLONE_NEWCGROUP | CLONE_NEWUTS | CLONE_NEWIPC |
                                              CLONE_NEWUSER | CLONE_NEWPID | CLONE_NEWNET;
     constexpr std::uint32_t kSetVma = 0x53564d41;  // names of memory, set by newer versions of glibc
     const auto self = static_cast<std::uint32_t>(::getpid());
-    Program program;
-    for (const long each : kAllowed) program.allow(each);
-    // Threads, but no processes. clone3 has its flags in memory, where no filter sees them.
-    program.allowIf(SYS_clone, 0, CLONE_THREAD | kNewNamespaces, {CLONE_THREAD});
-    // Signals to this process only: abort() and raise() need them.
-    program.allowIf(SYS_kill, 0, kWhole, {self});
-    program.allowIf(SYS_tgkill, 0, kWhole, {self});
-    program.allowIf(SYS_prlimit64, 0, kWhole, {0, self});
-    program.allowIf(SYS_prctl, 0, kWhole, {PR_SET_NAME, PR_GET_NAME, kSetVma});
+
+    // A rule cannot say "none of these": arguments are refused by a filter of their own. The kernel asks
+    // both.
+    Filter refusals(SCMP_ACT_ALLOW);
+    constexpr std::uint32_t kRefused = SCMP_ACT_ERRNO(EPERM);
     // A terminal takes typed text by these two.
-    program.allowIf(SYS_ioctl, 1, kWhole, {TIOCSTI, TIOCLINUX}, true);
+    refusals.add(kRefused, SYS_ioctl, 1, kWhole, {TIOCSTI, TIOCLINUX});
     // An owner of a descriptor gets signals.
-    program.allowIf(SYS_fcntl, 1, kWhole, {F_SETOWN, F_SETOWN_EX, F_SETSIG, F_NOTIFY}, true);
+    refusals.add(kRefused, SYS_fcntl, 1, kWhole, {F_SETOWN, F_SETOWN_EX, F_SETSIG, F_NOTIFY});
     // Before its version 3, Landlock lets a file be emptied that is opened for reading.
-    program.allowIf(SYS_openat, 2, O_TRUNC | O_ACCMODE, {O_TRUNC | O_RDONLY}, true);
+    refusals.add(kRefused, SYS_openat, 2, O_TRUNC | O_ACCMODE, {O_TRUNC | O_RDONLY});
 #ifdef SYS_open
-    program.allowIf(SYS_open, 1, O_TRUNC | O_ACCMODE, {O_TRUNC | O_RDONLY}, true);
+    refusals.add(kRefused, SYS_open, 1, O_TRUNC | O_ACCMODE, {O_TRUNC | O_RDONLY});
 #endif
-    const int failed = program.install();
+
+    Filter allowed(SCMP_ACT_ERRNO(ENOSYS));  // so that libraries fall back to an older call
+    for (const long each : kAllowed) allowed.add(SCMP_ACT_ALLOW, each);
+    // Threads, but no processes. clone3 has its flags in memory, where no filter sees them.
+    allowed.add(SCMP_ACT_ALLOW, SYS_clone, 0, CLONE_THREAD | kNewNamespaces, {CLONE_THREAD});
+    // Signals to this process only: abort() and raise() need them.
+    allowed.add(SCMP_ACT_ALLOW, SYS_kill, 0, kWhole, {self});
+    allowed.add(SCMP_ACT_ALLOW, SYS_tgkill, 0, kWhole, {self});
+    allowed.add(SCMP_ACT_ALLOW, SYS_prlimit64, 0, kWhole, {0, self});
+    allowed.add(SCMP_ACT_ALLOW, SYS_prctl, 0, kWhole, {PR_SET_NAME, PR_GET_NAME, kSetVma});
+
+    int failed = refusals.install();
+    if (failed == 0) failed = allowed.install();
     return failed == 0 ? std::string() : std::string("seccomp: ") + std::strerror(failed);
 }
 
 #else
 
 std::string missingCallFilter() {
-    return "this system has no seccomp filters (Linux on x86-64 and AArch64 has them)";
+    return "this system has no seccomp filters (Linux has them)";
 }
 std::string filterCalls() {
     return missingCallFilter();

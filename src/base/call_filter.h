@@ -9,8 +9,8 @@ namespace glibra::base {
 std::string missingCallFilter();
 
 /// Lets this process make only the system calls that reading files, drawing with a driver, threads and
-/// writing files need; other calls fail with ENOSYS, and calls with forbidden arguments with EPERM. The
-/// process must have one thread and no_new_privs. Returns an empty text, or what failed.
+/// writing files need; other calls fail with ENOSYS, and ioctl, fcntl and open with forbidden arguments with
+/// EPERM. The process must have one thread and no_new_privs. Returns an empty text, or what failed.
 std::string filterCalls();
 
 }  // namespace glibra::base

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <concepts>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -14,9 +13,9 @@ struct FileSource {
     std::shared_ptr<const std::string> content{};  ///< null: what the disk has
 
     FileSource() = default;
-    template <class Path>
-        requires std::convertible_to<Path, std::filesystem::path>
-    FileSource(Path&& onDisk) : path(std::forward<Path>(onDisk)) {}
+    FileSource(std::filesystem::path onDisk) : path(std::move(onDisk)) {}
+    FileSource(const std::string& onDisk) : path(onDisk) {}
+    FileSource(const char* onDisk) : path(onDisk) {}
     FileSource(std::filesystem::path name, std::shared_ptr<const std::string> bytes)
         : path(std::move(name)), content(std::move(bytes)) {}
 };

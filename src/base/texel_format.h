@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -16,11 +17,12 @@ enum class TexelFormat : std::uint8_t {
 #include "base/texel_formats.def"
 #undef GLIBRA_TEXEL_FORMAT
 };
-inline constexpr std::size_t kTexelFormatCount = 0
-#define GLIBRA_TEXEL_FORMAT(...) +1
+inline constexpr TexelFormat kEveryTexelFormat[] = {
+#define GLIBRA_TEXEL_FORMAT(name, ...) TexelFormat::name,
 #include "base/texel_formats.def"
 #undef GLIBRA_TEXEL_FORMAT
-    ;
+};
+inline constexpr std::size_t kTexelFormatCount = std::size(kEveryTexelFormat);
 
 /// What a shader reads from a texel.
 enum class TexelClass : std::uint8_t {

@@ -115,7 +115,7 @@ void DrawRemarks::layers(const scene::Draw& draw, const scene::Pass& pass, Plann
 }
 
 bool DrawRemarks::suppliesIfModern(const ActiveInput& input) const {
-    return !scene_.isModern && glsl::findWellKnownInput(input.name, input.type.word) != nullptr;
+    return !scene_.isModern && !glsl::wellKnownAttribute(input.name, input.type.word).empty();
 }
 
 DrawRemarks::InputHint DrawRemarks::hintForInput(const scene::Draw& draw, const ProgramInterface& interface,
@@ -134,10 +134,7 @@ DrawRemarks::InputHint DrawRemarks::hintForInput(const scene::Draw& draw, const 
             if (!isFed(each.name)) names.emplace_back(each.name);
     if (const std::string own = base::nearestName(name, names, 1); !own.empty())
         return {fmt::format("; did you mean the attribute '{}'?", own), own};
-    names.clear();
-    for (const glsl::WellKnownInput& each : glsl::wellKnownInputs())
-        if (glsl::findWellKnownInput(each.name, input.type.word) != nullptr) names.push_back(each.name);
-    std::string near = base::nearestName(name, names, 1);
+    const std::string near = glsl::inputNear(name, input.type.word);
     if (near.empty()) return {};
     return {fmt::format("; did you mean '{}'?", near), near};
 }

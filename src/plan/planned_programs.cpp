@@ -22,9 +22,9 @@ bool isInBuffer(const PlannedProgram& program, const ActiveUniform& uniform) {
 /// Adds the vertex inputs whose names are in the table of well-known names.
 void listNamedInputs(const ProgramInterface& interface, std::vector<std::string>& to) {
     for (const ActiveInput& input : interface.inputs) {
-        if (glsl::findBuiltinInput(input.name) != nullptr) continue;
-        if (const auto* row = glsl::findWellKnownInput(input.name, input.type.word))
-            to.push_back(fmt::format("vertex input '{}' is the attribute {}", input.name, row->attribute));
+        const std::string_view attribute = glsl::wellKnownAttribute(input.name, input.type.word);
+        if (!attribute.empty())
+            to.push_back(fmt::format("vertex input '{}' is the attribute {}", input.name, attribute));
     }
 }
 

@@ -194,7 +194,7 @@ std::string UniformMessages::modernHint(const ActiveUniform& target) const {
     }
     const auto isUniform = [this](std::string_view name) { return names_.hasUniform(name); };
     if (target.isArray || target.block >= 0 ||
-        glsl::findWellKnownUniform(target.name, target.type.word, isUniform) == nullptr)
+        !glsl::wellKnownUniform(target.name, target.type.word, isUniform))
         return {};
     return "; scenes with a Camera or another modern statement supply it";
 }

@@ -72,9 +72,8 @@ const glsl::BuiltinUniform* suppliedBy(const ActiveUniform& uniform) {
 std::optional<std::string_view> attributeOfInput(const ActiveInput& input, bool isModern) {
     if (const glsl::BuiltinInput* row = glsl::findBuiltinInput(input.name)) return row->attribute;
     if (!isModern) return std::nullopt;
-    if (const glsl::WellKnownInput* row = glsl::findWellKnownInput(input.name, input.type.word))
-        return row->attribute;
-    return std::nullopt;
+    const std::string_view attribute = glsl::wellKnownAttribute(input.name, input.type.word);
+    return attribute.empty() ? std::nullopt : std::optional(attribute);
 }
 
 bool isSuppliedName(std::string_view name) {

@@ -219,15 +219,14 @@ class Resolver {
             }
             if (readVariable(i) || hasInitializer(interface_, each)) continue;
             if (each.block >= 0 || each.isArray) continue;
-            const glsl::WellKnownUniform* row =
-                glsl::findWellKnownUniform(each.name, each.type.word, isUniform);
-            if (row == nullptr) continue;
+            const auto value = glsl::wellKnownUniform(each.name, each.type.word, isUniform);
+            if (!value) continue;
             touched_[i] = true;
             UniformBinding& binding = result_.values.emplace_back();
             binding.uniform = i;
-            binding.value.emplace<Supplied>(row->value);
+            binding.value.emplace<Supplied>(*value);
             result_.foundByName.push_back(
-                fmt::format("uniform '{}' is the {}", each.name, describeValue(row->value)));
+                fmt::format("uniform '{}' is the {}", each.name, describeValue(*value)));
         }
     }
 
@@ -415,8 +414,7 @@ class Resolver {
         const auto isUniform = [this](std::string_view name) { return names_.hasUniform(name); };
         return std::ranges::any_of(drawn_.ownValues, isGiven) ||
                std::ranges::any_of(drawn_.scene->namedValues, isGiven) ||
-               (!member.isArray &&
-                glsl::findWellKnownUniform(member.name, member.type.word, isUniform) != nullptr);
+               (!member.isArray && glsl::wellKnownUniform(member.name, member.type.word, isUniform));
     }
 
     void listSamplers() {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -145,9 +146,46 @@ TEST(Timing, IsRepeatedAndOrdered) {
     int calls = 0;
     const Timing timing = quick.time([&] { ++calls; });
     EXPECT_EQ(timing.repeats, 3);
-    EXPECT_GT(calls, 100) << "short work is repeated inside one measurement";
     EXPECT_LE(timing.low, timing.median);
     EXPECT_LE(timing.median, timing.high);
+}
+
+/// A clock of its own: work that takes `cold` seconds the first time and `warm` from then on.
+struct FakeWork {
+    double cold, warm;
+    std::vector<int> times{};  ///< of each measurement
+
+    double operator()(int count) {
+        times.push_back(count);
+        return (times.size() == 1 ? cold - warm : 0) + warm * count;
+    }
+};
+
+Timing timed(FakeWork& work, bool quick = false, double enough = .5) {
+    return timingBy(std::ref(work), quick, enough);
+}
+
+TEST(TimingBy, RepeatsShortWorkInsideOneMeasurementHoweverColdTheFirstCallIs) {
+    for (const double cold : {2e-9, 1e-6, 1e-3, 1.}) {
+        FakeWork work{.cold = cold, .warm = 2e-9};
+        const Timing timing = timed(work, true);
+        EXPECT_NEAR(timing.median, 2e-9, 1e-12) << cold;
+        EXPECT_EQ(timing.repeats, 3);
+        EXPECT_GE(work.times.back() * work.warm, 20e-6) << cold;
+    }
+}
+
+TEST(TimingBy, RepeatsMiddlingWorkUntilItIsEnoughAndLongWorkThreeTimes) {
+    FakeWork middling{.cold = .01, .warm = .01};
+    EXPECT_EQ(timed(middling).repeats, 50);
+    EXPECT_EQ(middling.times.back(), 1);
+    FakeWork slower{.cold = .2, .warm = .2};
+    EXPECT_EQ(timed(slower).repeats, 5);
+    FakeWork longest{.cold = 1, .warm = 1};
+    EXPECT_EQ(timed(longest).repeats, 3);
+    EXPECT_EQ(longest.times.size(), 3U) << "the first one counts";
+    FakeWork standing{.cold = 0, .warm = 0};
+    EXPECT_EQ(timed(standing).median, 0) << "a clock that stands still ends, too";
 }
 
 TEST(FittedOrder, FindsThePowerOfAPowerLaw) {

@@ -40,7 +40,7 @@ moved() {
 }
 LD_DEBUG=files moved render "$tree/glib/start/teapot.glib" --size 64x48 -o a.png || fail "no picture"
 test -s a.png || fail "no picture"
-for each in fmt deflate spng tomlplusplus; do
+for each in fmt deflate seccomp spng tomlplusplus; do
     grep -q "calling init: $tree/.*/lib$each.so" "$place/log" || fail "another lib$each:"
 done
 if grep "calling init: $tree/.*/spare/" "$place/log"; then fail "not the libraries of the system, which has them:"; fi

@@ -12,14 +12,9 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double kShortest = 20e-6;  ///< seconds; shorter work is repeated inside one measurement
+constexpr int kMostTimes = 1 << 20;  ///< repeats inside one measurement, even where a clock stands still
 constexpr double kLong = .25;        ///< seconds; for work this long, warming up does not matter
 constexpr int kFewestRepeats = 5, kMostRepeats = 101, kQuickRepeats = 3;
-
-double seconds(const std::function<void()>& work, int inner) {
-    const Clock::time_point start = Clock::now();
-    for (int i = 0; i < inner; ++i) work();
-    return std::chrono::duration<double>(Clock::now() - start).count() / inner;
-}
 
 /// Linear interpolation between the closest ranks; `sorted` is not empty.
 double percentile(const std::vector<double>& sorted, double fraction) {
@@ -37,6 +32,30 @@ Timing timingOf(std::vector<double> seconds) {
             .low = percentile(seconds, .25),
             .high = percentile(seconds, .75),
             .repeats = static_cast<int>(seconds.size())};
+}
+
+Timing timingBy(const std::function<double(int times)>& measure, bool quick, double enough) {
+    const double first = measure(1);
+    int inner = 1;
+    double last = measure(inner);
+    const bool isLong = std::min(first, last) > kLong;
+    while (last < kShortest && inner < kMostTimes) {
+        const double each = std::max(last / inner, 1e-9);
+        inner = std::min(std::max(2 * inner, static_cast<int>(std::ceil(kShortest / each))), kMostTimes);
+        last = measure(inner);
+    }
+    std::vector<double> taken{last / inner};
+    if (isLong) taken.push_back(first);
+    double total = last;
+    const int fewest = quick || isLong ? kQuickRepeats : kFewestRepeats;
+    const int most = quick || isLong ? kQuickRepeats : kMostRepeats;
+    while (static_cast<int>(taken.size()) < fewest ||
+           (static_cast<int>(taken.size()) < most && total < enough)) {
+        last = measure(inner);
+        taken.push_back(last / inner);
+        total += last;
+    }
+    return timingOf(std::move(taken));
 }
 
 struct Bench::State {
@@ -69,20 +88,12 @@ Apart& Bench::apart() {
 }
 
 Timing Bench::time(const std::function<void()>& work, double enough) const {
-    const double first = seconds(work, 1);
-    const int inner = first < kShortest ? static_cast<int>(std::ceil(kShortest / std::max(first, 1e-9))) : 1;
-    std::vector<double> taken{seconds(work, inner)};
-    const bool isLong = std::min(first, taken.front()) > kLong;
-    if (isLong) taken.push_back(first);
-    double total = taken.front() * inner;
-    const int fewest = isQuick() || isLong ? kQuickRepeats : kFewestRepeats;
-    const int most = isQuick() || isLong ? kQuickRepeats : kMostRepeats;
-    while (static_cast<int>(taken.size()) < fewest ||
-           (static_cast<int>(taken.size()) < most && total < enough)) {
-        taken.push_back(seconds(work, inner));
-        total += taken.back() * inner;
-    }
-    return timingOf(std::move(taken));
+    const auto measure = [&](int times) {
+        const Clock::time_point start = Clock::now();
+        for (int i = 0; i < times; ++i) work();
+        return std::chrono::duration<double>(Clock::now() - start).count();
+    };
+    return timingBy(measure, isQuick(), enough);
 }
 
 }  // namespace glibra::bench

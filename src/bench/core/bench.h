@@ -23,6 +23,12 @@ struct BenchOptions {
 /// least one measurement.
 Timing timingOf(std::vector<double> seconds);
 
+/// Times work by `measure`, which does it so many times and gives the seconds that took: once to warm up,
+/// then until the median is stable (at least 5 measurements, for at most about `enough` seconds; 3 if
+/// `quick`). Work shorter than 20 microseconds is repeated within one measurement, as often as makes the
+/// measurement that long. Work of a quarter of a second or more is done 3 times in all.
+Timing timingBy(const std::function<double(int times)>& measure, bool quick, double enough);
+
 class Bench {
   public:
     explicit Bench(const BenchOptions& options);
@@ -35,10 +41,7 @@ class Bench {
     Result<gpu::Context*> context();
     /// A process without a driver, forked by the constructor.
     Apart& apart();
-    /// Times `work`: once to warm up, then until the median is stable (at least 5 times, for at most about
-    /// `enough` seconds; 3 times in a quick run). Work shorter than 20 microseconds is repeated within one
-    /// measurement. Work of a quarter of a second or more runs 3 times in all. Work on the device must wait
-    /// for the device (glFinish) before it returns.
+    /// Times `work` (`timingBy`). Work on the device must wait for the device (glFinish) before it returns.
     [[nodiscard]] Timing time(const std::function<void()>& work, double enough = .5) const;
 
   private:

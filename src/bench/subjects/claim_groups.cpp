@@ -59,7 +59,7 @@ Result<Figure> workGroups(const ClaimSetup& setup) {
     Timing first;
     std::string all;
     for (std::size_t i = 0; i < dispatches.size(); ++i) {
-        const auto one = dispatches[0], other = dispatches[i];
+        const auto &one = dispatches[0], &other = dispatches[i];
         const PairedTiming timing = setup.time([one] { one->run(); }, [other] { other->run(); });
         figure.curves[0].points.push_back({.setting = 1. * kShapes.at(i)[0] * kShapes.at(i)[1],
                                            .label = labels[i],

@@ -114,7 +114,8 @@ Result<Figure> proceduralOrTexture(const ClaimSetup& setup) {
                 for (int column = 0; column < side; ++column) {
                     const double x = .4 + size * (column + .5) / side,
                                  y = .3 + size * (side - row - .5) / side;
-                    const auto at = static_cast<std::size_t>(row * side + column);
+                    const auto at = static_cast<std::size_t>(row) * static_cast<std::size_t>(side) +
+                                    static_cast<std::size_t>(column);
                     error = std::max(error, std::abs(static_cast<double>((*values)[at]) - pattern(x, y)));
                 }
             figure.curves[each == procedural ? 0 : 1].points.push_back(
@@ -352,7 +353,8 @@ Result<Figure> shadowLookups(const ClaimSetup& setup) {
         for (int column = 0; column < side; ++column) {
             const double x = (column + .5) / side - .5;
             if (std::abs(x) > kWidth / 2) continue;
-            const auto at = static_cast<std::size_t>(side / 2 * side + column);
+            const auto at = static_cast<std::size_t>(side / 2) * static_cast<std::size_t>(side) +
+                            static_cast<std::size_t>(column);
             const double error = static_cast<double>((*values)[at]) - (.5 + x / kWidth);
             squares += error * error;
             ++count;

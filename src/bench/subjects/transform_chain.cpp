@@ -176,7 +176,7 @@ Figure chainFigure(Bench& bench, Diagnostics& problems) {
             curve.points.push_back(chainPoint(
                 count, largestEntryError(exactRotation(count), method.rotate(count)), bench.time([&] {
                     // The result must reach memory, otherwise the compiler removes the work.
-                    volatile double kept = method.rotate(count)[1][0];
+                    const volatile double kept = method.rotate(count)[1][0];
                     static_cast<void>(kept);
                 }),
                 static_cast<double>(method.bytes)));

@@ -2,6 +2,7 @@
 // The values that the runtime supplies to shaders by name (language, 6): one table row per name.
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -71,34 +72,19 @@ std::span<const BuiltinInput> builtinInputs();
 const BuiltinUniform* findBuiltinUniform(std::string_view name);
 const BuiltinInput* findBuiltinInput(std::string_view name);
 
-// Names that books and frameworks give the same values. They count only in scenes with modern statements, and
-// only if the scene binds nothing of that name. No name is also in the tables above.
+// Names that books and frameworks give the same values, in any case, with and without underscores, prefixes
+// and the word matrix. They count only in scenes with modern statements, and only if the scene binds nothing
+// of that name. Names of the tables above are none of them.
 
-struct WellKnownUniform {
-    std::string_view name;  ///< "mv_matrix", "projection", "normalMatrix", ...
-    std::string_view type;  ///< GLSL type word. Uniforms of another type are ordinary ones.
-    Builtin value;
-    /// If not empty, the row counts only in programs that have a uniform of this name: the books use
-    /// norm_matrix in world space beside m_matrix, and in eye space beside mv_matrix.
-    std::string_view beside = {};
-};
-
-struct WellKnownInput {
-    std::string_view name;       ///< "vertPos", "aTexCoords", "normal", ...
-    std::string_view attribute;  ///< "position", "normal", "texCoord", "color" or "tangent" in geometry
-};
-
-/// A name has several rows if it has several types or meanings. Rows with `beside` come before those without.
-std::span<const WellKnownUniform> wellKnownUniforms();
-/// Every name once.
-std::span<const WellKnownInput> wellKnownInputs();
-
-/// The row for a uniform of this name and GLSL type; null if there is none. `isUniform` says whether the
-/// program has a uniform of a name; null: it has no others.
-const WellKnownUniform* findWellKnownUniform(std::string_view name, std::string_view type,
-                                             const std::function<bool(std::string_view)>& isUniform = {});
-/// The row for a vertex input of this name and GLSL type; null if there is none.
-const WellKnownInput* findWellKnownInput(std::string_view name, std::string_view type);
+/// The value of a uniform of this name ("mv_matrix", "u_modelView", "normalMatrix") and GLSL type.
+/// `isUniform` says whether the program has a uniform of a name; null: it has no others.
+std::optional<Builtin> wellKnownUniform(std::string_view name, std::string_view type,
+                                        const std::function<bool(std::string_view)>& isUniform = {});
+/// The attribute of a vertex input of this name ("vertPos", "aTexCoords", "in_normal") and GLSL type:
+/// "position", "normal", "texCoord", "color" or "tangent" in geometry; empty for other names and types.
+std::string_view wellKnownAttribute(std::string_view name, std::string_view type);
+/// The name that may have been meant by one that is none, with the same prefix; empty if none is near.
+std::string inputNear(std::string_view name, std::string_view type);
 /// The GLSL types of inputs that can take the attribute: floats, the first one with all its components.
 std::span<const std::string_view> inputTypes(std::string_view attribute);
 

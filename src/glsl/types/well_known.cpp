@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
+#include <optional>
+#include <string>
 #include <vector>
 
+#include "base/suggest.h"
+#include "base/text.h"
 #include "glsl/types/builtins.h"
 
 namespace glibra::glsl {
@@ -12,86 +15,80 @@ namespace {
 
 using enum Builtin;
 
-/// The spellings of a value, with blanks between them. They are listed, because a rule for prefixes, cases
-/// and underscores would also give values to names that mean something else.
-struct UniformSpellings {
+bool isUpper(char letter) {
+    return letter >= 'A' && letter <= 'Z';
+}
+
+/// Takes the first of the prefixes off that is a word of its own: "inPos", "in_pos" and "MCpos", not "int".
+std::string_view withoutPrefix(std::string_view name, std::span<const std::string_view> prefixes) {
+    for (const std::string_view each : prefixes) {
+        if (!name.starts_with(each) || name.size() == each.size()) continue;
+        const char next = name[each.size()];
+        if (next == '_') return name.substr(each.size() + 1);
+        if (isUpper(next) || isUpper(each.back())) return name.substr(each.size());
+    }
+    return name;
+}
+
+/// In lower case, without underscores.
+std::string plain(std::string_view name) {
+    std::string letters = base::lower(name);
+    std::erase(letters, '_');
+    return letters;
+}
+
+void replaceAll(std::string& text, std::string_view what, std::string_view by) {
+    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
+        text.replace(at, what.size(), by);
+}
+
+/// What is left of "u_modelViewMatrix", "ModelViewMat" and "modelview" is the same.
+std::string plainUniform(std::string_view name) {
+    constexpr std::string_view kPrefixes[] = {"u"};
+    std::string letters = plain(withoutPrefix(name, kPrefixes));
+    replaceAll(letters, "matrix", "");
+    replaceAll(letters, "inverse", "inv");
+    if (letters.ends_with("mat")) letters.resize(letters.size() - 3);
+    return letters;
+}
+
+/// What is left of "in_position", "aVertexPosition" and "vertPosition" is "_position", "Position" and
+/// "Position".
+std::string_view ownWordOfInput(std::string_view name) {
+    constexpr std::string_view kPrefixes[] = {"in", "a", "v", "MC", "mc"},
+                               kOwners[] = {"vertex", "vert", "Vertex"};
+    return withoutPrefix(withoutPrefix(name, kPrefixes), kOwners);
+}
+
+/// A value's names as plainUniform() makes them, with blanks around each.
+struct UniformNames {
     Builtin value;
     std::string_view type, names;
-    std::string_view beside = {};  ///< WellKnownUniform::beside
 };
 
-constexpr UniformSpellings kUniformSpellings[] = {
-    {modelInverseTranspose, "mat4", "norm_matrix", "m_matrix"},
-    {modelView, "mat4",
-     "mv_matrix mvMatrix mvMat mv modelView modelview modelViewMatrix modelviewMatrix modelViewMat "
-     "ModelView ModelViewMatrix MVMatrix MV model_view modelview_matrix model_view_matrix u_modelView "
-     "u_modelViewMatrix u_mvMatrix u_mv u_ModelView u_MVMatrix"},
-    {projection, "mat4",
-     "p_matrix proj_matrix projection_matrix pMatrix pMat proj projMat projMatrix projection "
-     "projectionMatrix Projection ProjectionMatrix PMatrix P u_projection u_projectionMatrix u_projMatrix "
-     "u_proj u_pMatrix u_Projection u_ProjectionMatrix"},
-    {modelViewProjection, "mat4",
-     "mvp mvp_matrix mvpMatrix mvpMat MVP MVPMatrix ModelViewProjection ModelViewProjectionMatrix "
-     "modelViewProjection modelViewProjectionMatrix modelviewprojection model_view_projection u_mvp "
-     "u_mvpMatrix u_MVP u_MVPMatrix u_modelViewProjection u_modelViewProjectionMatrix "
-     "u_ModelViewProjection u_worldViewProjection worldViewProjection"},
-    {model, "mat4",
-     "m_matrix mMatrix mMat M model modelMat modelMatrix model_matrix Model ModelMatrix ModelToWorld "
-     "modelToWorld world worldMatrix u_model u_modelMatrix u_Model u_world"},
-    {view, "mat4",
-     "v_matrix vMatrix vMat V view viewMat viewMatrix view_matrix View ViewMatrix u_view u_viewMatrix "
-     "u_View"},
-    {viewProjection, "mat4",
-     "vp_matrix vpMatrix vp VP viewProj viewProjection viewProjMatrix viewProjectionMatrix ViewProjection "
-     "ViewProjectionMatrix view_projection u_viewProjection u_viewProjectionMatrix u_vp"},
-    {viewInverse, "mat4",
-     "invView viewInv viewInverse inverseView viewMatrixInverse viewInverseMatrix inverseViewMatrix "
-     "InverseViewMatrix inv_view invView_matrix u_inverseView u_viewInverse"},
-    {modelInverse, "mat4", "modelInverse inverseModel modelMatrixInverse inverseModelMatrix invModel"},
-    {modelViewProjectionInverse, "mat4", "inverseMVP invMVP modelViewProjectionInverse"},
-    {projectionInverse, "mat4",
-     "invProjection projectionInverse inverseProjection projectionMatrixInverse inverseProjectionMatrix "
-     "invProj"},
-    {modelInverseTranspose, "mat4",
-     "invTrModelMat invTr_model modelInverseTranspose inverseTransposeModel worldInverseTranspose "
-     "u_worldInverseTranspose"},
-    {modelNormalMatrix, "mat3", "invTrModelMat modelNormalMatrix worldNormalMatrix"},
-    {normalMatrix, "mat3",
-     "norm_matrix normMatrix normMat normal_matrix normalMatrix normalMat NormalMatrix nMatrix NMatrix "
-     "invtrMat invTrMat invTr_matrix invtr_matrix u_normalMatrix u_NormalMatrix u_normal_matrix u_nMatrix"},
-    {modelViewInverseTranspose, "mat4",
-     "norm_matrix normMatrix normMat normal_matrix normalMatrix normalMat NormalMatrix nMatrix NMatrix "
-     "invtrMat invTrMat invTr_matrix invtr_matrix u_normalMatrix u_NormalMatrix u_normal_matrix u_nMatrix "
-     "modelViewInverseTranspose"},
-    {eyePosition, "vec3",
-     "viewPos viewPosition cameraPos cameraPosition camPos camera_pos camera_position eyePos eyePosition "
-     "eye_position EyePosition CameraPosition ViewPos u_cameraPosition u_eyePosition u_viewPosition"},
+constexpr UniformNames kUniformNames[] = {
+    {modelView, "mat4", " mv modelview "},
+    {projection, "mat4", " p proj projection "},
+    {modelViewProjection, "mat4", " mvp modelviewprojection worldviewprojection "},
+    {model, "mat4", " m model modeltoworld world "},
+    {view, "mat4", " v view "},
+    {viewProjection, "mat4", " vp viewproj viewprojection "},
+    {viewInverse, "mat4", " invview viewinv "},
+    {modelInverse, "mat4", " invmodel modelinv "},
+    {modelViewProjectionInverse, "mat4", " invmvp modelviewprojectioninv "},
+    {projectionInverse, "mat4", " invproj invprojection projectioninv "},
+    {modelInverseTranspose, "mat4", " invtrmodel modelinvtranspose invtransposemodel worldinvtranspose "},
+    {modelNormalMatrix, "mat3", " invtrmodel modelnormal worldnormal "},
+    {normalMatrix, "mat3", " n norm normal invtr "},
+    {modelViewInverseTranspose, "mat4", " n norm normal invtr modelviewinvtranspose "},
+    {eyePosition, "vec3", " viewpos viewposition camerapos cameraposition campos eyepos eyeposition "},
 };
 
-constexpr std::pair<std::string_view, std::string_view> kInputSpellings[] = {
-    {"position",
-     "vertPos vertPosition vert_pos position Position pos coord coord3d coords vertex vert in_position "
-     "in_Position in_pos in_vertex inPosition inPos inVertex a_position a_Position a_pos a_vertex aPos "
-     "aPosition aVertexPosition a_vertexPosition vPosition vPos vertex_position vertexPosition vertexPos "
-     "vertex_pos vertexPosition_modelspace VertexPosition MCvertex MCVertex mcVertex"},
-    {"normal",
-     "vertNormal vertNorm vert_normal normal Normal norm in_normal in_Normal in_norm inNormal inNorm "
-     "a_normal a_Normal a_norm aNorm aVertexNormal a_vertexNormal vNormal vNorm vertex_normal "
-     "vertexNormal vertexNorm vertexNormal_modelspace VertexNormal MCnormal MCNormal mcNormal"},
-    {"texCoord",
-     "texCoord texCoords texcoord texcoords tex_coord tex_coords texCoord0 TexCoord TexCoords TexCoord0 "
-     "tc uv uv0 UV st texture_coord textureCoord in_texCoord in_texcoord in_texcoords in_texCoords "
-     "in_tex_coord in_TexCoord in_uv in_tc inTexCoord inTexCoords inTexcoord inUV inUv inTC a_texCoord "
-     "a_texcoord a_texCoords a_TexCoord a_tex_coord a_uv a_st aTexCoord aTexCoords aTexcoord aTex aUV aUv "
-     "aTextureCoord vTexCoord vTexCoords vertTex vertTexCoord vert_uv vertexUV vertex_uv vertexTexCoord "
-     "vertexTexCoords vertex_texcoord vertex_texCoord vertex_tex_coord VertexTexCoord MCtexCoord"},
-    {"color",
-     "vertColor vertColour color Color colour in_color in_Color in_colour inColor inColour a_color "
-     "a_Color a_colour aCol aColour aVertexColor vColor vertex_color vertexColor vertex_colour "
-     "vertexColour VertexColor"},
-    {"tangent",
-     "vertTangent tangent in_tangent inTangent a_tangent a_Tangent vTangent vertex_tangent vertexTangent "
-     "VertexTangent"},
+/// An attribute of a mesh, its plain names without prefixes, with blanks around each, and the types that can
+/// take it: floats, the first one with all its components.
+struct InputNames {
+    std::string_view attribute, names;
+    std::span<const std::string_view> types;
 };
 
 // A texture coordinate or colour may be read with fewer components than the mesh has. A normal or tangent
@@ -101,63 +98,65 @@ constexpr std::array<std::string_view, 2> kDirectionTypes{"vec3", "vec4"};
 constexpr std::array<std::string_view, 3> kTexCoordTypes{"vec4", "vec2", "vec3"};
 constexpr std::array<std::string_view, 2> kColorTypes{"vec4", "vec3"};
 
-/// Calls `use` with each word.
-template <class Use>
-void forEachWord(std::string_view words, const Use& use) {
-    while (!words.empty()) {
-        const std::size_t end = std::min(words.find(' '), words.size());
-        use(words.substr(0, end));
-        words.remove_prefix(std::min(end + 1, words.size()));
-    }
+constexpr InputNames kInputNames[] = {
+    {"position", " pos position positionmodelspace coord coords coord3d vert vertex ", kPositionTypes},
+    {"normal", " norm normal normalmodelspace ", kDirectionTypes},
+    {"texCoord", " texcoord texcoords texcoord0 texturecoord tex tc uv uv0 st ", kTexCoordTypes},
+    {"color", " col color colour ", kColorTypes},
+    {"tangent", " tangent ", kDirectionTypes},
+};
+
+bool hasName(std::string_view names, const std::string& plainName) {
+    return !plainName.empty() && names.find(' ' + plainName + ' ') != std::string_view::npos;
+}
+
+bool canTake(std::span<const std::string_view> types, std::string_view type) {
+    return std::find(types.begin(), types.end(), type) != types.end();
 }
 
 }  // namespace
 
-std::span<const WellKnownUniform> wellKnownUniforms() {
-    static const std::vector<WellKnownUniform> kRows = [] {
-        std::vector<WellKnownUniform> rows;
-        for (const UniformSpellings& each : kUniformSpellings)
-            forEachWord(each.names, [&](std::string_view name) {
-                rows.push_back({name, each.type, each.value, each.beside});
-            });
-        return rows;
-    }();
-    return kRows;
+std::optional<Builtin> wellKnownUniform(std::string_view name, std::string_view type,
+                                        const std::function<bool(std::string_view)>& isUniform) {
+    if (findBuiltinUniform(name) != nullptr) return std::nullopt;
+    // The books use norm_matrix in world space beside m_matrix, and in eye space beside mv_matrix.
+    if (name == "norm_matrix" && type == "mat4" && isUniform && isUniform("m_matrix"))
+        return modelInverseTranspose;
+    const std::string letters = plainUniform(name);
+    for (const UniformNames& row : kUniformNames)
+        if (row.type == type && hasName(row.names, letters)) return row.value;
+    return std::nullopt;
 }
 
-std::span<const WellKnownInput> wellKnownInputs() {
-    static const std::vector<WellKnownInput> kRows = [] {
-        std::vector<WellKnownInput> rows;
-        for (const auto& [attribute, names] : kInputSpellings)
-            forEachWord(names, [&](std::string_view name) { rows.push_back({name, attribute}); });
-        return rows;
-    }();
-    return kRows;
+std::string_view wellKnownAttribute(std::string_view name, std::string_view type) {
+    if (findBuiltinInput(name) != nullptr) return {};
+    const std::string letters = plain(ownWordOfInput(name));
+    for (const InputNames& row : kInputNames)
+        if (canTake(row.types, type) && hasName(row.names, letters)) return row.attribute;
+    return {};
 }
 
-const WellKnownUniform* findWellKnownUniform(std::string_view name, std::string_view type,
-                                             const std::function<bool(std::string_view)>& isUniform) {
-    for (const WellKnownUniform& row : wellKnownUniforms())
-        if (row.name == name && row.type == type &&
-            (row.beside.empty() || (isUniform && isUniform(row.beside))))
-            return &row;
-    return nullptr;
-}
-
-const WellKnownInput* findWellKnownInput(std::string_view name, std::string_view type) {
-    for (const WellKnownInput& row : wellKnownInputs()) {
-        if (row.name != name) continue;
-        const auto types = inputTypes(row.attribute);
-        return std::find(types.begin(), types.end(), type) == types.end() ? nullptr : &row;
+std::string inputNear(std::string_view name, std::string_view type) {
+    std::vector<std::string_view> words, attributes;
+    for (const InputNames& row : kInputNames) {
+        if (!canTake(row.types, type)) continue;
+        for (std::size_t begin = 1, end = 0; begin < row.names.size(); begin = end + 1) {
+            end = row.names.find(' ', begin);
+            words.push_back(row.names.substr(begin, end - begin));
+            attributes.push_back(row.attribute);
+        }
     }
-    return nullptr;
+    const std::string_view own = ownWordOfInput(name);
+    const auto found = std::find(words.begin(), words.end(), base::nearestName(plain(own), words));
+    if (found == words.end()) return {};
+    std::string near(attributes[static_cast<std::size_t>(found - words.begin())]);
+    if (isUpper(own.front())) near.front() = static_cast<char>(near.front() - 'a' + 'A');
+    return std::string(name.substr(0, name.size() - own.size())) + near;
 }
 
 std::span<const std::string_view> inputTypes(std::string_view attribute) {
-    if (attribute == "position") return kPositionTypes;
-    if (attribute == "normal" || attribute == "tangent") return kDirectionTypes;
-    if (attribute == "texCoord") return kTexCoordTypes;
-    if (attribute == "color") return kColorTypes;
+    for (const InputNames& row : kInputNames)
+        if (row.attribute == attribute) return row.types;
     return {};
 }
 
