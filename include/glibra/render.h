@@ -148,21 +148,24 @@ struct CurrentContext {
 };
 
 /// A GL context and the parts that pictures share. Use it, and the scenes that it loads, on the thread that
-/// opened it: calls from another one return gpu-E08. Each call makes the renderer's context current and
-/// leaves it so. Several renderers may exist, on one thread or on several; those of different threads must
-/// use the same driver, else open() returns gpu-E01.
+/// opened it: calls from another one return gpu-E08. open() and each call make the renderer's own context
+/// current and leave it so; a calling program that draws itself makes its own current again. Several
+/// renderers may exist, on one thread or on several; those of different threads must use the same driver,
+/// else open() returns gpu-E01.
 class GLIBRA_API Renderer {
   public:
     /// Opens a context. The error names each way that was tried.
     static Result<Renderer> open(Driver driver = Driver::automatic);
     /// Adopts a context, at least OpenGL 4.1 core, which must outlive the renderer. It must be current in
-    /// each call, and calls leave its state changed.
+    /// each call; while it is not, calls return gpu-E01 and change nothing. What state it has does not
+    /// matter, and calls leave it changed.
     static Result<Renderer> open(const CurrentContext& context);
     /// The context that is current on this thread, by EGL, GLX or OSMesa; without one, its loader finds
     /// nothing and open() says so.
     static CurrentContext current();
 
-    /// Reads and draws one scene file; library-E01 for options that no picture can have. Errors in the scene
+    /// Reads and draws one scene file; library-E01 for options that no picture can have, such as `set` and
+    /// `wantedObjects` with values or names that the scene does not take. Errors in the scene
     /// are diagnostics with file, line and column. To draw a scene more than once, load() it.
     Result<Picture> render(const std::filesystem::path& scene, const RenderOptions& options = {});
 

@@ -110,8 +110,9 @@ class GLIBRA_API Scene {
 
     /// "window": the last picture, in floats. Otherwise a texture or a part of one, as "shadow",
     /// "glow.level(2)", "sky.face(0)", "slices.layer(3)", after the last picture, top row first, in the
-    /// components and the type that lose least. Errors: library-E04 if nothing has been drawn, file-E01 and
-    /// others for names that there are not.
+    /// components and the type that lose least. Errors: library-E04 if nothing has been drawn, library-E02
+    /// for a texture or a part that there is not, draw-E10 for one that has no picture, such as all layers of
+    /// an array at once.
     Result<Picture> target(std::string_view name);
     /// The content of a buffer after the last picture. Error library-E02 if there is no such buffer.
     Result<BufferContent> buffer(std::string_view name);

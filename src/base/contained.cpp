@@ -2,6 +2,9 @@
 
 #include <fcntl.h>
 #include <sys/stat.h>
+#ifdef __linux__
+#include <sys/xattr.h>
+#endif
 #include <unistd.h>
 
 #include <algorithm>
@@ -48,19 +51,19 @@ Descriptor enter(const fs::path& root, const std::vector<std::string>& parts, bo
         errno = EINVAL;
         return {};
     }
-    if (make && !root.empty()) {
-        std::error_code ignored;  // reported by the next step
-        fs::create_directories(root, ignored);
-    }
+    std::error_code unmade;
+    if (make && !root.empty()) fs::create_directories(root, unmade);
     Descriptor folder = openFolder(root, access);
+    if (!folder && unmade) errno = unmade.value();
     for (std::size_t i = 0; folder && i + 1 < parts.size(); ++i) {
-        if (make) ::mkdirat(folder.number(), parts[i].c_str(), 0777);
+        const int problem =
+            make && ::mkdirat(folder.number(), parts[i].c_str(), 0777) != 0 && errno != EEXIST ? errno : 0;
         struct stat status{};
         const bool isLink = ::fstatat(folder.number(), parts[i].c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0 &&
                             S_ISLNK(status.st_mode);
         Descriptor next(
             ::openat(folder.number(), parts[i].c_str(), access | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
-        if (!next && isLink) errno = ELOOP;
+        if (!next && (isLink || problem != 0)) errno = isLink ? ELOOP : problem;
         folder = std::move(next);
     }
     return folder;
@@ -142,8 +145,33 @@ int makeFoldersBeneath(const fs::path& root, const fs::path& path) {
     return enter(root, parts, true) ? 0 : errno;
 }
 
+bool hasAccessList([[maybe_unused]] int file) {
+#ifdef __linux__
+    return ::fgetxattr(file, "system.posix_acl_access", nullptr, 0) > 0;
+#else
+    return false;
+#endif
+}
+
+void keepAccess(int folder, const fs::path& name, int file) {
+    struct stat old{}, made{};
+    if (::fstatat(folder, name.c_str(), &old, AT_SYMLINK_NOFOLLOW) != 0 || !S_ISREG(old.st_mode)) return;
+    if (::fstat(file, &made) != 0 || old.st_uid != made.st_uid) return;
+    const Descriptor replaced(::openat(folder, name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+    if (replaced && hasAccessList(replaced.number())) return;
+    constexpr mode_t kPermissions = S_IRWXU | S_IRWXG | S_IRWXO;
+    mode_t mode = old.st_mode & kPermissions;
+    // Another group has no more rights than everybody.
+    if (old.st_gid != made.st_gid && ::fchown(file, made.st_uid, old.st_gid) != 0)
+        mode &= ~static_cast<mode_t>(S_IRWXG) | ((mode & S_IRWXO) << 3U);
+    if (mode == (made.st_mode & kPermissions)) return;
+    // Where modes cannot be changed, as in a sandbox, the file keeps the mode that is usual for the user.
+    static_cast<void>(::fchmod(file, mode));
+}
+
 int nameFile([[maybe_unused]] int folder, [[maybe_unused]] int file, [[maybe_unused]] const fs::path& name) {
 #ifdef O_TMPFILE
+    keepAccess(folder, name, file);
     const std::string open = "/proc/self/fd/" + std::to_string(file);
     int problem = EEXIST;
     constexpr int kAttempts = 1000;
@@ -192,6 +220,7 @@ int writeBeneath(const fs::path& root, const fs::path& path, std::span<const std
         if (!file && errno == EEXIST) continue;
         if (!file) return errno;
         int problem = writeAll(file.number(), bytes);
+        keepAccess(folder.number(), parts.back(), file.number());
         if (problem == 0) problem = sync(file.number());
         if (problem == 0 &&
             ::renameat(folder.number(), name.c_str(), folder.number(), parts.back().c_str()) != 0)

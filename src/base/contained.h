@@ -36,13 +36,22 @@ Descriptor openBeneath(const std::filesystem::path& root, const std::filesystem:
 /// Reads an open file from its beginning. EFBIG: it is longer than `largest` bytes.
 int readAll(const Descriptor& file, std::uint64_t largest, std::vector<std::byte>& bytes);
 
+/// True if an open file has an access list (ACL): its mode does not say who may read it.
+bool hasAccessList(int file);
+
+/// Gives a new file the group and the permissions of the file that it will replace in a folder, if there is
+/// one of the same owner and without an access list. What the system does not permit is left out, never so
+/// that others get more access than before.
+void keepAccess(int folder, const std::filesystem::path& name, int file);
+
 /// Puts a file that was written without a name (O_TMPFILE) in the place of `name` in a folder, so that a
-/// process that is killed leaves nothing behind. ENOTSUP: the system or a sandbox does not allow that.
+/// process that is killed leaves nothing behind. It keeps the access of the old file (keepAccess). ENOTSUP:
+/// the system or a sandbox does not allow that.
 int nameFile(int folder, int file, const std::filesystem::path& name);
 
 /// Writes a file below `root` and makes its folders, also `root`. The file appears under its name when it is
-/// whole and on the disk, so that a loss of power leaves the old file or the new one. A link of that name is
-/// replaced, and its target stays as it is.
+/// whole and on the disk, so that a loss of power leaves the old file or the new one, and keeps the access of
+/// the old one (keepAccess). A link of that name is replaced, and its target stays as it is.
 int writeBeneath(const std::filesystem::path& root, const std::filesystem::path& path,
                  std::span<const std::byte> bytes);
 

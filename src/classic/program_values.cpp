@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
@@ -82,9 +83,23 @@ bool isTextureMatrix(Builtin value) {
     return value >= Builtin::textureMatrix && value <= Builtin::textureMatrixInverseTranspose;
 }
 
-/// A number as an integer of 32 bits, signed or not; 0 for numbers that are none.
+/// True for integers of 32 bits, signed or not.
+bool isInteger(double value) {
+    return value >= -2147483648.0 && value <= 4294967295.0 && value == std::floor(value);
+}
+
+/// Such a number as an integer; 0 for others.
 std::int64_t integerOf(double value) {
-    return value >= -2147483648.0 && value <= 4294967295.0 ? static_cast<std::int64_t>(value) : 0;
+    return isInteger(value) ? static_cast<std::int64_t>(value) : 0;
+}
+
+/// What follows "did you mean": the nearest name. Names begin with the same letter, so that of short ones
+/// only a letter too many or too few is a mistake: uKs is another name than uKd, but uCc is uC.
+std::string hintAt(std::string_view name, std::vector<std::string_view> names, char first) {
+    std::string hint = base::suggestion(name, names, name.starts_with(first) ? 1 : 0);
+    if (!hint.empty()) return hint;
+    std::erase_if(names, [&](std::string_view each) { return each.size() == name.size(); });
+    return base::suggestion(name, names);
 }
 
 std::string withoutSubscript(std::string name) {
@@ -170,7 +185,7 @@ void ProgramValues::findInputs(const glsl::TranslatedProgram& translated) {
     }
 }
 
-void ProgramValues::once(std::string_view about, std::string text) {
+void ProgramValues::once(std::string_view about, const std::string& text) {
     if (reported_.emplace(about).second) complainOf(who_, text);
 }
 
@@ -200,7 +215,7 @@ ProgramValues::Slot* ProgramValues::slotOf(std::string_view name, std::string_vi
     for (const auto& [each, slot] : uniforms_) names.push_back(each);
     std::sort(names.begin(), names.end());
     once(name, fmt::format("{}: the program uses no uniform '{}'{}", call, name,
-                           base::suggestion(name, names, name.starts_with('u') ? 1 : 0)));
+                           hintAt(name, std::move(names), 'u')));
     return nullptr;
 }
 
@@ -257,9 +272,19 @@ void ProgramValues::deriveMatrices() {
                 upload(slot, rowsOf(*value));
 }
 
+bool ProgramValues::takes(const base::ValueType& type, std::string_view name, std::string_view call,
+                          std::span<const double> values) {
+    if (type.base == BaseType::floating || type.base == BaseType::doublePrecision) return true;
+    const auto wrong = std::find_if_not(values.begin(), values.end(), isInteger);
+    if (wrong == values.end()) return true;
+    once(name, fmt::format("{}: '{}' has the type {} and was given {:g}, which is no integer of 32 bits",
+                           call, name, type.word, *wrong));
+    return false;
+}
+
 void ProgramValues::set(std::string_view name, std::span<const double> values) {
     Slot* slot = slotOf(name, "SetUniform");
-    if (slot == nullptr) return;
+    if (slot == nullptr || !takes(slot->type, name, "SetUniform", values)) return;
     const int needed = slot->type.columns > 1 ? 0 : slot->type.rows;
     const auto given = static_cast<int>(values.size());
     if (given == needed) {
@@ -277,7 +302,8 @@ void ProgramValues::set(std::string_view name, const float* values) {
     if (slot == nullptr) return;
     const std::span<const float> given(values,
                                        static_cast<std::size_t>(slot->type.components() * slot->size));
-    upload(*slot, std::vector<double>(given.begin(), given.end()));
+    const std::vector<double> all(given.begin(), given.end());
+    if (takes(slot->type, name, "SetUniform", all)) upload(*slot, all);
 }
 
 void ProgramValues::set(std::string_view name, const MatrixRows& rows) {
@@ -312,7 +338,7 @@ const ProgramInput* ProgramValues::inputOf(std::string_view name) {
     std::vector<std::string_view> names;
     for (const auto& [each, input] : inputs_) names.push_back(each);
     once(name, fmt::format("SetAttribute: the program uses no attribute '{}'{}", name,
-                           base::suggestion(name, names, name.starts_with('a') ? 1 : 0)));
+                           hintAt(name, std::move(names), 'a')));
     return nullptr;
 }
 
@@ -326,6 +352,7 @@ void ProgramValues::setInput(std::string_view name, std::span<const double> valu
                                given == 1 ? "" : "s"));
         return;
     }
+    if (!takes(type, name, "SetAttribute", values)) return;
     auto& constant = constants_[bookName(glsl::emittedName(name))];
     constant = {0, 0, 0, 1};
     std::copy(values.begin(), values.end(), constant.begin());

@@ -62,10 +62,13 @@ class ProgramValues {
     /// Null, with a message the first time, for a name that the program does not have.
     Slot* slotOf(std::string_view name, std::string_view call);
     const ProgramInput* inputOf(std::string_view name);
+    /// False, with a message the first time, if a number is none of the integers that the type takes.
+    bool takes(const base::ValueType& type, std::string_view name, std::string_view call,
+               std::span<const double> values);
     void upload(const Slot& slot, std::span<const double> values) const;
     void upload(const Slot& slot, const MatrixRows& rows) const;
     void deriveMatrices();
-    void once(std::string_view about, std::string text);
+    void once(std::string_view about, const std::string& text);
 
     const Gl& gl_;
     GLuint program_;

@@ -149,12 +149,12 @@ void VertexArray::State::draw(const char* call, int count) {
     drawGroups(*variant, [&](std::size_t first, std::size_t number) {
         if (count == 1 && number > 1) {
             std::vector<GLsizei> counts;
-            std::vector<const void*> offsets_;
+            std::vector<const void*> starts;
             for (std::size_t i = first; i < first + number; ++i) {
                 counts.push_back(static_cast<GLsizei>(lists[i].count));
-                offsets_.push_back(at(lists[i].firstIndex * sizeof(std::uint32_t)));
+                starts.push_back(at(lists[i].firstIndex * sizeof(std::uint32_t)));
             }
-            gl.MultiDrawElements(lists[first].mode, counts.data(), GL_UNSIGNED_INT, offsets_.data(),
+            gl.MultiDrawElements(lists[first].mode, counts.data(), GL_UNSIGNED_INT, starts.data(),
                                  static_cast<GLsizei>(number));
             return;
         }

@@ -90,7 +90,7 @@ struct __attribute__((visibility("hidden"))) VertexArray::State {
     State& operator=(const State&) = delete;
     ~State() { release(); }
 
-    void once(std::string text) {
+    void once(const std::string& text) {
         if (reported.insert(text).second) complainOf("VertexArray", text);
     }
 

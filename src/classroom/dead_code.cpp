@@ -106,7 +106,7 @@ class DeadCode {
             if (each == "if" || each == "while" || each == "for" || each == "switch") {
                 const std::size_t after = afterBracket(i + 1);
                 if (isFalse(i + 2, after - 1) && each != "for" && text(after) == "{") {
-                    std::size_t close = std::min(afterBracket(after), end);
+                    const std::size_t close = std::min(afterBracket(after), end);
                     if (text(close) != "else") kill(i, close);
                     i = close;
                     continue;

@@ -105,8 +105,8 @@ ChosenScene chooseScene(std::span<const fs::path> scenes, const Submission& subm
             if (fitsPattern(pattern, each)) fit.push_back(&each);
         return fit;
     };
-    for (const std::string* each : {&submission.name, &submission.number, &submission.key}) {
-        const auto own = each->empty() ? options.sceneOf.end() : options.sceneOf.find(*each);
+    for (const std::string& each : identitiesOf(submission)) {
+        const auto own = options.sceneOf.find(each);
         if (own == options.sceneOf.end()) continue;
         const std::vector<const fs::path*> fit = fitting(own->second);
         if (fit.empty())

@@ -43,7 +43,7 @@ constexpr bool isBlank(std::uint32_t code) {
            code == 0xFEFF;
 }
 
-std::string joined(const std::vector<std::string>& words) {
+std::string withBlanks(const std::vector<std::string>& words) {
     return fmt::format("{}", fmt::join(words, " "));
 }
 
@@ -132,8 +132,8 @@ std::string gradesCsv(const Classroom& classroom) {
         line.score(part(&Scores::likeness));
         line.count(countOf(entry, Severity::error));
         line.count(countOf(entry, Severity::warning));
-        line.text(joined(stages));
-        line.text(joined(uniforms));
+        line.text(withBlanks(stages));
+        line.text(withBlanks(uniforms));
         const std::optional<Nearest> nearest = nearestOf(classroom, i);
         line.text(nearest ? classroom.entries[nearest->entry].submission.name : "");
         line.score(nearest ? std::optional(nearest->share) : std::nullopt);
@@ -141,8 +141,9 @@ std::string gradesCsv(const Classroom& classroom) {
         for (std::size_t slider = 0; slider < classroom.sliders.size(); ++slider)
             line.text(name(reactionOf(classroom, entry, slider)));
         if (numbered) {
-            line.text(entry.submission.number);
-            line.text(entry.submission.email);
+            const std::vector<Member> members = membersOf(entry.submission);
+            line.text(joined(members, &Member::number));
+            line.text(joined(members, &Member::email));
         }
         if (pointed) {
             line.score(pointsOf(entry));

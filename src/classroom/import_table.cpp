@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <system_error>
 
 #include "base/utf8.h"
 #include "classroom/grades.h"
@@ -133,6 +136,62 @@ std::pair<std::string, std::string> firstAndLast(const std::string& name) {
     return {name.substr(0, blank), name.substr(blank + 1)};
 }
 
+/// The most points that the platform's own table states, by its first line that has a number for it.
+std::optional<double> maximumOf(const ImportOptions& options) {
+    const Roster& roster = *options.roster;
+    const bool isCanvas = options.book == GradeBook::canvas;
+    const auto column =
+        isCanvas ? assignmentColumn(roster, options.assignment)
+                 : columnOf(roster, options.book == GradeBook::moodle ? "maximum grade" : "max points");
+    for (std::size_t i = 1; column && i < roster.records.size(); ++i) {
+        const std::vector<std::string>& record = roster.records[i];
+        // Canvas has a line of its own for it.
+        if (*column >= record.size() || (isCanvas && record[0].find("Points Possible") == std::string::npos))
+            continue;
+        const std::string& text = record[*column];
+        double value = 0;
+        const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
+        if (problem == std::errc() && end == text.data() + text.size()) return value;
+    }
+    return std::nullopt;
+}
+
+/// The line of one student, in the columns of importTable().
+std::string gradeLine(const Classroom& room, GradeBook book, std::size_t entry, const Member& student) {
+    const std::string grade = gradeOf(room, entry);
+    Record line;
+    switch (book) {
+        case GradeBook::moodle:
+            line.ours(student.number.empty() ? "" : "Participant " + student.number);
+            line.ours(student.name);
+            line.ours(student.email);
+            line.ours(grade);
+            line.theirs("-");  // never: Moodle keeps a grade that was given since
+            line.ours(feedbackOf(room, entry));
+            break;
+        case GradeBook::canvas:
+            line.ours(student.name);
+            line.ours(student.number);
+            for (int empty = 0; empty < 3; ++empty) line.ours("");
+            line.ours(grade);
+            break;
+        case GradeBook::gradescope: {
+            const auto [first, last] = firstAndLast(student.name);
+            line.ours(first);
+            line.ours(last);
+            line.ours(student.number);
+            line.ours(student.email);
+            line.ours(grade);
+            line.ours(mostPoints(room) > 0 ? fmt::format("{:g}", mostPoints(room)) : "");
+            line.ours(feedbackOf(room, entry));
+            break;
+        }
+        case GradeBook::none:
+            break;
+    }
+    return line.end();
+}
+
 }  // namespace
 
 std::optional<std::size_t> assignmentColumn(const Roster& roster, std::string_view wanted) {
@@ -158,6 +217,16 @@ std::string whyNoAssignment(const ImportOptions& options) {
     return fmt::format(
         "the roster has no column '{}', so that Canvas would add one; --assignment names one: {}",
         options.assignment, known.empty() ? "it has none" : known);
+}
+
+std::string whyOtherMaximum(const Classroom& room, const ImportOptions& options) {
+    const double own = mostPoints(room);
+    if (own <= 0 || !isOwnTable(options)) return {};
+    const std::optional<double> theirs = maximumOf(options);
+    if (!theirs || std::abs(*theirs - own) < 1e-6) return {};
+    return fmt::format(
+        "the roster says that there are at most {:g} points, and the rubric has {:g}; grades are not scaled",
+        *theirs, own);
 }
 
 std::string importFile(GradeBook book) {
@@ -209,41 +278,9 @@ std::string importTable(const Classroom& room, const ImportOptions& options) {
         most.ours(fmt::format("{:g}", mostPoints(room)));
         table += most.end();
     }
-    for (std::size_t i = 0; i < room.entries.size(); ++i) {
-        const Submission& of = room.entries[i].submission;
-        const std::string grade = gradeOf(room, i);
-        Record line;
-        switch (options.book) {
-            case GradeBook::moodle:
-                line.ours(of.number.empty() ? "" : "Participant " + of.number);
-                line.ours(of.name);
-                line.ours(of.email);
-                line.ours(grade);
-                line.theirs("-");  // never: Moodle keeps a grade that was given since
-                line.ours(feedbackOf(room, i));
-                break;
-            case GradeBook::canvas:
-                line.ours(of.name);
-                line.ours(of.number);
-                for (int empty = 0; empty < 3; ++empty) line.ours("");
-                line.ours(grade);
-                break;
-            case GradeBook::gradescope: {
-                const auto [first, last] = firstAndLast(of.name);
-                line.ours(first);
-                line.ours(last);
-                line.ours(of.number);
-                line.ours(of.email);
-                line.ours(grade);
-                line.ours(mostPoints(room) > 0 ? fmt::format("{:g}", mostPoints(room)) : "");
-                line.ours(feedbackOf(room, i));
-                break;
-            }
-            case GradeBook::none:
-                break;
-        }
-        table += line.end();
-    }
+    for (std::size_t i = 0; i < room.entries.size(); ++i)
+        for (const Member& member : membersOf(room.entries[i].submission))
+            table += gradeLine(room, options.book, i, member);
     return table;
 }
 

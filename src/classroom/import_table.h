@@ -25,6 +25,7 @@ struct ImportOptions {
 ///               (mod/assign/feedback/offline)
 ///   Canvas      Student, ID, SIS User ID, SIS Login ID, Section, ASSIGNMENT
 ///   Gradescope  First Name, Last Name, SID, Email, Total Score, Max Points, Comments
+/// There is one line for each student, so a group has several.
 /// If the roster is the platform's own table, with these columns among others, it is that table with the
 /// grades (and comments) filled in. A submission without points has an empty grade, so that an import leaves
 /// the grade as it is.
@@ -35,6 +36,10 @@ std::string importTable(const Classroom& classroom, const ImportOptions& options
 std::optional<std::size_t> assignmentColumn(const Roster& roster, std::string_view wanted);
 /// Canvas's own table has no such column: which ones it has. Empty if there is nothing to say.
 std::string whyNoAssignment(const ImportOptions& options);
+
+/// The platform's own table has another maximum than the rubric, which grades are not scaled to. Empty if
+/// there is nothing to say.
+std::string whyOtherMaximum(const Classroom& classroom, const ImportOptions& options);
 
 /// The file: "import-moodle.csv".
 std::string importFile(GradeBook book);

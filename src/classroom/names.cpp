@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <cstddef>
+#include <iterator>
 #include <regex>
+#include <string>
 #include <vector>
 
 #include "base/contained.h"
@@ -23,6 +25,21 @@ std::string_view unquoted(std::string_view text) {
     if (text.size() >= 2 && (text.front() == '\'' || text.front() == '"') && text.back() == text.front())
         text = text.substr(1, text.size() - 2);
     return text;
+}
+
+/// A line of the section :submitters:; each list item, which begins with "- ", is a member.
+void readSubmitter(std::string_view line, std::vector<Member>& members) {
+    const std::size_t begin = line.find_first_not_of(" \t");
+    if (begin == std::string_view::npos || line.substr(begin).starts_with(":submitters:")) return;
+    if (line[begin] == '-' || members.empty()) members.emplace_back();
+    const auto take = [&](std::string_view key, std::string& to) {
+        const std::size_t at = line.find(key);
+        if (at != std::string_view::npos && line.find_first_not_of(" -\t") == at && to.empty())
+            to = unquoted(line.substr(at + key.size()));
+    };
+    take(":name:", members.back().name);
+    take(":sid:", members.back().number);
+    take(":email:", members.back().email);
 }
 
 /// The submitters of each submission of Gradescope's file, whose lines have one key each. A group hands in
@@ -46,27 +63,83 @@ std::map<std::string, Person> readMetadata(std::string_view text) {
             section = line.substr(0, line.find(':', 3) + 1);
             if (section == "  :created_at:") person->time = unquoted(line.substr(section.size()));
         }
-        if (section != "  :submitters:") continue;
-        const auto take = [&](std::string_view key, std::string& to, const char* between) {
-            const std::size_t at = line.find(key);
-            if (at == std::string_view::npos || line.find_first_not_of(" -\t") != at) return;
-            const std::string_view value = unquoted(line.substr(at + key.size()));
-            if (value.empty() || (!to.empty() && !*between)) return;
-            to += (to.empty() ? "" : between) + std::string(value);
-        };
-        take(":name:", person->name, ", ");
-        take(":sid:", person->number, "");
-        take(":email:", person->email, "");
+        if (section == "  :submitters:") readSubmitter(line, person->members);
+    }
+    for (auto& [folder, each] : people) {
+        each.name = joined(each.members, &Member::name);
+        for (const Member& member : each.members) {
+            if (each.number.empty()) each.number = member.number;
+            if (each.email.empty()) each.email = member.email;
+        }
+        if (each.members.size() < 2) each.members.clear();
     }
     return people;
 }
 
 }  // namespace
 
+std::string joined(const std::vector<Member>& members, std::string Member::* which) {
+    std::string all;
+    for (const Member& each : members)
+        if (!(each.*which).empty()) all += (all.empty() ? "" : ", ") + each.*which;
+    return all;
+}
+
 std::string_view name(GradeBook book) {
     constexpr std::string_view kNames[] = {"", "moodle", "canvas", "gradescope"};
     return kNames[static_cast<std::size_t>(book)];
 }
+
+namespace {
+
+/// A place in a name that counts how often it is read: an expression such as (a+)+b tries a number of ways
+/// that grows exponentially with the name.
+class CountedLetter {
+  public:
+    using iterator_category = std::bidirectional_iterator_tag;
+    using value_type = char;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const char*;
+    using reference = const char&;
+
+    CountedLetter() = default;
+    CountedLetter(const char* at, std::size_t& left) : at_(at), left_(&left) {}
+    reference operator*() const {
+        if (*left_ == 0) throw std::regex_error(std::regex_constants::error_complexity);
+        --*left_;
+        return *at_;
+    }
+    CountedLetter& operator++() {
+        ++at_;
+        return *this;
+    }
+    CountedLetter& operator--() {
+        --at_;
+        return *this;
+    }
+    CountedLetter operator++(int) { return {at_++, *left_}; }
+    CountedLetter operator--(int) { return {at_--, *left_}; }
+    friend bool operator==(const CountedLetter& a, const CountedLetter& b) { return a.at_ == b.at_; }
+
+  private:
+    const char* at_ = nullptr;
+    std::size_t* left_ = nullptr;
+};
+
+/// False also if it cannot be decided in a million steps. `found` refers to `text`.
+bool matches(const std::string& text, std::match_results<CountedLetter>& found,
+             const std::regex& expression) try {
+    static thread_local std::size_t left = 0;
+    left = 1'000'000;
+    const bool isMatch = std::regex_match(CountedLetter(text.data(), left),
+                                          CountedLetter(text.data() + text.size(), left), found, expression);
+    left = 1'000'000;  // for reading what was found
+    return isMatch;
+} catch (const std::regex_error&) {
+    return false;
+}
+
+}  // namespace
 
 struct NameRule::Pattern {
     std::regex expression;
@@ -116,8 +189,8 @@ void NameRule::readBeside(const fs::path& folder) {
 }
 
 std::optional<Person> NameRule::split(const std::string& text) const {
-    std::smatch found;
-    if (!pattern_ || text.size() > kLongestName || !std::regex_match(text, found, pattern_->expression))
+    std::match_results<CountedLetter> found;
+    if (!pattern_ || text.size() > kLongestName || !matches(text, found, pattern_->expression))
         return std::nullopt;
     const auto group = [&](int which) { return which > 0 ? found.str(static_cast<std::size_t>(which)) : ""; };
     Person person{group(pattern_->name), group(pattern_->number)};
@@ -129,6 +202,7 @@ std::optional<Person> NameRule::split(const std::string& text) const {
         if (!known->second.number.empty()) person.number = known->second.number;
         person.email = known->second.email;
         person.time = known->second.time;
+        person.members = known->second.members;
     }
     if (person.name.empty()) return std::nullopt;
     return person;

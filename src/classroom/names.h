@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace glibra::classroom {
 
@@ -17,14 +18,24 @@ namespace glibra::classroom {
 enum class GradeBook { none, moodle, canvas, gradescope };
 std::string_view name(GradeBook book);
 
-/// Who handed something in, as the name of a file or folder says.
+/// A student.
+struct Member {
+    std::string name, number, email;
+};
+
+/// Who handed something in, as the name of a file or folder says. Of a group, `name` has the names of all,
+/// and number and address are those of the first member that has them.
 struct Person {
     std::string name, number;
     std::string email{};
     std::string file{};   ///< the name that the student gave to the file; empty for a folder
     bool isLate = false;  ///< the platform says so
     std::string time{};   ///< when it was handed in, if the platform says so: "2026-11-20 23:59:00 Z"
+    std::vector<Member> members{};  ///< of a group; empty for one student
 };
+
+/// The names, numbers or addresses of a group, "Bob Ng, Cy Two"; those that are empty are left out.
+std::string joined(const std::vector<Member>& members, std::string Member::* which);
 
 /// A rule that splits names. Copies share what they were made of.
 ///   moodle      "Ana Lee_1234567_assignsubmission_file_", for a file with the student's name after it

@@ -51,7 +51,6 @@ class Sorter {
             return {tokens.begin(), tokens.end()};
         }
         Code made;
-        Code target;  // of the statement, for "a += b"
         std::size_t statement = 0;
         for (std::size_t i = 0; i < tokens.size();) {
             if (separates(tokens[i])) {

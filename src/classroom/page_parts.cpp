@@ -147,23 +147,22 @@ std::string picturesHtml(const PictureSource& source, const Classroom& room, con
     for (std::size_t i = 0; i < std::min(entry.pictures.size(), source.most); ++i) {
         const Picture& picture = entry.pictures[i];
         const std::string label = base::escapeXml(room.moments[i].label);
-        std::string caption =
+        const std::string caption =
             picture.score
                 ? fmt::format("likeness {}, FLIP {}, structure {}", figureText(picture.score->likeness),
                               figureText(picture.score->flip), figureText(picture.score->structure))
             : picture.isIncomplete   ? std::string("incomplete: the scene has errors")
             : picture.reason.empty() ? std::string()
                                      : std::string("not drawn");
-        // Beside what failed, the reference stands once.
-        if (!hasReference(room) || (i > 0 && !isDrawn(entry))) {
+        // Where there is no picture, there is nothing to compare.
+        if (!hasReference(room) || picture.file.empty()) {
             Picture shape = hasReference(room) ? room.reference.pictures[i] : picture;
             if (shape.height == 0) std::tie(shape.width, shape.height) = std::pair(4, 3);
             html += pictureHtml(source, picture, shape, name,
                                 label.empty() || caption.empty() ? label + caption : label + ": " + caption);
             continue;
         }
-        const bool canCompare = !picture.file.empty();
-        html += fmt::format("<div class=\"{}\">{}{}</div>", canCompare ? "pair compared" : "pair",
+        html += fmt::format("<div class=\"pair compared\">{}{}</div>",
                             pictureHtml(source, room.reference.pictures[i], room.reference.pictures[i],
                                         "the reference", label.empty() ? "reference" : label),
                             pictureHtml(source, picture, room.reference.pictures[i], name, caption));

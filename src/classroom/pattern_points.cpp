@@ -152,7 +152,8 @@ FoundAgain foundAgain(std::span<const PatternPoint> a, std::span<const PatternPo
     for (const auto& [octaves, weight] : sizes) half += weight / 2;
     for (const auto& [octaves, weight] : sizes) {
         found.octaves = octaves;
-        if ((half -= weight) <= 0) break;
+        half -= weight;
+        if (half <= 0) break;
     }
     return found;
 }

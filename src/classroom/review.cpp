@@ -79,12 +79,22 @@ class Sources {
                     scene::findInclude(each, path, scene_.path, options_, listings_);
                 if (!found.path.empty()) open.emplace_back(found.path.string(), std::nullopt);
             }
-            for (std::string& each : calledFunctions(*text))
-                if (calls_.size() < kMostCalls) calls_.insert(std::move(each));
             compare(key, path, *text);
         }
         if (!open.empty()) leaveOut({}, fmt::format("files after the first {} of a stage", kMostFiles));
         return uniforms;
+    }
+
+    /// Keeps the names of the functions that a stage calls.
+    void addCalls(glsl::Stage stage, const scene::FileReference& file) {
+        if (file.path.empty()) return;
+        const std::optional<std::string> text = file.text ? file.text : textOf(opened(file.path));
+        if (!text) return;
+        const auto include = [this](std::string_view name, std::string_view includingPath) {
+            return included(name, includingPath);
+        };
+        for (std::string& each : calledFunctions({stage, file.path.string(), *text}, include))
+            if (calls_.size() < kMostCalls) calls_.insert(std::move(each));
     }
 
     void takeInto(Review& review) {
@@ -100,6 +110,14 @@ class Sources {
             return base::openBeneath(path.parent_path().empty() ? fs::path(".") : path.parent_path(),
                                      path.filename());
         return readable_.open(path);
+    }
+
+    std::optional<glsl::IncludedFile> included(std::string_view name, std::string_view includingPath) {
+        const scene::FileReference found =
+            scene::findInclude(name, includingPath, scene_.path, options_, listings_);
+        std::optional<std::string> text = found.path.empty() ? std::nullopt : textOf(opened(found.path));
+        if (!text) return std::nullopt;
+        return glsl::IncludedFile{found.path.string(), std::move(*text)};
     }
 
     /// Keeps the tokens of a text that belongs to the submission.
@@ -165,6 +183,7 @@ void reviewScene(const ReviewTask& task, Review& result) {
             used.stages.emplace_back(nameOf(stage.stage));
             for (DeclaredUniform& each : sources.uniformsOf(scene.files[stage.file]))
                 used.uniforms.push_back(std::move(each));
+            sources.addCalls(stage.stage, scene.files[stage.file]);
         }
         std::sort(used.uniforms.begin(), used.uniforms.end());
         used.uniforms.erase(std::unique(used.uniforms.begin(), used.uniforms.end()), used.uniforms.end());

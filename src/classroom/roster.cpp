@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <charconv>
-#include <fstream>
+#include <cstdint>
 #include <initializer_list>
-#include <iterator>
 
 #include "classroom/hand_in_time.h"
 #include "glib/text.h"
+#include "image/file.h"
 
 namespace glibra::classroom {
 namespace {
@@ -23,7 +23,7 @@ std::string withoutBlanks(std::string_view text) {
 }
 
 /// "Participant 1234567", as Moodle's table has it, is 1234567.
-std::string numberOf(std::string text) {
+std::string numberOf(const std::string& text) {
     constexpr std::string_view kParticipant = "Participant ";
     return text.starts_with(kParticipant) ? text.substr(kParticipant.size()) : text;
 }
@@ -46,6 +46,13 @@ std::optional<std::size_t> firstColumn(const Roster& roster, std::initializer_li
     for (const char* each : names)
         if (const auto column = columnOf(roster, each)) return column;
     return std::nullopt;
+}
+
+/// Gives a member what the roster knows about the student.
+void correct(Member& member, const Student& student) {
+    if (!student.name.empty()) member.name = student.name;
+    if (!student.number.empty()) member.number = student.number;
+    if (!student.email.empty()) member.email = student.email;
 }
 
 Diagnostic wrong(const fs::path& file, const std::string& text) {
@@ -108,9 +115,10 @@ std::optional<std::size_t> columnOf(const Roster& roster, std::string_view name)
 }
 
 Result<Roster> readRoster(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    const std::string text((std::istreambuf_iterator<char>(in)), {});
-    if (!in) return wrong(file, fmt::format("cannot read the roster '{}'", file.string()));
+    constexpr std::uint64_t kLargest = 16U << 20U;
+    const auto bytes = image::readFile(file, {file.string(), {}}, kLargest);
+    if (!bytes) return bytes.diagnostics;
+    const std::string text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
     Roster roster{csvRecords(text), {}};
     const auto name = firstColumn(roster, {"full name", "name", "student", "student name"});
     const auto first = firstColumn(roster, {"first name", "given name"});
@@ -138,31 +146,31 @@ Result<Roster> readRoster(const fs::path& file) {
         if (student.name.empty() && student.number.empty()) continue;
         // The second line of Canvas's table has the most points.
         if (student.number.empty() && glib::sameWord(student.name, "points possible")) continue;
-        if (const std::string text_ = field(days); !text_.empty()) {
+        if (const std::string words = field(days); !words.empty()) {
             double value = 0;
-            const auto [end, problem] = std::from_chars(text_.data(), text_.data() + text_.size(), value);
-            if (problem == std::errc() && end == text_.data() + text_.size() && value >= 0 && value < 1e4)
+            const auto [end, problem] = std::from_chars(words.data(), words.data() + words.size(), value);
+            if (problem == std::errc() && end == words.data() + words.size() && value >= 0 && value < 1e4)
                 student.daysLate = value;
         }
         if (!student.daysLate) student.daysLate = latenessOf(field(lateness));
         student.status = field(status);
         // Moodle writes "-" for nobody's time.
-        if (std::string text_ = field(time); isTime(text_))
-            student.time = std::move(text_);
-        else if (!text_.empty() && text_ != "-" && problems.empty())
+        if (std::string words = field(time); isTime(words))
+            student.time = std::move(words);
+        else if (!words.empty() && words != "-" && problems.empty())
             problems.push_back(withoutId(
                 Severity::warning,
                 fmt::format(
                     "cannot read the time '{}' in the roster '{}'; a time is '2026-11-20 23:59', or as "
                     "Moodle writes it in English",
-                    text_, file.string()),
+                    words, file.string()),
                 {file.string(), static_cast<int>(i + 1), 1}));
         roster.students.push_back(std::move(student));
     }
     return {std::move(roster), std::move(problems)};
 }
 
-std::optional<std::size_t> studentOf(const Roster& roster, const Submission& submission) {
+std::optional<std::size_t> studentOf(const Roster& roster, const Member& member) {
     const auto only = [&](const auto& fits) -> std::optional<std::size_t> {
         std::optional<std::size_t> found;
         for (std::size_t i = 0; i < roster.students.size(); ++i) {
@@ -175,38 +183,59 @@ std::optional<std::size_t> studentOf(const Roster& roster, const Submission& sub
     const auto isSame = [](const std::string& a, const std::string& b) {
         return !a.empty() && glib::sameWord(a, b);
     };
-    if (const auto found = only([&](const Student& each) { return isSame(submission.number, each.number); }))
+    if (const auto found = only([&](const Student& each) { return isSame(member.number, each.number); }))
         return found;
     // A folder may be named by the number alone.
-    if (const auto found = only([&](const Student& each) { return isSame(submission.name, each.number); }))
+    if (const auto found = only([&](const Student& each) { return isSame(member.name, each.number); }))
         return found;
-    if (const auto found = only([&](const Student& each) { return isSame(submission.email, each.email); }))
+    if (const auto found = only([&](const Student& each) { return isSame(member.email, each.email); }))
         return found;
-    const std::string letters = sortedLetters(submission.name);
+    const std::string letters = sortedLetters(member.name);
     if (letters.empty()) return std::nullopt;
     return only([&](const Student& each) { return sortedLetters(each.name) == letters; });
 }
 
 std::vector<std::optional<std::size_t>> applyRoster(const Roster& roster, Submissions& submissions) {
     for (Submission& each : submissions.all) {
-        const auto found = studentOf(roster, each);
-        if (!found) continue;
-        const Student& student = roster.students[*found];
-        if (!student.number.empty()) each.number = student.number;
-        if (!student.email.empty()) each.email = student.email;
-        if (!student.name.empty() &&
-            std::none_of(submissions.all.begin(), submissions.all.end(), [&](const Submission& other) {
-                return &other != &each && other.name == student.name;
-            }))
-            each.name = student.name;
+        std::vector<Member> members = membersOf(each);
+        for (Member& member : members)
+            if (const auto found = studentOf(roster, member)) correct(member, roster.students[*found]);
+        const std::string name = joined(members, &Member::name);
+        if (std::none_of(submissions.all.begin(), submissions.all.end(),
+                         [&](const Submission& other) { return &other != &each && other.name == name; }))
+            each.name = name;
+        each.number = members.front().number;
+        each.email = members.front().email;
+        if (members.size() > 1) each.members = std::move(members);
     }
     std::sort(submissions.all.begin(), submissions.all.end(),
               [](const Submission& a, const Submission& b) { return a.name < b.name; });
     std::vector<std::optional<std::size_t>> handed(roster.students.size());
     for (std::size_t i = 0; i < submissions.all.size(); ++i)
-        if (const auto found = studentOf(roster, submissions.all[i]); found && !handed[*found])
-            handed[*found] = i;
+        for (const Member& member : membersOf(submissions.all[i]))
+            if (const auto found = studentOf(roster, member); found && !handed[*found]) handed[*found] = i;
     return handed;
+}
+
+std::optional<std::size_t> submissionOf(const Submissions& submissions, const Roster* roster,
+                                        const std::string& student) {
+    const auto first = [&](const auto& fits) -> std::optional<std::size_t> {
+        const auto found = std::find_if(submissions.all.begin(), submissions.all.end(), fits);
+        if (found == submissions.all.end()) return std::nullopt;
+        return static_cast<std::size_t>(found - submissions.all.begin());
+    };
+    const auto own = first([&](const Submission& each) {
+        const std::vector<std::string> names = identitiesOf(each);
+        return std::find(names.begin(), names.end(), student) != names.end();
+    });
+    if (own || !roster) return own;
+    const auto listed = studentOf(*roster, {student, student, student});
+    if (!listed) return std::nullopt;
+    return first([&](const Submission& each) {
+        const std::vector<Member> members = membersOf(each);
+        return std::any_of(members.begin(), members.end(),
+                           [&](const Member& member) { return studentOf(*roster, member) == listed; });
+    });
 }
 
 }  // namespace glibra::classroom

@@ -43,12 +43,17 @@ Result<Roster> readRoster(const std::filesystem::path& file);
 /// The column of that name, in any case, or nothing.
 std::optional<std::size_t> columnOf(const Roster& roster, std::string_view name);
 
-/// The student of a submission: the one with its number, else its address, else its name, in whatever order
-/// the parts of the name stand ("leeana", "Lee, Ana", "Ana Lee"); nothing if none or several fit.
-std::optional<std::size_t> studentOf(const Roster& roster, const Submission& submission);
+/// The student with that number, else that address, else that name, in whatever order the parts of the name
+/// stand ("leeana", "Lee, Ana", "Ana Lee"); nothing if none or several fit.
+std::optional<std::size_t> studentOf(const Roster& roster, const Member& member);
 
-/// Gives the submissions the names, numbers and addresses of the roster. Returns for each student the
-/// submission, or nothing if nothing was handed in.
+/// Gives the submissions and the members of groups the names, numbers and addresses of the roster. Returns
+/// for each student the submission, or nothing if nothing was handed in.
 std::vector<std::optional<std::size_t>> applyRoster(const Roster& roster, Submissions& submissions);
+
+/// The submission that `student` means: one of its identities (identitiesOf), or the name, number or address
+/// of a student of the roster whose submission it is; nothing if there is none.
+std::optional<std::size_t> submissionOf(const Submissions& submissions, const Roster* roster,
+                                        const std::string& student);
 
 }  // namespace glibra::classroom

@@ -236,16 +236,24 @@ Result<TeacherMarks> readTeacherMarks(const fs::path& site) {
     return marks;
 }
 
+void limitPoints(const Entry& entry, OwnMarks& marks) {
+    for (const Mark& each : entry.marks)
+        if (const auto own = marks.points.find(each.check); own != marks.points.end())
+            own->second = std::clamp(own->second, 0.0, each.most);
+}
+
 void applyTeacherMarks(const TeacherMarks& marks, Entry& entry) {
     const auto own = marks.find(entry.submission.name);
     if (own == marks.end()) return;
     entry.comment = own->second.comment;
-    for (const auto& [check, points] : own->second.points) {
+    OwnMarks counted = own->second;
+    limitPoints(entry, counted);
+    for (const auto& [check, points] : counted.points) {
         if (!std::isfinite(points)) continue;
         const auto mark = std::find_if(entry.marks.begin(), entry.marks.end(),
                                        [&, &named = check](const Mark& each) { return each.check == named; });
         if (mark == entry.marks.end()) continue;
-        mark->points = std::clamp(points, 0.0, mark->most);
+        mark->points = points;
         mark->isOwn = true;
         mark->reason = "the teacher's own points";
     }

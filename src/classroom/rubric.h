@@ -52,8 +52,9 @@ struct Rubric {
     std::optional<LateRule> late;
 };
 
-/// Errors: suite-E01 to suite-E04, suite-E24 (a check asks for nothing, or for several things), suite-E25
-/// (two checks of one name).
+/// Errors: suite-E01 to suite-E03, suite-E04 (a number out of its limits, or two in the wrong order),
+/// suite-E24 (a check asks for nothing or for several things, or has a key of another kind), suite-E25 (two
+/// checks of one name).
 Result<Rubric> readRubric(const std::filesystem::path& file);
 Result<Rubric> readRubricText(std::string_view text, const std::string& file);
 
@@ -89,6 +90,9 @@ inline constexpr const char* kMarksFile = "marks.json";
 Result<TeacherMarks> readTeacherMarks(const std::filesystem::path& site);
 Result<TeacherMarks> parseTeacherMarks(std::string_view text);
 std::string toText(const TeacherMarks& marks);
+
+/// Limits points to what counts: from 0 to the most of the entry's check of that name.
+void limitPoints(const Entry& entry, OwnMarks& marks);
 
 /// Replaces points and adds comments; points stay within 0 and the most of the check. Names that are no check
 /// any more are left out.

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
-#include <iterator>
+#include <cstdint>
 
 #include "classroom/hand_in_time.h"
 #include "classroom/rubric.h"
+#include "image/file.h"
 #include "suite/file/glob.h"
 #include "suite/file/toml_reader.h"
 
@@ -25,6 +25,9 @@ constexpr std::array<std::string_view, 10> kKinds{"drawn", "slider",  "stage", "
 constexpr std::array<std::string_view, 17> kCheckKeys{
     "name",    "points", "bonus",  "drawn", "slider", "stage", "reacts",  "ignores", "like",
     "without", "uses",   "avoids", "range", "at",     "none",  "measure", "by-hand"};
+/// Keys that only one kind of check has, and that kind.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kKindOfKey{
+    {{"range", "slider"}, {"at", "like"}, {"none", "like"}, {"measure", "like"}}};
 constexpr std::array<std::string_view, 3> kLateKeys{"due", "per-day", "most"};
 constexpr std::array<std::string_view, 5> kStages{"vertex", "tessellation", "geometry", "fragment",
                                                   "compute"};
@@ -70,7 +73,7 @@ class RubricReader {
             else if (each.key == "late")
                 readLate(each.value);
             else
-                reader_.unknownKey(each, "a rubric", kKeys);
+                reader_.unknownKey(each, "at the top of the file", kKeys);
         }
         if (rubric_.checks.empty() && !reader_.hasErrors())
             reader_.report("suite-E24", "the rubric has no [[check]]", reader_.placeOf(*root));
@@ -87,6 +90,7 @@ class RubricReader {
     }
 
     void readCheck(const TomlTable& table, const TomlValue& whole) {
+        const std::size_t earlierErrors = reader_.errorCount();
         Check check;
         std::vector<std::string_view> kinds;
         for (const TomlEntry& each : table) {
@@ -108,10 +112,9 @@ class RubricReader {
                     : fmt::format("the check asks for {}; each check asks for one thing",
                                   fmt::join(kinds, " and ")),
                 place);
-        if (check.none == 0 && check.kind == Check::Kind::like) {
-            if (check.of.empty()) check.of = "likeness";
-            check.none = check.of == "flip" ? 5 * check.full : check.full / 2;
-        }
+        refuseKeysOfOthers(table, kinds.front());
+        if (reader_.errorCount() > earlierErrors) return;
+        if (check.kind == Check::Kind::like) completeLikeness(table, check);
         if (check.name.empty()) check.name = defaultName(check);
         if (std::any_of(rubric_.checks.begin(), rubric_.checks.end(),
                         [&](const Check& other) { return other.name == check.name; }))
@@ -119,11 +122,49 @@ class RubricReader {
         rubric_.checks.push_back(std::move(check));
     }
 
+    void refuseKeysOfOthers(const TomlTable& table, std::string_view kind) {
+        for (const auto& [key, owner] : kKindOfKey)
+            if (const TomlEntry* entry = entryOf(table, key); entry && kind != owner)
+                reader_.report(
+                    "suite-E24",
+                    fmt::format("'{}' belongs to a check that asks for '{}'; this one asks for '{}'", key,
+                                owner, kind),
+                    reader_.placeOf(entry->position));
+    }
+
+    /// Sets what the table leaves out, and reports a `none` on the wrong side of `like`.
+    void completeLikeness(const TomlTable& table, Check& check) {
+        if (check.of.empty()) check.of = "likeness";
+        const bool isFlip = check.of == "flip";
+        const TomlEntry* none = entryOf(table, "none");
+        if (!none) {
+            check.none = isFlip ? 5 * check.full : check.full / 2;
+        } else if (isFlip ? check.none < check.full : check.none > check.full) {
+            reader_.report(
+                "suite-E04",
+                isFlip ? fmt::format("none: {:g} is less than {:g}, the FLIP of 'like'; FLIP grows with "
+                                     "the difference, so points end at a larger one",
+                                     check.none, check.full)
+                       : fmt::format("none: {:g} is more than {:g}, the likeness of 'like'; points "
+                                     "begin at a smaller one",
+                                     check.none, check.full),
+                reader_.placeOf(none->value));
+        }
+    }
+
+    /// Null if the table does not have the key.
+    static const TomlEntry* entryOf(const TomlTable& table, std::string_view key) {
+        const auto found =
+            std::find_if(table.begin(), table.end(), [&](const TomlEntry& each) { return each.key == key; });
+        return found == table.end() ? nullptr : &*found;
+    }
+
     void readKind(const TomlEntry& entry, Check& check) {
         switch (check.kind) {
             case Check::Kind::drawn:
             case Check::Kind::byHand:
-                (void)reader_.truth(entry.value, entry.key);
+                if (reader_.truth(entry.value, entry.key) == false)
+                    reader_.wrongType(entry.value, entry.key, "true");
                 break;
             case Check::Kind::like:
                 if (const auto number = reader_.number(entry.value, entry.key, 0, 1)) check.full = *number;
@@ -164,9 +205,16 @@ class RubricReader {
                 return reader_.wrongType(entry.value, entry.key, "two numbers, as [0, 1]");
             const auto low = reader_.number((*list)[0], "range", -1e30, 1e30);
             const auto high = reader_.number((*list)[1], "range", -1e30, 1e30);
-            if (low && high) check.range = std::pair(*low, *high);
+            if (!low || !high) return;
+            if (*low >= *high)
+                return reader_.report(
+                    "suite-E04",
+                    fmt::format("range: {:g} is not less than {:g}; the smaller number comes first", *low,
+                                *high),
+                    reader_.placeOf(entry.value));
+            check.range = std::pair(*low, *high);
         } else {
-            reader_.unknownKey(entry, "a check", kCheckKeys);
+            reader_.unknownKey(entry, "in [[check]]", kCheckKeys);
         }
     }
 
@@ -184,7 +232,7 @@ class RubricReader {
             } else if (each.key == "most") {
                 rule.most = reader_.number(each.value, each.key, 0, 1).value_or(1);
             } else {
-                reader_.unknownKey(each, "late", kLateKeys);
+                reader_.unknownKey(each, "in [late]", kLateKeys);
             }
         }
         rubric_.late = rule;
@@ -201,12 +249,10 @@ Result<Rubric> readRubricText(std::string_view text, const std::string& file) {
 }
 
 Result<Rubric> readRubric(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    const std::string text((std::istreambuf_iterator<char>(in)), {});
-    if (!in)
-        return withoutId(Severity::error, fmt::format("cannot read the rubric '{}'", file.string()),
-                         {file.string(), 1, 1});
-    return readRubricText(text, file.string());
+    constexpr std::uint64_t kLargest = 1U << 20U;
+    const auto bytes = image::readFile(file, {file.string(), {}}, kLargest);
+    if (!bytes) return bytes.diagnostics;
+    return readRubricText({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, file.string());
 }
 
 Diagnostics problemsOf(const Rubric& rubric, const std::vector<Moment>& moments,

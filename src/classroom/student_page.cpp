@@ -86,6 +86,7 @@ Classroom anonymous(const Classroom& room, std::vector<std::string>& keys) {
         to.submission.name = nameOf(i);
         to.submission.number.clear();
         to.submission.email.clear();
+        to.submission.members.clear();
         to.submission.key.clear();
         to.reproduce.clear();
         // Messages name the folder, and whoever made it put a name there.
@@ -94,6 +95,7 @@ Classroom anonymous(const Classroom& room, std::vector<std::string>& keys) {
             for (std::size_t other = 0; other < order.size(); ++other) {
                 const Submission& one = room.entries[other].submission;
                 replaceAll(text, one.name, nameOf(numberOf[other]));
+                for (const Member& each : one.members) replaceAll(text, each.name, nameOf(numberOf[other]));
                 replaceAll(text, one.key, nameOf(numberOf[other]));
             }
         };

@@ -38,6 +38,11 @@ Diagnostic problem(const std::string& text) {
     return withoutId(Severity::error, text);
 }
 
+/// What follows the name of a student if another one has it, too.
+std::string numberBesideName(const std::string& number) {
+    return fmt::format(" ({})", number);
+}
+
 /// Collects what was handed in, entry by entry.
 class Collector {
   public:
@@ -85,6 +90,7 @@ class Collector {
         made.email = person.email;
         made.isLate = person.isLate;
         made.time = person.time;
+        made.members = person.members;
         made.key = key;
         return made;
     }
@@ -143,7 +149,7 @@ class Collector {
         for (Submission& each : found_.all) {
             if (counts[each.name] < 2) continue;
             if (!each.number.empty())
-                each.name += fmt::format(" ({})", each.number);
+                each.name += numberBesideName(each.number);
             else if (each.folder == folder_)
                 each.name += each.parts.empty() ? ".glib" : ".zip";
         }
@@ -160,6 +166,23 @@ class Collector {
 };
 
 }  // namespace
+
+std::vector<Member> membersOf(const Submission& submission) {
+    if (!submission.members.empty()) return submission.members;
+    return {{submission.name, submission.number, submission.email}};
+}
+
+std::vector<std::string> identitiesOf(const Submission& submission) {
+    std::vector<std::string> all{submission.name, submission.number, submission.key};
+    if (const std::string end = numberBesideName(submission.number); submission.name.ends_with(end))
+        all.push_back(submission.name.substr(0, submission.name.size() - end.size()));
+    for (const Member& each : submission.members) {
+        all.push_back(each.name);
+        all.push_back(each.number);
+    }
+    std::erase(all, std::string());
+    return all;
+}
 
 Result<Submissions> findSubmissions(const fs::path& folder, const SubmissionOptions& options) {
     std::error_code failure;

@@ -33,7 +33,14 @@ struct Submission {
         std::string name;
     };
     std::vector<Part> parts{};
+    std::vector<Member> members{};  ///< of a group, whose `name` has all names; empty for one student
 };
+
+/// Who has handed it in: the members of a group, or one student.
+std::vector<Member> membersOf(const Submission& submission);
+/// What --scene-of may call a submission: its name, also without the number that tells it from others of this
+/// name, its number and key, and the names and numbers of the members.
+std::vector<std::string> identitiesOf(const Submission& submission);
 
 struct SubmissionOptions {
     std::vector<std::string> scenes;            ///< patterns of the scene's name, where a folder has several

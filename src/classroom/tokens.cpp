@@ -4,8 +4,12 @@
 #include <deque>
 #include <set>
 #include <span>
+#include <utility>
 
 #include "classroom/normal_form.h"
+#include "glsl/read/report.h"
+#include "glsl/read/source.h"
+#include "glsl/read/stage_text.h"
 #include "glsl/read/token.h"
 #include "glsl/read/words.h"
 
@@ -176,12 +180,17 @@ std::vector<DeclaredUniform> declaredUniforms(std::string_view glsl) {
     return found;
 }
 
-std::vector<std::string> calledFunctions(std::string_view glsl) {
-    const Text text(glsl);
-    const std::span<const Token* const> code = text.code();
+std::vector<std::string> calledFunctions(const glsl::StageSource& stage, glsl::IncludeReader include) {
+    glsl::ProgramRequest request;
+    request.include = std::move(include);
+    glsl::StageText text;
+    text.request = &request;
+    glsl::Report ignored;  // the scene has been checked already
+    glsl::readSource(stage, text, ignored);
     std::set<std::string_view> names;
-    for (std::size_t i = 0; i + 1 < code.size(); ++i)
-        if (code[i]->kind == TokenKind::word && code[i + 1]->text == "(") names.insert(code[i]->text);
+    for (std::size_t i = 0; i + 1 < text.view.size(); ++i)
+        if (text.view[i].kind == TokenKind::word && text.view[i + 1].text == "(")
+            names.insert(text.view[i].text);
     return {names.begin(), names.end()};
 }
 

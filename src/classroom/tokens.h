@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "glsl/types/request.h"
+
 namespace glibra::classroom {
 
 /// One token: what it is, and its line, counted from 1.
@@ -43,8 +45,9 @@ struct DeclaredUniform {
 /// The uniforms that a GLSL text declares, in its order; macros are not expanded.
 std::vector<DeclaredUniform> declaredUniforms(std::string_view glsl);
 
-/// The names of the functions and constructors that a GLSL text calls or defines, sorted, each once.
-std::vector<std::string> calledFunctions(std::string_view glsl);
+/// The names of the functions and constructors that a stage calls or defines, sorted, each once: with its
+/// included files, with macros expanded, and without what conditions of the preprocessor leave out.
+std::vector<std::string> calledFunctions(const glsl::StageSource& stage, glsl::IncludeReader include = {});
 
 /// The names of its #include lines.
 std::vector<std::string> includedNames(std::string_view glsl);

@@ -60,8 +60,10 @@ bool mark(const ClassInput& input, classroom::Classroom& room) {
         for (std::size_t student = 0; student < input.handed.size(); ++student) {
             if (input.handed[student] != i) continue;
             const classroom::Student& known = input.roster->students[student];
-            handedIn.daysLate = known.daysLate;
-            handedIn.status = known.status;
+            // Of a group, the member counts who was given the most time.
+            if (known.daysLate)
+                handedIn.daysLate = std::min(*known.daysLate, handedIn.daysLate.value_or(*known.daysLate));
+            if (!known.status.empty()) handedIn.status = known.status;
             if (known.time) handedIn.time = known.time;
         }
         knowsTimes = knowsTimes || handedIn.daysLate || handedIn.time || handedIn.isLate ||
@@ -79,21 +81,30 @@ void nameAbsent(const ClassInput& input, classroom::Classroom& room) {
     }
 }
 
+classroom::ImportOptions importOptions(const ClassArguments& arguments, const ClassInput& input) {
+    classroom::ImportOptions import;
+    import.book = arguments.book != classroom::GradeBook::none ? arguments.book : input.find.names.book();
+    import.assignment = arguments.assignment.empty()
+                            ? fs::weakly_canonical(input.plan.folder).filename().string()
+                            : arguments.assignment;
+    import.roster = input.roster ? &*input.roster : nullptr;
+    import.handed = input.handed;
+    return import;
+}
+
+/// Says what the grade book may not import as it is meant.
+void noteImport(const classroom::ImportOptions& import, const classroom::Classroom& room) {
+    for (const std::string& why :
+         {classroom::whyNoAssignment(import), classroom::whyOtherMaximum(room, import)})
+        if (!why.empty()) printLine(base::printableText("glibra: note: " + why));
+}
+
 /// Writes the page, the table, and what the grade book imports. The exit status; kDone if all is well.
 int writeFiles(const ClassArguments& arguments, const ClassInput& input, classroom::Classroom& room) {
-    const classroom::GradeBook book =
-        arguments.book != classroom::GradeBook::none ? arguments.book : input.find.names.book();
     classroom::SiteFiles files;
     files.studentPages = arguments.studentPages;
     files.isAnonymous = arguments.isAnonymous;
-    files.import.book = book;
-    files.import.assignment = arguments.assignment.empty()
-                                  ? fs::weakly_canonical(input.plan.folder).filename().string()
-                                  : arguments.assignment;
-    files.import.roster = input.roster ? &*input.roster : nullptr;
-    files.import.handed = input.handed;
-    if (const std::string why = classroom::whyNoAssignment(files.import); !why.empty())
-        printLine(base::printableText("glibra: note: " + why));
+    files.import = importOptions(arguments, input);
     const Diagnostics problems = classroom::writeSite(room, input.plan.site, files);
     print(problems);
     return hasError(problems) ? kSceneIsWrong : kDone;
@@ -159,6 +170,7 @@ int runClassCommand(const ClassArguments& arguments, const std::string& command)
             "glibra: note: the late rule takes nothing, because nothing says when the submissions came in; a "
             "roster "
             "says it in a column 'submitted' or 'days late'");
+    noteImport(importOptions(arguments, input), room);
     if (const int status = writeFiles(arguments, input, room); status != kDone) return status;
     report(room, plan.site);
     if (arguments.serves) {

@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
+#include "base/suggest.h"
 #include "classroom/archive.h"
 #include "classroom/moments.h"
 #include "cli/commands.h"
@@ -107,6 +110,53 @@ bool unpackExport(const ClassArguments& arguments, classroom::ClassPlan& plan) {
     return folder.value.has_value();
 }
 
+/// "; did you mean 'Bob Ng'?", or nothing.
+std::string nearestStudent(const std::string& student, const classroom::Submissions& found) {
+    std::vector<std::string> names;
+    for (const classroom::Submission& each : found.all)
+        for (std::string& name : classroom::identitiesOf(each)) names.push_back(std::move(name));
+    const std::vector<std::string_view> candidates(names.begin(), names.end());
+    return base::suggestion(student, candidates);
+}
+
+/// Gives patterns whose student only the roster calls so to the submission itself, in input.find.sceneOf. The
+/// exit status; kWrongUsage if nobody is called so.
+int useNamesOfRoster(const std::vector<std::string>& scenesOf, const classroom::Submissions& found,
+                     ClassInput& input) {
+    const classroom::Roster* roster = input.roster ? &*input.roster : nullptr;
+    for (const std::string& each : scenesOf) {
+        const std::size_t equals = each.rfind('=');
+        const std::string student = each.substr(0, equals);
+        const auto index = classroom::submissionOf(found, roster, student);
+        if (index) {
+            const std::vector<std::string> names = classroom::identitiesOf(found.all[*index]);
+            if (std::find(names.begin(), names.end(), student) == names.end())
+                input.find.sceneOf.try_emplace(found.all[*index].key, each.substr(equals + 1));
+        } else if (!roster || !classroom::studentOf(*roster, {student, student, student})) {
+            // Of a student of the roster, the page says that nothing was handed in.
+            printError(fmt::format("--scene-of '{}': nobody is called '{}'{}", each, student,
+                                   nearestStudent(student, found)));
+            return kWrongUsage;
+        }
+    }
+    return kDone;
+}
+
+/// Finds the submissions. The exit status; kDone if all is well.
+int findAll(const ClassArguments& arguments, ClassInput& input) {
+    Result<classroom::Submissions> found = classroom::findSubmissions(input.plan.folder, input.find);
+    print(found.diagnostics);
+    if (!found) return kWrongUsage;
+    const std::size_t patterns = input.find.sceneOf.size();
+    if (const int status = useNamesOfRoster(arguments.scenesOf, *found, input); status != kDone)
+        return status;
+    if (input.find.sceneOf.size() > patterns)
+        found = classroom::findSubmissions(input.plan.folder, input.find);
+    if (!found) return kWrongUsage;
+    input.plan.submissions = std::move(*found);
+    return kDone;
+}
+
 }  // namespace
 
 int readInput(const ClassArguments& arguments, ClassInput& input) {
@@ -144,11 +194,7 @@ int readInput(const ClassArguments& arguments, ClassInput& input) {
         input.find.others.emplace_back(arguments.reference);
     }
     if (!unpackExport(arguments, plan)) return kWrongUsage;
-    Result<classroom::Submissions> found = classroom::findSubmissions(plan.folder, input.find);
-    print(found.diagnostics);
-    if (!found) return kWrongUsage;
-    plan.submissions = std::move(*found);
-    return kDone;
+    return findAll(arguments, input);
 }
 
 int unpack(const ClassArguments& arguments, ClassInput& input, const Interruption& interruption) {

@@ -100,6 +100,7 @@ WebReply takeMarks(const ClassService& service, const WebRequest& request) {
             return each.check == asked["check"].get<std::string>();
         }))
         return wrong("there is no such check");
+    classroom::limitPoints(*entry, changed[name]);
     const std::string text = classroom::toText(changed);
     if (base::writeBeneath(service.site, classroom::kMarksFile, std::as_bytes(std::span(text))) != 0)
         return {500, "application/json", Json{{"error", "cannot write marks.json"}}.dump()};

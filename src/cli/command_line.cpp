@@ -357,7 +357,7 @@ Option CommandLine::list(const std::string& name, std::vector<std::string>& to, 
     return Option(*withValue(*app_, app_->add_option(name, to, help)));
 }
 
-Option CommandLine::choice(const std::string& name, std::vector<std::string> words,
+Option CommandLine::choice(const std::string& name, const std::vector<std::string>& words,
                            const std::function<void(std::size_t)>& take, const std::string& help) {
     const ReadValue read = [words, take](const std::string& text) -> std::string {
         const auto found = std::find(words.begin(), words.end(), text);

@@ -110,7 +110,7 @@ class CommandLine {
     [[nodiscard]] bool isGiven() const;
 
   private:
-    Option choice(const std::string& name, std::vector<std::string> words,
+    Option choice(const std::string& name, const std::vector<std::string>& words,
                   const std::function<void(std::size_t)>& take, const std::string& help);
 
     CLI::App* app_;

@@ -34,7 +34,7 @@ struct GalleryArguments {
 
 fs::path whole(const fs::path& path) {
     std::error_code failure;
-    fs::path found = fs::weakly_canonical(path, failure);
+    const fs::path found = fs::weakly_canonical(path, failure);
     return found.has_filename() || !found.has_relative_path() ? found : found.parent_path();
 }
 

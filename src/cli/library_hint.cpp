@@ -44,6 +44,10 @@ Diagnostics libraryHint(const fs::path& scene, const Diagnostics& diagnostics, c
         // The library of the scene has a file of that name in another folder, which the message says.
         if (!isMissing(each) || name.empty() || !each.suggestion.empty()) continue;
         const scene::FileReference found = scene::findFile(name, {}, folders, listings);
+        // "../secret.frag" and "/proc/version" are found, but not in the library.
+        const fs::path written(name);
+        if (written.is_absolute() || std::find(written.begin(), written.end(), "..") != written.end())
+            continue;
         std::string other;
         for (const Diagnostic& remark : found.remarks) other = remark.suggestion;
         if (found.path.empty() && other.empty()) continue;

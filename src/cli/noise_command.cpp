@@ -32,8 +32,8 @@ std::string readPoint(const std::string& text, std::map<int, double>& to) {
     if (problem == std::errc() && equals != end && *equals == '=' && point >= 0) {
         const auto [last, trouble] = std::from_chars(equals + 1, end, value);
         if (trouble == std::errc() && last == end && value >= -1e6 && value <= 1e6) {
-            to.insert({point, value});
-            return {};
+            if (to.insert({point, value}).second) return {};
+            return "point " + std::to_string(point) + " has a value already; '" + text + "' is one more";
         }
     }
     return "expected POINT=NUMBER, as 3=.5, found '" + text + "'";
@@ -54,8 +54,8 @@ int runNoiseCommand(NoiseArguments& arguments) {
         return refuse("--size " + arguments.size + " is not WxH with 1 to 16384 pixels a side");
     if (noise.options.dimensions == 2 && noise::endingOf(arguments.output) == ".svg")
         return refuse("an SVG file holds a graph of one dimension; write a .png");
-    if (!noise.options.curvatures.empty() && noise.options.smoothness == noise::Smoothness::cubic)
-        return refuse("--curvature: heights and gradients determine a cubic; take --smooth quintic");
+    if (const std::string useless = noise::uselessOption(noise, arguments.output); !useless.empty())
+        return refuse(useless);
     const Diagnostics problems = noise::writeNoise(noise, arguments.output);
     print(problems);
     return hasError(problems) ? kSceneIsWrong : kDone;

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <string>
+#include <system_error>
 #include <variant>
 #include <vector>
 
@@ -29,6 +31,15 @@ std::string helpOf(const suite::OptionRow& row) {
     return text;
 }
 
+/// Why a folder that an option names cannot be searched; empty if it can.
+std::string whyNoFolder(const std::string& folder) {
+    std::error_code failed;
+    const std::filesystem::file_status status = std::filesystem::status(folder, failed);
+    if (std::filesystem::is_directory(status)) return {};
+    if (std::filesystem::exists(status)) return "'" + folder + "' is not a folder";
+    return "there is no folder '" + folder + "'";
+}
+
 bool mayBeRepeated(const suite::OptionRow& row) {
     return std::holds_alternative<suite::UniformsValue>(row.value) ||
            std::holds_alternative<suite::ObjectsValue>(row.value) ||
@@ -38,7 +49,11 @@ bool mayBeRepeated(const suite::OptionRow& row) {
 void add(CommandLine& command, const suite::OptionRow& row, suite::Shot& to) {
     const std::string name =
         row.former.empty() ? dashed(row.name) : dashed(row.name) + "," + dashed(row.former);
-    const auto read = [&row, &to](const std::string& text) { return suite::readOptionText(row, text, to); };
+    const auto read = [&row, &to](const std::string& text) {
+        const std::string wrong = suite::readOptionText(row, text, to);
+        const bool isFolder = std::holds_alternative<suite::FoldersValue>(row.value);
+        return wrong.empty() && isFolder ? whyNoFolder(text) : wrong;
+    };
     const auto added = [&] {
         if (std::holds_alternative<suite::FlagValue>(row.value))
             return command.flag(name, [read] { read(""); }, helpOf(row));

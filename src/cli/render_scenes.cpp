@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <ranges>
 #include <set>
 #include <span>
 #include <utility>
@@ -269,8 +270,8 @@ class SceneBatch {
     /// Scenes that failed leave no folders behind.
     void removeEmptyFolders() const {
         std::error_code notEmpty;
-        for (auto each = madeFolders_.rbegin(); each != madeFolders_.rend(); ++each)
-            fs::remove(*each, notEmpty);
+        for (const auto& madeFolder : std::ranges::reverse_view(madeFolders_))
+            fs::remove(madeFolder, notEmpty);
     }
 
     /// With --untrusted, and for the frames of a film, the workers write to a folder of their own.

@@ -30,7 +30,7 @@ fs::path folderOf(const fs::path& file) {
 fs::path real(const fs::path& path) {
     std::error_code failure;
     const fs::path whole = fs::absolute(path.empty() ? "." : path, failure);
-    fs::path found = fs::weakly_canonical(failure ? path : whole, failure);
+    const fs::path found = fs::weakly_canonical(failure ? path : whole, failure);
     return failure ? path : found;
 }
 
@@ -45,7 +45,7 @@ bool isBelow(const fs::path& path, const fs::path& folder) {
 std::optional<base::Reach> reachBelow(const fs::path& folder, const fs::path& path) {
     std::error_code failure;
     const auto plain = [&](const fs::path& each) {
-        fs::path whole = fs::absolute(each.empty() ? "." : each, failure).lexically_normal();
+        const fs::path whole = fs::absolute(each.empty() ? "." : each, failure).lexically_normal();
         return whole.has_filename() ? whole : whole.parent_path();
     };
     const fs::path inside = plain(path);
@@ -269,9 +269,7 @@ Diagnostics StagingFolder::deliver(std::size_t piece, const fs::path& target, im
     const bool exists = ::lstat(place.c_str(), &status) == 0;
     if (exists && !S_ISREG(status.st_mode) && (isNamed || !S_ISLNK(status.st_mode)))
         return refuse("with --untrusted only ordinary files are written");
-    std::error_code failure;
-    fs::rename(file, place, failure);
-    return failure ? refuse(failure.message()) : Diagnostics{};
+    return image::moveIntoPlace(file, place, named);
 }
 
 }  // namespace glibra::cli

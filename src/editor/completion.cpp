@@ -1,6 +1,7 @@
 #include "editor/completion.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <set>
 #include <utility>
@@ -110,7 +111,8 @@ void addGlsl(Collector& words, std::string_view text, const TextRange& typed,
             words.add(each.name, std::string(each.signature), std::string(each.summary));
     words.nextGroup();
     for (const std::string_view each : glsl::keywords())
-        if (glsl::keywordSince(each) <= version) words.add(each, glsl::isTypeWord(each) ? "type" : "keyword");
+        if (glsl::keywordSince(each) <= version && (!stage || isKeywordIn(each, *stage)))
+            words.add(each, glsl::isTypeWord(each) ? "type" : "keyword");
 }
 
 /// The text of the statement before the cursor, which begins lines earlier if they end with '\'.
@@ -188,6 +190,28 @@ void addGlib(Collector& words, std::string_view text, const TextRange& typed,
 }
 
 }  // namespace
+
+std::optional<glsl::Stage> stageOfFile(const std::filesystem::path& file) {
+    using glsl::Stage;
+    static constexpr std::array<std::pair<std::string_view, Stage>, 12> kSuffixes{
+        {{".vert", Stage::vertex},
+         {".vs", Stage::vertex},
+         {".tesc", Stage::tessControl},
+         {".tcs", Stage::tessControl},
+         {".tese", Stage::tessEvaluation},
+         {".tes", Stage::tessEvaluation},
+         {".geom", Stage::geometry},
+         {".gs", Stage::geometry},
+         {".frag", Stage::fragment},
+         {".fs", Stage::fragment},
+         {".comp", Stage::compute},
+         {".cs", Stage::compute}}};
+    std::filesystem::path suffix = file.extension();
+    if (glib::sameWord(suffix.string(), ".glsl")) suffix = file.stem().extension();  // "a.frag.glsl"
+    for (const auto& [each, stage] : kSuffixes)
+        if (glib::sameWord(suffix.string(), each)) return stage;
+    return std::nullopt;
+}
 
 TextRange wordAt(std::string_view text, std::size_t byte) {
     byte = std::min(byte, text.size());

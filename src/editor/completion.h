@@ -1,6 +1,7 @@
 #pragma once
 // The words that an editor proposes while a shader or a scene is written.
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -30,6 +31,10 @@ struct CodeContext {
     std::optional<glsl::Stage> stage;            ///< of a shader; nothing: not known
     std::vector<KnownName> names;
 };
+
+/// The stage that the suffix of a file says: ".frag", ".fs" and ".frag.glsl" are fragment shaders. Nothing if
+/// it says none, as ".glsl" alone.
+std::optional<glsl::Stage> stageOfFile(const std::filesystem::path& file);
 
 struct Completion {
     std::string word;

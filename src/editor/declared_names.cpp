@@ -142,7 +142,7 @@ class Reader {
             qualifiers = std::string(wordAt(i - 1)) + " " + qualifiers;
             isInterface = isInterface || isInterfaceWord(wordAt(i - 1));
         }
-        std::string word(wordAt(type));
+        const std::string word(wordAt(type));
         std::size_t at = type + 1;
         if (wordAt(at + 1) == "(") {
             const std::size_t end = afterBrackets(at + 1, "(", ")");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace glibra::editor {
 namespace {
@@ -255,6 +256,15 @@ constexpr auto kRows = std::to_array<GlslRow>({
     {"gl_NumWorkGroups", "uvec3 gl_NumWorkGroups", "the number of groups", 430, 1000, "k"},
 });
 
+/// The keywords that not every stage has, with the letters of those that do.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kKeywords{
+    {{"attribute", "v"}, {"discard", "f"}, {"patch", "ce"}, {"shared", "k"}}};
+
+bool hasStage(std::string_view letters, glsl::Stage stage) {
+    constexpr std::string_view kLetters = "vcegfk";  // in the order of glsl::Stage
+    return letters.find(kLetters[static_cast<std::size_t>(stage)]) != std::string_view::npos;
+}
+
 }  // namespace
 
 std::span<const GlslRow> glslTable() {
@@ -268,9 +278,13 @@ const GlslRow* findGlsl(std::string_view name) {
 }
 
 bool isIn(const GlslRow& row, glsl::Stage stage) {
-    constexpr std::string_view kLetters = "vcegfk";  // in the order of glsl::Stage
-    return row.where.empty() ||
-           row.where.find(kLetters[static_cast<std::size_t>(stage)]) != std::string_view::npos;
+    return row.where.empty() || hasStage(row.where, stage);
+}
+
+bool isKeywordIn(std::string_view keyword, glsl::Stage stage) {
+    return std::all_of(kKeywords.begin(), kKeywords.end(), [&](const auto& each) {
+        return each.first != keyword || hasStage(each.second, stage);
+    });
 }
 
 }  // namespace glibra::editor

@@ -28,5 +28,7 @@ const GlslRow* findGlsl(std::string_view name);
 
 /// True if shaders of that stage have the row.
 bool isIn(const GlslRow& row, glsl::Stage stage);
+/// True if the keyword has a meaning in shaders of that stage: "discard" in the fragment stage alone.
+bool isKeywordIn(std::string_view keyword, glsl::Stage stage);
 
 }  // namespace glibra::editor

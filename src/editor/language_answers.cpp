@@ -73,6 +73,7 @@ const Document& LanguageServer::documentOf(const json& parameters) const {
 CodeContext LanguageServer::contextOf(const Document& document) const {
     CodeContext context;
     context.language = document.language;
+    if (document.language == CodeLanguage::glsl) context.stage = stageOfFile(document.file);
     const auto textOf = [this](const std::filesystem::path& file) { return documents_.textOf(file); };
     for (const auto& [scene, check] : checks_) {
         const bool isUsed = scene == document.file || std::find(check.files.begin(), check.files.end(),

@@ -11,6 +11,7 @@
 
 #include "base/contained_call.h"
 #include "editor/declared_names.h"
+#include "editor/error_directives.h"
 #include "glib/limits.h"
 #include "glib/number.h"
 #include "glsl/translate.h"
@@ -64,7 +65,11 @@ void translateAll(const scene::Scene& scene, const RenderOptions& options, rende
         Diagnostics found;
         glsl::ProgramRequest request = sources.request(each, false, found);
         request.target.hasExtension = [](std::string_view) { return true; };
-        if (!hasError(found)) append(found, glsl::translate(request).diagnostics);
+        if (!hasError(found)) {
+            const glsl::TranslatedProgram translated = glsl::translate(request);
+            append(found, translated.diagnostics);
+            append(found, errorDirectivesOf(translated));
+        }
         sources.hideTexts(each.program, found);
         append(check.diagnostics, std::move(found));
     }
@@ -173,6 +178,7 @@ void addProgramNames(CodeContext& context, const std::vector<SceneProgram>& prog
                      const std::filesystem::path& file,
                      const std::function<std::string(const std::filesystem::path&)>& textOf) {
     const bool isScene = context.language == CodeLanguage::glib;
+    if (!isScene && !context.stage) context.stage = stageOfFile(file);
     for (const SceneProgram& program : programs) {
         const auto own = std::find_if(program.stages.begin(), program.stages.end(),
                                       [&](const SceneProgram::Stage& each) { return each.file == file; });

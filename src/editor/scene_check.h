@@ -36,8 +36,8 @@ struct SceneNames {
 SceneNames namesOf(const scene::Scene& scene);
 
 /// Adds the programs to what an editor knows about a text, and what their shaders declare at their
-/// interfaces: all of them for a scene, those of the same programs for a shader. `textOf` gives the text of a
-/// file, or an empty one.
+/// interfaces: all of them for a scene, those of the same programs for a shader. The stage of a shader that
+/// none of them uses is that of its suffix. `textOf` gives the text of a file, or an empty one.
 void addProgramNames(CodeContext& context, const std::vector<SceneProgram>& programs,
                      const std::filesystem::path& file,
                      const std::function<std::string(const std::filesystem::path&)>& textOf);

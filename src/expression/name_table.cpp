@@ -30,7 +30,7 @@ constexpr NameRow kCameraFields[] = {
     {"direction", Type::vector(3), D::camera, "the direction of view in the world, of length 1"},
     {"near", Type::number(), D::camera, "distance of the near plane"},
     {"far", Type::number(), D::camera, "distance of the far plane"},
-    {"fov", Type::number(), D::camera, "vertical full angle of view in degrees"},
+    {"fov", Type::number(), D::camera, "vertical full angle of view in degrees; 0 of an `Ortho`"},
     {"aspect", Type::number(), D::camera, "width / height of the picture"},
 };
 

@@ -398,7 +398,7 @@ constexpr CatalogueRow kCatalogueRows[] = {
      "stage"},
     {"view-W02",
      "this loop never ends, because nothing in it changes its condition; compilers remove it with all that "
-     "follows, so uniforms are unused"},
+     "follows"},
 };
 
 }  // namespace

@@ -285,7 +285,8 @@ bool StatementReader::continuesAfterBackslash(const Statement& statement) {
         if (fitsAsTag(*ahead_)) return true;
         if (ahead_->isMessage) {  // MessageBox may also be a tag
             MessageLog unused{""};
-            Line line = readLine(text_, ahead_->range, MessageLines::tokens, unused, Parentheses::byContent);
+            const Line line =
+                readLine(text_, ahead_->range, MessageLines::tokens, unused, Parentheses::byContent);
             if (fitsAsTag(line)) {
                 *ahead_ = readLine(text_, ahead_->range, MessageLines::tokens, log_, Parentheses::byContent);
                 return true;

@@ -11,6 +11,7 @@
 #include <charconv>
 #include <csignal>
 #include <ctime>
+#include <limits>
 #include <memory>
 #include <new>
 #include <optional>
@@ -76,8 +77,55 @@ void reserveLarge(std::vector<std::byte>& bytes, std::size_t size) {
 fs::path resolved(const fs::path& path) {
     std::error_code failed;
     if (!fs::is_symlink(path, failed)) return path;
-    fs::path target = fs::weakly_canonical(path, failed);
+    const fs::path target = fs::weakly_canonical(path, failed);
     return failed ? path : target;
+}
+
+/// True for a link that leads to itself. Nothing can be written through it, and it is not replaced.
+bool leadsNowhere(const fs::path& path, NamedBy named) {
+    struct stat status{};
+    return named == NamedBy::user && ::stat(path.c_str(), &status) != 0 && errno == ELOOP;
+}
+
+/// True for a file that keeps its owner, its names and its access list only if it is written over.
+bool mustStay(const fs::path& target, NamedBy named) {
+    struct stat old{};
+    if (named == NamedBy::program || ::lstat(target.c_str(), &old) != 0 || !S_ISREG(old.st_mode))
+        return false;
+    if (old.st_nlink > 1 || (::geteuid() != 0 && old.st_uid != ::geteuid())) return true;
+    const Descriptor file(::open(target.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+    return file.number() >= 0 && base::hasAccessList(file.number());
+}
+
+/// Writes over an existing file. Room for it is reserved first, so that a full disk leaves the old content.
+/// Returns 0 or an error number.
+int writeOver(const fs::path& target, std::span<const std::byte> bytes) {
+    const Descriptor file(::open(target.c_str(), O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+    struct stat old{};
+    if (file.number() < 0 || ::fstat(file.number(), &old) != 0) return errno;
+    const auto size = static_cast<off_t>(bytes.size());
+    if (size > old.st_size) {
+        const int failed = ::posix_fallocate(file.number(), old.st_size, size - old.st_size);
+        if (failed == ENOSPC || failed == EFBIG || failed == EDQUOT) {
+            static_cast<void>(::ftruncate(file.number(), old.st_size));
+            return failed;
+        }
+    }
+    if (const int failed = writeAll(file.number(), bytes); failed != 0) return failed;
+    return ::ftruncate(file.number(), size) == 0 ? 0 : errno;
+}
+
+/// True if an error number of writeOver says that the file may only be replaced.
+bool mayNotWrite(int number) {
+    return number == EACCES || number == EPERM;
+}
+
+/// For the administrator, who may write the files of others.
+void keepOwner(const fs::path& target, NamedBy named, int file) {
+    struct stat old{};
+    if (named == NamedBy::user && ::geteuid() == 0 && ::lstat(target.c_str(), &old) == 0 &&
+        S_ISREG(old.st_mode) && old.st_uid != 0)
+        static_cast<void>(::fchown(file, old.st_uid, static_cast<gid_t>(-1)));
 }
 
 }  // namespace
@@ -136,7 +184,11 @@ Diagnostic cannotWrite(const fs::path& path, const std::string& why) {
 }
 
 TemporaryFile::TemporaryFile(const fs::path& target, NamedBy named)
-    : target_(named == NamedBy::user ? resolved(target) : target) {
+    : target_(named == NamedBy::user ? resolved(target) : target), named_(named) {
+    if (leadsNowhere(target, named)) {
+        lastError_ = ELOOP;
+        return;
+    }
     // mkstemp ignores the user's file mode, so names are tried one by one; the process number keeps
     // concurrent runs apart.
     constexpr int kAttempts = 1000;
@@ -170,9 +222,26 @@ Diagnostic TemporaryFile::failure() const {
 Diagnostics TemporaryFile::commit() {
     if (path_.empty()) return {failure()};
     closeDescriptor();
-    if (lastError_ == 0 && ::rename(path_.c_str(), target_.c_str()) != 0) lastError_ = errno;
     if (lastError_ != 0) return {failure()};
-    path_.clear();
+    Diagnostics problems = moveIntoPlace(path_, target_, named_);
+    if (problems.empty()) path_.clear();
+    return problems;
+}
+
+Diagnostics moveIntoPlace(const fs::path& from, const fs::path& target, NamedBy named) {
+    if (mustStay(target, named)) {
+        const auto bytes = readFile(from, {target.string(), {}}, std::numeric_limits<std::uint64_t>::max());
+        if (!bytes) return {cannotWrite(target, bytes.diagnostics.front().text)};
+        const int failed = writeOver(target, *bytes);
+        if (failed == 0) ::unlink(from.c_str());
+        if (failed == 0) return {};
+        if (!mayNotWrite(failed)) return {cannotWrite(target, reason(failed))};
+    }
+    if (const Descriptor file(::open(from.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC)); file.number() >= 0) {
+        keepOwner(target, named, file.number());
+        base::keepAccess(AT_FDCWD, target, file.number());
+    }
+    if (::rename(from.c_str(), target.c_str()) != 0) return {cannotWrite(target, reason(errno))};
     return {};
 }
 
@@ -217,7 +286,7 @@ void removeAbandonedFiles(const fs::path& folder) {
 /// Writes a file that has no name until it is complete. Returns 0, an error number, or ENOTSUP where the
 /// system has no such files.
 static int writeUnnamed([[maybe_unused]] const fs::path& target,
-                        [[maybe_unused]] std::span<const std::byte> bytes) {
+                        [[maybe_unused]] std::span<const std::byte> bytes, [[maybe_unused]] NamedBy named) {
 #ifdef O_TMPFILE
     const fs::path parent = target.has_parent_path() ? target.parent_path() : fs::path(".");
     const Descriptor folder(::open(parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
@@ -225,6 +294,7 @@ static int writeUnnamed([[maybe_unused]] const fs::path& target,
     const Descriptor file(::openat(folder.number(), ".", O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666));
     if (file.number() < 0) return ENOTSUP;
     if (const int failed = writeAll(file.number(), bytes); failed != 0) return failed;
+    keepOwner(target, named, file.number());
     return base::nameFile(folder.number(), file.number(), target.filename());
 #else
     return ENOTSUP;
@@ -235,6 +305,7 @@ Diagnostics writeFileAtomically(const fs::path& path, std::span<const std::byte>
     struct stat status{};
     const bool exists =
         named == NamedBy::user ? ::stat(path.c_str(), &status) == 0 : ::lstat(path.c_str(), &status) == 0;
+    if (leadsNowhere(path, named)) return {cannotWrite(path, reason(ELOOP))};
     if (exists && S_ISDIR(status.st_mode)) return {cannotWrite(path, "it is a folder")};
     if (exists && named == NamedBy::user && !S_ISREG(status.st_mode)) {
         const Descriptor device(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
@@ -242,7 +313,9 @@ Diagnostics writeFileAtomically(const fs::path& path, std::span<const std::byte>
         if (failed != 0) return {cannotWrite(path, reason(failed))};
         return {};
     }
-    const int written = writeUnnamed(named == NamedBy::user ? resolved(path) : path, bytes);
+    const fs::path target = named == NamedBy::user ? resolved(path) : path;
+    int written = mustStay(target, named) ? writeOver(target, bytes) : EACCES;
+    if (mayNotWrite(written)) written = writeUnnamed(target, bytes, named);
     if (written == 0) return {};
     if (written != ENOTSUP) return {cannotWrite(path, reason(written))};
     TemporaryFile temporary(path, named);

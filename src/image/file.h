@@ -31,9 +31,18 @@ enum class NamedBy {
 };
 
 /// The file appears under its name when it is complete, so that nobody sees an incomplete file and an
-/// existing file survives a failure. Empty on success; otherwise one file-E10, and no temporary file remains.
+/// existing file survives a failure. It has the permissions and the group of the file that it replaces. Empty
+/// on success; otherwise one file-E10, and no temporary file remains.
+///
+/// If the user named the file, it keeps its owner, too. A file that another one cannot stand for is written
+/// over instead: one with several names (hard links), with an access list, or of another owner.
 Diagnostics writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> bytes,
                                 NamedBy named = NamedBy::user);
+
+/// Moves a complete file to `target` in the same file system, as writeFileAtomically would write it there. A
+/// link is replaced. Empty on success; otherwise one file-E10.
+Diagnostics moveIntoPlace(const std::filesystem::path& from, const std::filesystem::path& target,
+                          NamedBy named);
 
 /// Removes the temporary files of a process that ended while it was writing into a folder.
 void removeTemporaryFiles(const std::filesystem::path& folder, int process);
@@ -56,7 +65,7 @@ class TemporaryFile {
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
     /// A descriptor open for writing, or -1.
     [[nodiscard]] int descriptor() const { return descriptor_; }
-    /// Gives the file its final name. Empty on success, otherwise one file-E10.
+    /// Moves the file into place. Empty on success, otherwise one file-E10.
     Diagnostics commit();
     /// The file-E10 for the last step that failed.
     [[nodiscard]] Diagnostic failure() const;
@@ -65,6 +74,7 @@ class TemporaryFile {
     void closeDescriptor();
 
     std::filesystem::path target_, path_;
+    NamedBy named_;
     int descriptor_ = -1;
     int lastError_ = 0;
 };

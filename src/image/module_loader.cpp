@@ -263,28 +263,39 @@ bool isBelow(const fs::path& file, const fs::path& folder) {
 }
 #endif
 
+/// The folder of libraries that a package for Python belongs to: LIB of LIB/python3.11/site-packages/glibra
+/// and of LIB/python3/dist-packages/glibra; empty for other folders.
+fs::path librariesOfPackage(const fs::path& folder) {
+    const fs::path packages = folder.parent_path(), python = packages.parent_path();
+    const bool isPackage =
+        (packages.filename() == "site-packages" || packages.filename() == "dist-packages") &&
+        python.filename().string().starts_with("python");
+    return isPackage ? python.parent_path() : fs::path();
+}
+
 }  // namespace
 
-std::vector<fs::path> defaultModuleFolders() {
+std::vector<fs::path> moduleFoldersOf(const fs::path& program, const fs::path& library) {
     std::vector<fs::path> folders;
-    std::error_code failed;
-    const fs::path program = fs::read_symlink("/proc/self/exe", failed);
-    if (!failed && program.has_parent_path()) {
+    const auto addBelow = [&](const fs::path& prefix, const fs::path& libraries) {
+        folders.push_back(libraries / "glibra");
+#ifdef GLIBRA_MODULE_LIBRARY_DIR
+        if (const fs::path own = prefix / GLIBRA_MODULE_LIBRARY_DIR; own != folders.back())
+            folders.push_back(own);
+#endif
+    };
+    if (program.has_parent_path()) {
         const fs::path prefix = program.parent_path().parent_path();
         folders.push_back(program.parent_path());
-        folders.push_back(prefix / "lib" / "glibra");
-#ifdef GLIBRA_MODULE_LIBRARY_DIR
-        folders.push_back(prefix / GLIBRA_MODULE_LIBRARY_DIR);
-#endif
+        addBelow(prefix, prefix / "lib");
     }
-    // A program of somebody else uses the library, which may have moved. Nothing is loaded from the current
-    // folder: the name of a program may be relative.
-    Dl_info self{};
-    fs::path library;
-    if (::dladdr(reinterpret_cast<const void*>(&defaultModuleFolders), &self) != 0 &&
-        self.dli_fname != nullptr)
-        library = self.dli_fname;
-    if (library.is_absolute()) folders.push_back(library.parent_path() / "glibra");
+    // Nothing is loaded from the current folder: the name of a library may be relative.
+    if (library.is_absolute()) {
+        const fs::path folder = library.parent_path();
+        folders.push_back(folder / "glibra");
+        if (const fs::path libraries = librariesOfPackage(folder); !libraries.empty())
+            addBelow(libraries.parent_path(), libraries);
+    }
 #ifdef GLIBRA_MODULE_BUILD_DIR  // the build defines both if it builds the module
     folders.emplace_back(GLIBRA_MODULE_INSTALL_DIR);
     // Only for the programs and the library of the build tree: whoever may write to the folder in which an
@@ -293,6 +304,18 @@ std::vector<fs::path> defaultModuleFolders() {
         folders.emplace_back(GLIBRA_MODULE_BUILD_DIR);
 #endif
     return folders;
+}
+
+std::vector<fs::path> defaultModuleFolders() {
+    std::error_code failed;
+    const fs::path program = fs::read_symlink("/proc/self/exe", failed);
+    // A program of somebody else uses the library, or Python the package; either may have moved.
+    Dl_info self{};
+    fs::path library;
+    if (::dladdr(reinterpret_cast<const void*>(&defaultModuleFolders), &self) != 0 &&
+        self.dli_fname != nullptr)
+        library = self.dli_fname;
+    return moduleFoldersOf(program, library);
 }
 
 Result<Image> readByModule(Format format, std::span<const std::byte> file, const fs::path& path,

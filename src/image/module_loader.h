@@ -16,9 +16,13 @@
 
 namespace glibra::image {
 
-/// The places of the module, in this order: beside the program (a build tree), ../lib/glibra relative to it
-/// (an unpacked archive), beside the library that has this code, where this program was installed, and, for
-/// programs of a build tree only, that tree.
+/// The places of the modules for a program and for the library or Python module that has this code, in this
+/// order: beside the program (a build tree), ../lib/glibra relative to it (an unpacked archive), `glibra`
+/// beside the library, and in the folder of libraries that a Python package is installed below; where this
+/// program was installed, and, for programs of a build tree only, that tree. A relative library adds none.
+std::vector<std::filesystem::path> moduleFoldersOf(const std::filesystem::path& program,
+                                                   const std::filesystem::path& library);
+/// Those of this process.
 std::vector<std::filesystem::path> defaultModuleFolders();
 
 /// Reads a picture with the module: RGBA, u8, u16 or f32. `path` may be empty if the bytes come from inside

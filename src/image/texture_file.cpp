@@ -75,7 +75,8 @@ Result<TexelBlock> fromRaw(std::span<const std::byte> file, int dimensions, cons
 /// Converts the texels to another type; a block is an image of height * depth rows.
 TexelBlock withBlockType(TexelBlock block, Component type) {
     if (block.type == type) return block;
-    Image image{block.width, block.height * block.depth, block.components, block.type, std::move(block.data)};
+    const Image image{block.width, block.height * block.depth, block.components, block.type,
+                      std::move(block.data)};
     block.data = withType(image, type).data;
     block.type = type;
     return block;

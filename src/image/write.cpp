@@ -8,6 +8,7 @@
 #include <new>
 #include <span>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "image/file.h"
 #include "image/format.h"
 #include "image/gif/gif_writer.h"
+#include "image/sgi/sgi_writer.h"
 
 namespace glibra::image {
 namespace {
@@ -46,10 +48,21 @@ Diagnostics writePfm(const Image& image, const fs::path& path, NamedBy named) {
     return writeFileAtomically(path, file, named);
 }
 
+/// file-E10 if a side of the picture is longer than the format permits.
+Diagnostics tooLongFor(std::string_view format, int largestSide, const Image& image, const fs::path& path) {
+    if (std::max(image.width, image.height) <= largestSide) return {};
+    return {cannotWrite(path, fmt::format("{} has at most {} pixels per side", format, largestSide))};
+}
+
 Diagnostics writeGif(const Image& image, const fs::path& path, NamedBy named) {
-    if (std::max(image.width, image.height) > kLargestGifSide)
-        return {cannotWrite(path, fmt::format("GIF has at most {} pixels per side", kLargestGifSide))};
-    return writeFileAtomically(path, encodeGif(image), named);
+    Diagnostics tooLong = tooLongFor("GIF", kLargestGifSide, image, path);
+    return tooLong.empty() ? writeFileAtomically(path, encodeGif(image), named) : tooLong;
+}
+
+/// OpenImageIO leaves the name of the picture in the header as it finds it in memory.
+Diagnostics writeSgi(const Image& image, const fs::path& path, NamedBy named) {
+    Diagnostics tooLong = tooLongFor("SGI", kLargestSgiSide, image, path);
+    return tooLong.empty() ? writeFileAtomically(path, encodeSgi(image), named) : tooLong;
 }
 
 Diagnostics writeOther(const Image& image, Format format, const fs::path& path, const WriteOptions& options) {
@@ -78,6 +91,7 @@ Diagnostics writeAs(const Image& image, Format format, const fs::path& path, con
     if (format == Format::png) return writePng(image, path, options.png, options.named);
     if (format == Format::pfm) return writePfm(image, path, options.named);
     if (format == Format::gif) return writeGif(image, path, options.named);
+    if (format == Format::sgi) return writeSgi(image, path, options.named);
     return writeOther(image, format, path, options);
 }
 

@@ -7,11 +7,13 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <new>
 #include <string_view>
 #include <utility>
 
 #include "base/device_lost.h"
 #include "gpu/context/current.h"
+#include "gpu/state/neutral_state.h"
 #include "library/renderer_state.h"
 #include "render/probe/nan_search.h"
 #include "render/scene_renderer.h"
@@ -116,6 +118,15 @@ thread_local const void* lastOfThread = nullptr;
 
 }  // namespace
 
+Diagnostics identified(Diagnostics messages, const std::string& id, const std::filesystem::path& scene) {
+    for (Diagnostic& each : messages) {
+        if (each.severity != Severity::error || !each.id.empty()) continue;
+        each.id = id;
+        if (each.place.file.empty()) each.place = {scene.string(), 1, 1};
+    }
+    return messages;
+}
+
 Renderer::Renderer(std::shared_ptr<State> state) : state_(std::move(state)) {}
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
@@ -150,9 +161,12 @@ Diagnostics Renderer::State::begin() {
             diagnose("gpu-E08", "the renderer was opened on another thread; use it and its scenes there")};
     if (context) {
         if (!makeCurrent())
-            return {diagnose("gpu-E01",
-                             "no usable OpenGL driver: the renderer's context cannot be made current "
-                             "on this thread again")};
+            return {diagnose("gpu-E01", isAdopted ? "no usable OpenGL driver: the context that the renderer "
+                                                    "adopted is not current on this thread; make it current "
+                                                    "before each call"
+                                                  : "no usable OpenGL driver: the renderer's context cannot "
+                                                    "be made current on this thread again")};
+        gpu::takeBackState(*context);
         std::vector<OnDevice> ended;
         const std::lock_guard<std::mutex> lock(mutex);
         ended.swap(left);
@@ -177,12 +191,13 @@ Renderer::State::~State() {
     if (lastOfThread == this) lastOfThread = nullptr;
     if (!context || makeCurrent()) return;
     // The context is current on the thread that opened it, where nothing ends it any more, or that thread's
-    // driver is gone: what is on the device cannot be released from here.
+    // driver is gone, or an adopted context is not current: what is on the device cannot be released from
+    // here.
     for (OnDevice& each : left) {
         static_cast<void>(each.live.release());
-        static_cast<void>(new std::optional<SceneWindow>(std::move(each.window)));
+        static_cast<void>(new (std::nothrow) std::optional<SceneWindow>(std::move(each.window)));
     }
-    static_cast<void>(new gpu::Context(std::move(*context)));
+    static_cast<void>(new (std::nothrow) gpu::Context(std::move(*context)));
 }
 
 bool Renderer::State::makeCurrent() {
@@ -225,9 +240,11 @@ void Renderer::State::leave(Scene::State& scene) {
 
 Result<Picture> Renderer::render(const std::filesystem::path& scene, const RenderOptions& options) {
     if (Diagnostics problems = problemsOf(options); !problems.empty()) return problems;
-    if (Diagnostics problems = state_->begin(); !problems.empty()) return problems;
     try {
-        return state_->render(scene, withOrder(options));
+        if (Diagnostics problems = state_->begin(); !problems.empty()) return problems;
+        Result<Picture> drawn = state_->render(scene, withOrder(options));
+        drawn.diagnostics = identified(std::move(drawn.diagnostics), "library-E01", scene);
+        return drawn;
     } catch (const base::DeviceLost& lost) {
         state_->lose();
         return base::diagnosticOf(lost, scene.string());
@@ -250,8 +267,8 @@ Result<Picture> Renderer::State::render(const std::filesystem::path& scene, cons
 
 Result<Scene> Renderer::load(const std::filesystem::path& scene, const RenderOptions& options) {
     if (Diagnostics problems = problemsOfLoading(options); !problems.empty()) return problems;
-    if (Diagnostics problems = state_->begin(); !problems.empty()) return problems;
     try {
+        if (Diagnostics problems = state_->begin(); !problems.empty()) return problems;
         auto state = std::make_unique<Scene::State>(state_, scene, withOrder(options));
         Result<void> loaded = state->load();
         if (!loaded) return std::move(loaded.diagnostics);

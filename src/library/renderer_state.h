@@ -44,7 +44,9 @@ struct GLIBRA_INSIDE Renderer::State {
     ~State();
 
     /// gpu-E08 on another thread than the one that opened the context. Opens a new context after a reset, and
-    /// makes the context current if another one is, such as that of another renderer.
+    /// makes the context current if another one is, such as that of another renderer. gpu-E01 while an
+    /// adopted context is not current; else it has the state that drawing begins with, whatever the calling
+    /// program has set.
     Diagnostics begin();
     /// After a reset: all that is on the device goes, then the context.
     void lose();
@@ -98,6 +100,9 @@ struct GLIBRA_INSIDE Scene::State {
     ViewState drawnView;
     bool isDrawn = false;
 };
+
+/// Gives errors without an id this one, and the scene as their place if they have none.
+Diagnostics identified(Diagnostics messages, const std::string& id, const std::filesystem::path& scene);
 
 /// The picture of an image in memory, and the image of a picture.
 Picture pictureOf(image::Image image);

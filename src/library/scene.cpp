@@ -9,6 +9,7 @@
 
 #include "base/device_lost.h"
 #include "base/suggest.h"
+#include "glib/text.h"
 #include "gpu/object/readback.h"
 #include "image/image.h"
 #include "library/renderer_state.h"
@@ -16,6 +17,7 @@
 #include "render/load/device_scene.h"
 #include "render/scene_renderer.h"
 #include "scene/texture_name.h"
+#include "scene/texture_parts.h"
 #include "suite/options/option_table.h"
 
 namespace glibra {
@@ -259,7 +261,6 @@ std::vector<Value> Scene::values() const {
 
 Result<void> Scene::State::set(std::string_view name, std::span<const double> values, std::string_view text) {
     // A text is read as the command line reads it, which knows lines, programs, words and numbers.
-    plan::Override wanted;
     std::string_view tag = name;
     std::string program;
     if (const std::size_t colon = name.find(':'); colon != std::string_view::npos) {
@@ -353,7 +354,16 @@ Diagnostics Scene::check(double time) {
 /// A texture that the picture does not need is drawn for this.
 Result<Picture> Scene::State::textureNamed(std::string_view name) {
     Result<scene::TextureView> view = scene::textureNamed(device.live->scene(), name);
-    if (!view) return std::move(view.diagnostics);
+    if (!view) return identified(std::move(view.diagnostics), "library-E02", path);
+    const scene::Texture& texture = device.live->scene().textures[view->texture];
+    const bool isCube = texture.target == scene::TextureTarget::cube;
+    const std::optional<int> layers = scene::layersOf(texture, view->level.value_or(0));
+    if (layers && view->layer.value_or(0) >= *layers)
+        return diagnose(
+            "library-E02",
+            fmt::format("'{}': '{}' has {}", name, texture.name,
+                        glib::counted(static_cast<std::size_t>(*layers), isCube ? "face" : "layer")),
+            {path.string(), 1, 1});
     if (device.live->texture(view->texture) != nullptr) {
         Result<image::Image> image = device.live->imageOf(*view);
         if (!image) return std::move(image.diagnostics);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <span>
+#include <utility>
 
 #include "base/shell_word.h"
 #include "image/file.h"
@@ -23,6 +24,14 @@ std::string pointArguments(const char* name, const std::map<int, double>& points
     std::string text;
     for (const auto& [point, value] : points) text += fmt::format(" {} {}={}", name, point, value);
     return text;
+}
+
+bool usesSlopes(const GraphOptions& options) {
+    return options.lattice == Lattice::value;
+}
+
+bool usesColors(const NoiseFile& noise, const std::filesystem::path& file) {
+    return noise.options.dimensions == 2 && endingOf(file) != ".tex";
 }
 
 }  // namespace
@@ -52,6 +61,24 @@ Diagnostics writeNoise(const NoiseFile& noise, const std::filesystem::path& file
     return image::writeImage(picture, file);
 }
 
+std::string uselessOption(const NoiseFile& noise, const std::filesystem::path& file) {
+    const GraphOptions& options = noise.options;
+    if (!options.curvatures.empty() && options.smoothness == Smoothness::cubic)
+        return "--curvature: heights and gradients determine a cubic; take --smooth quintic";
+    if (options.slopes != Slopes::zero && !usesSlopes(options))
+        return "--gradients: only --lattice value takes gradients from the heights";
+    if (noise.colors != ColorScale::grey && !usesColors(noise, file))
+        return "--colors: only a picture of two dimensions has colors";
+    const int points = options.dimensions == 1 ? options.cells : options.cells * options.cells;
+    for (const auto& [name, values] :
+         {std::pair("--height", &options.heights), std::pair("--gradient", &options.gradients),
+          std::pair("--curvature", &options.curvatures)})
+        if (!values->empty() && values->rbegin()->first >= points)
+            return fmt::format("{} {}={:g}: the points are 0 to {}", name, values->rbegin()->first,
+                               values->rbegin()->second, points - 1);
+    return {};
+}
+
 std::string noiseCommand(const NoiseFile& noise, const std::string& file) {
     const GraphOptions& options = noise.options;
     const GraphOptions usual;
@@ -60,9 +87,9 @@ std::string noiseCommand(const NoiseFile& noise, const std::string& file) {
         text += fmt::format(" --lattice {}", wordOf(kLatticeWords, options.lattice));
     if (options.smoothness != usual.smoothness)
         text += fmt::format(" --smooth {}", wordOf(kSmoothnessWords, options.smoothness));
-    if (options.slopes != usual.slopes)
+    if (options.slopes != usual.slopes && usesSlopes(options))
         text += fmt::format(" --gradients {}", wordOf(kSlopesWords, options.slopes));
-    if (options.dimensions == 2 && noise.colors != ColorScale::grey)
+    if (noise.colors != ColorScale::grey && usesColors(noise, file))
         text += fmt::format(" --colors {}", wordOf(kColorWords, noise.colors));
     if (options.octaves != usual.octaves) text += fmt::format(" --octaves {}", options.octaves);
     if (options.cells != usual.cells) text += fmt::format(" --points {}", options.cells);

@@ -22,6 +22,10 @@ struct NoiseFile {
 /// those of writing files and images.
 Diagnostics writeNoise(const NoiseFile& noise, const std::filesystem::path& file);
 
+/// Says which option changes nothing in the file, and why, as "--height 999=1: the points are 0 to 7". Empty
+/// if there is none.
+std::string uselessOption(const NoiseFile& noise, const std::filesystem::path& file);
+
 /// The file's extension in lower case: ".png".
 std::string endingOf(const std::filesystem::path& file);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <initializer_list>
 #include <optional>
+#include <ranges>
 #include <string>
 #include <string_view>
 
@@ -41,9 +42,9 @@ class BufferFinder {
     [[nodiscard]] std::optional<scene::BufferView> find(std::string_view name) const {
         if (name.empty()) return std::nullopt;
         if (objects_ != nullptr)
-            for (auto each = objects_->rbegin(); each != objects_->rend(); ++each)
-                if (const auto* view = std::get_if<scene::BufferView>(&each->object);
-                    view != nullptr && each->tag == name)
+            for (const auto& object : std::ranges::reverse_view(*objects_))
+                if (const auto* view = std::get_if<scene::BufferView>(&object.object);
+                    view != nullptr && object.tag == name)
                     return *view;
         for (const scene::BufferIndex i : scene_.buffers.indices())
             if (scene_.buffers[i].name == name) return scene::BufferView{i, false};

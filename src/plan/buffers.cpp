@@ -5,9 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "base/number.h"
+#include "base/suggest.h"
 #include "glib/number.h"
 #include "plan/frame_plan.h"
 #include "plan/reach.h"
@@ -142,6 +146,18 @@ class LayoutFinder {
         return std::nullopt;
     }
 
+    /// What is wrong with the type of the buffer, which nothing declares.
+    std::string noStructure(const scene::Buffer& buffer) const {
+        std::vector<std::string_view> types{"float", "int",   "uint",  "vec2",  "vec3",  "vec4",
+                                            "ivec2", "ivec3", "ivec4", "uvec2", "uvec3", "uvec4",
+                                            "mat2",  "mat3",  "mat4",  "double"};
+        for (const PlannedProgram& each : plan_.programs)
+            for (const auto& [name, structure] : each.interface->facts.memory.structures)
+                types.push_back(name);
+        return fmt::format("no shader has a structure '{}', which is the type of buffer '{}'{}", buffer.type,
+                           buffer.name, base::suggestion(buffer.type, types));
+    }
+
     void addByType(scene::BufferIndex index) {
         const scene::Buffer& buffer = scene_.buffers[index];
         std::optional<MemoryPattern> pattern = declaredPattern(buffer);
@@ -151,8 +167,7 @@ class LayoutFinder {
                             ? fmt::format("buffer '{}' has no type, and no block of a shader is called '{}'; "
                                           "write 'Buffer {} float' or another type",
                                           buffer.name, buffer.name, buffer.name)
-                            : fmt::format("no shader has a structure '{}', which is the type of buffer '{}'",
-                                          buffer.type, buffer.name));
+                            : noStructure(buffer));
         addLayout(index, std::move(*pattern), "type " + buffer.type, buffer.place);
     }
 
@@ -161,9 +176,7 @@ class LayoutFinder {
         const scene::Buffer& buffer = scene_.buffers[index];
         const std::uint64_t ofType = numbersOfType(buffer);
         if (!buffer.type.empty() && ofType == 0 && buffer.count)
-            return fail(index, "memory-E05",
-                        fmt::format("no shader has a structure '{}', which is the type of buffer '{}'",
-                                    buffer.type, buffer.name));
+            return fail(index, "memory-E05", noStructure(buffer));
         const std::uint64_t head = pattern.head.size();
         const std::uint64_t perElement = std::max<std::uint64_t>(1, pattern.element.size());
         const auto elementsFor = [&](std::uint64_t numbers) {

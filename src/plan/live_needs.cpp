@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <ranges>
 #include <set>
 #include <utility>
 
@@ -35,10 +36,10 @@ class LiveFinder {
 
     Needs find(const std::vector<scene::ObjectView>& roots) && {
         for (const scene::ObjectView& each : roots) read(each);
-        for (auto node = nodes_.order.rbegin(); node != nodes_.order.rend(); ++node) {
-            if (node->kind == scene::NodeIndex::Kind::pass) visitPass(node->index);
-            if (node->kind == scene::NodeIndex::Kind::dispatch) visitDispatch(node->index);
-            if (node->kind == scene::NodeIndex::Kind::clear) visitClear(node->index);
+        for (auto node : std::ranges::reverse_view(nodes_.order)) {
+            if (node.kind == scene::NodeIndex::Kind::pass) visitPass(node.index);
+            if (node.kind == scene::NodeIndex::Kind::dispatch) visitDispatch(node.index);
+            if (node.kind == scene::NodeIndex::Kind::clear) visitClear(node.index);
         }
         if (everything_) needs_.textures.assign(needs_.textures.size(), true);
         return std::move(needs_);

@@ -189,7 +189,7 @@ std::string UniformMessages::scopeHint(const std::string& name) const {
 
 std::string UniformMessages::modernHint(const ActiveUniform& target) const {
     if (modern_ != nullptr) {
-        std::string hint = expressionHint(target.name);
+        const std::string hint = expressionHint(target.name);
         return hint.empty() ? scopeHint(target.name) : hint;
     }
     const auto isUniform = [this](std::string_view name) { return names_.hasUniform(name); };

@@ -238,7 +238,7 @@ PYBIND11_MODULE(_core, module) {
     });
     module.def("compare", [](const py::object& got, const py::object& expected, double largest,
                              double fraction, int cluster, int line, double bias, std::optional<double> flip,
-                             std::optional<double> structure, bool exact) {
+                             std::optional<double> structure, double relative, double absolute, bool exact) {
         Tolerance tolerance;
         tolerance.largest = largest;
         tolerance.fraction = fraction;
@@ -247,6 +247,8 @@ PYBIND11_MODULE(_core, module) {
         tolerance.bias = bias;
         tolerance.flip = flip;
         tolerance.structure = structure;
+        tolerance.relative = relative;
+        tolerance.absolute = absolute;
         tolerance.exact = exact;
         const bool isFile = !py::isinstance<py::array>(got),
                    isOtherFile = !py::isinstance<py::array>(expected);

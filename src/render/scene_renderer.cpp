@@ -13,6 +13,7 @@
 #include "render/file/buffer_file.h"
 #include "render/file/incomplete_mark.h"
 #include "render/file/labels.h"
+#include "render/load/open_loops.h"
 #include "render/probe/bound_probe.h"
 #include "render/probe/gpu_times.h"
 #include "render/scene_state.h"
@@ -215,7 +216,7 @@ Result<SceneRenderer> SceneRenderer::finish(Result<std::unique_ptr<State>> prepa
         if (!chosen) return diagnostics;
         state = std::move(*chosen);
     }
-    gpu::Context& context = state->context;
+    const gpu::Context& context = state->context;
     const gpu::Capabilities& capabilities = context.capabilities();
     const RenderOptions& options = state->options;
     const auto refuse = [&](Diagnostics found) {
@@ -223,6 +224,7 @@ Result<SceneRenderer> SceneRenderer::finish(Result<std::unique_ptr<State>> prepa
         return Result<SceneRenderer>(std::move(found));
     };
     append(diagnostics, state->preparePlan(stats, false));
+    explainRemovedLoops(state->plan, state->programs, diagnostics);
     applyStrict(diagnostics, options.strict);
     if (state->isStopped(diagnostics)) return refuse(std::move(diagnostics));
 

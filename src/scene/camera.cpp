@@ -3,7 +3,9 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_access.hpp>
 #include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
 
 #include "scene/matrices.h"
 
@@ -25,6 +27,17 @@ glm::dvec3 CameraValues::direction() const {
 
 glm::dmat4 CameraValues::shadow() const {
     return translation({.5, .5, .5}) * scaling({.5, .5, .5}) * viewProjection();
+}
+
+Lens lensOf(const glm::dmat4& projection) {
+    const auto isRow = [&](const glm::dvec4& row) { return glm::row(projection, 3) == row; };
+    const double w = projection[2][3] != 0 ? -projection[2][3] : projection[3][3];
+    const double depth = projection[2][2] / w, shift = projection[3][2] / w;
+    if (w != 0 && isRow({0, 0, 0, w})) return {(shift + 1) / depth, (shift - 1) / depth, 0};
+    if (w == 0 || !isRow({0, 0, -w, 0})) return {};
+    const double height = projection[1][1] / w, middle = projection[2][1] / w;
+    const double angle = std::atan((middle + 1) / height) - std::atan((middle - 1) / height);
+    return {shift / (depth - 1), shift / (depth + 1), std::abs(glm::degrees(angle))};
 }
 
 glm::dmat4 reflection(const glm::dvec3& normal, double d) {

@@ -31,6 +31,15 @@ struct CameraValues {
     [[nodiscard]] glm::dmat4 shadow() const;
 };
 
+/// What a projection matrix says of its volume.
+struct Lens {
+    double near = 0, far = 0;  ///< distances of the planes from the eye
+    double fieldOfView = 0;    ///< vertical, full angle in degrees; 0 for a box
+};
+
+/// The lens of a frustum, also one off the axis, or a box; zeros for a matrix that makes neither.
+Lens lensOf(const glm::dmat4& projection);
+
 /// The mirror image of everything about the plane n . x + d = 0; `normal` may have any length but 0.
 glm::dmat4 reflection(const glm::dvec3& normal, double d);
 

@@ -86,7 +86,7 @@ void doGlVertex(Interpreter& in, const glib::Command& command) {
     copy(command, vertex.position);
     list.vertices.push_back(vertex);
     for (auto& [name, extra] : list.extras) {
-        extra.values.resize(list.vertices.size() - 1, {0, 0, 0, 1});
+        extra.values.resize(list.vertices.size() - 1, extra.before);
         extra.values.push_back(extra.current);
     }
 }
@@ -123,12 +123,16 @@ void doGlEnd(Interpreter& in, const glib::Command& command) {
         in.reportAt(command, "glib-W33",
                     fmt::format("glEnd: {} {} of an incomplete {} ignored", made.dropped,
                                 made.dropped == 1 ? "vertex" : "vertices", primitive));
+    AttributeSet outer;
+    if (in.state.local.attributes) outer = in.scene.attributeSets[in.state.local.attributes];
     for (const auto& [name, extra] : list.extras) {
+        std::erase_if(outer.bindings, [&](const AttributeBinding& each) { return each.name == name; });
         geometry::Attribute attribute{name, extra.components, {}};
-        for (std::size_t i = 0; i < list.vertices.size(); ++i)
+        for (std::size_t i = 0; i < list.vertices.size(); ++i) {
+            const std::array<double, 4>& values = i < extra.values.size() ? extra.values[i] : extra.before;
             for (std::size_t k = 0; k < static_cast<std::size_t>(extra.components); ++k)
-                attribute.values.push_back(i < extra.values.size() ? static_cast<float>(extra.values[i][k])
-                                                                   : 0);
+                attribute.values.push_back(static_cast<float>(values[k]));
+        }
         std::erase_if(made.mesh.attributes, [&](const auto& other) { return other.name == name; });
         made.mesh.attributes.push_back(std::move(attribute));
     }
@@ -138,7 +142,10 @@ void doGlEnd(Interpreter& in, const glib::Command& command) {
     if (made.color)
         drawing.color = glm::dvec4((*made.color)[0], (*made.color)[1], (*made.color)[2], (*made.color)[3]);
     drawing.shape = shapeOfMesh(in, glib::CommandId::glBegin, std::move(made.mesh));
+    const AttributeSetIndex attributes = in.state.local.attributes;
+    if (attributes && !list.extras.empty()) in.state.local.attributes = shareAttributes(in, std::move(outer));
     draw(in, command, drawing);
+    in.state.local.attributes = attributes;
 }
 
 constexpr CommandAction kListActions[] = {

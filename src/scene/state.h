@@ -110,6 +110,7 @@ struct OpenList {
     /// The values of Attribute at each vertex so far, by name, and how many components are used.
     struct Extra {
         int components = 1;
+        std::array<double, 4> before{0, 0, 0, 1};  ///< of the vertices before the first Attribute
         std::array<double, 4> current{0, 0, 0, 1};
         std::vector<std::array<double, 4>> values;
     };
@@ -310,6 +311,8 @@ struct Drawing {
 void draw(Interpreter&, const glib::Command&, const Drawing&);
 /// The shape's index; equal shapes share one.
 ShapeIndex shareShape(Interpreter&, Shape shape);
+/// The index of the set; equal sets share one.
+AttributeSetIndex shareAttributes(Interpreter&, AttributeSet set);
 /// The number of a draw or dispatch among those of the same line.
 DrawId nextDrawId(Interpreter&, const Place& place);
 /// The index of the current slot table.

@@ -31,6 +31,7 @@ struct PlacedUniform {
 struct IgnoredRegion {
     int x = 0, y = 0, width = 1, height = 1;
     std::string until;  ///< the last day on which it is left out, as "2026-12-31"; empty: always
+    Place place{};      ///< in the suite file
 };
 
 /// One picture.
@@ -45,6 +46,7 @@ struct Shot {
         false;  ///< two drawings need only agree within the tolerance, which the suite states
     std::vector<IgnoredRegion> ignored;
     std::filesystem::path mask;  ///< a picture that is white where nothing is compared; or empty
+    Place maskPlace;             ///< in the suite file
     int retries = 0;             ///< a shot that fails is drawn as often again; if one is right, it is flaky
     std::string quarantine;  ///< the last day on which its failures do not count, as "2026-12-31"; or empty
     double timeout = 300;    ///< seconds

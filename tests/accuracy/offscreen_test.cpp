@@ -54,7 +54,7 @@ TEST_F(Offscreen, CaptureGivesTheOutputsVertexByVertex) {
     ASSERT_TRUE(captured) << toString(captured.diagnostics.front());
     EXPECT_EQ(captured->primitives, 5);
     EXPECT_EQ(captured->values, (std::vector<float>{0, 0, 1, 2, 1, 1, 4, 4, 1, 6, 9, 1, 8, 16, 1}));
-    Result<Captured> tooSmall = capture(capabilities(), *counting, GL_POINTS, 5, GL_POINTS, 3, 4);
+    const Result<Captured> tooSmall = capture(capabilities(), *counting, GL_POINTS, 5, GL_POINTS, 3, 4);
     EXPECT_FALSE(tooSmall);
 }
 

@@ -188,7 +188,7 @@ std::string firstImbalance(const std::string& page) {
 }
 
 TEST(Html, IsWellFormedAndNeedsNothingElse) {
-    Report report = sampleReport();
+    const Report report = sampleReport();
     const RunComparison comparison = compare(report, report);
     const std::string page = htmlReport(report, &comparison);
     EXPECT_EQ(firstImbalance(page), "");

@@ -44,6 +44,25 @@ class Contained : public testing::Test {
     fs::path outside, root;
 };
 
+TEST_F(Contained, AFileThatReplacesAnotherKeepsItsPermissions) {
+    const fs::path file = root / "a/file";
+    for (const mode_t mode : {0600U, 0444U, 0666U}) {
+        ASSERT_EQ(::chmod(file.c_str(), mode), 0);
+        EXPECT_EQ(put("a/file", "new"), 0);
+        struct stat status{};
+        ASSERT_EQ(::stat(file.c_str(), &status), 0);
+        EXPECT_EQ(status.st_mode & 0777U, mode);
+    }
+    if (::geteuid() != 0) return;
+    // What belongs to somebody else says nothing about this user's files.
+    ASSERT_EQ(::chown(file.c_str(), 4321, 4321), 0);
+    EXPECT_EQ(put("a/file", "new"), 0);
+    struct stat status{};
+    ASSERT_EQ(::stat(file.c_str(), &status), 0);
+    EXPECT_EQ(status.st_uid, 0U);
+    EXPECT_EQ(status.st_mode & 0022U, 0U);
+}
+
 TEST_F(Contained, OpensOrdinaryFilesOnly) {
     std::vector<std::byte> bytes;
     EXPECT_EQ(readAll(openBeneath(root, "a/./file"), 6, bytes), 0);

@@ -130,7 +130,7 @@ TEST(ContourShift, ReadsBytesAsFloats) {
 }
 
 TEST(ContourShift, TakesNanAsBlack) {
-    image::Image before = sampledPicture([](double, double) { return 0.; });
+    const image::Image before = sampledPicture([](double, double) { return 0.; });
     image::Image after = before;
     const float nan = std::numeric_limits<float>::quiet_NaN();
     std::memcpy(after.data.data(), &nan, sizeof(nan));

@@ -167,6 +167,60 @@ TEST_F(ClassicProgram, UnknownNamesAndWrongTypesAreReportedOnce) {
     EXPECT_EQ(countIn(text, "no attribute 'aVertx'; did you mean 'aVertex'?"), 1) << text;
 }
 
+TEST_F(ClassicProgram, IntegersTakeWholeNumbersOnly) {
+    GLSLProgram program;
+    ASSERT_TRUE(program.CreateFromText(
+        {{"i.vert",
+          "#version 330\nin ivec2 aPair; flat out ivec2 vPair;\n"
+          "void main() { vPair = aPair; gl_Position = aVertex; }\n"},
+         {"i.frag",
+          "#version 330\nuniform int uCount; uniform ivec3 uThree; uniform int uMany[2]; uniform bool uOn;\n"
+          "flat in ivec2 vPair; out vec4 fColor; void main() {\n"
+          "fColor = vec4(uCount == 2 && uOn, uThree == ivec3(1, 2, 3) && uMany[1] == 5, "
+          "vPair == ivec2(7, 8), 1.); }\n"}}))
+        << toString(program.Messages());
+    const float many[] = {4, 5}, wrongMany[] = {4, 5.5F}, pair[] = {7, 8}, wrongPair[] = {7.5F, 8};
+    program.SetUniform("uCount", 2.F);  // whole floats are taken
+    program.SetUniform("uThree", Vec3(1, 2, 3));
+    program.SetUniform("uMany", many);
+    program.SetUniform("uOn", 1.F);
+    program.SetAttribute("aPair", pair);
+    testing::internal::CaptureStderr();
+    for (int i = 0; i < 2; ++i) {
+        program.SetUniform("uCount", 2.5F);
+        program.SetUniform("uThree", Vec3(1, 2.25F, 3));
+        program.SetUniform("uMany", wrongMany);
+        program.SetUniform("uOn", 1e20F);
+        program.SetAttribute("aPair", wrongPair);
+    }
+    const std::string text = testing::internal::GetCapturedStderr();
+    EXPECT_EQ(countIn(text, "\n"), 5) << text;
+    EXPECT_EQ(countIn(text, "SetUniform: 'uCount' has the type int and was given 2.5"), 1) << text;
+    EXPECT_EQ(countIn(text, "SetUniform: 'uThree' has the type ivec3 and was given 2.25"), 1) << text;
+    EXPECT_EQ(countIn(text, "SetUniform: 'uMany' has the type int and was given 5.5"), 1) << text;
+    EXPECT_EQ(countIn(text, "SetAttribute: 'aPair' has the type ivec2 and was given 7.5"), 1) << text;
+    EXPECT_EQ(colorOf(program), (Pixel{255, 255, 255}));  // what was refused has changed nothing
+}
+
+TEST_F(ClassicProgram, ALetterTooManyInAShortNameIsAMistakeButAnotherLetterIsAnotherName) {
+    GLSLProgram program;
+    ASSERT_TRUE(program.CreateFromText(
+        {{"s.vert", "in float aH; out float vH; void main() { vH = aH; gl_Position = aVertex; }\n"},
+         {"s.frag",
+          "uniform float uC, uKd; in float vH; void main() { gl_FragColor = vec4(uC + uKd + vH); }\n"}}))
+        << toString(program.Messages());
+    testing::internal::CaptureStderr();
+    program.SetUniform("uCc", 1.F);
+    program.SetUniform("uKs", 1.F);
+    program.SetUniform("uKdd", 1.F);
+    program.SetAttribute("aHh", 1.F);
+    const std::string text = testing::internal::GetCapturedStderr();
+    EXPECT_EQ(countIn(text, "no uniform 'uCc'; did you mean 'uC'?"), 1) << text;
+    EXPECT_EQ(countIn(text, "no uniform 'uKs'\n"), 1) << text;
+    EXPECT_EQ(countIn(text, "no uniform 'uKdd'; did you mean 'uKd'?"), 1) << text;
+    EXPECT_EQ(countIn(text, "no attribute 'aHh'; did you mean 'aH'?"), 1) << text;
+}
+
 TEST_F(ClassicProgram, ErrorsNameTheUsersFileAndLine) {
     const std::filesystem::path folder =
         std::filesystem::temp_directory_path() / ("glibra_classic_" + std::to_string(::getpid()));

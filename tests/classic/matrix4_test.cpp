@@ -106,7 +106,7 @@ TEST(Matrix4, InversesAreThoseOfTheFormulas) {
         expectNear(Matrix4(m).Invert().Invert(), m);
         EXPECT_NEAR(static_cast<double>(m.GetDeterminant()), each.determinant, 1e-5);
         EXPECT_NEAR(static_cast<double>(m.GetInverse().GetDeterminant()), 1 / each.determinant, 1e-5);
-        Matrix4 normals = m.GetInverse3();
+        const Matrix4 normals = m.GetInverse3();
         expectNear(normals.GetTranspose3(), formula.GetTranspose3());
         EXPECT_EQ(normals.GetElement(0, 3), 0);
     }

@@ -52,7 +52,7 @@ VertexArray cube() {
 }
 
 TEST_F(ClassicArray, TheCubeHasEightVertices) {
-    GLSLProgram program = colored();
+    const GLSLProgram program = colored();
     VertexArray array = cube();
     EXPECT_EQ(array.NumVertices(), 24U);
     EXPECT_EQ(array.NumUnique(), 8U);
@@ -68,7 +68,7 @@ TEST_F(ClassicArray, TheCubeHasEightVertices) {
 }
 
 TEST_F(ClassicArray, QuadsPolygonsAndFansFillWhatTheyEnclose) {
-    GLSLProgram program = colored();
+    const GLSLProgram program = colored();
     for (const unsigned int each : std::array<unsigned int, 3>{GL_QUADS, GL_POLYGON, GL_TRIANGLE_FAN}) {
         clear();
         VertexArray array;
@@ -108,7 +108,7 @@ TEST_F(ClassicArray, AGridIsOneStripWithRestarts) {
 }
 
 TEST_F(ClassicArray, SeveralListsAndChangesAfterADraw) {
-    GLSLProgram program = colored();
+    const GLSLProgram program = colored();
     VertexArray array;
     array.glBegin(GL_QUADS);
     array.glColor3f(1, 0, 0);
@@ -177,7 +177,7 @@ TEST_F(ClassicArray, TopologiesBecomePatchesOfProgramsThatTessellate) {
     dots.Draw();
     EXPECT_EQ(drawn(), kSide * kSide / 2);
     // The same array, drawn by a program without tessellation.
-    GLSLProgram plain = colored();
+    const GLSLProgram plain = colored();
     clear();
     array.Draw();
     EXPECT_EQ(drawn(), kSide * kSide / 4);
@@ -270,7 +270,7 @@ TEST_F(ClassicArray, InstancesAndCommandsDrawAsOftenAsTheySay) {
 }
 
 TEST_F(ClassicArray, LeavesTheBindingsOfTheCallingProgram) {
-    GLSLProgram program = colored();
+    const GLSLProgram program = colored();
     GLuint array = 0;
     GLuint buffer = 0;
     glGenVertexArrays(1, &array);
@@ -322,7 +322,7 @@ TEST_F(ClassicArray, MistakesAreReportedOnceAndDrawNothing) {
     glUseProgram(0);
     testing::internal::CaptureStderr();
     for (int i = 0; i < 2; ++i) {
-        VertexArray ended;
+        const VertexArray ended;
         VertexArray array;
         for (int j = 0; j < 2; ++j) {
             array.glVertex2f(0, 0);

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "../suite/folder.h"
+#include "classroom/grades.h"
 #include "strict_csv.h"
 
 namespace glibra::classroom {
@@ -59,6 +60,26 @@ TEST(ImportTables, GradescopeHasFirstAndLastNames) {
     EXPECT_EQ(rows[0].at("Max Points"), "8");
 }
 
+TEST(ImportTables, EveryMemberOfAGroupHasALineWithTheGrade) {
+    Classroom room = markedClass();
+    room.entries[0].submission.name = "Bob Ng, Cy Two";
+    room.entries[0].submission.members = {{"Bob Ng", "778", "bob@x"}, {"Cy Two", "779", "cy@x"}};
+    const auto gradescope = strictly(importTable(room, {.book = GradeBook::gradescope, .assignment = {}}));
+    ASSERT_EQ(gradescope.size(), 3U);
+    EXPECT_EQ(gradescope[0].at("First Name") + " " + gradescope[0].at("Last Name"), "Bob Ng");
+    EXPECT_EQ(gradescope[1].at("First Name") + " " + gradescope[1].at("Last Name"), "Cy Two");
+    EXPECT_EQ(gradescope[1].at("SID"), "779");
+    EXPECT_EQ(gradescope[1].at("Email"), "cy@x");
+    EXPECT_EQ(gradescope[1].at("Total Score"), "7.50");
+    EXPECT_EQ(moodleGrades(importTable(room, {.book = GradeBook::moodle, .assignment = {}})),
+              (std::map<std::string, double>{{"778", 7.5}, {"779", 7.5}, {"8", 2}}));
+    const auto canvas = strictly(importTable(room, {.book = GradeBook::canvas, .assignment = "P2"}));
+    ASSERT_EQ(canvas.size(), 4U) << "with the points possible";
+    EXPECT_EQ(canvas[2].at("ID"), "779");
+    const std::string own = gradesCsv(room);
+    EXPECT_NE(own.find("\"778, 779\",\"bob@x, cy@x\""), std::string::npos) << own;
+}
+
 TEST(ImportTables, ThePlatformsOwnTableKeepsItsColumnsAndLines) {
     const suite::Folder made;
     suite::writeText(
@@ -75,6 +96,27 @@ TEST(ImportTables, ThePlatformsOwnTableKeepsItsColumnsAndLines) {
     EXPECT_EQ(rows[0].at("Full name"), "Lee, Ana");
     EXPECT_EQ(rows[0].at("Maximum Grade"), "10.00");
     EXPECT_EQ(rows[1].at("Feedback comments"), "a \"b\"");
+}
+
+TEST(ImportTables, AnotherMaximumOfThePlatformIsNamed) {
+    const suite::Folder made;
+    suite::writeText(made / "moodle.csv",
+                     "Identifier,Full name,Grade,Maximum Grade\nParticipant 7,Ana,,100.00\n");
+    suite::writeText(made / "canvas.csv",
+                     "Student,ID,P1 (990),P2 (991)\n    Points Possible,,5.00,8.00\nAna,7,,\n");
+    suite::writeText(made / "gradescope.csv", "Name,SID,Total Score,Max Points\nAna,7,,10.0\n");
+    const auto said = [&](GradeBook book, const std::string& assignment) {
+        const Roster roster = *readRoster(made / (std::string(name(book)) + ".csv"));
+        return whyOtherMaximum(markedClass(),
+                               {.book = book, .assignment = assignment, .roster = &roster, .handed = {}});
+    };
+    EXPECT_EQ(
+        said(GradeBook::moodle, ""),
+        "the roster says that there are at most 100 points, and the rubric has 8; grades are not scaled");
+    EXPECT_EQ(said(GradeBook::canvas, "P2"), "") << "8, too";
+    EXPECT_NE(said(GradeBook::canvas, "P1").find("at most 5 points"), std::string::npos);
+    EXPECT_NE(said(GradeBook::gradescope, "").find("at most 10 points"), std::string::npos);
+    EXPECT_EQ(whyOtherMaximum(markedClass(), {.book = GradeBook::moodle, .assignment = {}}), "");
 }
 
 TEST(ImportTables, CanvassOwnTableKeepsItsColumnsAndGetsTheGradesOfOneAssignment) {

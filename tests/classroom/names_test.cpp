@@ -6,6 +6,7 @@
 
 #include "../suite/folder.h"
 #include "classroom/roster.h"
+#include "classroom/rubric.h"
 
 namespace glibra::classroom {
 namespace {
@@ -66,6 +67,10 @@ TEST(NameRules, SplitTheNamesOfGradescope) {
     EXPECT_EQ(rule.split("submission_77")->number, "0042");
     EXPECT_EQ(rule.split("submission_77")->email, "ana@example.org");
     EXPECT_EQ(rule.split("submission_77")->time, "2026-11-20 17:34:00.861687000 Z");
+    const std::vector<Member> group = rule.split("submission_77")->members;
+    ASSERT_EQ(group.size(), 2U);
+    EXPECT_EQ(group[1].name + " " + group[1].number + group[1].email, "Bob Ray 0043");
+    EXPECT_TRUE(rule.split("submission_78")->members.empty()) << "one student is no group";
     EXPECT_EQ(rule.split("submission_78")->name, "Cem \xC3\x96z");
     EXPECT_EQ(rule.split("submission_78")->number, "78");
 }
@@ -139,10 +144,7 @@ TEST(Rosters, KnowTheirStudents) {
                          {"Ray Dora", "11", "", "", {}, {}, 5}}};
     const auto student = [&](const std::string& name, const std::string& number = {},
                              const std::string& email = {}) {
-        Submission made{name, {}, {}, {}};
-        made.number = number;
-        made.email = email;
-        const auto found = studentOf(roster, made);
+        const auto found = studentOf(roster, Member{name, number, email});
         return found ? static_cast<int>(*found) : -1;
     };
     EXPECT_EQ(student("somebody", "7"), 0);
@@ -164,6 +166,60 @@ TEST(Rosters, GiveNamesAndShowWhoIsAbsent) {
     EXPECT_EQ(all.all[0].email, "a@x");
     EXPECT_EQ(handed[0], std::optional<std::size_t>(0));
     EXPECT_FALSE(handed[1]);
+}
+
+TEST(Rosters, FindTheSubmissionThatATeacherMeans) {
+    const Roster roster{{}, {{"Ana Lee", "7", "a@x", "", {}, {}, 1}, {"Cy Two", "9", "", "", {}, {}, 2}}};
+    Submissions all;
+    all.all = {{"leeana", {}, {}, {}}, {"Bob Ng (8)", {}, {}, {}}};
+    all.all[1].number = "8";
+    all.all[1].key = "submission_102";
+    all.all[1].members = {{"Bob Ng", "8", ""}, {"Cy Two", "9", ""}};
+    const auto index = [&](const std::string& student, const Roster* list) {
+        const auto found = submissionOf(all, list, student);
+        return found ? static_cast<int>(*found) : -1;
+    };
+    for (const char* each : {"Bob Ng (8)", "Bob Ng", "8", "submission_102", "Cy Two", "9"})
+        EXPECT_EQ(index(each, nullptr), 1) << each;
+    EXPECT_EQ(index("Ana Lee", nullptr), -1);
+    for (const char* each : {"Ana Lee", "7", "a@x", "leeana"}) EXPECT_EQ(index(each, &roster), 0) << each;
+    EXPECT_EQ(index("Nobody", &roster), -1);
+}
+
+TEST(Rosters, KnowEveryMemberOfAGroup) {
+    const Roster roster{{},
+                        {{"Bob Ng", "778", "bob@x", "", {}, {}, 1},
+                         {"Two, Cy", "779", "cy@x", "", {}, {}, 2},
+                         {"Dee Oh", "780", "", "", {}, {}, 3}}};
+    Submissions all;
+    Submission& group = all.all.emplace_back();
+    group.name = "Bob Ng, Cy Two";
+    group.number = "778";
+    group.members = {{"Bob Ng", "778", ""}, {"Cy Two", "", ""}};
+    const auto handed = applyRoster(roster, all);
+    EXPECT_EQ(handed[0], std::optional<std::size_t>(0));
+    EXPECT_EQ(handed[1], std::optional<std::size_t>(0)) << "the second member has handed it in, too";
+    EXPECT_FALSE(handed[2]);
+    EXPECT_EQ(all.all[0].name, "Bob Ng, Two, Cy") << "both names are on the page";
+    EXPECT_EQ(joined(all.all[0].members, &Member::number), "778, 779");
+    EXPECT_EQ(joined(all.all[0].members, &Member::email), "bob@x, cy@x");
+}
+
+TEST(NameRules, EndWhateverTheExpressionAndTheName) {
+    const std::string letters(40, 'a');
+    for (const char* rule : {"(a+)+b", "(.*)*x", "(a|a)*b", "(a|aa)+$b"}) {
+        const Result<NameRule> made = NameRule::of(rule);
+        ASSERT_TRUE(made) << rule;
+        EXPECT_FALSE(made->split(letters)) << rule;
+    }
+    EXPECT_EQ(NameRule::of("(.*)_([0-9]+)")->split(std::string(200, 'a') + "_7")->number, "7");
+}
+
+TEST(RostersAndRubrics, AreOrdinaryFiles) {
+    EXPECT_FALSE(readRoster("/dev/zero"));
+    EXPECT_FALSE(readRubric("/dev/zero"));
+    EXPECT_FALSE(readRoster("/tmp"));
+    EXPECT_FALSE(readRubric("no such file"));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "../suite/folder.h"
 #include "classroom/grades.h"
 #include "classroom/moments.h"
+#include "classroom/page_parts.h"
 #include "classroom/review.h"
 
 namespace glibra::classroom {
@@ -86,6 +87,35 @@ TEST(ClassPage, ShowsEveryoneAndWhatStrangersWroteAsText) {
     EXPECT_TRUE(contains(page, "<script src=\"class.js\" defer></script>"));
 }
 
+TEST(ClassPage, EachPictureIsBesideTheReferencesAlsoOfWhatFailed) {
+    Classroom room = sample();
+    room.moments.resize(6);
+    room.reference.pictures.clear();
+    Entry& failed = room.entries[1];
+    failed.submission.name = "dan";
+    failed.pictures.clear();
+    for (int i = 1; i <= 6; ++i) {
+        room.reference.pictures.push_back(drawn("pictures/0000-" + std::to_string(i) + ".png"));
+        failed.pictures.push_back(drawn("pictures/0002-" + std::to_string(i) + ".png"));
+        failed.pictures.back().verdict = Verdict::failed;
+        failed.pictures.back().isIncomplete = true;
+    }
+    failed.pictures[5] = Picture{};
+    const std::string html = picturesHtml({}, room, failed);
+    std::size_t pairs = 0;
+    for (std::size_t at = html.find("class=\"pair compared\""); at != std::string::npos;
+         at = html.find("class=\"pair compared\"", at + 1)) {
+        ++pairs;
+        const std::size_t reference = html.find("0000-" + std::to_string(pairs) + ".png", at);
+        const std::size_t own = html.find("0002-" + std::to_string(pairs) + ".png", at);
+        EXPECT_LT(reference, own) << pairs;
+        EXPECT_NE(own, std::string::npos) << pairs;
+    }
+    EXPECT_EQ(pairs, 5U);
+    EXPECT_FALSE(contains(html, "0000-6.png")) << "there is no picture to compare with";
+    EXPECT_TRUE(contains(html, "no picture"));
+}
+
 TEST(ClassPage, ItsFirstPicturesDoNotWaitUntilTheyAreInView) {
     Classroom room = sample();
     for (int i = 0; i < 10; ++i) room.entries.push_back(room.entries[0]);
@@ -104,7 +134,7 @@ TEST(ClassPage, ItsFirstPicturesDoNotWaitUntilTheyAreInView) {
 
 TEST(ClassPage, PassagesAreReadFromTheSubmissionsOwnFoldersOnly) {
     const suite::Folder made;
-    const fs::path folder = made.path();
+    const fs::path& folder = made.path();
     fs::create_directories(folder / "bob");
     suite::writeText(folder / "ana/a.frag", "one <line>\ntwo\nthree\n");
     suite::writeText(folder / "secret.txt", "the secret\nof the teacher\n");

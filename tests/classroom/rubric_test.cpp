@@ -168,6 +168,42 @@ TEST(Rubrics, MistakesHaveTheirPlace) {
     EXPECT_EQ(problemsOf(*rubric, room.moments, room.sliders, false).size(), 3U);
 }
 
+/// "LINE ID TEXT" of the first message.
+std::string mistakeOf(const std::string& check) {
+    const Result<Rubric> rubric = readRubricText("[[check]]\n" + check, "class.toml");
+    if (rubric || rubric.diagnostics.empty()) return "none";
+    const Diagnostic& first = rubric.diagnostics[0];
+    return std::to_string(first.place.line) + " " + first.id + " " + first.text;
+}
+
+TEST(Rubrics, LimitsInTheWrongOrderAreErrors) {
+    EXPECT_EQ(
+        mistakeOf("like = 0.8\nnone = 0.9\n"),
+        "3 suite-E04 none: 0.9 is more than 0.8, the likeness of 'like'; points begin at a smaller one");
+    EXPECT_EQ(mistakeOf("none = 0.01\nmeasure = \"flip\"\nlike = 0.02\n"),
+              "2 suite-E04 none: 0.01 is less than 0.02, the FLIP of 'like'; FLIP grows with the difference, "
+              "so points end at a larger one");
+    EXPECT_EQ(mistakeOf("like = 0.02\nmeasure = \"flip\"\nnone = 0\n").substr(0, 11), "4 suite-E04");
+    EXPECT_EQ(mistakeOf("like = 0.02\nmeasure = \"flip\"\nnone = 0.02\n"), "none") << "all or nothing";
+    EXPECT_EQ(mistakeOf("slider = \"uTol\"\nrange = [1, 0]\n"),
+              "3 suite-E04 range: 1 is not less than 0; the smaller number comes first");
+    EXPECT_EQ(mistakeOf("slider = \"uTol\"\nrange = [1, 1]\n").substr(0, 11), "3 suite-E04");
+}
+
+TEST(Rubrics, AStatedNoneOfZeroIsNotTheUsualOne) {
+    EXPECT_EQ(markOf("like = 0.8\nnone = 0\nat = \"uAd=0.3\"").points, 3) << "0.6 of 0.8";
+}
+
+TEST(Rubrics, KeysOfAnotherKindOfCheckAreErrors) {
+    EXPECT_EQ(mistakeOf("slider = \"uTol\"\nmeasure = \"flip\"\n"),
+              "3 suite-E24 'measure' belongs to a check that asks for 'like'; this one asks for 'slider'");
+    EXPECT_EQ(mistakeOf("range = [0, 1]\nreacts = \"uTol\"\n"),
+              "2 suite-E24 'range' belongs to a check that asks for 'slider'; this one asks for 'reacts'");
+    EXPECT_EQ(mistakeOf("drawn = false\n").substr(0, 33), "2 suite-E03 drawn: expected true,");
+    EXPECT_EQ(mistakeOf("lik = 0.8\ndrawn = true\n"),
+              "2 suite-E02 unknown key 'lik' in [[check]]; did you mean 'like'?");
+}
+
 TEST(TeachersMarks, ReplacePointsAndSurvive) {
     const suite::Folder made;
     TeacherMarks marks;
@@ -186,6 +222,11 @@ TEST(TeachersMarks, ReplacePointsAndSurvive) {
     wild["ana"].points["is drawn"] = 1e9;
     applyTeacherMarks(wild, entry);
     EXPECT_EQ(pointsOf(entry), 2);
+    limitPoints(entry, wild["ana"]);
+    EXPECT_EQ(wild["ana"].points["is drawn"], 2) << "marks.json keeps what counts";
+    wild["ana"].points = {{"is drawn", -3}, {"gone", 7}};
+    limitPoints(entry, wild["ana"]);
+    EXPECT_EQ(wild["ana"].points, (std::map<std::string, double>{{"gone", 7}, {"is drawn", 0}}));
     EXPECT_TRUE(readTeacherMarks(made / "missing")->empty());
     suite::writeText(made / kMarksFile, "{\"ana\": 3}");
     EXPECT_FALSE(readTeacherMarks(made.path()));

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "program.h"
 
@@ -315,6 +318,23 @@ TEST_F(BadInput, UnwritableOutput) {
     EXPECT_EQ(taken.status, 0) << "a folder is a place for pictures: " << taken.err;
 }
 
+TEST_F(BadInput, AnOutputWhosePathCannotBeLookedUpIsReported) {
+    folder.write("scene.glib", "Sphere\n");
+    fs::create_symlink("there", folder / "here");
+    fs::create_symlink("here", folder / "there");
+    const std::string listing = folder.listing();
+    const std::string longName(300, 'n');
+    for (const std::string& output : {std::string("here/x.png"), std::string("here"), longName + ".png",
+                                      longName + "/x.png", std::string("here/x.gif --frames 2")}) {
+        const Finished run = glibra(folder.path(), "render scene.glib -o " + output);
+        EXPECT_EQ(run.status, 3) << output;
+        EXPECT_TRUE(contains(run.err, "error: cannot write '")) << run.err;
+        EXPECT_FALSE(contains(run.err, "filesystem error")) << run.err;
+        EXPECT_TRUE(contains(run.err, "[file-E10]")) << run.err;
+    }
+    EXPECT_EQ(folder.listing(), listing);
+}
+
 TEST_F(BadInput, UnknownOutputFormat) {
     folder.write("scene.glib", "Sphere\n");
     const Finished run = glibra(folder.path(), "render scene.glib -o a.xyz");
@@ -335,6 +355,24 @@ TEST_F(BadInput, WrongUsageIsStatusTwo) {
         EXPECT_FALSE(run.err.empty()) << arguments;
     }
     EXPECT_EQ(folder.listing(), "scene.glib\n");
+}
+
+TEST_F(BadInput, ANoiseOptionThatChangesNothingIsRefused) {
+    for (const auto& [arguments, why] : std::vector<std::pair<const char*, const char*>>{
+             {"1 --height 3=1 --height 999=1", "--height 999=1: the points are 0 to 7"},
+             {"1 --gradient 4=.5 --points 4", "--gradient 4=0.5: the points are 0 to 3"},
+             {"2 --curvature 64=1", "--curvature 64=1: the points are 0 to 63"},
+             {"1 --smooth cubic --curvature 1=1", "take --smooth quintic"},
+             {"1 --height 3=1 --height 3=.5", "--height: point 3 has a value already"},
+             {"1 --colors fire", "--colors: only a picture of two dimensions has colors"},
+             {"2 --colors fire -o n.tex", "--colors: only a picture of two dimensions has colors"},
+             {"1 --lattice both --gradients catmull-rom", "--gradients: only --lattice value takes"}}) {
+        const Finished run = glibra(folder.path(), std::string("noise ") + arguments);
+        EXPECT_EQ(run.status, 2) << arguments;
+        EXPECT_TRUE(contains(run.err, why)) << run.err;
+    }
+    EXPECT_EQ(folder.listing(), "");
+    EXPECT_EQ(glibra(folder.path(), "noise 2 --height 63=1 --colors fire").status, 0);
 }
 
 TEST_F(BadInput, NoDriverIsStatusFour) {

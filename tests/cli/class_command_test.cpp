@@ -464,7 +464,8 @@ class WholeClass : public ClassCommand {
         expected_.erase("..hidden not");
         hostile("huge texture", fragment("uTone"), "Texture 5 huge.png\n" + scene("a"));
         // A PNG file that promises 60,000 x 60,000 pixels.
-        std::string png("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\xea\x60\0\0\xea\x60\x08\x06\0\0\0\0\0\0\0", 33);
+        const std::string png("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\xea\x60\0\0\xea\x60\x08\x06\0\0\0\0\0\0\0",
+                              33);
         folder.write("all/huge texture/huge.png", png);
         hostile("huge targets", fragment("uTone"),
                 "Texture 5 16384 16384\nTexture 6 16384 16384\n" + scene("a"));

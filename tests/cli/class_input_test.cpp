@@ -337,6 +337,23 @@ TEST_F(ClassInput, AnonymousPagesShowNoNames) {
         EXPECT_TRUE(contains(page(), each));
 }
 
+TEST_F(ClassInput, TheSceneOfAStudentIsOfSomebodyWhoHandedSomethingIn) {
+    for (const char* name : {"one", "two"}) {
+        writeScene("all/leeana/", kReference);
+        fs::rename(folder / "all/leeana/a.glib", folder / "all/leeana" / (std::string(name) + ".glib"));
+    }
+    writeScene("all/bob/", kReference);
+    folder.write("class.csv", "name,number\nAna Lee,7\nBob,8\nZoe,9\n");
+    const Finished wrong = run("--scene-of 'bbo=a.glib'");
+    EXPECT_EQ(wrong.status, 2);
+    EXPECT_TRUE(contains(wrong.err, "--scene-of 'bbo=a.glib': nobody is called 'bbo'; did you mean 'bob'?"))
+        << wrong.err;
+    EXPECT_EQ(run("--scene-of 'Nobody=x.glib' --roster class.csv").status, 2);
+    EXPECT_FALSE(fs::exists(folder / "site/index.html"));
+    EXPECT_EQ(run("--scene-of 'Zoe=x.glib' --scene-of 'Ana Lee=two.glib' --roster class.csv").status, 0);
+    EXPECT_EQ(grades()["Ana Lee"]["scene"], "two.glib") << "as the roster calls leeana";
+}
+
 TEST_F(ClassInput, WrongNamesAndRubricsAreMistakesOfTheCommandLine) {
     writeScene("all/ana/", kReference);
     folder.write("bad.toml", "[[check]]\ndrawn = true\nuses = \"mix\"\n");

@@ -42,7 +42,7 @@ class Containment : public testing::Test {
     void writeEndlessPicture(const std::string& name) const {
         constexpr std::string_view kFile(
             "RIFF\x24\0\0\0WEBPVP8L\x11\0\0\0\x2f\x01\x40\0\0\x07\x50\x84\x26\xf4\xa0\xff\x81\x88\xe8\x7f\0\0"
-            "\0",
+            "\0\0\0\0\0\0",
             44);
         folder.write(name, std::string(kFile));
     }

@@ -35,6 +35,20 @@ TEST(FormatCommand, FormatsInPlaceAndChecks) {
     EXPECT_EQ(glibra(folder.path(), "format").status, 2);
 }
 
+TEST(FormatCommand, KeepsThePermissionsAndTheNamesOfAFile) {
+    const Folder folder;
+    folder.write("a.glib", " sphere\n");
+    folder.write("b.glib", " sphere\n");
+    fs::permissions(folder / "a.glib", fs::perms::owner_read | fs::perms::owner_write);
+    fs::create_hard_link(folder / "b.glib", folder / "c.glib");
+    fs::create_symlink("c.glib", folder / "d.glib");
+    EXPECT_EQ(glibra(folder.path(), "format a.glib d.glib").status, 0);
+    EXPECT_EQ(fs::status(folder / "a.glib").permissions(), fs::perms::owner_read | fs::perms::owner_write);
+    EXPECT_TRUE(fs::is_symlink(folder / "d.glib"));
+    EXPECT_EQ(readFile(folder / "b.glib"), "Sphere\n");
+    EXPECT_EQ(fs::hard_link_count(folder / "b.glib"), 2U);
+}
+
 /// Speaks to the server through a Python script, which has `send`, `receive` and `process`.
 Finished converse(const Folder& folder, const std::string& script) {
     folder.write("converse.py",

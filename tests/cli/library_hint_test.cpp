@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <string>
 
 #include "program.h"
@@ -66,6 +67,18 @@ TEST(LibraryHint, IsSilentWhereItDoesNotHelp) {
     const Finished searched = glibra(folder.path(), "check c.glib --library " + library);
     EXPECT_TRUE(contains(searched.err, "the library has it as 'noise/wood.frag'")) << searched.err;
     EXPECT_FALSE(contains(searched.err, "the library of glibra")) << "the error says it";
+}
+
+TEST(LibraryHint, IsSilentAboutFilesOutsideTheLibrary) {
+    const Folder folder;
+    folder.write("secret.frag", "float f;\n");
+    std::filesystem::create_directory(folder.path() / "own");
+    for (const char* name : {"../secret.frag", "/proc/version", "sub/../../secret.frag"}) {
+        folder.write("own/a.frag", std::string("#version 330\n#include \"") + name + "\"\nvoid main() {}\n");
+        folder.write("own/a.glib", "Fragment a.frag\nProgram P\nFill window with P\n");
+        const Finished run = glibra(folder.path(), "check own/a.glib");
+        EXPECT_FALSE(contains(run.err, "the library of glibra")) << run.err;
+    }
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -26,6 +27,7 @@ std::string sampleArguments(const OptionRow& row) {
 
 TEST(RenderOptions, EveryOptionIsUnderstood) {
     const Folder folder;
+    for (const char* each : {"lib one", "lib two"}) std::filesystem::create_directory(folder / each);
     std::string all;
     for (const OptionRow& row : suite::optionTable())
         if (row.needs.empty()) all += sampleArguments(row);
@@ -49,6 +51,22 @@ TEST(RenderOptions, AValueThatDoesNotFitItsVariableIsReported) {
         EXPECT_NE(finished.err.find(text), std::string::npos) << text << finished.err;
     EXPECT_FALSE(
         contains(glibra(folder.path(), "render a.glib --set size=.25 --set tint=1,0,1").err, "warning"));
+}
+
+TEST(RenderOptions, AFolderThatCannotBeSearchedIsReported) {
+    const Folder folder;
+    folder.write("a.glib", "Sphere\n");
+    for (const char* command : {"render a.glib", "check a.glib", "gallery .", "class ."}) {
+        const Finished missing = glibra(folder.path(), std::string(command) + " --library . --library none");
+        EXPECT_EQ(missing.status, 2) << command;
+        EXPECT_TRUE(contains(missing.err, "--library: there is no folder 'none'")) << missing.err;
+        const Finished file = glibra(folder.path(), std::string(command) + " --library a.glib");
+        EXPECT_EQ(file.status, 2) << command;
+        EXPECT_TRUE(contains(file.err, "--library: 'a.glib' is not a folder")) << file.err;
+    }
+    EXPECT_EQ(folder.listing(), "a.glib\n");
+    EXPECT_EQ(glibra(folder.path(), "check a.glib", "GLIBRA_PATH=none:a.glib").status, 0)
+        << "the variable may name folders of other machines";
 }
 
 TEST(RenderOptions, ASuiteRefusesWhatItStatesItself) {

@@ -50,7 +50,6 @@ TEST(Print, ReportsElementsOfBuffers) {
     for (const char* command : {"render a.glib -o a.png", "check --run a.glib"}) {
         const Finished run = glibra(folder.path(), command);
         EXPECT_EQ(run.status, 0) << run.err;
-        std::string expected;
         for (const char* each : {"3:1: note: p[0]: 0 0", "3:1: note: p[1]: 1 0.5", "3:1: note: p[2]: 2 1",
                                  "3:1: note: p[3]: 3 1.5", "4:1: note: p[1]: 1 0.5", "5:1: note: p[2]: 2 1",
                                  "5:1: note: p[3]: 3 1.5", "6:1: note: Print p: it has 4 elements"})

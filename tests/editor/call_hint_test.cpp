@@ -36,7 +36,7 @@ TEST(CallHint, NamesTheArgumentThatIsWritten) {
 
 TEST(CallHint, ChoosesTheOverloadsThatHaveTheArgument) {
     const std::string text = "#version 330\nvoid main() { vec4 c = texture(uMap, vST, ";
-    editor::CodeContext context;
+    const editor::CodeContext context;
     const CallHint hint = editor::callAt(text, text.size(), context);
     ASSERT_EQ(hint.signatures.size(), 1U);
     EXPECT_EQ(hint.signatures[0].argument, "float bias");
@@ -56,7 +56,7 @@ TEST(CallHint, ShowsTheUsageOfACommandAndOfFunctionsInExpressions) {
     EXPECT_EQ(hintAt("Spher|", true), "");
     EXPECT_EQ(hintAt("# Sphere |", true), "");
     EXPECT_NE(hintAt("Let x (mix(1, |", true).find("mix("), std::string::npos);
-    EXPECT_NE(hintAt("Let x (mix(1, |", true).find("["), std::string::npos);
+    EXPECT_NE(hintAt("Let x (mix(1, |", true).find('['), std::string::npos);
 }
 
 }  // namespace

@@ -77,6 +77,22 @@ TEST(Completion, KnowsTheWordsOfTheVersionAndTheStage) {
     vertex.stage = glsl::Stage::vertex;
     EXPECT_TRUE(find(at("#version 330\ndFd|", fragment), "dFdx"));
     EXPECT_FALSE(find(at("#version 330\ndFd|", vertex), "dFdx"));
+    EXPECT_TRUE(find(at("#version 330\ndisc|", fragment), "discard"));
+    EXPECT_FALSE(find(at("#version 330\ndisc|", vertex), "discard"));
+    EXPECT_TRUE(find(at("#version 330\ndisc|"), "discard")) << "the stage is not known";
+    EXPECT_FALSE(find(at("#version 430\nshar|", fragment), "shared"));
+}
+
+TEST(Completion, KnowsTheStageThatASuffixSays) {
+    using glsl::Stage;
+    EXPECT_EQ(editor::stageOfFile("a/b.vert"), Stage::vertex);
+    EXPECT_EQ(editor::stageOfFile("b.FRAG"), Stage::fragment);
+    EXPECT_EQ(editor::stageOfFile("b.frag.glsl"), Stage::fragment);
+    EXPECT_EQ(editor::stageOfFile("b.tcs"), Stage::tessControl);
+    EXPECT_EQ(editor::stageOfFile("b.tese"), Stage::tessEvaluation);
+    EXPECT_EQ(editor::stageOfFile("b.comp"), Stage::compute);
+    for (const char* each : {"b.glsl", "frag", "b.frag.txt", ".frag", ""})
+        EXPECT_FALSE(editor::stageOfFile(each)) << each;
 }
 
 TEST(Completion, ProposesNamesOfTheScene) {

@@ -140,6 +140,46 @@ TEST_F(ServerTest, ReportsMistakesOfUnsavedShadersInTheirOwnFiles) {
     EXPECT_EQ(messages(closed, "flat.frag"), "") << "the saved text is right";
 }
 
+TEST_F(ServerTest, ReportsMissingIncludesAndErrorLinesAsDriversDo) {
+    write("bad.glsl", "\n#error bad.glsl is bad\n");
+    begin();
+    open("a.glib", kScene);
+    const std::string shader =
+        "#version 330\n/* the line of a comment\n#error none\n*/\n#include \"nope.h\"\n#ifdef NOT\n#error "
+        "none\n"
+        "#else\n  # error of this \\\nshader\n#endif\n#include \"bad.glsl\"\nout vec4 c;\n"
+        "void main() { c = vec4(1); }\n";
+    const auto heard = open("flat.frag", shader);
+    EXPECT_EQ(messages(heard, "flat.frag"), "glsl-E01 4:0; glsl-E01 8:2; ");
+    EXPECT_EQ(messages(heard, "bad.glsl"), "glsl-E01 1:0; ");
+    const auto hasText = [&](std::string_view text) {
+        return std::any_of(heard.begin(), heard.end(),
+                           [&](const json& each) { return each.dump().find(text) != std::string::npos; });
+    };
+    EXPECT_TRUE(hasText("\"cannot find the included file 'nope.h'\""));
+    EXPECT_TRUE(hasText("\"bad.glsl is bad\""));
+    EXPECT_TRUE(hasText("in Program 'Flat'"));
+}
+
+TEST_F(ServerTest, TakesTheStageOfAnUnusedShaderFromItsSuffix) {
+    begin();
+    const std::string shader = "#version 330\nvoid main() { x }\n";
+    const auto has = [&](const char* name, std::string_view begin, const char* word) {
+        std::string text = shader;
+        text.replace(text.find('x'), 1, begin);
+        open(name, text);
+        const json answer = ask("textDocument/completion", at(name, text, begin, begin.size()));
+        return std::any_of(answer["items"].begin(), answer["items"].end(),
+                           [&](const json& each) { return each["label"] == word; });
+    };
+    EXPECT_FALSE(has("y.frag", "Emit", "EmitVertex"));
+    EXPECT_TRUE(has("y.geom", "Emit", "EmitVertex"));
+    EXPECT_FALSE(has("y.vert", "gl_Frag", "gl_FragCoord"));
+    EXPECT_FALSE(has("y.vert", "disc", "discard"));
+    EXPECT_TRUE(has("y.frag", "disc", "discard"));
+    EXPECT_TRUE(has("y.glsl", "disc", "discard")) << "any stage may include it";
+}
+
 TEST_F(ServerTest, FindsTheSceneOfAShader) {
     write("a.glib", kScene);
     begin();

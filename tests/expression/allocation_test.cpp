@@ -49,7 +49,7 @@ TEST(ExpressionAllocations, AnEvaluationAllocatesNothing) {
         EXPECT_GT(allocations, beforeReading) << "the counter works";
         const std::uint64_t before = allocations;
         const auto value = expression.evaluate(table);
-        const Expression copy = expression;
+        const Expression copy = expression;  // NOLINT(performance-unnecessary-copy-initialization)
         EXPECT_EQ(allocations, before) << text;
         EXPECT_TRUE(value) << text;
         EXPECT_EQ(copy, expression);

@@ -79,7 +79,7 @@ class Grower {
             return {name, 14, false, value};
         }
         const double value = static_cast<double>(below(40)) / 4;
-        std::string text = std::to_string(value);
+        const std::string text = std::to_string(value);
         return {text, 14, false, value};
     }
 

@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <ranges>
 #include <set>
 #include <string>
 #include <string_view>
@@ -85,8 +86,8 @@ class Reference {
         if (const Name* own = findIn(names, name)) return own->value ? *own->value : sceneValue(name);
         if (scene_.contains(name) || (block_ && block_->contains(name))) return sceneValue(name);
         if (expected_.contains(name)) throw Unknown{};
-        for (auto caller = callers_.rbegin(); caller != callers_.rend(); ++caller)
-            if (const Name* other = findIn(*caller, name)) return other->value.value();
+        for (auto& caller : std::ranges::reverse_view(callers_))
+            if (const Name* other = findIn(caller, name)) return other->value.value();
         throw Unknown{};
     }
     double valueOf(const Sum& sum, const Names& names, double modulus = 64) {

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <ctime>
 #include <numbers>
 #include <set>
 #include <string>
@@ -343,6 +344,22 @@ TEST(ConcaveFaces, WhatTakesTooLongIsAFanWithAMessage) {
     EXPECT_EQ(model.diagnostics[0].id, "file-W17");
     EXPECT_EQ(model->splitTriangles.size(), 3U * (kCorners - 2));
     EXPECT_EQ(obj(*model, false).indices.size(), 3U * (kCorners - 2));
+}
+
+/// Seconds of processor time until an outline that runs round one triangle again and again is given up.
+double secondsForRounds(std::size_t rounds) {
+    std::vector<Triple> outline;
+    for (std::size_t i = 0; i < rounds; ++i)
+        outline.insert(outline.end(), {Triple{0, 0, 0}, Triple{1, 1, 1}, Triple{2, 0, 1}});
+    std::vector<std::uint32_t> triangles;
+    const std::clock_t start = std::clock();
+    EXPECT_FALSE(EarCutter().cut(outline, triangles));
+    EXPECT_EQ(triangles.size(), 3 * (outline.size() - 2));
+    return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+}
+
+TEST(ConcaveFaces, AnOutlineIsGivenUpAfterTheSameTimeHoweverLongItIs) {
+    EXPECT_LT(secondsForRounds(100'000), 4 * secondsForRounds(20'000));
 }
 
 TEST(ConcaveFaces, KeepTextureCoordinatesAndNormalsOfTheirCorners) {

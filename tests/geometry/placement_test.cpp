@@ -28,7 +28,7 @@ TEST(Frame, UnitTurnIsExactAtQuartersAndMirroredBitForBit) {
     EXPECT_EQ(unitTurn(1, 4), glm::dvec2(0, 1));
     EXPECT_EQ(unitTurn(2, 4), glm::dvec2(-1, 0));
     EXPECT_EQ(unitTurn(9, 12), glm::dvec2(0, -1));
-    for (int n : {7, 60, 1000})
+    for (const int n : {7, 60, 1000})
         for (int i = 0; i <= n; ++i) {
             const glm::dvec2 here = unitTurn(i, n), mirrored = unitTurn(n - i, n);
             EXPECT_EQ(here.x, mirrored.x);

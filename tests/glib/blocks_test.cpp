@@ -42,6 +42,12 @@ TEST(Blocks, KnowTheirEnds) {
 TEST(Blocks, EndWithoutABeginningIsAnError) {
     EXPECT_EQ(messageLinesOf("Box 1\n  EndPass"), "2:3 glib-E21 EndPass without Pass\n");
     EXPECT_EQ(messageLinesOf("Else"), "1:1 glib-E21 Else without When\n");
+    EXPECT_EQ(messageLinesOf("Repeat 3\nWhen 1\nBox 1\nEndRepeat\nEndWhen"),
+              "2:1 glib-E22 When is not closed before EndRepeat (line 4); write EndWhen\n")
+        << "ends that are exchanged are one mistake";
+    EXPECT_EQ(messageLinesOf("Repeat 3\nWhen 1\nEndRepeat\nEndWhen\nEndWhen"),
+              "2:1 glib-E22 When is not closed before EndRepeat (line 3); write EndWhen\n"
+              "5:1 glib-E21 EndWhen without When\n");
     EXPECT_EQ(messageLinesOf("When 1\nElse\nElse\nEndWhen"), "3:1 glib-E21 a second Else in When (line 1)\n");
     EXPECT_EQ(messageLinesOf("When 1\nGroup\nElse\nEndWhen"),
               "2:1 glib-E22 Group is not closed before Else (line 3); write EndGroup\n");

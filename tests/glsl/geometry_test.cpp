@@ -92,7 +92,7 @@ TEST(Geometry, MacroOfTheVertexCountIsLoweredAtItsUse) {
 }
 
 TEST(Geometry, BuiltinVaryingsCountAsComponents) {
-    ProgramRequest request = program(
+    const ProgramRequest request = program(
         {{Stage::vertex, kPlainVertex},
          {Stage::geometry,
           kOld + "void main() { gl_FrontColor = vec4(1.); gl_Position = gl_PositionIn[0]; EmitVertex(); }\n"},

@@ -47,6 +47,23 @@ TEST(MissingSemicolon, IsReportedAtTheEndOfTheLineBefore) {
         "a.frag:5:17: error: missing ';' after '1.' [glsl-E01]");
 }
 
+TEST(SyntaxErrors, NameACharacterThatGlslDoesNotHave) {
+    for (const std::string letter : {"\xC3\xA4", "\xE2\x80\xA6"})
+        for (const char* driver : {"syntax error, unexpected end of file", "syntax error, unexpected $end"})
+            EXPECT_EQ(explained(kHead + "void main(){ float " + letter + " = 1.; }\n", 4, 20, driver),
+                      "a.frag:4:20: error: syntax error: GLSL has no character '" + letter +
+                          "' outside comments [glsl-E01]");
+}
+
+TEST(SyntaxErrors, NeverUseTheCompilersOwnWords) {
+    // With #line the compiler's line may be that of other text.
+    const std::string source = "#version 330\nin vec2 vST;\n#line 1\nvoid main() {}\nfoo\n";
+    const std::string found =
+        explained(source, 2, 1, "syntax error, unexpected NEW_IDENTIFIER, expecting end of file");
+    EXPECT_EQ(found.find("NEW_IDENTIFIER"), std::string::npos) << found;
+    EXPECT_NE(found.find("syntax error"), std::string::npos) << found;
+}
+
 TEST(MissingSemicolon, IsNotSaidBetweenParentheses) {
     const auto said = [](const std::string& statement, int column) {
         return explained(kHead + "void main() {\n" + statement + "\n}\n", 5, column,

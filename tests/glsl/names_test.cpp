@@ -125,15 +125,21 @@ TEST(WellKnownNames, MayHaveThePrefixAndCaseOfOtherFrameworks) {
     EXPECT_EQ(Builtin::eyePosition, wellKnownUniform("uCameraPosition", "vec3"));
     EXPECT_EQ("position", wellKnownAttribute("vVertex", "vec3"));
     EXPECT_EQ("texCoord", wellKnownAttribute("a_UV", "vec2"));
+    for (const char* name :
+         {"inVertPosition", "IN_POSITION", "In_Pos", "aVertPos", "mcVertPosition", "A_VERTEX_POSITION"})
+        EXPECT_EQ("position", wellKnownAttribute(name, "vec3")) << name;
+    for (const char* name : {"U_MVP", "uMvp", "U_mvp_MATRIX", "MVP_Matrix"})
+        EXPECT_EQ(Builtin::modelViewProjection, wellKnownUniform(name, "mat4")) << name;
 }
 
 TEST(WellKnownNames, AreNoOtherWords) {
     for (const char* name :
-         {"", "u", "_", "mat", "matrix", "u_matrix", "um", "umbrella", "ups", "normals", "modelviews",
-          "lightView", "shadowMatrix", "prevModelView", "viewport", "projector", "models"})
+         {"", "u", "_", "mat", "matrix", "u_matrix", "um", "umbrella", "umvp", "uworld", "ups", "normals",
+          "modelviews", "lightView", "shadowMatrix", "prevModelView", "viewport", "projector", "models"})
         for (const char* type : {"mat4", "mat3", "vec3"}) EXPECT_FALSE(wellKnownUniform(name, type)) << name;
-    for (const char* name : {"", "a", "_", "in", "v_", "MC", "vertexId", "instance", "index", "ast", "inst",
-                             "velocity", "apos", "offset", "colors", "normal2", "inNormals"})
+    for (const char* name :
+         {"", "a", "_", "in", "v_", "MC", "vertexId", "instance", "index", "ast", "inst", "INST",
+          "inposition", "velocity", "apos", "offset", "colors", "normal2", "inNormals"})
         EXPECT_EQ("", wellKnownAttribute(name, "vec3")) << name;
 }
 

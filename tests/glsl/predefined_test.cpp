@@ -79,7 +79,7 @@ TEST(Predefined, WithoutVersionAllProfilesAreThere) {
 }
 
 TEST(Predefined, ExtensionsThatAreAcceptedAreDefined) {
-    StageText stage;
+    const StageText stage;
     for (const std::string version : {"100", "110", "450", "320 es"})
         EXPECT_EQ((Tokens{"yes", "1", "GL_XYZ_foo"}),
                   preprocessed("#version " + version +

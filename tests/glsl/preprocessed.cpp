@@ -55,7 +55,7 @@ std::string outputOf(const std::string& command, const std::string& text) {
 }  // namespace
 
 Preprocessed preprocessed(const std::string& text) {
-    ProgramRequest request;
+    const ProgramRequest request;
     StageText stage;
     stage.request = &request;
     Report report;

@@ -250,7 +250,7 @@ TEST_F(TexturePartTest, TheFastestWayIsMeasuredAndCopies) {
     Capabilities hardware = driver();
     hardware.isSoftware = false;
     const TextureLayout layout{TextureShape::texture2D, TexelFormat::r8ui, {1024, 1024}};
-    Texture from = make(layout);
+    const Texture from = make(layout);
     TextureCopier copier;
     for (int i = 1; i < 12; ++i) {
         clearTo({&from}, {i + 0., 0, 0, 0});

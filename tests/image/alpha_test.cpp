@@ -115,13 +115,13 @@ TEST_F(Alpha, ThatAFormatLacksIsReportedWhenItIsLost) {
 TEST_F(Alpha, OrientationsPutTheFirstRowAndColumnWhereTheySay) {
     // The pixels of a 3 x 2 file, and where TIFF 6.0 (Orientation) puts them.
     const Image file{3, 2, 1, Component::u8, testing::bytesOf({1, 2, 3, 4, 5, 6})};
-    const std::vector<std::vector<int>> upright_{{1, 2, 3, 4, 5, 6}, {3, 2, 1, 6, 5, 4}, {6, 5, 4, 3, 2, 1},
+    const std::vector<std::vector<int>> expected{{1, 2, 3, 4, 5, 6}, {3, 2, 1, 6, 5, 4}, {6, 5, 4, 3, 2, 1},
                                                  {4, 5, 6, 1, 2, 3}, {1, 4, 2, 5, 3, 6}, {4, 1, 5, 2, 6, 3},
                                                  {6, 3, 5, 2, 4, 1}, {3, 6, 2, 5, 1, 4}};
     for (unsigned orientation = 1; orientation <= 8; ++orientation) {
         const Image turned = upright(file, orientation);
         EXPECT_EQ(turned.width, orientation < 5 ? 3 : 2) << orientation;
-        EXPECT_EQ(turned.data, testing::bytesOf(upright_[orientation - 1])) << orientation;
+        EXPECT_EQ(turned.data, testing::bytesOf(expected[orientation - 1])) << orientation;
     }
 }
 

@@ -58,7 +58,7 @@ Played played(std::span<const std::byte> file) {
         if (type == "fdAT") {
             EXPECT_EQ(big32(content, 0), sequence++);
         }
-        Image part{static_cast<int>(width), static_cast<int>(height), 3, Component::u8, {}};
+        const Image part{static_cast<int>(width), static_cast<int>(height), 3, Component::u8, {}};
         std::vector<std::byte> png;
         putPngHeader(png, part);
         putPngChunk(png, "IDAT", content.subspan(type == "fdAT" ? 4 : 0));

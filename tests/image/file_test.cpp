@@ -5,6 +5,7 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -19,6 +20,7 @@
 #include <vector>
 
 #include "image/compare/compare.h"
+#include "image/format.h"
 #include "image/write.h"
 #include "support.h"
 
@@ -29,6 +31,32 @@ namespace fs = std::filesystem;
 using testing::idsOf;
 
 const FileLabel kFileLabel{"a", {"scene.glib", 3, 1}};
+
+/// Lets files grow to so many bytes only, as a full disk does.
+class SmallFiles {
+  public:
+    explicit SmallFiles(rlim_t bytes) : signal_(::signal(SIGXFSZ, SIG_IGN)) {
+        ::getrlimit(RLIMIT_FSIZE, &before_);
+        const rlimit small{bytes, before_.rlim_max};
+        ::setrlimit(RLIMIT_FSIZE, &small);
+    }
+    SmallFiles(const SmallFiles&) = delete;
+    SmallFiles& operator=(const SmallFiles&) = delete;
+    ~SmallFiles() {
+        ::setrlimit(RLIMIT_FSIZE, &before_);
+        ::signal(SIGXFSZ, signal_);
+    }
+
+  private:
+    sighandler_t signal_;
+    rlimit before_{};
+};
+
+struct stat statusOf(const fs::path& file) {
+    struct stat status{};
+    EXPECT_EQ(::stat(file.c_str(), &status), 0) << file;
+    return status;
+}
 
 class WholeFile : public testing::InFolder {};
 
@@ -88,9 +116,59 @@ TEST_F(WholeFile, FollowsTheUsersFileMode) {
     const mode_t before = ::umask(027);
     EXPECT_TRUE(writeFileAtomically(folder / "out.png", testing::bytesOf({1})).empty());
     ::umask(before);
-    struct stat status{};
-    ASSERT_EQ(::stat((folder / "out.png").c_str(), &status), 0);
-    EXPECT_EQ(status.st_mode & 0777U, 0640U);
+    EXPECT_EQ(statusOf(folder / "out.png").st_mode & 0777U, 0640U);
+}
+
+TEST_F(WholeFile, KeepsThePermissionsOfTheFileThatItReplaces) {
+    const fs::path file = put("a", testing::bytesOf({1}));
+    for (const mode_t mode : {0600U, 0444U, 0666U})
+        for (const NamedBy named : {NamedBy::user, NamedBy::program}) {
+            ASSERT_EQ(::chmod(file.c_str(), mode), 0);
+            EXPECT_TRUE(writeFileAtomically(file, testing::bytesOf({2}), named).empty());
+            EXPECT_EQ(statusOf(file).st_mode & 0777U, mode);
+            EXPECT_TRUE(TemporaryFile(file, named).commit().empty());
+            EXPECT_EQ(statusOf(file).st_mode & 0777U, mode);
+        }
+}
+
+TEST_F(WholeFile, KeepsTheOwnerIfTheUserNamedIt) {
+    if (::geteuid() != 0) GTEST_SKIP() << "only root may write for others";
+    constexpr uid_t kOther = 4321;
+    const fs::path file = put("a", testing::bytesOf({1}));
+    ASSERT_EQ(::chown(file.c_str(), kOther, kOther), 0);
+    EXPECT_TRUE(writeFileAtomically(file, testing::bytesOf({2})).empty());
+    EXPECT_TRUE(TemporaryFile(file).commit().empty());
+    EXPECT_EQ(statusOf(file).st_uid, kOther);
+    EXPECT_EQ(statusOf(file).st_gid, kOther);
+    EXPECT_TRUE(writeFileAtomically(file, testing::bytesOf({2}), NamedBy::program).empty());
+    EXPECT_EQ(statusOf(file).st_uid, 0U);
+}
+
+TEST_F(WholeFile, KeepsAllItsNamesIfTheUserNamedIt) {
+    const fs::path file = put("a", testing::bytesOf({1, 2, 3}));
+    fs::create_hard_link(file, folder / "b");
+    EXPECT_TRUE(writeFileAtomically(file, testing::bytesOf({4, 5})).empty());
+    EXPECT_EQ(*readFile(folder / "b", kFileLabel), testing::bytesOf({4, 5}));
+    TemporaryFile temporary(file);
+    ASSERT_EQ(::write(temporary.descriptor(), "long", 4), 4);
+    EXPECT_TRUE(temporary.commit().empty());
+    EXPECT_EQ(*readFile(folder / "b", kFileLabel), testing::bytesOf({'l', 'o', 'n', 'g'}));
+    EXPECT_EQ(fileCount(), 2U);
+    // The other name is not the program's to change.
+    EXPECT_TRUE(writeFileAtomically(file, testing::bytesOf({6}), NamedBy::program).empty());
+    EXPECT_EQ(readFile(folder / "b", kFileLabel)->size(), 4U);
+}
+
+TEST_F(WholeFile, WithSeveralNamesKeepsItsContentIfThereIsNoRoomForTheNewOne) {
+    const fs::path file = put("a", testing::bytesOf({1, 2, 3}));
+    fs::create_hard_link(file, folder / "b");
+    Diagnostics problems;
+    {
+        const SmallFiles small(100);
+        problems = writeFileAtomically(file, std::vector<std::byte>(200));
+    }
+    EXPECT_EQ(idsOf(problems), "file-E10");
+    EXPECT_EQ(*readFile(file, kFileLabel), testing::bytesOf({1, 2, 3}));
 }
 
 TEST_F(WholeFile, ALongNameIsNoObstacle) {
@@ -105,6 +183,15 @@ TEST_F(WholeFile, ThroughALinkChangesTheTargetOfTheLink) {
     EXPECT_TRUE(writeFileAtomically(folder / "link", testing::bytesOf({2})).empty());
     EXPECT_TRUE(fs::is_symlink(folder / "link"));
     EXPECT_EQ(*readFile(folder / "real", kFileLabel), testing::bytesOf({2}));
+}
+
+TEST_F(WholeFile, ALinkThatLeadsToItselfIsNotReplaced) {
+    fs::create_symlink("there", folder / "here");
+    fs::create_symlink("here", folder / "there");
+    EXPECT_EQ(idsOf(writeFileAtomically(folder / "here", testing::bytesOf({1}))), "file-E10");
+    EXPECT_EQ(idsOf(TemporaryFile(folder / "here").commit()), "file-E10");
+    EXPECT_TRUE(fs::is_symlink(folder / "here"));
+    EXPECT_EQ(fileCount(), 2U);
 }
 
 TEST_F(WholeFile, WhoseNameTheProgramChoseReplacesALink) {
@@ -255,7 +342,7 @@ TEST_F(WriteImage, AnUnknownSuffixOrAnEmptyPictureIsRejected) {
 TEST_F(WriteImage, EqualPicturesAreEqualFilesWheneverTheyAreWritten) {
     GLIBRA_NEED_MODULE();
     const Image image = testing::noisyImage(33, 21, 3, Component::f32);
-    const std::vector<std::string> suffixes{".exr", ".tif", ".tga", ".hdr"};
+    const std::vector<std::string> suffixes{".exr", ".tif", ".tga", ".hdr", ".sgi"};
     for (const std::string& suffix : suffixes)
         EXPECT_TRUE(writeImage(image, folder / ("first" + suffix)).empty()) << suffix;
     std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // dates have a resolution of one second
@@ -265,6 +352,25 @@ TEST_F(WriteImage, EqualPicturesAreEqualFilesWheneverTheyAreWritten) {
         const auto second = readFile(folder / ("second" + suffix), kFileLabel);
         ASSERT_TRUE(first && second) << suffix;
         EXPECT_EQ(*first, *second) << suffix;
+    }
+}
+
+/// Some writers of OpenImageIO notice no error, those of ICO and HEIF none of a small file.
+TEST_F(WriteImage, AFileThatCannotBeWrittenToItsEndIsAnErrorInEveryFormatAndNothingIsLeft) {
+    GLIBRA_NEED_MODULE();
+    for (const int side : {24, 128}) {
+        const Image image = testing::noisyImage(side, side, 3, Component::u8);
+        for (const FormatRow& format : formats()) {
+            if (format.suffixes.empty()) continue;
+            const std::string suffix(format.suffixes.substr(0, format.suffixes.find(' ')));
+            Diagnostics problems;
+            {
+                const SmallFiles small(512);
+                problems = writeImage(image, folder / ("a" + suffix), {{}, testing::moduleFolders()});
+            }
+            EXPECT_EQ(idsOf(problems), "file-E10") << suffix;
+            EXPECT_EQ(fileCount(), 0U) << suffix;
+        }
     }
 }
 

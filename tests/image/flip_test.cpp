@@ -287,7 +287,7 @@ TEST(Flip, PictureTypesAndComponentsAreEqualInValue) {
 }
 
 TEST(Flip, AlphaIsSeenOverBlackAndWhite) {
-    Image opaque{20, 20, 4, Component::u8, std::vector<std::byte>(1600, std::byte{255})};
+    const Image opaque{20, 20, 4, Component::u8, std::vector<std::byte>(1600, std::byte{255})};
     Image clear = opaque;
     for (std::size_t i = 3; i < clear.data.size(); i += 4) clear.data[i] = std::byte{0};
     EXPECT_GT(flip(opaque, clear).mean, .5) << "white over black is black";
@@ -300,7 +300,7 @@ TEST(Flip, AlphaIsSeenOverBlackAndWhite) {
 }
 
 TEST(Flip, NanAgainstANumberIsAnErrorOfOne) {
-    Image a{30, 30, 3, Component::f32, std::vector<std::byte>(std::size_t{30} * 30 * 12)};
+    const Image a{30, 30, 3, Component::f32, std::vector<std::byte>(std::size_t{30} * 30 * 12)};
     Image b = a;
     const float nan = std::numeric_limits<float>::quiet_NaN();
     std::memcpy(&b.data[12 * (std::size_t{7} * 30 + 4)], &nan, 4);

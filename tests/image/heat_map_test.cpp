@@ -65,7 +65,7 @@ TEST(HeatMap, TheLargestComponentCounts) {
 TEST(HeatMap, NanAndInfinityAreTheLargest) {
     const float values[] = {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
                             7, 1, 0};
-    Image a{5, 1, 1, Component::f32, std::vector<std::byte>(20)};
+    const Image a{5, 1, 1, Component::f32, std::vector<std::byte>(20)};
     Image b = a;
     std::memcpy(b.data.data(), values, 20);
     const Image map = differenceHeatMap(a, b);

@@ -57,7 +57,7 @@ TEST_F(Hostile, ADecoderHasALimitOfMemory) {
 
 TEST_F(Hostile, ALargePhotoshopHeaderIsRefusedBeforeMemoryIsReserved) {
     GLIBRA_NEED_MODULE();
-    ReadOptions options = testing::withModule();
+    const ReadOptions options = testing::withModule();
     for (const auto& [side, channels, ids] :
          {std::tuple{16384U, 56U, "file-E09"}, {30000U, 4U, "file-E09"}, {16384U, 1U, "file-E04"}}) {
         const auto read = readImage(put("a.psd", photoshop(side, channels)), {}, options);

@@ -177,7 +177,7 @@ TEST(Judge, SinglePixelsBeyondTheLimitDoNotDecideTheBias) {
 }
 
 TEST(Judge, BlocksAtTheEdgesIncludeTheRemainder) {
-    Image a{40, 20, 1, Component::u8, std::vector<std::byte>(800, std::byte{50})};
+    const Image a{40, 20, 1, Component::u8, std::vector<std::byte>(800, std::byte{50})};
     Image b = a;
     change(b, 39, 19, 2);
     const Judgement result = judge(a, b, Tolerance{});
@@ -216,7 +216,7 @@ TEST(Judge, NanAndInfinityEqualThemselvesAndAreReported) {
     tolerance.relative = 1e30;
     EXPECT_FALSE(judge(a, floatImage(3, 1, 1, {nan, 1, 1}), tolerance).same)
         << "no tolerance reaches infinity";
-    Image bytes{3, 1, 1, Component::u8, testing::bytesOf({0, 255, 255})};
+    const Image bytes{3, 1, 1, Component::u8, testing::bytesOf({0, 255, 255})};
     EXPECT_EQ(judge(a, bytes, tolerance).beyond, 2U);
 }
 

@@ -46,7 +46,7 @@ TEST(PngRowFilter, EveryFilterIsUndoneByTheSpecificationsFormulas) {
         for (std::size_t pixels = 1; pixels < 90; pixels += 1 + pixels / 8) {
             const std::size_t count = pixel * pixels;
             const Row row = noisyRow(count, 1), above = noisyRow(count, 2);
-            PngRowFilter filter(count, pixel);
+            const PngRowFilter filter(count, pixel);
             for (const PngFilter each : {PngFilter::none, PngFilter::sub, PngFilter::up, PngFilter::paeth}) {
                 Row to(count + 1);
                 filter.write(each, row.data(), above.data(), to.data());

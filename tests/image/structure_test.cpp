@@ -94,7 +94,7 @@ TEST(Structure, AlphaAndColorCount) {
 }
 
 TEST(Structure, NanAgainstANumberLosesTheWindowsAroundIt) {
-    Image a{16, 16, 1, Component::f32, std::vector<std::byte>(1024)};
+    const Image a{16, 16, 1, Component::f32, std::vector<std::byte>(1024)};
     Image b = a;
     const float nan = std::numeric_limits<float>::quiet_NaN();
     std::memcpy(&b.data[4 * (std::size_t{8} * 16 + 8)], &nan, 4);

@@ -147,7 +147,7 @@ TEST(SceneInMemory, ReportsMistakesWithTheirPlaces) {
         files.erase(name);
         if (content) files[name] = *content;
         Renderer renderer = openedForMemory();
-        Result<Scene> scene = renderer.loadText(kClassic, "scene.glib", files);
+        const Result<Scene> scene = renderer.loadText(kClassic, "scene.glib", files);
         EXPECT_FALSE(scene) << name;
         return scene.message();
     };

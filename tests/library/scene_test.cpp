@@ -149,6 +149,23 @@ TEST(LibraryScene, RefusesWrongOptions) {
     EXPECT_FALSE(renderer.load(kScenes / "start/teapot.glib", wrong));
 }
 
+TEST(LibraryRenderer, GivesEveryErrorAnId) {
+    Renderer renderer = opened();
+    std::vector<RenderOptions> wrong(4);
+    wrong[0].set = {"uShininess"};
+    wrong[1].set = {"uShininess=bright"};
+    wrong[2].set = {"uShininess="};
+    wrong[3].wantedObjects = {"nope"};
+    for (const RenderOptions& each : wrong) {
+        const fs::path scene = kScenes / "start/teapot.glib";
+        const Result<Picture> picture = renderer.render(scene, each);
+        EXPECT_FALSE(picture);
+        ASSERT_FALSE(picture.diagnostics().empty());
+        EXPECT_EQ(picture.diagnostics().back().id, "library-E01") << picture.message();
+        EXPECT_EQ(picture.diagnostics().back().place.file, scene.string());
+    }
+}
+
 TEST(LibraryScene, RefusesOptionsThatItWouldNotKeep) {
     Renderer renderer = opened();
     std::vector<RenderOptions> wrong(9);
@@ -258,7 +275,15 @@ TEST(LibraryScene, GivesTheContentOfTexturesAndBuffers) {
     const Result<Picture> window = scene->target("window");
     ASSERT_TRUE(window) << window.message();
     EXPECT_TRUE(window->isFloat);
-    EXPECT_PRED2(isIn, scene->target("smal").message(), "small");
+    EXPECT_PRED2(isIn, scene->target("smal").message(), "did you mean 'small'?");
+    EXPECT_PRED2(isIn, scene->target("small.layer(1)").message(), "'small' has 1 layer");
+    for (const char* each : {"smal", "", "small.layer(1)", "small.level(1)", "small.face(2)", "small.prev",
+                             "small.side(0)", "small.level(x)"}) {
+        const Result<Picture> none = scene->target(each);
+        ASSERT_EQ(none.diagnostics().size(), 1U) << each;
+        EXPECT_EQ(none.diagnostics().front().id, "library-E02") << each;
+        EXPECT_EQ(none.diagnostics().front().place.file, "content.glib") << each;
+    }
 
     const Result<BufferContent> numbers = scene->buffer("numbers");
     ASSERT_TRUE(numbers) << numbers.message();
@@ -439,7 +464,7 @@ TEST(LibraryRenderer, TwoOnTwoThreadsDrawEqualPixels) {
 
 TEST(LibraryRenderer, AdoptsTheCallersContext) {
     EXPECT_FALSE(Renderer::open(CurrentContext{}));
-    Renderer host = opened();  // whose context is current now
+    const Renderer host = opened();  // whose context is current now
     Result<Renderer> guest = Renderer::open(Renderer::current());
     ASSERT_TRUE(guest) << guest.message();
     Result<Scene> scene = guest->loadText(kSquare, "square.glib", kShaders);

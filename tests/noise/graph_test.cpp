@@ -208,7 +208,7 @@ TEST(NoiseTexture, IsARawFloatTexture) {
 }
 
 TEST(Graph, DrawsTheCurveWhereTheNoiseIs) {
-    GraphOptions options;
+    const GraphOptions options;
     const int width = 160;
     const int height = 80;
     const std::vector<std::uint8_t> pixels = graphPixels(options, width, height);

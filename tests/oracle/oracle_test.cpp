@@ -149,7 +149,7 @@ TEST(Oracle, NoticesEveryMistakeOfATranslation) {
 }
 
 TEST(Oracle, MeasuresDifferences) {
-    Pixels a{2, 1, std::vector<std::byte>(8)};
+    const Pixels a{2, 1, std::vector<std::byte>(8)};
     Pixels b = a;
     EXPECT_EQ(difference(a, b).largest, 0);
     EXPECT_EQ(contentOf(a).colors, 1);

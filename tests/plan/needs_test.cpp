@@ -111,7 +111,7 @@ TEST(Needs, APassOfTheWindowBeforeTheLastClearIsSkipped) {
 }
 
 TEST(Needs, AWindowWithoutDrawsIsStillCleared) {
-    SceneByHand hand;
+    const SceneByHand hand;
     Programs programs;
     const FramePlan plan = programs.plan(hand.scene);
     ASSERT_EQ(plan.passes.size(), 1U);

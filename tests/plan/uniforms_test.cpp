@@ -110,7 +110,7 @@ TEST(Tag, OfADeclaredButUnusedUniformHasNoEffect) {
               "uniform 'uKs' is declared in 'Dots' but unused, so its value has no effect");
 }
 TEST(Tag, OfAnUnusedMemberHasNoEffect) {
-    ProgramInterface interface = interfaceWith({{"uLight.power", "float"}});
+    const ProgramInterface interface = interfaceWith({{"uLight.power", "float"}});
     EXPECT_EQ(ids(resolve(interface, {number("uLight.power", 1), number("uLight.size", 1)}).diagnostics),
               "glib-W24");
 }

@@ -28,6 +28,17 @@ def square():
     return glibra.Scene(text=SQUARE, name="square.glib", files=FILES)
 
 
+def arrays():
+    vertex = ("#version 330\nuniform mat4 uMatrices[2]; uniform mat2x3 uTurn; in vec4 aVertex;\n"
+              "void main() { gl_Position = uMatrices[0] * uMatrices[1] * aVertex + vec4(uTurn * aVertex.xy, 0); }\n")
+    fragment = ("#version 330\nuniform vec3 uColors[2]; out vec4 color;\n"
+                "void main() { color = vec4(uColors[0] + uColors[1], 1); }\n")
+    identity = "1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1"
+    return glibra.Scene(text="WindowSize 8 6\nVertex a.vert\nFragment a.frag\nProgram Show uColors [1 0 0 0 1 0] "
+                        f"uMatrices [{identity} {identity}] uTurn [1 2 3 4 5 6]\nQuadXY 0 10\n",
+                        name="arrays.glib", files={"a.vert": vertex, "a.frag": fragment})
+
+
 class Drawing(unittest.TestCase):
     def test_gives_arrays_of_the_size_and_type_asked_for(self):
         scene = glibra.Scene(TEAPOT)
@@ -63,6 +74,36 @@ class Drawing(unittest.TestCase):
         self.assertIn("uLevel", dir(scene))
         level = next(each for each in scene.values if each.name == "uLevel")
         self.assertEqual((level.type, level.range, level.initial), ("float", (0, 2), [1]))
+
+    def test_takes_arrays_of_uniforms_element_after_element(self):
+        scene = arrays()
+        scene.uColors = [(1, 2, 3), (4, 5, 6)]
+        self.assertEqual(scene.uColors, (1, 2, 3, 4, 5, 6))
+        scene.uColors = numpy.array([[7, 8, 9], [4, 5, 6]])
+        self.assertEqual(scene.uColors, (7, 8, 9, 4, 5, 6))
+        scene.uColors = 1, 2, 3, 4, 5, 6
+        self.assertEqual(scene.uColors, (1, 2, 3, 4, 5, 6))
+        for wrong in [(1, 4), (2, 5), (3, 6)], [[(1, 2, 3), (4, 5, 6)]], [(1, 2, 3, 4, 5, 6)]:
+            with self.assertRaisesRegex(ValueError, r"'uColors' is an array of shape \(2, 3\) or 6 numbers, found"):
+                scene.uColors = wrong
+        self.assertEqual(scene.uColors, (1, 2, 3, 4, 5, 6))
+
+    def test_takes_the_rows_of_matrices_first(self):
+        scene = arrays()
+        one, other = numpy.arange(16).reshape(4, 4), numpy.arange(16, 32).reshape(4, 4)
+        by_columns = tuple(one.T.ravel()) + tuple(other.T.ravel())
+        scene.uMatrices = numpy.stack([one, other])
+        self.assertEqual(scene.uMatrices, by_columns)
+        scene.uMatrices = scene.uMatrices  # a flat sequence has the order that is read
+        self.assertEqual(scene.uMatrices, by_columns)
+        scene.uTurn = [(1, 4), (2, 5), (3, 6)]  # mat2x3: two columns, three rows
+        self.assertEqual(scene.uTurn, (1, 2, 3, 4, 5, 6))
+        scene.uTurn = [[(6, 3), (5, 2), (4, 1)]]
+        self.assertEqual(scene["Show.uTurn"], (6, 5, 4, 3, 2, 1))
+        with self.assertRaisesRegex(ValueError, r"shape \(3, 2\) or 6 numbers, found an array of shape \(2, 3\)"):
+            scene["Show.uTurn"] = [(1, 2, 3), (4, 5, 6)]
+        with self.assertRaises(ValueError):
+            scene.uMatrices = numpy.zeros((8, 4))
 
     def test_reads_pictures_from_memory(self):
         files = dict(FILES, **{"photo.ppm": b"P6 1 1 255\n\xff\x33\x00", "photo.frag": "#version 330\nuniform sampler2D uPhoto;\n"
@@ -144,6 +185,11 @@ class Pictures(unittest.TestCase):
             self.assertTrue(glibra.compare(one[::-1].copy(), file))
         with self.assertRaises(glibra.SceneError):
             glibra.compare("no.png", "such.png")
+        floats = scene.draw(dtype="float32")
+        near = floats * numpy.float32(1.01)
+        self.assertFalse(glibra.compare(near, floats))
+        self.assertTrue(glibra.compare(near, floats, relative=.1))
+        self.assertTrue(glibra.compare(near, floats, absolute=1))
         with self.assertRaises(ValueError):
             glibra.save(numpy.zeros(5), "a.png")
 
@@ -191,6 +237,38 @@ class Pytest(unittest.TestCase):
             failed = self.run_pytest(folder, "--glibra-report", "report")
             self.assertEqual(failed.returncode, 1, failed.stdout)
             self.assertIn("test_teapot.got.png", (folder / "report/index.html").read_text())
+
+    def test_refuses_one_golden_picture_for_two_tests(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            (folder / "test_it.py").write_text(
+                "import numpy, pytest\n"
+                "def picture(level): return numpy.full((4, 4, 3), level, 'uint8')\n"
+                "def test_teapot(golden):\n    golden.check_picture(picture(9))\n    golden.check_picture(picture(8))\n"
+                "class TestC:\n    def test_teapot(self, golden): golden.check_picture(picture(200))\n"
+                "@pytest.mark.parametrize('n', ['a/b', 'a b'])\n"
+                "def test_n(golden, n): golden.check_picture(picture(len(n)))\n"
+                "def test_shared(golden): golden.check_picture(picture(9), name='test_teapot')\n")
+            made = self.run_pytest(folder, "--glibra-update")
+            self.assertIn("2 failed, 3 passed", made.stdout)
+            self.assertIn("test_it.py::test_teapot and test_it.py::TestC::test_teapot have the same golden picture", made.stdout)
+            self.assertIn("test_it.py::test_n[a/b] and test_it.py::test_n[a b] have the same golden picture", made.stdout)
+            goldens = sorted(each.name for each in (folder / "golden").iterdir())
+            self.assertEqual(goldens, ["test_n_a_b_.png", "test_teapot-2.png", "test_teapot.png"])
+
+    def test_reports_tests_of_one_name_in_two_folders(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            for each, level in ("a", 10), ("b", 200):
+                (folder / each / "golden").mkdir(parents=True)
+                glibra.save(numpy.zeros((4, 4, 3), "uint8"), folder / each / "golden/test_it.png")
+                (folder / each / f"test_{each}.py").write_text(
+                    "import numpy\ndef test_it(golden): golden.check_picture(numpy.full((4, 4, 3), %d, 'uint8'))\n" % level)
+            self.assertEqual(self.run_pytest(folder, "--glibra-report", "report").returncode, 1)
+            levels = [glibra.compare(folder / "report" / each, numpy.zeros((4, 4, 3), "uint8")).largest
+                      for each in ("test_it.got.png", "test_it (2).got.png")]
+            self.assertEqual([round(each) for each in levels], [10, 200])
+            self.assertIn("test_it (2).got.png", (folder / "report/index.html").read_text())
 
 
 if __name__ == "__main__":

@@ -319,7 +319,7 @@ TEST(Bounds, ChangeNothingWithoutMaxErrorAndNothingThatSetStates) {
     RenderOptions options;
     options.maxError = 4;
     options.set = {"texels=1000"};
-    BoundScene stated(kind.scene, options);
+    const BoundScene stated(kind.scene, options);
     EXPECT_EQ(stated.value("texels"), 1000);
     EXPECT_EQ(stated.why("texels"), "1000 kept: stated by --set");
 }
@@ -340,7 +340,7 @@ Fill window with Noise
 )";
     RenderOptions options;
     options.maxError = 1;
-    BoundScene scene(noise, options);
+    const BoundScene scene(noise, options);
     EXPECT_EQ(scene.value("n"), 64);
     EXPECT_NE(scene.messages.find("draw-W07"), std::string::npos) << scene.messages;
     EXPECT_NE(scene.why("n").find("64 kept: its error is not known"), std::string::npos) << scene.why("n");

@@ -175,11 +175,11 @@ TEST_F(ModernCompute, RefusesWhatCannotRun) {
 
 TEST_F(ModernCompute, TwoLayoutsOfOneBufferAreAnError) {
     ComputeScene made = sums(true);
-    scene::Dispatch second = ComputeScene::over(made.compute("Other", R"(
+    const scene::Dispatch second = ComputeScene::over(made.compute("Other", R"(
 layout(local_size_x = 1) in;
 layout(std430) buffer Sum { vec3 sum[]; };
 void main() { sum[0] = vec3(1); })"),
-                                                scene::BufferView{scene::BufferIndex(2)});
+                                                      scene::BufferView{scene::BufferIndex(2)});
     made.scene.frame.add(second);
     RenderOptions everything;
     everything.skip = false;

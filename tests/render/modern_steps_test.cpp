@@ -208,7 +208,7 @@ TEST_F(ModernCompute, ParticlesFallAsTheClosedFormSays) {
     fall.uniforms.push_back({"uDt", glib::UniformForm::number, {kDt}, {1, 1}, {1, 1}});
     scene::StepBlock step;
     step.rate = 64;
-    scene::Dispatch dispatch = ComputeScene::over(scene::ProgramIndex(0), scene::BufferView{particles});
+    const scene::Dispatch dispatch = ComputeScene::over(scene::ProgramIndex(0), scene::BufferView{particles});
     step.nodes.add(dispatch);
     made.scene.steps.push_back(std::move(step));
     made.window();

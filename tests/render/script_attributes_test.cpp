@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstddef>
 #include <string>
 
 #include "script_problems.h"
@@ -97,6 +99,37 @@ TEST(AttributeParts, OfUnknownNamesAreReported) {
                          "Buffer b vec2 2\nAttribute iPixel b.x\nAttribute iTint 1 1 1\nVertices points 2\n")
                   .find("'offset' and 'stride'"),
               std::string::npos);
+}
+
+TEST(AttributesOfLists, ComeBeforeThoseAroundThem) {
+    const std::string begin =
+        "WindowSize 8 8\nCamera eye (mat4(1)) (mat4(1))\nBuffer o float 3\nBuffer b float [30 31 32]\n"
+        "Vertex inline\n#version 430\nin vec4 aVertex;\nin float w;\n"
+        "layout(std430) buffer O { float o[]; };\n"
+        "void main() { o[gl_VertexID] = w; gl_Position = aVertex; }\nEndVertex\n"
+        "Fragment inline\n#version 330\nout vec4 c;\nvoid main() { c = vec4(1); }\nEndFragment\nProgram P\n";
+    const auto list = [&](const std::string& around, const std::array<std::string, 3>& inside,
+                          const std::string& expected) {
+        std::string scene = begin + around + "glBegin triangles\n";
+        const std::array<std::string, 3> places{"0 0 0", "1 0 0", "1 1 0"};
+        for (std::size_t i = 0; i < 3; ++i) scene += inside[i] + "glVertex " + places[i] + "\n";
+        return problemsOf(scene + "glEnd\n" + expected);
+    };
+    EXPECT_EQ(
+        list("Attribute w 3\n", {"", "Attribute w 5\n", "Attribute w 7\n"}, "Expect buffer o [3 5 7]\n"), "");
+    EXPECT_EQ(list("Attribute w 3\n", {"", "", "Attribute w 7\n"}, "Expect buffer o [3 3 7]\n"), "");
+    EXPECT_EQ(list("", {"", "Attribute w 5\n", ""}, "Expect buffer o [0 5 5]\n"), "");
+    EXPECT_EQ(
+        list("Attribute w b\n", {"Attribute w 1\n", "Attribute w 5\n", ""}, "Expect buffer o [1 5 5]\n"), "");
+    EXPECT_EQ(list("Attribute w b\n", {"", "", ""}, "Expect buffer o [30 31 32]\n"), "");
+    EXPECT_NE(list("Attribute w b\n", {"", "Attribute w 5\n", ""}, "")
+                  .find("Attribute w: the vertices before have it from line 18; state it before the first "
+                        "glVertex, too [glib-E26]"),
+              std::string::npos);
+    EXPECT_EQ(
+        list("Attribute w 3\n", {"Attribute w 5\n", "", ""}, "Vertices points 1\nExpect buffer o [3 5 5]\n"),
+        "")
+        << "after the list the outer one holds again";
 }
 
 }  // namespace

@@ -80,7 +80,7 @@ TEST(ScriptChecks, ValuesBeyondTheirIntegersAreReported) {
     const auto found = [](const std::string& buffer) {
         return problemsOf("Buffer a " + buffer + "\nExpect finite a\n");
     };
-    EXPECT_EQ(found("uint [0 4294967295 .5]"), "");
+    EXPECT_EQ(found("uint [0 4294967295 1]"), "");
     EXPECT_EQ(found("int [-2147483648 2147483647]"), "");
     EXPECT_EQ(found("float [-1 3e10]"), "");
     EXPECT_NE(found("uint [0 1 -1]")
@@ -250,6 +250,37 @@ Expect ()" + condition +
     checked.checks = true;
     EXPECT_EQ(draw(SceneFolder(scene("Sum[0] == 3")), checked).count("dispatches"), 1U);
     EXPECT_EQ(draw(SceneFolder(scene("Su[0] == 3")), checked).count("dispatches"), 0U);
+}
+
+TEST(ScriptChecks, ElementsAreThoseOfTheArrayBehindOtherMembers) {
+    const auto found = [](const std::string& block, const std::string& write, const std::string& checks) {
+        return problemsOf("WindowSize 8 8\n" + checks.substr(0, checks.find('\n') + 1) +
+                          "Fragment inline\n#version 430\nstruct P { vec2 a; float b; };\n"
+                          "layout(std430) buffer Block { " +
+                          block + " };\nout vec4 c;\nvoid main() { " + write +
+                          " c = vec4(1); }\nEndFragment\nProgram F Block parts\nFill window with F\n" +
+                          checks.substr(checks.find('\n') + 1));
+    };
+    EXPECT_EQ(found("int head; vec2 e[];",
+                    "head = 9; for (int i = 0; i < 4; ++i) e[i] = vec2(10 * i + 1, 10 * i + 2);",
+                    "Buffer parts vec2 4\nExpect buffer parts at 1 [11 12]\nExpect (parts[1].x == 11)\n"
+                    "Expect (parts[0].x == 1)\nExpect (parts[3].y == 32)\nExpect (parts.count == 4)\n"
+                    "Expect sum parts [64 68]\nExpect buffer parts at 3 [31 32]\n"),
+              "");
+    EXPECT_EQ(found("uvec3 head; float more; uint e[];", "head = uvec3(7); more = 3.; e[0] = 4u; e[2] = 6u;",
+                    "Buffer parts uint 3\nExpect buffer parts [4 0 6]\nExpect (parts.count == 3)\n"),
+              "");
+    EXPECT_EQ(found("float head; P e[];", "head = 9.; e[1] = P(vec2(1, 2), 3.);",
+                    "Buffer parts P 2\nExpect buffer parts at 1 [1 2 3]\nExpect sum parts [1 2 3]\n"),
+              "");
+}
+
+TEST(ScriptChecks, AConditionReadsTheNumberOfElementsAndNamesThatAreFolded) {
+    EXPECT_EQ(problemsOf("WindowSize 8 8\nLet arr [1 2 3 4 5]\nLet k 5\nCamera eye (mat4(1)) (mat4(1))\n"
+                         "Texture2D t 16 4 rgba8\nPass t clear {1 1 1}\nEndPass\nSphere 1\n"
+                         "Expect (arr.count == 5)\nExpect (arr[2] == 3 && arr.count > 3)\n"
+                         "Expect (true || k == 4)\nExpect (t.size.x == 16)\nExpect (0*k + 1 == 1)\n"),
+              "");
 }
 
 }  // namespace

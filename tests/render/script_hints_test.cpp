@@ -244,5 +244,44 @@ EndPass
     EXPECT_EQ(found.find("error"), found.rfind("error")) << found;
 }
 
+TEST(Hints, NeverProposeTheWordItself) {
+    for (const char* state : {"blend src_alpha", "blend one", "stencilop keep keep",
+                              "blend one one alpha one", "BLEND SRC_ALPHA"}) {
+        const std::string problems =
+            problemsOf(std::string("Camera eye (mat4(1)) (mat4(1))\nState ") + state + "\nBox\n");
+        EXPECT_EQ(problems.find("did you mean"), std::string::npos) << problems;
+        EXPECT_NE(problems.find("scene.glib:2:"), std::string::npos) << problems;
+    }
+    const std::string bracket = problemsOf("Camera eye (mat4(1)) (mat4(1))\nTranslate (1 -2) 0 0\nBox\n");
+    EXPECT_EQ(bracket.find("write (-2))"), std::string::npos) << bracket;
+    const std::string type =
+        problemsOf("Buffer bb flot 4\nCamera eye (mat4(1)) (mat4(1))\nBox\nExpect (bb.count == 4)\n");
+    EXPECT_NE(type.find("did you mean 'float'?"), std::string::npos) << type;
+}
+
+TEST(Hints, AnIntegerBufferSaysWhatItCuts) {
+    EXPECT_NE(problemsOf("Buffer p uint [1 2 3.5]\nCamera eye (mat4(1)) (mat4(1))\nBox\n")
+                  .find("1:15: warning: 3.5 is cut to 3 [glib-W27]"),
+              std::string::npos);
+    EXPECT_EQ(problemsOf("Buffer p int [1 2 3.]\nBuffer q float [.5]\nCamera eye (mat4(1)) (mat4(1))\nBox\n"),
+              "");
+}
+
+TEST(Hints, ALoopThatNeverEndsIsNamedInsteadOfWhatFollows) {
+    for (const char* loop : {"while (true) { s += .1; }", "for (int i = 0; i < 3; ) s += 1.;"}) {
+        const SceneFolder folder(
+            std::string(
+                "WindowSize 8 8\nFragment inline\n#version 330\nout vec4 c;\nvoid main() { float s = 0.;\n") +
+            loop + "\nc = vec4(s);\n}\nEndFragment\nProgram P\nFill window with P\n");
+        render::Stats stats;
+        // It is not drawn: some drivers keep the loop.
+        const auto scene = render::SceneRenderer::load(sharedContext(), folder / "scene.glib", {}, stats);
+        const std::string found = text(scene.diagnostics);
+        EXPECT_EQ(found.find("draw-W10"), std::string::npos) << found;
+        EXPECT_TRUE(found.empty() || found.find("6:1: warning: this loop never ends") != std::string::npos)
+            << found;
+    }
+}
+
 }  // namespace
 }  // namespace glibra::test

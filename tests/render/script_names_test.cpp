@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "script_problems.h"
@@ -269,6 +270,68 @@ TEST(Names, MayBeThoseOfKeys) {
               "");
     EXPECT_NE(problemsOf("Let rounds 3\nRepeat rounds\nEndRepeat\n").find("write (rounds)"),
               std::string::npos);
+}
+
+TEST(Groups, EvaluateTheirDefaultsWhereTheyStand) {
+    const std::string end = "Sphere 1\n";
+    EXPECT_EQ(
+        problemsOf("WindowSize 8 8\nCamera eye (mat4(1)) (mat4(1))\nLet base (1)\nGroup inner a (base)\nLet "
+                   "got (a)\nEndGroup\n"
+                   "Let base (10)\nDraw inner\nExpect (got == 1)\nDraw inner a (base)\nExpect (got == 10)\n" +
+                   end),
+        "");
+    EXPECT_EQ(problemsOf("WindowSize 8 8\nCamera eye (mat4(1)) (mat4(1))\nTranslate 1 0 0\nGroup inner a "
+                         "(model[3].x)\nLet got (a)\nEndGroup\n"
+                         "Translate 3 0 0\nDraw inner\nExpect (got == 1)\n" +
+                         end),
+              "");
+    EXPECT_EQ(
+        problemsOf(
+            "WindowSize 8 8\nLet which 0\nTexture2D red 8 8 rgba8\nTexture2D green 8 8 rgba8\n"
+            "Let pic <red green>\nPass red clear {1 0 0}\nEndPass\nPass green clear {0 1 0}\nEndPass\n" +
+            showing("sampler2D", "vST") +
+            "Program Copy\nGroup show what pic\nFill window with Copy uT what\nEndGroup\n"
+            "Draw show\nExpect pixel 3 3 [1 0 0]\n"),
+        "");
+}
+
+TEST(Groups, WithAFaultyDefaultGiveOneMessage) {
+    const std::string problems = problemsOf(
+        "Camera eye (mat4(1)) (mat4(1))\nLet arr [1 2 3 4 5]\n"
+        "Group gg size arr\nLet got (1)\nBox\nEndGroup\nDraw gg\nDraw gg\nLet a (got)\nScale (a)\nBox\n");
+    EXPECT_EQ(std::count(problems.begin(), problems.end(), '\n'), 1) << problems;
+    EXPECT_NE(problems.find("scene.glib:3:"), std::string::npos) << problems;
+}
+
+TEST(Names, ThatAreSetBelowSayWhere) {
+    const std::string problems =
+        problemsOf("WindowSize 8 8\nCamera eye (mat4(1)) (mat4(1))\nTranslate (k) 0 0\nBox\nLet k 5\n");
+    EXPECT_NE(problems.find("unknown name 'k'; line 5 sets it, which is below [expr-E02]"), std::string::npos)
+        << problems;
+}
+
+TEST(Cameras, HaveThePlanesAndTheAngleOfTheirProjection) {
+    const auto holds = [](const std::string& camera, const std::string& condition) {
+        return problemsOf("WindowSize 40 20\nCamera eye LookAt 1 2 5  0 .5 0  0 1 0  Perspective 40 .5 50\n" +
+                          camera + "\nExpect (" + condition + ")\nBox\n");
+    };
+    const std::string frustum = "Camera c LookAt 1 2 5  0 .5 0  0 1 0  Frustum -1 1 -.5 .5 1 10";
+    EXPECT_EQ(holds(frustum, "abs(c.fov - 2*degrees(atan(.5))) < 1e-9"), "");
+    EXPECT_EQ(holds(frustum, "c.near == 1 && c.far == 10"), "");
+    EXPECT_EQ(holds("Camera c LookAt 1 2 5  0 .5 0  0 1 0  Frustum -1 1 .5 2 1 10",
+                    "abs(c.fov - degrees(atan(2.) - atan(.5))) < 1e-9"),
+              "");
+    EXPECT_EQ(holds("Camera c LookAt 1 2 5  0 .5 0  0 1 0  Ortho -1 1 -1 1 0 10",
+                    "c.fov == 0 && c.near == 0 && c.far == 10"),
+              "");
+    const std::string made = "Camera c (mat4(1)) (perspective(30, 1.5, 1, 9))";
+    EXPECT_EQ(holds(made, "abs(c.fov - 30) < 1e-9 && abs(c.near - 1) < 1e-9 && abs(c.far - 9) < 1e-9"), "");
+    EXPECT_EQ(holds("Camera c (mat4(1)) (ortho(-1, 1, -1, 1, 2, 7))",
+                    "c.fov == 0 && abs(c.near - 2) < 1e-9 && abs(c.far - 7) < 1e-9"),
+              "");
+    EXPECT_EQ(holds(made + "\nCamera d Shift c 1 0 0", "abs(d.fov - 30) < 1e-9 && abs(d.near - 1) < 1e-9"),
+              "");
+    EXPECT_EQ(holds("Camera c (mat4(1)) (mat4(0))", "c.fov == 0 && c.near == 0 && c.far == 0"), "");
 }
 
 }  // namespace

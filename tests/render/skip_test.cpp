@@ -25,7 +25,7 @@ std::string fragment(const std::string& declarations, const std::string& color) 
 }
 /// A raw texture of 2 x 2 texels: its sizes, then four bytes per texel.
 std::string rawTexture(unsigned char value) {
-    std::string bytes{2, 0, 0, 0, 2, 0, 0, 0};
+    const std::string bytes{2, 0, 0, 0, 2, 0, 0, 0};
     return bytes + std::string(16, static_cast<char>(value));
 }
 const std::map<std::string, std::string> kSkipFiles{
@@ -222,8 +222,8 @@ TEST(SkipRule, WhatAShiftOfThePictureMayShowIsDrawn) {
 }
 
 TEST(SkipRule, ADrawWhoseProgramMovesItIsDrawnWhereverItsMeshLies) {
-    SceneFolder folder(kSkipStart + "Vertex moved.vert\n" + program("red") + "Translate 0 0 9\nTeapot\n",
-                       kSkipFiles);
+    const SceneFolder folder(
+        kSkipStart + "Vertex moved.vert\n" + program("red") + "Translate 0 0 9\nTeapot\n", kSkipFiles);
     folder.write("moved.vert",
                  "#version 330 core\nout vec3 vST;\nvoid main() { vST = vec3(0.); gl_Position = "
                  "uModelViewProjectionMatrix * (aVertex - vec4(0., 0., 9., 0.)); }\n");
@@ -265,8 +265,8 @@ TEST(SkipRule, ATileIsSparedWhatLiesBesideIt) {
 }
 
 TEST(SkipRule, WhatIsSkippedIsStillCheckedWhenNothingIs) {
-    SceneFolder folder = sceneOf(program("broken") + "Translate 0 0 9\nTeapot\n" + program("plain") +
-                                 "Translate 0 0 -9\nSphere 1\n");
+    const SceneFolder folder = sceneOf(program("broken") + "Translate 0 0 9\nTeapot\n" + program("plain") +
+                                       "Translate 0 0 -9\nSphere 1\n");
     folder.write("broken.frag", "#version 330 core\nvoid main() { gl_FragColor = missing; }\n");
     EXPECT_FALSE(hasError(draw(folder).diagnostics));
 }

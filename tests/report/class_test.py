@@ -244,11 +244,11 @@ class ClassPage(unittest.TestCase):
         cards = self.browser.run("return [...document.querySelectorAll('.card')].filter((each) => !each.hidden).map((each) => each.dataset.name)")
         self.assertEqual(cards, ["Zoe"])
 
-    def test_the_reference_is_shown_once_and_not_again_for_one_that_failed(self):
+    def test_each_picture_of_one_that_failed_is_beside_the_references(self):
         self.assertEqual(self.browser.run("return document.querySelectorAll('#reference .strip figure').length"), 2)
         shown = self.browser.run("return [...document.querySelectorAll('#failed img')].map((each) => each.getAttribute('src'))")
-        self.assertEqual([each for each in shown if "/0000-" in each], ["pictures/0000-1.png"])
-        self.assertEqual(len(shown), 3, "it has two pictures of its own, as far as it could be drawn")
+        self.assertEqual([each for each in shown if "/0000-" in each], ["pictures/0000-1.png", "pictures/0000-2.png"])
+        self.assertEqual(len(shown), 4, "it has two pictures of its own, as far as it could be drawn")
 
     def test_printed_it_has_no_controls_and_becomes_a_pdf_file(self):
         self.browser.command("Emulation.setEmulatedMedia", media="print")

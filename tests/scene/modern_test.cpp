@@ -189,7 +189,7 @@ TEST(Modern, TagsOfAProgramAreEvaluatedAtItsDraws) {
         run("Let k 2\nVertex a.vert\nFragment a.frag\nProgram P uPlace (model[3].xyz) uK k uList [3 of (i * "
             "i)] uPlain 4\n"
             "Translate 1 0 0\nBox\nTranslate 1 0 0\nBox\n");
-    EXPECT_EQ(textsOf(scene.diagnostics).find("E"), std::string::npos) << textsOf(scene.diagnostics);
+    EXPECT_EQ(textsOf(scene.diagnostics).find('E'), std::string::npos) << textsOf(scene.diagnostics);
     const std::vector<Draw> draws = drawsOf(scene);
     ASSERT_EQ(draws.size(), 2U);
     EXPECT_EQ(uniformValues(scene, draws[0], "uPlace"), (std::vector<double>{1, 0, 0}));
@@ -504,7 +504,7 @@ TEST(Choices, NameTexturesAndBuffersOnTags) {
         "Texture2D red 8 8 rgba8 levels 2\nTexture2D blue 8 8 rgba8 levels 2\nLet pic <red blue>\n"
         "Group g what red\nSet uWhat what\nBox\nEndGroup\nKey p pic blue\n";
     const auto boundIn = [&](const std::string& text, const char* tag) -> std::string {
-        InterpretOptions options;
+        const InterpretOptions options;
         Interpretation script(glib::parse(begin + text, "scene.glib"), options);
         FrameInputs inputs;
         inputs.words["pic"] = "blue";

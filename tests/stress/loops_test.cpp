@@ -20,14 +20,14 @@ FloatPicture counted(const Counting& of, bool inVertexStage) {
     const std::string declarations =
         "uniform int uN, uM, uOne;\nuniform float uStep;\nint count() {\n  int n = 0;\n  " + of.body +
         "\n  return n;\n}\n";
-    Files files = inVertexStage
-                      ? Files{{"v.vert", "#version 330 core\nflat out int vN;\n" + declarations +
-                                             "void main() { vN = count(); gl_Position = "
-                                             "uModelViewProjectionMatrix * aVertex; }\n"},
-                              {"f.frag",
-                               "#version 330 core\nflat in int vN;\nout vec4 fColor;\nvoid main() { "
-                               "fColor = vec4(vec3(vN), 1.); }\n"}}
-                      : shaded("vec3(count())", declarations);
+    const Files files = inVertexStage
+                            ? Files{{"v.vert", "#version 330 core\nflat out int vN;\n" + declarations +
+                                                   "void main() { vN = count(); gl_Position = "
+                                                   "uModelViewProjectionMatrix * aVertex; }\n"},
+                                    {"f.frag",
+                                     "#version 330 core\nflat in int vN;\nout vec4 fColor;\nvoid main() { "
+                                     "fColor = vec4(vec3(vN), 1.); }\n"}}
+                            : shaded("vec3(count())", declarations);
     return draw(
         "WindowSize 1 1\nLookAt 0 0 5 0 0 0 0 1 0\nVertex v.vert\nFragment f.frag\nProgram P uOne 1 " +
             of.tags + "\nQuadXY 0 10\n",

@@ -213,8 +213,8 @@ TEST(LensCorrection, BendsStraightLinesIntoTheRadialCurve) {
         // The factor stays positive up to the corner, so that no place is turned around the middle.
         for (int i = 0; i <= 100; ++i) EXPECT_GT(factor(zoom * zoom * .5 * i / 100.), 0) << i;
         for (const double edge : {-.2, .05, .2}) {
-            Files files{{"lens.frag", shipped("modern/lens.frag")},
-                        {"lens.vert", shipped("modern/lens.vert")}};
+            const Files files{{"lens.frag", shipped("modern/lens.frag")},
+                              {"lens.vert", shipped("modern/lens.vert")}};
             const FloatPicture picture =
                 draw(fmt::format(R"(WindowSize {0} {1}
 Texture2D sheet 4096 16 r32f linear clamp

@@ -43,6 +43,9 @@ TEST(ExerciseFile, MistakesAreReported) {
     EXPECT_EQ(idOf("solution = \"a.glib\"\ntimes = [\"x\"]\n"), "suite-E03");
     EXPECT_EQ(idOf("solution = \"a.glib\"\nsweep = [1]\n"), "suite-E03");
     EXPECT_EQ(idOf("solution = \"a.glib\n"), "suite-E01");
+    EXPECT_TRUE(readExerciseText("solution = \"a.glib\"\ntime = 3\n", "t.toml")
+                    .diagnostics.front()
+                    .text.starts_with("unknown key 'time' in an exercise; "));
 }
 
 TEST(ExerciseFile, EveryShippedOneIsRead) {

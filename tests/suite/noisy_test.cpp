@@ -181,6 +181,34 @@ TEST_F(Noisy, ARectangleOutsideOfThePictureIsAnError) {
     }
 }
 
+TEST_F(Noisy, WhatIsIgnoredWronglyIsAnErrorWithItsPlaceEvenIfThePictureIsTheGolden) {
+    ASSERT_EQ(accept(gradient()).verdict, Verdict::updated);
+    shot.ignored = {{31, 0, 2, 1, "", {"s.toml", 4, 10}}};
+    const std::string rectangle =
+        "s.toml:4:10: error: ignore: [31, 0, 2, 1] is not inside of the picture of 32 x 32 pixels "
+        "[suite-E29]";
+    for (const ShotResult& result : {decide(gradient()), accept(gradient()), accept(gradient(40))}) {
+        EXPECT_EQ(result.verdict, Verdict::failed);
+        EXPECT_EQ(result.reason, rectangle);
+        EXPECT_EQ(result.accept, "");
+        EXPECT_EQ(result.diagnostics.back().id, "suite-E29") << "reports list it";
+    }
+    shot.ignored[0].until = "2020-01-31";
+    EXPECT_EQ(decide(gradient()).verdict, Verdict::passed) << "it is not ignored any more";
+    shot.mask = folder / "mask.png";
+    shot.maskPlace = {"s.toml", 5, 8};
+    ASSERT_TRUE(image::writeImage(picture(16, 32, [](int, int, int) { return 255; }), shot.mask).empty());
+    EXPECT_EQ(decide(gradient()).reason.rfind("s.toml:5:8: error: mask: ", 0), 0U);
+    std::filesystem::remove(shot.mask);
+    EXPECT_EQ(accept(gradient()).verdict, Verdict::failed) << "a mask that is missing";
+}
+
+TEST_F(Noisy, NoGoldenIsMadeOfAShotThatIgnoresWhatItDoesNotHave) {
+    shot.ignored = {{70, 0, 80, 60, ""}};
+    EXPECT_EQ(accept(gradient()).verdict, Verdict::failed);
+    EXPECT_FALSE(std::filesystem::exists(folder / "goldens/a.png"));
+}
+
 TEST(Days, AreThoseOfTheCalendar) {
     for (const char* day : {"2026-12-31", "2024-02-29", "2000-02-29", "0001-01-01"})
         EXPECT_TRUE(isDay(day)) << day;
@@ -206,6 +234,8 @@ TEST(NoisyKeys, AreRead) {
     ASSERT_EQ(shot.ignored.size(), 2U);
     EXPECT_EQ(shot.ignored[0].height, 4);
     EXPECT_EQ(shot.ignored[1].until, "2027-01-01");
+    EXPECT_EQ(shot.ignored[1].place.line, 7);
+    EXPECT_EQ(shot.maskPlace.line, 6);
 }
 
 TEST(NoisyKeys, AreCheckedWithTheirPlace) {

@@ -49,6 +49,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"HalfAWord", "[[shot]]\nx = tru\n",
                 "2:8 suite-E01 not TOML: boolean: expected 'true', saw 'tru '; a text needs quotes, as "
                 "\"teapot.glib\"\n"},
+        Mistake{"NestedTooDeep", "x = " + std::string(400, '[') + std::string(400, ']') + "\n",
+                "1:261 suite-E01 not TOML: arrays and tables stand too deep in each other\n"},
         Mistake{"TextWithoutQuotes", "[[shot]]\nscript = teapot.glib\n",
                 "2:11 suite-E01 not TOML: boolean: expected 'true', saw 'te'; a text needs quotes, as "
                 "\"teapot.glib\"\n"},

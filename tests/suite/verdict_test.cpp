@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <utility>
 
 #include "folder.h"
 #include "pictures.h"
@@ -26,7 +27,7 @@ class Verdicts : public testing::Test {
     /// The verdict of a run on the picture: first() and, if necessary, second() with `again`.
     Judged decide(const Shot& which, const image::Image& image, JudgeOptions options = {},
                   const std::optional<image::Image>& again = {}, const std::string& family = "llvmpipe") {
-        const ShotJudge judge = this->judge(options, family);
+        const ShotJudge judge = this->judge(std::move(options), family);
         const Attempt attempt = attemptAt(which, image);
         if (std::optional<Judged> first = judge.first(attempt)) return *first;
         return judge.second(attempt, attemptAt(which, again ? *again : image));

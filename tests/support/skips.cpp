@@ -30,7 +30,7 @@ class SkipsFail : public testing::EmptyTestEventListener {
     std::set<std::string> allowed_ = allowedSkips();
 };
 
-[[maybe_unused]] const bool isAdded = [] {
+[[maybe_unused]] const bool kIsAdded = [] {
     if (std::getenv("GLIBRA_NO_SKIPS") != nullptr)
         testing::UnitTest::GetInstance()->listeners().Append(new SkipsFail);  // which owns it
     return true;

@@ -413,7 +413,7 @@ TEST_F(Frame, WhatIsTriedGoesWithItsDrawWhenTheSceneIsEdited) {
 }
 
 TEST(StateChoices, AreTheWordsOfTheStatement) {
-    base::RasterState state;
+    const base::RasterState state;
     EXPECT_EQ(view::stateStatement(state, state), "");
     for (const view::StateChoice& each : view::stateChoices()) {
         EXPECT_LT(each.wordOf(state), each.words.size()) << each.key;

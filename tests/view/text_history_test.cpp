@@ -53,7 +53,7 @@ TEST(TextHistory, LettersDeletedOneAfterTheOtherAreAStep) {
 
 TEST(TextHistory, AStepEndsWhereTheCursorLeaves) {
     TextHistory history("");
-    std::string text = typed(history, "", "ab");
+    const std::string text = typed(history, "", "ab");
     history.endStep();
     typed(history, text, "cd");
     EXPECT_EQ(history.undo().text, "ab");

@@ -116,7 +116,7 @@ install(TARGETS glibra EXPORT glibraLibraryTargets
         LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library NAMELINK_COMPONENT devel
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT devel)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/glibra ${PROJECT_BINARY_DIR}/include/glibra
-        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT devel)
+        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT devel FILES_MATCHING PATTERN "*.h")
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/glibra)
 foreach(set Library Program)
     install(EXPORT glibra${set}Targets NAMESPACE glibra:: DESTINATION ${package_dir} COMPONENT devel)

@@ -60,7 +60,7 @@ class Remains {
         for (std::size_t i = 0; i < count; ++i)
             if (!corners_[i].isConvex) reflex_.push_back(i);
         std::sort(reflex_.begin(), reflex_.end(),
-                  [&](std::size_t a, std::size_t b) { return points_[a].x < points_[b].x; });
+                  [&](std::size_t a, std::size_t b) { return isBefore(a, b); });
         reflexLeft_ = reflex_.size();
     }
 
@@ -70,6 +70,7 @@ class Remains {
         std::size_t left = points_.size(), at = 0;
         // A corner that is written twice has no place of its own.
         for (std::size_t n = points_.size(); n > 0 && left > 3; --n) {
+            if (isTooMuch()) return false;
             const std::size_t next = corners_[at].next;
             if (points_[at] == points_[next]) {
                 ear(corners_[at].previous, at, next);
@@ -81,6 +82,7 @@ class Remains {
         std::size_t last = at;
         int rule = 0;
         while (left > 3) {
+            if (isTooMuch()) return false;
             const std::size_t before = corners_[at].previous, after = corners_[at].next;
             if (isEar(at, rule)) {
                 ear(before, at, after);
@@ -91,7 +93,6 @@ class Remains {
                 rule = 0;
                 continue;
             }
-            if (work_ > EarCutter::kMostWork) return false;
             at = after;
             // Outlines that touch or cross themselves may have no ear by the stricter rules.
             if (at == last) ++rule;
@@ -101,6 +102,13 @@ class Remains {
     }
 
   private:
+    [[nodiscard]] bool isTooMuch() const { return work_ > EarCutter::kMostWork; }
+
+    /// The order of reflex_: by x, then by number.
+    [[nodiscard]] bool isBefore(std::size_t a, std::size_t b) const {
+        return points_[a].x < points_[b].x || (points_[a].x == points_[b].x && a < b);
+    }
+
     [[nodiscard]] int turnAt(std::size_t corner) const {
         const RingCorner& each = corners_[corner];
         return orientation(points_[each.previous], points_[corner], points_[each.next]);
@@ -158,18 +166,16 @@ class Remains {
 
     void enter(std::size_t corner) {
         ++reflexLeft_;
-        const auto place = std::lower_bound(reflex_.begin(), reflex_.end(), points_[corner].x,
-                                            [&](std::size_t i, float x) { return points_[i].x < x; });
-        // It may still be there.
-        for (auto each = place; each != reflex_.end() && points_[*each].x == points_[corner].x; ++each)
-            if (*each == corner) return;
-        work_ += reflex_.size() / 64;  // the others move
+        const auto place = std::lower_bound(reflex_.begin(), reflex_.end(), corner,
+                                            [&](std::size_t a, std::size_t b) { return isBefore(a, b); });
+        if (place != reflex_.end() && *place == corner) return;  // it is still there
+        work_ += reflex_.size() / 64;                            // the others move
         reflex_.insert(place, corner);
     }
 
     std::vector<PlanePoint> points_;
     std::vector<RingCorner> corners_;
-    std::vector<std::size_t> reflex_;  ///< that turn right or lie on a line, by x; some of them no longer
+    std::vector<std::size_t> reflex_;  ///< that turn right or lie on a line, in order; some of them no longer
     std::size_t reflexLeft_ = 0;       ///< of these those that still do
     std::size_t& work_;
 };

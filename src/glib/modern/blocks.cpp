@@ -82,12 +82,18 @@ bool BlockStack::unwindTo(const StatementRow& row, Position position) {
     const auto found = std::find_if(blocks_.rbegin(), blocks_.rend(),
                                     [&](const Block& block) { return block.row->id == row.opener; });
     if (found == blocks_.rend()) {
+        const auto unwound = std::find(unwound_.begin(), unwound_.end(), row.opener);
+        if (unwound != unwound_.end() && row.role == BlockRole::closes) {
+            unwound_.erase(unwound);
+            return false;
+        }
         log_.report("glib-E21", fmt::format("{} without {}", row.name, statementOf(row.opener)->name),
                     position);
         return false;
     }
     while (blocks_.back().row->id != row.opener) {
         reportOpen(blocks_.back(), fmt::format(" before {} (line {})", row.name, position.line));
+        unwound_.push_back(blocks_.back().row->id);
         blocks_.pop_back();
         blocks_.back().isFaulty = true;
     }

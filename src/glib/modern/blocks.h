@@ -54,7 +54,8 @@ class BlockStack {
 
     MessageLog& log_;
     std::vector<Block> blocks_;
-    std::size_t tooDeep_ = 0;  ///< open blocks beyond the limit, which are not kept
+    std::vector<CommandId> unwound_;  ///< openers that were reported as not closed; their ends may follow
+    std::size_t tooDeep_ = 0;         ///< open blocks beyond the limit, which are not kept
 };
 
 }  // namespace glibra::glib

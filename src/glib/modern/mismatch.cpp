@@ -67,7 +67,7 @@ std::string Mismatch::suggested(std::string_view word) const {
         if (each.size() >= kLeast && each.size() > nearest.size() &&
             sameWord(each, word.substr(0, each.size())))
             nearest = each;
-    return nearest;
+    return sameWord(nearest, word) ? std::string() : nearest;  // the word is right, and something else is not
 }
 
 std::string Mismatch::valueHint(const Pieces& pieces, std::size_t at, const DeclaredNames& names) const {

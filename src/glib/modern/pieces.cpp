@@ -29,7 +29,8 @@ bool isUnquoted(const Value& value) {
 }
 
 bool looksLikeExpression(std::string_view word) {
-    if (isCompleteNumber(word)) return false;
+    const auto countOf = [&](char bracket) { return std::count(word.begin(), word.end(), bracket); };
+    if (isCompleteNumber(word) || countOf(')') > countOf('(')) return false;
     const std::size_t at = word.find_first_of("*/%+-");
     return at != std::string_view::npos && at + 1 < word.size() &&
            (isOfName(word[at + 1]) || word[at + 1] == '.' || word[at + 1] == '-' || word[at + 1] == '(') &&

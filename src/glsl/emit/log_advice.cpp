@@ -12,6 +12,8 @@
 #include <vector>
 
 #include "base/suggest.h"
+#include "base/utf8.h"
+#include "glsl/emit/log_line.h"
 #include "glsl/emit/log_phrases.h"
 #include "glsl/facts/stage_variables.h"
 #include "glsl/parse/types.h"
@@ -99,6 +101,17 @@ std::string userWord(const TranslatedProgram& program, std::string_view emitted)
     if (!word.starts_with("glibra_")) return word;
     const auto found = program.userNames.find(word);
     return found != program.userNames.end() ? found->second : "gl_" + word.substr(7);
+}
+
+/// True if the text has the driver's name of a token: "NEW_IDENTIFIER".
+bool hasJargon(std::string_view text) {
+    constexpr std::size_t kLeast = 4;  // "EOF", "GL" and "C0000" are none
+    std::size_t run = 0;
+    for (const char each : text) {
+        run = (each >= 'A' && each <= 'Z') || each == '_' ? run + 1 : 0;
+        if (run == kLeast) return true;
+    }
+    return false;
 }
 
 /// The driver's names of tokens, which are no GLSL ("BASIC_TYPE_TOK"), give way to the token itself.
@@ -279,17 +292,26 @@ std::string LogAdvice::suggestionFor(std::string_view word, bool isType) {
 }
 
 void LogAdvice::explainSyntaxError(const LogLine& line, Diagnostic& message) {
-    if (contains(line.text, "unexpected end of file") || contains(line.text, "unexpected $end")) {
-        message.text = "syntax error: the file ends too early; is a '}' missing?";
-        return;
-    }
+    const bool endsEarly =
+        contains(line.text, "unexpected end of file") || contains(line.text, "unexpected $end");
+    if (endsEarly) message.text = "syntax error: the file ends too early; is a '}' missing?";
+    if (!endsEarly && hasJargon(line.text)) message.text = readableSyntaxError(line.text, {});
     const Source& source = this->source();
     const std::optional<EmittedPlace> place = emittedPlace(stage_, line, message.place.file);
     if (!place) return;
     // Without a column the token is the one that the message quotes: "at token \"vec3\"".
     const std::size_t at =
         place->column > 0 ? source.find(*place) : source.findWord(place->line, quotedWord(line.text));
-    if (at == 0 || at == source.size()) return;
+    // Compilers take a character that GLSL does not have for the end of the file, or leave it out.
+    const std::string_view text = lineOfText(stage_.source, place->line);
+    const std::size_t column = static_cast<std::size_t>(std::max(1, place->column)) - 1;
+    if (column < text.size() && base::firstCharacter(text.substr(column)).code >= 0x80) {
+        message.text = "syntax error: GLSL has no character '" +
+                       std::string(text.substr(column, base::firstCharacter(text.substr(column)).bytes)) +
+                       "' outside comments";
+        return;
+    }
+    if (endsEarly || at == 0 || at == source.size()) return;
     const Token& before = source[at - 1];
     if (before.line == source[at].line && before.kind == TokenKind::word && source.isWord(at) &&
         source.isAtTheStart(at - 1) && keywordSince(before.text) == 0 && keywordSince(source.text(at)) == 0) {

@@ -196,6 +196,8 @@ int nearestWord(std::string_view text, std::string_view word, int column) {
     return best;
 }
 
+}  // namespace
+
 std::string_view lineOfText(std::string_view text, std::size_t number) {
     for (; number > 0; --number) {
         const std::size_t end = text.find('\n');
@@ -204,8 +206,6 @@ std::string_view lineOfText(std::string_view text, std::size_t number) {
     }
     return text.substr(0, std::min(text.find('\n'), text.size()));
 }
-
-}  // namespace
 
 std::optional<LogLine> parseLogLine(std::string_view line, std::span<const std::string> files) {
     if (line.size() > 20'000) return std::nullopt;

@@ -50,6 +50,9 @@ struct UserPlace {
 };
 UserPlace userPlace(const TranslatedStage& stage, const EmittedPlace& place);
 
+/// The line of that number, counted from 0, without its end; empty if there is none.
+std::string_view lineOfText(std::string_view text, std::size_t number);
+
 /// The first quoted word of a message: `foo', 'foo' or "foo"; empty if there is none.
 std::string_view quotedWord(std::string_view text);
 

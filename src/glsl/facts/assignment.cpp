@@ -1,6 +1,7 @@
 #include "glsl/facts/assignment.h"
 
 #include <algorithm>
+#include <ranges>
 #include <utility>
 
 #include "glsl/facts/assignment_walk.h"
@@ -104,8 +105,8 @@ void AssignmentWalk::fragData() {
 std::optional<std::size_t> AssignmentWalk::variableAt(std::uint32_t at) const {
     const WordRole is = role(at);
     if (is == WordRole::local) {
-        for (auto scope = scopes_.rbegin(); scope != scopes_.rend(); ++scope)
-            if (const auto found = scope->find(text(at)); found != scope->end()) return found->second;
+        for (const auto& scope : std::ranges::reverse_view(scopes_))
+            if (const auto found = scope.find(text(at)); found != scope.end()) return found->second;
     } else if (is == WordRole::global) {
         if (const auto found = outputs_.find(text(at)); found != outputs_.end()) return found->second;
     }
@@ -232,7 +233,7 @@ void AssignmentWalk::leave(const Declaration& declaration, std::size_t first) {
     if ((isMain_ && unit_.stage != Stage::geometry) || gaveUp_)
         for (std::size_t i = 0; i < outputCount_; ++i) read(i, {variables_[i].all(), false}, kNone);
     for (std::size_t i = first; i < variables_.size(); ++i) {
-        AssignedVariable& each = variables_[i];
+        const AssignedVariable& each = variables_[i];
         if (each.is.kind == Unassigned::Kind::outParameter || gaveUp_) read(i, {each.all(), false}, kNone);
         deliver(each);
     }

@@ -168,7 +168,7 @@ class LoopSearch {
             return search_.changes(name, body) ? std::nullopt : stepOf(name, head[2]);
         };
         const auto first = [&](std::string_view name) {
-            std::optional<Formula> here = firstOf(name, head[0]);
+            const std::optional<Formula> here = firstOf(name, head[0]);
             return here ? here : firstBefore(name, at);
         };
         const Counter counter{first, step, [&](std::string_view name) {

@@ -106,7 +106,7 @@ std::string StageVariable::number(int element, int component) const {
 
 std::vector<StageVariable> stageVariables(const TranslatedStage& stage,
                                           const std::map<std::string, std::string>& userNames) {
-    ProgramRequest request;
+    const ProgramRequest request;
     StageText text;
     text.request = &request;
     Report ignored;  // the source has been translated already

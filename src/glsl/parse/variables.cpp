@@ -105,7 +105,7 @@ class Rewriter {
     [[nodiscard]] std::string text(const Variable& variable) const {
         Variable copy = variable;
         copy.type = declaration_.type.isStruct ? "" : spelled(unit_, variable.type);
-        std::string words = headOf(copy);
+        const std::string words = headOf(copy);
         return words.empty() ? words : words + " ";
     }
 

@@ -246,7 +246,7 @@ std::vector<Piece> Expander::substitute(const Macro& macro, const std::vector<Pi
     bool pasteNext = false;
     const auto add = [&](Piece piece) {
         if (std::exchange(pasteNext, false) && !result.empty())
-            paste(result, result.size() - 1, std::move(piece));
+            paste(result, result.size() - 1, piece);
         else
             result.push_back(std::move(piece));
     };
@@ -263,7 +263,7 @@ std::vector<Piece> Expander::substitute(const Macro& macro, const std::vector<Pi
             piece.token.body = each.body;
             piece.order = call.order;
             piece.blank = each.blank;
-            add(std::move(piece));
+            add(piece);
             continue;
         }
         const auto index = static_cast<std::size_t>(each.parameter);
@@ -280,7 +280,7 @@ std::vector<Piece> Expander::substitute(const Macro& macro, const std::vector<Pi
         for (std::size_t i = 0; i < argument.size() && countStep(); ++i) {
             Piece piece = argument[i];
             if (i == 0) piece.blank = each.blank;
-            add(std::move(piece));
+            add(piece);
         }
     }
     std::erase_if(result, [](const Piece& each) { return each.token.text.empty(); });
@@ -293,7 +293,7 @@ void Expander::paste(Pieces& pieces, std::size_t left, Piece right) {
     if (right.token.text.empty()) return;
     if (to.token.text.empty()) {
         right.blank = to.blank;
-        to = std::move(right);
+        to = right;
         return;
     }
     const std::string both = std::string(to.token.text) + std::string(right.token.text);

@@ -156,9 +156,9 @@ class SourceReader {
     void addLine(std::span<const Token> tokens) {
         SourceLine line;
         line.tokens = tokens;
-        for (std::size_t i = 0; i < tokens.size(); ++i) {
-            if (isSignificant(tokens[i].kind)) line.significant.push_back(&tokens[i]);
-            if (tokens[i].kind == TokenKind::comment) checkComment(tokens[i]);
+        for (const auto& token : tokens) {
+            if (isSignificant(token.kind)) line.significant.push_back(&token);
+            if (token.kind == TokenKind::comment) checkComment(token);
         }
         if (line.word(0) == "#") {
             directive(line);
@@ -451,7 +451,7 @@ void readSource(const StageSource& source, StageText& stage, Report& report) {
 }
 
 std::string lineDirective(const StageText& stage, std::size_t file, long long line, int emittedVersion) {
-    std::string text = "#line " + std::to_string(emittedVersion <= 150 ? line - 1 : line) + " ";
+    const std::string text = "#line " + std::to_string(emittedVersion <= 150 ? line - 1 : line) + " ";
     // A quoted number, because Mesa accepts few characters in a quoted name and drops an unquoted number from
     // some messages.
     return stage.request->target.lineDirectiveTakesFileName ? text + '"' + std::to_string(file) + '"'

@@ -28,7 +28,7 @@ struct BodyPlace {
 
 struct StageText {
     StageText() = default;
-    StageText(StageText&&) = default;  // not copyable: tokens point into `storage`
+    StageText(StageText&&) noexcept = default;  // not copyable: tokens point into `storage`
     StageText& operator=(StageText&&) = default;
     StageText(const StageText&) = delete;
     StageText& operator=(const StageText&) = delete;

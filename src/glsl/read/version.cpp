@@ -49,7 +49,7 @@ Dialect readVersion(std::span<const std::string_view> words, const Place& place,
     if (number < 0 || !rest.empty()) tolerated = true;
     if (number < 0) number = 330;
 
-    std::string_view profile = words.size() > 1 ? words[1] : std::string_view{};
+    const std::string_view profile = words.size() > 1 ? words[1] : std::string_view{};
     if (profile == "es" || number == 100) {
         dialect.version = number <= 100 ? 120 : (number < 310 ? 330 : (number < 320 ? 430 : 450));
         dialect.written = number;

@@ -46,7 +46,7 @@ inline std::string own(Varying which) {
 inline Varying varyingOf(std::string_view word, bool& input) {
     input = false;
     if (!word.starts_with("gl_")) return kVaryingCount;
-    std::string_view name = word.substr(3);
+    const std::string_view name = word.substr(3);
     for (std::size_t i = 0; i < kVaryingCount; ++i) {
         if (name == kRows[i].name) return static_cast<Varying>(i);
         if (name.ends_with("In") && name.substr(0, name.size() - 2) == kRows[i].name) {

@@ -71,7 +71,7 @@ class Repairs {
     }
 
     void falseConstants() {
-        for (Variable& each : unit_.variables) {
+        for (const Variable& each : unit_.variables) {
             if (each.storage != Storage::constant || each.removed) continue;
             const Range value =
                 unit_.syntax.declarations[each.declaration].declarators[each.declarator].initializer;

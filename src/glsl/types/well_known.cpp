@@ -19,13 +19,14 @@ bool isUpper(char letter) {
     return letter >= 'A' && letter <= 'Z';
 }
 
-/// Takes the first of the prefixes off that is a word of its own: "inPos", "in_pos" and "MCpos", not "int".
+/// Takes the first of the prefixes off that is a word of its own, in any case: "inPos", "in_pos" and "MCpos",
+/// not "int".
 std::string_view withoutPrefix(std::string_view name, std::span<const std::string_view> prefixes) {
     for (const std::string_view each : prefixes) {
-        if (!name.starts_with(each) || name.size() == each.size()) continue;
-        const char next = name[each.size()];
+        if (name.size() <= each.size() || !base::sameWord(name.substr(0, each.size()), each)) continue;
+        const char last = name[each.size() - 1], next = name[each.size()];
         if (next == '_') return name.substr(each.size() + 1);
-        if (isUpper(next) || isUpper(each.back())) return name.substr(each.size());
+        if (isUpper(last) ? each == "mc" : isUpper(next)) return name.substr(each.size());
     }
     return name;
 }
@@ -52,11 +53,9 @@ std::string plainUniform(std::string_view name) {
     return letters;
 }
 
-/// What is left of "in_position", "aVertexPosition" and "vertPosition" is "_position", "Position" and
-/// "Position".
+/// What is left of "in_position" and "aVertexPosition" is "position" and "Position".
 std::string_view ownWordOfInput(std::string_view name) {
-    constexpr std::string_view kPrefixes[] = {"in", "a", "v", "MC", "mc"},
-                               kOwners[] = {"vertex", "vert", "Vertex"};
+    constexpr std::string_view kPrefixes[] = {"in", "a", "v", "mc"}, kOwners[] = {"vertex", "vert"};
     return withoutPrefix(withoutPrefix(name, kPrefixes), kOwners);
 }
 

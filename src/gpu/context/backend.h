@@ -15,8 +15,9 @@ namespace glibra::gpu {
 class Backend {
   public:
     virtual ~Backend() = default;
+    /// False if that is not possible. An adopted context is made current by others alone.
     virtual bool makeCurrent() = 0;
-    /// True if it is current on this thread; an adopted context always is while it is used.
+    /// True if it is current on this thread.
     [[nodiscard]] virtual bool isCurrent() const = 0;
     /// If it is current on this thread, none is afterwards, so that another thread can use it.
     virtual void release() = 0;

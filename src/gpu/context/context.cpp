@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdlib>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <utility>
@@ -13,6 +14,7 @@
 
 #include "gpu/context/backend.h"
 #include "gpu/context/call_counter.h"
+#include "gpu/context/current.h"
 #include "gpu/context/reset.h"
 
 namespace glibra::gpu {
@@ -40,8 +42,10 @@ namespace {
 class AdoptedBackend final : public Backend {
   public:
     explicit AdoptedBackend(std::function<void*(const char*)> loader) : loader_(std::move(loader)) {}
-    bool makeCurrent() override { return true; }
-    [[nodiscard]] bool isCurrent() const override { return true; }
+    bool makeCurrent() override { return AdoptedBackend::isCurrent(); }
+    [[nodiscard]] bool isCurrent() const override {
+        return !adopted_ || adopted_->currentHandle() == adopted_->handle;
+    }
     void release() override {}
     void* address(const char* function) override { return loader_ ? loader_(function) : nullptr; }
     [[nodiscard]] Driver driver() const override { return Driver::automatic; }
@@ -49,6 +53,7 @@ class AdoptedBackend final : public Backend {
 
   private:
     std::function<void*(const char*)> loader_;
+    std::optional<CurrentContext> adopted_ = currentContext();  ///< nothing: no library that is known has it
 };
 
 using Opener = Attempt (*)(const ContextOptions&);
@@ -114,14 +119,6 @@ std::string loadFunctions(Backend& backend, DebugLog& log) {
     return {};
 }
 
-/// The state that every picture starts from, where it differs from GL's own.
-void setInitialState() {
-    glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
-    glDisable(GL_DITHER);
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-}
-
 std::string joined(const std::vector<std::string>& phrases) {
     std::string text;
     for (const std::string& each : phrases) text += (text.empty() ? "" : "; ") + each;
@@ -145,7 +142,7 @@ Context::State::State() {
 Context::State::~State() {
     unwatchDevice(log);
     // An adopted context continues to exist.
-    if (backend && backend->driver() == Driver::automatic) log.detach();
+    if (backend && backend->driver() == Driver::automatic && backend->isCurrent()) log.detach();
     backend.reset();
     const std::lock_guard<std::mutex> lock(table.mutex);
     table.contexts.erase(std::find(table.contexts.begin(), table.contexts.end(), thread));
@@ -160,6 +157,13 @@ Context::Context(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Context::Context(Context&&) noexcept = default;
 Context& Context::operator=(Context&&) noexcept = default;
 Context::~Context() = default;
+
+void setInitialState() {
+    glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+    glDisable(GL_DITHER);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+}
 
 const Capabilities& Context::capabilities() const {
     return state_->capabilities;

@@ -48,10 +48,11 @@ class Context {
     [[nodiscard]] const std::string& howOpened() const;
     /// The ways that were tried first and why they failed, one phrase each; empty if the first way worked.
     [[nodiscard]] const std::vector<std::string>& failedWays() const;
-    /// True if it is current on the calling thread; an adopted one always is while it is used.
+    /// True if it is current on the calling thread. An adopted one of a library that is not known
+    /// (current.h) is taken to be.
     [[nodiscard]] bool isCurrent() const;
     /// Makes the context current on the calling thread again after another one was. False if the driver
-    /// refuses, as it does while it is current on another thread.
+    /// refuses, as it does while it is current on another thread, and for an adopted one that is not current.
     bool makeCurrent();
     /// Adopts another context in place of an adopted one that is lost; it is current on this thread. No GL
     /// object of the lost one may exist any more. This object and its log keep their addresses. Reports
@@ -65,6 +66,9 @@ class Context {
     explicit Context(std::unique_ptr<State> state);
     std::unique_ptr<State> state_;
 };
+
+/// Sets the state that every picture starts from, where it differs from GL's own.
+void setInitialState();
 
 /// Opens a core profile context of the highest version that the driver has, at least 4.1, and makes it
 /// current on the calling thread. It has the state that every picture starts from: seamless cube maps,

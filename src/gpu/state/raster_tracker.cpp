@@ -204,7 +204,7 @@ void RasterTracker::applyBlending(const base::RasterState& state) {
         return Functions{state.blend[i].color, state.blend[i].alpha};
     };
     const auto isSet = [&](std::size_t i) { return !on[i] || known_.blend[i] == functions(i); };
-    bool isShared = allEqual(state.blend);
+    const bool isShared = allEqual(state.blend);
     for (std::size_t i = 0; i < kRasterTargets; ++i) {
         if (isSet(i)) continue;
         const auto& [color, alpha] = functions(i);

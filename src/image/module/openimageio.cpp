@@ -9,8 +9,10 @@
 #include <cstring>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "image/module/codec.h"
+#include "image/module/memory_file.h"
 
 namespace glibra::module {
 namespace {
@@ -117,6 +119,26 @@ void readChannels(OIIO::ImageInput& input, size_t count, const std::array<int, 4
     if (input.has_error()) throw Failure{input.geterror()};
 }
 
+/// The content of the file. Every format is encoded in memory: not every writer of OpenImageIO notices that a
+/// disk is full.
+std::vector<unsigned char> encoded(OIIO::ImageOutput& output, const OIIO::ImageSpec& spec,
+                                   const GlibraWriteRequest& request) {
+    const auto write = [&](const std::string& path) {
+        const OIIO::TypeDesc type = typeOf(request.type);
+        const auto stride = static_cast<OIIO::stride_t>(type.size()) * request.components;
+        if (!output.open(path, spec) || !output.write_image(type, request.pixels, stride) || !output.close())
+            throw Failure{output.geterror()};
+    };
+    OIIO::Filesystem::IOVecOutput memory;
+    if (output.supports("ioproxy") && output.set_ioproxy(&memory)) {
+        write(request.path);
+        return memory.buffer();
+    }
+    const MemoryFile file;
+    write(file.path());
+    return file.content();
+}
+
 void quieten() {
     // Pictures are small and rendering uses several processes, so OpenImageIO starts no threads.
     OIIO::attribute("threads", 1);
@@ -181,14 +203,7 @@ void writeByOpenImageIo(const GlibraWriteRequest& request) {
     spec.attribute("DateTime", "1970:01:01 00:00:00");
     if (request.comment != nullptr && *request.comment != 0)
         spec.attribute("ImageDescription", request.comment);
-    // Into memory first: not every writer of OpenImageIO notices that a disk is full.
-    OIIO::Filesystem::IOVecOutput memory;
-    const bool inMemory = output->supports("ioproxy") && output->set_ioproxy(&memory);
-    if (!output->open(request.path, spec)) throw Failure{output->geterror()};
-    const auto stride = static_cast<OIIO::stride_t>(typeOf(request.type).size()) * request.components;
-    if (!output->write_image(typeOf(request.type), request.pixels, stride) || !output->close())
-        throw Failure{output->geterror()};
-    if (inMemory) writeFile(request.path, memory.buffer());
+    writeFile(request.path, encoded(*output, spec, request));
 }
 
 }  // namespace glibra::module

@@ -244,7 +244,7 @@ class Walk {
         while (!reader_.isPastEnd()) {
             // Three steps per look-up: no two distances are adjacent, so the third word starts before bit 41
             // of 57. Steps that the table does not cover skip no bits.
-            std::uint64_t bits = reader_.peek();
+            const std::uint64_t bits = reader_.peek();
             const std::uint16_t first = steps_.next(step, bits);
             const unsigned firstBits = first & kStepBits;
             const std::uint16_t second = steps_.next(first, bits >> firstBits);

@@ -61,7 +61,7 @@ std::vector<std::string> commandOf(const fs::path& file, int width, int height, 
 
 /// The last line of a file; empty if it has none.
 std::string lastLine(std::FILE* file) {
-    std::rewind(file);
+    if (std::fseek(file, 0, SEEK_SET) != 0) return {};
     std::array<char, 1024> buffer{};
     std::string last;
     while (std::fgets(buffer.data(), static_cast<int>(buffer.size()), file)) {

@@ -8,8 +8,10 @@
 A scene belongs to the thread that made it.
 """
 import base64
+import math
 import numbers
 import os
+import re
 import subprocess
 import tempfile
 import threading
@@ -37,11 +39,36 @@ def save(picture, file):
 
 
 def compare(got, expected, *, largest=3.0, fraction=0.0003, cluster=8, line=16, bias=1.0, flip=None, structure=None,
-            exact=False):
+            relative=1e-4, absolute=1e-6, exact=False):
     """Compares two pictures, arrays or names of files, as golden-image tests do. The result is true if they are the same
-    within the tolerance; `reason` says which figure decided."""
+    within the tolerance; `reason` says which figure decided. ``relative`` and ``absolute`` are for float pictures, in place
+    of ``largest``."""
     as_picture = lambda one: one if isinstance(one, numpy.ndarray) else os.fspath(one)
-    return _core.compare(as_picture(got), as_picture(expected), largest, fraction, cluster, line, bias, flip, structure, exact)
+    return _core.compare(as_picture(got), as_picture(expected), largest, fraction, cluster, line, bias, flip, structure,
+                         relative, absolute, exact)
+
+
+def _shape_of(type):
+    """The shape of a GLSL type as NumPy has it: () for a scalar, (3,) for vec3, rows and columns for a matrix."""
+    matrix = re.fullmatch(r"d?mat(\d)(?:x(\d))?", type)
+    if matrix:
+        return int(matrix[2] or matrix[1]), int(matrix[1])  # GLSL names the columns first
+    vector = re.fullmatch(r"[bdiu]?vec(\d)", type)
+    return (int(vector[1]),) if vector else ()
+
+
+def _numbers_of(array, declared):
+    """The numbers of an array in the order of OpenGL: one element after the other, matrices by columns. A flat array has
+    this order already."""
+    if array.ndim < 2:
+        return array.ravel().tolist()
+    one = _shape_of(declared.type)
+    whole = (len(declared.value) // math.prod(one), *one)
+    if array.shape != whole and (1, *array.shape) != whole:
+        expected = whole[1:] if whole[0] == 1 and one else whole
+        raise ValueError(f"'{declared.name}' is an array of shape {expected} or {len(declared.value)} numbers, "
+                         f"found an array of shape {array.shape}")
+    return (array.swapaxes(-1, -2) if len(one) == 2 else array).ravel().tolist()
 
 
 class Scene:
@@ -72,15 +99,23 @@ class Scene:
         """All values that can be set, in the order of the scene, with types and ranges."""
         return self._scene.values()
 
-    def __getitem__(self, name):
+    def _declared(self, name):
+        """The value "uKd", of the first program that has it, or "Glaze.uKd"; None if there is none."""
+        name = re.sub(r"^\d+:", "", name).replace(":", ".")  # 12:uKd is that of the program in line 12
         for each in self._scene.values():
-            if each.name == name:
-                if each.words:
-                    return each.words[int(each.value[0])]
-                if each.type == "bool":
-                    return each.value[0] != 0
-                return each.value[0] if len(each.value) == 1 else tuple(each.value)
-        raise KeyError(name)
+            if name in (each.name, f"{each.program}.{each.name}"):
+                return each
+        return None
+
+    def __getitem__(self, name):
+        found = self._declared(name)
+        if found is None:
+            raise KeyError(name)
+        if found.words:
+            return found.words[int(found.value[0])]
+        if found.type == "bool" and len(found.value) == 1:
+            return found.value[0] != 0
+        return found.value[0] if len(found.value) == 1 else tuple(found.value)
 
     def __setitem__(self, name, value):
         if isinstance(value, str):
@@ -88,9 +123,10 @@ class Scene:
         elif isinstance(value, numbers.Number):  # bool too
             self._scene.set_numbers(name, [float(value)])
         else:
-            # Matrices as NumPy writes them have their rows first, OpenGL its columns.
             array = numpy.asarray(value, dtype=float)
-            self._scene.set_numbers(name, (array.T if array.ndim == 2 else array).ravel().tolist())
+            declared = self._declared(name)
+            # An unknown name is reported by set_numbers.
+            self._scene.set_numbers(name, _numbers_of(array, declared) if declared else array.ravel().tolist())
 
     def __getattr__(self, name):
         if name.startswith("_"):

@@ -11,12 +11,12 @@ from ._core import Value as Value
 __version__: str
 
 Path = Union[str, "PathLike[str]"]
-Settable = Union[float, bool, str, Sequence[float], numpy.ndarray]
+Settable = Union[float, bool, str, Sequence[Any], numpy.ndarray]
 
 def save(picture: numpy.ndarray, file: Path) -> None: ...
 def compare(got: Union[numpy.ndarray, Path], expected: Union[numpy.ndarray, Path], *, largest: float = ...,
             fraction: float = ..., cluster: int = ..., line: int = ..., bias: float = ..., flip: Optional[float] = ...,
-            structure: Optional[float] = ..., exact: bool = ...) -> Comparison: ...
+            structure: Optional[float] = ..., relative: float = ..., absolute: float = ..., exact: bool = ...) -> Comparison: ...
 
 class Scene:
     def __init__(self, path: Optional[Path] = ..., *, text: Optional[str] = ..., name: str = ...,

@@ -42,9 +42,12 @@ class Golden:
     def check_picture(self, picture, *, name=None, **tolerance):
         """The same for a picture: an array of height x width x 3 or 4 numbers."""
         self._count += 1
-        if name is None:
+        from_test = name is None
+        if from_test:
             name = re.sub(r"[^\w.-]+", "_", self._request.node.name) + (f"-{self._count}" if self._count > 1 else "")
         golden = self._folder / "golden" / f"{name}.png"
+        if from_test:
+            self._claim(golden)
         if self._request.config.getoption("--glibra-update"):
             if not golden.exists() or not glibra.compare(picture, golden, **tolerance):
                 golden.parent.mkdir(exist_ok=True)
@@ -57,18 +60,30 @@ class Golden:
             self._note(name, picture, golden, found)
             pytest.fail(f"{name}: {found.reason}", pytrace=False)
 
+    def _claim(self, golden):
+        """Fails if the name of another test gives the same golden picture."""
+        node = self._request.node.nodeid
+        first = self._request.config.stash.setdefault(_OWNERS, {}).setdefault(golden, node)
+        if first != node:
+            pytest.fail(f"{first} and {node} have the same golden picture {golden}; give one of them a name of its own: "
+                        'golden.check(..., name="...")', pytrace=False)
+
     def _note(self, name, picture, golden, found):
         folder = self._request.config.getoption("--glibra-report")
         if not folder:
             return
         folder = pathlib.Path(folder)
         folder.mkdir(parents=True, exist_ok=True)
+        differences = self._request.config.stash.setdefault(_DIFFERENCES, [])
+        taken = {each for each, _ in differences}  # tests of other folders may have the same names
+        name = next(each for each in (name, *(f"{name} ({i})" for i in range(2, len(taken) + 3))) if each not in taken)
         glibra.save(picture, folder / f"{name}.got.png")
         (folder / f"{name}.expected.png").write_bytes(golden.read_bytes())
-        self._request.config.stash.setdefault(_DIFFERENCES, []).append((name, found.reason))
+        differences.append((name, found.reason))
 
 
 _DIFFERENCES = pytest.StashKey()
+_OWNERS = pytest.StashKey()  # of golden pictures, those that are named by tests: the node of the first test
 
 
 @pytest.fixture

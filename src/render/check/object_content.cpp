@@ -56,9 +56,13 @@ Result<Content> bufferContent(const scene::Scene& scene, const DeviceBuffers& bu
                         declared.place);
     Content content;
     content.name = declared.name;
-    content.values = buffers.read(view, 0, std::numeric_limits<std::uint64_t>::max());
-    const std::size_t elements = std::max<std::size_t>(1, layout->elements);
-    content.components = static_cast<int>(std::max<std::size_t>(1, content.values.size() / elements));
+    // What a block has before its array is no element; a block without an array is one.
+    const plan::MemoryPattern& pattern = layout->pattern;
+    const bool hasArray = !pattern.element.empty();
+    content.values =
+        buffers.read(view, hasArray ? pattern.head.size() : 0, std::numeric_limits<std::uint64_t>::max());
+    content.components =
+        static_cast<int>(std::max<std::size_t>(1, hasArray ? pattern.element.size() : pattern.head.size()));
     content.width = static_cast<int>(content.values.size() / static_cast<std::size_t>(content.components));
     return content;
 }

@@ -143,7 +143,7 @@ Diagnostics FrameDrawer::dispatchPieces(const BuiltProgram& built, const GroupCo
         return {};
     };
     if (dispatch.tiles == 1) {
-        Diagnostics refused = dispatchInShares(built, groups, axis, run);
+        const Diagnostics refused = dispatchInShares(built, groups, axis, run);
         return refused.empty() ? remarks : refused;
     }
     for (std::uint64_t piece = 0; piece < pieces; ++piece) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <ranges>
 #include <set>
 #include <utility>
 
@@ -150,8 +151,7 @@ void FrameDrawer::setConstantInputs(const plan::PlannedDraw& planned, const Buil
 void FrameDrawer::bindTextures(const std::vector<plan::TextureUse>& textures, const BuiltProgram& built) {
     // The units are in rising order. Below GL 4.3 binding a part of a texture may replace what is on unit 0,
     // so that one comes last.
-    for (auto each = textures.rbegin(); each != textures.rend(); ++each) {
-        const plan::TextureUse& use = *each;
+    for (const auto& use : std::ranges::reverse_view(textures)) {
         device_.bind(use, bindings_);
         const std::array<double, 1> unit{static_cast<double>(use.driverUnit)};
         gpu::setUniform(*built.program, at(built.interface.uniforms, use.uniform), unit, use.element);

@@ -98,7 +98,7 @@ Diagnostics joined(const std::vector<AnimationRemarks>& parts) {
     }
     std::map<Subject, int> firstFrames;
     for (auto& [frame, remarks] : ofFrames) {
-        for (Diagnostic& each : remarks) {
+        for (const Diagnostic& each : remarks) {
             if (firstFrames.try_emplace(subjectOf(each), frame).first->second == frame &&
                 lines.insert(toString(each)).second)
                 all.push_back(each);

@@ -147,6 +147,18 @@ bool readContent(Interpreter& in, const Command& command, const Parts& parts, Bu
     return true;
 }
 
+/// glib-W27 for the first fraction that integers cut.
+void reportCut(Interpreter& in, const Value& content, const Buffer& buffer) {
+    if (!buffer.type.starts_with('i') && !buffer.type.starts_with('u')) return;
+    const auto cut =
+        std::ranges::find_if(buffer.values, [](double each) { return std::trunc(each) != each; });
+    if (cut != buffer.values.end() && std::isfinite(*cut))
+        in.report(diagnose(
+            "glib-W27",
+            fmt::format("{} is cut to {}", glib::numberText(*cut), glib::numberText(std::trunc(*cut) + 0.0)),
+            in.script->place(content.position)));
+}
+
 void doBuffer(Interpreter& in, const Command& command) {
     const Value& target = command.values.front();
     if (!declareName(in, command, target.text, DeclaredName::Kind::buffer)) return;
@@ -175,6 +187,7 @@ void doBuffer(Interpreter& in, const Command& command) {
         buffer.count = static_cast<std::uint64_t>(whole);
     }
     if (parts.content != nullptr && !readContent(in, command, parts, buffer)) return;
+    if (type && parts.content != nullptr) reportCut(in, *parts.content, buffer);
     // What a structure takes is known when its shader is read.
     constexpr std::uint64_t kBytes = 4;
     const std::size_t components = type ? type->size() : 1;

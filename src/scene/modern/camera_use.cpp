@@ -144,6 +144,7 @@ CameraValues valuesOf(const SceneCamera& camera, double aspect) {
     } else {
         values.near = camera.near;
         values.far = camera.far;
+        values.fieldOfView = lensOf(projectionMatrix(camera.projection, values.aspect)).fieldOfView;
     }
     return values;
 }

@@ -167,6 +167,9 @@ std::optional<SceneCamera> ofMatrices(Interpreter& in, const Command& command) {
     SceneCamera camera;
     camera.view = view->mat4();
     camera.projection = projection->mat4();
+    const Lens lens = lensOf(projection->mat4());
+    camera.near = lens.near;
+    camera.far = lens.far;
     return camera;
 }
 

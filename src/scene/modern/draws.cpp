@@ -158,14 +158,45 @@ void bind(Interpreter& in, AttributeBinding binding) {
     if (in.state.local.attributes) set = in.scene.attributeSets[in.state.local.attributes];
     std::erase_if(set.bindings, [&](const AttributeBinding& each) { return each.name == binding.name; });
     set.bindings.push_back(std::move(binding));
-    AttributeSetIndex& index = in.made.attributeSets[keyOfAttributes(set)];
-    if (!index) index = in.scene.attributeSets.add(std::move(set));
-    in.state.local.attributes = index;
+    in.state.local.attributes = shareAttributes(in, std::move(set));
+}
+
+/// The binding that holds before the list that is open; null if there is none.
+const AttributeBinding* outerBinding(const Interpreter& in, const std::string& name) {
+    if (!in.state.local.attributes) return nullptr;
+    const auto& bindings = in.scene.attributeSets[in.state.local.attributes].bindings;
+    const auto found = std::ranges::find(bindings, name, &AttributeBinding::name);
+    return found == bindings.end() ? nullptr : &*found;
+}
+
+/// Attribute with numbers between glBegin and glEnd.
+void setInList(Interpreter& in, const Command& command, const std::string& name,
+               const std::vector<double>& numbers) {
+    auto [extra, isNew] = in.list->extras.try_emplace(name);
+    OpenList::Extra& values = extra->second;
+    if (const AttributeBinding* outer = isNew ? outerBinding(in, name) : nullptr) {
+        const auto* same = std::get_if<std::vector<double>>(&outer->source);
+        if (same == nullptr && !in.list->vertices.empty()) {
+            in.reportAt(
+                command, "glib-E26",
+                fmt::format("Attribute {}: the vertices before have it from line {}; state it before the "
+                            "first glVertex, too",
+                            name, outer->place.line));
+            return;
+        }
+        if (same != nullptr) {
+            std::copy(same->begin(), same->end(), values.before.begin());
+            values.components = static_cast<int>(same->size());
+        }
+    }
+    values.components = std::max(values.components, static_cast<int>(numbers.size()));
+    values.current = {0, 0, 0, 1};
+    std::copy(numbers.begin(), numbers.end(), values.current.begin());
 }
 
 /// Takes the member from "particles.velocity" and leaves the name of the buffer. Nothing with the reason
 /// reported.
-std::optional<std::string> takeMember(Interpreter& in, const Command& command, Value& name) {
+std::optional<std::string> takeMember(Interpreter& in, Value& name) {
     if (name.path.empty()) return std::string();
     const DeclaredName* declared = declaredName(in, name.path.front().name);
     const bool isOfMesh =
@@ -174,10 +205,12 @@ std::optional<std::string> takeMember(Interpreter& in, const Command& command, V
     if (own < name.path.size() && name.path[own].name == "prev") ++own;
     std::string member;
     for (std::size_t i = own; i < name.path.size(); ++i) {
-        if (!name.path[i].index.empty())
-            return refuse(in, "glib-E26", command, name.position,
-                          fmt::format("'{}' has a subscript; an attribute reads a whole member", name.text));
         member += (member.empty() ? "" : ".") + name.path[i].name;
+        if (name.path[i].index.empty()) continue;
+        const auto element =
+            integerIn(in, name.path[i].index.front(), "Attribute: the subscript", 0, kMostVertices);
+        if (!element) return std::nullopt;
+        member += fmt::format("[{}]", *element);
     }
     if (member.empty()) return member;
     name.path.resize(own);
@@ -220,7 +253,7 @@ void doAttribute(Interpreter& in, const Command& command) {
     }
     if (!values.empty() && values.front().kind == Value::Kind::word) {
         Value name = values.front();
-        const auto member = takeMember(in, command, name);
+        const auto member = takeMember(in, name);
         const auto buffer = member ? bufferNamed(in, name) : std::nullopt;
         if (!buffer || !readBytes(in, command, binding.part)) return;
         binding.source = *buffer;
@@ -240,13 +273,7 @@ void doAttribute(Interpreter& in, const Command& command) {
                                 numbers->size()));
         return;
     }
-    if (in.list) {
-        OpenList::Extra& extra = in.list->extras[binding.name];
-        extra.components = std::max(extra.components, static_cast<int>(numbers->size()));
-        extra.current = {0, 0, 0, 1};
-        std::copy(numbers->begin(), numbers->end(), extra.current.begin());
-        return;
-    }
+    if (in.list) return setInList(in, command, binding.name, *numbers);
     binding.source = *numbers;
     bind(in, std::move(binding));
 }
@@ -267,6 +294,12 @@ constexpr CommandAction kVertexActions[] = {
 };
 
 }  // namespace
+
+AttributeSetIndex shareAttributes(Interpreter& in, AttributeSet set) {
+    AttributeSetIndex& index = in.made.attributeSets[keyOfAttributes(set)];
+    if (!index) index = in.scene.attributeSets.add(std::move(set));
+    return index;
+}
 
 std::span<const CommandAction> vertexActions() {
     return kVertexActions;

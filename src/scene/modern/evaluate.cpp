@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "glib/number.h"
 #include "glib/text.h"
@@ -61,6 +63,20 @@ expression::Depends dependsOf(Interpreter& in, const expression::Expression& exp
     return depends;
 }
 
+/// For an expression with an unknown name: where a Let below sets it. Empty if none does.
+std::string whereSet(const Interpreter& in, std::span<const NotedNames::Note> notes) {
+    const auto unknown = std::ranges::find_if(
+        notes, [](const auto& each) { return !each.count && each.path.find('.') == std::string::npos; });
+    if (unknown == notes.end()) return {};
+    for (const glib::Command& each : in.script->commands) {
+        if (each.id != glib::CommandId::let || each.values.empty()) continue;
+        const glib::Value& target = each.values.front();
+        if ((target.path.empty() ? target.text : target.path.front().name) == unknown->path)
+            return fmt::format("; line {} sets it, which is below", each.position.line);
+    }
+    return {};
+}
+
 ReadExpression& readExpression(Interpreter& in, const glib::Value& value, const expression::Wanted& wanted) {
     const Environment& environment = in.shared->environment;
     MadeOfNames<ReadExpression>& readSoFar = in.shared->computed.expressions[writtenAt(in, value)];
@@ -69,6 +85,7 @@ ReadExpression& readExpression(Interpreter& in, const glib::Value& value, const 
     const Place origin = in.script->place(isWord ? value.position : glib::placeIn(value, 0));
     const NotedNames names(environment);
     auto parsed = expression::parse(value.text, origin, names, wanted);
+    std::vector<NotedNames::Note> notes = names.take();
     ReadExpression made;
     if (parsed) {
         for (const expression::Use& each : parsed->uses()) {
@@ -79,9 +96,10 @@ ReadExpression& readExpression(Interpreter& in, const glib::Value& value, const 
         }
         made.expression = std::move(*parsed);
     } else {
+        parsed.problem.message.text += whereSet(in, notes);
         in.report(parsed.problem.message);
     }
-    return readSoFar.add(environment, names.take(), std::move(made));
+    return readSoFar.add(environment, std::move(notes), std::move(made));
 }
 
 /// True if the expression reads what a faulty statement would have declared.
@@ -175,9 +193,15 @@ std::shared_ptr<const ConditionNames> namesOfCondition(Interpreter& in, const gl
     addDepends(in, dependsOf(in, *entry.expression));
     const Environment& environment = in.shared->environment;
     auto names = std::make_shared<ConditionNames>();
-    for (const expression::Use& each : entry.expression->uses()) {
-        ConditionNames::Name name{each.path, each.symbol, {}};
-        if (any(each.symbol.depends & expression::Depends::buffer)) {
+    // It is read again when it is answered, with all names in it: also those of what is folded, as in
+    // arr.count.
+    const NotedNames noted(environment);
+    static_cast<void>(expression::parse(value.text, {}, noted, wanted));
+    for (const NotedNames::Note& each : noted.take()) {
+        const auto symbol = names->find(each.path) ? std::nullopt : environment.find(each.path);
+        if (!symbol) continue;
+        ConditionNames::Name name{each.path, *symbol, {}};
+        if (any(symbol->depends & expression::Depends::buffer)) {
             constexpr std::string_view kCount = ".count";
             const std::string head = each.path.ends_with(kCount)
                                          ? each.path.substr(0, each.path.size() - kCount.size())
@@ -195,24 +219,16 @@ std::shared_ptr<const ConditionNames> namesOfCondition(Interpreter& in, const gl
             if (elements != nullptr && Environment::isBuffer(*elements))
                 name.elementSize = elements->type.size();
         }
-        const std::size_t count = Environment::isBuffer(each.symbol) ? 0 : std::max(1U, each.symbol.count);
+        const std::size_t count = Environment::isBuffer(*symbol) ? 0 : std::max(1U, symbol->count);
         for (std::size_t i = 0; i < count; ++i) {
-            const double* const found = environment.find(each.symbol.slot, i);
+            const double* const found = environment.find(symbol->slot, i);
             name.has.push_back(found != nullptr);
-            for (std::size_t k = 0; k < each.symbol.type.size(); ++k)
+            for (std::size_t k = 0; k < symbol->type.size(); ++k)
                 name.components.push_back(found != nullptr ? found[k] : 0);
         }
-        name.why = environment.whyMissing(each.symbol.slot, 0);
+        name.why = environment.whyMissing(symbol->slot, 0);
         names->add(std::move(name));
     }
-    // A path is read name by name: "ramps.size" needs "ramps".
-    for (const expression::Use& each : entry.expression->uses())
-        for (std::size_t end = each.path.find('.'); end != std::string::npos;
-             end = each.path.find('.', end + 1)) {
-            const std::string path = each.path.substr(0, end);
-            const auto symbol = names->find(path) ? std::nullopt : environment.find(path);
-            if (symbol) names->add({path, *symbol, {}});
-        }
     return names;
 }
 

@@ -145,12 +145,20 @@ struct OpenBlock {
     expression::Depends fillDepends = expression::Depends::nothing;  ///< of the camera, if there is a Fill
 };
 
+/// What a parameter of a group is given: a value, a texture or buffer, or a camera.
+struct Argument {
+    std::variant<expression::Value, ObjectView, CameraName> value;
+    expression::Depends depends = expression::Depends::nothing;
+};
+
 /// A group of statements with a name.
 struct GroupDefinition {
     RunningFile file;            ///< that declares it
     std::size_t command = 0;     ///< index of the Group statement
     Environment::Point names{};  ///< around the Group statement
     bool isRunning = false;      ///< a group cannot draw itself
+    /// Of its parameters, as they are where the Group stands; nothing for one with an error.
+    std::vector<std::optional<Argument>> defaults{};
 };
 
 /// How the numbers of a tag reach the eye space of the camera that a draw has.

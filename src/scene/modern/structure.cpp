@@ -41,20 +41,6 @@ bool mayEnter(Interpreter& in, const Command& command) {
     return false;
 }
 
-void doGroup(Interpreter& in, const Command& command) {
-    const std::size_t index = indexOf(in, command);
-    if (!command.values.empty()) {
-        GroupDefinition& group = in.modern.groups[command.values.front().text];
-        group = {{in.script, in.around.given}, index, in.shared->environment.here(), group.isRunning};
-        return;
-    }
-    const Scope scope(in);
-    runBody(in, index + 1, command.partner);
-}
-
-/// What a parameter is given: a value, a texture or buffer, or a camera.
-using Argument = std::variant<expression::Value, ObjectView, CameraName>;
-
 /// What a choice, or the counter of a Repeat over words, stands for where it is given to a parameter: its
 /// value, or what its word names.
 enum class Wanted { value, object, camera };
@@ -65,22 +51,53 @@ Wanted kindOf(Interpreter& in, const glib::Value& usual) {
     return namesCamera(in, usual) || choosesCamera(in, usual) ? Wanted::camera : Wanted::value;
 }
 
-std::optional<Argument> argumentOf(Interpreter& in, std::span<const glib::Value> values, Wanted wanted) {
+std::optional<decltype(Argument::value)> valueOf(Interpreter& in, std::span<const glib::Value> values,
+                                                 Wanted wanted) {
     const bool isWord = values.size() == 1 && values.front().kind == glib::Value::Kind::word;
     const bool isPart = isWord && values.front().path.size() > 1;
     const bool wantsObject = wanted == Wanted::object;
     if (isWord && (namesCamera(in, values.front()) ||
                    (wanted == Wanted::camera && choosesCamera(in, values.front())))) {
         const auto camera = cameraNamed(in, values.front());
-        return camera ? std::optional<Argument>(camera->name) : std::nullopt;
+        if (!camera) return std::nullopt;
+        return camera->name;
     }
     if (isWord &&
         (namesObject(in, values.front()) || ((wantsObject || isPart) && choosesObject(in, values.front())))) {
         const auto object = objectNamed(in, values.front());
-        return object ? std::optional<Argument>(*object) : std::nullopt;
+        if (!object) return std::nullopt;
+        return *object;
     }
     const auto value = isWord ? evaluate(in, values.front()) : constantOf(in, values);
-    return value ? std::optional<Argument>(*value) : std::nullopt;
+    if (!value) return std::nullopt;
+    return *value;
+}
+
+std::optional<Argument> argumentOf(Interpreter& in, std::span<const glib::Value> values, Wanted wanted) {
+    const DependsOnly depends(in);
+    auto value = valueOf(in, values, wanted);
+    if (!value) return std::nullopt;
+    return Argument{*std::move(value), depends.depends()};
+}
+
+void doGroup(Interpreter& in, const Command& command) {
+    const std::size_t index = indexOf(in, command);
+    if (!command.values.empty()) {
+        GroupDefinition& group = in.modern.groups[command.values.front().text];
+        group = {{in.script, in.around.given}, index, in.shared->environment.here(), group.isRunning};
+        // No default reads a parameter.
+        for (const glib::KeyedValues& each : command.tags)
+            group.defaults.push_back(argumentOf(in, each.values, kindOf(in, each.values.front())));
+        return;
+    }
+    const Scope scope(in);
+    runBody(in, index + 1, command.partner);
+}
+
+/// What a parameter with that default is given.
+Wanted wantedLike(const Argument& usual) {
+    if (std::holds_alternative<ObjectView>(usual.value)) return Wanted::object;
+    return std::holds_alternative<CameraName>(usual.value) ? Wanted::camera : Wanted::value;
 }
 
 /// True if all arguments have the name of a parameter; otherwise glib-E27 is reported, which calls the
@@ -132,49 +149,32 @@ void bindObject(Interpreter& in, const glib::KeyedValues& parameter, const Objec
     if (!size.empty()) names.set(slot, size);
 }
 
-/// What Draw gives the parameters of a group, with what that depends on; nothing for those that have their
-/// defaults.
-using Arguments = std::vector<std::optional<std::pair<Argument, expression::Depends>>>;
-
-std::optional<std::pair<Argument, expression::Depends>> argumentWithDepends(
-    Interpreter& in, std::span<const glib::Value> values, Wanted wanted) {
-    const DependsOnly depends(in);
-    auto argument = argumentOf(in, values, wanted);
-    if (!argument) return std::nullopt;
-    return std::pair{*std::move(argument), depends.depends()};
-}
-
-/// Evaluates what Draw gives, where the Draw stands. `wanted`: by parameter.
-std::optional<Arguments> givenArguments(Interpreter& in, const Command& group, const Command& call,
-                                        const std::vector<Wanted>& wanted) {
+/// What the parameters of a group have for a Draw, where that stands: what it gives, or their defaults.
+/// Nothing with the reason reported.
+std::optional<std::vector<Argument>> argumentsOf(Interpreter& in, const GroupDefinition& group,
+                                                 const Command& call) {
+    const Command& definition = group.file.script->commands[group.command];
     std::vector<std::string_view> names;
-    for (const glib::KeyedValues& each : group.tags) names.push_back(each.key);
+    for (const glib::KeyedValues& each : definition.tags) names.push_back(each.key);
     if (!haveParameters(in, call.tags, names,
-                        fmt::format("group '{}' has no parameter", group.values.front().text)))
+                        fmt::format("group '{}' has no parameter", definition.values.front().text)))
         return std::nullopt;
-    Arguments arguments(group.tags.size());
-    for (std::size_t i = 0; i < arguments.size(); ++i) {
-        const auto given =
-            std::find_if(call.tags.begin(), call.tags.end(),
-                         [&](const glib::KeyedValues& each) { return each.key == group.tags[i].key; });
-        if (given == call.tags.end()) continue;
-        arguments[i] = argumentWithDepends(in, given->values, wanted[i]);
-        if (!arguments[i]) return std::nullopt;
+    std::vector<Argument> arguments;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const std::optional<Argument>& usual = group.defaults[i];
+        const auto given = std::ranges::find(call.tags, names[i], &glib::KeyedValues::key);
+        auto argument = given == call.tags.end()
+                            ? usual
+                            : argumentOf(in, given->values, usual ? wantedLike(*usual) : Wanted::value);
+        if (!argument) return std::nullopt;
+        arguments.push_back(*std::move(argument));
     }
     return arguments;
 }
 
-/// Gives the parameters of a group their values, where the group stands. False with the reason reported.
-bool bindParameters(Interpreter& in, const Command& group, Arguments arguments,
-                    const std::vector<Wanted>& wanted) {
-    // No default reads a parameter.
+void bindParameters(Interpreter& in, const Command& group, const std::vector<Argument>& arguments) {
     for (std::size_t i = 0; i < arguments.size(); ++i) {
-        if (arguments[i]) continue;
-        arguments[i] = argumentWithDepends(in, group.tags[i].values, wanted[i]);
-        if (!arguments[i]) return false;
-    }
-    for (std::size_t i = 0; i < arguments.size(); ++i) {
-        const auto& [argument, depends] = *arguments[i];
+        const auto& [argument, depends] = arguments[i];
         if (const auto* value = std::get_if<expression::Value>(&argument))
             bindValue(in.shared->environment, group.tags[i], *value, depends);
         else if (const auto* camera = std::get_if<CameraName>(&argument))
@@ -182,27 +182,28 @@ bool bindParameters(Interpreter& in, const Command& group, Arguments arguments,
         else
             bindObject(in, group.tags[i], std::get<ObjectView>(argument));
     }
-    return true;
+}
+
+/// Whoever misses a variable that only these statements set reports nothing.
+void loseNames(Interpreter& in, const glib::Script& script, std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+        const Command& each = script.commands[i];
+        if (each.id != CommandId::let || each.values.empty()) continue;
+        const glib::Value& target = each.values.front();
+        const std::string& name = target.path.empty() ? target.text : target.path.front().name;
+        if (in.shared->environment.lookUpInScene(name) == nullptr) in.modern.lostNames.insert(name);
+    }
 }
 
 /// Runs a group for a Draw. Errors of the arguments are those of the Draw.
 void runGroup(Interpreter& in, const GroupDefinition& group, const Command& call) {
-    Environment& names = in.shared->environment;
     const Command& definition = group.file.script->commands[group.command];
-    std::vector<Wanted> wanted;
-    {
-        const InFile file(in, group.file);
-        const InnerNames inner(in);
-        names.enterGroup(group.names, &definition);
-        for (const glib::KeyedValues& each : definition.tags)
-            wanted.push_back(kindOf(in, each.values.front()));
-    }
-    auto arguments = givenArguments(in, definition, call, wanted);
-    if (!arguments) return;
+    const auto arguments = argumentsOf(in, group, call);
+    if (!arguments) return loseNames(in, *group.file.script, group.command + 1, definition.partner);
     const InFile file(in, group.file);
-    names.enterGroup(group.names, &definition);
-    if (bindParameters(in, definition, *std::move(arguments), wanted))
-        runBody(in, group.command + 1, definition.partner);
+    in.shared->environment.enterGroup(group.names, &definition);
+    bindParameters(in, definition, *arguments);
+    runBody(in, group.command + 1, definition.partner);
 }
 
 void doDraw(Interpreter& in, const Command& command) {

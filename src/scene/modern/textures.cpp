@@ -62,7 +62,7 @@ std::string withFourComponents(std::string_view name) {
     const std::string word = glib::lower(name);
     if (word == "srgb8") return "srgb8_alpha8";
     if (!word.starts_with("rgb") || word.starts_with("rgba")) return {};
-    std::string four = "rgba" + word.substr(3);
+    const std::string four = "rgba" + word.substr(3);
     return base::texelFormatNamed(four) ? four : std::string();
 }
 

@@ -54,7 +54,7 @@ Result<Exercise> readExerciseText(std::string_view text, const fs::path& file) {
         } else if (each.key == "sweep") {
             exercise.sweeps = reader.texts(each.value, "sweep").value_or(std::vector<std::string>());
         } else {
-            reader.unknownKey(each, "an exercise", kExerciseKeys);
+            reader.unknownKey(each, "in an exercise", kExerciseKeys);
         }
     }
     if (reader.hasErrors()) return reader.take();

@@ -90,7 +90,7 @@ class ScriptFinder {
             text += "; " + why;
         else if (const std::string near = nearEnding(pattern.text); !near.empty())
             text += fmt::format("; did you mean '{}'?", near);
-        reader_.report("suite-E09", std::move(text), pattern.place);
+        reader_.report("suite-E09", text, pattern.place);
     }
 
     /// The pattern with the most similar ending that matches a file, or empty.

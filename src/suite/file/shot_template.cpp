@@ -184,7 +184,8 @@ void readRectangle(const Context& in, const TomlValue& value, std::string until)
         if (!number) return;
         numbers.at(i) = *number;
     }
-    in.to.shot.ignored.push_back({numbers[0], numbers[1], numbers[2], numbers[3], std::move(until)});
+    in.to.shot.ignored.push_back(
+        {numbers[0], numbers[1], numbers[2], numbers[3], std::move(until), in.reader.placeOf(value)});
 }
 
 /// A list of rectangles: [X, Y, WIDTH, HEIGHT], or { rectangle = [...], until = "2026-12-31" }.
@@ -218,8 +219,10 @@ void readIgnored(const Context& in, const TomlValue& value) {
 }
 
 void readMask(const Context& in, const TomlValue& value) {
-    if (const auto file = in.reader.text(value, "mask"))
-        in.to.shot.mask = (in.folder / *file).lexically_normal();
+    const auto file = in.reader.text(value, "mask");
+    if (!file) return;
+    in.to.shot.mask = (in.folder / *file).lexically_normal();
+    in.to.shot.maskPlace = in.reader.placeOf(value);
 }
 
 /// A key that is not an option of the picture.

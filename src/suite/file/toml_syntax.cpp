@@ -59,6 +59,8 @@ std::size_t endOfString(std::string_view text, std::size_t begin) {
 std::string syntaxMessage(std::string_view said, std::string_view text, std::size_t offset) {
     constexpr std::string_view kPreamble = "Error while parsing ";
     if (said.starts_with(kPreamble)) said.remove_prefix(kPreamble.size());
+    if (said.find("TOML_MAX_NESTED_VALUES") != std::string_view::npos)
+        return "not TOML: arrays and tables stand too deep in each other";
     const std::string_view hint = syntaxHint(said, text, offset);
     return fmt::format("not TOML: {}{}{}", base::printableText(said), hint.empty() ? "" : "; ", hint);
 }

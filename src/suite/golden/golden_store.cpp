@@ -45,6 +45,10 @@ Diagnostics refuseAs(Diagnostics problems, const fs::path& written, const fs::pa
     return problems;
 }
 
+Diagnostic cannotWrite(const fs::path& golden, const std::string& why) {
+    return diagnose("file-E10", fmt::format("cannot write '{}': {}", golden.string(), why));
+}
+
 /// The path with all links resolved, as far as it exists.
 fs::path resolved(const fs::path& path) {
     std::error_code failed;
@@ -194,15 +198,9 @@ const Hash* GoldenStore::acceptedPixels(const Shot& shot, const Golden& golden,
 Result<Golden> GoldenStore::replace(const Shot& shot, std::string_view variant,
                                     const image::Image& picture) const {
     const fs::path path = file(shot, variant);
-    const auto refuse = [&](const std::string& why) {
-        return diagnose("file-E10", fmt::format("cannot write '{}': {}", path.string(), why));
-    };
     std::error_code ignored;  // reported with the file that cannot be written
     fs::create_directories(path.parent_path(), ignored);
-    if (fs::is_symlink(path, ignored))
-        return refuse("it is a symbolic link, and its target would be overwritten; remove the link");
-    if (!allowOutside_ && !isBelow(path, folder_))
-        return refuse("its folder is a link that leads out of the golden folder; --allow-outside follows it");
+    if (const std::string why = whyNotWritten(path); !why.empty()) return cannotWrite(path, why);
     // The new golden is on the disk before it takes the place of the old one.
     const fs::path whole =
         path.parent_path() / fmt::format(".glibra-{}-golden{}", ::getpid(), path.extension().string());
@@ -213,9 +211,28 @@ Result<Golden> GoldenStore::replace(const Shot& shot, std::string_view variant,
     if (hasError(problems)) return refuseAs(std::move(problems), whole, path);
     if (const int problem = base::renameDurably(whole, path); problem != 0) {
         fs::remove(whole, ignored);
-        return refuse(std::generic_category().message(problem));
+        return cannotWrite(path, std::generic_category().message(problem));
     }
     return readGolden(shot, path, std::string(variant));
+}
+
+Diagnostics GoldenStore::restore(const Shot& shot, std::string_view variant,
+                                 const std::optional<std::vector<std::byte>>& bytes) const {
+    const fs::path path = file(shot, variant);
+    if (const std::string why = whyNotWritten(path); !why.empty()) return {cannotWrite(path, why)};
+    const int problem = bytes ? base::writeBeneath(path.parent_path(), path.filename(), *bytes)
+                              : base::removeBeneath(path.parent_path(), path.filename());
+    if (problem == 0) return {};
+    return {cannotWrite(path, std::generic_category().message(problem))};
+}
+
+std::string GoldenStore::whyNotWritten(const fs::path& path) const {
+    std::error_code ignored;
+    if (fs::is_symlink(path, ignored))
+        return "it is a symbolic link, and its target would be overwritten; remove the link";
+    if (!allowOutside_ && !isBelow(path, folder_))
+        return "its folder is a link that leads out of the golden folder; --allow-outside follows it";
+    return {};
 }
 
 Result<image::Image> decode(const Golden& golden) {

@@ -74,8 +74,14 @@ class GoldenStore {
     /// golden that is a link or is reached through one that leads out of the golden folder.
     [[nodiscard]] Result<Golden> replace(const Shot& shot, std::string_view variant,
                                          const image::Image& picture) const;
+    /// Undoes replace(): the golden of that variant is these bytes again, or there is none. Error: file-E10,
+    /// as for replace().
+    [[nodiscard]] Diagnostics restore(const Shot& shot, std::string_view variant,
+                                      const std::optional<std::vector<std::byte>>& bytes) const;
 
   private:
+    /// Why the file of a golden is not written; empty if it may be.
+    [[nodiscard]] std::string whyNotWritten(const std::filesystem::path& path) const;
     std::string suite_;
     std::filesystem::path folder_, suiteFolder_;
     bool allowOutside_ = false;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <system_error>
 #include <tuple>
 
@@ -46,6 +47,25 @@ void sortLines(std::vector<AcceptedHash>& lines) {
     std::sort(lines.begin(), lines.end(), [](const AcceptedHash& a, const AcceptedHash& b) {
         return std::tie(a.variant, a.key) < std::tie(b.variant, b.key);
     });
+}
+
+/// Reads the list, changes it and writes it, if that makes a difference.
+Diagnostics changeList(const fs::path& file, const std::function<void(HashList&)>& change) {
+    const FolderLock lock(file.has_parent_path() ? file.parent_path() : ".");
+    Result<HashList> list = HashList::read(file);
+    const std::string before = list->toText();
+    change(*list);
+    const std::string after = list->toText();
+    std::error_code failure;
+    if (after == before && fs::exists(file, failure)) return {};
+    const auto refuse = [&](const std::string& why) {
+        return Diagnostics{diagnose("file-E10", fmt::format("cannot write '{}': {}", file.string(), why))};
+    };
+    if (fs::is_symlink(file, failure))
+        return refuse("it is a symbolic link, and its target would be overwritten; remove the link");
+    const int problem =
+        base::writeBeneath(file.parent_path(), file.filename(), std::as_bytes(std::span(after)));
+    return problem == 0 ? Diagnostics{} : refuse(std::generic_category().message(problem));
 }
 
 }  // namespace
@@ -95,7 +115,6 @@ Result<HashList> HashList::read(const fs::path& file) {
         return list;
     }
     std::string_view rest(reinterpret_cast<const char*>(bytes->data()), bytes->size());
-    std::vector<AcceptedHash> lines;
     for (int number = 1; !rest.empty(); ++number) {
         std::string_view line = rest.substr(0, rest.find('\n'));
         rest.remove_prefix(std::min(line.size() + 1, rest.size()));
@@ -141,6 +160,14 @@ void HashList::accept(std::span<const AcceptedHash> accepted) {
     }
 }
 
+void HashList::restore(const std::string& shot, const std::string& variant,
+                       std::span<const AcceptedHash> lines) {
+    std::vector<AcceptedHash>& all = ofShot_[shot];
+    std::erase_if(all, [&](const AcceptedHash& line) { return line.variant == variant; });
+    all.insert(all.end(), lines.begin(), lines.end());
+    if (all.empty()) ofShot_.erase(shot);
+}
+
 std::string HashList::toText() const {
     std::string text(kHeading);
     for (const auto& [shot, lines] : ofShot_) {
@@ -151,21 +178,12 @@ std::string HashList::toText() const {
 
 Diagnostics acceptHashes(const fs::path& file, std::span<const AcceptedHash> accepted) {
     if (accepted.empty()) return {};
-    const FolderLock lock(file.has_parent_path() ? file.parent_path() : ".");
-    Result<HashList> list = HashList::read(file);
-    const std::string before = list->toText();
-    list->accept(accepted);
-    const std::string after = list->toText();
-    std::error_code failure;
-    if (after == before && fs::exists(file, failure)) return {};
-    const auto refuse = [&](const std::string& why) {
-        return Diagnostics{diagnose("file-E10", fmt::format("cannot write '{}': {}", file.string(), why))};
-    };
-    if (fs::is_symlink(file, failure))
-        return refuse("it is a symbolic link, and its target would be overwritten; remove the link");
-    const int problem =
-        base::writeBeneath(file.parent_path(), file.filename(), std::as_bytes(std::span(after)));
-    return problem == 0 ? Diagnostics{} : refuse(std::generic_category().message(problem));
+    return changeList(file, [&](HashList& list) { list.accept(accepted); });
+}
+
+Diagnostics restoreHashes(const fs::path& file, const std::string& shot, const std::string& variant,
+                          std::span<const AcceptedHash> lines) {
+    return changeList(file, [&](HashList& list) { list.restore(shot, variant, lines); });
 }
 
 }  // namespace glibra::suite

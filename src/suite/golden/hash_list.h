@@ -55,6 +55,8 @@ class HashList {
     /// Adds lines. They replace lines of the same shot, variant and driver, and lines for other content of
     /// the same golden.
     void accept(std::span<const AcceptedHash> accepted);
+    /// Replaces the lines of one golden of a shot.
+    void restore(const std::string& shot, const std::string& variant, std::span<const AcceptedHash> lines);
     [[nodiscard]] std::string toText() const;
 
   private:
@@ -65,5 +67,8 @@ class HashList {
 /// Adds lines to the file, which other processes may change at the same time. Returns nothing if that worked.
 /// A file that is a link is not written (file-E10).
 Diagnostics acceptHashes(const std::filesystem::path& file, std::span<const AcceptedHash> accepted);
+/// Replaces the lines of one golden of a shot in the file; otherwise as acceptHashes.
+Diagnostics restoreHashes(const std::filesystem::path& file, const std::string& shot,
+                          const std::string& variant, std::span<const AcceptedHash> lines);
 
 }  // namespace glibra::suite

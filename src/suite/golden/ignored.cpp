@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <optional>
 
 #include "image/convert.h"
 #include "image/read.h"
@@ -22,7 +23,35 @@ bool samePixels(const image::Image& a, const image::Image& b) {
            a.data == b.data;
 }
 
+std::optional<Diagnostic> reachesOut(const IgnoredRegion& region, int width, int height) {
+    if (region.width <= width - region.x && region.height <= height - region.y) return std::nullopt;
+    return diagnose("suite-E29",
+                    fmt::format("ignore: [{}, {}, {}, {}] is not inside of the picture of {} x {} pixels",
+                                region.x, region.y, region.width, region.height, width, height),
+                    region.place);
+}
+
+Result<image::Image> readMask(const Shot& shot, int width, int height) {
+    Result<image::Image> mask = image::readImage(shot.mask, shot.maskPlace);
+    if (mask && (mask->width != width || mask->height != height))
+        return diagnose("suite-E29",
+                        fmt::format("mask: '{}' has {} x {} pixels, the picture {} x {}", shot.mask.string(),
+                                    mask->width, mask->height, width, height),
+                        shot.maskPlace);
+    return mask;
+}
+
 }  // namespace
+
+Diagnostics wrongIgnored(const Shot& shot, int width, int height) {
+    Diagnostics problems;
+    const std::string day = today();
+    for (const IgnoredRegion& each : shot.ignored)
+        if (const auto problem = isActive(each, day) ? reachesOut(each, width, height) : std::nullopt)
+            problems.push_back(*problem);
+    if (!shot.mask.empty()) append(problems, readMask(shot, width, height).diagnostics);
+    return problems;
+}
 
 bool ignoresSomething(const Shot& shot) {
     const std::string day = shot.ignored.empty() ? std::string() : today();
@@ -74,22 +103,12 @@ Result<image::Image> withoutIgnored(const Shot& shot, const image::Image& golden
     const std::string day = today();
     for (const IgnoredRegion& each : shot.ignored) {
         if (!isActive(each, day)) continue;
-        if (each.width > got.width - each.x || each.height > got.height - each.y)
-            return diagnose(
-                "suite-E29",
-                fmt::format("ignore: [{}, {}, {}, {}] is not inside of the picture of {} x {} pixels", each.x,
-                            each.y, each.width, each.height, got.width, got.height),
-                shot.place);
+        if (const auto problem = reachesOut(each, got.width, got.height)) return *problem;
         for (int y = each.y; y < each.y + each.height; ++y) hide(each.x, y, each.width);
     }
     if (shot.mask.empty()) return seen;
-    const Result<image::Image> mask = image::readImage(shot.mask, shot.place);
+    const Result<image::Image> mask = readMask(shot, got.width, got.height);
     if (!mask) return mask.diagnostics;
-    if (mask->width != got.width || mask->height != got.height)
-        return diagnose("suite-E29",
-                        fmt::format("mask: '{}' has {} x {} pixels, the picture {} x {}", shot.mask.string(),
-                                    mask->width, mask->height, got.width, got.height),
-                        shot.place);
     const image::Image bytes = image::withType(*mask, image::Component::u8);
     const std::size_t step = static_cast<std::size_t>(bytes.components);
     for (int y = 0; y < got.height; ++y)

@@ -19,7 +19,7 @@ const RenderOptions& in(const Shot& shot, const RenderOptions*) {
     return shot.options;
 }
 const Shot& in(const Shot& shot, const Shot*) {
-    return shot;
+    return shot;  // NOLINT(bugprone-return-const-ref-from-parameter)
 }
 ViewState& in(Shot& shot, const ViewState*) {
     return shot.options.viewState;
@@ -37,14 +37,14 @@ template <class Owner, class T, T Owner::* kMember>
 struct MemberOf<kMember> {
     static const T& get(const Shot& shot) { return in(shot, static_cast<const Owner*>(nullptr)).*kMember; }
     static T& edit(Shot& shot) { return in(shot, static_cast<const Owner*>(nullptr)).*kMember; }
-    static constexpr ShotMember<T> access{get, edit};
+    static constexpr ShotMember<T> kAccess{get, edit};
 
     static int getIndex(const Shot& shot) { return static_cast<int>(get(shot)); }
     static void setIndex(Shot& shot, int index) { edit(shot) = static_cast<T>(index); }
 };
 
 template <auto kMember>
-constexpr auto kTo = MemberOf<kMember>::access;
+constexpr auto kTo = MemberOf<kMember>::kAccess;
 
 /// `words` in the order of the enumeration.
 template <auto kMember>

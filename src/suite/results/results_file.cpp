@@ -34,7 +34,8 @@ Diagnostic cannotWrite(const fs::path& path, int problem) {
 Diagnostics makeFolder(const fs::path& folder) {
     std::error_code failed;
     fs::create_directories(folder, failed);
-    if (failed && !fs::is_directory(folder)) return {cannotWrite(folder, failed.value())};
+    std::error_code unknown;
+    if (failed && !fs::is_directory(folder, unknown)) return {cannotWrite(folder, failed.value())};
     return {};
 }
 

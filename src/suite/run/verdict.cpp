@@ -267,6 +267,7 @@ std::optional<Judged> ShotJudge::first(const Attempt& attempt) const {
         judged.result.got = write(shot, "got", *attempt.own.picture, judged.result);
         return judged;
     }
+    if (std::optional<Judged> judged = refuseIgnored(attempt)) return judged;
     if (!isCompared(attempt)) {
         Judged judged{begin(attempt), std::nullopt};
         judged.result.diagnostics.push_back(diagnose(
@@ -283,6 +284,18 @@ std::optional<Judged> ShotJudge::first(const Attempt& attempt) const {
     Findings found = look(attempt, false);
     if (found.goldenHolds && found.relation.empty()) return passed(attempt, std::move(found));
     return std::nullopt;
+}
+
+std::optional<Judged> ShotJudge::refuseIgnored(const Attempt& attempt) const {
+    const image::Image& got = *attempt.own.picture;
+    Diagnostics problems = wrongIgnored(*attempt.shot, got.width, got.height);
+    if (!hasError(problems)) return std::nullopt;
+    Judged judged{begin(attempt), std::nullopt};
+    judged.result.accept.clear();  // a golden does not mend the suite
+    judged.result.reason = firstError(problems);
+    append(judged.result.diagnostics, std::move(problems));
+    judged.result.got = write(*attempt.shot, "got", got, judged.result);
+    return judged;
 }
 
 fs::path ShotJudge::write(const Shot& shot, std::string_view what, const image::Image& picture,

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
@@ -84,6 +85,28 @@ std::optional<Asked> parse(const std::string& body, std::size_t count) {
     asked.force = flag("force");
     asked.also = flag("also");
     return asked;
+}
+
+/// Decides about each shot: {"accepted": [3], "refused": [[5, "why"]]}. `decide` returns why not, or nothing.
+WebReply answer(const char* word, const std::vector<std::size_t>& shots,
+                const std::function<std::string(std::size_t)>& decide) {
+    ReviewJson json = {{word, ReviewJson::array()}, {"refused", ReviewJson::array()}};
+    for (const std::size_t each : shots) {
+        const std::string why = decide(each);
+        if (why.empty())
+            json[word].push_back(each);
+        else
+            json["refused"].push_back({each, why});
+    }
+    return {200, "application/json", textOf(json)};
+}
+
+/// The bytes of a golden that may be replaced; nothing if there is no such file.
+std::optional<std::vector<std::byte>> bytesOf(const fs::path& golden) {
+    std::error_code failure;
+    if (!fs::exists(golden, failure)) return std::nullopt;
+    auto bytes = image::readFile(golden, {golden.string(), {golden.string(), 1, 1}});
+    return std::move(bytes.value);
 }
 
 }  // namespace
@@ -243,8 +266,13 @@ std::string Review::acceptOne(std::size_t index, bool force, bool also) {
     const bool isFurther = also && result.verdict != Verdict::missing;
     const std::string variant = isFurther ? store->freeVariant(*known.shot) : result.goldenVariant;
     if (isFurther && variant.empty()) return "it has nine further accepted pictures; remove one";
+    Before before{variant, bytesOf(store->file(*known.shot, variant)), {}, {}};
+    for (AcceptedHash& line : store->accepted().linesOf(known.shot->name))
+        if (line.variant == variant) before.lines.push_back(std::move(line));
     const Result<Golden> golden = store->replace(*known.shot, variant, picture);
     if (!golden) return golden.message();
+    before.accepted = hashOf(std::span<const std::byte>(golden->bytes));
+    before_[index] = std::move(before);
     Diagnostics problems;
     if (isKey(result.acceptKey)) {
         const AcceptedHash line{known.shot->name, variant, golden->identity, hashOf(picture),
@@ -258,26 +286,41 @@ std::string Review::acceptOne(std::size_t index, bool force, bool also) {
 WebReply Review::accept(const WebRequest& request) {
     const auto asked = parse(request.body, shots_.size());
     if (!asked) return refuse(400, "expected {\"shots\": [numbers]}");
-    ReviewJson json = {{"accepted", ReviewJson::array()}, {"refused", ReviewJson::array()}};
-    for (const std::size_t each : asked->shots) {
-        const std::string why = decisionOf(each) == "accepted" ? "it has been accepted already"
-                                                               : acceptOne(each, asked->force, asked->also);
-        if (why.empty())
-            json["accepted"].push_back(each);
-        else
-            json["refused"].push_back({each, why});
-    }
-    return {200, "application/json", textOf(json)};
+    return answer("accepted", asked->shots, [&](std::size_t each) {
+        return decisionOf(each) == "accepted" ? "it has been accepted already"
+                                              : acceptOne(each, asked->force, asked->also);
+    });
+}
+
+std::string Review::undo(std::size_t index) {
+    const auto found = before_.find(index);
+    if (found == before_.end())
+        return "it was accepted in an earlier review; restore its golden from version control";
+    const Before& before = found->second;
+    const Known known = find(shots_[index]);
+    const auto store = GoldenStore::open(*known.suite, options_.goldens, options_.allowOutside);
+    if (!store) return store.message();
+    const Result<Golden> golden = store->read(*known.shot, before.variant);
+    if (!golden || hashOf(std::span<const std::byte>(golden->bytes)) != before.accepted)
+        return "its golden has changed since it was accepted; restore it from version control";
+    // Lines without their golden only cost time, so they come first.
+    Diagnostics problems = restoreHashes(store->hashFile(), known.shot->name, before.variant, before.lines);
+    if (problems.empty()) problems = store->restore(*known.shot, before.variant, before.golden);
+    if (!problems.empty()) return problems.front().text;
+    before_.erase(found);
+    return {};
+}
+
+std::string Review::rejectOne(std::size_t index) {
+    if (decisionOf(index) == "accepted")
+        if (std::string why = undo(index); !why.empty()) return why;
+    return decide(index, "rejected") ? std::string() : "rejected, but " + cannotKeep().text;
 }
 
 WebReply Review::reject(const WebRequest& request) {
     const auto asked = parse(request.body, shots_.size());
     if (!asked) return refuse(400, "expected {\"shots\": [numbers]}");
-    bool isKept = true;
-    for (const std::size_t each : asked->shots)
-        if (decisionOf(each) != "accepted") isKept = decide(each, "rejected") && isKept;
-    return isKept ? WebReply{200, "application/json", "{}"}
-                  : refuse(500, "rejected, but " + cannotKeep().text);
+    return answer("rejected", asked->shots, [this](std::size_t each) { return rejectOne(each); });
 }
 
 std::string Review::decisionOf(std::size_t index) const {

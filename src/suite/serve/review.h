@@ -8,11 +8,13 @@
 #include <cstddef>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "suite/golden/hash.h"
+#include "suite/golden/hash_list.h"
 #include "suite/results/results.h"
 #include "suite/serve/loopback_server.h"
 #include "suite/suite.h"
@@ -53,7 +55,9 @@ class Review {
     /// the list of hashes. Replies with what became of each; a shot whose picture has not been in view, or
     /// whose file has changed since, is refused.
     WebReply accept(const WebRequest& request);
-    /// {"shots": [3]}: marks them as rejected.
+    /// {"shots": [3]}: marks them as rejected. What this review has accepted is undone: the golden and its
+    /// lines in the list of hashes are those of before. Replies with what became of each; a shot is refused
+    /// that an earlier review has accepted, or whose golden has changed since.
     WebReply reject(const WebRequest& request);
     [[nodiscard]] WebReply data() const;
 
@@ -71,6 +75,10 @@ class Review {
     [[nodiscard]] std::string whyNot(std::size_t index) const;
     /// Returns why the picture could not be accepted, or nothing.
     std::string acceptOne(std::size_t index, bool force, bool also);
+    /// Returns why the shot could not be rejected, or nothing.
+    std::string rejectOne(std::size_t index);
+    /// Returns why the golden could not be made what it was before it was accepted, or nothing.
+    std::string undo(std::size_t index);
     /// Takes over what an earlier review of the same pictures has decided. Results may come from somebody
     /// else: a picture counts as accepted only if it is one of the goldens.
     void readDecisions();
@@ -89,6 +97,14 @@ class Review {
         std::string word, content;
     };
     std::map<std::size_t, Decision> decided_;
+    /// What a golden was before this review replaced it.
+    struct Before {
+        std::string variant;
+        std::optional<std::vector<std::byte>> golden;  ///< its file; nothing: there was none
+        std::vector<AcceptedHash> lines;               ///< of the list of hashes
+        Hash accepted;                                 ///< of the file that took its place
+    };
+    std::map<std::size_t, Before> before_;
 };
 
 /// What a review has decided, in the folder of the results.

@@ -1,16 +1,17 @@
 #include "view/edit/comment_lines.h"
 
 #include <algorithm>
+#include <ranges>
 #include <vector>
 
 namespace glibra::view {
 
 EditedText toggledComments(std::string_view text, const TextRange& selection, std::string_view marker) {
     const std::size_t size = text.size();
-    TextRange selected{std::min(selection.begin, size), std::min(selection.end, size)};
+    const TextRange selected{std::min(selection.begin, size), std::min(selection.end, size)};
     const std::size_t before =
         selected.begin == 0 ? std::string_view::npos : text.rfind('\n', selected.begin - 1);
-    std::size_t begin = before == std::string_view::npos ? 0 : before + 1;
+    const std::size_t begin = before == std::string_view::npos ? 0 : before + 1;
     // Lines from `begin` to `end`, which is the end of the last one.
     std::size_t last = selected.end;
     if (last > selected.begin && last > 0 && text[last - 1] == '\n') --last;
@@ -34,10 +35,10 @@ EditedText toggledComments(std::string_view text, const TextRange& selection, st
     if (firsts.empty()) return result;
     const std::string added = std::string(marker) + " ";
     // From the last line to the first, so that earlier offsets stay valid.
-    for (auto each = firsts.rbegin(); each != firsts.rend(); ++each) {
-        const std::size_t lineStart = *each == 0 ? 0 : text.rfind('\n', *each - 1);
-        const std::size_t start = lineStart == kNone || *each == 0 ? 0 : lineStart + 1;
-        const std::size_t at = areComments ? *each : start + column;
+    for (const std::size_t first : std::ranges::reverse_view(firsts)) {
+        const std::size_t lineStart = first == 0 ? 0 : text.rfind('\n', first - 1);
+        const std::size_t start = lineStart == kNone || first == 0 ? 0 : lineStart + 1;
+        const std::size_t at = areComments ? first : start + column;
         const std::size_t removed =
             !areComments ? 0 : marker.size() + (text.substr(at + marker.size()).starts_with(' ') ? 1 : 0);
         const std::string inserted = areComments ? std::string() : added;

@@ -144,7 +144,7 @@ void EditedFile::decode(std::string_view bytes) {
 }
 
 std::string EditedFile::encoded() const {
-    std::string text = hasCarriageReturns_ ? replaceEach(text_, "\n", "\r\n") : text_;
+    const std::string text = hasCarriageReturns_ ? replaceEach(text_, "\n", "\r\n") : text_;
     if (isLatin_)
         if (auto latin = toLatin(text)) return std::move(*latin);
     return hasMark_ ? std::string(kMark) + text : text;

@@ -11,8 +11,8 @@
 #include "plan/buffer_table.h"
 #include "plan/loop_rounds.h"
 #include "render/file/labels.h"
+#include "render/load/open_loops.h"
 #include "view/scene/live_state.h"
-#include "view/scene/open_loops.h"
 #include "view/scene/step_text.h"
 
 namespace glibra::view {
@@ -40,27 +40,6 @@ std::string LiveScene::State::sourceOfSteps() const {
     return text;
 }
 
-/// A compiler removes a loop that never ends, with all that follows. That a uniform is unused is then not
-/// what is wrong.
-void LiveScene::explainRemovedLoops(Loading& loading) {
-    const auto isUnused = [](const Diagnostic& each) { return each.id == "glib-W24"; };
-    Diagnostics& diagnostics = loading.diagnostics;
-    if (std::none_of(diagnostics.begin(), diagnostics.end(), isUnused)) return;
-    std::vector<Place> loops;
-    for (const plan::PlannedProgram& each : loading.scene->plan().programs)
-        if (const glsl::TranslatedProgram* text = loading.scene->state_->programs.translated(each.variant))
-            for (const glsl::TranslatedStage& stage : text->stages)
-                for (const Place& place : endlessLoops(stage))
-                    if (std::find(loops.begin(), loops.end(), place) == loops.end()) loops.push_back(place);
-    if (loops.empty()) return;
-    std::erase_if(diagnostics, isUnused);
-    for (const Place& each : loops)
-        diagnostics.push_back(diagnose("view-W02",
-                                       "this loop never ends, because nothing in it changes its condition; "
-                                       "compilers remove it with all that follows, so uniforms are unused",
-                                       each));
-}
-
 LiveScene::LiveScene(std::unique_ptr<State> state) : state_(std::move(state)) {}
 LiveScene::~LiveScene() = default;
 
@@ -80,8 +59,8 @@ LiveScene::Loading LiveScene::load(gpu::Context& context, const std::filesystem:
         if (!earlierSteps.empty() && state->sourceOfSteps() == earlierSteps)
             state->simulation->takeOver(*previous->state_->simulation);
         render::applyStrict(loading.diagnostics, false);
+        render::explainRemovedLoops(state->plan, state->programs, loading.diagnostics);
         loading.scene.reset(new LiveScene(std::move(state)));
-        explainRemovedLoops(loading);
         loading.isPreviousLost = false;
     } catch (const std::bad_alloc&) {
         loading.diagnostics.push_back(diagnose("draw-E05", "out of memory", {path.string(), 1, 1}));
@@ -211,7 +190,7 @@ std::vector<Place> LiveScene::openLoops() {
             // An expression may give another value in the next frame.
             const bool isKnown = !state_->changesWithTime && !readsMouse();
             for (const glsl::TranslatedStage& stage : text->stages)
-                for (Place& place : view::openLoops(
+                for (Place& place : render::openLoops(
                          stage, isKnown ? glsl::UniformValue(value)
                                         : [](std::string_view) { return std::optional<double>(); }))
                     if (std::find(places.begin(), places.end(), place) == places.end())

@@ -143,7 +143,6 @@ class LiveScene {
 
   private:
     struct State;
-    static void explainRemovedLoops(Loading& loading);
     explicit LiveScene(std::unique_ptr<State> state);
     std::unique_ptr<State> state_;
 };

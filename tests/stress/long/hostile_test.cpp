@@ -63,7 +63,8 @@ class HostileShots : public testing::Test {
               "#version 330 core\nuniform sampler2D uUnit;\nout vec4 f;\nvoid main() { f = texture(uUnit, "
               "gl_FragCoord.xy); }\n");
         write("p.png",
-              std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\x7f\xff\xff\xff\x7f\xff\xff\xff\x08\x06\0\0\0", 33));
+              std::string(
+                  "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\x7f\xff\xff\xff\x7f\xff\xff\xff\x08\x06\0\0\0\0\0\0\0", 33));
         write("empty.glib", "");
     }
     void TearDown() override {

@@ -153,7 +153,7 @@ void beginHardcopy(Ui& ui, HardcopyEntries& entries, const Hardcopy& hardcopy) {
     entries.last.clear();
     ui.notice = {};
     entries.note = ui.session.onlyOnScreen();
-    if (Diagnostics problems = writingProblem(hardcopy.file); !problems.empty())
+    if (const Diagnostics problems = writingProblem(hardcopy.file); !problems.empty())
         return endHardcopy(ui, entries, problems, {});
     if (ui.session.isStopped()) {
         ui.notice = {"no hardcopy is written, because the scene is stopped", true};

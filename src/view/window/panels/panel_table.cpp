@@ -6,7 +6,7 @@ namespace glibra::view {
 
 std::span<const PanelRow* const> panelRows() {
     static constexpr std::array kRows{
-#define GLIBRA_PANEL(row) &row,
+#define GLIBRA_PANEL(row) &(row),
 #include "view/window/panels/panels.def"
 #undef GLIBRA_PANEL
     };

@@ -104,8 +104,7 @@ void cameras(Ui& ui) {
         mark(ui, "view/camera/{}", name.empty() ? "scene" : name);
     };
     item("");
-    for (std::size_t i = 0; i < ui.session.live().cameras().size(); ++i)
-        item(std::string(ui.session.live().cameras()[i].name));
+    for (const auto& each : ui.session.live().cameras()) item(std::string(each.name));
     ImGui::EndCombo();
 }
 

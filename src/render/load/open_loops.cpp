@@ -1,4 +1,4 @@
-#include "view/scene/open_loops.h"
+#include "render/load/open_loops.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 #include "base/text.h"
 
-namespace glibra::view {
+namespace glibra::render {
 namespace {
 
 constexpr double kManyRounds = 20'000;
@@ -154,4 +154,24 @@ std::vector<Place> endlessLoops(const glsl::TranslatedStage& stage) {
     return places;
 }
 
-}  // namespace glibra::view
+void explainRemovedLoops(const plan::FramePlan& plan, ProgramLibrary& programs, Diagnostics& diagnostics) {
+    const auto follows = [](const Diagnostic& each) {
+        return each.id == "glib-W24" || each.id == "draw-W10";
+    };
+    if (std::ranges::none_of(diagnostics, follows)) return;
+    std::vector<Place> loops;
+    for (const plan::PlannedProgram& each : plan.programs)
+        if (const glsl::TranslatedProgram* text = programs.translated(each.variant))
+            for (const glsl::TranslatedStage& stage : text->stages)
+                for (const Place& place : endlessLoops(stage))
+                    if (std::ranges::find(loops, place) == loops.end()) loops.push_back(place);
+    if (loops.empty()) return;
+    std::erase_if(diagnostics, follows);
+    for (const Place& each : loops)
+        diagnostics.push_back(diagnose("view-W02",
+                                       "this loop never ends, because nothing in it changes its condition; "
+                                       "compilers remove it with all that follows",
+                                       each));
+}
+
+}  // namespace glibra::render

@@ -8,8 +8,10 @@
 
 #include "glsl/types/counted_loop.h"
 #include "glsl/types/translated_program.h"
+#include "plan/frame_plan.h"
+#include "render/load/programs.h"
 
-namespace glibra::view {
+namespace glibra::render {
 
 /// The places of the loops of a stage whose number of rounds does not follow from its text and the values of
 /// its uniforms, or which run more than 20,000 rounds. `uniform` gives the value of a uniform, if it is
@@ -20,4 +22,8 @@ std::vector<Place> openLoops(const glsl::TranslatedStage& stage, const glsl::Uni
 /// nothing else leaves: they never end, so compilers remove them with all that follows.
 std::vector<Place> endlessLoops(const glsl::TranslatedStage& stage);
 
-}  // namespace glibra::view
+/// Puts view-W02 for the endless loops of the plan's programs in the place of what follows from them: that a
+/// uniform is unused (glib-W24) or an output missing (draw-W10), because the compiler has removed them.
+void explainRemovedLoops(const plan::FramePlan& plan, ProgramLibrary& programs, Diagnostics& diagnostics);
+
+}  // namespace glibra::render

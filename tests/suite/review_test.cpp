@@ -1,0 +1,125 @@
+// What a review accepts and rejects, as its page asks for it.
+
+#include "suite/serve/review.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <optional>
+
+#include "folder.h"
+#include "image/write.h"
+#include "pictures.h"
+
+namespace glibra::suite {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Reviews : public testing::Test {
+  protected:
+    Reviews() {
+        suite.name = "s";
+        suite.file = folder / "s.toml";
+        suite.goldens = folder / "goldens";
+        suite.shots = {shotNamed("a")};
+        ShotResult& failed = run.shots.emplace_back();
+        failed.suite = "s";
+        failed.shot = "a";
+        failed.verdict = Verdict::failed;
+        failed.script = "a.glib";
+        failed.got = "s/a.got.png";
+        failed.accept = "glibra test s.toml --only a --update";
+        failed.acceptKey = "llvmpipe";
+        fs::create_directories(folder / "results/s");
+        EXPECT_TRUE(image::writeImage(gradient(40), folder / "results/s/a.got.png").empty());
+    }
+    void put(const image::Image& golden) {
+        const GoldenStore store = *GoldenStore::open(suite);
+        const Result<Golden> made = store.replace(suite.shots[0], "", golden);
+        ASSERT_TRUE(made);
+        const AcceptedHash line{"a", "", made->identity, hashOf(golden), "another driver"};
+        ASSERT_TRUE(acceptHashes(store.hashFile(), {&line, 1}).empty());
+    }
+    void begin() { review.emplace(run, std::vector{suite}, ReviewOptions{.results = folder / "results"}); }
+    std::string accept(const std::string& more = {}) {
+        review->picture({{{"shot", "0"}, {"what", "got"}}, {}});
+        review->see({{}, "{\"shots\": [0]}"});
+        return review->accept({{}, "{\"shots\": [0]" + more + "}"}).body;
+    }
+    std::string reject() { return review->reject({{}, "{\"shots\": [0]}"}).body; }
+    std::string golden() const { return textOf(folder / "goldens/a.png"); }
+    std::string hashes() const { return textOf(folder / "goldens/s.hashes"); }
+
+    Folder folder;
+    Suite suite;
+    RunResult run;
+    std::optional<Review> review;
+};
+
+constexpr const char* kAccepted = "{\"accepted\":[0],\"refused\":[]}";
+constexpr const char* kRejected = "{\"rejected\":[0],\"refused\":[]}";
+
+TEST_F(Reviews, RejectingUndoesWhatWasAccepted) {
+    put(gradient());
+    const std::string oldGolden = golden(), oldHashes = hashes();
+    begin();
+    for (int round = 0; round < 2; ++round) {
+        ASSERT_EQ(accept(), kAccepted);
+        EXPECT_NE(golden(), oldGolden);
+        EXPECT_NE(hashes(), oldHashes);
+        EXPECT_EQ(reject(), kRejected);
+        EXPECT_EQ(golden(), oldGolden);
+        EXPECT_EQ(hashes(), oldHashes);
+        EXPECT_EQ(review->decisionOf(0), "rejected");
+    }
+}
+
+TEST_F(Reviews, RejectingRemovesAGoldenThatWasNotThereBefore) {
+    run.shots[0].verdict = Verdict::missing;
+    begin();
+    ASSERT_EQ(accept(), kAccepted);
+    EXPECT_EQ(reject(), kRejected);
+    EXPECT_FALSE(fs::exists(folder / "goldens/a.png"));
+    EXPECT_EQ(hashes().find("\na "), std::string::npos) << hashes();
+}
+
+TEST_F(Reviews, RejectingRemovesAPictureThatWasAcceptedBesides) {
+    put(gradient());
+    const std::string oldGolden = golden(), oldHashes = hashes();
+    begin();
+    ASSERT_EQ(accept(", \"also\": true"), kAccepted);
+    EXPECT_TRUE(fs::exists(folder / "goldens/a.also1.png"));
+    EXPECT_EQ(reject(), kRejected);
+    EXPECT_FALSE(fs::exists(folder / "goldens/a.also1.png"));
+    EXPECT_EQ(golden(), oldGolden);
+    EXPECT_EQ(hashes(), oldHashes);
+}
+
+TEST_F(Reviews, RejectingSaysIfItCannotUndo) {
+    put(gradient());
+    begin();
+    ASSERT_EQ(accept(), kAccepted);
+    begin();
+    EXPECT_NE(reject().find("accepted in an earlier review"), std::string::npos);
+    EXPECT_EQ(review->decisionOf(0), "accepted") << "nothing has changed";
+    put(gradient());
+    begin();
+    ASSERT_EQ(accept(), kAccepted);
+    put(gradient(80));
+    const std::string mine = golden();
+    EXPECT_NE(reject().find("its golden has changed since"), std::string::npos);
+    EXPECT_EQ(golden(), mine);
+}
+
+TEST_F(Reviews, WhatIsNotAcceptedIsRejected) {
+    put(gradient());
+    const std::string oldGolden = golden();
+    begin();
+    EXPECT_EQ(reject(), kRejected);
+    EXPECT_EQ(golden(), oldGolden);
+    EXPECT_EQ(review->reject({{}, "{\"shots\": [1]}"}).status, 400);
+}
+
+}  // namespace
+}  // namespace glibra::suite
