@@ -84,8 +84,9 @@ void nameAbsent(const ClassInput& input, classroom::Classroom& room) {
 classroom::ImportOptions importOptions(const ClassArguments& arguments, const ClassInput& input) {
     classroom::ImportOptions import;
     import.book = arguments.book != classroom::GradeBook::none ? arguments.book : input.find.names.book();
+    std::error_code failed;
     import.assignment = arguments.assignment.empty()
-                            ? fs::weakly_canonical(input.plan.folder).filename().string()
+                            ? fs::weakly_canonical(input.plan.folder, failed).filename().string()
                             : arguments.assignment;
     import.roster = input.roster ? &*input.roster : nullptr;
     import.handed = input.handed;

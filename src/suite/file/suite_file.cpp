@@ -235,9 +235,9 @@ const TomlList* readTopLevel(TomlReader& reader, const TomlTable& root, const fs
 Result<Suite> readFolder(const fs::path& folder) {
     Suite suite;
     suite.file = folder;
-    suite.name = fs::absolute(folder).lexically_normal().filename().string();
-    if (suite.name.empty())
-        suite.name = fs::absolute(folder).lexically_normal().parent_path().filename().string();
+    std::error_code failed;
+    const fs::path whole = fs::absolute(folder, failed).lexically_normal();
+    suite.name = (whole.has_filename() ? whole : whole.parent_path()).filename().string();
     suite.goldens = folder / "golden";
 
     const Place place{folder.string(), 1, 1};

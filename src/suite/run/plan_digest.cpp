@@ -24,8 +24,9 @@ fs::path suiteFolderOf(const Suite& suite) {
 }
 
 std::string portablePathOf(const fs::path& folder, const fs::path& file) {
-    const fs::path base = fs::absolute(folder).lexically_normal();
-    return fs::absolute(file).lexically_normal().lexically_relative(base).generic_string();
+    std::error_code failed;
+    const fs::path base = fs::absolute(folder, failed).lexically_normal();
+    return fs::absolute(file, failed).lexically_normal().lexically_relative(base).generic_string();
 }
 
 std::string portableSettingsOf(const Shot& shot) {
