@@ -43,7 +43,8 @@ TEST(HeatMap, ColorsAreMagma) {
 }
 
 TEST(HeatMap, EachStepOfALargerDifferenceIsNoDarker) {
-    std::vector<int> zeros(256), all(256);
+    const std::vector<int> zeros(256);
+    std::vector<int> all(256);
     for (int i = 0; i < 256; ++i) all[static_cast<std::size_t>(i)] = i;
     const Image map = differenceHeatMap(greyRow(zeros), greyRow(all));
     EXPECT_EQ(testing::pixelAt(map, 0, 0), (std::vector<int>{0, 0, 0}));
