@@ -248,7 +248,7 @@ std::vector<Piece> Expander::substitute(const Macro& macro, const std::vector<Pi
         if (std::exchange(pasteNext, false) && !result.empty())
             paste(result, result.size() - 1, piece);
         else
-            result.push_back(std::move(piece));
+            result.push_back(piece);
     };
     for (const BodyToken& each : macro.body) {
         if (!countStep()) break;
