@@ -55,13 +55,13 @@ Diagnostics tooLongFor(std::string_view format, int largestSide, const Image& im
 }
 
 Diagnostics writeGif(const Image& image, const fs::path& path, NamedBy named) {
-    Diagnostics tooLong = tooLongFor("GIF", kLargestGifSide, image, path);
+    const Diagnostics tooLong = tooLongFor("GIF", kLargestGifSide, image, path);
     return tooLong.empty() ? writeFileAtomically(path, encodeGif(image), named) : tooLong;
 }
 
 /// OpenImageIO leaves the name of the picture in the header as it finds it in memory.
 Diagnostics writeSgi(const Image& image, const fs::path& path, NamedBy named) {
-    Diagnostics tooLong = tooLongFor("SGI", kLargestSgiSide, image, path);
+    const Diagnostics tooLong = tooLongFor("SGI", kLargestSgiSide, image, path);
     return tooLong.empty() ? writeFileAtomically(path, encodeSgi(image), named) : tooLong;
 }
 

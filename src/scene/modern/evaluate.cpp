@@ -133,8 +133,8 @@ std::optional<expression::Value> evaluate(Interpreter& in, const glib::Value& va
     expression::Depends depends = dependsOf(in, *entry.expression);
     if (entry.readsShape) depends = depends | expression::Depends::window;
     addDepends(in, depends);
-    auto result = entry.expression->evaluate(in.shared->environment);
-    if (result) return std::move(*result);
+    const auto result = entry.expression->evaluate(in.shared->environment);
+    if (result) return *result;
     if (!in.shared->seen.isTrial && !std::exchange(entry.isProblemReported, true))
         in.report(result.problem.message);
     return fail();
