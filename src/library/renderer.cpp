@@ -7,9 +7,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
-#include <new>
+#include <list>
+#include <mutex>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "base/device_lost.h"
 #include "gpu/context/current.h"
@@ -193,11 +195,10 @@ Renderer::State::~State() {
     // The context is current on the thread that opened it, where nothing ends it any more, or that thread's
     // driver is gone, or an adopted context is not current: what is on the device cannot be released from
     // here.
-    for (OnDevice& each : left) {
-        static_cast<void>(each.live.release());
-        static_cast<void>(new (std::nothrow) std::optional<SceneWindow>(std::move(each.window)));
-    }
-    static_cast<void>(new (std::nothrow) gpu::Context(std::move(*context)));
+    static std::mutex guard;
+    static auto* const kept = new std::list<std::pair<std::vector<OnDevice>, gpu::Context>>;  // to the end
+    const std::lock_guard<std::mutex> lock(guard);
+    kept->emplace_back(std::move(left), std::move(*context));
 }
 
 bool Renderer::State::makeCurrent() {
