@@ -1,6 +1,8 @@
 #include "base/call_filter.h"
 
-#ifdef __linux__
+// The list of calls is that of 64 bits.
+#if defined(__linux__) && (defined(__x86_64__) || defined(__aarch64__))
+#define GLIBRA_CALL_FILTER
 #include <fcntl.h>
 #include <linux/seccomp.h>
 #include <sched.h>
@@ -18,7 +20,7 @@
 
 namespace glibra::base {
 
-#ifdef __linux__
+#ifdef GLIBRA_CALL_FILTER
 
 namespace {
 
@@ -240,7 +242,7 @@ std::string filterCalls() {
 #else
 
 std::string missingCallFilter() {
-    return "this system has no seccomp filters (Linux has them)";
+    return "this system has no seccomp filters (Linux on x86-64 and AArch64 has them)";
 }
 std::string filterCalls() {
     return missingCallFilter();

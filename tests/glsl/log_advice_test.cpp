@@ -56,6 +56,10 @@ TEST(SyntaxErrors, NameACharacterThatGlslDoesNotHave) {
 }
 
 TEST(SyntaxErrors, NeverUseTheCompilersOwnWords) {
+    EXPECT_NE(explained(kHead + "void main() {}\n", 9, 1, "syntax error, unexpected \"MAX_LIGHTS\"")
+                  .find("MAX_LIGHTS"),
+              std::string::npos)
+        << "a word of the shader stays";
     // With #line the compiler's line may be that of other text.
     const std::string source = "#version 330\nin vec2 vST;\n#line 1\nvoid main() {}\nfoo\n";
     const std::string found =

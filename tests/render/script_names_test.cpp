@@ -295,6 +295,20 @@ TEST(Groups, EvaluateTheirDefaultsWhereTheyStand) {
         "");
 }
 
+TEST(Groups, MayHaveDefaultsThatAreDeclaredBelow) {
+    EXPECT_EQ(problemsOf("WindowSize 8 8\n" + showing("sampler2D", "vST") +
+                         "Program Copy\nGroup show what pic size (pic.size.x) view cam\nLet got (size)\n"
+                         "Fill window with Copy uT what\nEndGroup\nTexture2D pic 8 8 rgba8\n"
+                         "Camera cam (mat4(1)) (mat4(1))\nPass pic clear {1 0 0}\nEndPass\n"
+                         "Draw show\nExpect pixel 3 3 [1 0 0]\nExpect (got == 8)\n"),
+              "");
+    const std::string unknown = problemsOf(
+        "WindowSize 8 8\nCamera eye (mat4(1)) (mat4(1))\nGroup g a nothing\n"
+        "Sphere (a)\nEndGroup\nDraw g\n");
+    EXPECT_EQ(std::count(unknown.begin(), unknown.end(), '\n'), 1) << unknown;
+    EXPECT_NE(unknown.find("scene.glib:3:"), std::string::npos) << unknown;
+}
+
 TEST(Groups, WithAFaultyDefaultGiveOneMessage) {
     const std::string problems = problemsOf(
         "Camera eye (mat4(1)) (mat4(1))\nLet arr [1 2 3 4 5]\n"
@@ -308,6 +322,13 @@ TEST(Names, ThatAreSetBelowSayWhere) {
         problemsOf("WindowSize 8 8\nCamera eye (mat4(1)) (mat4(1))\nTranslate (k) 0 0\nBox\nLet k 5\n");
     EXPECT_NE(problems.find("unknown name 'k'; line 5 sets it, which is below [expr-E02]"), std::string::npos)
         << problems;
+}
+
+TEST(Names, ThatAreSetAboveInVainAreNotSetBelow) {
+    const std::string problems = problemsOf(
+        "WindowSize 8 8\nCamera eye (mat4(1)) (mat4(1))\nGroup g\nLet k (5)\nEndGroup\nTranslate (k) 0 "
+        "0\nBox\n");
+    EXPECT_EQ(problems.find("below"), std::string::npos) << problems;
 }
 
 TEST(Cameras, HaveThePlanesAndTheAngleOfTheirProjection) {

@@ -107,7 +107,10 @@ std::string userWord(const TranslatedProgram& program, std::string_view emitted)
 bool hasJargon(std::string_view text) {
     constexpr std::size_t kLeast = 4;  // "EOF", "GL" and "C0000" are none
     std::size_t run = 0;
+    bool isQuoted = false;  // words of the shader are
     for (const char each : text) {
+        if (each == '"' || each == '\'') isQuoted = !isQuoted;
+        if (isQuoted) continue;
         run = (each >= 'A' && each <= 'Z') || each == '_' ? run + 1 : 0;
         if (run == kLeast) return true;
     }

@@ -64,12 +64,15 @@ expression::Depends dependsOf(Interpreter& in, const expression::Expression& exp
 }
 
 /// For an expression with an unknown name: where a Let below sets it. Empty if none does.
-std::string whereSet(const Interpreter& in, std::span<const NotedNames::Note> notes) {
+std::string whereSet(const Interpreter& in, const glib::Value& value,
+                     std::span<const NotedNames::Note> notes) {
     const auto unknown = std::ranges::find_if(
         notes, [](const auto& each) { return !each.count && each.path.find('.') == std::string::npos; });
     if (unknown == notes.end()) return {};
     for (const glib::Command& each : in.script->commands) {
-        if (each.id != glib::CommandId::let || each.values.empty()) continue;
+        if (each.id != glib::CommandId::let || each.values.empty() ||
+            each.position.line <= value.position.line)
+            continue;
         const glib::Value& target = each.values.front();
         if ((target.path.empty() ? target.text : target.path.front().name) == unknown->path)
             return fmt::format("; line {} sets it, which is below", each.position.line);
@@ -96,7 +99,7 @@ ReadExpression& readExpression(Interpreter& in, const glib::Value& value, const 
         }
         made.expression = std::move(*parsed);
     } else {
-        parsed.problem.message.text += whereSet(in, notes);
+        parsed.problem.message.text += whereSet(in, value, notes);
         in.report(parsed.problem.message);
     }
     return readSoFar.add(environment, std::move(notes), std::move(made));

@@ -157,8 +157,12 @@ struct GroupDefinition {
     std::size_t command = 0;     ///< index of the Group statement
     Environment::Point names{};  ///< around the Group statement
     bool isRunning = false;      ///< a group cannot draw itself
-    /// Of its parameters, as they are where the Group stands; nothing for one with an error.
-    std::vector<std::optional<Argument>> defaults{};
+    /// The default of a parameter, as it is where the Group stands.
+    struct Default {
+        std::optional<Argument> argument{};  ///< nothing: it has an error, or is of later
+        bool isOfLater = false;  ///< it reads a name that is declared below: evaluated at the Draw
+    };
+    std::vector<Default> defaults{};
 };
 
 /// How the numbers of a tag reach the eye space of the camera that a draw has.

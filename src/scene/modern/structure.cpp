@@ -80,6 +80,21 @@ std::optional<Argument> argumentOf(Interpreter& in, std::span<const glib::Value>
     return Argument{*std::move(value), depends.depends()};
 }
 
+/// True if one of the values reads a name that nothing has declared so far.
+bool readsLaterName(Interpreter& in, std::span<const glib::Value> values) {
+    const Environment& names = in.shared->environment;
+    return std::ranges::any_of(values, [&](const glib::Value& each) {
+        if (each.kind == glib::Value::Kind::word)
+            return !names.find(each.path.empty() ? each.text : each.path.front().name);
+        if (each.kind != glib::Value::Kind::expression) return false;
+        const NotedNames noted(names);
+        static_cast<void>(expression::parse(each.text, {}, noted));
+        return std::ranges::any_of(noted.take(), [](const NotedNames::Note& note) {
+            return !note.count && note.path.find('.') == std::string::npos;
+        });
+    });
+}
+
 void doGroup(Interpreter& in, const Command& command) {
     const std::size_t index = indexOf(in, command);
     if (!command.values.empty()) {
@@ -87,7 +102,10 @@ void doGroup(Interpreter& in, const Command& command) {
         group = {{in.script, in.around.given}, index, in.shared->environment.here(), group.isRunning};
         // No default reads a parameter.
         for (const glib::KeyedValues& each : command.tags)
-            group.defaults.push_back(argumentOf(in, each.values, kindOf(in, each.values.front())));
+            group.defaults.push_back(
+                readsLaterName(in, each.values)
+                    ? GroupDefinition::Default{{}, true}
+                    : GroupDefinition::Default{argumentOf(in, each.values, kindOf(in, each.values.front()))});
         return;
     }
     const Scope scope(in);
@@ -149,6 +167,29 @@ void bindObject(Interpreter& in, const glib::KeyedValues& parameter, const Objec
     if (!size.empty()) names.set(slot, size);
 }
 
+/// Does `work` with the names that the Group has around it.
+template <class Work>
+auto aroundGroup(Interpreter& in, const GroupDefinition& group, const Work& work) {
+    const InFile file(in, group.file);
+    const InnerNames inner(in);
+    in.shared->environment.enterGroup(group.names, &group.file.script->commands[group.command]);
+    return work();
+}
+
+/// What a parameter has for a Draw. `given`: by the Draw; null: nothing.
+std::optional<Argument> argumentOf(Interpreter& in, const GroupDefinition& group, std::size_t index,
+                                   const glib::KeyedValues* given) {
+    const auto& [usual, isOfLater] = group.defaults[index];
+    if (!isOfLater) {
+        if (given == nullptr) return usual;
+        return argumentOf(in, given->values, usual ? wantedLike(*usual) : Wanted::value);
+    }
+    const std::vector<glib::Value>& values = group.file.script->commands[group.command].tags[index].values;
+    const Wanted wanted = aroundGroup(in, group, [&] { return kindOf(in, values.front()); });
+    if (given != nullptr) return argumentOf(in, given->values, wanted);
+    return aroundGroup(in, group, [&] { return argumentOf(in, values, wanted); });
+}
+
 /// What the parameters of a group have for a Draw, where that stands: what it gives, or their defaults.
 /// Nothing with the reason reported.
 std::optional<std::vector<Argument>> argumentsOf(Interpreter& in, const GroupDefinition& group,
@@ -161,11 +202,8 @@ std::optional<std::vector<Argument>> argumentsOf(Interpreter& in, const GroupDef
         return std::nullopt;
     std::vector<Argument> arguments;
     for (std::size_t i = 0; i < names.size(); ++i) {
-        const std::optional<Argument>& usual = group.defaults[i];
         const auto given = std::ranges::find(call.tags, names[i], &glib::KeyedValues::key);
-        auto argument = given == call.tags.end()
-                            ? usual
-                            : argumentOf(in, given->values, usual ? wantedLike(*usual) : Wanted::value);
+        auto argument = argumentOf(in, group, i, given == call.tags.end() ? nullptr : &*given);
         if (!argument) return std::nullopt;
         arguments.push_back(*std::move(argument));
     }
