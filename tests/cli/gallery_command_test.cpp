@@ -182,7 +182,7 @@ TEST_F(GalleryCommand, AStoppedRunLeavesNoPage) {
     folder.write("in/still/b.frag",
                  "#version 330\nuniform float uG; out vec4 c;\nvoid main() { float s = 0.;\n"
                  "for (int i = 0; i < 2000000000; ++i) s += sin(float(i) * uG); c = vec4(s); }\n");
-    const Finished run = shell(folder.path(), "timeout -s INT 3 " GLIBRA_PROGRAM " gallery in -o site");
+    const Finished run = shell(folder.path(), "timeout -s INT 3 '" GLIBRA_PROGRAM "' gallery in -o site");
     EXPECT_TRUE(contains(run.err, "stopped; no page was written")) << run.err;
     EXPECT_FALSE(fs::exists(folder / "site/index.html"));
     EXPECT_FALSE(contains(site(), "frame="));
