@@ -6,7 +6,7 @@ itself, the rooms that it names, and the rooms that those name. Programs (src/cl
 room's folder program) may include every room and the command line, and no room may include them. The order of the
 sub-folders of a room is ORDER, below. A .cpp file and the header of the same name count as one file: the circle of two
 headers and the circle that is closed by a .cpp file are the same mistake. Prints each include that breaks a rule, as
-file:line, and exits with status 1 if there is one; also for an exception that is listed and not needed.
+file:line, and exits with status 1 if there is one.
 
     tools/layers.py                                  # check all includes
     tools/layers.py --figures                        # and count the arrows between the sub-folders of each room
@@ -26,6 +26,16 @@ SOURCE = ROOT / "src"
 # What the sub-folders of a folder may include of each other. A name that is no folder is a file of the folder itself
 # (with its .cpp), and "" stands for all its other files. Each names only what stands above it in this list.
 ORDER = {
+    "geometry": {
+        "": set(),
+        "shapes": {""},
+        "obj": {""},
+    },
+    "glib": {
+        "": set(),
+        "modern": {""},
+        "parse": {"", "modern"},
+    },
     "glsl": {
         "types": set(),
         "read": {"types"},
@@ -35,6 +45,30 @@ ORDER = {
         "emit": {"types", "read", "parse", "rules", "facts"},
         "": {"types", "read", "parse", "rules", "facts", "emit"},  # the contract, glsl/translate.h
     },
+    "image": {
+        "": set(),
+        "png": {""},
+        "bmp": {""},
+        "tga": {""},
+        "hdr": {""},
+        "gif": {""},
+        "pnm": {""},
+        "sgi": {""},
+        "dds": {""},
+        "exr": {""},
+        "tiff": {""},
+        "compare": {""},
+        "text": {""},
+        "video": {"", "png", "gif"},
+        "module": set(),
+        "module_loader": {"", "module"},
+        "jpeg_segments": {"", "tiff"},
+        "foreign": {"", "dds", "exr", "tiff", "jpeg_segments", "module_loader"},
+        "read": {"", "png", "bmp", "tga", "hdr", "gif", "pnm", "sgi", "module_loader", "foreign"},
+        "texture_file": {"", "read"},
+        "cube_map": {"", "read"},
+        "write": {"", "png", "gif", "sgi", "module_loader"},
+    },
     "gpu": {
         "context": set(),
         "format": {"context"},
@@ -42,21 +76,23 @@ ORDER = {
         "state": {"context", "format", "object"},
     },
     "scene": {
-        "": set(),
-        "modern": {""},
-    },
-    "plan": {
-        "": set(),
+        "": set(),  # the Scene, and how files are found
+        "run": {""},  # what all statements share while a script runs
+        "classic": {"", "run"},
+        "modern": {"", "run", "classic"},
+        "actions": {"", "run", "classic", "modern"},
+        "interpret": {"", "run", "classic", "modern", "actions"},
     },
     "render": {
         "stats": set(),
         "load": {"stats"},
         "draw": {"stats", "load"},
         "simulation": {"stats", "load", "draw"},
-        "": {"stats", "load", "draw", "simulation"},  # Pipeline and SceneRenderer
+        "": {"stats", "load", "draw", "simulation"},  # Pipeline, and SceneState, which draws pictures
         "probe": {"stats", "load", "draw", "simulation", ""},
-        "file": {"stats", "load", "draw", "simulation", "", "probe"},
-        "check": {"stats", "load", "draw", "simulation", "", "probe"},
+        "scene_renderer": {"stats", "load", "draw", "simulation", "", "probe"},
+        "check": {"stats", "load", "draw", "simulation", "", "probe", "scene_renderer"},
+        "file": {"stats", "load", "draw", "simulation", "", "probe", "scene_renderer", "check"},
     },
     "suite": {
         "": set(),
@@ -92,68 +128,6 @@ ORDER = {
         "panels": {"platform"},
         "": {"platform", "panels"},
     },
-}
-
-# The includes that break ORDER, or close a circle, and are still there. The list only shrinks: the check fails for one
-# that is not needed any more, too.
-EXCEPTIONS = {
-    # Upward.
-    "gpu/object/sampler -> gpu/state/raster_tracker",  # the names of comparisons
-    "render/load/shared_parts -> render/draw/vertex_box",
-    "render/scene_renderer -> render/file/buffer_file",
-    "render/scene_renderer -> render/file/incomplete_mark",
-    "render/scene_renderer -> render/file/labels",
-    "render/scene_state -> render/file/labels",
-    "render/scene_renderer -> render/probe/bound_probe",  # a picture draws small pictures first
-    "render/scene_renderer -> render/probe/gpu_times",
-    "render/scene_state -> render/probe/patch_probe",
-    "render/scene_state -> render/probe/picture_probe",
-    "scene/interpret -> scene/modern/evaluate",
-    "scene/interpret -> scene/modern/scope",
-    "scene/interpret_view -> scene/modern/evaluate",
-    "scene/state -> scene/modern/modern",
-    "view/edit/edited_file -> view/browse/example_scenes",
-    "view/edit/save_values -> view/browse/example_scenes",
-    # Each opens a circle of two files.
-    "base/sandbox -> base/landlock",
-    "bench/reference/builtin_functions -> bench/reference/builtin_bounds",
-    "expression/problem -> expression/lexer",
-    "geometry/list_mesh -> geometry/list_topology",
-    "glib/command_table -> glib/modern/statement_table",
-    "gpu/context/context -> gpu/context/backend",
-    "gpu/context/debug -> gpu/context/reset",
-    "image/read -> image/foreign",
-    "suite/file/shot_template -> suite/file/shot_options",
-    "view/scene/live_scene -> view/scene/live_state",
-    # These open circles of several files.
-    "glib/modern/match -> glib/modern/items",
-    "glib/modern/match -> glib/modern/mismatch",
-    "glib/modern/read_values -> glib/arguments",
-    "glsl/facts/assignment -> glsl/facts/assignment_walk",
-    "glsl/parse/bodies -> glsl/parse/expression",
-    "glsl/parse/bodies -> glsl/parse/lexical",
-    "glsl/parse/bodies -> glsl/parse/scope",
-    "glsl/parse/syntax -> glsl/parse/lexical",
-    "glsl/parse/variables -> glsl/parse/unit",
-    "plan/buffers -> plan/frame_plan",  # frame_plan.h declares the plan and what makes it
-    "plan/buffers -> plan/reach",
-    "plan/frame_plan -> plan/accesses",
-    "plan/frame_plan -> plan/draw_remarks",
-    "plan/frame_plan -> plan/needs",
-    "plan/frame_plan -> plan/planned_programs",
-    "plan/frame_plan -> plan/skipped",
-    "plan/frame_plan -> plan/submission",
-    "plan/frame_plan -> plan/texture_uses",
-    "plan/texture_binding -> plan/frame_plan",
-    "plan/type_table -> plan/uniforms",
-    "render/draw/dispatch -> render/draw/frame",
-    "render/draw/frame -> render/draw/work_share",
-    "render/pipeline -> render/scene_renderer",
-    "scene/file_lookup -> scene/near_files",
-    "scene/interpret -> scene/state",
-    "suite/run/run -> suite/run/shot_clocks",
-    "suite/run/run -> suite/run/suspicions",
-    "suite/run/run_messages -> suite/run/run",
 }
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"')
@@ -212,7 +186,7 @@ def includes():
 
 
 def arrow(file, included):
-    """An include as EXCEPTIONS lists it. A .cpp file and its header have one name."""
+    """An include as text. A .cpp file and its header have one name."""
     return f"{file.with_suffix('')} -> {included.with_suffix('')}"
 
 
@@ -231,6 +205,9 @@ def steps(file, included):
 
 def faults_of_order():
     """What is wrong with ORDER itself."""
+    for room in sorted(path for path in SOURCE.iterdir() if path.is_dir() and path.name not in ORDER):
+        if any(path.is_dir() and sources(path) for path in room.iterdir()):
+            yield f"tools/layers.py: ORDER does not say what the sub-folders of src/{room.name} may include of each other"
     for folder, order in ORDER.items():
         above = set()
         for name, allowed in order.items():
@@ -299,29 +276,16 @@ def graph_of(arrows):
 
 
 def problems_of(all_includes, rooms):
-    """Every include that breaks a rule, and every exception that is not needed."""
+    """Every include that breaks a rule."""
     problems = list(faults_of_order())
-    needed = set()
     for file, number, included in all_includes:
-        problem = room_problem(file, included, rooms)
-        if not problem:
-            problem = order_problem(file, included)
-            if problem and arrow(file, included) in EXCEPTIONS:
-                needed.add(arrow(file, included))
-                problem = None
+        problem = room_problem(file, included, rooms) or order_problem(file, included)
         if problem:
             problems.append(f'src/{file}:{number}: "{included}": {problem}')
-
     arrows = {arrow(file, included) for file, _, included in all_includes}
-    for circle in circles(graph_of(arrows - EXCEPTIONS)):
-        inside = [each for each in sorted(arrows - EXCEPTIONS) if set(each.split(" -> ")) <= circle and
-                  len(set(each.split(" -> "))) == 2]
+    for circle in circles(graph_of(arrows)):
+        inside = [each for each in sorted(arrows) if set(each.split(" -> ")) <= circle and len(set(each.split(" -> "))) == 2]
         problems.append("these files of src include each other in a circle:\n    " + "\n    ".join(inside))
-    for each in sorted(EXCEPTIONS - needed):
-        # Needed if it closes a circle of what the other exceptions leave.
-        closed = circles(graph_of((arrows - EXCEPTIONS) | {each})) if each in arrows else []
-        if not any(set(each.split(" -> ")) <= circle for circle in closed):
-            problems.append(f"tools/layers.py: the exception '{each}' is not needed any more; remove it")
     return problems
 
 
@@ -337,9 +301,6 @@ def print_figures(all_includes):
                         upward.add((own, below))
         count = len(order)
         print(f"{folder}: {count} parts, {len(pairs)} of {count * (count - 1)} arrows between them, {len(upward)} upward")
-    arrows = {arrow(file, included) for file, _, included in all_includes}
-    sizes = sorted((len(each) for each in circles(graph_of(arrows))), reverse=True)
-    print(f"{len(sizes)} circles of files, of {', '.join(map(str, sizes))} files; {len(EXCEPTIONS)} exceptions")
 
 
 def lines_of(room):

@@ -17,7 +17,7 @@ SOURCE = Path(__file__).resolve().parent.parent / "src"
 # What only tests use, and why it stands in src.
 FOR_TESTS = {
     "expression/name_table.h": {"addSceneNames", "addCamera"},  # the names that a scene gives, without a scene
-    "view/edit/code_palette.h": {"tinted"},  # what the drawing of ImGui does with a tint, to measure contrasts
+    "view/style/palette.h": {"tinted"},  # what the drawing of ImGui does with a tint, to measure contrasts
 }
 
 COMMENT = re.compile(r"//[^\n]*")

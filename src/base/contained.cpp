@@ -69,16 +69,6 @@ Descriptor enter(const fs::path& root, const std::vector<std::string>& parts, bo
     return folder;
 }
 
-int writeAll(int file, std::span<const std::byte> bytes) {
-    while (!bytes.empty()) {
-        const ssize_t put = ::write(file, bytes.data(), bytes.size());
-        if (put < 0 && errno == EINTR) continue;
-        if (put < 0) return errno;
-        bytes = bytes.subspan(static_cast<std::size_t>(put));
-    }
-    return 0;
-}
-
 /// Writes to the disk what the system holds of a file. File systems without that cannot lose it either.
 int sync(int file) {
     return ::fsync(file) == 0 || errno == EINVAL || errno == ENOTSUP || errno == EROFS ? 0 : errno;
@@ -90,17 +80,6 @@ bool isHidden(const fs::path& path) {
 }
 
 }  // namespace
-
-Descriptor& Descriptor::operator=(Descriptor&& other) noexcept {
-    std::swap(number_, other.number_);
-    return *this;
-}
-
-Descriptor::~Descriptor() {
-    const int problem = errno;  // the caller still needs it
-    if (number_ >= 0) ::close(number_);
-    errno = problem;
-}
 
 Descriptor openBeneath(const fs::path& root, const fs::path& path) {
     const std::vector<std::string> parts = downwards(path);
@@ -190,9 +169,7 @@ int nameFile([[maybe_unused]] int folder, [[maybe_unused]] int file, [[maybe_unu
     }
     // No /proc, a file system without links, a sandbox
     constexpr int kImpossible[] = {ENOENT, EPERM, ENOSYS, EXDEV, ENOTSUP, EINVAL, EACCES};
-    if (std::find(std::begin(kImpossible), std::end(kImpossible), problem) != std::end(kImpossible))
-        return ENOTSUP;
-    return problem;
+    return std::ranges::find(kImpossible, problem) != std::end(kImpossible) ? ENOTSUP : problem;
 #else
     return ENOTSUP;
 #endif

@@ -7,29 +7,14 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
-#include <string>
 #include <vector>
+
+#include "base/descriptor.h"
 
 namespace glibra::base {
 
-/// A file descriptor that closes itself.
-class Descriptor {
-  public:
-    Descriptor() = default;
-    explicit Descriptor(int number) : number_(number) {}
-    Descriptor(Descriptor&& other) noexcept : number_(other.number_) { other.number_ = -1; }
-    Descriptor& operator=(Descriptor&& other) noexcept;
-    ~Descriptor();
-    [[nodiscard]] int number() const { return number_; }
-    explicit operator bool() const { return number_ >= 0; }
-
-  private:
-    int number_ = -1;
-};
-
 /// Opens an ordinary file below `root` for reading. `path` is relative to `root` and leads downwards: it has
-/// no
-/// "..". None of its parts may be a link; `root` itself may be one. Without a value errno says why: EINVAL
+/// no "..". None of its parts may be a link; `root` itself may be one. Without a value errno says why: EINVAL
 /// for a path that does not lead downwards, ELOOP for a link, ENOTSUP for a folder, a pipe or a device.
 Descriptor openBeneath(const std::filesystem::path& root, const std::filesystem::path& path);
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "base/sandbox.h"
+#include "base/reach.h"
 
 namespace glibra::base {
 

@@ -20,9 +20,11 @@
 #include <deque>
 #include <map>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
+#include "base/descriptor.h"
 #include "base/memory_limit.h"
 
 namespace glibra::base {
@@ -49,30 +51,6 @@ struct Header {
     std::uint32_t bytes = 0;
 };
 
-bool sendAll(int file, const void* data, std::size_t size) {
-    const char* next = static_cast<const char*>(data);
-    while (size > 0) {
-        const ssize_t written = ::write(file, next, size);
-        if (written < 0 && errno == EINTR) continue;
-        if (written <= 0) return false;
-        next += written;
-        size -= static_cast<std::size_t>(written);
-    }
-    return true;
-}
-
-bool receiveAll(int file, void* data, std::size_t size) {
-    char* next = static_cast<char*>(data);
-    while (size > 0) {
-        const ssize_t got = ::read(file, next, size);
-        if (got < 0 && errno == EINTR) continue;
-        if (got <= 0) return false;
-        next += got;
-        size -= static_cast<std::size_t>(got);
-    }
-    return true;
-}
-
 double secondsOf(const WorkerOptions& options, std::size_t piece) {
     return options.timeoutOf ? options.timeoutOf(piece) : options.timeout;
 }
@@ -83,7 +61,7 @@ std::uint64_t memoryOf(const WorkerOptions& options, std::size_t piece) {
 
 void send(int file, MessageKind kind, const std::string& text) {
     const Header header{kind, static_cast<std::uint32_t>(text.size())};
-    if (!sendAll(file, &header, sizeof header) || !sendAll(file, text.data(), text.size())) ::_exit(1);
+    if (writeAll(file, std::as_bytes(std::span(&header, 1))) != 0 || writeAll(file, text) != 0) ::_exit(1);
 }
 
 /// The worker's main loop: reads pieces and writes answers until the parent closes the pipe.
@@ -105,7 +83,7 @@ void send(int file, MessageKind kind, const std::string& text) {
     if (options.sandbox) limit.setForever(memory);
     if (options.sandbox && !enterSandbox(*options.sandbox, std::array{requests, answers}).empty()) ::_exit(1);
     std::uint64_t index = 0;
-    while (receiveAll(requests, &index, sizeof index)) {
+    while (receiveAll(requests, std::as_writable_bytes(std::span(&index, 1)))) {
         if (index >= count) ::_exit(1);  // something else has written into the pipe
         limit.set(memoryOf(options, index));
         thisStep.seconds = secondsOf(options, index);
@@ -271,7 +249,7 @@ class Pool {
             if (other.piece) other.isAlone = false;
         worker.piece = piece;
         const std::uint64_t index = piece;
-        sendAll(worker.requests, &index, sizeof index);
+        writeAll(worker.requests, std::as_bytes(std::span(&index, 1)));
         beginStep(worker);
     }
 

@@ -22,6 +22,7 @@
 #include "budget/patch_error.h"
 #include "budget/sampling_model.h"
 #include "plan/frame_plan.h"
+#include "plan/overrides.h"
 #include "scene/scene.h"
 
 namespace glibra::budget {

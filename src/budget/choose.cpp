@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <map>
 #include <optional>
-#include <set>
+#include <span>
 #include <tuple>
 
 #include "budget/budget.h"
@@ -61,8 +61,7 @@ struct Drawn {
 
     [[nodiscard]] bool isAllStated() const { return !isFree[0] && !isFree[1]; }
     [[nodiscard]] bool isAnyStated() const {
-        return std::find(isFree.begin(), isFree.begin() + static_cast<std::ptrdiff_t>(model->countsUsed),
-                         false) != isFree.begin() + static_cast<std::ptrdiff_t>(model->countsUsed);
+        return !std::ranges::all_of(std::span(isFree).first(model->countsUsed), std::identity());
     }
 };
 
@@ -83,26 +82,20 @@ class Chooser {
         chooseNoise();
         chooseSamples();
         report();
-        std::stable_sort(choice_.decisions.begin(), choice_.decisions.end(),
-                         [](const Decision& a, const Decision& b) { return a.place.line < b.place.line; });
+        std::ranges::stable_sort(choice_.decisions, [](const Decision& a, const Decision& b) {
+            return a.place.line < b.place.line;
+        });
         return std::move(choice_);
     }
 
   private:
-    /// The draw that exceeds the bound most, and how many others exceed it.
+    /// What exceeds the bound most, and how many others exceed it.
     struct Worst {
-        double pixels = 0;
-        const scene::Draw* draw = nullptr;
-        std::string word;
-        std::string counts;
+        Miss most;
         int others = -1;
-        void add(double error, const scene::Draw& at, std::string with, std::string_view what = {}) {
+        void add(Miss found) {
             ++others;
-            if (error <= pixels) return;
-            pixels = error;
-            draw = &at;
-            word = what.empty() ? at.word : std::string(what);
-            counts = std::move(with);
+            if (!(found.pixels <= most.pixels)) most = std::move(found);
         }
     };
 
@@ -185,8 +178,7 @@ class Chooser {
 
     /// Draws with about the same need share one mesh, made for the draw that needs most.
     void chooseCounts(const MeshKey& key, std::vector<Need>& needs) {
-        std::stable_sort(needs.begin(), needs.end(),
-                         [](const Need& a, const Need& b) { return a.allowed < b.allowed; });
+        std::ranges::stable_sort(needs, [](const Need& a, const Need& b) { return a.allowed < b.allowed; });
         for (auto first = needs.begin(); first != needs.end();) {
             constexpr double kHalfTheCounts = 4;
             const auto end = std::find_if(first + 1, needs.end(), [&](const Need& each) {
@@ -202,14 +194,13 @@ class Chooser {
         const scene::Shape& shape = scene_.shapes[shapeIndex];
         const SurfaceModel& model = *surfaceModel(shape.command);
         const std::vector<double> before = model.complete(shape);
-        const LeastCounts chosen = leastCounts({.model = &model,
-                                                .numbers = before,
-                                                .isFree = isFree,
-                                                .least = least,
-                                                .fidelity = fidelity,
-                                                .allowed = needs.front().allowed});
-        for (const Need& need : needs)
-            drawn_.push_back({need, &model, before, chosen.numbers, isFree, fidelity});
+        const std::vector<double> chosen = leastCounts({.model = &model,
+                                                        .numbers = before,
+                                                        .isFree = isFree,
+                                                        .least = least,
+                                                        .fidelity = fidelity,
+                                                        .allowed = needs.front().allowed});
+        for (const Need& need : needs) drawn_.push_back({need, &model, before, chosen, isFree, fidelity});
     }
 
     /// Raises counts where pictures show that light, normals or moved vertices need it.
@@ -255,7 +246,7 @@ class Chooser {
                            isChanged ? fmt::format(" in place of {}", countsText(model, drawn.before)) : kept,
                            need.scale > 0 ? boundText(pixels, drawn) : "not in view"));
         if (!need.isMoved && pixels > request_.maxError)
-            (drawn.isAnyStated() ? stated_ : beyond_).add(pixels, *need.draw, counts);
+            miss({pixels, need.draw, need.draw->word, counts, drawn.isAnyStated()});
         if (drawn.vertices && !drawn.vertices->isKept)
             (drawn.isAnyStated() ? statedVertices_ : beyondVertices_)
                 .add(*drawn.vertices, *need.draw, counts);
@@ -265,7 +256,8 @@ class Chooser {
         if (drawn.need.isMoved) return "no bound, its program moves the vertices";
         std::string shape = fmt::format("at most {}", pixelText(pixels));
         if (!drawn.vertices) return shape;
-        return shape + "; values computed at the vertices " + vertexText(*drawn.vertices);
+        return shape + "; values computed at the vertices " +
+               changeText(drawn.vertices->pixels, drawn.vertices->colored);
     }
 
     void noteNoise(const plan::PlannedDraw& planned, const std::optional<double>& scale, double height) {
@@ -282,18 +274,21 @@ class Chooser {
     void chooseLevels() {
         ChosenLevels chosen = budget::chooseLevels(scene_, plan_, tessellated_, request_);
         choice_.levels = std::move(chosen.overrides);
-        std::move(chosen.decisions.begin(), chosen.decisions.end(), std::back_inserter(choice_.decisions));
-        for (const LevelMiss& each : chosen.misses)
-            (each.isStated ? stated_ : beyond_).add(each.pixels, *each.draw, each.with);
+        take(std::move(chosen.decisions), std::move(chosen.misses));
     }
 
     void chooseNoise() {
         ChosenNoise chosen = budget::chooseNoise(scene_, noise_, request_);
         choice_.noise = std::move(chosen.choices);
-        std::move(chosen.decisions.begin(), chosen.decisions.end(), std::back_inserter(choice_.decisions));
-        for (const NoiseMiss& each : chosen.misses)
-            (each.isStated ? stated_ : beyond_).add(each.pixels, *each.draw, each.with, each.word);
+        take(std::move(chosen.decisions), std::move(chosen.misses));
     }
+
+    void take(std::vector<Decision> decisions, std::vector<Miss> misses) {
+        std::ranges::move(decisions, std::back_inserter(choice_.decisions));
+        for (Miss& each : misses) miss(std::move(each));
+    }
+
+    void miss(Miss found) { (found.isStated ? stated_ : beyond_).add(std::move(found)); }
 
     void chooseSamples() {
         if (!request_.areSamplesFree) return;
@@ -316,39 +311,35 @@ class Chooser {
         const auto others = [](int count) {
             return count > 0 ? fmt::format("; the same holds for {} more", count) : std::string();
         };
-        if (beyond_.draw != nullptr)
-            choice_.diagnostics.push_back(
-                diagnose("draw-W07",
-                         fmt::format("{} with {}, the largest possible, is up to {} off; the bound is {}{}",
-                                     beyond_.word, beyond_.counts, pixelText(beyond_.pixels),
-                                     pixelText(request_.maxError), others(beyond_.others)),
-                         beyond_.draw->place));
-        if (beyondVertices_.draw != nullptr)
-            choice_.diagnostics.push_back(diagnose(
-                "draw-W07",
+        const auto say = [&](const char* id, const scene::Draw& draw, std::string text) {
+            choice_.diagnostics.push_back(diagnose(id, std::move(text), draw.place));
+        };
+        if (const Miss& most = beyond_.most; most.draw != nullptr)
+            say("draw-W07", *most.draw,
+                fmt::format("{} with {}, the largest possible, is up to {} off; the bound is {}{}", most.what,
+                            most.with, pixelText(most.pixels), pixelText(request_.maxError),
+                            others(beyond_.others)));
+        if (const WorstVertices& worst = beyondVertices_; worst.draw != nullptr)
+            say("draw-W07", *worst.draw,
                 fmt::format(
                     "the values that the program computes at the vertices of {} with {} are {}; finer "
                     "counts do not help, the bound is {}{}",
-                    beyondVertices_.draw->word, beyondVertices_.counts, vertexText(beyondVertices_.error),
-                    pixelText(request_.maxError), others(beyondVertices_.others)),
-                beyondVertices_.draw->place));
-        if (stated_.draw == nullptr && statedVertices_.draw != nullptr)
-            choice_.diagnostics.push_back(diagnose(
-                "draw-N03",
+                    worst.draw->word, worst.counts, changeText(worst.error.pixels, worst.error.colored),
+                    pixelText(request_.maxError), others(worst.others)));
+        const Miss& stated = stated_.most;
+        if (const WorstVertices& worst = statedVertices_; stated.draw == nullptr && worst.draw != nullptr)
+            say("draw-N03", *worst.draw,
                 fmt::format(
                     "the values that the program computes at the vertices of {} with {}, as the scene "
                     "states, are {}; use --override-counts to choose finer ones{}",
-                    statedVertices_.draw->word, statedVertices_.counts, vertexText(statedVertices_.error),
-                    others(statedVertices_.others)),
-                statedVertices_.draw->place));
-        if (stated_.draw != nullptr)
-            choice_.diagnostics.push_back(diagnose(
-                "draw-N03",
+                    worst.draw->word, worst.counts, changeText(worst.error.pixels, worst.error.colored),
+                    others(worst.others)));
+        if (stated.draw != nullptr)
+            say("draw-N03", *stated.draw,
                 fmt::format(
                     "{} with {}, as the scene states, is up to {} off; use --override-counts to choose "
                     "finer ones{}",
-                    stated_.word, stated_.counts, pixelText(stated_.pixels), others(stated_.others)),
-                stated_.draw->place));
+                    stated.what, stated.with, pixelText(stated.pixels), others(stated_.others)));
     }
 
     const scene::Scene& scene_;

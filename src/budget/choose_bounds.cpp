@@ -16,17 +16,9 @@
 namespace glibra::budget {
 namespace {
 
-constexpr double kMostOtherwiseColored = .001;
 /// Values depend on each other, as the offset of a shadow map does on its size: what is chosen for one may
 /// allow less for another.
 constexpr int kMostBoundRounds = 3;
-
-std::string changeText(const PictureChange& change) {
-    std::string text = fmt::format("about {} off", pixelText(change.pixels));
-    if (change.colored > kMostOtherwiseColored)
-        text += fmt::format(", and {:.2g} of 1000 pixels have another colour", 1000 * change.colored);
-    return text;
-}
 
 class BoundSearch {
   public:
@@ -47,7 +39,7 @@ class BoundSearch {
                 break;
             }
             own_ = std::max(own->pixels, request_.resolution);
-            if (own_ <= request_.maxError && own->colored <= kMostOtherwiseColored) {
+            if (own_ <= request_.maxError && own->colored <= kMostColored) {
                 choose();
                 break;
             }
@@ -62,7 +54,7 @@ class BoundSearch {
 
     [[nodiscard]] bool isFree(std::size_t variable) const { return why_[variable].empty(); }
     [[nodiscard]] bool isAnyFree() const {
-        return std::any_of(why_.begin(), why_.end(), [](const std::string& each) { return each.empty(); });
+        return std::ranges::any_of(why_, [](const std::string& each) { return each.empty(); });
     }
     [[nodiscard]] Places everything() const {
         Places all(steps_.size());
@@ -129,10 +121,11 @@ class BoundSearch {
             }
         }
         most.pixels = std::max(most.pixels, request_.resolution);
-        keep(roughest, fmt::format("its error is not known, because the step from {} to {} still leaves the "
-                                   "picture {}",
-                                   glib::numberText(*(steps_[roughest].end() - 2)),
-                                   glib::numberText(steps_[roughest].back()), changeText(most)));
+        keep(roughest,
+             fmt::format("its error is not known, because the step from {} to {} still leaves the "
+                         "picture {}",
+                         glib::numberText(*(steps_[roughest].end() - 2)),
+                         glib::numberText(steps_[roughest].back()), changeText(most.pixels, most.colored)));
         isMissed_ = true;
         finest();
         return true;
@@ -140,7 +133,7 @@ class BoundSearch {
 
     bool isWithin(const Places& places) {
         const std::optional<PictureChange> found = measure(places);
-        return found && found->pixels + own_ <= request_.maxError && found->colored <= kMostOtherwiseColored;
+        return found && found->pixels + own_ <= request_.maxError && found->colored <= kMostColored;
     }
 
     /// Finds the coarsest value of a variable that keeps the bound with the present ones of the others.
@@ -179,8 +172,8 @@ class BoundSearch {
                                   result_.values[i] == each.current
                                       ? number
                                       : number + " in place of " + glib::numberText(each.current),
-                                  changeText(*change_), pixelText(own_), glib::numberText(each.finest),
-                                  request_.how);
+                                  changeText(change_->pixels, change_->colored), pixelText(own_),
+                                  glib::numberText(each.finest), request_.how);
             result_.decisions.push_back({each.name, std::move(why), each.place});
         }
         if (!isMissed_) return;

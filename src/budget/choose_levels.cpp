@@ -41,8 +41,8 @@ void chooseFor(const scene::Scene& scene, const plan::PlannedProgram& planned,
     const auto& uniforms = planned.interface->uniforms;
     const auto nameOf = [&](plan::UniformIndex uniform) { return at(uniforms, uniform).name; };
     std::erase_if(levels.uniforms, [&](const LevelUniform& each) {
-        return std::any_of(request.overrides.begin(), request.overrides.end(),
-                           [&](const plan::Override& set) { return set.name == nameOf(each.uniform); });
+        return std::ranges::any_of(
+            request.overrides, [&](const plan::Override& set) { return set.name == nameOf(each.uniform); });
     });
     if (levels.uniforms.empty() || !request.patches) return;
     levels.error = [&](std::span<const LevelValue> coarse, std::span<const LevelValue> fine) {
@@ -69,7 +69,7 @@ void chooseFor(const scene::Scene& scene, const plan::PlannedProgram& planned,
         for (const auto& [uniform, value] : found->values)
             chosen.overrides.push_back(
                 {nameOf(uniform), glib::UniformForm::number, {value}, programOf(scene, planned)});
-    if (!found->isKept) chosen.misses.push_back({found->pixels, &first, values, !levels.isFree});
+    if (!found->isKept) chosen.misses.push_back({found->pixels, &first, first.word, values, !levels.isFree});
 }
 
 }  // namespace

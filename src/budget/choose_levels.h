@@ -17,18 +17,10 @@ struct TessellatedDraw {
     glm::dvec2 size{0};  ///< pixels
 };
 
-/// Levels that exceed the bound.
-struct LevelMiss {
-    double pixels = 0;
-    const scene::Draw* draw = nullptr;
-    std::string with;       ///< "uOuter 64, uInner 64"
-    bool isStated = false;  ///< the scene states them
-};
-
 struct ChosenLevels {
     std::vector<plan::Override> overrides;  ///< values of uniforms that decide levels
     std::vector<Decision> decisions;
-    std::vector<LevelMiss> misses;
+    std::vector<Miss> misses;
 };
 
 /// `draws` is indexed like FramePlan::programs; all draws of one program have the same levels.

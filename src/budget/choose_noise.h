@@ -17,18 +17,10 @@ struct NoiseUse {
     const scene::Draw* draw = nullptr;
 };
 
-/// A texture that exceeds the bound.
-struct NoiseMiss {
-    double pixels = 0;
-    const scene::Draw* draw = nullptr;
-    std::string word, with;  ///< "Noise3D", "64 texels per side"
-    bool isStated = false;   ///< the scene states its size
-};
-
 struct ChosenNoise {
     std::vector<NoiseChoice> choices;  ///< only for textures that change
     std::vector<Decision> decisions;
-    std::vector<NoiseMiss> misses;
+    std::vector<Miss> misses;
 };
 
 ChosenNoise chooseNoise(const scene::Scene& scene, const std::map<scene::TextureIndex, NoiseUse>& uses,

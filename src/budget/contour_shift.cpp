@@ -21,7 +21,7 @@ class Values {
           components_(static_cast<std::size_t>(picture.components)),
           values_(picture.data.size() / image::bytesOf(picture.type)) {
         if (picture.type == image::Component::u8)
-            std::transform(picture.data.begin(), picture.data.end(), values_.begin(), [](std::byte each) {
+            std::ranges::transform(picture.data, values_.begin(), [](std::byte each) {
                 return static_cast<float>(std::to_integer<int>(each)) / 255.F;
             });
         else
@@ -101,12 +101,12 @@ double ContourShifts::ofChangesAbove(double change) const {
 }
 
 double ContourShifts::shareOfSmoothChangesAbove(double change, double shift) const {
-    return static_cast<double>(std::count_if(smoothChanges_.begin(), smoothChanges_.end(),
-                                             [&](const SmoothChange& each) {
-                                                 return static_cast<double>(each.change) >
-                                                        change + static_cast<double>(each.gradient) * shift /
-                                                                     pixel_;
-                                             })) /
+    return static_cast<double>(std::ranges::count_if(smoothChanges_,
+                                                     [&](const SmoothChange& each) {
+                                                         return static_cast<double>(each.change) >
+                                                                change + static_cast<double>(each.gradient) *
+                                                                             shift / pixel_;
+                                                     })) /
            pixels_;
 }
 

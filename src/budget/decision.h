@@ -5,12 +5,23 @@
 
 #include <string>
 
+#include "scene/scene.h"
+
 namespace glibra::budget {
 
 struct Decision {
     std::string what;  ///< "Sphere", "samples", "Noise3D"
     std::string why;
     Place place;
+};
+
+/// What exceeds the bound.
+struct Miss {
+    double pixels = 0;
+    const scene::Draw* draw = nullptr;
+    std::string what;       ///< as Decision::what
+    std::string with;       ///< "44 slices, 22 stacks", "uOuter 64, uInner 64", "64 texels per side"
+    bool isStated = false;  ///< the scene states it
 };
 
 }  // namespace glibra::budget

@@ -20,17 +20,17 @@ class Search {
                 free_.push_back({counts[i].index, std::max(counts[i].least, request.least[i])});
     }
 
-    [[nodiscard]] LeastCounts find() {
-        if (free_.empty()) return result(request_.numbers, request_.allowed);
-        if (const auto found = within(request_.allowed)) return result(*found, request_.allowed);
+    [[nodiscard]] std::vector<double> find() {
+        if (free_.empty()) return request_.numbers;
+        if (const auto found = within(request_.allowed)) return *found;
         if (free_.size() == request_.model->countsUsed) return nearest();
         // A stated count is too small. The others are chosen as if it were free.
         CountsRequest all = request_;
         all.isFree.fill(true);
-        const LeastCounts wanted = Search(all).find();
+        const std::vector<double> wanted = Search(all).find();
         std::vector<double> numbers = request_.numbers;
-        for (const Free& each : free_) numbers[each.index] = wanted.numbers[each.index];
-        return result(std::move(numbers), request_.allowed);
+        for (const Free& each : free_) numbers[each.index] = wanted[each.index];
+        return numbers;
     }
 
   private:
@@ -47,11 +47,6 @@ class Search {
             .value_or(geometry::Counts{})
             .vertices;
     }
-    [[nodiscard]] LeastCounts result(std::vector<double> numbers, double allowed) const {
-        const double all = deviation(numbers);
-        return {std::move(numbers), all, all <= allowed};
-    }
-
     /// Sets one count to the smallest that keeps the bound together with the others. Returns false if there
     /// is none.
     bool lower(std::vector<double>& numbers, const Free& count, double allowed) const {
@@ -106,10 +101,10 @@ class Search {
     }
 
     /// Finds the smallest bound that can be kept, to a thousandth.
-    [[nodiscard]] LeastCounts nearest() const {
+    [[nodiscard]] std::vector<double> nearest() const {
         double kept = deviation(request_.numbers), tooSmall = request_.allowed;
         std::optional<std::vector<double>> best = within(kept);
-        if (!best) return result(request_.numbers, request_.allowed);
+        if (!best) return request_.numbers;
         while (kept > 1.001 * tooSmall && kept > 0) {
             // Bounds differ by powers of ten, so the geometric middle is used.
             const double middle = tooSmall > 0 ? std::sqrt(kept * tooSmall) : kept / 1000;
@@ -120,7 +115,7 @@ class Search {
                 tooSmall = middle;
             }
         }
-        return result(*best, request_.allowed);
+        return *best;
     }
 
     const CountsRequest& request_;
@@ -129,7 +124,7 @@ class Search {
 
 }  // namespace
 
-LeastCounts leastCounts(const CountsRequest& request) {
+std::vector<double> leastCounts(const CountsRequest& request) {
     return Search(request).find();
 }
 

@@ -23,15 +23,9 @@ struct CountsRequest {
     double allowed = 0;  ///< largest deviation in model units; infinity: any
 };
 
-struct LeastCounts {
-    std::vector<double> numbers;
-    double deviation = 0;  ///< according to the model, in model units
-    bool isKept = false;   ///< deviation <= allowed
-};
-
-/// Returns, among all counts that keep the bound, those with the fewest vertices. If none keep it, isKept is
-/// false. Then either a count that is not free is too small, and the others are chosen as if it were free; or
-/// kMostBudgetVertices are too few, and the counts are those that come nearest to the bound.
-LeastCounts leastCounts(const CountsRequest& request);
+/// Returns the numbers with, among all counts that keep the bound, those with the fewest vertices. If none
+/// keep it, then either a count that is not free is too small, and the others are chosen as if it were free;
+/// or kMostBudgetVertices are too few, and the counts are those that come nearest to the bound.
+std::vector<double> leastCounts(const CountsRequest& request);
 
 }  // namespace glibra::budget

@@ -37,7 +37,7 @@ std::optional<Weights> weightsOf(const glm::dvec2& at, std::span<const PatchVert
     if (std::abs(area) < kSlack * kSlack) return std::nullopt;
     const Weights weights{cross(b - at, c - at) / area, cross(c - at, a - at) / area,
                           cross(a - at, b - at) / area};
-    const bool isInside = std::all_of(weights.begin(), weights.end(), [](double w) { return w > -1e-3; });
+    const bool isInside = std::ranges::all_of(weights, [](double w) { return w > -1e-3; });
     return isInside ? std::optional(weights) : std::nullopt;
 }
 

@@ -1,7 +1,5 @@
 #include "budget/vertex_values.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -14,7 +12,7 @@ namespace glibra::budget {
 namespace {
 
 constexpr double kFiner = 1.5, kShareOfStep = 1 - 1 / (kFiner * kFiner);
-constexpr double kVisible = 8. / 255, kMostColored = .001;
+constexpr double kVisible = 8. / 255;
 constexpr int kMostRounds = 5;
 
 using Numbers = std::vector<double>;
@@ -86,10 +84,9 @@ class Refinement {
     VertexError refine(plan::PlannedProgramIndex program, const VertexError& first) {
         double factor = 1;
         VertexError error = first;
-        const bool isFree =
-            std::any_of(request_.draws.begin(), request_.draws.end(), [&](const VertexDraw& each) {
-                return each.program == program && (each.isFree[0] || each.isFree[1]);
-            });
+        const bool isFree = std::ranges::any_of(request_.draws, [&](const VertexDraw& each) {
+            return each.program == program && (each.isFree[0] || each.isFree[1]);
+        });
         for (int round = 0; isFree && !error.isKept && round < kMostRounds; ++round) {
             const double growth = std::clamp(1.1 * std::sqrt(error.pixels / request_.maxError), 1.5, 3.);
             const std::optional<VertexError> found = measure({program}, factor * growth);
@@ -112,12 +109,6 @@ class Refinement {
 };
 
 }  // namespace
-
-std::string vertexText(const VertexError& error) {
-    std::string off = fmt::format("about {} off", pixelText(error.pixels));
-    if (error.colored <= kMostColored) return off;
-    return off + fmt::format(", and {:.2g} of 1000 pixels have another colour", 1000 * error.colored);
-}
 
 std::optional<VertexValues> vertexValues(const VertexRequest& request) {
     return Refinement(request).find();

@@ -6,7 +6,6 @@
 #include <functional>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "budget/budget.h"
@@ -40,9 +39,6 @@ struct VertexError {
     double colored = 0;  ///< the share of the picture whose light is off by more than 8/255
     bool isKept = false;
 };
-
-/// "about 0.2 px off, and 3 of 1000 pixels have another colour"
-std::string vertexText(const VertexError& error);
 
 /// The result for the draws of one program.
 struct VertexResult {

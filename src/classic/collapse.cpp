@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <numeric>
 #include <unordered_map>
 #include <utility>
 
@@ -167,7 +168,7 @@ Collapsed uncollapsed(const VertexLists& from) {
     same.columns = from.columns();
     same.count = from.count();
     same.vertexOf.resize(same.count);
-    for (std::size_t i = 0; i < same.count; ++i) same.vertexOf[i] = static_cast<std::uint32_t>(i);
+    std::iota(same.vertexOf.begin(), same.vertexOf.end(), 0U);
     return same;
 }
 

@@ -20,7 +20,7 @@ std::unique_ptr<Gl> loaded(const gpu::CurrentContext& current) {
         function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(current.address(name));
         return function != nullptr;
     };
-#define GLIBRA_CLASSIC_LOAD(type, name) isWhole = find(gl->name, "gl" #name) && isWhole;
+#define GLIBRA_CLASSIC_LOAD(name) isWhole = find(gl->name, "gl" #name) && isWhole;
     GLIBRA_CLASSIC_GL(GLIBRA_CLASSIC_LOAD)
 #undef GLIBRA_CLASSIC_LOAD
     if (!isWhole) return nullptr;

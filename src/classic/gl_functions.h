@@ -10,67 +10,26 @@
 
 namespace glibra::classic {
 
-// X(pointer type, name without gl)
-#define GLIBRA_CLASSIC_GL(X)                                       \
-    X(PFNGLATTACHSHADERPROC, AttachShader)                         \
-    X(PFNGLBINDATTRIBLOCATIONPROC, BindAttribLocation)             \
-    X(PFNGLBINDBUFFERPROC, BindBuffer)                             \
-    X(PFNGLBINDVERTEXARRAYPROC, BindVertexArray)                   \
-    X(PFNGLBUFFERDATAPROC, BufferData)                             \
-    X(PFNGLBUFFERSUBDATAPROC, BufferSubData)                       \
-    X(PFNGLCOMPILESHADERPROC, CompileShader)                       \
-    X(PFNGLCREATEPROGRAMPROC, CreateProgram)                       \
-    X(PFNGLCREATESHADERPROC, CreateShader)                         \
-    X(PFNGLDELETEBUFFERSPROC, DeleteBuffers)                       \
-    X(PFNGLDELETEPROGRAMPROC, DeleteProgram)                       \
-    X(PFNGLDELETESHADERPROC, DeleteShader)                         \
-    X(PFNGLDELETEVERTEXARRAYSPROC, DeleteVertexArrays)             \
-    X(PFNGLDISABLEPROC, Disable)                                   \
-    X(PFNGLDISABLEVERTEXATTRIBARRAYPROC, DisableVertexAttribArray) \
-    X(PFNGLDRAWELEMENTSINDIRECTPROC, DrawElementsIndirect)         \
-    X(PFNGLDRAWELEMENTSINSTANCEDPROC, DrawElementsInstanced)       \
-    X(PFNGLENABLEPROC, Enable)                                     \
-    X(PFNGLENABLEVERTEXATTRIBARRAYPROC, EnableVertexAttribArray)   \
-    X(PFNGLGENBUFFERSPROC, GenBuffers)                             \
-    X(PFNGLGENVERTEXARRAYSPROC, GenVertexArrays)                   \
-    X(PFNGLGETACTIVEATTRIBPROC, GetActiveAttrib)                   \
-    X(PFNGLGETACTIVEUNIFORMPROC, GetActiveUniform)                 \
-    X(PFNGLGETATTRIBLOCATIONPROC, GetAttribLocation)               \
-    X(PFNGLGETINTEGERVPROC, GetIntegerv)                           \
-    X(PFNGLGETPROGRAMINFOLOGPROC, GetProgramInfoLog)               \
-    X(PFNGLGETPROGRAMIVPROC, GetProgramiv)                         \
-    X(PFNGLGETSHADERINFOLOGPROC, GetShaderInfoLog)                 \
-    X(PFNGLGETSHADERIVPROC, GetShaderiv)                           \
-    X(PFNGLGETSTRINGIPROC, GetStringi)                             \
-    X(PFNGLGETUNIFORMLOCATIONPROC, GetUniformLocation)             \
-    X(PFNGLISENABLEDPROC, IsEnabled)                               \
-    X(PFNGLLINKPROGRAMPROC, LinkProgram)                           \
-    X(PFNGLMULTIDRAWELEMENTSPROC, MultiDrawElements)               \
-    X(PFNGLPATCHPARAMETERIPROC, PatchParameteri)                   \
-    X(PFNGLPRIMITIVERESTARTINDEXPROC, PrimitiveRestartIndex)       \
-    X(PFNGLPROGRAMUNIFORM1FVPROC, ProgramUniform1fv)               \
-    X(PFNGLPROGRAMUNIFORM2FVPROC, ProgramUniform2fv)               \
-    X(PFNGLPROGRAMUNIFORM3FVPROC, ProgramUniform3fv)               \
-    X(PFNGLPROGRAMUNIFORM4FVPROC, ProgramUniform4fv)               \
-    X(PFNGLPROGRAMUNIFORM1IVPROC, ProgramUniform1iv)               \
-    X(PFNGLPROGRAMUNIFORM2IVPROC, ProgramUniform2iv)               \
-    X(PFNGLPROGRAMUNIFORM3IVPROC, ProgramUniform3iv)               \
-    X(PFNGLPROGRAMUNIFORM4IVPROC, ProgramUniform4iv)               \
-    X(PFNGLPROGRAMUNIFORM1UIVPROC, ProgramUniform1uiv)             \
-    X(PFNGLPROGRAMUNIFORM2UIVPROC, ProgramUniform2uiv)             \
-    X(PFNGLPROGRAMUNIFORM3UIVPROC, ProgramUniform3uiv)             \
-    X(PFNGLPROGRAMUNIFORM4UIVPROC, ProgramUniform4uiv)             \
-    X(PFNGLPROGRAMUNIFORMMATRIX2FVPROC, ProgramUniformMatrix2fv)   \
-    X(PFNGLPROGRAMUNIFORMMATRIX3FVPROC, ProgramUniformMatrix3fv)   \
-    X(PFNGLPROGRAMUNIFORMMATRIX4FVPROC, ProgramUniformMatrix4fv)   \
-    X(PFNGLSHADERSOURCEPROC, ShaderSource)                         \
-    X(PFNGLUSEPROGRAMPROC, UseProgram)                             \
-    X(PFNGLVERTEXATTRIB4FVPROC, VertexAttrib4fv)                   \
-    X(PFNGLVERTEXATTRIBI4IVPROC, VertexAttribI4iv)                 \
-    X(PFNGLVERTEXATTRIBPOINTERPROC, VertexAttribPointer)
+// X(name without gl)
+// clang-format off
+#define GLIBRA_CLASSIC_GL(X) \
+    X(AttachShader) X(BindAttribLocation) X(CompileShader) X(CreateProgram) X(CreateShader) X(DeleteProgram) \
+    X(DeleteShader) X(GetProgramInfoLog) X(GetProgramiv) X(GetShaderInfoLog) X(GetShaderiv) X(LinkProgram) \
+    X(ShaderSource) X(UseProgram) \
+    X(GetActiveAttrib) X(GetActiveUniform) X(GetAttribLocation) X(GetUniformLocation) \
+    X(ProgramUniform1fv) X(ProgramUniform2fv) X(ProgramUniform3fv) X(ProgramUniform4fv) \
+    X(ProgramUniform1iv) X(ProgramUniform2iv) X(ProgramUniform3iv) X(ProgramUniform4iv) \
+    X(ProgramUniform1uiv) X(ProgramUniform2uiv) X(ProgramUniform3uiv) X(ProgramUniform4uiv) \
+    X(ProgramUniformMatrix2fv) X(ProgramUniformMatrix3fv) X(ProgramUniformMatrix4fv) \
+    X(BindBuffer) X(BufferData) X(BufferSubData) X(DeleteBuffers) X(GenBuffers) \
+    X(BindVertexArray) X(DeleteVertexArrays) X(GenVertexArrays) X(VertexAttribPointer) \
+    X(DisableVertexAttribArray) X(EnableVertexAttribArray) X(VertexAttrib4fv) X(VertexAttribI4iv) \
+    X(DrawElementsIndirect) X(DrawElementsInstanced) X(MultiDrawElements) \
+    X(PatchParameteri) X(PrimitiveRestartIndex) X(Disable) X(Enable) X(GetIntegerv) X(GetStringi) X(IsEnabled)
+// clang-format on
 
 struct Gl {
-#define GLIBRA_CLASSIC_MEMBER(type, name) type name = nullptr;
+#define GLIBRA_CLASSIC_MEMBER(name) decltype(glad_gl##name) name = nullptr;
     GLIBRA_CLASSIC_GL(GLIBRA_CLASSIC_MEMBER)
 #undef GLIBRA_CLASSIC_MEMBER
     PFNGLMULTIDRAWELEMENTSINDIRECTPROC MultiDrawElementsIndirect = nullptr;  ///< null before OpenGL 4.3

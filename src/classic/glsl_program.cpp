@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "classic/gl_functions.h"
@@ -42,11 +43,20 @@ constexpr std::array<TopologyWord, 5> kGeometryInputs{{{GL_POINTS, "points"},
 constexpr std::array<TopologyWord, 3> kGeometryOutputs{
     {{GL_POINTS, "points"}, {GL_LINE_STRIP, "line_strip"}, {GL_TRIANGLE_STRIP, "triangle_strip"}}};
 
-template <class Words>
-std::optional<std::string> wordOf(const Words& words, unsigned int topology) {
-    for (const TopologyWord& each : words)
-        if (each.topology == topology) return std::string(each.word);
-    return std::nullopt;
+/// Takes over the word of the topology; says so if it has none.
+void setTopology(std::string& to, std::span<const TopologyWord> words, unsigned int topology,
+                 const char* call, const char* does) {
+    const auto found = std::ranges::find(words, topology, &TopologyWord::topology);
+    if (found != words.end())
+        to = found->word;
+    else
+        complainOf("GLSLProgram",
+                   fmt::format("{}: {:#06x} is none that a geometry shader {}", call, topology, does));
+}
+
+template <class... Numbers>
+std::array<double, sizeof...(Numbers)> doubles(Numbers... numbers) {
+    return {static_cast<double>(numbers)...};
 }
 
 std::optional<std::string> textOfFile(const std::filesystem::path& path) {
@@ -134,18 +144,16 @@ bool GLSLProgram::State::build(std::vector<std::pair<std::string, std::string>> 
     glsl::ProgramRequest request;
     for (auto& [path, text] : texts) {
         const std::string extension = std::filesystem::path(path).extension().string();
-        const auto stage = std::find_if(kStages.begin(), kStages.end(),
-                                        [&](const StageOfFile& each) { return each.extension == extension; });
+        const auto stage = std::ranges::find(kStages, extension, &StageOfFile::extension);
         if (stage == kStages.end())
             return fail("the extension says no stage; .vert, .tcs, .tes, .geom and .frag do", {path, 1, 1});
-        const auto isSame = [&](const glsl::StageSource& each) { return each.stage == stage->stage; };
-        if (std::any_of(request.stages.begin(), request.stages.end(), isSame))
+        if (std::ranges::find(request.stages, stage->stage, &glsl::StageSource::stage) !=
+            request.stages.end())
             return fail("the program has two files of this stage", {path, 1, 1});
         request.name += (request.name.empty() ? "" : " ") + path;
         request.stages.push_back({stage->stage, path, std::move(text)});
     }
-    std::sort(request.stages.begin(), request.stages.end(),
-              [](const auto& a, const auto& b) { return a.stage < b.stage; });
+    std::ranges::sort(request.stages, {}, &glsl::StageSource::stage);
     if (request.stages.empty() || request.stages.front().stage != glsl::Stage::vertex)
         return fail("the program has no vertex shader (.vert)");
     if (!owner.open("GLSLProgram")) return fail("no usable OpenGL context is current on this thread");
@@ -173,8 +181,7 @@ bool GLSLProgram::State::compile(const glsl::TranslatedProgram& translated) {
         return isGood;
     };
     for (const glsl::TranslatedStage& stage : translated.stages) {
-        const auto type = std::find_if(kStages.begin(), kStages.end(),
-                                       [&](const StageOfFile& each) { return each.stage == stage.stage; });
+        const auto type = std::ranges::find(kStages, stage.stage, &StageOfFile::stage);
         const GLuint shader = shaders.emplace_back(gl.CreateShader(type->type));
         const char* text = stage.source.data();
         const auto length = static_cast<GLint>(stage.source.size());
@@ -275,32 +282,20 @@ void GLSLProgram::SetGstap(bool isOn) {
     state_->isGstap = isOn;
 }
 void GLSLProgram::SetInputTopology(unsigned int topology) {
-    const auto word = wordOf(kGeometryInputs, topology);
-    if (word) state_->geometryInput = *word;
-    if (!word)
-        complainOf("GLSLProgram",
-                   fmt::format("SetInputTopology: {:#06x} is none that a geometry shader takes", topology));
+    setTopology(state_->geometryInput, kGeometryInputs, topology, "SetInputTopology", "takes");
 }
 void GLSLProgram::SetOutputTopology(unsigned int topology) {
-    const auto word = wordOf(kGeometryOutputs, topology);
-    if (word) state_->geometryOutput = *word;
-    if (!word)
-        complainOf("GLSLProgram",
-                   fmt::format("SetOutputTopology: {:#06x} is none that a geometry shader makes", topology));
+    setTopology(state_->geometryOutput, kGeometryOutputs, topology, "SetOutputTopology", "makes");
 }
 
 void GLSLProgram::SetAttribute(const char* name, int value) {
-    if (state_->isUsable("SetAttribute"))
-        state_->values->setInput(name, std::array{static_cast<double>(value)});
+    if (state_->isUsable("SetAttribute")) state_->values->setInput(name, doubles(value));
 }
 void GLSLProgram::SetAttribute(const char* name, float value) {
-    if (state_->isUsable("SetAttribute"))
-        state_->values->setInput(name, std::array{static_cast<double>(value)});
+    if (state_->isUsable("SetAttribute")) state_->values->setInput(name, doubles(value));
 }
 void GLSLProgram::SetAttribute(const char* name, float x, float y, float z) {
-    if (state_->isUsable("SetAttribute"))
-        state_->values->setInput(
-            name, std::array{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)});
+    if (state_->isUsable("SetAttribute")) state_->values->setInput(name, doubles(x, y, z));
 }
 void GLSLProgram::SetAttribute(const char* name, const float* values) {
     if (state_->isUsable("SetAttribute")) state_->values->setInput(name, values);
@@ -310,15 +305,13 @@ void GLSLProgram::SetAttribute(const char* name, const Vec3& value) {
 }
 
 void GLSLProgram::SetUniform(const char* name, int value) {
-    if (state_->isUsable("SetUniform")) state_->values->set(name, std::array{static_cast<double>(value)});
+    if (state_->isUsable("SetUniform")) state_->values->set(name, doubles(value));
 }
 void GLSLProgram::SetUniform(const char* name, float value) {
-    if (state_->isUsable("SetUniform")) state_->values->set(name, std::array{static_cast<double>(value)});
+    if (state_->isUsable("SetUniform")) state_->values->set(name, doubles(value));
 }
 void GLSLProgram::SetUniform(const char* name, float x, float y, float z) {
-    if (state_->isUsable("SetUniform"))
-        state_->values->set(
-            name, std::array{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)});
+    if (state_->isUsable("SetUniform")) state_->values->set(name, doubles(x, y, z));
 }
 void GLSLProgram::SetUniform(const char* name, const float* values) {
     if (state_->isUsable("SetUniform")) state_->values->set(name, values);
@@ -328,11 +321,10 @@ void GLSLProgram::SetUniform(const char* name, const Vec3& value) {
 }
 void GLSLProgram::SetUniform(const char* name, const Matrix4& value) {
     if (!state_->isUsable("SetUniform")) return;
-    MatrixRows rows;
+    glm::dmat4 matrix;
     for (int i = 0; i < 4; ++i)
-        for (int j = 0; j < 4; ++j)
-            rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = value.GetElement(i, j);
-    state_->values->set(name, rows);
+        for (int j = 0; j < 4; ++j) matrix[j][i] = static_cast<double>(value.GetElement(i, j));
+    state_->values->set(name, matrix);
 }
 
 void GLSLProgram::Use() {

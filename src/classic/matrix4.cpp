@@ -29,8 +29,12 @@ Matrix4 fromGlm(const glm::dmat4& from) {
     return Matrix4(rows);
 }
 
+constexpr double wide(float value) {
+    return static_cast<double>(value);
+}
+
 glm::dvec3 vector(float x, float y, float z) {
-    return {static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
+    return {wide(x), wide(y), wide(z)};
 }
 
 void complain(const char* text) {
@@ -66,17 +70,15 @@ Matrix4& Matrix4::Frustum(float left, float right, float bottom, float top, floa
 }
 
 Matrix4& Matrix4::FrustumZ(float left, float right, float bottom, float top, float near, float far, float z) {
-    const double toNear = static_cast<double>(near) / static_cast<double>(z);
-    return Multiply(fromGlm(
-        base::frustumProjection(static_cast<double>(left) * toNear, static_cast<double>(right) * toNear,
-                                static_cast<double>(bottom) * toNear, static_cast<double>(top) * toNear,
-                                static_cast<double>(near), static_cast<double>(far))));
+    const double toNear = wide(near) / wide(z);
+    return Multiply(
+        fromGlm(base::frustumProjection(wide(left) * toNear, wide(right) * toNear, wide(bottom) * toNear,
+                                        wide(top) * toNear, wide(near), wide(far))));
 }
 
 Matrix4& Matrix4::Ortho(float left, float right, float bottom, float top, float near, float far) {
-    return Multiply(fromGlm(base::boxProjection(static_cast<double>(left), static_cast<double>(right),
-                                                static_cast<double>(bottom), static_cast<double>(top),
-                                                static_cast<double>(near), static_cast<double>(far))));
+    return Multiply(fromGlm(
+        base::boxProjection(wide(left), wide(right), wide(bottom), wide(top), wide(near), wide(far))));
 }
 
 Matrix4& Matrix4::Ortho2D(float left, float right, float bottom, float top) {
@@ -84,15 +86,12 @@ Matrix4& Matrix4::Ortho2D(float left, float right, float bottom, float top) {
 }
 
 Matrix4& Matrix4::Perspective(float fovy, float aspect, float near, float far) {
-    return Multiply(
-        fromGlm(base::perspectiveProjection(static_cast<double>(fovy), static_cast<double>(aspect),
-                                            static_cast<double>(near), static_cast<double>(far))));
+    return Multiply(fromGlm(base::perspectiveProjection(wide(fovy), wide(aspect), wide(near), wide(far))));
 }
 
 Matrix4& Matrix4::StereoPerspective(float fovy, float aspect, float near, float far, float z0, float eye) {
-    const double half = static_cast<double>(fovy) / 2;
-    const auto top =
-        static_cast<float>(static_cast<double>(z0) * base::sineOfDegrees(half) / base::cosineOfDegrees(half));
+    const double half = wide(fovy) / 2;
+    const auto top = static_cast<float>(wide(z0) * base::sineOfDegrees(half) / base::cosineOfDegrees(half));
     const float right = top * aspect;
     Matrix4 toEye;
     Matrix4 window;
@@ -113,7 +112,7 @@ Matrix4& Matrix4::LookAt(float eyeX, float eyeY, float eyeZ, float centreX, floa
 }
 
 Matrix4& Matrix4::Rotatef(float degrees, float x, float y, float z) {
-    return Multiply(fromGlm(base::rotation(static_cast<double>(degrees), vector(x, y, z))));
+    return Multiply(fromGlm(base::rotation(wide(degrees), vector(x, y, z))));
 }
 Matrix4& Matrix4::Scalef(float x, float y, float z) {
     return Multiply(fromGlm(base::scaling(vector(x, y, z))));
@@ -234,8 +233,7 @@ void Matrix4::Print(const char* label, std::FILE* file) const {
 }
 
 void Vec3::Print(const char* label, std::FILE* file) const {
-    std::fprintf(file, "%s: ( %g, %g, %g )\n", label, static_cast<double>(x), static_cast<double>(y),
-                 static_cast<double>(z));
+    std::fprintf(file, "%s: ( %g, %g, %g )\n", label, wide(x), wide(y), wide(z));
 }
 
 }  // namespace glibra::classic

@@ -20,67 +20,35 @@ namespace {
 using base::BaseType;
 using glsl::Builtin;
 
-constexpr MatrixRows kIdentity{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
+bool isTextureMatrix(Builtin value) {
+    return value >= Builtin::textureMatrix && value <= Builtin::textureMatrixInverseTranspose;
+}
 
-glm::dmat4 columnsOf(const MatrixRows& rows) {
+/// A matrix of gstap.h, and the names of what is computed from it.
+struct MatrixNames {
     glm::dmat4 matrix;
-    for (int i = 0; i < 4; ++i)
-        for (int j = 0; j < 4; ++j)
-            matrix[j][i] =
-                static_cast<double>(rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)]);
-    return matrix;
-}
-
-MatrixRows rowsOf(const glm::dmat4& matrix) {
-    MatrixRows rows;
-    for (int i = 0; i < 4; ++i)
-        for (int j = 0; j < 4; ++j)
-            rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = static_cast<float>(matrix[j][i]);
-    return rows;
-}
+    Builtin plain, inverse, transpose, inverseTranspose;
+};
 
 /// What gstap.h computes from the two matrices; nothing for names that have other values.
 std::optional<glm::dmat4> derived(Builtin value, const glm::dmat4& modelView, const glm::dmat4& projection) {
-    const auto inverse = [](const glm::dmat4& matrix) { return base::inverseOrZero(matrix); };
-    switch (value) {
-        case Builtin::modelView:
-            return modelView;
-        case Builtin::modelViewInverse:
-            return inverse(modelView);
-        case Builtin::modelViewTranspose:
-            return glm::transpose(modelView);
-        case Builtin::modelViewInverseTranspose:
-            return glm::transpose(inverse(modelView));
-        case Builtin::projection:
-            return projection;
-        case Builtin::projectionInverse:
-            return inverse(projection);
-        case Builtin::projectionTranspose:
-            return glm::transpose(projection);
-        case Builtin::projectionInverseTranspose:
-            return glm::transpose(inverse(projection));
-        case Builtin::modelViewProjection:
-            return projection * modelView;
-        case Builtin::modelViewProjectionInverse:
-            return inverse(projection * modelView);
-        case Builtin::modelViewProjectionTranspose:
-            return glm::transpose(projection * modelView);
-        case Builtin::modelViewProjectionInverseTranspose:
-            return glm::transpose(inverse(projection * modelView));
-        case Builtin::normalMatrix:
-            return glm::dmat4(glm::transpose(base::inverseOrZero(glm::dmat3(modelView))));
-        case Builtin::textureMatrix:
-        case Builtin::textureMatrixInverse:
-        case Builtin::textureMatrixTranspose:
-        case Builtin::textureMatrixInverseTranspose:
-            return glm::dmat4(1);
-        default:
-            return std::nullopt;
+    if (isTextureMatrix(value)) return glm::dmat4(1);
+    if (value == Builtin::normalMatrix)
+        return glm::dmat4(glm::transpose(base::inverseOrZero(glm::dmat3(modelView))));
+    for (const MatrixNames& each :
+         {MatrixNames{modelView, Builtin::modelView, Builtin::modelViewInverse, Builtin::modelViewTranspose,
+                      Builtin::modelViewInverseTranspose},
+          MatrixNames{projection, Builtin::projection, Builtin::projectionInverse,
+                      Builtin::projectionTranspose, Builtin::projectionInverseTranspose},
+          MatrixNames{projection * modelView, Builtin::modelViewProjection,
+                      Builtin::modelViewProjectionInverse, Builtin::modelViewProjectionTranspose,
+                      Builtin::modelViewProjectionInverseTranspose}}) {
+        if (value == each.plain) return each.matrix;
+        if (value == each.inverse) return base::inverseOrZero(each.matrix);
+        if (value == each.transpose) return glm::transpose(each.matrix);
+        if (value == each.inverseTranspose) return glm::transpose(base::inverseOrZero(each.matrix));
     }
-}
-
-bool isTextureMatrix(Builtin value) {
-    return value >= Builtin::textureMatrix && value <= Builtin::textureMatrixInverseTranspose;
+    return std::nullopt;
 }
 
 /// True for integers of 32 bits, signed or not.
@@ -102,6 +70,26 @@ std::string hintAt(std::string_view name, std::vector<std::string_view> names, c
     return base::suggestion(name, names);
 }
 
+/// What the driver lists: how many there are, and how long their names may be.
+struct ListOf {
+    GLenum count, longest;
+};
+/// Calls use(name, type, number of elements) for each of them.
+void forEachActive(const Gl& gl, GLuint program, ListOf list, auto ask, const auto& use) {
+    GLint count = 0;
+    GLint longest = 0;
+    gl.GetProgramiv(program, list.count, &count);
+    gl.GetProgramiv(program, list.longest, &longest);
+    std::string text(static_cast<std::size_t>(std::max(longest, 1)), '\0');
+    for (GLint i = 0; i < count; ++i) {
+        GLsizei length = 0;
+        GLint size = 0;
+        GLenum type = 0;
+        ask(program, static_cast<GLuint>(i), longest, &length, &size, &type, text.data());
+        use(text.substr(0, static_cast<std::size_t>(length)), type, size);
+    }
+}
+
 std::string withoutSubscript(std::string name) {
     if (name.ends_with("[0]")) name.resize(name.size() - 3);
     return name;
@@ -115,7 +103,6 @@ ProgramValues::ProgramValues(const Gl& gl, GLuint program, const glsl::Translate
     for (const auto& [emitted, user] : translated.userNames) emittedNames_[user] = emitted;
     findUniforms(translated, isGstap);
     findInputs(translated);
-    modelView_ = projection_ = kIdentity;
     deriveMatrices();
     for (auto& [name, slot] : uniforms_) {
         if (const auto unit = translated.textureBindings.find(name); unit != translated.textureBindings.end())
@@ -131,58 +118,42 @@ ProgramValues::ProgramValues(const Gl& gl, GLuint program, const glsl::Translate
             for (int i = 1; i < slot.size; ++i) {
                 Slot element = slot;
                 element.location += i;
-                upload(element, kIdentity);
+                upload(element, glm::dmat4(1));
             }
     }
 }
 
 void ProgramValues::findUniforms(const glsl::TranslatedProgram& translated, bool isGstap) {
-    GLint count = 0;
-    GLint longest = 0;
-    gl_.GetProgramiv(program_, GL_ACTIVE_UNIFORMS, &count);
-    gl_.GetProgramiv(program_, GL_ACTIVE_UNIFORM_MAX_LENGTH, &longest);
-    std::string text(static_cast<std::size_t>(std::max(longest, 1)), '\0');
-    for (GLint i = 0; i < count; ++i) {
-        GLsizei length = 0;
-        GLenum type = 0;
+    const auto add = [&](const std::string& listed, GLenum type, GLint size) {
+        const std::string emitted = withoutSubscript(listed);
         Slot slot;
-        gl_.GetActiveUniform(program_, static_cast<GLuint>(i), longest, &length, &slot.size, &type,
-                             text.data());
-        const std::string emitted = withoutSubscript(text.substr(0, static_cast<std::size_t>(length)));
+        slot.size = size;
         slot.location = gl_.GetUniformLocation(program_, emitted.c_str());
-        if (slot.location < 0) continue;  // in a block
+        if (slot.location < 0) return;  // in a block
         slot.type = gpu::valueType(type);
         const glsl::BuiltinUniform* builtin = glsl::findBuiltinUniform(emitted);
         if (isGstap && builtin != nullptr && builtin->type == slot.type.word) slot.builtin = builtin;
         const auto renamed = translated.userNames.find(emitted);
         uniforms_.emplace(renamed != translated.userNames.end() ? renamed->second : emitted, slot);
-    }
+    };
+    forEachActive(gl_, program_, {GL_ACTIVE_UNIFORMS, GL_ACTIVE_UNIFORM_MAX_LENGTH}, gl_.GetActiveUniform,
+                  add);
 }
 
 void ProgramValues::findInputs(const glsl::TranslatedProgram& translated) {
-    GLint count = 0;
-    GLint longest = 0;
-    gl_.GetProgramiv(program_, GL_ACTIVE_ATTRIBUTES, &count);
-    gl_.GetProgramiv(program_, GL_ACTIVE_ATTRIBUTE_MAX_LENGTH, &longest);
-    std::string text(static_cast<std::size_t>(std::max(longest, 1)), '\0');
-    for (GLint i = 0; i < count; ++i) {
-        GLsizei length = 0;
-        GLint size = 0;
-        ProgramInput input;
-        gl_.GetActiveAttrib(program_, static_cast<GLuint>(i), longest, &length, &size, &input.type,
-                            text.data());
-        const std::string emitted = text.substr(0, static_cast<std::size_t>(length));
+    const auto add = [&](const std::string& emitted, GLenum type, GLint) {
         const GLint location = gl_.GetAttribLocation(program_, emitted.c_str());
-        if (location < 0) continue;  // gl_VertexID and its kin
-        input.location = static_cast<GLuint>(location);
+        if (location < 0) return;  // gl_VertexID and its kin
         const auto renamed = translated.userNames.find(emitted);
         const std::string name = renamed != translated.userNames.end() && !renamed->second.starts_with("gl_")
                                      ? renamed->second
                                      : bookName(emitted);
-        inputs_[name] = input;
+        inputs_[name] = {static_cast<GLuint>(location), type};
         if (name == "aColor") constants_[name] = {1, 1, 1, 1};
         if (name == "aNormal") constants_[name] = {0, 0, 1, 1};
-    }
+    };
+    forEachActive(gl_, program_, {GL_ACTIVE_ATTRIBUTES, GL_ACTIVE_ATTRIBUTE_MAX_LENGTH}, gl_.GetActiveAttrib,
+                  add);
 }
 
 void ProgramValues::once(std::string_view about, const std::string& text) {
@@ -254,22 +225,18 @@ void ProgramValues::upload(const Slot& slot, std::span<const double> values) con
     }
 }
 
-void ProgramValues::upload(const Slot& slot, const MatrixRows& rows) const {
+void ProgramValues::upload(const Slot& slot, const glm::dmat4& matrix) const {
     std::vector<double> values;
     for (int column = 0; column < slot.type.columns; ++column)
-        for (int row = 0; row < slot.type.rows; ++row)
-            values.push_back(
-                static_cast<double>(rows[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)]));
+        for (int row = 0; row < slot.type.rows; ++row) values.push_back(matrix[column][row]);
     upload(slot, values);
 }
 
 void ProgramValues::deriveMatrices() {
-    const glm::dmat4 modelView = columnsOf(*modelView_);
-    const glm::dmat4 projection = columnsOf(*projection_);
     for (auto& [name, slot] : uniforms_)
         if (slot.builtin != nullptr && !slot.isGiven)
-            if (const auto value = derived(slot.builtin->value, modelView, projection))
-                upload(slot, rowsOf(*value));
+            if (const auto value = derived(slot.builtin->value, modelView_, projection_))
+                upload(slot, *value);
 }
 
 bool ProgramValues::takes(const base::ValueType& type, std::string_view name, std::string_view call,
@@ -306,7 +273,7 @@ void ProgramValues::set(std::string_view name, const float* values) {
     if (takes(slot->type, name, "SetUniform", all)) upload(*slot, all);
 }
 
-void ProgramValues::set(std::string_view name, const MatrixRows& rows) {
+void ProgramValues::set(std::string_view name, const glm::dmat4& matrix) {
     const glsl::BuiltinUniform* builtin = glsl::findBuiltinUniform(name);
     Slot* slot = slotOf(name, "SetUniform");
     if (slot != nullptr && slot->type.columns == 1) {
@@ -314,20 +281,20 @@ void ProgramValues::set(std::string_view name, const MatrixRows& rows) {
         return;
     }
     if (slot != nullptr && slot->builtin == nullptr) {
-        upload(*slot, rows);
+        upload(*slot, matrix);
         return;
     }
     if (builtin == nullptr) return;
     const bool isModelView = builtin->value == Builtin::modelView;
     if (isModelView || builtin->value == Builtin::projection) {
-        (isModelView ? modelView_ : projection_) = rows;
+        (isModelView ? modelView_ : projection_) = matrix;
         deriveMatrices();
         return;
     }
     for (auto& [each, other] : uniforms_)
         if (other.builtin != nullptr && other.builtin->value == builtin->value) {
             other.isGiven = true;
-            upload(other, rows);
+            upload(other, matrix);
         }
 }
 

@@ -2,9 +2,9 @@
 // The uniforms and constant attributes of one linked program: found once, set by name.
 
 #include <array>
+#include <glm/mat4x4.hpp>
 #include <map>
 #include <memory>
-#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -20,9 +20,6 @@
 
 namespace glibra::classic {
 
-/// The elements of a matrix, row by row.
-using MatrixRows = std::array<std::array<float, 4>, 4>;
-
 class ProgramValues {
   public:
     /// Asks the driver for all uniforms and inputs. With `isGstap`, the matrices of gstap.h are identities
@@ -33,7 +30,7 @@ class ProgramValues {
     void set(std::string_view name, std::span<const double> values);
     /// As many floats as the uniform has, in all its elements.
     void set(std::string_view name, const float* values);
-    void set(std::string_view name, const MatrixRows& rows);
+    void set(std::string_view name, const glm::dmat4& matrix);
     /// Values of an input that VertexArray or another array does not give.
     void setInput(std::string_view name, std::span<const double> values);
     void setInput(std::string_view name, const float* values);
@@ -66,7 +63,7 @@ class ProgramValues {
     bool takes(const base::ValueType& type, std::string_view name, std::string_view call,
                std::span<const double> values);
     void upload(const Slot& slot, std::span<const double> values) const;
-    void upload(const Slot& slot, const MatrixRows& rows) const;
+    void upload(const Slot& slot, const glm::dmat4& matrix) const;
     void deriveMatrices();
     void once(std::string_view about, const std::string& text);
 
@@ -77,8 +74,7 @@ class ProgramValues {
     std::map<std::string, ProgramInput, std::less<>> inputs_;
     std::map<std::string, std::array<double, 4>, std::less<>> constants_;  ///< of inputs_
     std::map<std::string, std::string> emittedNames_;                      ///< of renamed user's names
-    std::optional<MatrixRows> modelView_;
-    std::optional<MatrixRows> projection_;
+    glm::dmat4 modelView_{1.0}, projection_{1.0};
     std::set<std::string, std::less<>> reported_;
 };
 

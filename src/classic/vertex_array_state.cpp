@@ -130,12 +130,12 @@ VertexArray::State::Variant* VertexArray::State::bind(const char* call) {
     uploadVertices();
     point(name, facts.get());
     Variant& variant = variantFor(facts != nullptr && facts->hasTessellation);
-    if (facts != nullptr && !facts->hasTessellation)
-        for (const DrawnList& each : variant.drawn.lists)
-            if (each.mode == GL_PATCHES) {
-                once(fmt::format("{}: patches need a program with tessellation shaders", call));
-                return nullptr;
-            }
+    const auto& lists = variant.drawn.lists;
+    if (facts != nullptr && !facts->hasTessellation &&
+        std::ranges::find(lists, GLenum{GL_PATCHES}, &DrawnList::mode) != lists.end()) {
+        once(fmt::format("{}: patches need a program with tessellation shaders", call));
+        return nullptr;
+    }
     return &variant;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 #include <utility>
 
 #include "geometry/list_topology.h"
@@ -40,8 +41,7 @@ constexpr ListRow kRows[] = {{GL_POINTS, ListTopology::points, true, 1},
                              {GL_PATCHES, ListTopology::patches, true, 0}};
 
 const ListRow* rowOf(GLenum topology) {
-    const auto* found = std::find_if(std::begin(kRows), std::end(kRows),
-                                     [&](const ListRow& each) { return each.topology == topology; });
+    const auto* found = std::ranges::find(kRows, topology, &ListRow::topology);
     return found != std::end(kRows) ? found : nullptr;
 }
 
@@ -61,7 +61,7 @@ std::vector<std::uint32_t> pieceIndices(const ListRow& row, std::size_t count, i
     if (asPatches && row.patchVertices == 4 && !row.isCore) return quadCorners(row.list, count);
     if (asPatches || !row.isCore) return geometry::listIndices(row.list, count, patchVertices).indices;
     std::vector<std::uint32_t> indices(count);
-    for (std::size_t i = 0; i < count; ++i) indices[i] = static_cast<std::uint32_t>(i);
+    std::iota(indices.begin(), indices.end(), 0U);
     return indices;
 }
 
@@ -76,8 +76,7 @@ VertexLists::VertexLists() {
 }
 
 VertexColumn& VertexLists::column(std::string_view name, int components) {
-    auto found = std::find_if(columns_.begin(), columns_.end(),
-                              [&](const VertexColumn& each) { return each.name == name; });
+    auto found = std::ranges::find(columns_, name, &VertexColumn::name);
     if (found == columns_.end()) {
         found = columns_.insert(columns_.end(), {.name = std::string(name)});
         if (name == "aColor") found->fill = {1, 1, 1, 1};
@@ -121,10 +120,7 @@ DrawnIndices drawnIndices(const std::vector<VertexList>& lists, const std::vecto
         DrawnList& made = drawn.lists.emplace_back();
         made.firstIndex = static_cast<std::uint32_t>(drawn.indices.size());
         const bool isSplit = asPatches || !row.isCore;
-        if (asPatches)
-            made.mode = GL_PATCHES;
-        else
-            made.mode = row.isCore ? row.topology : GL_TRIANGLES;
+        made.mode = asPatches ? GL_PATCHES : row.isCore ? row.topology : GL_TRIANGLES;
         made.patchVertices = row.patchVertices != 0 ? row.patchVertices : list.patchVertices;
         std::size_t begin = list.first;
         for (std::size_t i = 0; i <= list.restarts.size(); ++i) {

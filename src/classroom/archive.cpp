@@ -30,7 +30,7 @@ using Archive = std::unique_ptr<std::remove_pointer_t<unzFile>, CloseArchive>;
 
 /// The path of an entry below the folder; nothing for one that is left out. Windows writes backslashes.
 std::optional<fs::path> pathOf(std::string name) {
-    std::replace(name.begin(), name.end(), '\\', '/');
+    std::ranges::replace(name, '\\', '/');
     if (name.empty() || name.front() == '/' || name.find('\0') != std::string::npos) return std::nullopt;
     fs::path path;
     int depth = 0;

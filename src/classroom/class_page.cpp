@@ -10,12 +10,12 @@
 #include <span>
 #include <string_view>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 #include "base/escape_xml.h"
 #include "base/page_template.h"
 #include "base/utf8.h"
+#include "classroom/csv_record.h"
 #include "classroom/grades.h"
 #include "classroom/page_parts.h"
 #include "classroom/student_page.h"
@@ -24,6 +24,7 @@
 #include "glib/text.h"
 #include "suite/report/plain_page.h"
 #include "suite/results/figures.h"
+#include "suite/write_below.h"
 
 namespace glibra::classroom {
 namespace {
@@ -55,18 +56,17 @@ std::string factsHtml(const Classroom& room, const Entry& entry) {
     std::string missing;
     if (!entry.programs.empty())
         for (const DeclaredUniform& each : uniformsOf(room.reference))
-            if (std::none_of(own.begin(), own.end(),
-                             [&](const DeclaredUniform& one) { return one.name == each.name; }))
+            if (std::ranges::find(own, each.name, &DeclaredUniform::name) == own.end())
                 missing +=
-                    fmt::format("{}<code>{}</code>", missing.empty() ? "" : ", ", base::escapeXml(each.name));
+                    fmt::format("{}<code>{}</code>", missing.empty() ? "" : ", ", escapeXml(each.name));
     std::string html = programsHtml(entry);
     if (!missing.empty()) html += "<p>Only in the reference: " + missing + "</p>";
     if (!entry.submission.scene.empty())
         html += fmt::format(
             "<p>Scene: <code>{}</code></p>",
-            base::escapeXml(entry.submission.scene.lexically_relative(entry.submission.folder).string()));
+            escapeXml(entry.submission.scene.lexically_relative(entry.submission.folder).string()));
     if (!entry.reproduce.empty())
-        html += fmt::format("<div class=\"command\"><code>{}</code></div>", base::escapeXml(entry.reproduce));
+        html += fmt::format("<div class=\"command\"><code>{}</code></div>", escapeXml(entry.reproduce));
     if (html.empty()) return html;
     return fmt::format("<details><summary>{}, {}</summary>{}</details>",
                        glib::counted(entry.programs.size(), "program"), glib::counted(own.size(), "uniform"),
@@ -75,13 +75,13 @@ std::string factsHtml(const Classroom& room, const Entry& entry) {
 
 std::string cardHtml(const Classroom& room, std::size_t index, SourceLines& sources) {
     const Entry& entry = room.entries[index];
-    std::string html = fmt::format("<article class=\"card\" id=\"{}\" data-name=\"{}\"><h3>{} {}</h3>",
-                                   anchor(index), base::escapeXml(entry.submission.name),
-                                   nameHtml(entry.submission.name), stateHtml(entry));
+    std::string html =
+        fmt::format("<article class=\"card\" id=\"{}\" data-name=\"{}\"><h3>{} {}</h3>", anchor(index),
+                    escapeXml(entry.submission.name), nameHtml(entry.submission.name), stateHtml(entry));
     const std::string reason = reasonOf(entry);
     // The reason is one of the messages, unless the process ended or there is no scene.
     if (!reason.empty() && (entry.diagnostics.empty() || entry.drawsNothing))
-        html += "<p class=\"reason\">" + base::escapeXml(reason) + "</p>";
+        html += "<p class=\"reason\">" + escapeXml(reason) + "</p>";
     // What keeps a scene from being drawn comes before what is left of its pictures.
     const bool isDrawnWell = isDrawn(entry);
     const std::string messages = messagesHtml(entry, sources);
@@ -97,7 +97,7 @@ std::string cardHtml(const Classroom& room, std::size_t index, SourceLines& sour
     if (!entry.notCompared.empty())
         html += fmt::format(
             "<p class=\"near\">Not compared with other submissions: {}</p>",
-            base::escapeXml(base::printableText(fmt::format("{}", fmt::join(entry.notCompared, "; ")))));
+            escapeXml(base::printableText(fmt::format("{}", fmt::join(entry.notCompared, "; ")))));
     return html + factsHtml(room, entry) + "</article>\n";
 }
 
@@ -124,7 +124,7 @@ std::string sideHtml(const Entry& entry, const MarkedLines& marked, SourceLines&
         const SourceFile& file = entry.files[index];
         const std::string path = fs::path(file.path).lexically_relative(entry.submission.folder).string();
         html += fmt::format("<h4>{}, {}</h4>", nameHtml(entry.submission.name),
-                            base::escapeXml(path.empty() ? file.path : path));
+                            escapeXml(path.empty() ? file.path : path));
         const int last = std::max(kMostLines, lines.rbegin()->first);
         const auto text = sources.lines(entry.submission, file.path, 1, std::min(last, 3 * kMostLines));
         if (!text) {
@@ -136,7 +136,7 @@ std::string sideHtml(const Entry& entry, const MarkedLines& marked, SourceLines&
             const auto mark = lines.find(static_cast<int>(i) + 1);
             html += fmt::format("<li data-line=\"{}\"{}>{}</li>", i + 1,
                                 mark == lines.end() ? "" : fmt::format(" class=\"p{}\"", mark->second % 6),
-                                base::escapeXml((*text)[i]));
+                                escapeXml((*text)[i]));
         }
         html += "</ol></div>";
     }
@@ -214,9 +214,9 @@ std::string referenceHtml(const Classroom& room, SourceLines& sources) {
     for (std::size_t i = 0; i < room.reference.pictures.size(); ++i) {
         const Picture& picture = room.reference.pictures[i];
         html += pictureHtml({}, picture, picture, "the reference",
-                            base::escapeXml(room.moments[i].label.empty()
-                                                ? fmt::format("{} x {} pixels", picture.width, picture.height)
-                                                : room.moments[i].label));
+                            escapeXml(room.moments[i].label.empty()
+                                          ? fmt::format("{} x {} pixels", picture.width, picture.height)
+                                          : room.moments[i].label));
     }
     return html + "</div>" + messagesHtml(room.reference, sources) + programsHtml(room.reference);
 }
@@ -235,22 +235,19 @@ std::string section(const char* id, const char* title, const std::string& conten
 }
 
 std::string leftOutHtml(const Classroom& room) {
-    std::string items;
-    for (const std::string& each : room.leftOut) items += "<li>" + nameHtml(each) + "</li>";
-    if (!items.empty())
-        items = "<p>These files are no scenes, zip files or folders.</p><ul>" + items + "</ul>";
-    std::string absent;
-    for (const std::string& each : room.absent) absent += "<li>" + nameHtml(each) + "</li>";
-    if (!absent.empty())
-        items +=
-            "<p>These students of the roster handed in nothing that was found.</p><ul>" + absent + "</ul>";
-    return items;
+    const auto list = [](const char* title, const std::vector<std::string>& names) {
+        std::string items;
+        for (const std::string& each : names) items += "<li>" + nameHtml(each) + "</li>";
+        return items.empty() ? items : fmt::format("<p>{}</p><ul>{}</ul>", title, items);
+    };
+    return list("These files are no scenes, zip files or folders.", room.leftOut) +
+           list("These students of the roster handed in nothing that was found.", room.absent);
 }
 
 std::string detailsHtml(const Classroom& room) {
     std::string html = "<dl>";
     const auto add = [&](std::string_view title, const std::string& value) {
-        if (!value.empty()) html += fmt::format("<dt>{}</dt><dd>{}</dd>", title, base::escapeXml(value));
+        if (!value.empty()) html += fmt::format("<dt>{}</dt><dd>{}</dd>", title, escapeXml(value));
     };
     if (!room.isAnonymous) add("Submissions", room.folder);
     add("Reference", room.reference.submission.scene.string());
@@ -288,8 +285,8 @@ std::string classPage(const Classroom& room, bool serves) {
                                              {"leftout", "Left out", &leftOut}})
         if (!content->empty()) parts += fmt::format("<a href=\"#{}\">{}</a> ", id, title);
     const base::Slot slots[] = {
-        {"title", base::escapeXml(summary(room) + " - glibra")},
-        {"headline", base::escapeXml(summary(room))},
+        {"title", escapeXml(summary(room) + " - glibra")},
+        {"headline", escapeXml(summary(room))},
         {"runDetails", detailsHtml(room)},
         {"style", std::string(report_page::report_css()) + std::string(class_page::class_css())},
         {"parts", parts},
@@ -313,11 +310,7 @@ Diagnostics writeSite(const Classroom& room, const fs::path& site, const SiteFil
     Diagnostics problems;
     const auto write = [&](const std::string& name, std::string_view text) {
         if (!problems.empty()) return;
-        const int problem = base::writeBeneath(site, name, std::as_bytes(std::span(text)));
-        if (problem != 0)
-            problems.push_back(
-                diagnose("file-E10", fmt::format("cannot write '{}': {}", (site / name).string(),
-                                                 std::generic_category().message(problem))));
+        problems = suite::writeBelow(site, name, std::as_bytes(std::span(text)));
     };
     write("grades.csv", gradesCsv(room));
     if (files.import.book != GradeBook::none)

@@ -7,7 +7,6 @@
 #include <string>
 #include <string_view>
 
-#include "base/contained.h"
 #include "classroom/classroom.h"
 #include "classroom/import_table.h"
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/contained.h"
-#include "base/memory_limit.h"
+#include "base/folder_entries.h"
 #include "base/workers.h"
 #include "classroom/compare_sources.h"
 #include "classroom/moments.h"
@@ -43,8 +43,8 @@ bool isOurs(std::string_view name) {
 /// The files of an earlier run in the folder of pictures.
 std::vector<std::string> earlierPictures(const fs::path& site) {
     std::vector<std::string> names;
-    std::error_code ignored;  // a file that stays does no harm: the page names only those that were drawn
-    for (const fs::directory_entry& each : fs::directory_iterator(site / kPictures, ignored))
+    // A file that stays does no harm: the page names only those that were drawn.
+    for (const fs::directory_entry& each : base::entriesOf(site / kPictures))
         if (std::string name = each.path().filename().string(); isOurs(name))
             names.push_back(std::move(name));
     return names;
@@ -65,16 +65,15 @@ void removeEarlier(const fs::path& site, const Entry& reference) {
     for (const char* each : {"index.html", "grades.csv"}) base::removeBeneath(site, each);
     for (const std::string& each : earlierPictures(site)) {
         const fs::path name = fs::path(kPictures) / each;
-        if (std::none_of(reference.pictures.begin(), reference.pictures.end(),
-                         [&](const Picture& one) { return name == one.file; }))
+        if (std::ranges::none_of(reference.pictures, [&](const Picture& one) { return name == one.file; }))
             base::removeBeneath(site, name);
     }
 }
 
 class ClassRun {
   public:
-    ClassRun(const ClassPlan& plan, const ClassOptions& options, const ClassEvents& events)
-        : plan_(plan), options_(options), events_(events) {
+    ClassRun(const ClassPlan& plan, const suite::SiteWorkers& workers, const ClassEvents& events)
+        : plan_(plan), workers_(workers), events_(events) {
         Classroom& room = end_.classroom;
         room.folder = plan.folder.string();
         room.moments = plan.moments;
@@ -156,13 +155,13 @@ class ClassRun {
         suite::Shot probe = suite_.shots.front();
         for (const Moment& each : plan_.moments) {
             for (const suite::PlacedUniform& one : each.shot.ownUniforms)
-                if (std::none_of(probe.ownUniforms.begin(), probe.ownUniforms.end(),
-                                 [&](const suite::PlacedUniform& known) { return known.name == one.name; }))
+                if (std::ranges::find(probe.ownUniforms, one.name, &suite::PlacedUniform::name) ==
+                    probe.ownUniforms.end())
                     probe.ownUniforms.push_back(one);
             for (const std::string& one : each.shot.options.set) {
                 const std::string_view name = std::string_view(one).substr(0, one.find('=') + 1);
-                if (std::none_of(probe.options.set.begin(), probe.options.set.end(),
-                                 [&](const std::string& known) { return known.starts_with(name); }))
+                if (std::ranges::none_of(probe.options.set,
+                                         [&](const std::string& known) { return known.starts_with(name); }))
                     probe.options.set.push_back(one);
             }
         }
@@ -188,16 +187,15 @@ class ClassRun {
                 const std::string_view tag = std::string_view(name.name).substr(name.name.rfind(':') + 1);
                 const Diagnostic* found = nullptr;
                 const auto lacks = [&](const Entry& entry) {
-                    const auto one = std::find_if(
-                        entry.diagnostics.begin(), entry.diagnostics.end(), [&](const Diagnostic& each) {
-                            return each.id == "glib-W23" && each.place.file.empty() && each.subject == tag;
-                        });
+                    const auto one = std::ranges::find_if(entry.diagnostics, [&](const Diagnostic& each) {
+                        return each.id == "glib-W23" && each.place.file.empty() && each.subject == tag;
+                    });
                     if (one != entry.diagnostics.end() && (!found || found->suggestion.empty()))
                         found = &*one;
                     return one != entry.diagnostics.end() || !isDrawn(entry);
                 };
                 const std::vector<Entry>& all = end_.classroom.entries;
-                if (!std::all_of(all.begin(), all.end(), lacks) || !found) continue;
+                if (!std::ranges::all_of(all, lacks) || !found) continue;
                 end_.diagnostics.push_back(diagnose("suite-E19", found->text, name.place));
                 end_.misspelt = true;
                 return;
@@ -212,14 +210,8 @@ class ClassRun {
     void draw(const std::vector<std::size_t>& shots, const Take& taken) {
         std::vector<ShotReference> open;
         for (const std::size_t each : shots) open.push_back({0, each});
-        suite::RunOptions options;
-        options.driver = options_.driver;
-        options.jobs = options_.jobs;
-        options.timeout = options_.timeout;
-        options.memory = options_.memory;
-        options.onlyRender = plan_.site / kPictures;
+        suite::RunOptions options = suite::drawingOptions(workers_, plan_.site / kPictures);
         options.refusesMisspelt = true;
-        options.sandbox = options_.drawing;
         suite::RunEvents events;
         events.begins = [&](const ShotReference& each) {
             if (events_.begins && each.shot / moments() <= end_.classroom.entries.size())
@@ -253,11 +245,9 @@ class ClassRun {
         for (const Diagnostic& each : result.diagnostics) {
             const auto isSame = [&](const Diagnostic& other) {
                 return other.severity == each.severity && other.id == each.id && other.text == each.text &&
-                       other.place.file == each.place.file && other.place.line == each.place.line &&
-                       other.place.column == each.place.column;
+                       other.place == each.place;
             };
-            if (std::none_of(entry.diagnostics.begin(), entry.diagnostics.end(), isSame))
-                entry.diagnostics.push_back(each);
+            if (std::ranges::none_of(entry.diagnostics, isSame)) entry.diagnostics.push_back(each);
         }
         if (entry.reproduce.empty()) entry.reproduce = result.reproduce;
         if (events_.done) events_.done(suite::isFailure(result.verdict));
@@ -271,10 +261,7 @@ class ClassRun {
         if (end_.noDriver || end_.stopped) return false;
         if (!isDrawn(reference)) {
             const Diagnostics& own = reference.diagnostics;
-            const bool isSaid = std::any_of(own.begin(), own.end(), [](const Diagnostic& each) {
-                return each.severity == Severity::error;
-            });
-            const std::string reason = isSaid ? "" : ": " + reasonOf(reference);
+            const std::string reason = hasError(own) ? "" : ": " + reasonOf(reference);
             append(end_.diagnostics, own);
             end_.diagnostics.push_back(withoutId(Severity::error, "the reference cannot be drawn" + reason,
                                                  {plan_.reference.string(), 1, 1}));
@@ -336,14 +323,8 @@ class ClassRun {
         std::vector<ReviewTask> tasks;
         for (std::size_t i = 0; i < end_.classroom.entries.size() + 2; ++i) tasks.push_back(taskOf(i));
         std::vector<SourceFile> given;
-        const int jobs = suite::readingJobs(options_.jobs);
         base::runInWorkers(
-            tasks.size(),
-            {.workers = jobs,
-             .timeout = options_.timeout,
-             .memory = options_.memory.value_or(base::memoryShare(jobs, tasks.size())),
-             .stop = events_.stop,
-             .sandbox = options_.reading},
+            tasks.size(), suite::readingOptions(workers_, tasks.size(), events_.stop),
             [&](std::size_t index, const base::Step& step) -> std::string {
                 try {
                     // The limit of time is that of a picture, and a submission may have a hundred.
@@ -407,7 +388,7 @@ class ClassRun {
     }
 
     const ClassPlan& plan_;
-    const ClassOptions& options_;
+    const suite::SiteWorkers& workers_;
     const ClassEvents& events_;
     suite::Suite suite_;
     ClassEnd end_;
@@ -416,13 +397,13 @@ class ClassRun {
 }  // namespace
 
 std::size_t pictureCount(const ClassPlan& plan) {
-    const auto scenes = std::count_if(plan.submissions.all.begin(), plan.submissions.all.end(),
-                                      [](const Submission& each) { return !each.scene.empty(); });
+    const auto scenes = std::ranges::count_if(plan.submissions.all,
+                                              [](const Submission& each) { return !each.scene.empty(); });
     return (static_cast<std::size_t>(scenes) + (plan.reference.empty() ? 0 : 1)) * plan.moments.size();
 }
 
-ClassEnd runClass(const ClassPlan& plan, const ClassOptions& options, const ClassEvents& events) {
-    return ClassRun(plan, options, events).run();
+ClassEnd runClass(const ClassPlan& plan, const suite::SiteWorkers& workers, const ClassEvents& events) {
+    return ClassRun(plan, workers, events).run();
 }
 
 }  // namespace glibra::classroom

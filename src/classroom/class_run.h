@@ -4,15 +4,13 @@
 
 #include <glibra/diagnostic.h>
 
-#include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "base/sandbox.h"
 #include "classroom/classroom.h"
+#include "suite/run/run_options.h"
 
 namespace glibra::classroom {
 
@@ -24,15 +22,6 @@ struct ClassPlan {
     std::vector<std::filesystem::path> given;  ///< files and folders of code that all submissions start from
     std::size_t common = 0;                    ///< compareSources()
     std::filesystem::path site;                ///< pictures are written to SITE/pictures
-};
-
-struct ClassOptions {
-    Driver driver = Driver::automatic;
-    int jobs = 0;                            ///< worker processes; 0: gpu::usualWorkers()
-    double timeout = 20;                     ///< seconds per picture; 0: no limit
-    std::optional<std::uint64_t> memory;     ///< bytes per worker; 0: no limit; nothing: a share
-    const base::Sandbox* drawing = nullptr;  ///< if given, what confines the workers that draw
-    const base::Sandbox* reading = nullptr;  ///< ... and those that review
 };
 
 struct ClassEvents {
@@ -58,6 +47,6 @@ std::size_t pictureCount(const ClassPlan& plan);
 /// run are removed once the reference is drawn. A name that is set and that the reference does not have (or,
 /// without a reference, none of the submissions) ends the run before that. Call it before any thread or GL
 /// context exists.
-ClassEnd runClass(const ClassPlan& plan, const ClassOptions& options, const ClassEvents& events);
+ClassEnd runClass(const ClassPlan& plan, const suite::SiteWorkers& workers, const ClassEvents& events);
 
 }  // namespace glibra::classroom

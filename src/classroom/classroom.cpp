@@ -29,9 +29,7 @@ double mostPoints(const Classroom& classroom) {
 }
 
 std::size_t drawnCount(const Entry& entry) {
-    return static_cast<std::size_t>(
-        std::count_if(entry.pictures.begin(), entry.pictures.end(),
-                      [](const Picture& each) { return each.verdict == Verdict::passed; }));
+    return static_cast<std::size_t>(std::ranges::count(entry.pictures, Verdict::passed, &Picture::verdict));
 }
 
 bool isDrawn(const Entry& entry) {
@@ -41,8 +39,7 @@ bool isDrawn(const Entry& entry) {
 std::string stateOf(const Entry& entry) {
     if (entry.submission.scene.empty()) return "no-scene";
     for (const Verdict each : {Verdict::crashed, Verdict::timedOut})
-        if (std::any_of(entry.pictures.begin(), entry.pictures.end(),
-                        [&](const Picture& one) { return one.verdict == each; }))
+        if (std::ranges::find(entry.pictures, each, &Picture::verdict) != entry.pictures.end())
             return suite::name(each);
     if (!isDrawn(entry)) return suite::name(Verdict::failed);
     return entry.drawsNothing ? "nothing" : "drawn";
@@ -57,9 +54,7 @@ std::string reasonOf(const Entry& entry) {
 }
 
 std::size_t countOf(const Entry& entry, Severity severity) {
-    return static_cast<std::size_t>(
-        std::count_if(entry.diagnostics.begin(), entry.diagnostics.end(),
-                      [&](const Diagnostic& each) { return each.severity == severity; }));
+    return static_cast<std::size_t>(std::ranges::count(entry.diagnostics, severity, &Diagnostic::severity));
 }
 
 std::optional<Scores> scoresOf(const Entry& entry) {
@@ -113,8 +108,8 @@ std::string summary(const Classroom& classroom) {
     std::string text = glib::counted(classroom.entries.size(), "submission") + ": ";
     bool first = true;
     for (const char* state : {"drawn", "nothing", "failed", "crashed", "timed-out", "no-scene"}) {
-        const auto count = std::count_if(classroom.entries.begin(), classroom.entries.end(),
-                                         [&](const Entry& each) { return stateOf(each) == state; });
+        const auto count = std::ranges::count_if(classroom.entries,
+                                                 [&](const Entry& each) { return stateOf(each) == state; });
         if (count == 0) continue;
         text += fmt::format("{}{} {}", first ? "" : ", ", count,
                             std::string_view(state) == "no-scene"  ? "without a scene"

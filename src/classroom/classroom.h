@@ -4,7 +4,6 @@
 
 #include <glibra/diagnostic.h>
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>

@@ -29,19 +29,41 @@ float component(const image::Image& image, const std::byte* at) {
     return std::isfinite(value) ? std::clamp(value, 0.0F, 1.0F) : 0;
 }
 
-/// Adds gaps between parts of an object: pixels between two of its pixels in the row and in the column that
-/// are near to each other. A shader that discards its dots leaves such.
-void closeGaps(const Colors& colors, std::vector<char>& isObject) {
-    int left = colors.width, right = -1, top = colors.height, bottom = -1;
+struct Box {
+    int left, top, right = -1, bottom = -1;
+};
+
+/// The box around the pixels of objects.
+Box boxOf(const Colors& colors, const std::vector<char>& isObject) {
+    Box box{colors.width, colors.height};
     for (int y = 0; y < colors.height; ++y)
         for (int x = 0; x < colors.width; ++x) {
             if (isObject[colors.index(x, y)] == 0) continue;
-            left = std::min(left, x);
-            right = std::max(right, x);
-            top = std::min(top, y);
-            bottom = std::max(bottom, y);
+            box.left = std::min(box.left, x);
+            box.right = std::max(box.right, x);
+            box.top = std::min(box.top, y);
+            box.bottom = std::max(box.bottom, y);
         }
-    const int nearby = std::max(right - left, bottom - top) * 3 / 10;
+    return box;
+}
+
+/// Calls visit(x, y) for the pixels at the border; twice for those in the corners.
+void visitBorder(const Colors& colors, const auto& visit) {
+    for (int x = 0; x < colors.width; ++x) {
+        visit(x, 0);
+        visit(x, colors.height - 1);
+    }
+    for (int y = 0; y < colors.height; ++y) {
+        visit(0, y);
+        visit(colors.width - 1, y);
+    }
+}
+
+/// Adds gaps between parts of an object: pixels between two of its pixels in the row and in the column that
+/// are near to each other. A shader that discards its dots leaves such.
+void closeGaps(const Colors& colors, std::vector<char>& isObject) {
+    const Box box = boxOf(colors, isObject);
+    const int nearby = std::max(box.right - box.left, box.bottom - box.top) * 3 / 10;
     std::vector<char> between(isObject.size(), 0);
     const auto scan = [&](int lines, int length, const auto& index) {
         for (int line = 0; line < lines; ++line) {
@@ -72,14 +94,7 @@ std::vector<char> objectPixels(const Colors& colors, const Color& background) {
         pixel = 0;
         open.emplace_back(x, y);
     };
-    for (int x = 0; x < colors.width; ++x) {
-        reach(x, 0);
-        reach(x, colors.height - 1);
-    }
-    for (int y = 0; y < colors.height; ++y) {
-        reach(0, y);
-        reach(colors.width - 1, y);
-    }
+    visitBorder(colors, reach);
     while (!open.empty()) {
         const auto [x, y] = open.back();
         open.pop_back();
@@ -142,23 +157,15 @@ float colorDistance(const Color& a, const Color& b) {
 
 Color backgroundOf(const Colors& colors) {
     std::map<std::array<int, 3>, std::pair<int, Color>> counts;
-    const auto count = [&](int x, int y) {
+    visitBorder(colors, [&](int x, int y) {
         const Color& color = colors.pixel(x, y);
         std::array<int, 3> key{};
         for (std::size_t i = 0; i < 3; ++i) key[i] = static_cast<int>(color[i] * 63.5F);
         auto& [number, first] = counts[key];
         if (number++ == 0) first = color;
-    };
-    for (int x = 0; x < colors.width; ++x) {
-        count(x, 0);
-        count(x, colors.height - 1);
-    }
-    for (int y = 0; y < colors.height; ++y) {
-        count(0, y);
-        count(colors.width - 1, y);
-    }
-    return std::max_element(counts.begin(), counts.end(),
-                            [](const auto& a, const auto& b) { return a.second.first < b.second.first; })
+    });
+    return std::ranges::max_element(
+               counts, [](const auto& a, const auto& b) { return a.second.first < b.second.first; })
         ->second.second;
 }
 
@@ -167,18 +174,12 @@ std::optional<Objects> findObjects(const Colors& colors) {
     Objects found;
     found.background = backgroundOf(colors);
     found.isObject = objectPixels(colors, found.background);
-    found.left = colors.width;
-    found.top = colors.height;
-    found.right = found.bottom = -1;
-    for (int y = 0; y < colors.height; ++y)
-        for (int x = 0; x < colors.width; ++x) {
-            if (found.isObject[colors.index(x, y)] == 0) continue;
-            found.left = std::min(found.left, x);
-            found.right = std::max(found.right, x);
-            found.top = std::min(found.top, y);
-            found.bottom = std::max(found.bottom, y);
-        }
-    if (found.right < found.left) return std::nullopt;
+    const Box box = boxOf(colors, found.isObject);
+    if (box.right < box.left) return std::nullopt;
+    found.left = box.left;
+    found.top = box.top;
+    found.right = box.right;
+    found.bottom = box.bottom;
     return found;
 }
 

@@ -27,7 +27,7 @@ class DeadCode {
         for (int round = 0; round < kMostRounds; ++round) {
             dead_.assign(tokens_.size(), false);
             findBodies();
-            if (std::find(dead_.begin(), dead_.end(), true) == dead_.end()) break;
+            if (std::ranges::find(dead_, true) == dead_.end()) break;
             std::size_t kept = 0;
             for (std::size_t i = 0; i < tokens_.size(); ++i)
                 if (!dead_[i]) tokens_[kept++] = tokens_[i];

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <string_view>
 #include <system_error>
 
 #include "classroom/archive.h"
@@ -72,7 +71,7 @@ Contents contentsOf(const fs::path& folder, std::string& problem, bool& isUnlist
     if (isUnlisted)
         problem = fmt::format("the folder, or one in it, cannot be listed: {}", failure.message());
     for (std::vector<fs::path>* list : {&found.scenes, &found.archives, &found.misnamed})
-        std::sort(list->begin(), list->end());
+        std::ranges::sort(*list);
     return found;
 }
 
@@ -126,7 +125,7 @@ ChosenScene chooseScene(std::span<const fs::path> scenes, const Submission& subm
     };
     if (left.size() == 1) return chosen(left.front());
     const auto onlyOne = [&](const auto& fits) -> const fs::path* {
-        const auto found = std::find_if(left.begin(), left.end(), fits);
+        const auto found = std::ranges::find_if(left, fits);
         return found != left.end() && std::none_of(std::next(found), left.end(), fits) ? *found : nullptr;
     };
     const std::string preferred = options.reference.filename().string();
@@ -137,8 +136,8 @@ ChosenScene chooseScene(std::span<const fs::path> scenes, const Submission& subm
         }))
         return chosen(one);
     const auto depth = [](const fs::path* each) { return std::distance(each->begin(), each->end()); };
-    const auto least = depth(*std::min_element(
-        left.begin(), left.end(), [&](const fs::path* a, const fs::path* b) { return depth(a) < depth(b); }));
+    const auto least = depth(*std::ranges::min_element(
+        left, [&](const fs::path* a, const fs::path* b) { return depth(a) < depth(b); }));
     if (const fs::path* one = onlyOne([&](const fs::path* each) { return depth(each) == least; }))
         return chosen(one);
     return {0, fmt::format("the folder has {} scenes: {}; expected one, or one named {}'{}.glib'; --scene "

@@ -8,43 +8,20 @@
 
 #include "base/csv.h"
 #include "base/utf8.h"
+#include "classroom/csv_record.h"
 
 namespace glibra::classroom {
 namespace {
 
-std::string number(double value) {
-    return fmt::format("{:.5f}", value);
-}
-
-class Line {
-  public:
-    void text(std::string_view value) { add(csvField(value)); }
-    void count(std::size_t value) { add(fmt::format("{}", value)); }
-    void score(const std::optional<double>& value) { add(value ? number(*value) : std::string()); }
-    std::string end() { return line_ + "\r\n"; }
-
-  private:
-    void add(const std::string& field) {
-        line_ += first_ ? field : "," + field;
-        first_ = false;
-    }
-    std::string line_;
-    bool first_ = true;
-};
-
 /// Also the wide forms, which spreadsheets for East Asian languages accept.
 bool beginsFormula(std::uint32_t code) {
     constexpr std::uint32_t kSigns[] = {'=', '+', '-', '@', 0xFF1D, 0xFF0B, 0xFF0D, 0xFF20, 0x2212};
-    return std::find(std::begin(kSigns), std::end(kSigns), code) != std::end(kSigns);
+    return std::ranges::find(kSigns, code) != std::end(kSigns);
 }
 
 constexpr bool isBlank(std::uint32_t code) {
     return code <= ' ' || (code >= 0x7F && code <= 0xA0) || code == 0x2028 || code == 0x2029 ||
            code == 0xFEFF;
-}
-
-std::string withBlanks(const std::vector<std::string>& words) {
-    return fmt::format("{}", fmt::join(words, " "));
 }
 
 }  // namespace
@@ -69,11 +46,11 @@ std::string csvField(std::string_view text) {
 
 std::string gradesCsv(const Classroom& classroom) {
     const bool several = classroom.moments.size() > 1;
-    const bool numbered = std::any_of(
-        classroom.entries.begin(), classroom.entries.end(),
-        [](const Entry& each) { return !each.submission.number.empty() || !each.submission.email.empty(); });
+    const bool numbered = std::ranges::any_of(classroom.entries, [](const Entry& each) {
+        return !each.submission.number.empty() || !each.submission.email.empty();
+    });
     const bool pointed = mostPoints(classroom) > 0;
-    Line head;
+    CsvRecord head;
     for (const char* each : {"submission", "state", "reason", "scene", "pictures", "drawn", "flip",
                              "worst flip", "structure", "worst structure", "likeness", "errors", "warnings",
                              "stages", "uniforms", "most similar", "similarity", "not compared"})
@@ -92,12 +69,10 @@ std::string gradesCsv(const Classroom& classroom) {
             head.text("structure " + each.label);
         }
     // Excel takes a table without this mark for one in the machine's own code page.
-    const bool isAscii =
-        std::all_of(classroom.entries.begin(), classroom.entries.end(), [](const Entry& each) {
-            const std::string texts = each.submission.name + each.comment;
-            return std::all_of(texts.begin(), texts.end(),
-                               [](char one) { return static_cast<unsigned char>(one) < 0x80; });
-        });
+    const bool isAscii = std::ranges::all_of(classroom.entries, [](const Entry& each) {
+        const std::string texts = each.submission.name + each.comment;
+        return std::ranges::all_of(texts, [](char one) { return static_cast<unsigned char>(one) < 0x80; });
+    });
     std::string table = (isAscii ? "" : "\xEF\xBB\xBF") + head.end();
     for (std::size_t i = 0; i < classroom.entries.size(); ++i) {
         const Entry& entry = classroom.entries[i];
@@ -107,16 +82,16 @@ std::string gradesCsv(const Classroom& classroom) {
         };
         std::vector<std::string> stages, uniforms;
         const auto addNew = [](std::vector<std::string>& to, const std::string& word) {
-            if (std::find(to.begin(), to.end(), word) == to.end()) to.push_back(word);
+            if (std::ranges::find(to, word) == to.end()) to.push_back(word);
         };
         for (const UsedProgram& program : entry.programs) {
             for (std::string stage : program.stages) {
-                std::replace(stage.begin(), stage.end(), ' ', '-');
+                std::ranges::replace(stage, ' ', '-');
                 addNew(stages, stage);
             }
             for (const DeclaredUniform& uniform : program.uniforms) addNew(uniforms, uniform.name);
         }
-        Line line;
+        CsvRecord line;
         line.text(entry.submission.name);
         line.text(stateOf(entry));
         line.text(reasonOf(entry));
@@ -132,8 +107,8 @@ std::string gradesCsv(const Classroom& classroom) {
         line.score(part(&Scores::likeness));
         line.count(countOf(entry, Severity::error));
         line.count(countOf(entry, Severity::warning));
-        line.text(withBlanks(stages));
-        line.text(withBlanks(uniforms));
+        line.text(fmt::format("{}", fmt::join(stages, " ")));
+        line.text(fmt::format("{}", fmt::join(uniforms, " ")));
         const std::optional<Nearest> nearest = nearestOf(classroom, i);
         line.text(nearest ? classroom.entries[nearest->entry].submission.name : "");
         line.score(nearest ? std::optional(nearest->share) : std::nullopt);

@@ -2,7 +2,6 @@
 // The table for a grade book.
 
 #include <string>
-#include <string_view>
 
 #include "classroom/classroom.h"
 
@@ -13,10 +12,5 @@ namespace glibra::classroom {
 /// not be measured is empty. If a name is not ASCII the text begins with a byte order mark, which Excel
 /// needs.
 std::string gradesCsv(const Classroom& classroom);
-
-/// One field. Text that a spreadsheet would take for a formula (after blanks it begins with = + - @, or with
-/// a character that stands for one of them) gets an apostrophe before it; line ends and control characters
-/// become blanks, because some programs split at them even in quotes.
-std::string csvField(std::string_view text);
 
 }  // namespace glibra::classroom

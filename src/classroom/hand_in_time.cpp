@@ -6,8 +6,12 @@
 #include <chrono>
 #include <cstdint>
 #include <ctime>
+#include <iterator>
+#include <span>
 #include <string>
 #include <vector>
+
+#include "base/text.h"
 
 namespace glibra::classroom {
 namespace {
@@ -18,79 +22,31 @@ struct ReadTime {
     bool isUtc = false;
 };
 
-struct WordOfMonth {
-    std::string_view begin;
-    int month;
-};
-/// How the names of months begin in the languages of hand_in_time.h. "mar" alone would also be a Tuesday.
-constexpr WordOfMonth kMonths[] = {{"jan", 1},
-                                   {"ene", 1},
-                                   {"gen", 1},
-                                   {"feb", 2},
-                                   {"fev", 2},
-                                   {"f\xC3\xA9v", 2},
-                                   {"march", 3},
-                                   {"mars", 3},
-                                   {"marzo", 3},
-                                   {"maart", 3},
-                                   {"m\xC3\xA4r", 3},
-                                   {"mar\xC3\xA7o", 3},
-                                   {"apr", 4},
-                                   {"avr", 4},
-                                   {"abr", 4},
-                                   {"may", 5},
-                                   {"mai", 5},
-                                   {"mag", 5},
-                                   {"mei", 5},
-                                   {"jun", 6},
-                                   {"juin", 6},
-                                   {"giu", 6},
-                                   {"jul", 7},
-                                   {"juil", 7},
-                                   {"lug", 7},
-                                   {"aug", 8},
-                                   {"ago", 8},
-                                   {"ao\xC3\xBB", 8},
-                                   {"sep", 9},
-                                   {"set", 9},
-                                   {"oct", 10},
-                                   {"okt", 10},
-                                   {"ott", 10},
-                                   {"out", 10},
-                                   {"nov", 11},
-                                   {"dec", 12},
-                                   {"dez", 12},
-                                   {"dic", 12},
-                                   {"d\xC3\xA9"
-                                    "c",
-                                    12}};
+/// How the names of the twelve months begin in the languages of hand_in_time.h. "mar" alone would also be a
+/// Tuesday.
+constexpr std::string_view kMonths[] = {"jan ene gen",
+                                        "feb fev f\303\251v",
+                                        "march mars marzo maart m\303\244r mar\303\247o",
+                                        "apr avr abr",
+                                        "may mai mag mei",
+                                        "jun juin giu",
+                                        "jul juil lug",
+                                        "aug ago ao\303\273",
+                                        "sep set",
+                                        "oct okt ott out",
+                                        "nov",
+                                        "dec dez dic d\303\251c"};
 
 constexpr std::string_view kLate[] = {"late",    "zu sp\xC3\xA4t", "en retard", "despu\xC3\xA9s",
                                       "ritardo", "te laat",        "atras"};
 constexpr std::string_view kExtended[] = {"xten",    "erl\xC3\xA4ngerung", "prolong", "ampliaci",
                                           "proroga", "erlenging",          "prorroga"};
-constexpr std::string_view kDays[] = {"day",
-                                      "tag",
-                                      "jour",
-                                      "d\xC3\xAD"
-                                      "a",
-                                      "dia",
-                                      "giorn",
-                                      "dag"};
-constexpr std::string_view kYears[] = {"year", "jahr", "an", "a\xC3\xB1o", "jaar"};
+constexpr std::string_view kDays[] = {"day", "tag", "jour", "d\303\255a", "dia", "giorn", "dag"};
+constexpr std::string_view kYears[] = {"year", "jahr", "an", "a\303\261o", "jaar"};
 
-std::string lowered(std::string_view text) {
-    std::string lower(text);
-    for (char& each : lower)
-        if (each >= 'A' && each <= 'Z') each = static_cast<char>(each - 'A' + 'a');
-    return lower;
-}
-
-bool isDigit(char c) {
-    return c >= '0' && c <= '9';
-}
+/// A letter, or a byte of one beyond ASCII.
 bool isLetter(char c) {
-    return (c >= 'a' && c <= 'z') || (static_cast<unsigned char>(c) >= 0x80);
+    return base::isLetter(c) || static_cast<unsigned char>(c) >= 0x80;
 }
 
 /// A run of digits, of letters, or one other character that is no blank.
@@ -98,7 +54,7 @@ std::vector<std::string_view> partsOf(std::string_view text) {
     std::vector<std::string_view> parts;
     for (std::size_t i = 0; i < text.size();) {
         std::size_t end = i + 1;
-        for (const auto& kind : {isDigit, isLetter})
+        for (const auto& kind : {base::isDigit, isLetter})
             while (kind(text[i]) && end < text.size() && kind(text[end])) ++end;
         if (text[i] != ' ' && text[i] != '\t') parts.push_back(text.substr(i, end - i));
         i = end;
@@ -106,9 +62,18 @@ std::vector<std::string_view> partsOf(std::string_view text) {
     return parts;
 }
 
+bool contains(std::string_view text, std::span<const std::string_view> words) {
+    return std::ranges::any_of(
+        words, [&](std::string_view each) { return text.find(each) != std::string_view::npos; });
+}
+
+bool begins(std::string_view text, std::span<const std::string_view> words) {
+    return std::ranges::any_of(words, [&](std::string_view each) { return text.starts_with(each); });
+}
+
 /// A number of at most four digits, or -1.
 int numberAt(const std::vector<std::string_view>& parts, std::size_t i) {
-    if (i >= parts.size() || !isDigit(parts[i][0]) || parts[i].size() > 4) return -1;
+    if (i >= parts.size() || !base::isDigit(parts[i][0]) || parts[i].size() > 4) return -1;
     int value = 0;
     std::from_chars(parts[i].data(), parts[i].data() + parts[i].size(), value);
     return value;
@@ -131,7 +96,7 @@ bool readClock(const std::vector<std::string_view>& parts, std::size_t& i, Field
     to.minute = minute;
     i += 3;
     if (isAt(parts, i, ":") && numberAt(parts, i + 1) >= 0) i += 2;
-    if (isAt(parts, i, ".") && i + 1 < parts.size() && isDigit(parts[i + 1][0])) i += 2;
+    if (isAt(parts, i, ".") && i + 1 < parts.size() && base::isDigit(parts[i + 1][0])) i += 2;
     const bool isAfternoon = isAt(parts, i, "pm");
     if (isAfternoon || isAt(parts, i, "am")) {
         if (to.hour < 1 || to.hour > 12) return false;
@@ -189,17 +154,17 @@ std::optional<Fields> readWords(const std::vector<std::string_view>& parts) {
         const std::string_view part = parts[i];
         if (std::size_t behind = i; readClock(parts, behind, read)) {
             i = behind - 1;
-        } else if (isDigit(part[0])) {
+        } else if (base::isDigit(part[0])) {
             int& field = part.size() == 4 ? read.year : read.day;
             if (field >= 0 || part.size() == 3) return std::nullopt;
             field = numberAt(parts, i);
         } else if (isLetter(part[0])) {
-            const auto* const month =
-                std::find_if(std::begin(kMonths), std::end(kMonths),
-                             [&](const WordOfMonth& each) { return part.starts_with(each.begin); });
-            if (month == std::end(kMonths)) continue;
-            if (read.month > 0 && read.month != month->month) return std::nullopt;
-            read.month = month->month;
+            const auto* const names = std::ranges::find_if(
+                kMonths, [&](std::string_view each) { return begins(part, partsOf(each)); });
+            if (names == std::end(kMonths)) continue;
+            const int month = static_cast<int>(names - std::begin(kMonths)) + 1;
+            if (read.month > 0 && read.month != month) return std::nullopt;
+            read.month = month;
         }
     }
     return read;
@@ -208,7 +173,7 @@ std::optional<Fields> readWords(const std::vector<std::string_view>& parts) {
 std::optional<ReadTime> readTime(std::string_view text) {
     constexpr std::size_t kLongest = 100;
     if (text.size() > kLongest) return std::nullopt;
-    const std::string lower = lowered(text);
+    const std::string lower = base::lower(text);
     const std::vector<std::string_view> parts = partsOf(lower);
     std::optional<Fields> read = readDigits(parts);
     if (!read) read = readWords(parts);
@@ -229,18 +194,6 @@ std::int64_t onTheWall(const ReadTime& time) {
     std::tm local{};
     if (::localtime_r(&seconds, &local) == nullptr) return time.minutes;
     return time.minutes + local.tm_gmtoff / 60;
-}
-
-template <std::size_t N>
-bool contains(std::string_view text, const std::string_view (&words)[N]) {
-    return std::any_of(std::begin(words), std::end(words),
-                       [&](std::string_view each) { return text.find(each) != std::string_view::npos; });
-}
-
-template <std::size_t N>
-bool begins(std::string_view text, const std::string_view (&words)[N]) {
-    return std::any_of(std::begin(words), std::end(words),
-                       [&](std::string_view each) { return text.starts_with(each); });
 }
 
 }  // namespace
@@ -275,7 +228,7 @@ std::optional<double> latenessOf(std::string_view hours) {
 
 MoodleStatus readMoodleStatus(std::string_view status) {
     MoodleStatus read;
-    const std::string lower = lowered(status);
+    const std::string lower = base::lower(status);
     read.isExtended = contains(lower, kExtended);
     std::string_view rest = lower;
     while (!rest.empty()) {

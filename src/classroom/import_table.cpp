@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
+#include <array>
 #include <cmath>
-#include <system_error>
+#include <span>
 
+#include "base/csv.h"
 #include "base/utf8.h"
-#include "classroom/grades.h"
+#include "classroom/csv_record.h"
+#include "suite/number_of.h"
 
 namespace glibra::classroom {
 namespace {
@@ -16,25 +18,12 @@ namespace {
 /// One record: fields of strangers are made harmless, those of the platform's own table stay as they are.
 class Record {
   public:
-    void ours(std::string_view text) { add(csvField(base::printableText(text))); }
-    void theirs(std::string_view text) {
-        std::string field;
-        const bool isQuoted = text.find_first_of(",\"\r\n;") != std::string_view::npos;
-        for (const char each : text) {
-            if (each == '"') field += '"';
-            field += each;
-        }
-        add(isQuoted ? "\"" + field + "\"" : field);
-    }
-    std::string end() { return line_ + "\r\n"; }
+    void ours(std::string_view text) { record_.text(base::printableText(text)); }
+    void theirs(std::string_view text) { record_.add(base::csvField(text, ",\"\r\n;")); }
+    std::string end() { return record_.end(); }
 
   private:
-    void add(const std::string& field) {
-        line_ += isFirst_ ? field : "," + field;
-        isFirst_ = false;
-    }
-    std::string line_;
-    bool isFirst_ = true;
+    CsvRecord record_;
 };
 
 std::string gradeOf(const Classroom& room, const std::optional<std::size_t>& entry) {
@@ -43,51 +32,53 @@ std::string gradeOf(const Classroom& room, const std::optional<std::size_t>& ent
     return points ? fmt::format("{:.2f}", *points) : std::string();
 }
 
-/// Columns that are filled in, by the names that a platform gives them.
-struct Filled {
-    const char* column;
-    bool isGrade;
+constexpr const char* kMoodleHead[] = {
+    "Identifier", "Full name", "Email address", "Grade", "Last modified (grade)", "Feedback comments"};
+constexpr const char* kCanvasHead[] = {"Student", "ID", "SIS User ID", "SIS Login ID", "Section"};
+constexpr const char* kGradescopeHead[] = {"First Name",  "Last Name",  "SID",     "Email",
+                                           "Total Score", "Max Points", "Comments"};
+
+/// The tables of a platform. The columns of Canvas that have grades are named by assignments.
+struct BookForm {
+    std::array<const char*, 2> marks{};      ///< columns by which its own table is known
+    const char *grade = "", *feedback = "";  ///< columns of its own table that are filled in
+    const char* maximum = "";                ///< the column that has the most points
+    std::span<const char* const> head{};     ///< of a table that is made here
 };
 
-std::vector<Filled> filledColumns(const ImportOptions& options) {
-    switch (options.book) {
-        case GradeBook::moodle:
-            return {{"grade", true}, {"feedback comments", false}};
-        case GradeBook::canvas:
-            return {{options.assignment.c_str(), true}};
-        case GradeBook::gradescope:
-            return {{"total score", true}, {"comments", false}};
-        case GradeBook::none:
-            break;
-    }
-    return {};
+const BookForm& formOf(GradeBook book) {
+    static constexpr BookForm kForms[] = {
+        {},
+        {{"identifier", "grade"}, "grade", "feedback comments", "maximum grade", kMoodleHead},
+        {{"student", "id"}, "", "", "", kCanvasHead},
+        {{"sid", "total score"}, "total score", "comments", "max points", kGradescopeHead}};
+    return kForms[static_cast<std::size_t>(book)];
 }
 
 /// The platform's own table with the grades in it.
 std::string filledTable(const Classroom& room, const ImportOptions& options) {
     const Roster& roster = *options.roster;
     std::vector<std::string> head = roster.records.front();
-    std::vector<std::pair<std::size_t, bool>> columns;
-    for (const Filled& each : filledColumns(options)) {
-        const auto known = options.book == GradeBook::canvas ? assignmentColumn(roster, each.column)
-                                                             : columnOf(roster, each.column);
-        columns.emplace_back(known.value_or(head.size()), each.isGrade);
-        if (!known)
-            head.emplace_back(options.book == GradeBook::canvas ? options.assignment
-                              : each.isGrade                    ? "Grade"
-                                                                : "Feedback comments");
-    }
+    const bool isCanvas = options.book == GradeBook::canvas;
+    const auto known = [&](const std::optional<std::size_t>& column, const std::string& otherwise) {
+        if (!column) head.push_back(otherwise);
+        return column.value_or(head.size() - 1);
+    };
+    const BookForm& form = formOf(options.book);
+    const std::size_t grade = isCanvas
+                                  ? known(assignmentColumn(roster, options.assignment), options.assignment)
+                                  : known(columnOf(roster, form.grade), "Grade");
+    const std::size_t feedback =
+        isCanvas ? head.size() : known(columnOf(roster, form.feedback), "Feedback comments");
     std::string table;
     const auto add = [&](const std::vector<std::string>& record, std::optional<std::size_t> entry,
                          bool isHead) {
         Record line;
         for (std::size_t i = 0; i < head.size(); ++i) {
-            const auto filled = std::find_if(columns.begin(), columns.end(),
-                                             [&](const auto& each) { return each.first == i; });
             const std::string old = isHead ? head[i] : i < record.size() ? record[i] : "";
-            if (isHead || filled == columns.end() || !entry)
+            if (isHead || !entry || (i != grade && i != feedback))
                 line.theirs(old);
-            else if (filled->second)
+            else if (i == grade)
                 line.ours(gradeOf(room, entry).empty() ? old : gradeOf(room, entry));
             else
                 line.ours(feedbackOf(room, *entry));
@@ -104,18 +95,9 @@ std::string filledTable(const Classroom& room, const ImportOptions& options) {
 
 /// True if the roster is a table of the platform.
 bool isOwnTable(const ImportOptions& options) {
-    if (!options.roster) return false;
-    switch (options.book) {
-        case GradeBook::moodle:
-            return columnOf(*options.roster, "identifier") && columnOf(*options.roster, "grade");
-        case GradeBook::canvas:
-            return columnOf(*options.roster, "student") && columnOf(*options.roster, "id");
-        case GradeBook::gradescope:
-            return columnOf(*options.roster, "sid") && columnOf(*options.roster, "total score");
-        case GradeBook::none:
-            break;
-    }
-    return false;
+    return options.roster && options.book != GradeBook::none &&
+           std::ranges::all_of(formOf(options.book).marks,
+                               [&](const char* each) { return columnOf(*options.roster, each).has_value(); });
 }
 
 /// "P2" and "991" of "P2 (991)"; nothing for a column that is no assignment.
@@ -140,18 +122,14 @@ std::pair<std::string, std::string> firstAndLast(const std::string& name) {
 std::optional<double> maximumOf(const ImportOptions& options) {
     const Roster& roster = *options.roster;
     const bool isCanvas = options.book == GradeBook::canvas;
-    const auto column =
-        isCanvas ? assignmentColumn(roster, options.assignment)
-                 : columnOf(roster, options.book == GradeBook::moodle ? "maximum grade" : "max points");
+    const auto column = isCanvas ? assignmentColumn(roster, options.assignment)
+                                 : columnOf(roster, formOf(options.book).maximum);
     for (std::size_t i = 1; column && i < roster.records.size(); ++i) {
         const std::vector<std::string>& record = roster.records[i];
         // Canvas has a line of its own for it.
         if (*column >= record.size() || (isCanvas && record[0].find("Points Possible") == std::string::npos))
             continue;
-        const std::string& text = record[*column];
-        double value = 0;
-        const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
-        if (problem == std::errc() && end == text.data() + text.size()) return value;
+        if (const auto value = suite::numberOf<double>(record[*column])) return value;
     }
     return std::nullopt;
 }
@@ -250,26 +228,10 @@ std::string feedbackOf(const Classroom& room, std::size_t index) {
 
 std::string importTable(const Classroom& room, const ImportOptions& options) {
     if (isOwnTable(options)) return filledTable(room, options);
+    if (options.book == GradeBook::none) return {};
     Record head;
-    switch (options.book) {
-        case GradeBook::moodle:
-            for (const char* each : {"Identifier", "Full name", "Email address", "Grade",
-                                     "Last modified (grade)", "Feedback comments"})
-                head.theirs(each);
-            break;
-        case GradeBook::canvas:
-            for (const char* each : {"Student", "ID", "SIS User ID", "SIS Login ID", "Section"})
-                head.theirs(each);
-            head.ours(options.assignment);
-            break;
-        case GradeBook::gradescope:
-            for (const char* each :
-                 {"First Name", "Last Name", "SID", "Email", "Total Score", "Max Points", "Comments"})
-                head.theirs(each);
-            break;
-        case GradeBook::none:
-            return {};
-    }
+    for (const char* each : formOf(options.book).head) head.theirs(each);
+    if (options.book == GradeBook::canvas) head.ours(options.assignment);
     std::string table = head.end();
     if (options.book == GradeBook::canvas && mostPoints(room) > 0) {
         Record most;

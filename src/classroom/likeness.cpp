@@ -115,14 +115,13 @@ double minorityOf(const ToneScales& tones) {
     for (std::size_t i = 0; !tones.levels.empty() && i < tones.inside.size(); ++i)
         if (tones.inside[i] > 0) values.push_back(tones.levels[0][i]);
     if (values.empty()) return 0;
-    std::sort(values.begin(), values.end());
+    std::ranges::sort(values);
     const std::size_t stray = values.size() / 50;
     double low = values[stray], high = values[values.size() - 1 - stray];
     const auto count = static_cast<double>(values.size());
     double lower = 0;  // number of values that are nearer to the lower centre
     for (int round = 0; round < 10; ++round) {
-        const auto limit =
-            std::upper_bound(values.begin(), values.end(), static_cast<float>((low + high) / 2));
+        const auto limit = std::ranges::upper_bound(values, static_cast<float>((low + high) / 2));
         lower = static_cast<double>(limit - values.begin());
         if (lower > 0) low = std::accumulate(values.begin(), limit, 0.0) / lower;
         if (lower < count) high = std::accumulate(limit, values.end(), 0.0) / (count - lower);
@@ -149,8 +148,7 @@ void findBends(const Scale& scale, Pattern& pattern) {
             if (const std::size_t at = scale.index(x, y); scale.edges[at] >= kEdge)
                 edges.push_back(
                     {static_cast<float>(x), static_cast<float>(y), scale.angles[at], scale.edges[at]});
-    const auto inside =
-        std::count_if(scale.inside.begin(), scale.inside.end(), [](float each) { return each >= 1; });
+    const auto inside = std::ranges::count_if(scale.inside, [](float each) { return each >= 1; });
     constexpr double kManyEdges = 0.08;  // of the pixels
     pattern.sharp =
         std::min(1.0, static_cast<double>(edges.size()) / (kManyEdges * static_cast<double>(inside)));
@@ -272,9 +270,8 @@ bool showsNothing(const image::Image& picture) {
     if (colors.at.empty()) return true;
     // The most frequent colour of the border: a stray pixel in a corner is no background.
     const Color background = backgroundOf(colors);
-    const auto others = std::count_if(colors.at.begin(), colors.at.end(), [&](const Color& each) {
-        return colorDistance(each, background) > 2.5F / 255;
-    });
+    const auto others = std::ranges::count_if(
+        colors.at, [&](const Color& each) { return colorDistance(each, background) > 2.5F / 255; });
     return static_cast<std::size_t>(others) <= colors.at.size() / 5'000;
 }
 

@@ -2,8 +2,6 @@
 // Compares what two pictures show when colours, model and camera are free: whether the pattern on the objects
 // is the same, wherever they stand. FLIP and structure compare the pixels of one place.
 
-#include <optional>
-
 #include "image/image.h"
 
 namespace glibra::classroom {

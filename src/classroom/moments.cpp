@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
@@ -80,9 +81,8 @@ Result<std::vector<Moment>> momentsOf(const suite::Shot& picture, std::span<cons
     for (const std::string& each : sweeps) text += asToml(each) + "\n";
     suite::TomlReader reader("--sweep", text);
     std::vector<suite::UniformValues> values;
-    if (const suite::TomlValue* root = reader.root())
-        if (const auto* table = root->as<suite::TomlTable>())
-            values = suite::readUniforms(reader, *table, suite::UniformTable::sweep);
+    if (const suite::TomlTable* table = reader.root())
+        values = suite::readUniforms(reader, *table, suite::UniformTable::sweep);
     if (reader.hasErrors()) return reader.take();
     const std::vector<double> all =
         times.empty() ? std::vector{picture.options.time} : std::vector(times.begin(), times.end());
@@ -119,17 +119,10 @@ std::vector<Slider> slidersOf(std::span<const Moment> moments) {
         return values;
     };
     const auto onlyDifference = [&](const Moment& a, const Moment& b) -> std::string {
-        std::string found;
-        const std::map<std::string, std::string> ofA = valuesOf(a), ofB = valuesOf(b);
-        std::map<std::string, std::string> all = ofA;
-        all.insert(ofB.begin(), ofB.end());
-        for (const auto& [name, ignored] : all) {
-            const auto inA = ofA.find(name), inB = ofB.find(name);
-            if (inA != ofA.end() && inB != ofB.end() && inA->second == inB->second) continue;
-            if (!found.empty()) return {};
-            found = name;
-        }
-        return found;
+        std::vector<std::pair<std::string, std::string>> different;  // sorted by names
+        std::ranges::set_symmetric_difference(valuesOf(a), valuesOf(b), std::back_inserter(different));
+        const bool isOne = !different.empty() && different.front().first == different.back().first;
+        return isOne ? different.front().first : "";
     };
     std::vector<Slider> sliders;
     for (std::size_t i = 0; i < moments.size(); ++i) {
@@ -137,8 +130,7 @@ std::vector<Slider> slidersOf(std::span<const Moment> moments) {
         for (std::size_t k = i + 1; k < moments.size(); ++k) {
             const std::string name = onlyDifference(moments[i], moments[k]);
             if (name.empty() || !seen.insert(name).second) continue;
-            auto known = std::find_if(sliders.begin(), sliders.end(),
-                                      [&](const Slider& each) { return each.name == name; });
+            auto known = std::ranges::find(sliders, name, &Slider::name);
             if (known == sliders.end()) known = sliders.insert(sliders.end(), {name, {}});
             if (known->pairs.size() < kMostPairs) known->pairs.emplace_back(i, k);
         }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/contained.h"
+#include "base/whole_file.h"
 
 namespace glibra::classroom {
 namespace {
@@ -182,10 +183,8 @@ Result<NameRule> NameRule::of(const std::string& text) try {
 
 void NameRule::readBeside(const fs::path& folder) {
     if (book_ != GradeBook::gradescope) return;
-    std::vector<std::byte> bytes;
-    const base::Descriptor file = base::openBeneath(folder, "submission_metadata.yml");
-    if (!file || base::readAll(file, kLargestMetadata, bytes) != 0) return;
-    people_ = readMetadata({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    const auto text = base::textIn(base::openBeneath(folder, "submission_metadata.yml"), kLargestMetadata);
+    if (text) people_ = readMetadata(*text);
 }
 
 std::optional<Person> NameRule::split(const std::string& text) const {

@@ -227,7 +227,7 @@ class Sorter {
 
     Code joined(std::vector<Operand> operands, std::string_view plain, std::string_view inverse,
                 std::int32_t line) const {
-        std::stable_sort(operands.begin(), operands.end(), [](const Operand& a, const Operand& b) {
+        std::ranges::stable_sort(operands, [](const Operand& a, const Operand& b) {
             return a.isInverse != b.isInverse ? b.isInverse : isBefore(a.code, b.code);
         });
         Code made;

@@ -10,8 +10,9 @@
 #include "base/contained.h"
 #include "base/escape_xml.h"
 #include "base/utf8.h"
+#include "base/whole_file.h"
 #include "classroom/review.h"
-#include "glib/text.h"
+#include "suite/report/packed_pixels.h"
 
 namespace glibra::classroom {
 namespace {
@@ -24,36 +25,10 @@ constexpr std::size_t kLongestLine = 400;  // bytes of a source line
 constexpr int kContext = 2;                // lines around that of a message
 constexpr std::uint64_t kLargestEmbedded = std::uint64_t{64} << 20U;
 
-std::optional<std::string> readText(const fs::path& folder, const std::string& path) {
-    base::Roots roots;
-    roots.add(folder);
-    const base::Descriptor file = roots.open(path);
-    std::vector<std::byte> bytes;
-    if (!file || base::readAll(file, kLargestSource, bytes) != 0) return std::nullopt;
-    return std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-}
-
-/// RFC 4648.
-std::string base64(const std::vector<std::byte>& bytes) {
-    constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    text.reserve(bytes.size() / 3 * 4 + 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        std::uint32_t group = 0;
-        for (std::size_t k = 0; k < 3; ++k)
-            group = group << 8U | (i + k < bytes.size() ? std::to_integer<std::uint32_t>(bytes[i + k]) : 0U);
-        for (std::size_t k = 0; k < 4; ++k)
-            text += i + k <= bytes.size() ? kLetters[group >> (18 - 6 * k) & 63U] : '=';
-    }
-    return text;
-}
-
 std::string addressOf(const PictureSource& source, const std::string& file) {
     if (!source.embeddedFrom) return file;
-    const base::Descriptor opened = base::openBeneath(*source.embeddedFrom, file);
-    std::vector<std::byte> bytes;
-    if (!opened || base::readAll(opened, kLargestEmbedded, bytes) != 0) return {};
-    return "data:image/png;base64," + base64(bytes);
+    const auto bytes = base::bytesIn(base::openBeneath(*source.embeddedFrom, file), kLargestEmbedded);
+    return bytes ? "data:image/png;base64," + suite::base64(*bytes) : std::string();
 }
 
 /// The line that a message names, between its neighbours.
@@ -66,7 +41,7 @@ std::string quoteHtml(const Entry& entry, const Place& place, SourceLines& sourc
     for (std::size_t i = 0; i < lines->size(); ++i) {
         const int number = from + static_cast<int>(i);
         html += fmt::format("<li data-line=\"{}\"{}>{}</li>", number,
-                            number == place.line ? " class=\"named\"" : "", base::escapeXml((*lines)[i]));
+                            number == place.line ? " class=\"named\"" : "", escapeXml((*lines)[i]));
     }
     return html + "</ol></div>";
 }
@@ -76,13 +51,13 @@ std::string messageText(const Entry& entry, const Diagnostic& message) {
     Diagnostic shown = message;
     const fs::path inside = fs::path(shown.place.file).lexically_relative(entry.submission.folder);
     if (!inside.empty() && *inside.begin() != "..") shown.place.file = inside.string();
-    return base::escapeXml(toString(shown));
+    return escapeXml(toString(shown));
 }
 
 }  // namespace
 
 std::string nameHtml(std::string_view name) {
-    return "<bdi>" + base::escapeXml(base::printableText(name)) + "</bdi>";
+    return "<bdi>" + escapeXml(base::printableText(name)) + "</bdi>";
 }
 
 std::string figureText(double value) {
@@ -107,7 +82,11 @@ std::string stateHtml(const Entry& entry) {
 std::optional<std::vector<std::string>> SourceLines::lines(const Submission& submission,
                                                            const std::string& path, int from, int to) {
     const auto [known, isNew] = texts_.try_emplace(path);
-    if (isNew) known->second = readText(submission.folder, path);
+    if (isNew) {
+        base::Roots folder;
+        folder.add(submission.folder);
+        known->second = base::textIn(folder.open(path), kLargestSource);
+    }
     if (!known->second) return std::nullopt;
     std::vector<std::string> found;
     std::string_view rest = *known->second;
@@ -140,13 +119,12 @@ std::string pictureHtml(const PictureSource& source, const Picture& picture, con
 
 std::string picturesHtml(const PictureSource& source, const Classroom& room, const Entry& entry) {
     std::string html;
-    if (std::all_of(entry.pictures.begin(), entry.pictures.end(),
-                    [](const Picture& each) { return each.file.empty(); }))
+    if (std::ranges::all_of(entry.pictures, [](const Picture& each) { return each.file.empty(); }))
         return html;
-    const std::string name = base::escapeXml(base::printableText(entry.submission.name));
+    const std::string name = escapeXml(base::printableText(entry.submission.name));
     for (std::size_t i = 0; i < std::min(entry.pictures.size(), source.most); ++i) {
         const Picture& picture = entry.pictures[i];
-        const std::string label = base::escapeXml(room.moments[i].label);
+        const std::string label = escapeXml(room.moments[i].label);
         const std::string caption =
             picture.score
                 ? fmt::format("likeness {}, FLIP {}, structure {}", figureText(picture.score->likeness),
@@ -187,8 +165,7 @@ std::string messagesHtml(const Entry& entry, SourceLines& sources) {
             continue;
         }
         const std::string kind = each.id.empty() ? "others" : each.id;
-        auto known =
-            std::find_if(kinds.begin(), kinds.end(), [&](const auto& one) { return one.first == kind; });
+        auto known = std::ranges::find_if(kinds, [&](const auto& one) { return one.first == kind; });
         if (known == kinds.end()) known = kinds.insert(kinds.end(), {kind, {}});
         known->second.push_back(&each);
     }
@@ -202,13 +179,13 @@ std::string messagesHtml(const Entry& entry, SourceLines& sources) {
                                  i == 0 ? quoteHtml(entry, all[i]->place, sources) : "");
         if (all.size() > kMostMessages)
             lines += fmt::format("<li>{} more of this kind</li>", all.size() - kMostMessages);
-        items += all.size() == 1
-                     ? lines
-                     : fmt::format(
-                           "<li class=\"remark {}\"><details><summary>{} times {}: {}</summary><ul>{}</ul>"
-                           "</details></li>",
-                           name(all[0]->severity), all.size(), base::escapeXml(kind),
-                           base::escapeXml(all[0]->text), lines);
+        items +=
+            all.size() == 1
+                ? lines
+                : fmt::format(
+                      "<li class=\"remark {}\"><details><summary>{} times {}: {}</summary><ul>{}</ul>"
+                      "</details></li>",
+                      name(all[0]->severity), all.size(), escapeXml(kind), escapeXml(all[0]->text), lines);
     }
     return items.empty() ? items : "<ul class=\"messages\">" + items + "</ul>";
 }
@@ -217,18 +194,18 @@ std::string marksHtml(const Classroom& room, const Entry& entry, std::string_vie
     if (entry.marks.empty() && entry.comment.empty()) return {};
     std::string rows;
     for (const Mark& each : entry.marks) {
-        std::string reason = base::escapeXml(each.reason);
+        std::string reason = escapeXml(each.reason);
         if (each.moment && *each.moment < entry.pictures.size() &&
             !entry.pictures[*each.moment].file.empty() && !picturePrefix.empty())
-            reason += fmt::format(
-                " <a href=\"{}\">{}</a>", base::escapeXml(entry.pictures[*each.moment].file),
-                room.moments[*each.moment].label.empty() ? "picture"
-                                                         : base::escapeXml(room.moments[*each.moment].label));
+            reason += fmt::format(" <a href=\"{}\">{}</a>", escapeXml(entry.pictures[*each.moment].file),
+                                  room.moments[*each.moment].label.empty()
+                                      ? "picture"
+                                      : escapeXml(room.moments[*each.moment].label));
         rows += fmt::format(
             "<tr{}><th>{}{}</th><td class=\"points\" data-check=\"{}\" data-most=\"{:g}\">{:g}</td><td>of "
             "{:g}</td><td>{}</td></tr>",
-            each.isOwn ? " class=\"own\"" : "", base::escapeXml(each.check),
-            each.isBonus ? " <small>bonus</small>" : "", base::escapeXml(each.check), each.most, each.points,
+            each.isOwn ? " class=\"own\"" : "", escapeXml(each.check),
+            each.isBonus ? " <small>bonus</small>" : "", escapeXml(each.check), each.most, each.points,
             each.most, reason);
     }
     std::string html;
@@ -236,8 +213,8 @@ std::string marksHtml(const Classroom& room, const Entry& entry, std::string_vie
         html = fmt::format(
             "<table class=\"marks\"><tbody>{}</tbody><tfoot><tr><th>points</th><td>{:g}</td><td>of "
             "{:g}</td><td>{}</td></tr></tfoot></table>",
-            rows, pointsOf(entry).value_or(0), mostPoints(room), base::escapeXml(entry.lateReason));
-    if (!entry.comment.empty()) html += "<p class=\"comment\">" + base::escapeXml(entry.comment) + "</p>";
+            rows, pointsOf(entry).value_or(0), mostPoints(room), escapeXml(entry.lateReason));
+    if (!entry.comment.empty()) html += "<p class=\"comment\">" + escapeXml(entry.comment) + "</p>";
     return html;
 }
 
@@ -251,7 +228,7 @@ std::string reactionsHtml(const Classroom& room, const Entry& entry) {
         html += fmt::format("{}<span title=\"{}{}\">{} {}</span>", html.empty() ? "" : ", ",
                             figureText(entry.reactions[i].value_or(0)),
                             expected >= 0 ? ", the reference " + figureText(expected) : "",
-                            base::escapeXml(room.sliders[i].name), name(reaction));
+                            escapeXml(room.sliders[i].name), name(reaction));
     }
     return html;
 }
@@ -262,9 +239,9 @@ std::string programsHtml(const Entry& entry) {
         std::string uniforms;
         for (const DeclaredUniform& one : each.uniforms)
             uniforms += fmt::format("{}<code>{}</code> <small>{}</small>", uniforms.empty() ? "" : ", ",
-                                    base::escapeXml(one.name), base::escapeXml(one.type));
-        rows += fmt::format("<tr><th>{}</th><td>{}</td><td>{}</td></tr>", base::escapeXml(each.name),
-                            base::escapeXml(fmt::format("{}", fmt::join(each.stages, ", "))),
+                                    escapeXml(one.name), escapeXml(one.type));
+        rows += fmt::format("<tr><th>{}</th><td>{}</td><td>{}</td></tr>", escapeXml(each.name),
+                            escapeXml(fmt::format("{}", fmt::join(each.stages, ", "))),
                             uniforms.empty() ? "no uniforms" : uniforms);
     }
     return rows.empty()

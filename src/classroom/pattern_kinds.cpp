@@ -38,8 +38,8 @@ std::vector<std::uint8_t> kindsOf(const ToneScales& tones, std::size_t scale) {
             const std::array<float, kPlaceKinds> responses{
                 kFlat, 2 * std::hypot(dx, dy), sum, -sum, root * (spread + sum), root * (spread - sum),
                 spread};
-            kinds[index(0, 0)] = static_cast<std::uint8_t>(
-                std::max_element(responses.begin(), responses.end()) - responses.begin());
+            kinds[index(0, 0)] =
+                static_cast<std::uint8_t>(std::ranges::max_element(responses) - responses.begin());
         }
     return kinds;
 }

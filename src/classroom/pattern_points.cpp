@@ -96,7 +96,7 @@ std::vector<PatternPoint> findPatternPoints(const ToneScales& tones) {
             candidates.push_back({response[best], level, x, y});
         }
     if (candidates.empty()) return found;
-    std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+    std::ranges::stable_sort(candidates, [](const Candidate& a, const Candidate& b) {
         return std::abs(a.strength) > std::abs(b.strength);
     });
     const float least = 0.25F * std::abs(candidates[candidates.size() / 50].strength);
@@ -106,7 +106,7 @@ std::vector<PatternPoint> findPatternPoints(const ToneScales& tones) {
         point.x = static_cast<float>(each.x);
         point.y = static_cast<float>(each.y);
         point.radius = toneDeviation(each.level);
-        if (std::any_of(found.begin(), found.end(), [&](const PatternPoint& other) {
+        if (std::ranges::any_of(found, [&](const PatternPoint& other) {
                 return std::hypot(other.x - point.x, other.y - point.y) <
                        1.3F * std::max(point.radius, other.radius);
             }))
@@ -147,7 +147,7 @@ FoundAgain foundAgain(std::span<const PatternPoint> a, std::span<const PatternPo
     };
     FoundAgain found;
     found.correlation = std::sqrt(mean(bestA, a) * mean(bestB, b));
-    std::sort(sizes.begin(), sizes.end());
+    std::ranges::sort(sizes);
     float half = 0;
     for (const auto& [octaves, weight] : sizes) half += weight / 2;
     for (const auto& [octaves, weight] : sizes) {

@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <system_error>
 
 #include "base/contained.h"
+#include "base/whole_file.h"
 #include "classroom/likeness.h"
 #include "image/compare/flip.h"
 #include "image/compare/structure.h"
@@ -30,17 +30,9 @@ constexpr std::size_t kMostGivenFiles = 2'000;  // of a template
 constexpr std::size_t kMostGivenTokens = 1'000'000;
 constexpr std::uint64_t kLargestPicture = std::uint64_t{1} << 30;
 
-const char* nameOf(glsl::Stage stage) {
-    constexpr std::array kNames{
-        "vertex", "tessellation control", "tessellation evaluation", "geometry", "fragment", "compute"};
-    return kNames.at(static_cast<std::size_t>(stage));
-}
-
 std::optional<std::string> textOf(const base::Descriptor& file) {
-    std::vector<std::byte> bytes;
-    if (!file || base::readAll(file, kLargestSource, bytes) != 0) return std::nullopt;
-    std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    if (text.find('\0') != std::string::npos) return std::nullopt;
+    std::optional<std::string> text = base::textIn(file, kLargestSource);
+    if (text && text->find('\0') != std::string::npos) text.reset();
     return text;
 }
 
@@ -138,8 +130,7 @@ class Sources {
     /// Remembers what is not compared, each once.
     void leaveOut(const fs::path& path, const std::string& why) {
         std::string text = path.empty() ? why : fmt::format("'{}' {}", path.filename().string(), why);
-        if (notCompared_.size() < kMostFiles &&
-            std::find(notCompared_.begin(), notCompared_.end(), text) == notCompared_.end())
+        if (notCompared_.size() < kMostFiles && std::ranges::find(notCompared_, text) == notCompared_.end())
             notCompared_.push_back(std::move(text));
     }
 
@@ -180,12 +171,12 @@ void reviewScene(const ReviewTask& task, Review& result) {
     for (const scene::Program& program : scene.programs) {
         UsedProgram used{program.name, {}, {}};
         for (const scene::StageFile& stage : program.stages) {
-            used.stages.emplace_back(nameOf(stage.stage));
+            used.stages.emplace_back(stageName(stage.stage));
             for (DeclaredUniform& each : sources.uniformsOf(scene.files[stage.file]))
                 used.uniforms.push_back(std::move(each));
             sources.addCalls(stage.stage, scene.files[stage.file]);
         }
-        std::sort(used.uniforms.begin(), used.uniforms.end());
+        std::ranges::sort(used.uniforms);
         used.uniforms.erase(std::unique(used.uniforms.begin(), used.uniforms.end()), used.uniforms.end());
         result.programs.push_back(std::move(used));
     }
@@ -219,11 +210,9 @@ void readGivenCode(const ReviewTask& task, Review& result) {
 
 /// A picture that another worker wrote. A link, or a file that is no PNG picture, is none.
 std::optional<image::Image> pictureOf(const fs::path& site, const std::string& name) {
-    const base::Descriptor file = base::openBeneath(site, name);
-    std::vector<std::byte> bytes;
-    if (!file || base::readAll(file, kLargestPicture, bytes) != 0) return std::nullopt;
-    if (image::formatOf(bytes) != image::Format::png) return std::nullopt;
-    return image::decodeImage(bytes, site / name).value;
+    const auto bytes = base::bytesIn(base::openBeneath(site, name), kLargestPicture);
+    if (!bytes || image::formatOf(*bytes) != image::Format::png) return std::nullopt;
+    return image::decodeImage(*bytes, site / name).value;
 }
 
 void scorePicture(const ReviewTask& task, const std::pair<std::string, std::string>& pictures,

@@ -3,13 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cstdint>
 #include <initializer_list>
 
+#include "base/whole_file.h"
 #include "classroom/hand_in_time.h"
 #include "glib/text.h"
 #include "image/file.h"
+#include "suite/number_of.h"
 
 namespace glibra::classroom {
 namespace {
@@ -33,12 +34,10 @@ std::string numberOf(const std::string& text) {
 std::string sortedLetters(std::string_view name) {
     std::string letters;
     for (const char each : name) {
-        if (each >= 'A' && each <= 'Z')
-            letters += static_cast<char>(each - 'A' + 'a');
-        else if ((each >= 'a' && each <= 'z') || (each >= '0' && each <= '9') || each < 0)
-            letters += each;
+        const bool isBeyondAscii = static_cast<unsigned char>(each) >= 0x80;
+        if (glib::isLetter(each) || glib::isDigit(each) || isBeyondAscii) letters += glib::lower(each);
     }
-    std::sort(letters.begin(), letters.end());
+    std::ranges::sort(letters);
     return letters;
 }
 
@@ -55,10 +54,6 @@ void correct(Member& member, const Student& student) {
     if (!student.email.empty()) member.email = student.email;
 }
 
-Diagnostic wrong(const fs::path& file, const std::string& text) {
-    return withoutId(Severity::error, text, {file.string(), 1, 1});
-}
-
 }  // namespace
 
 std::vector<std::vector<std::string>> csvRecords(std::string_view text) {
@@ -66,8 +61,7 @@ std::vector<std::vector<std::string>> csvRecords(std::string_view text) {
     const std::string_view head = text.substr(0, text.find('\n'));
     char separator = ',';
     for (const char each : {';', '\t'})
-        if (std::count(head.begin(), head.end(), each) > std::count(head.begin(), head.end(), separator))
-            separator = each;
+        if (std::ranges::count(head, each) > std::ranges::count(head, separator)) separator = each;
     std::vector<std::vector<std::string>> records;
     std::vector<std::string> record;
     std::string field;
@@ -118,8 +112,7 @@ Result<Roster> readRoster(const fs::path& file) {
     constexpr std::uint64_t kLargest = 16U << 20U;
     const auto bytes = image::readFile(file, {file.string(), {}}, kLargest);
     if (!bytes) return bytes.diagnostics;
-    const std::string text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
-    Roster roster{csvRecords(text), {}};
+    Roster roster{csvRecords(base::asText(*bytes)), {}};
     const auto name = firstColumn(roster, {"full name", "name", "student", "student name"});
     const auto first = firstColumn(roster, {"first name", "given name"});
     const auto last = firstColumn(roster, {"last name", "surname", "family name"});
@@ -132,9 +125,11 @@ Result<Roster> readRoster(const fs::path& file) {
     const auto status = columnOf(roster, "status");
     const auto time = firstColumn(roster, {"submitted", "submission time", "last modified (submission)"});
     if (!name && !first && !last && !number)
-        return wrong(file, fmt::format("the roster '{}' has no column 'name' or 'number'; its first line has "
-                                       "the names of the columns",
-                                       file.string()));
+        return withoutId(Severity::error,
+                         fmt::format("the roster '{}' has no column 'name' or 'number'; its first line has "
+                                     "the names of the columns",
+                                     file.string()),
+                         {file.string(), 1, 1});
     Diagnostics problems;
     for (std::size_t i = 1; i < roster.records.size(); ++i) {
         const auto field = [&](const std::optional<std::size_t>& column) {
@@ -146,12 +141,8 @@ Result<Roster> readRoster(const fs::path& file) {
         if (student.name.empty() && student.number.empty()) continue;
         // The second line of Canvas's table has the most points.
         if (student.number.empty() && glib::sameWord(student.name, "points possible")) continue;
-        if (const std::string words = field(days); !words.empty()) {
-            double value = 0;
-            const auto [end, problem] = std::from_chars(words.data(), words.data() + words.size(), value);
-            if (problem == std::errc() && end == words.data() + words.size() && value >= 0 && value < 1e4)
-                student.daysLate = value;
-        }
+        if (const auto value = suite::numberOf<double>(field(days)); value && *value >= 0 && *value < 1e4)
+            student.daysLate = value;
         if (!student.daysLate) student.daysLate = latenessOf(field(lateness));
         student.status = field(status);
         // Moodle writes "-" for nobody's time.
@@ -201,15 +192,15 @@ std::vector<std::optional<std::size_t>> applyRoster(const Roster& roster, Submis
         for (Member& member : members)
             if (const auto found = studentOf(roster, member)) correct(member, roster.students[*found]);
         const std::string name = joined(members, &Member::name);
-        if (std::none_of(submissions.all.begin(), submissions.all.end(),
-                         [&](const Submission& other) { return &other != &each && other.name == name; }))
+        if (std::ranges::none_of(submissions.all, [&](const Submission& other) {
+                return &other != &each && other.name == name;
+            }))
             each.name = name;
         each.number = members.front().number;
         each.email = members.front().email;
         if (members.size() > 1) each.members = std::move(members);
     }
-    std::sort(submissions.all.begin(), submissions.all.end(),
-              [](const Submission& a, const Submission& b) { return a.name < b.name; });
+    std::ranges::sort(submissions.all, {}, &Submission::name);
     std::vector<std::optional<std::size_t>> handed(roster.students.size());
     for (std::size_t i = 0; i < submissions.all.size(); ++i)
         for (const Member& member : membersOf(submissions.all[i]))
@@ -220,21 +211,21 @@ std::vector<std::optional<std::size_t>> applyRoster(const Roster& roster, Submis
 std::optional<std::size_t> submissionOf(const Submissions& submissions, const Roster* roster,
                                         const std::string& student) {
     const auto first = [&](const auto& fits) -> std::optional<std::size_t> {
-        const auto found = std::find_if(submissions.all.begin(), submissions.all.end(), fits);
+        const auto found = std::ranges::find_if(submissions.all, fits);
         if (found == submissions.all.end()) return std::nullopt;
         return static_cast<std::size_t>(found - submissions.all.begin());
     };
     const auto own = first([&](const Submission& each) {
         const std::vector<std::string> names = identitiesOf(each);
-        return std::find(names.begin(), names.end(), student) != names.end();
+        return std::ranges::find(names, student) != names.end();
     });
     if (own || !roster) return own;
     const auto listed = studentOf(*roster, {student, student, student});
     if (!listed) return std::nullopt;
     return first([&](const Submission& each) {
         const std::vector<Member> members = membersOf(each);
-        return std::any_of(members.begin(), members.end(),
-                           [&](const Member& member) { return studentOf(*roster, member) == listed; });
+        return std::ranges::any_of(
+            members, [&](const Member& member) { return studentOf(*roster, member) == listed; });
     });
 }
 

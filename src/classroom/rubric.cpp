@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "base/contained.h"
+#include "base/whole_file.h"
 #include "classroom/hand_in_time.h"
 #include "suite/file/glob.h"
 
@@ -29,14 +29,12 @@ struct Judgement {
 };
 
 Judgement judgeSlider(const Check& check, const Entry& entry) {
-    const auto range = std::find_if(entry.ranges.begin(), entry.ranges.end(),
-                                    [&](const RangedUniform& each) { return each.name == check.of; });
+    const auto range = std::ranges::find(entry.ranges, check.of, &RangedUniform::name);
     if (range == entry.ranges.end()) {
-        const bool isDeclared =
-            std::any_of(entry.programs.begin(), entry.programs.end(), [&](const UsedProgram& program) {
-                return std::any_of(program.uniforms.begin(), program.uniforms.end(),
-                                   [&](const DeclaredUniform& each) { return each.name == check.of; });
-            });
+        const bool isDeclared = std::ranges::any_of(entry.programs, [&](const UsedProgram& program) {
+            return std::ranges::find(program.uniforms, check.of, &DeclaredUniform::name) !=
+                   program.uniforms.end();
+        });
         return isDeclared ? Judgement{0.5, fmt::format("'{}' is a uniform without a range", check.of)}
                           : Judgement{0, fmt::format("there is no slider '{}'", check.of)};
     }
@@ -59,8 +57,7 @@ Judgement judgeStage(const Check& check, const Entry& entry) {
 }
 
 Judgement judgeReaction(const Check& check, const Classroom& room, const Entry& entry) {
-    const auto slider = std::find_if(room.sliders.begin(), room.sliders.end(),
-                                     [&](const Slider& each) { return each.name == check.of; });
+    const auto slider = std::ranges::find(room.sliders, check.of, &Slider::name);
     if (slider == room.sliders.end()) return {0, "it was not varied"};
     const auto index = static_cast<std::size_t>(slider - room.sliders.begin());
     const std::size_t moment = slider->pairs.front().second;
@@ -89,7 +86,7 @@ Judgement judgeLikeness(const Check& check, const Classroom& room, const Entry& 
     std::size_t count = 0;
     Judgement verdict;
     for (std::size_t i = 0; i < room.moments.size() && i < entry.pictures.size(); ++i) {
-        if (!check.at.empty() && std::none_of(check.at.begin(), check.at.end(), [&](const std::string& at) {
+        if (!check.at.empty() && std::ranges::none_of(check.at, [&](const std::string& at) {
                 return suite::fits(at, room.moments[i].label);
             }))
             continue;
@@ -120,8 +117,7 @@ Judgement judgeMessages(const Check& check, const Entry& entry) {
     std::size_t count = 0;
     std::string first;
     for (const Diagnostic& each : entry.diagnostics)
-        if (std::any_of(check.ids.begin(), check.ids.end(),
-                        [&](const std::string& id) { return suite::fits(id, each.id); })) {
+        if (std::ranges::any_of(check.ids, [&](const std::string& id) { return suite::fits(id, each.id); })) {
             ++count;
             if (first.empty()) first = each.id;
         }
@@ -133,7 +129,7 @@ Judgement judgeMessages(const Check& check, const Entry& entry) {
 
 Judgement judgeCalls(const Check& check, const Entry& entry) {
     if (entry.submission.scene.empty() || entry.programs.empty()) return {0, "it has no program"};
-    const bool uses = std::find(entry.calls.begin(), entry.calls.end(), check.of) != entry.calls.end();
+    const bool uses = std::ranges::find(entry.calls, check.of) != entry.calls.end();
     const bool isRight = uses == (check.kind == Check::Kind::uses);
     return {isRight ? 1.0 : 0.0, uses ? fmt::format("its shaders call {}", check.of)
                                       : fmt::format("no shader calls {}", check.of)};
@@ -226,12 +222,9 @@ std::string toText(const TeacherMarks& marks) {
 Result<TeacherMarks> readTeacherMarks(const fs::path& site) {
     std::error_code failure;
     if (!fs::exists(fs::symlink_status(site / kMarksFile, failure))) return TeacherMarks{};
-    std::vector<std::byte> bytes;
-    const base::Descriptor file = base::openBeneath(site, kMarksFile);
-    if (!file || base::readAll(file, kLargestMarks, bytes) != 0)
-        return diagnose("suite-E27", fmt::format("cannot read '{}'", (site / kMarksFile).string()));
-    Result<TeacherMarks> marks =
-        parseTeacherMarks({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    const auto text = base::textIn(base::openBeneath(site, kMarksFile), kLargestMarks);
+    if (!text) return diagnose("suite-E27", fmt::format("cannot read '{}'", (site / kMarksFile).string()));
+    Result<TeacherMarks> marks = parseTeacherMarks(*text);
     for (Diagnostic& each : marks.diagnostics) each.place = {(site / kMarksFile).string(), 1, 1};
     return marks;
 }
@@ -250,8 +243,7 @@ void applyTeacherMarks(const TeacherMarks& marks, Entry& entry) {
     limitPoints(entry, counted);
     for (const auto& [check, points] : counted.points) {
         if (!std::isfinite(points)) continue;
-        const auto mark = std::find_if(entry.marks.begin(), entry.marks.end(),
-                                       [&, &named = check](const Mark& each) { return each.check == named; });
+        const auto mark = std::ranges::find(entry.marks, check, &Mark::check);
         if (mark == entry.marks.end()) continue;
         mark->points = points;
         mark->isOwn = true;

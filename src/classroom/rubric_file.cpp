@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 
+#include "base/whole_file.h"
 #include "classroom/hand_in_time.h"
 #include "classroom/rubric.h"
 #include "image/file.h"
@@ -33,38 +34,28 @@ constexpr std::array<std::string_view, 5> kStages{"vertex", "tessellation", "geo
                                                   "compute"};
 
 std::string defaultName(const Check& check) {
-    switch (check.kind) {
-        case Check::Kind::drawn:
-            return "is drawn";
-        case Check::Kind::slider:
-            return "has the slider " + check.of;
-        case Check::Kind::stage:
-            return "has a " + check.of + " shader";
-        case Check::Kind::reacts:
-            return "changes with " + check.of;
-        case Check::Kind::ignores:
-            return "does not change with " + check.of;
-        case Check::Kind::like:
-            return "is like the reference";
-        case Check::Kind::without:
-            return fmt::format("has no {}", fmt::join(check.ids, ", "));
-        case Check::Kind::uses:
-            return "uses " + check.of;
-        case Check::Kind::avoids:
-            return "does not use " + check.of;
-        case Check::Kind::byHand:
-            return "by hand";
-    }
-    return {};
+    // In the order of Check::Kind; {} is what the check asks for.
+    constexpr std::array<std::string_view, kKinds.size()> kNames{"is drawn",
+                                                                 "has the slider {}",
+                                                                 "has a {} shader",
+                                                                 "changes with {}",
+                                                                 "does not change with {}",
+                                                                 "is like the reference",
+                                                                 "has no {}",
+                                                                 "uses {}",
+                                                                 "does not use {}",
+                                                                 "by hand"};
+    return fmt::format(
+        fmt::runtime(kNames.at(static_cast<std::size_t>(check.kind))),
+        check.kind == Check::Kind::without ? fmt::format("{}", fmt::join(check.ids, ", ")) : check.of);
 }
 
 class RubricReader {
   public:
-    RubricReader(const std::string& file, std::string_view text) : reader_(file, text) {}
+    RubricReader(const std::string& file, std::string_view text) : file_(file), reader_(file, text) {}
 
     Result<Rubric> read() {
-        const TomlValue* root = reader_.root();
-        const TomlTable* table = root ? reader_.table(*root, "the rubric") : nullptr;
+        const TomlTable* table = reader_.root();
         if (!table) return reader_.take();
         for (const TomlEntry& each : *table) {
             constexpr std::array<std::string_view, 2> kKeys{"check", "late"};
@@ -76,7 +67,7 @@ class RubricReader {
                 reader_.unknownKey(each, "at the top of the file", kKeys);
         }
         if (rubric_.checks.empty() && !reader_.hasErrors())
-            reader_.report("suite-E24", "the rubric has no [[check]]", reader_.placeOf(*root));
+            reader_.report("suite-E24", "the rubric has no [[check]]", Place{file_, 1, 1});
         if (reader_.hasErrors()) return reader_.take();
         return {std::move(rubric_), reader_.take()};
     }
@@ -94,7 +85,7 @@ class RubricReader {
         Check check;
         std::vector<std::string_view> kinds;
         for (const TomlEntry& each : table) {
-            const auto kind = std::find(kKinds.begin(), kKinds.end(), each.key);
+            const auto kind = std::ranges::find(kKinds, each.key);
             if (kind != kKinds.end()) {
                 kinds.push_back(each.key);
                 check.kind = static_cast<Check::Kind>(kind - kKinds.begin());
@@ -116,8 +107,7 @@ class RubricReader {
         if (reader_.errorCount() > earlierErrors) return;
         if (check.kind == Check::Kind::like) completeLikeness(table, check);
         if (check.name.empty()) check.name = defaultName(check);
-        if (std::any_of(rubric_.checks.begin(), rubric_.checks.end(),
-                        [&](const Check& other) { return other.name == check.name; }))
+        if (std::ranges::find(rubric_.checks, check.name, &Check::name) != rubric_.checks.end())
             return reader_.report("suite-E25", fmt::format("there are two checks '{}'", check.name), place);
         rubric_.checks.push_back(std::move(check));
     }
@@ -129,7 +119,7 @@ class RubricReader {
                     "suite-E24",
                     fmt::format("'{}' belongs to a check that asks for '{}'; this one asks for '{}'", key,
                                 owner, kind),
-                    reader_.placeOf(entry->position));
+                    entry->position);
     }
 
     /// Sets what the table leaves out, and reports a `none` on the wrong side of `like`.
@@ -148,14 +138,13 @@ class RubricReader {
                        : fmt::format("none: {:g} is more than {:g}, the likeness of 'like'; points "
                                      "begin at a smaller one",
                                      check.none, check.full),
-                reader_.placeOf(none->value));
+                none->value);
         }
     }
 
     /// Null if the table does not have the key.
     static const TomlEntry* entryOf(const TomlTable& table, std::string_view key) {
-        const auto found =
-            std::find_if(table.begin(), table.end(), [&](const TomlEntry& each) { return each.key == key; });
+        const auto found = std::ranges::find(table, key, &TomlEntry::key);
         return found == table.end() ? nullptr : &*found;
     }
 
@@ -174,7 +163,7 @@ class RubricReader {
                 break;
             case Check::Kind::stage:
                 if (auto text = reader_.text(entry.value, entry.key)) check.of = std::move(*text);
-                if (std::find(kStages.begin(), kStages.end(), check.of) == kStages.end() && !check.of.empty())
+                if (std::ranges::find(kStages, check.of) == kStages.end() && !check.of.empty())
                     reader_.wrongType(entry.value, entry.key,
                                       "vertex, tessellation, geometry, fragment or compute");
                 break;
@@ -211,7 +200,7 @@ class RubricReader {
                     "suite-E04",
                     fmt::format("range: {:g} is not less than {:g}; the smaller number comes first", *low,
                                 *high),
-                    reader_.placeOf(entry.value));
+                    entry.value);
             check.range = std::pair(*low, *high);
         } else {
             reader_.unknownKey(entry, "in [[check]]", kCheckKeys);
@@ -238,6 +227,7 @@ class RubricReader {
         rubric_.late = rule;
     }
 
+    const std::string& file_;
     TomlReader reader_;
     Rubric rubric_;
 };
@@ -252,7 +242,7 @@ Result<Rubric> readRubric(const std::filesystem::path& file) {
     constexpr std::uint64_t kLargest = 1U << 20U;
     const auto bytes = image::readFile(file, {file.string(), {}}, kLargest);
     if (!bytes) return bytes.diagnostics;
-    return readRubricText({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, file.string());
+    return readRubricText(base::asText(*bytes), file.string());
 }
 
 Diagnostics problemsOf(const Rubric& rubric, const std::vector<Moment>& moments,
@@ -263,15 +253,14 @@ Diagnostics problemsOf(const Rubric& rubric, const std::vector<Moment>& moments,
     };
     for (const Check& check : rubric.checks) {
         const bool varies = check.kind == Check::Kind::reacts || check.kind == Check::Kind::ignores;
-        if (varies && std::none_of(sliders.begin(), sliders.end(),
-                                   [&](const Slider& each) { return each.name == check.of; }))
+        if (varies && std::ranges::find(sliders, check.of, &Slider::name) == sliders.end())
             report(check, fmt::format("no two pictures differ in '{0}' alone; --sweep '{0} = [...]' or a "
                                       "suite with such a sweep draws them",
                                       check.of));
         if (check.kind == Check::Kind::like && !hasReference) report(check, "there is no --reference");
         for (const std::string& at : check.at)
-            if (std::none_of(moments.begin(), moments.end(),
-                             [&](const Moment& each) { return suite::fits(at, each.label); }))
+            if (std::ranges::none_of(moments,
+                                     [&](const Moment& each) { return suite::fits(at, each.label); }))
                 report(check, fmt::format("no picture is labelled '{}'", at));
     }
     return problems;

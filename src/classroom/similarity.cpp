@@ -5,7 +5,6 @@
 #include <string>
 #include <tuple>
 #include <unordered_map>
-#include <utility>
 
 namespace glibra::classroom {
 namespace {
@@ -51,8 +50,7 @@ std::vector<Owned> ownedHashes(const std::vector<Fingerprint>& fingerprints, std
     for (const Fingerprint& each : fingerprints)
         all.push_back(
             {each.hash, static_cast<std::uint32_t>(submission), numbers.of(submission, each.place.file)});
-    std::sort(all.begin(), all.end(),
-              [](const Owned& one, const Owned& other) { return one.hash < other.hash; });
+    std::ranges::sort(all, {}, &Owned::hash);
     std::vector<Owned> distinct;
     for (const Owned& each : all) {
         if (distinct.empty() || distinct.back().hash != each.hash)
@@ -131,7 +129,7 @@ std::vector<SimilarPair> similarPairs(std::span<const std::vector<Fingerprint>> 
         counts.push_back(own.size());
         all.insert(all.end(), own.begin(), own.end());
     }
-    std::sort(all.begin(), all.end(), [](const Owned& one, const Owned& other) {
+    std::ranges::sort(all, [](const Owned& one, const Owned& other) {
         return std::tuple(one.hash, one.submission) < std::tuple(other.hash, other.submission);
     });
     // The number of shared fingerprints of each pair (a, b), a < b, at row b of a triangle.
@@ -156,7 +154,7 @@ std::vector<SimilarPair> similarPairs(std::span<const std::vector<Fingerprint>> 
                                    static_cast<double>(both) / static_cast<double>(counts[b])};
             if (pair.figure() >= kLeastFigure) pairs.push_back(pair);
         }
-    std::sort(pairs.begin(), pairs.end(), [](const SimilarPair& one, const SimilarPair& other) {
+    std::ranges::sort(pairs, [](const SimilarPair& one, const SimilarPair& other) {
         return std::tuple(-one.figure(), -std::min(one.ofA, one.ofB), other.shared, one.a, one.b) <
                std::tuple(-other.figure(), -std::min(other.ofA, other.ofB), one.shared, other.a, other.b);
     });
@@ -212,9 +210,9 @@ std::vector<SharedPassage> sharedPassages(std::span<const SourceFile> filesA, st
         coveredB.cover(longest.b, longest.tokens);
         passages.push_back(longest);
     }
-    std::stable_sort(
-        passages.begin(), passages.end(),
-        [](const SharedPassage& one, const SharedPassage& other) { return one.tokens > other.tokens; });
+    std::ranges::stable_sort(passages, [](const SharedPassage& one, const SharedPassage& other) {
+        return one.tokens > other.tokens;
+    });
     if (passages.size() > most) passages.resize(most);
     return passages;
 }

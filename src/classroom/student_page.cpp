@@ -62,7 +62,7 @@ std::string studentPage(const Classroom& room, std::size_t index, const std::fil
 Classroom anonymous(const Classroom& room, std::vector<std::string>& keys) {
     std::vector<std::size_t> order(room.entries.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    std::ranges::sort(order, [&](std::size_t a, std::size_t b) {
         const auto key = [&](std::size_t i) {
             const std::string& name = room.entries[i].submission.name;
             return std::pair(shuffled(name), name);

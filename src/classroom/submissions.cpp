@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <set>
-#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -16,10 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool isHidden(const fs::path& path) {
-    return path.filename().string().starts_with('.');
-}
-
 bool isScene(const fs::path& path) {
     return glib::sameWord(path.extension().string(), ".glib");
 }
@@ -27,11 +22,6 @@ bool isScene(const fs::path& path) {
 /// "x.glib.txt": editors and mail programs add such endings.
 bool isMisnamed(const fs::path& path) {
     return glib::sameWord(path.stem().extension().string(), ".glib");
-}
-
-fs::file_type typeOf(const fs::directory_entry& entry) {
-    std::error_code failure;
-    return entry.symlink_status(failure).type();
 }
 
 Diagnostic problem(const std::string& text) {
@@ -54,7 +44,8 @@ class Collector {
     void add(const fs::directory_entry& entry) {
         const fs::path& path = entry.path();
         const std::string name = path.filename().string();
-        switch (typeOf(entry)) {
+        std::error_code ignored;
+        switch (entry.symlink_status(ignored).type()) {
             case fs::file_type::directory:
                 if (name != "shaders" && name != "textures") addFolder(path);
                 break;
@@ -77,9 +68,8 @@ class Collector {
 
     Submissions take() {
         nameApart();
-        std::sort(found_.all.begin(), found_.all.end(),
-                  [](const Submission& a, const Submission& b) { return a.name < b.name; });
-        std::sort(found_.leftOut.begin(), found_.leftOut.end());
+        std::ranges::sort(found_.all, {}, &Submission::name);
+        std::ranges::sort(found_.leftOut);
         return std::move(found_);
     }
 
@@ -108,23 +98,17 @@ class Collector {
         std::optional<Person> person = names_.split(key);
         if (!person && (isScene(path) || isArchive(path))) person = names_.split(path.stem().string());
         if (person) return addPart(path, *person);
+        if (!isScene(path) && !isArchive(path) && !isMisnamed(path)) return found_.leftOut.push_back(key);
+        Submission& made = found_.all.emplace_back(of({path.stem().string(), {}}, path.stem().string()));
+        made.folder = folder_;
         if (isScene(path)) {
-            Submission made = of({path.stem().string(), {}}, path.stem().string());
-            made.folder = folder_;
             made.scene = path;
-            found_.all.push_back(std::move(made));
         } else if (isArchive(path)) {
-            Submission made = of({path.stem().string(), {}}, path.stem().string());
-            made.folder = folder_;
             made.parts.push_back({path, {}});
-            found_.all.push_back(std::move(made));
-        } else if (isMisnamed(path)) {
-            Submission made = of({path.stem().stem().string(), {}}, key);
-            made.folder = folder_;
-            made.problem = fmt::format("'{}' is no scene: expected a name that ends with '.glib'", key);
-            found_.all.push_back(std::move(made));
         } else {
-            found_.leftOut.push_back(key);
+            made.name = path.stem().stem().string();
+            made.key = key;
+            made.problem = fmt::format("'{}' is no scene: expected a name that ends with '.glib'", key);
         }
     }
 
@@ -196,14 +180,15 @@ Result<Submissions> findSubmissions(const fs::path& folder, const SubmissionOpti
             std::error_code ignored;
             return !other.empty() && fs::equivalent(path, other, ignored);
         };
-        return same(options.reference) || std::any_of(options.others.begin(), options.others.end(), same);
+        return same(options.reference) || std::ranges::any_of(options.others, same);
     };
     for (; !failure && each != fs::directory_iterator(); each.increment(failure))
-        if (!isHidden(each->path()) && !isOther(each->path())) entries.push_back(*each);
+        if (!each->path().filename().string().starts_with('.') && !isOther(each->path()))
+            entries.push_back(*each);
     if (failure)
         return problem(fmt::format("cannot read all of the folder of submissions '{}': {}", folder.string(),
                                    failure.message()));
-    std::sort(entries.begin(), entries.end());
+    std::ranges::sort(entries);
     Collector collector(folder, options);
     for (const fs::directory_entry& one : entries) {
         collector.add(one);

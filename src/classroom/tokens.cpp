@@ -1,6 +1,7 @@
 #include "classroom/tokens.h"
 
 #include <algorithm>
+#include <array>
 #include <deque>
 #include <set>
 #include <span>
@@ -147,7 +148,7 @@ std::vector<DeclaredUniform> declaredUniforms(std::string_view glsl) {
     std::vector<DeclaredUniform> found;
     const auto add = [&](std::string_view name, std::string_view type) {
         DeclaredUniform one{std::string(name), std::string(type)};
-        if (std::find(found.begin(), found.end(), one) == found.end()) found.push_back(std::move(one));
+        if (std::ranges::find(found, one) == found.end()) found.push_back(std::move(one));
     };
     for (std::size_t i = 0; i < code.size(); ++i) {
         if (code[i]->text != "uniform") continue;
@@ -192,6 +193,12 @@ std::vector<std::string> calledFunctions(const glsl::StageSource& stage, glsl::I
         if (text.view[i].kind == TokenKind::word && text.view[i + 1].text == "(")
             names.insert(text.view[i].text);
     return {names.begin(), names.end()};
+}
+
+const char* stageName(glsl::Stage stage) {
+    constexpr std::array kNames{
+        "vertex", "tessellation control", "tessellation evaluation", "geometry", "fragment", "compute"};
+    return kNames.at(static_cast<std::size_t>(stage));
 }
 
 std::vector<std::string> includedNames(std::string_view glsl) {

@@ -49,6 +49,9 @@ std::vector<DeclaredUniform> declaredUniforms(std::string_view glsl);
 /// included files, with macros expanded, and without what conditions of the preprocessor leave out.
 std::vector<std::string> calledFunctions(const glsl::StageSource& stage, glsl::IncludeReader include = {});
 
+/// "vertex", "tessellation control", ...
+const char* stageName(glsl::Stage stage);
+
 /// The names of its #include lines.
 std::vector<std::string> includedNames(std::string_view glsl);
 

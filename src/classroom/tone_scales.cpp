@@ -46,7 +46,7 @@ class Means {
     /// The share of each mean that comes from the objects, 1 far from their outlines.
     [[nodiscard]] Plane known() const {
         Plane shares = weights_;
-        const float full = *std::max_element(shares.begin(), shares.end());
+        const float full = *std::ranges::max_element(shares);
         for (float& each : shares) each = full > 0 ? each / full : 0;
         return shares;
     }

@@ -7,11 +7,14 @@
 #include <vector>
 
 #include "base/contained.h"
+#include "base/folder_entries.h"
 #include "base/memory_limit.h"
+#include "base/whole_file.h"
 #include "base/workers.h"
 #include "classroom/archive.h"
 #include "classroom/submissions.h"
-#include "suite/run/run.h"
+#include "image/file.h"
+#include "suite/run/worker_count.h"
 
 namespace glibra::classroom {
 namespace {
@@ -54,13 +57,11 @@ Diagnostics makeFolder(const fs::path& site, const char* name) {
 
 /// Copies an ordinary file by reading and writing alone, which is all that a sandbox allows.
 std::string copy(const fs::path& from, const fs::path& to, UnpackLimits& limits) {
-    std::vector<std::byte> bytes;
-    const base::Descriptor file = base::openBeneath(from.parent_path(), from.filename());
-    if (!file || base::readAll(file, limits.bytes, bytes) != 0)
-        return fmt::format("cannot read '{}', or it is too large", from.filename().string());
-    limits.bytes -= bytes.size();
+    const auto bytes = base::bytesIn(base::openBeneath(from.parent_path(), from.filename()), limits.bytes);
+    if (!bytes) return fmt::format("cannot read '{}', or it is too large", from.filename().string());
+    limits.bytes -= bytes->size();
     std::ofstream out(to, std::ios::binary | std::ios::trunc);
-    out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    out << base::asText(*bytes);
     out.close();
     return out ? std::string() : fmt::format("cannot write '{}'", to.string());
 }
@@ -85,11 +86,12 @@ std::string unpack(const Submission& submission, const UnpackLimits& allowed) {
 fs::path descended(const fs::path& folder) {
     std::vector<fs::path> inside;
     std::error_code failure;
-    for (const fs::directory_entry& each : fs::directory_iterator(folder, failure))
+    for (const fs::directory_entry& each : base::entriesOf(folder, failure))
         if (each.path().filename() != kMark) inside.push_back(each.path());
-    if (inside.size() != 1 || fs::symlink_status(inside[0], failure).type() != fs::file_type::directory)
+    if (failure || inside.size() != 1 ||
+        fs::symlink_status(inside[0], failure).type() != fs::file_type::directory)
         return folder;
-    for (const fs::directory_entry& each : fs::directory_iterator(inside[0], failure))
+    for (const fs::directory_entry& each : base::entriesOf(inside[0]))
         if (each.path().extension() == ".glib") return folder;
     return inside[0];
 }
@@ -127,14 +129,12 @@ Diagnostics unpackSubmissions(Submissions& submissions, const SubmissionOptions&
     std::vector<std::string> names;
     for (std::size_t i = 0; i < packed.size(); ++i) {
         std::string name = folderName(packed[i]->name, i);
-        if (name == kMark || std::find(names.begin(), names.end(), name) != names.end())
+        if (name == kMark || std::ranges::find(names, name) != names.end())
             name = fmt::format("{:04}", i + 1);
         names.push_back(name);
         packed[i]->folder = options.site / kUnpacked / name;
         fs::create_directory(packed[i]->folder, failure);
-        if (failure)
-            return {diagnose("file-E10", fmt::format("cannot write '{}': {}", packed[i]->folder.string(),
-                                                     failure.message()))};
+        if (failure) return {image::cannotWrite(packed[i]->folder, failure.message())};
     }
     UnpackLimits allowed;
     allowed.bytes = std::min(allowed.bytes, kMostBytes / packed.size());

@@ -26,10 +26,11 @@
 #include "gpu/context/hardware.h"
 #include "image/file.h"
 #include "render/check/answers.h"
-#include "render/check/misspellings.h"
-#include "render/scene_renderer.h"
+#include "render/check/run_checks.h"
+#include "render/check/scene_check.h"
+#include "render/consequences.h"
 #include "suite/report/verdict_commands.h"
-#include "suite/run/run.h"
+#include "suite/run/worker_count.h"
 
 namespace glibra::cli {
 namespace {
@@ -155,9 +156,7 @@ class CheckReport {
 
 int runCheckCommand(CheckArguments& arguments) {
     SceneArguments named;
-    const Diagnostics problems = resolveScenes(arguments.scenes, named);
-    print(problems);
-    if (hasError(problems)) return kSceneIsWrong;
+    if (printErrors(resolveScenes(arguments.scenes, named))) return kSceneIsWrong;
     arguments.scenes = std::move(named.scenes);
     arguments.standardInput = std::move(named.standardInput);
     if (!acceptsSet(arguments.picture.options.set)) return kWrongUsage;
@@ -169,23 +168,24 @@ int runCheckCommand(CheckArguments& arguments) {
         if (!prepareUntrusted()) return kNoDriver;
         sandbox = sandboxOf(arguments.scenes, arguments.picture.options, arguments.driver);
     }
+    const std::uint64_t memory =
+        arguments.picture.memory.value_or(base::memoryShare(jobs, arguments.scenes.size()));
     SceneChecker checker(arguments, jobs);
     const Interruption interruption;
     ReadFiles read;
     if (std::error_code failure; std::filesystem::is_directory(arguments.translated, failure))
-        read = filesReadBy(
-            arguments.scenes, arguments.standardInput, arguments.picture.options,
-            {.workers = suite::readingJobs(arguments.jobs),
-             .timeout = arguments.picture.timeout,
-             .memory = arguments.picture.memory.value_or(base::memoryShare(jobs, arguments.scenes.size())),
-             .stop = [&] { return interruption.signal() != 0; },
-             .sandbox = sandbox ? &*sandbox : nullptr});
+        read = filesReadBy(arguments.scenes, arguments.standardInput, arguments.picture.options,
+                           {.workers = suite::readingJobs(arguments.jobs),
+                            .timeout = arguments.picture.timeout,
+                            .memory = memory,
+                            .stop = [&] { return interruption.signal() != 0; },
+                            .sandbox = sandbox ? &*sandbox : nullptr});
     CheckReport report(arguments, std::move(read));
     base::runInWorkers(
         arguments.scenes.size(),
         {.workers = jobs,
          .timeout = arguments.picture.timeout,
-         .memory = arguments.picture.memory.value_or(base::memoryShare(jobs, arguments.scenes.size())),
+         .memory = memory,
          .stop = [&] { return interruption.signal() != 0 || report.status() == kNoDriver; },
          .sharesDevice = gpu::mayUseHardware(arguments.driver),
          .sandbox = sandbox ? &*sandbox : nullptr},

@@ -106,9 +106,7 @@ int writeFiles(const ClassArguments& arguments, const ClassInput& input, classro
     files.studentPages = arguments.studentPages;
     files.isAnonymous = arguments.isAnonymous;
     files.import = importOptions(arguments, input);
-    const Diagnostics problems = classroom::writeSite(room, input.plan.site, files);
-    print(problems);
-    return hasError(problems) ? kSceneIsWrong : kDone;
+    return printErrors(classroom::writeSite(room, input.plan.site, files)) ? kSceneIsWrong : kDone;
 }
 
 void report(const classroom::Classroom& room, const fs::path& site) {
@@ -135,13 +133,6 @@ int runClassCommand(const ClassArguments& arguments, const std::string& command)
     Confinement confined;
     if (arguments.made.untrusted)
         confined = confinement(drawingSandbox(plan, arguments.made.driver), plan.site);
-    classroom::ClassOptions options;
-    options.driver = arguments.made.driver;
-    options.jobs = arguments.made.jobs;
-    options.timeout = arguments.made.timeout;
-    options.memory = arguments.made.picture.memory;
-    options.drawing = confined.forDrawing();
-    options.reading = confined.forReading();
 
     const auto start = std::chrono::steady_clock::now();
     SuiteProgress progress(classroom::pictureCount(plan), ::isatty(STDERR_FILENO) == 1);
@@ -149,7 +140,7 @@ int runClassCommand(const ClassArguments& arguments, const std::string& command)
     events.begins = [&](const std::string& submission) { progress.begins(submission); };
     events.done = [&](bool failed) { progress.add(failed); };
     events.stop = [&] { return interruption.signal() != 0; };
-    classroom::ClassEnd end = classroom::runClass(plan, options, events);
+    classroom::ClassEnd end = classroom::runClass(plan, siteWorkers(arguments.made, confined), events);
     progress.clear();
     print(end.diagnostics);
     if (end.noDriver) return kNoDriver;

@@ -51,10 +51,9 @@ int readNames(const ClassArguments& arguments, ClassInput& input) {
     input.find.scenes = arguments.scenes;
     for (const std::string& each : arguments.scenesOf) {
         const std::size_t equals = each.rfind('=');
-        if (equals == std::string::npos || equals == 0 || equals + 1 == each.size()) {
-            printError(fmt::format("--scene-of '{}': expected STUDENT=PATTERN, as 'ana=final.glib'", each));
-            return kWrongUsage;
-        }
+        if (equals == std::string::npos || equals == 0 || equals + 1 == each.size())
+            return refuse(
+                fmt::format("--scene-of '{}': expected STUDENT=PATTERN, as 'ana=final.glib'", each));
         input.find.sceneOf[each.substr(0, equals)] = each.substr(equals + 1);
     }
     if (!arguments.names.empty()) {
@@ -85,24 +84,29 @@ int readChecks(const ClassArguments& arguments, ClassInput& input) {
     Result<classroom::Rubric> rubric = classroom::readRubric(arguments.rubric);
     print(rubric.diagnostics);
     if (!rubric) return kWrongUsage;
-    const Diagnostics problems = classroom::problemsOf(
-        *rubric, input.plan.moments, classroom::slidersOf(input.plan.moments), !input.plan.reference.empty());
-    print(problems);
-    if (hasError(problems)) return kWrongUsage;
+    if (printErrors(classroom::problemsOf(*rubric, input.plan.moments,
+                                          classroom::slidersOf(input.plan.moments),
+                                          !input.plan.reference.empty())))
+        return kWrongUsage;
     input.rubric = std::move(*rubric);
     return kDone;
+}
+
+/// What confines the processes that unpack into a folder of the site; nothing without --untrusted.
+std::optional<base::Sandbox> unpackingSandbox(const ClassArguments& arguments,
+                                              const classroom::ClassPlan& plan, std::string_view into) {
+    if (!arguments.made.untrusted) return std::nullopt;
+    base::Sandbox sandbox;
+    sandbox.readable.push_back(plan.folder);
+    sandbox.writable.emplace_back(plan.site, fs::path(into));
+    return sandbox;
 }
 
 /// If the submissions are one zip file, as a learning platform exports them, unpacks it. False: it cannot be.
 bool unpackExport(const ClassArguments& arguments, classroom::ClassPlan& plan) {
     std::error_code failure;
     if (!classroom::isArchive(plan.folder) || !fs::is_regular_file(plan.folder, failure)) return true;
-    std::optional<base::Sandbox> sandbox;
-    if (arguments.made.untrusted) {
-        sandbox.emplace();
-        sandbox->readable.push_back(plan.folder);
-        sandbox->writable.emplace_back(plan.site, fs::path(classroom::kExport));
-    }
+    const auto sandbox = unpackingSandbox(arguments, plan, classroom::kExport);
     Result<fs::path> folder = classroom::unpackExport(
         plan.folder, {.site = plan.site, .jobs = 1, .timeout = 0, .sandbox = sandbox ? &*sandbox : nullptr});
     print(folder.diagnostics);
@@ -134,9 +138,8 @@ int useNamesOfRoster(const std::vector<std::string>& scenesOf, const classroom::
                 input.find.sceneOf.try_emplace(found.all[*index].key, each.substr(equals + 1));
         } else if (!roster || !classroom::studentOf(*roster, {student, student, student})) {
             // Of a student of the roster, the page says that nothing was handed in.
-            printError(fmt::format("--scene-of '{}': nobody is called '{}'{}", each, student,
-                                   nearestStudent(student, found)));
-            return kWrongUsage;
+            return refuse(fmt::format("--scene-of '{}': nobody is called '{}'{}", each, student,
+                                      nearestStudent(student, found)));
         }
     }
     return kDone;
@@ -166,17 +169,13 @@ int readInput(const ClassArguments& arguments, ClassInput& input) {
     plan.common = static_cast<std::size_t>(arguments.common);
     plan.given.assign(arguments.templates.begin(), arguments.templates.end());
     for (const fs::path& each : plan.given)
-        if (std::error_code failure; !fs::exists(each, failure)) {
-            printError(fmt::format("there is no template '{}'", each.string()));
-            return kWrongUsage;
-        }
-    if (std::error_code failure; fs::equivalent(plan.site, plan.folder, failure)) {
-        printError(fmt::format(
+        if (std::error_code failure; !fs::exists(each, failure))
+            return refuse(fmt::format("there is no template '{}'", each.string()));
+    if (std::error_code failure; fs::equivalent(plan.site, plan.folder, failure))
+        return refuse(fmt::format(
             "-o {}: this is the folder of the submissions, among which the page would count; name "
             "another one",
             arguments.made.site));
-        return kWrongUsage;
-    }
     if (!mayWriteSite(arguments.made)) return kSceneIsWrong;
     std::optional<std::vector<classroom::Moment>> moments = momentsOf(arguments, plan.reference);
     if (!moments) return kWrongUsage;
@@ -198,21 +197,14 @@ int readInput(const ClassArguments& arguments, ClassInput& input) {
 }
 
 int unpack(const ClassArguments& arguments, ClassInput& input, const Interruption& interruption) {
-    std::optional<base::Sandbox> sandbox;
-    if (arguments.made.untrusted) {
-        sandbox.emplace();
-        sandbox->readable.push_back(input.plan.folder);
-        sandbox->writable.emplace_back(input.plan.site, fs::path(classroom::kUnpacked));
-    }
-    const Diagnostics problems =
-        classroom::unpackSubmissions(input.plan.submissions, input.find,
-                                     {.site = input.plan.site,
-                                      .jobs = arguments.made.jobs,
-                                      .timeout = arguments.made.timeout,
-                                      .sandbox = sandbox ? &*sandbox : nullptr,
-                                      .stop = [&] { return interruption.signal() != 0; }});
-    print(problems);
-    if (hasError(problems)) return kSceneIsWrong;
+    const auto sandbox = unpackingSandbox(arguments, input.plan, classroom::kUnpacked);
+    if (printErrors(classroom::unpackSubmissions(input.plan.submissions, input.find,
+                                                 {.site = input.plan.site,
+                                                  .jobs = arguments.made.jobs,
+                                                  .timeout = arguments.made.timeout,
+                                                  .sandbox = sandbox ? &*sandbox : nullptr,
+                                                  .stop = [&] { return interruption.signal() != 0; }})))
+        return kSceneIsWrong;
     if (input.roster) input.handed = classroom::applyRoster(*input.roster, input.plan.submissions);
     return kDone;
 }

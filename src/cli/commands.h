@@ -62,10 +62,14 @@ SourceLines linesOf(const Diagnostics& diagnostics, const std::optional<std::str
 std::string printable(const Diagnostics& diagnostics, bool color, const SourceLines& lines = {});
 /// Prints diagnostics to standard error, with colours if it has them.
 void print(const Diagnostics& diagnostics, const SourceLines& lines = {});
+/// The same. Returns true if one of them is an error.
+bool printErrors(const Diagnostics& diagnostics);
 /// Prints a line to standard error.
 void printLine(std::string_view text);
 /// Prints "glibra: error: WHY" to standard error.
 void printError(std::string_view why);
+/// The same about the command line. Returns kWrongUsage.
+int refuse(std::string_view why);
 /// Ends a program that has this exit status: what it printed on standard output has to have arrived there, or
 /// else the status is kSceneIsWrong, with a message.
 int endProgram(int status);
@@ -74,7 +78,7 @@ int endProgram(int status);
 int failProgram(std::string_view why);
 
 /// The folders of an environment variable, which are separated by colons.
-std::vector<std::filesystem::path> foldersIn(const char* variable);
+std::vector<std::filesystem::path> foldersIn(const char* name);
 /// The folders of the environment variable GLIBRA_PATH.
 std::vector<std::filesystem::path> libraryRoots();
 

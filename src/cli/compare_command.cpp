@@ -104,9 +104,7 @@ int writeHeatMap(const std::string& file, const image::Tolerance& tolerance, con
     std::error_code ignored;  // reported with the file that cannot be written
     if (const fs::path folder = fs::path(file).parent_path(); !folder.empty())
         fs::create_directories(folder, ignored);
-    const Diagnostics problems = image::writeImage(map, file);
-    print(problems);
-    return hasError(problems) ? kSceneIsWrong : kDone;
+    return printErrors(image::writeImage(map, file)) ? kSceneIsWrong : kDone;
 }
 
 /// Compares pairs of pictures and prints what it finds; JSON is collected and printed at the end.
@@ -217,10 +215,7 @@ int compareFolders(const CompareArguments& arguments, Comparer& comparer) {
     Diagnostics unlisted;
     const std::set<std::string> expected = picturesBelow(arguments.first, unlisted),
                                 got = picturesBelow(arguments.second, unlisted);
-    if (hasError(unlisted)) {
-        print(unlisted);
-        return kSceneIsWrong;
-    }
+    if (printErrors(unlisted)) return kSceneIsWrong;
     std::set<std::string> all = expected;
     all.insert(got.begin(), got.end());
     if (all.empty()) {
@@ -235,8 +230,7 @@ int compareFolders(const CompareArguments& arguments, Comparer& comparer) {
         Diagnostics problems;
         for (const std::string& name : all)
             append(problems, read.overwrittenBy(fs::path(arguments.heatMap) / name, "--heatmap"));
-        print(problems);
-        if (hasError(problems)) return kSceneIsWrong;
+        if (printErrors(problems)) return kSceneIsWrong;
     }
     int status = kDone;
     std::size_t same = 0;
@@ -267,9 +261,7 @@ int runCompareCommand(CompareArguments& arguments) {
     if (!arguments.heatMap.empty()) {
         ReadFiles read;
         for (const std::string& each : {arguments.first, arguments.second}) read.add(each, kIsCompared);
-        const Diagnostics problems = read.overwrittenBy(arguments.heatMap, "--heatmap");
-        print(problems);
-        if (hasError(problems)) return kSceneIsWrong;
+        if (printErrors(read.overwrittenBy(arguments.heatMap, "--heatmap"))) return kSceneIsWrong;
     }
     return comparer.compare({arguments.first, arguments.second, {}, arguments.heatMap});
 }

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/shell_word.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "image/file.h"
@@ -20,15 +21,11 @@
 namespace glibra::cli {
 namespace {
 
-/// The text in single quotes of a shell.
-std::string shellQuoted(std::string_view text) {
-    std::string to = "'";
-    for (const char each : text)
-        if (each == '\'')
-            to += "'\\''";
-        else
-            to += each;
-    return to + "'";
+using base::shellQuoted;
+
+/// The words of a choice, with blanks between them.
+std::string joinedWords(const OptionDescription& option) {
+    return fmt::format("{}", fmt::join(option.words, " "));
 }
 
 /// A text of zsh's _arguments, which gives a meaning to colons and brackets.
@@ -70,7 +67,7 @@ std::string bashCompletion(const std::vector<CommandDescription>& commands) {
             if (!option.shortName.empty()) pattern += "|" + command.name + ":" + option.shortName;
             if (!option.words.empty())
                 values += fmt::format("        {}) COMPREPLY=($(compgen -W {} -- \"$word\")); return ;;\n",
-                                      pattern, shellQuoted(fmt::format("{}", fmt::join(option.words, " "))));
+                                      pattern, shellQuoted(joinedWords(option)));
             else if (namesFolder(option))
                 values +=
                     fmt::format("        {}) COMPREPLY=($(compgen -d -- \"$word\")); return ;;\n", pattern);
@@ -166,8 +163,7 @@ std::string fishCompletion(const std::vector<CommandDescription>& commands) {
             if (!option.shortName.empty()) line += " -s " + option.shortName.substr(1);
             if (!option.longName.empty()) line += " -l " + option.longName.substr(2);
             if (!option.words.empty())
-                line +=
-                    fmt::format(" -x -a {}", shellQuoted(fmt::format("{}", fmt::join(option.words, " "))));
+                line += fmt::format(" -x -a {}", shellQuoted(joinedWords(option)));
             else if (namesFolder(option))
                 line += " -x -a '(__fish_complete_directories)'";
             else if (takesValue(option))
@@ -204,9 +200,8 @@ void addCompletion(CommandLine& line, const Program& whole, int& status) {
             std::fwrite(text.data(), 1, text.size(), stdout);
             return;
         }
-        const Diagnostics problems = image::writeFileAtomically(*output, std::as_bytes(std::span(text)));
-        print(problems);
-        if (!problems.empty()) status = kSceneIsWrong;
+        if (printErrors(image::writeFileAtomically(*output, std::as_bytes(std::span(text)))))
+            status = kSceneIsWrong;
     });
 }
 

@@ -47,21 +47,15 @@ int formatScene(const std::string& scene, bool isCheck) {
         printLine(fmt::format("{} is not formatted", scene));
         return kDiffers;
     }
-    const Diagnostics problems = image::writeFileAtomically(scene, std::as_bytes(std::span(text)));
-    print(problems);
-    return problems.empty() ? kDone : kSceneIsWrong;
+    return printErrors(image::writeFileAtomically(scene, std::as_bytes(std::span(text)))) ? kSceneIsWrong
+                                                                                          : kDone;
 }
 
 int runFormatCommand(FormatArguments& arguments) {
     if (arguments.readsInput) arguments.scenes.emplace_back("-");
-    if (arguments.scenes.empty()) {
-        printError("no scene is named, and no --stdin");
-        return kWrongUsage;
-    }
+    if (arguments.scenes.empty()) return refuse("no scene is named, and no --stdin");
     SceneArguments named;
-    const Diagnostics problems = resolveScenes(arguments.scenes, named);
-    print(problems);
-    if (hasError(problems)) return kSceneIsWrong;
+    if (printErrors(resolveScenes(arguments.scenes, named))) return kSceneIsWrong;
     int status = kDone;
     for (const std::string& each : named.scenes) {
         if (each != kStandardInput) {

@@ -62,18 +62,12 @@ std::vector<fs::path> scenesOf(const GalleryArguments& arguments, const std::vec
 
 /// Prepares what runGallery needs. Returns the exit status; kDone if all is well.
 int planGallery(const GalleryArguments& arguments, gallery::GalleryPlan& plan) {
-    if (std::error_code failure; !fs::is_directory(arguments.folder, failure)) {
-        printError(fmt::format("there is no folder '{}'", arguments.folder));
-        return kWrongUsage;
-    }
-    if (const std::string why = gallery::whyNoSite(arguments.made.site); !why.empty()) {
-        printError(fmt::format("-o {}: {}", arguments.made.site, why));
-        return kWrongUsage;
-    }
+    if (std::error_code failure; !fs::is_directory(arguments.folder, failure))
+        return refuse(fmt::format("there is no folder '{}'", arguments.folder));
+    if (const std::string why = gallery::whyNoSite(arguments.made.site); !why.empty())
+        return refuse(fmt::format("-o {}: {}", arguments.made.site, why));
     SceneArguments named;
-    const Diagnostics problems = resolveScenes({arguments.folder}, named);
-    print(problems);
-    if (hasError(problems)) return kSceneIsWrong;
+    if (printErrors(resolveScenes({arguments.folder}, named))) return kSceneIsWrong;
     plan.folder = arguments.folder;
     plan.site = arguments.made.site;
     plan.scenes = scenesOf(arguments, named.scenes);
@@ -117,13 +111,6 @@ int runGalleryCommand(const GalleryArguments& arguments) {
         drawing.readable.emplace_back(plan.folder);
         confined = confinement(std::move(drawing), plan.site);
     }
-    gallery::GalleryOptions options;
-    options.driver = arguments.made.driver;
-    options.jobs = arguments.made.jobs;
-    options.timeout = arguments.made.timeout;
-    options.memory = arguments.made.picture.memory;
-    options.drawing = confined.forDrawing();
-    options.reading = confined.forReading();
 
     const Interruption interruption;
     std::optional<SuiteProgress> progress;
@@ -136,7 +123,7 @@ int runGalleryCommand(const GalleryArguments& arguments) {
         if (progress) progress->add(failed);
     };
     events.stop = [&] { return interruption.signal() != 0; };
-    const gallery::GalleryEnd end = gallery::runGallery(plan, options, events);
+    const gallery::GalleryEnd end = gallery::runGallery(plan, siteWorkers(arguments.made, confined), events);
     if (progress) progress->clear();
     print(end.diagnostics);
     if (end.noDriver) return kNoDriver;

@@ -156,9 +156,8 @@ int writeGrammar(editor::GrammarEditor editor, const std::filesystem::path& fold
         const std::filesystem::path file = folder / each.path;
         std::error_code ignored;  // reported with the file
         std::filesystem::create_directories(file.parent_path(), ignored);
-        const Diagnostics problems = image::writeFileAtomically(file, std::as_bytes(std::span(each.text)));
-        print(problems);
-        if (hasError(problems)) status = kSceneIsWrong;
+        if (printErrors(image::writeFileAtomically(file, std::as_bytes(std::span(each.text)))))
+            status = kSceneIsWrong;
     }
     return status;
 }
@@ -168,9 +167,7 @@ int runLanguageCommand(const LanguageArguments& arguments) {
     if (!arguments.update.empty()) {
         int status = kDone;
         for (const std::string& each : arguments.update) {
-            const Diagnostics problems = refresh(each);
-            print(problems);
-            if (hasError(problems)) status = kSceneIsWrong;
+            if (printErrors(refresh(each))) status = kSceneIsWrong;
         }
         return status;
     }
@@ -209,8 +206,8 @@ int runLanguageCommand(const LanguageArguments& arguments) {
     if (command == nullptr && statement == nullptr) others += wordReference(arguments.word);
     fmt::print("{}", others);
     if (command != nullptr || statement != nullptr || !names.empty() || !others.empty()) return kDone;
-    printError(fmt::format("the language has no word '{}'{}", arguments.word, suggestionFor(arguments.word)));
-    return kWrongUsage;
+    return refuse(
+        fmt::format("the language has no word '{}'{}", arguments.word, suggestionFor(arguments.word)));
 }
 
 }  // namespace

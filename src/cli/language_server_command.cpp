@@ -1,5 +1,6 @@
 // `glibra language-server`: the language server between standard input and standard output.
 
+#include <fmt/format.h>
 #include <poll.h>
 #include <unistd.h>
 
@@ -7,9 +8,9 @@
 #include <cerrno>
 #include <memory>
 #include <string>
-#include <string_view>
 #include <utility>
 
+#include "base/descriptor.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "editor/language_server.h"
@@ -19,17 +20,6 @@ namespace glibra::cli {
 namespace {
 
 constexpr int kPause = 150;  // milliseconds without a key before scenes are checked
-
-/// False if the client reads no more.
-bool writeAll(std::string_view bytes) {
-    while (!bytes.empty()) {
-        const ssize_t count = ::write(STDOUT_FILENO, bytes.data(), bytes.size());
-        if (count < 0 && errno == EINTR) continue;
-        if (count < 0) return false;
-        bytes.remove_prefix(static_cast<std::size_t>(count));
-    }
-    return true;
-}
 
 /// Takes what has arrived within the time; -1 waits for ever. False at the end of the input.
 bool takeInput(editor::MessageReader& reader, int milliseconds) {
@@ -55,10 +45,11 @@ int serve() {
     options.libraryRoots = libraryRoots();
     editor::LanguageServer server(std::move(options));
     editor::MessageReader reader;
+    // False if the client reads no more.
     const auto deliver = [&] {
         std::string bytes;
         for (const std::string& each : server.takeOutput()) bytes += editor::framed(each);
-        return writeAll(bytes);
+        return base::writeAll(STDOUT_FILENO, bytes) == 0;
     };
     for (bool isOpen = true; isOpen && !server.exitStatus();) {
         isOpen = takeInput(reader, -1);
@@ -66,6 +57,13 @@ int serve() {
             if (!server.receive(*message)) reader.refuse(*message);
         server.answer();
         if (!deliver()) return kDiffers;
+        if (reader.isLost()) {
+            printLine(
+                fmt::format("glibra: error: the client states a message of more than {} bytes, which is "
+                            "too long; the language server ends",
+                            editor::MessageReader::kLargestMessage));
+            return kDiffers;
+        }
         while (server.hasWork() && isOpen && !server.exitStatus() && !isTyping(kPause)) {
             server.work();
             if (!deliver()) return kDiffers;

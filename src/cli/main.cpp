@@ -14,6 +14,7 @@
 #include "cli/commands.h"
 #include "cli/open_window.h"
 
+namespace glibra::cli {
 namespace {
 
 /// What `glibra` without arguments prints.
@@ -32,48 +33,36 @@ constexpr const char* kOverview =
 /// Answers a first word that is no command: a scene is opened in the window, anything else is reported.
 int openOrRefuse(const std::vector<std::string>& words, const std::vector<std::string>& commands) {
     const std::string& word = words.front();
-    if (glibra::cli::isSceneOrFolder(word)) {
-        const std::string missing = glibra::cli::whyNoScene(word);
-        if (missing.empty()) return glibra::cli::openWindow(words);
-        glibra::cli::printError(missing);
-        return glibra::cli::kSceneIsWrong;
+    if (isSceneOrFolder(word)) {
+        const std::string missing = whyNoScene(word);
+        if (missing.empty()) return openWindow(words);
+        printError(missing);
+        return kSceneIsWrong;
     }
     const std::vector<std::string_view> names(commands.begin(), commands.end());
-    glibra::cli::printError(
-        fmt::format("there is no command and no scene '{}'{}", word, glibra::base::suggestion(word, names)));
-    glibra::cli::printLine("`glibra` without arguments shows what it can do");
-    return glibra::cli::kWrongUsage;
+    printError(fmt::format("there is no command and no scene '{}'{}", word, base::suggestion(word, names)));
+    printLine("`glibra` without arguments shows what it can do");
+    return kWrongUsage;
 }
 
 int run(int argc, char** argv) {
     if (argc == 1) {
         std::fputs(kOverview, stdout);
-        return glibra::cli::kDone;
+        return kDone;
     }
-    glibra::cli::Program program("glibra runs GLIB shader scenes",
-                                 "glibra teapot.glib                    # opens a scene in a window\n"
-                                 "glibra render teapot.glib             # writes teapot.png\n"
-                                 "glibra check scenes/                  # reports what is wrong with scenes");
+    Program program("glibra runs GLIB shader scenes",
+                    "glibra teapot.glib                    # opens a scene in a window\n"
+                    "glibra render teapot.glib             # writes teapot.png\n"
+                    "glibra check scenes/                  # reports what is wrong with scenes");
     program.version("glibra " GLIBRA_VERSION);
     program.requireSubcommand();
-    glibra::cli::CommandLine line = program.line();
-    int status = glibra::cli::kDone;
-    glibra::cli::addRender(line, status);
-    glibra::cli::addTest(line, status);
-    glibra::cli::addReview(line, status);
-    glibra::cli::addClass(line, status);
-    glibra::cli::addGallery(line, status);
-    glibra::cli::addView(line, status);
-    glibra::cli::addCheck(line, status);
-    glibra::cli::addFormat(line, status);
-    glibra::cli::addCompare(line, status);
-    glibra::cli::addNoise(line, status);
-    glibra::cli::addBench(line, status);
-    glibra::cli::addInfo(line, status);
-    glibra::cli::addLanguage(line, status);
-    glibra::cli::addLanguageServer(line, status);
-    glibra::cli::addManual(line, program, status);
-    glibra::cli::addCompletion(line, program, status);
+    CommandLine line = program.line();
+    int status = kDone;
+    for (auto* add : {addRender, addTest, addReview, addClass, addGallery, addView, addCheck, addFormat,
+                      addCompare, addNoise, addBench, addInfo, addLanguage, addLanguageServer})
+        add(line, status);
+    addManual(line, program, status);
+    addCompletion(line, program, status);
     line.subcommand("help", "prints the options of a subcommand", [](const std::vector<std::string>&) {});
     const std::vector<std::string> commands = program.subcommands();
     std::vector<char*> words(argv, argv + argc);
@@ -89,13 +78,14 @@ int run(int argc, char** argv) {
 }
 
 }  // namespace
+}  // namespace glibra::cli
 
 int main(int argc, char** argv) {
     if (!glibra::base::openStandardFiles()) return glibra::cli::kNoDriver;
     // A write beyond the limit of the shell (ulimit -f) fails with a message instead.
     std::signal(SIGXFSZ, SIG_IGN);
     try {
-        return glibra::cli::endProgram(run(argc, argv));
+        return glibra::cli::endProgram(glibra::cli::run(argc, argv));
     } catch (const std::exception& failure) {
         return glibra::cli::failProgram(failure.what());
     }

@@ -131,10 +131,8 @@ int writePages(const std::vector<CommandDescription>& commands, const fs::path& 
         const bool isWhole = &each == &commands.front();
         const fs::path file = folder / (isWhole ? "glibra.1" : "glibra-" + each.name + ".1");
         const std::string page = isWhole ? programPage(commands) : commandPage(each);
-        const Diagnostics problems = image::writeFileAtomically(file, std::as_bytes(std::span(page)));
-        if (problems.empty()) continue;
-        print(problems);
-        return kSceneIsWrong;
+        if (printErrors(image::writeFileAtomically(file, std::as_bytes(std::span(page)))))
+            return kSceneIsWrong;
     }
     return kDone;
 }
@@ -168,8 +166,7 @@ void addManual(CommandLine& line, const Program& whole, int& status) {
             if (each.name == *name) page = commandPage(each);
         }
         if (page.empty()) {
-            printError(fmt::format("there is no command '{}'{}", *name, base::suggestion(*name, names)));
-            status = kWrongUsage;
+            status = refuse(fmt::format("there is no command '{}'{}", *name, base::suggestion(*name, names)));
             return;
         }
         std::fwrite(page.data(), 1, page.size(), stdout);

@@ -39,11 +39,6 @@ std::string readPoint(const std::string& text, std::map<int, double>& to) {
     return "expected POINT=NUMBER, as 3=.5, found '" + text + "'";
 }
 
-int refuse(const std::string& why) {
-    printError(why);
-    return kWrongUsage;
-}
-
 int runNoiseCommand(NoiseArguments& arguments) {
     noise::NoiseFile& noise = arguments.noise;
     char rest = 0;
@@ -56,9 +51,7 @@ int runNoiseCommand(NoiseArguments& arguments) {
         return refuse("an SVG file holds a graph of one dimension; write a .png");
     if (const std::string useless = noise::uselessOption(noise, arguments.output); !useless.empty())
         return refuse(useless);
-    const Diagnostics problems = noise::writeNoise(noise, arguments.output);
-    print(problems);
-    return hasError(problems) ? kSceneIsWrong : kDone;
+    return printErrors(noise::writeNoise(noise, arguments.output)) ? kSceneIsWrong : kDone;
 }
 
 }  // namespace

@@ -20,9 +20,7 @@ int answerOrphans(const std::vector<suite::Suite>& suites, const fs::path& golde
         const std::vector<fs::path> orphans = suite::orphanGoldens(each, goldens, suites);
         if (orphans.empty()) continue;
         if (prune) {
-            const Diagnostics problems = suite::removeOrphans(orphans);
-            print(problems);
-            if (hasError(problems)) status = kSceneIsWrong;
+            if (printErrors(suite::removeOrphans(orphans))) status = kSceneIsWrong;
         }
         const std::size_t count = orphans.size();
         const std::size_t shown = prune ? count : std::min(count, kMostNames);

@@ -10,7 +10,7 @@
 
 #include "cli/command_line.h"
 #include "cli/commands.h"
-#include "plan/uniforms.h"
+#include "plan/overrides.h"
 #include "suite/options/option_table.h"
 #include "suite/options/option_words.h"
 

@@ -112,6 +112,11 @@ void print(const Diagnostics& diagnostics, const SourceLines& lines) {
     std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
+bool printErrors(const Diagnostics& diagnostics) {
+    print(diagnostics);
+    return hasError(diagnostics);
+}
+
 void printLine(std::string_view text) {
     const std::string line = base::printableText(text) + '\n';
     std::fwrite(line.data(), 1, line.size(), stderr);
@@ -119,6 +124,11 @@ void printLine(std::string_view text) {
 
 void printError(std::string_view why) {
     printLine("glibra: error: " + std::string(why));
+}
+
+int refuse(std::string_view why) {
+    printError(why);
+    return kWrongUsage;
 }
 
 int endProgram(int status) {
@@ -134,10 +144,9 @@ int failProgram(std::string_view why) {
     return kSceneIsWrong;
 }
 
-std::vector<std::filesystem::path> foldersIn(const char* variable) {
+std::vector<std::filesystem::path> foldersIn(const char* name) {
     std::vector<std::filesystem::path> folders;
-    const char* value = std::getenv(variable);
-    std::string_view rest = value ? value : "";
+    std::string_view rest = variable(name);
     while (!rest.empty()) {
         const std::size_t colon = rest.find(':');
         if (const std::string_view folder = rest.substr(0, colon); !folder.empty())

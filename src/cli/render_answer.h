@@ -9,8 +9,8 @@
 
 #include "base/workers.h"
 #include "cli/commands.h"
+#include "render/check/scene_check.h"
 #include "render/file/animation.h"
-#include "render/scene_renderer.h"
 #include "suite/suite.h"
 
 namespace glibra::cli {

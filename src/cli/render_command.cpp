@@ -26,11 +26,9 @@ namespace fs = std::filesystem;
 /// Prints why an animation cannot go into the file that -o names. Returns the exit status; kDone if it can.
 int checkFilm(const RenderArguments& arguments) {
     if (arguments.outputIsFolder || !arguments.suite.suites.empty()) return kDone;
-    if (arguments.frames == 1 && image::isVideo(arguments.output)) {
-        printError("-o " + arguments.output +
-                   ": a video has several frames; add --frames 60, or name a .png for one picture");
-        return kWrongUsage;
-    }
+    if (arguments.frames == 1 && image::isVideo(arguments.output))
+        return refuse("-o " + arguments.output +
+                      ": a video has several frames; add --frames 60, or name a .png for one picture");
     if (arguments.frames == 1 || !image::isVideo(arguments.output) || image::hasFfmpeg()) return kDone;
     printError("-o " + arguments.output + ": " + image::kFfmpegIsMissing);
     return kNoDriver;
@@ -39,9 +37,7 @@ int checkFilm(const RenderArguments& arguments) {
 /// Checks what CLI11 cannot check, and renders.
 int runRenderCommand(RenderArguments& arguments) {
     SceneArguments named;
-    const Diagnostics problems = resolveScenes(arguments.scenes, named);
-    print(problems);
-    if (hasError(problems)) return kSceneIsWrong;
+    if (printErrors(resolveScenes(arguments.scenes, named))) return kSceneIsWrong;
     arguments.scenes = std::move(named.scenes);
     arguments.standardInput = std::move(named.standardInput);
     arguments.outputIsFolder = named.hasFolder || arguments.scenes.size() > 1;
@@ -49,44 +45,29 @@ int runRenderCommand(RenderArguments& arguments) {
     if (arguments.standardInput && arguments.output.empty() && !arguments.outputIsFolder)
         arguments.output = "-";
     const bool isMany = arguments.outputIsFolder || !arguments.suite.suites.empty();
-    if (arguments.output == "-" && isMany) {
-        printError("-o - writes the pictures of one scene, not of several; name a folder");
-        return kWrongUsage;
-    }
-    if (arguments.output == "-" && ::isatty(STDOUT_FILENO) == 1) {
-        printError("a picture cannot be shown on a terminal; name a file with -o, or add > FILE");
-        return kWrongUsage;
-    }
-    if (arguments.statsFile == "-" && (arguments.output == "-" || arguments.explain || arguments.trace)) {
-        printError(std::string("--stats - writes to standard output, and so does ") +
-                   (arguments.explain ? "--explain"
-                    : arguments.trace ? "--trace"
-                                      : "the picture") +
-                   "; name a file for one of them");
-        return kWrongUsage;
-    }
+    if (arguments.output == "-" && isMany)
+        return refuse("-o - writes the pictures of one scene, not of several; name a folder");
+    if (arguments.output == "-" && ::isatty(STDOUT_FILENO) == 1)
+        return refuse("a picture cannot be shown on a terminal; name a file with -o, or add > FILE");
+    if (arguments.statsFile == "-" && (arguments.output == "-" || arguments.explain || arguments.trace))
+        return refuse(std::string("--stats - writes to standard output, and so does ") +
+                      (arguments.explain ? "--explain"
+                       : arguments.trace ? "--trace"
+                                         : "the picture") +
+                      "; name a file for one of them");
     if (!acceptsSet(arguments.picture.options.set)) return kWrongUsage;
     if (const int status = checkFilm(arguments); status != kDone) return status;
     std::set<fs::path> names{fs::path(arguments.output).filename()};
     for (const std::string& each : arguments.saves) {
         const auto save = readSave(each);
-        if (!save) {
-            printError("--save " + each + ": expected NAME=FILE, such as shadow=shadow.exr");
-            return kWrongUsage;
-        }
-        if (save->file == "-") {
-            printError("--save " + each + ": '-' does not mean standard output here; name a file");
-            return kWrongUsage;
-        }
-        if (!names.insert(save->file.filename()).second) {
-            printError("--save " + each + ": another file has the same name");
-            return kWrongUsage;
-        }
+        if (!save) return refuse("--save " + each + ": expected NAME=FILE, such as shadow=shadow.exr");
+        if (save->file == "-")
+            return refuse("--save " + each + ": '-' does not mean standard output here; name a file");
+        if (!names.insert(save->file.filename()).second)
+            return refuse("--save " + each + ": another file has the same name");
     }
-    if (!arguments.saves.empty() && arguments.scenes.size() > 1) {
-        printError("--save writes the textures and buffers of one scene, not of several");
-        return kWrongUsage;
-    }
+    if (!arguments.saves.empty() && arguments.scenes.size() > 1)
+        return refuse("--save writes the textures and buffers of one scene, not of several");
     if (arguments.untrusted && !prepareUntrusted()) return kNoDriver;
     if (!arguments.suite.suites.empty()) {
         arguments.suite.untrusted = arguments.untrusted;
@@ -95,10 +76,8 @@ int runRenderCommand(RenderArguments& arguments) {
         arguments.suite.skip = arguments.picture.options.skip;
         return renderSuites(arguments.suite, arguments.output);
     }
-    if (arguments.scenes.empty()) {
-        printError("expected a scene (.glib) or a folder of scenes, or a suite after --suite");
-        return kWrongUsage;
-    }
+    if (arguments.scenes.empty())
+        return refuse("expected a scene (.glib) or a folder of scenes, or a suite after --suite");
     std::vector<fs::path>& roots = arguments.picture.options.libraryRoots;
     for (fs::path& each : libraryRoots()) roots.push_back(std::move(each));
     return renderScenes(arguments);

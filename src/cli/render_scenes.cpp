@@ -30,7 +30,7 @@
 #include "image/file.h"
 #include "render/file/animation.h"
 #include "render/file/job.h"
-#include "suite/run/run.h"
+#include "suite/run/worker_count.h"
 
 namespace glibra::cli {
 namespace {
@@ -194,14 +194,8 @@ class SceneBatch {
 
     /// Returns the exit status.
     int run() {
-        if (const Diagnostics problems = overwritten(); hasError(problems)) {
-            print(problems);
-            return kSceneIsWrong;
-        }
-        if (const Diagnostics problems = linkedFolders(); hasError(problems)) {
-            print(problems);
-            return kSceneIsWrong;
-        }
+        if (printErrors(overwritten())) return kSceneIsWrong;
+        if (printErrors(linkedFolders())) return kSceneIsWrong;
         std::set<fs::path> folders;
         for (const fs::path& each : writtenFiles()) folders.insert(each.parent_path());
         for (const fs::path& each : folders) {
@@ -404,10 +398,8 @@ class SceneBatch {
             std::fwrite(safe.data(), 1, safe.size(), stdout);
             return;
         }
-        const Diagnostics problems =
-            image::writeFileAtomically(arguments_.statsFile, std::as_bytes(std::span(all)));
-        print(problems);
-        if (hasError(problems)) status_ = std::max(status_, kSceneIsWrong);
+        if (printErrors(image::writeFileAtomically(arguments_.statsFile, std::as_bytes(std::span(all)))))
+            status_ = std::max(status_, kSceneIsWrong);
     }
 
     const RenderArguments& arguments_;

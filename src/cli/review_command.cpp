@@ -78,6 +78,7 @@ int review(const ReviewArguments& arguments) {
     print(suites.diagnostics);
     if (!suites) return kSceneIsWrong;
     suite::Review shown(*run, *suites, {arguments.results, arguments.goldens, arguments.allowOutside});
+    print(shown.problems());
     if (!arguments.serve) {
         list(shown);
         for (std::size_t i = 0; i < shown.shots().size(); ++i)

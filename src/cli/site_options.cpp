@@ -41,4 +41,15 @@ Confinement confinement(base::Sandbox drawing, const fs::path& site) {
     return made;
 }
 
+suite::SiteWorkers siteWorkers(const SiteOptions& options, const Confinement& confined) {
+    suite::SiteWorkers workers;
+    workers.driver = options.driver;
+    workers.jobs = options.jobs;
+    workers.timeout = options.timeout;
+    workers.memory = options.picture.memory;
+    workers.drawing = confined.drawing ? &*confined.drawing : nullptr;
+    workers.reading = confined.reading ? &*confined.reading : nullptr;
+    return workers;
+}
+
 }  // namespace glibra::cli

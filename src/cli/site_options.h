@@ -12,6 +12,7 @@
 
 #include "base/sandbox.h"
 #include "cli/command_line.h"
+#include "suite/run/run_options.h"
 #include "suite/suite.h"
 
 namespace glibra::cli {
@@ -38,10 +39,11 @@ bool mayWriteSite(const SiteOptions& options);
 /// What confines the workers: those that draw, and those that only read. Nothing without --untrusted.
 struct Confinement {
     std::optional<base::Sandbox> drawing, reading;
-    [[nodiscard]] const base::Sandbox* forDrawing() const { return drawing ? &*drawing : nullptr; }
-    [[nodiscard]] const base::Sandbox* forReading() const { return reading ? &*reading : nullptr; }
 };
 /// `drawing` has everything but SITE/pictures, which it may write and the others may read.
 Confinement confinement(base::Sandbox drawing, const std::filesystem::path& site);
+
+/// The workers that the options ask for. `confined` must outlive them.
+suite::SiteWorkers siteWorkers(const SiteOptions& options, const Confinement& confined);
 
 }  // namespace glibra::cli

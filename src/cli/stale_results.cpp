@@ -36,7 +36,7 @@ void markResults(const fs::path& folder) {
     const fs::path file = suite::resultsFile(folder);
     std::error_code failure;
     if (!fs::is_regular_file(fs::symlink_status(file, failure))) return;
-    const Result<base::Descriptor> lock = suite::lockResults(folder);
+    const Result<suite::ResultsLock> lock = suite::lockResults(folder);
     if (!lock) return;
     const Result<suite::RunResult> earlier = suite::readResults(folder);
     if (!earlier || !earlier->complete) return;
@@ -49,9 +49,8 @@ void markResults(const fs::path& folder) {
 
 /// Prints why a file could not be written, and removes the old one then.
 void orRemove(const Diagnostics& problems, const fs::path& old) {
-    print(problems);
     std::error_code failure;
-    if (hasError(problems)) fs::remove(old, failure);
+    if (printErrors(problems)) fs::remove(old, failure);
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "suite/file/selection.h"
 #include "suite/file/shot_name.h"
 #include "suite/file/suite_file.h"
+#include "suite/run/worker_count.h"
 
 namespace glibra::cli {
 

@@ -95,11 +95,8 @@ int renderSuites(const SuiteArguments& arguments, const std::string& output) {
 
     const Interruption interruption;
     const auto isStopped = [&] { return interruption.signal() != 0; };
-    if (const Diagnostics problems = overwrittenByPictures(*selection, open, options, arguments, isStopped);
-        hasError(problems)) {
-        print(problems);
+    if (printErrors(overwrittenByPictures(*selection, open, options, arguments, isStopped)))
         return kSceneIsWrong;
-    }
     const bool terminal = ::isatty(STDERR_FILENO) == 1;
     SuiteProgress progress(open.size(), terminal);
     std::size_t drawn = 0;

@@ -64,7 +64,8 @@ struct TestArguments {
 
 /// Prints the summary and writes the reports. Returns the exit status.
 int report(const suite::RunResult& run, const TestArguments& arguments, const suite::ReportRoots& roots) {
-    const std::string text = suite::toText(run, hasColor(STDOUT_FILENO), arguments.results);
+    const std::string text =
+        suite::toText(run, {.color = hasColor(STDOUT_FILENO), .resultsFolder = arguments.results});
     std::fwrite(text.data(), 1, text.size(), stdout);
     std::fflush(stdout);
     return std::max(writeReports(run, arguments.reports, arguments.results, roots) ? kDone : kSceneIsWrong,
@@ -130,10 +131,7 @@ int merge(const TestArguments& arguments) {
     const std::vector<fs::path> folders(arguments.merge.begin(), arguments.merge.end());
     ReadFiles read;
     for (const fs::path& each : folders) read.add(suite::resultsFile(each), "its results are merged");
-    if (const Diagnostics problems = overwrittenByReports(arguments, read); hasError(problems)) {
-        print(problems);
-        return kSceneIsWrong;
-    }
+    if (printErrors(overwrittenByReports(arguments, read))) return kSceneIsWrong;
     const Result<suite::RunResult> merged = suite::mergeResults(folders, arguments.results);
     print(merged.diagnostics);
     const int status = hasError(merged.diagnostics) ? kSceneIsWrong : kDone;
@@ -218,8 +216,7 @@ int test(const TestArguments& arguments) {
     if ((arguments.update || arguments.prune) && !arguments.allowOutside && arguments.goldens.empty()) {
         Diagnostics problems;
         for (const suite::Suite& each : selection->suites) append(problems, suite::checkGoldenFolder(each));
-        print(problems);
-        if (hasError(problems)) return kWrongUsage;
+        if (printErrors(problems)) return kWrongUsage;
     }
 
     std::optional<base::Sandbox> sandbox;
@@ -241,10 +238,7 @@ int test(const TestArguments& arguments) {
         suite::inputsOf(selection->suites, selection->shots,
                         inputWorkers(arguments.suites, selection->shots.size(), options.sandbox, isStopped),
                         arguments.suites.timeout);
-    if (const Diagnostics problems = overwrittenBy(arguments, *selection, inputs); hasError(problems)) {
-        print(problems);
-        return kSceneIsWrong;
-    }
+    if (printErrors(overwrittenBy(arguments, *selection, inputs))) return kSceneIsWrong;
     const std::map<suite::ShotReference, std::string> fingerprints =
         suite::fingerprints(selection->suites, selection->shots, inputs, options);
     bool resumes = arguments.suites.resume;
@@ -347,10 +341,6 @@ int runCommand(const TestArguments& arguments) {
         return listShots(arguments.suites);
     markUnfinished(
         {isMerged(arguments) ? "" : arguments.results, arguments.reports.report, arguments.reports.junit});
-    const auto refuse = [](const char* why) {
-        printError(why);
-        return kWrongUsage;
-    };
     if (std::error_code failure; !arguments.resultsAreNamed && fs::is_symlink(arguments.results, failure)) {
         print({linkedFolder(arguments.results, "--results")});
         return kSceneIsWrong;
@@ -422,10 +412,8 @@ void addTest(CommandLine& program, int& status) {
                      "repeated");
     command.jobs(to.suites.jobs);
     command.driver(to.suites.driver);
-    addPictureOption(command, "timeout", to.picture);
-    addPictureOption(command, "memory", to.picture);
-    addPictureOption(command, "no-skip", to.picture);
-    addPictureOption(command, "check-undefined", to.picture);
+    for (const char* each : {"timeout", "memory", "no-skip", "check-undefined"})
+        addPictureOption(command, each, to.picture);
     addUntrustedOption(command, to.suites.untrusted);
     for (const char* each : {"--force", "--variant", "--shard", "--resume", "--results", "--junit",
                              "--goldens", "--allow-outside", "--merge", "--root", "--driver", "--untrusted"})

@@ -35,8 +35,7 @@ bool writeReports(const suite::RunResult& run, const ReportRequest& request, con
         append(problems,
                writeText(request.summary,
                          suite::toMarkdown(run, {.results = results, .picturesAt = request.picturesAt})));
-    print(problems);
-    return !hasError(problems);
+    return !printErrors(problems);
 }
 
 }  // namespace glibra::cli

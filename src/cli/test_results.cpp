@@ -90,9 +90,7 @@ bool RunRecord::isDone(const suite::Suite& suite, const suite::ShotReference& sh
 
 void RunRecord::add(const suite::ShotResult& shot) {
     if (!failed_) {
-        const Diagnostics problems = writer_.add(shot);
-        print(problems);
-        failed_ = hasError(problems);
+        failed_ = printErrors(writer_.add(shot));
     }
     results_.insert_or_assign({shot.suite, shot.shot}, shot);
 }
@@ -111,9 +109,7 @@ void RunRecord::finish(suite::RunResult& run, std::span<const suite::Suite> suit
     }
     if (failed_) return;
     run.complete = suite::missingShots(run).empty();
-    const Diagnostics problems = suite::writeResults(run, folder_);
-    print(problems);
-    failed_ = hasError(problems);
+    failed_ = printErrors(suite::writeResults(run, folder_));
 }
 
 bool mayBeForged(const fs::path& results, std::span<const suite::Suite> suites) {

@@ -12,7 +12,7 @@
 #include "cli/scene_arguments.h"
 #include "cli/sister_program.h"
 #include "glib/text.h"
-#include "scene/near_files.h"
+#include "scene/folder_listings.h"
 
 namespace glibra::cli {
 namespace {
@@ -49,9 +49,7 @@ int openWindow(const std::vector<std::string>& arguments) {
             continue;
         }
         SceneArguments inside;
-        const Diagnostics problems = resolveScenes({each}, inside);
-        print(problems);
-        if (hasError(problems)) return kSceneIsWrong;
+        if (printErrors(resolveScenes({each}, inside))) return kSceneIsWrong;
         if (inside.scenes.size() > kMostTabs) {
             printLine(fmt::format("{} has {} scenes; the first {} are opened", each, inside.scenes.size(),
                                   kMostTabs));

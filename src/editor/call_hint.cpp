@@ -1,9 +1,9 @@
 #include "editor/call_hint.h"
 
 #include <algorithm>
-#include <cctype>
 #include <optional>
 
+#include "base/text.h"
 #include "editor/reference.h"
 
 namespace glibra::editor {
@@ -16,10 +16,10 @@ struct OpenCall {
     std::size_t argument = 0;
 };
 
-/// The same text with blanks in place of comments that begin with `line`.
-std::string withoutComments(std::string_view text, std::string_view line) {
+/// The same text with blanks in place of comments that end with their line.
+std::string withoutComments(std::string_view text) {
     std::string kept(text);
-    for (std::size_t at = kept.find(line); at != std::string::npos; at = kept.find(line, at)) {
+    for (std::size_t at = kept.find("//"); at != std::string::npos; at = kept.find("//", at)) {
         const std::size_t end = std::min(kept.find('\n', at), kept.size());
         std::fill(kept.begin() + static_cast<std::ptrdiff_t>(at),
                   kept.begin() + static_cast<std::ptrdiff_t>(end), ' ');
@@ -44,8 +44,7 @@ std::optional<OpenCall> openCall(std::string_view text, std::string_view stops) 
         std::size_t end = at;
         while (end > 0 && text[end - 1] == ' ') --end;
         const TextRange name = c == '(' ? wordBefore(text, end) : TextRange{end, end};
-        if (name.begin < name.end && std::isdigit(static_cast<unsigned char>(text[name.begin])) == 0)
-            return OpenCall{name, argument};
+        if (name.begin < name.end && !base::isDigit(text[name.begin])) return OpenCall{name, argument};
         argument = 0;  // a parenthesis or subscript inside of an argument
     }
     return std::nullopt;
@@ -91,8 +90,7 @@ CallHint functionHint(std::string_view text, const OpenCall& call, const CodeCon
                 hint.signatures.push_back(partsOf(each, call.argument));
     // Those that have such an argument, if any has.
     const auto lacksIt = [](const SignatureParts& each) { return each.argument.empty(); };
-    if (!std::all_of(hint.signatures.begin(), hint.signatures.end(), lacksIt))
-        std::erase_if(hint.signatures, lacksIt);
+    if (!std::ranges::all_of(hint.signatures, lacksIt)) std::erase_if(hint.signatures, lacksIt);
     if (!hint.signatures.empty()) hint.word = entry.word;
     return hint;
 }
@@ -117,29 +115,22 @@ CallHint commandHint(std::string_view text, std::string_view before, const CodeC
 CallHint callAt(std::string_view text, std::size_t cursor, const CodeContext& context) {
     cursor = std::min(cursor, text.size());
     const LanguageAt at = languageAt(text, cursor, context);
-    const std::size_t lineBegin = cursor == 0 ? 0 : text.rfind('\n', cursor - 1) + 1;
-    std::string_view line = text.substr(lineBegin, cursor - lineBegin);
+    const std::string_view line = lineBefore(text, cursor);
     if (at.language == CodeLanguage::glsl) {
         if (line.find("//") != std::string_view::npos) return {};
-        const std::string before = withoutComments(text.substr(0, cursor), "//");
+        const std::string before = withoutComments(text.substr(0, cursor));
         const std::optional<OpenCall> call = openCall(before, ";{}");
         return call ? functionHint(text, *call, context) : CallHint();
     }
     if (line.find('#') != std::string_view::npos) return {};
-    // A statement may begin lines earlier, which end with '\'.
-    std::size_t begin = lineBegin;
-    while (begin >= 2) {
-        const std::size_t last = text.find_last_not_of(" \t\r", begin - 2);
-        if (last == std::string_view::npos || text[last] != '\\') break;
-        begin = text.rfind('\n', last) + 1;
-    }
-    line = text.substr(begin, cursor - begin);
-    if (const std::optional<OpenCall> call = openCall(line, "")) {
+    const std::string_view statement = statementBefore(text, cursor);
+    if (const std::optional<OpenCall> call = openCall(statement, "")) {
+        const std::size_t begin = cursor - statement.size();
         const TextRange name{call->name.begin + begin, call->name.end + begin};
         if (CallHint hint = functionHint(text, {name, call->argument}, context); !hint.word.empty())
             return hint;
     }
-    return commandHint(text, line, context);
+    return commandHint(text, statement, context);
 }
 
 }  // namespace glibra::editor

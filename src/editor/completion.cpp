@@ -1,7 +1,6 @@
 #include "editor/completion.h"
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 #include <set>
 #include <utility>
@@ -26,22 +25,15 @@ using base::isOfName;
 constexpr std::size_t kMost = 200;
 constexpr int kDefaultVersion = 110;
 
-std::string_view lineWith(std::string_view text, std::size_t byte, std::size_t& begin) {
-    begin = byte == 0 ? std::string_view::npos : text.rfind('\n', byte - 1);
-    begin = begin == std::string_view::npos ? 0 : begin + 1;
-    return text.substr(begin, std::min(text.find('\n', byte), text.size()) - begin);
-}
-
 std::string_view firstWord(std::string_view line) {
     line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
-    const auto* const end = std::find_if_not(line.begin(), line.end(), isOfName);
+    const auto* const end = std::ranges::find_if_not(line, isOfName);
     return line.substr(0, static_cast<std::size_t>(end - line.begin()));
 }
 
 /// True if a comment or a quoted text is open at the byte.
 bool isInComment(std::string_view text, std::size_t byte, CodeLanguage language) {
-    std::size_t begin = 0;
-    const std::string_view line = lineWith(text, byte, begin).substr(0, byte - begin);
+    const std::string_view line = lineBefore(text, byte);
     if (language == CodeLanguage::glib) {
         bool isQuoted = false;
         for (const char c : line) {
@@ -68,7 +60,7 @@ class Collector {
     }
     /// What is added from now on comes after what was added before.
     void nextGroup() {
-        std::stable_sort(group_.begin(), group_.end(), [&](const Completion& a, const Completion& b) {
+        std::ranges::stable_sort(group_, [&](const Completion& a, const Completion& b) {
             const bool isExactA = a.word.starts_with(exact_), isExactB = b.word.starts_with(exact_);
             return isExactA != isExactB ? isExactA : glib::lower(a.word) < glib::lower(b.word);
         });
@@ -90,7 +82,7 @@ class Collector {
 
 void addGlsl(Collector& words, std::string_view text, const TextRange& typed,
              const std::optional<glsl::Stage>& stage, const std::vector<KnownName>& names) {
-    const int version = versionOf(text) < kDefaultVersion ? kDefaultVersion : versionOf(text);
+    const int version = std::max(versionOf(text), kDefaultVersion);
     // The typed word is no declaration of its own.
     std::string rest(text);
     std::fill(rest.begin() + static_cast<std::ptrdiff_t>(typed.begin),
@@ -113,19 +105,6 @@ void addGlsl(Collector& words, std::string_view text, const TextRange& typed,
     for (const std::string_view each : glsl::keywords())
         if (glsl::keywordSince(each) <= version && (!stage || isKeywordIn(each, *stage)))
             words.add(each, glsl::isTypeWord(each) ? "type" : "keyword");
-}
-
-/// The text of the statement before the cursor, which begins lines earlier if they end with '\'.
-std::string_view statementBefore(std::string_view text, std::size_t cursor) {
-    std::size_t begin = 0;
-    lineWith(text, cursor, begin);
-    while (begin >= 2) {
-        std::size_t end = begin - 1;
-        while (end > 0 && (text[end - 1] == ' ' || text[end - 1] == '\t' || text[end - 1] == '\r')) --end;
-        if (end == 0 || text[end - 1] != '\\') break;
-        lineWith(text, end - 1, begin);
-    }
-    return text.substr(begin, cursor - begin);
 }
 
 void addStatementWords(Collector& words, std::string_view name) {
@@ -153,7 +132,7 @@ void addDeclaredNames(Collector& words, std::string_view text, std::size_t curso
                                           glib::sameWord(word, "Group"));
             const std::string_view name =
                 firstWord(whole.substr(static_cast<std::size_t>(word.data() + word.size() - whole.data())));
-            if (declares && !name.empty() && std::isdigit(static_cast<unsigned char>(name.front())) == 0)
+            if (declares && !name.empty() && !base::isDigit(name.front()))
                 words.add(name, std::string(row->name), "line " + std::to_string(line));
         }
         begin = end + 1;
@@ -172,8 +151,8 @@ void addGlib(Collector& words, std::string_view text, const TextRange& typed,
             words.add(each.name, "statement", std::string(each.summary));
         return;
     }
-    const auto open = std::count(before.begin(), before.end(), '(');
-    const bool isExpression = open > std::count(before.begin(), before.end(), ')');
+    const auto open = std::ranges::count(before, '(');
+    const bool isExpression = open > std::ranges::count(before, ')');
     if (!isExpression) {
         addStatementWords(words, statement);
         words.nextGroup();
@@ -193,23 +172,19 @@ void addGlib(Collector& words, std::string_view text, const TextRange& typed,
 
 std::optional<glsl::Stage> stageOfFile(const std::filesystem::path& file) {
     using glsl::Stage;
-    static constexpr std::array<std::pair<std::string_view, Stage>, 12> kSuffixes{
-        {{".vert", Stage::vertex},
-         {".vs", Stage::vertex},
-         {".tesc", Stage::tessControl},
-         {".tcs", Stage::tessControl},
-         {".tese", Stage::tessEvaluation},
-         {".tes", Stage::tessEvaluation},
-         {".geom", Stage::geometry},
-         {".gs", Stage::geometry},
-         {".frag", Stage::fragment},
-         {".fs", Stage::fragment},
-         {".comp", Stage::compute},
-         {".cs", Stage::compute}}};
+    struct Suffixes {
+        Stage stage;
+        std::string_view usual, brief;
+    };
+    static constexpr Suffixes kSuffixes[] = {
+        {Stage::vertex, ".vert", ".vs"},          {Stage::tessControl, ".tesc", ".tcs"},
+        {Stage::tessEvaluation, ".tese", ".tes"}, {Stage::geometry, ".geom", ".gs"},
+        {Stage::fragment, ".frag", ".fs"},        {Stage::compute, ".comp", ".cs"}};
     std::filesystem::path suffix = file.extension();
     if (glib::sameWord(suffix.string(), ".glsl")) suffix = file.stem().extension();  // "a.frag.glsl"
-    for (const auto& [each, stage] : kSuffixes)
-        if (glib::sameWord(suffix.string(), each)) return stage;
+    for (const Suffixes& each : kSuffixes)
+        if (glib::sameWord(suffix.string(), each.usual) || glib::sameWord(suffix.string(), each.brief))
+            return each.stage;
     return std::nullopt;
 }
 
@@ -224,8 +199,7 @@ TextRange wordAt(std::string_view text, std::size_t byte) {
 TextRange nameNear(std::string_view text, std::size_t byte) {
     byte = std::min(byte, text.size());
     for (TextRange word = wordAt(text, byte);; word = wordAt(text, word.begin - 1)) {
-        const bool isName =
-            word.begin < word.end && std::isdigit(static_cast<unsigned char>(text[word.begin])) == 0;
+        const bool isName = word.begin < word.end && !base::isDigit(text[word.begin]);
         if (isName) return word;
         if (word.begin == 0 || text[word.begin - 1] == '\n') return {byte, byte};
     }
@@ -233,6 +207,21 @@ TextRange nameNear(std::string_view text, std::size_t byte) {
 
 TextRange wordBefore(std::string_view text, std::size_t byte) {
     return {wordAt(text, byte).begin, std::min(byte, text.size())};
+}
+
+std::string_view lineBefore(std::string_view text, std::size_t byte) {
+    const std::size_t begin = byte == 0 ? 0 : text.rfind('\n', byte - 1) + 1;
+    return text.substr(begin, byte - begin);
+}
+
+std::string_view statementBefore(std::string_view text, std::size_t byte) {
+    std::size_t begin = byte - lineBefore(text, byte).size();
+    while (begin >= 2) {
+        const std::size_t last = text.find_last_not_of(" \t\r", begin - 2);
+        if (last == std::string_view::npos || text[last] != '\\') break;
+        begin = last - lineBefore(text, last).size();
+    }
+    return text.substr(begin, byte - begin);
 }
 
 LanguageAt languageAt(std::string_view text, std::size_t byte, const CodeContext& context) {
@@ -263,8 +252,7 @@ LanguageAt languageAt(std::string_view text, std::size_t byte, const CodeContext
 std::vector<Completion> completionsAt(std::string_view text, std::size_t cursor, const CodeContext& context) {
     cursor = std::min(cursor, text.size());
     const TextRange typed = wordBefore(text, cursor);
-    const bool isNumber =
-        typed.begin < typed.end && std::isdigit(static_cast<unsigned char>(text[typed.begin])) != 0;
+    const bool isNumber = typed.begin < typed.end && base::isDigit(text[typed.begin]);
     const LanguageAt at = languageAt(text, cursor, context);
     if (isNumber || isInComment(text, cursor, at.language)) return {};
     if (typed.begin > 0 && text[typed.begin - 1] == '.') return {};

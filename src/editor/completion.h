@@ -49,6 +49,11 @@ TextRange nameNear(std::string_view text, std::size_t byte);
 /// The part of that word before the byte.
 TextRange wordBefore(std::string_view text, std::size_t byte);
 
+/// The part of the line before the byte.
+std::string_view lineBefore(std::string_view text, std::size_t byte);
+/// The part of a scene's statement before the byte. It begins lines earlier if they end with '\'.
+std::string_view statementBefore(std::string_view text, std::size_t byte);
+
 /// The language at a byte: scenes may contain shaders (InlineShaders). `stage` is that shader's.
 struct LanguageAt {
     CodeLanguage language = CodeLanguage::glsl;

@@ -25,7 +25,7 @@ std::string_view wordOfDirective(std::string_view line, std::string_view what) {
     const std::size_t begin = line.find_first_not_of(kSpacesAndTabs);
     if (begin == 0 || begin == std::string_view::npos) return {};
     line.remove_prefix(begin);
-    const auto* const end = std::find_if_not(line.begin(), line.end(), base::isOfName);
+    const auto* const end = std::ranges::find_if_not(line, base::isOfName);
     return line.substr(0, static_cast<std::size_t>(end - line.begin()));
 }
 
@@ -43,15 +43,14 @@ class Reader {
             if (word == "struct" && isName(at + 1)) {
                 types_.insert(std::string(wordAt(at + 1)));
                 add(at + 1, "struct", "struct " + std::string(wordAt(at + 1)), false);
-            } else if (isType(word) && isName(at + 1) && !follows(at, ".")) {
+            } else if (isType(word) && isName(at + 1) && beforeName(at) != ".") {
                 declare(at);
             } else if (isName(at) && wordAt(at + 1) == "{" && isInterfaceWord(beforeName(at))) {
                 add(at, "block", std::string(beforeName(at)) + " " + std::string(word), false);
                 found_.back().isInterface = true;
             }
         }
-        std::stable_sort(found_.begin(), found_.end(),
-                         [](const DeclaredName& a, const DeclaredName& b) { return a.line < b.line; });
+        std::ranges::stable_sort(found_, {}, &DeclaredName::line);
         return std::move(found_);
     }
 
@@ -77,9 +76,6 @@ class Reader {
 
     [[nodiscard]] std::string_view wordAt(std::size_t at) const {
         return at < tokens_.size() ? tokens_[at].text : std::string_view();
-    }
-    [[nodiscard]] bool follows(std::size_t at, std::string_view before) const {
-        return at > 0 && wordAt(at - 1) == before;
     }
     [[nodiscard]] std::string_view beforeName(std::size_t at) const {
         return at > 0 ? wordAt(at - 1) : std::string_view();

@@ -1,9 +1,11 @@
 #include "editor/documents.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cctype>
 #include <system_error>
 
+#include "base/whole_file.h"
 #include "glib/limits.h"
 #include "glib/text.h"
 #include "image/file.h"
@@ -46,7 +48,7 @@ std::filesystem::path fileOf(std::string_view uri) {
     }
     std::erase(path, '\0');
     if (isFile) return std::filesystem::path(path).lexically_normal();
-    std::replace(path.begin(), path.end(), '/', '_');
+    std::ranges::replace(path, '/', '_');
     std::error_code failure;
     return std::filesystem::current_path(failure) / path;
 }
@@ -57,15 +59,10 @@ std::string uriOf(const std::filesystem::path& file) {
     std::error_code failure;
     const std::filesystem::path whole = std::filesystem::absolute(file, failure);
     for (const char c : whole.lexically_normal().string()) {
-        if (glib::isLetter(c) || glib::isDigit(c) || kPlain.find(c) != std::string_view::npos) {
+        if (glib::isLetter(c) || glib::isDigit(c) || kPlain.find(c) != std::string_view::npos)
             uri += c;
-            continue;
-        }
-        constexpr std::string_view kDigits = "0123456789ABCDEF";
-        const auto byte = static_cast<unsigned char>(c);
-        uri += '%';
-        uri += kDigits[byte >> 4U];
-        uri += kDigits[byte & 15U];
+        else
+            uri += fmt::format("%{:02X}", static_cast<unsigned char>(c));
     }
     return uri;
 }
@@ -121,7 +118,7 @@ const Document* Documents::findFile(const std::filesystem::path& file) const {
 std::string Documents::textOf(const std::filesystem::path& file) const {
     if (const Document* open = findFile(file)) return open->text;
     const auto bytes = image::readFile(file, {file.string(), {}}, glib::kLargestFile);
-    return bytes ? std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size()) : std::string();
+    return bytes ? std::string(base::asText(*bytes)) : std::string();
 }
 
 std::string Documents::uriOf(const std::filesystem::path& file) const {

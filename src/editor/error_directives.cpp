@@ -56,7 +56,7 @@ std::string logOf(const glsl::TranslatedStage& stage) {
             log += fmt::format("{}:{}(1): error: #error{}\n", file, number, directive.text);
         // Comments of several lines are one token.
         for (auto each = begin; each != end; ++each)
-            number += static_cast<int>(std::count(each->text.begin(), each->text.end(), '\n'));
+            number += static_cast<int>(std::ranges::count(each->text, '\n'));
         ++number;
         if (directive.name == "line") std::istringstream(directive.text) >> number >> file;
         begin = end == tokens.end() ? end : end + 1;

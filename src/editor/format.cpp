@@ -9,8 +9,8 @@
 #include "glib/command_table.h"
 #include "glib/limits.h"
 #include "glib/modern/statement_table.h"
+#include "glib/parse/statement.h"
 #include "glib/script.h"
-#include "glib/statement.h"
 #include "glib/text.h"
 
 namespace glibra::editor {
@@ -119,8 +119,7 @@ std::optional<std::string_view> spelling(const glib::Statement& statement) {
 
 /// True if the text is blanks with a tab among them.
 bool isGapWithTab(std::string_view gap) {
-    return gap.find_first_of("\t\v\f") != std::string_view::npos &&
-           std::all_of(gap.begin(), gap.end(), isSpaceOrTab);
+    return gap.find_first_of("\t\v\f") != std::string_view::npos && std::ranges::all_of(gap, isSpaceOrTab);
 }
 
 class Formatter {
@@ -326,19 +325,9 @@ std::string formattedOnce(std::string_view text) {
     return Formatter(text, glib::parse(text, {}).isModern).format();
 }
 
-using Uniform = std::tuple<std::string, glib::UniformForm, std::vector<double>, bool, std::string>;
-
 bool isSame(const glib::Command& a, const glib::Command& b) {
-    const auto points = [](const glib::Command& command) {
-        std::vector<std::vector<double>> all;
-        for (const glib::PointGroup& each : command.points) all.push_back(each.values);
-        return all;
-    };
-    const auto uniforms = [](const glib::Command& command) {
-        std::vector<Uniform> all;
-        for (const glib::UniformSpec& each : command.uniforms)
-            all.emplace_back(each.tag, each.form, each.values, each.mayBeUnknown, each.word);
-        return all;
+    const auto written = [](const glib::UniformSpec& each) {
+        return std::tie(each.tag, each.form, each.values, each.mayBeUnknown, each.word);
     };
     const auto values = [](const std::vector<glib::Value>& all) {
         std::string text;
@@ -347,7 +336,9 @@ bool isSame(const glib::Command& a, const glib::Command& b) {
     };
     return a.id == b.id && glib::sameWord(a.word, b.word) && a.position.line == b.position.line &&
            a.numbers == b.numbers && a.givenNumbers == b.givenNumbers && a.text == b.text &&
-           a.files == b.files && points(a) == points(b) && uniforms(a) == uniforms(b) &&
+           a.files == b.files &&
+           std::ranges::equal(a.points, b.points, {}, &glib::PointGroup::values, &glib::PointGroup::values) &&
+           std::ranges::equal(a.uniforms, b.uniforms, {}, written, written) &&
            values(a.values) == values(b.values) && a.body == b.body && a.isModern == b.isModern &&
            a.partner == b.partner && a.bodyPosition == b.bodyPosition &&
            (!a.isModern || glib::sameWord(glib::written(a), glib::written(b)));
@@ -367,8 +358,7 @@ bool meanTheSame(std::string_view a, std::string_view b) {
     const glib::Script first = glib::parse(a, {}), second = glib::parse(b, {});
     return first.isModern == second.isModern && first.lostNames == second.lostNames &&
            messagesOf(first) == messagesOf(second) &&
-           std::equal(first.commands.begin(), first.commands.end(), second.commands.begin(),
-                      second.commands.end(), isSame);
+           std::ranges::equal(first.commands, second.commands, isSame);
 }
 
 std::string formatted(std::string_view text) {

@@ -16,8 +16,8 @@ struct GlslRow {
     std::string_view signature;
     std::string_view summary;
     int since = 110;           ///< the first #version that has it
-    int until = 1000;          ///< the first #version that has it no more
     std::string_view where{};  ///< letters of stages: v c e g f k (compute); empty: all
+    int until = 1000;          ///< the first #version that has it no more
 };
 
 /// All rows, grouped by subject.

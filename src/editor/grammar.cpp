@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <utility>
@@ -35,9 +34,7 @@ struct LanguageWords {
 };
 
 bool isPlainWord(std::string_view word) {
-    return !word.empty() && !glib::isDigit(word.front()) && std::all_of(word.begin(), word.end(), [](char c) {
-        return glib::isLetter(c) || glib::isDigit(c) || c == '_';
-    });
+    return !word.empty() && !glib::isDigit(word.front()) && std::ranges::all_of(word, glib::isOfName);
 }
 
 LanguageWords languageWords() {
@@ -71,8 +68,8 @@ LanguageWords languageWords() {
 
 /// The words as alternatives of a regular expression, longer ones first.
 std::string alternatives(Words words) {
-    std::stable_sort(words.begin(), words.end(),
-                     [](const std::string& a, const std::string& b) { return a.size() > b.size(); });
+    std::ranges::stable_sort(words,
+                             [](const std::string& a, const std::string& b) { return a.size() > b.size(); });
     return fmt::format("{}", fmt::join(words, "|"));
 }
 
@@ -131,12 +128,11 @@ std::vector<GrammarFile> forVscode(const LanguageWords& words, std::string_view 
     for (const char* each : {"glEnd", "PopMatrix", "TransformEnd"}) closers.emplace_back(each);
     Words divided = openers;
     divided.emplace_back("Else");
-    Json pairList = Json::array();
-    for (const auto& [open, close] : {std::pair{"{", "}"}, {"[", "]"}, {"(", ")"}, {"\"", "\""}})
-        pairList.push_back(Json::array({open, close}));
     Json brackets = Json::array();
     for (const auto& [open, close] : {std::pair{"{", "}"}, {"[", "]"}, {"(", ")"}})
         brackets.push_back(Json::array({open, close}));
+    Json pairList = brackets;
+    pairList.push_back(Json::array({"\"", "\""}));
     const Json configuration = {
         {"comments", {{"lineComment", "#"}}},
         {"brackets", brackets},
@@ -180,7 +176,7 @@ std::string vimKeywords(const char* group, const Words& words, const char* optio
     std::string text;
     std::string line;
     for (const std::string& each : words) {
-        if (std::find(kVimOptions.begin(), kVimOptions.end(), glib::lower(each)) != kVimOptions.end()) {
+        if (std::ranges::find(kVimOptions, glib::lower(each)) != kVimOptions.end()) {
             text += fmt::format("syntax match {} /\\<{}\\>/{}\n", group, each, options);
             continue;
         }
@@ -212,8 +208,8 @@ std::vector<GrammarFile> forVim(const LanguageWords& words) {
     // A keyword of Vim counts anywhere: a word that also begins statements would hide them.
     Words keys = words.keys;
     std::erase_if(keys, [&](const std::string& key) {
-        return std::any_of(words.statements.begin(), words.statements.end(),
-                           [&](const std::string& each) { return glib::sameWord(each, key); });
+        return std::ranges::any_of(words.statements,
+                                   [&](const std::string& each) { return glib::sameWord(each, key); });
     });
     text += vimKeywords("glibKey", keys);
     text += vimKeywords("glibStatement", words.statements, " contained");

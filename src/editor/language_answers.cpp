@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -62,6 +63,13 @@ const DeclaredName* declarationOf(const std::vector<DeclaredName>& all, std::str
     return found;
 }
 
+std::vector<NamedFile> namedFiles(const Document& document) {
+    std::vector<NamedFile> named = includesIn(document.text);
+    if (document.language == CodeLanguage::glib)
+        std::ranges::move(filesIn(document.text), std::back_inserter(named));
+    return named;
+}
+
 }  // namespace
 
 const Document& LanguageServer::documentOf(const json& parameters) const {
@@ -76,9 +84,7 @@ CodeContext LanguageServer::contextOf(const Document& document) const {
     if (document.language == CodeLanguage::glsl) context.stage = stageOfFile(document.file);
     const auto textOf = [this](const std::filesystem::path& file) { return documents_.textOf(file); };
     for (const auto& [scene, check] : checks_) {
-        const bool isUsed = scene == document.file || std::find(check.files.begin(), check.files.end(),
-                                                                document.file) != check.files.end();
-        if (!isUsed) continue;
+        if (scene != document.file && !check.uses(document.file)) continue;
         context.names.insert(context.names.end(), check.names.values.begin(), check.names.values.end());
         addProgramNames(context, check.names.programs, document.file, textOf);
     }
@@ -124,7 +130,7 @@ std::filesystem::path LanguageServer::found(const Document& from, const std::str
     scene::FolderListings listings;
     if (from.language == CodeLanguage::glsl) {
         for (const auto& [scene, check] : checks_)
-            if (std::find(check.files.begin(), check.files.end(), from.file) != check.files.end())
+            if (check.uses(from.file))
                 return scene::findInclude(name, from.file.string(), scene.string(), options, listings).path;
         return scene::findInclude(name, from.file.string(), from.file.string(), options, listings).path;
     }
@@ -146,9 +152,7 @@ json LanguageServer::definition(const json& parameters) {
     const TextLines lines(text);
     const std::size_t byte = lines.byte(positionIn(parameters.at("position")));
     const auto isAt = [&](const TextRange& range) { return range.begin <= byte && byte <= range.end; };
-    std::vector<NamedFile> named = includesIn(text);
-    if (document.language == CodeLanguage::glib)
-        for (NamedFile& each : filesIn(text)) named.push_back(std::move(each));
+    const std::vector<NamedFile> named = namedFiles(document);
     for (const NamedFile& each : named)
         if (isAt(each.place)) {
             const std::filesystem::path file = found(document, each.name);
@@ -172,16 +176,14 @@ json LanguageServer::definition(const json& parameters) {
     for (const NamedFile& each : named)
         if (std::filesystem::path file = found(document, each.name); !file.empty())
             others.push_back(std::move(file));
-    for (const auto& [scene, check] : checks_) {
-        const bool isOwn = scene == document.file || std::find(check.files.begin(), check.files.end(),
-                                                               document.file) != check.files.end();
-        if (isOwn) others.insert(others.end(), check.files.begin(), check.files.end());
-    }
+    for (const auto& [scene, check] : checks_)
+        if (scene == document.file || check.uses(document.file))
+            others.insert(others.end(), check.files.begin(), check.files.end());
     for (const std::filesystem::path& file : others) {
         if (file == document.file || glib::sameWord(file.extension().string(), ".glib")) continue;
         const std::string other = documents_.textOf(file);
         const std::vector<DeclaredName> all = declaredNames(other);
-        const auto declared = std::find_if(all.begin(), all.end(), [&](const DeclaredName& each) {
+        const auto declared = std::ranges::find_if(all, [&](const DeclaredName& each) {
             return each.name == name &&
                    (each.isFunction || each.isInterface || each.type == "macro" || each.type == "struct");
         });
@@ -195,11 +197,8 @@ json LanguageServer::definition(const json& parameters) {
 json LanguageServer::links(const json& parameters) {
     const Document& document = documentOf(parameters);
     const TextLines lines(document.text);
-    std::vector<NamedFile> named = includesIn(document.text);
-    if (document.language == CodeLanguage::glib)
-        for (NamedFile& each : filesIn(document.text)) named.push_back(std::move(each));
     json links = json::array();
-    for (const NamedFile& each : named)
+    for (const NamedFile& each : namedFiles(document))
         if (const std::filesystem::path file = found(document, each.name); !file.empty())
             links.push_back({{"range", toJson(lines, each.place)}, {"target", documents_.uriOf(file)}});
     return links;

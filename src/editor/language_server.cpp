@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "base/utf8.h"
-#include "glib/text.h"
 #include "suite/file/glob.h"
 
 namespace glibra::editor {
@@ -72,8 +71,7 @@ const LanguageServer::Method* LanguageServer::findMethod(std::string_view name) 
         Method{"textDocument/documentLink", &LanguageServer::links},
         Method{"textDocument/formatting", &LanguageServer::format},
     };
-    const auto* const found =
-        std::find_if(kMethods.begin(), kMethods.end(), [&](const Method& each) { return each.name == name; });
+    const auto* const found = std::ranges::find(kMethods, name, &Method::name);
     return found == kMethods.end() ? nullptr : found;
 }
 
@@ -173,17 +171,11 @@ void LanguageServer::notify(const std::string& method, const json& parameters) {
         documents_.close(uri);
         forget(file);
         for (const auto& [scene, check] : checks_)
-            if (std::find(check.files.begin(), check.files.end(), file) != check.files.end())
-                due_.insert(scene);
+            if (check.uses(file)) due_.insert(scene);
         // Scenes that were checked for the sake of a shader that is open no more.
         std::vector<std::filesystem::path> unused;
-        for (const auto& [scene, check] : checks_) {
-            const bool isUsed = documents_.findFile(scene) != nullptr ||
-                                std::any_of(check.files.begin(), check.files.end(), [&](const auto& each) {
-                                    return documents_.findFile(each) != nullptr;
-                                });
-            if (!isUsed) unused.push_back(scene);
-        }
+        for (const auto& [scene, check] : checks_)
+            if (!isShown(scene, check)) unused.push_back(scene);
         for (const std::filesystem::path& each : unused) forget(each);
     } else if (method == "workspace/didChangeWatchedFiles") {
         for (const auto& [scene, check] : checks_) due_.insert(scene);
@@ -216,11 +208,18 @@ json LanguageServer::shutDown(const json&) {
 
 // ---- Checks
 
+bool LanguageServer::isShown(const std::filesystem::path& scene, const SceneCheck& check) const {
+    const auto isOpen = [&](const std::filesystem::path& file) {
+        return documents_.findFile(file) != nullptr;
+    };
+    return isOpen(scene) || std::ranges::any_of(check.files, isOpen);
+}
+
 void LanguageServer::changed(const Document& document) {
     if (document.language == CodeLanguage::glib) due_.insert(document.file);
     bool isUsed = document.language == CodeLanguage::glib;
     for (const auto& [scene, check] : checks_) {
-        if (std::find(check.files.begin(), check.files.end(), document.file) == check.files.end()) continue;
+        if (!check.uses(document.file)) continue;
         due_.insert(scene);
         isUsed = true;
     }
@@ -272,14 +271,11 @@ void LanguageServer::work() {
 }
 
 void LanguageServer::report(const std::filesystem::path& scene, const SceneCheck& check) {
-    // A scene that only mentions the name of an open shader is not shown.
-    const bool isShown = documents_.findFile(scene) != nullptr ||
-                         std::any_of(check.files.begin(), check.files.end(),
-                                     [&](const auto& each) { return documents_.findFile(each) != nullptr; });
     std::set<std::filesystem::path> files;
     if (const auto last = checks_.find(scene); last != checks_.end())
         for (const Diagnostic& each : last->second.diagnostics) files.insert(each.place.file);
-    if (!isShown) {
+    // A scene that only mentions the name of an open shader is not shown.
+    if (!isShown(scene, check)) {
         checks_.erase(scene);
     } else {
         for (const Diagnostic& each : check.diagnostics) files.insert(each.place.file);

@@ -70,6 +70,8 @@ class LanguageServer {
     [[nodiscard]] std::filesystem::path found(const Document& from, const std::string& name) const;
     [[nodiscard]] json linkTo(const std::filesystem::path& file, std::string_view text,
                               const TextRange& place) const;
+    /// True if the editor has opened the scene or a file of it.
+    [[nodiscard]] bool isShown(const std::filesystem::path& scene, const SceneCheck& check) const;
     void changed(const Document& document);
     /// Scenes that are not open and use the shader: those of the folders of the library around it.
     void findScenesOf(const Document& shader);

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
+#include <system_error>
+#include <utility>
 
 #include "glib/text.h"
 
@@ -18,21 +21,17 @@ std::optional<std::size_t> lengthIn(std::string_view header) {
     header.remove_prefix(at + kLength.size());
     header.remove_prefix(std::min(header.find_first_not_of(" \t"), header.size()));
     std::size_t length = 0;
-    const auto read = std::from_chars(header.data(), header.data() + header.size(), length);
-    if (read.ec != std::errc()) return std::nullopt;
-    return length;
+    const auto [end, problem] = std::from_chars(header.data(), header.data() + header.size(), length);
+    if (problem == std::errc::result_out_of_range) return std::numeric_limits<std::size_t>::max();
+    return problem == std::errc() ? std::optional(length) : std::nullopt;
 }
 
 }  // namespace
 
 std::optional<std::string> MessageReader::next() {
     for (;;) {
-        const std::size_t skipped = std::min(skip_, bytes_.size());
-        bytes_.erase(0, skipped);
-        skip_ -= skipped;
-        if (skip_ > 0) return std::nullopt;
         if (length_) {
-            if (bytes_.size() < *length_) return std::nullopt;
+            if (isLost() || bytes_.size() < *length_) return std::nullopt;
             std::string message = bytes_.substr(0, *length_);
             bytes_.erase(0, *length_);
             length_.reset();
@@ -51,10 +50,6 @@ std::optional<std::string> MessageReader::next() {
         }
         length_ = lengthIn(std::string_view(bytes_).substr(0, end));
         bytes_.erase(0, after);
-        if (length_ && *length_ > kLargestMessage) {
-            skip_ = *length_;
-            length_.reset();
-        }
     }
 }
 

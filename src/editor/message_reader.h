@@ -1,6 +1,7 @@
 #pragma once
 // The messages of a client of the language server: "Content-Length: N", an empty line, N bytes of JSON. A
-// client may be cut off or wrong about the length; reading then goes on with the next header.
+// client may be cut off or wrong about the length; reading then goes on with the next header, unless the
+// length is larger than any message.
 
 #include <cstddef>
 #include <optional>
@@ -19,12 +20,15 @@ class MessageReader {
     /// header is read again.
     void refuse(std::string_view message);
 
+    /// A header states more than kLargestMessage bytes. No further message is read: nobody knows where the
+    /// next one begins.
+    [[nodiscard]] bool isLost() const { return length_ && *length_ > kLargestMessage; }
+
     static constexpr std::size_t kLargestMessage = std::size_t{64} << 20U;
 
   private:
     std::string bytes_;
     std::optional<std::size_t> length_;  ///< of the message that `bytes_` begins with
-    std::size_t skip_ = 0;               ///< bytes of a message that is too large
 };
 
 /// The message with its header.

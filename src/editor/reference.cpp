@@ -78,7 +78,7 @@ ReferenceEntry glibEntry(std::string_view word) {
 ReferenceEntry glslEntry(std::string_view word) {
     ReferenceEntry entry;
     for (const scene::ShaderName& each : scene::shaderNames()) {
-        if (std::find(each.names.begin(), each.names.end(), word) == each.names.end()) continue;
+        if (std::ranges::find(each.names, word) == each.names.end()) continue;
         entry.word = word;
         entry.code.push_back(fmt::format("{} {} {}", each.isInput ? "in" : "uniform", each.type, word));
         addTo(entry, each.meaning + "; glibra supplies it, it needs no declaration");

@@ -16,6 +16,7 @@
 #include "glib/number.h"
 #include "glsl/translate.h"
 #include "plan/frame_plan.h"
+#include "render/consequences.h"
 #include "render/load/program_sources.h"
 #include "render/scene_renderer.h"
 #include "scene/interpret.h"
@@ -35,8 +36,7 @@ std::vector<plan::ProgramVariant> variantsOf(const scene::Scene& scene) {
     const auto add = [&](const plan::ProgramVariant& variant) {
         if (!variant.program) return;
         used.insert(variant.program);
-        if (std::find(variants.begin(), variants.end(), variant) == variants.end())
-            variants.push_back(variant);
+        if (std::ranges::find(variants, variant) == variants.end()) variants.push_back(variant);
     };
     const auto addAll = [&](const scene::NodeList& nodes) {
         nodes.visitDraws([&](const scene::Draw& draw, const scene::Pass& pass) {
@@ -74,8 +74,7 @@ void translateAll(const scene::Scene& scene, const RenderOptions& options, rende
         append(check.diagnostics, std::move(found));
     }
     for (std::filesystem::path& each : sources.filesRead())
-        if (std::find(check.files.begin(), check.files.end(), each) == check.files.end())
-            check.files.push_back(std::move(each));
+        if (std::ranges::find(check.files, each) == check.files.end()) check.files.push_back(std::move(each));
 }
 
 std::string valueText(const std::vector<double>& numbers, glib::UniformForm form) {
@@ -180,8 +179,7 @@ void addProgramNames(CodeContext& context, const std::vector<SceneProgram>& prog
     const bool isScene = context.language == CodeLanguage::glib;
     if (!isScene && !context.stage) context.stage = stageOfFile(file);
     for (const SceneProgram& program : programs) {
-        const auto own = std::find_if(program.stages.begin(), program.stages.end(),
-                                      [&](const SceneProgram::Stage& each) { return each.file == file; });
+        const auto own = std::ranges::find(program.stages, file, &SceneProgram::Stage::file);
         if (!isScene && own == program.stages.end()) continue;
         if (isScene && !program.name.empty())
             context.names.push_back(

@@ -5,6 +5,7 @@
 
 #include <glibra/render.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -46,6 +47,10 @@ struct SceneCheck {
     Diagnostics diagnostics;
     std::vector<std::filesystem::path> files;  ///< shaders, what they include, and included scenes
     SceneNames names;
+
+    [[nodiscard]] bool uses(const std::filesystem::path& file) const {
+        return std::ranges::find(files, file) != files.end();
+    }
 };
 
 /// Checks a scene. RenderOptions::texts has the texts that are not saved. Does not throw.

@@ -5,12 +5,11 @@
 #include <algorithm>
 #include <functional>
 #include <optional>
-#include <utility>
 
-#include "glib/arguments.h"
 #include "glib/number.h"
+#include "glib/parse/arguments.h"
+#include "glib/parse/statement.h"
 #include "glib/script.h"
-#include "glib/statement.h"
 #include "glib/text.h"
 
 namespace glibra::editor {
@@ -25,10 +24,6 @@ void visitStatements(std::string_view scene, const std::function<void(const glib
     glib::MessageLog unused{""};
     glib::StatementReader reader(scene, isModern, unused);
     while (const std::optional<glib::Statement> each = reader.next()) visit(*each);
-}
-
-bool hasText(const glib::Statement& statement, std::string_view word) {
-    return !statement.arguments.empty() && glib::sameWord(statement.arguments.front().text, word);
 }
 
 std::optional<double> plainNumber(const Token& token) {
@@ -51,13 +46,13 @@ std::vector<double> numbersFrom(const std::vector<Token>& tokens, std::size_t be
 
 WrittenColor colorOf(const std::vector<double>& numbers, TextRange place) {
     WrittenColor color{place};
-    std::copy(numbers.begin(), numbers.end(), color.components.begin());
+    std::ranges::copy(numbers, color.components.begin());
     return color;
 }
 
 bool isColor(const std::vector<double>& numbers) {
     return numbers.size() >= 3 &&
-           std::all_of(numbers.begin(), numbers.end(), [](double each) { return each >= 0 && each <= 1; });
+           std::ranges::all_of(numbers, [](double each) { return each >= 0 && each <= 1; });
 }
 
 bool statesColor(const glib::Statement& statement) {
@@ -152,8 +147,10 @@ std::string colorText(const std::array<double, 4>& components, std::string_view 
 std::vector<NamedFile> filesIn(std::string_view scene) {
     std::vector<NamedFile> found;
     visitStatements(scene, [&](const glib::Statement& statement) {
-        if (!namesFiles(statement) || hasText(statement, "inline")) return;
-        for (const Token& each : statement.arguments) {
+        const std::vector<Token>& arguments = statement.arguments;
+        if (!namesFiles(statement) || arguments.empty() || glib::sameWord(arguments.front().text, "inline"))
+            return;
+        for (const Token& each : arguments) {
             const bool isFile =
                 each.kind == TokenKind::quoted ||
                 (each.kind == TokenKind::word && each.text.find('.') != std::string_view::npos);

@@ -27,7 +27,7 @@ TextRange TextLines::line(std::size_t index) const {
 
 TextPosition TextLines::position(std::size_t byte) const {
     byte = std::min(byte, text_.size());
-    const auto after = std::upper_bound(begins_.begin(), begins_.end(), byte);
+    const auto after = std::ranges::upper_bound(begins_, byte);
     TextPosition found{static_cast<std::size_t>(after - begins_.begin()) - 1, 0};
     for (std::size_t at = *(after - 1); at < byte;) {
         const base::Character character = base::firstCharacter(text_.substr(at));

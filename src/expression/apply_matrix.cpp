@@ -1,7 +1,5 @@
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 

@@ -86,8 +86,7 @@ void Builder::erase(std::size_t first, std::size_t last, std::size_t numbers) {
 }
 
 std::size_t Builder::use(std::string_view path, Symbol symbol) {
-    const auto found = std::find_if(code_.uses.begin(), code_.uses.end(),
-                                    [path](const Use& each) { return each.path == path; });
+    const auto found = std::ranges::find(code_.uses, path, &Use::path);
     if (found != code_.uses.end()) return static_cast<std::size_t>(found - code_.uses.begin());
     code_.uses.push_back({std::string(path), std::move(symbol)});
     return code_.uses.size() - 1;

@@ -214,6 +214,14 @@ class Machine {
     std::size_t at_ = 0;
 };
 
+Checked<Value> valueOf(const Code& code, const Values* values) {
+    double stack[kMostDoubles];
+    if (auto problem = Machine(code, values, stack).run(0)) return std::move(*problem);
+    Value value{code.type, {}};
+    std::copy_n(stack, code.type.size(), value.components.begin());
+    return value;
+}
+
 }  // namespace
 
 std::string Values::whyMissing(std::uint32_t /*slot*/, std::size_t /*element*/) const {
@@ -246,19 +254,12 @@ std::span<const Use> Expression::uses() const {
 
 std::optional<Value> Expression::constant() const {
     if (!code_->uses.empty()) return std::nullopt;
-    double stack[kMostDoubles];
-    if (run(*code_, 0, nullptr, stack)) return std::nullopt;
-    Value value{code_->type, {}};
-    std::copy_n(stack, code_->type.size(), value.components.begin());
-    return value;
+    auto value = valueOf(*code_, nullptr);
+    return value ? std::optional(std::move(*value)) : std::nullopt;
 }
 
 Checked<Value> Expression::evaluate(const Values& values) const {
-    double stack[kMostDoubles];
-    if (auto problem = run(*code_, 0, &values, stack)) return std::move(*problem);
-    Value value{code_->type, {}};
-    std::copy_n(stack, code_->type.size(), value.components.begin());
-    return value;
+    return valueOf(*code_, &values);
 }
 
 bool operator==(const Expression& a, const Expression& b) {

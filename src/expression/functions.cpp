@@ -1,6 +1,7 @@
 #include "expression/functions.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -244,23 +245,14 @@ std::span<const FunctionRow> functionTable() {
 }
 
 std::string_view title(FunctionGroup group) {
-    switch (group) {
-        case FunctionGroup::constructors:
-            return "Types";
-        case FunctionGroup::scalars:
-            return "Numbers, and vectors component by component";
-        case FunctionGroup::vectors:
-            return "Vectors";
-        case FunctionGroup::booleans:
-            return "Comparisons of vectors";
-        case FunctionGroup::matrices:
-            return "Matrices";
-        case FunctionGroup::transforms:
-            return "Transforms and projections";
-        case FunctionGroup::motion:
-            break;
-    }
-    return "Motion and chance";
+    static constexpr std::array<std::string_view, 7> kTitles{"Types",
+                                                             "Numbers, and vectors component by component",
+                                                             "Vectors",
+                                                             "Comparisons of vectors",
+                                                             "Matrices",
+                                                             "Transforms and projections",
+                                                             "Motion and chance"};
+    return kTitles.at(static_cast<std::size_t>(group));
 }
 
 std::span<const FunctionRow> functionsNamed(std::string_view name) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <cstdint>
 #include <system_error>
 
@@ -10,6 +9,8 @@
 
 namespace glibra::expression {
 namespace {
+
+using base::isDigit;
 
 constexpr std::string_view kNoBreakSpace = "\xc2\xa0";
 

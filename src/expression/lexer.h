@@ -8,13 +8,6 @@
 
 namespace glibra::expression {
 
-constexpr bool isDigit(char c) {
-    return c >= '0' && c <= '9';
-}
-constexpr bool isLineEnd(char c) {
-    return c == '\n' || c == '\r';
-}
-
 enum class TokenKind { end, number, name, sign, wrong };
 
 struct Token {

@@ -71,8 +71,8 @@ void NameTable::set(std::uint32_t slot, std::span<const double> components, std:
     if (slot >= values_.size()) return;
     Stored& stored = values_[slot];
     if (components.size() != stored.type.size() || element >= stored.isSet.size()) return;
-    std::copy(components.begin(), components.end(),
-              stored.components.begin() + static_cast<std::ptrdiff_t>(element * components.size()));
+    std::ranges::copy(components,
+                      stored.components.begin() + static_cast<std::ptrdiff_t>(element * components.size()));
     stored.isSet[element] = true;
 }
 

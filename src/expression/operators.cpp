@@ -1,7 +1,6 @@
 #include "expression/operators.h"
 
 #include <algorithm>
-#include <array>
 
 #include "expression/apply.h"
 
@@ -39,8 +38,8 @@ constexpr OperatorRow kOperators[] = {
 };
 
 const OperatorRow* rowOf(std::string_view sign) {
-    const auto* const found = std::find_if(std::begin(kOperators), std::end(kOperators),
-                                           [sign](const OperatorRow& row) { return row.sign == sign; });
+    const auto* const found =
+        std::ranges::find_if(kOperators, [sign](const OperatorRow& row) { return row.sign == sign; });
     return found == std::end(kOperators) ? nullptr : found;
 }
 

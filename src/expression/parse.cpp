@@ -82,7 +82,7 @@ std::string_view Parser::textOf(Range range) const {
 }
 
 bool Parser::wants(const Type& type) const {
-    return std::find(wanted_.types.begin(), wanted_.types.end(), type) != wanted_.types.end();
+    return std::ranges::find(wanted_.types, type) != wanted_.types.end();
 }
 
 void Parser::finish(Operand result) {
@@ -110,7 +110,7 @@ void Parser::finish(Operand result) {
 void Parser::wordOfChoice(Operand& result) {
     std::vector<double> places;
     for (const std::string& each : code_.uses[*result.choice].symbol.words) {
-        const auto found = std::find(wanted_.words.begin(), wanted_.words.end(), each);
+        const auto found = std::ranges::find(wanted_.words, each);
         if (found == wanted_.words.end()) {
             problem(result.range, "expr-E03",
                     fmt::format("{} may be '{}'; expected {}", code_.uses[*result.choice].path, each,

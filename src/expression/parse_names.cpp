@@ -38,7 +38,7 @@ void Parser::unknownName(std::string_view name, Range range) {
 bool Parser::compareWithChoice(const Operand& choice, Operand& word) {
     const std::vector<std::string>& words = code_.uses[*choice.choice].symbol.words;
     const std::string_view text = textOf(word.range);
-    const auto found = std::find(words.begin(), words.end(), text);
+    const auto found = std::ranges::find(words, text);
     if (found == words.end()) {
         problem(word.range, "expr-E02",
                 fmt::format("unknown word {}; {} is {}", quoted(code_.text, word.range),
@@ -137,7 +137,7 @@ Parser::Parsed Parser::loaded(const std::string& path, Symbol symbol, const Pars
 
 Parser::Parsed Parser::unnamed(const Token& first) {
     if (first.text == "pi") return build_.pushed(std::numbers::pi, Type::number(), first.range);
-    const auto word = std::find(wanted_.words.begin(), wanted_.words.end(), first.text);
+    const auto word = std::ranges::find(wanted_.words, first.text);
     const bool isWanted = word != wanted_.words.end() && wants(Type::word());
     Operand operand = build_.pushed(isWanted ? static_cast<double>(word - wanted_.words.begin()) : 0,
                                     Type::word(), first.range);

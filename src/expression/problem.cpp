@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "expression/lexer.h"
-
 namespace glibra::expression {
 namespace {
 

@@ -1,14 +1,12 @@
 #include "gallery/describe.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <system_error>
 #include <utility>
 
-#include "base/contained.h"
+#include "base/whole_file.h"
 #include "classroom/tokens.h"
 #include "glib/limits.h"
 #include "glib/text.h"
@@ -26,16 +24,6 @@ constexpr std::size_t kMostSources = 100;     // of a scene
 constexpr std::size_t kMostText = 2'000'000;  // bytes of them
 constexpr std::size_t kMostControls = 500;
 constexpr std::uint64_t kLargestText = std::min<std::uint64_t>(glib::kLargestFile, kMostText);
-
-const char* roleOf(glsl::Stage stage) {
-    constexpr std::array kRoles{"vertex shader",
-                                "tessellation control shader",
-                                "tessellation evaluation shader",
-                                "geometry shader",
-                                "fragment shader",
-                                "compute shader"};
-    return kRoles.at(static_cast<std::size_t>(stage));
-}
 
 fs::path whole(const fs::path& path) {
     std::error_code failure;
@@ -61,16 +49,13 @@ class Texts {
     /// Reads a file and adds it. Returns its text, or an empty one.
     std::string add(const fs::path& file, const std::string& role) {
         if (!seen_.insert(whole(file).string()).second) return {};
-        std::vector<std::byte> bytes;
-        const base::Descriptor open = readable_.open(file);
-        if (!open || base::readAll(open, kLargestText, bytes) != 0) return {};
-        std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-        if (text.find('\0') != std::string::npos || to_.sources.size() >= kMostSources ||
-            size_ + text.size() > kMostText)
+        const std::optional<std::string> text = base::textIn(readable_.open(file), kLargestText);
+        if (!text || text->find('\0') != std::string::npos || to_.sources.size() >= kMostSources ||
+            size_ + text->size() > kMostText)
             return {};
-        size_ += text.size();
-        to_.sources.push_back({nameOf(file), role, text});
-        return text;
+        size_ += text->size();
+        to_.sources.push_back({nameOf(file), role, *text});
+        return *text;
     }
 
     /// Adds a shader and what it includes.
@@ -155,7 +140,7 @@ void addControls(const scene::Scene& scene, Description& to) {
                 control.kind = Kind::color;
             else
                 continue;
-            const auto same = std::find_if(to.controls.begin(), to.controls.end(), [&](const Control& one) {
+            const auto same = std::ranges::find_if(to.controls, [&](const Control& one) {
                 return one.owner == control.owner && one.name == control.name;
             });
             if (same != to.controls.end())
@@ -167,7 +152,7 @@ void addControls(const scene::Scene& scene, Description& to) {
 
 /// False if no text of the scene can read the time: neither its own nor those of its shaders name it.
 bool namesTime(const std::vector<SourceText>& sources) {
-    return std::any_of(sources.begin(), sources.end(), [](const SourceText& each) {
+    return std::ranges::any_of(sources, [](const SourceText& each) {
         const std::string text = glib::lower(each.text);
         return text.find("time") != std::string::npos;
     });
@@ -178,12 +163,9 @@ std::string solutionOf(const DescribeTask& task) {
     base::Roots own;
     own.add(task.folder);
     const fs::path file = suite::exerciseFileOf(task.scene);
-    std::vector<std::byte> bytes;
-    const base::Descriptor open = own.open(file);
-    if (!open || base::readAll(open, kLargestText, bytes) != 0) return {};
-    const std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    if (!suite::isExercise(text)) return {};
-    const Result<suite::Exercise> exercise = suite::readExerciseText(text, file);
+    const std::optional<std::string> text = base::textIn(own.open(file), kLargestText);
+    if (!text || !suite::isExercise(*text)) return {};
+    const Result<suite::Exercise> exercise = suite::readExerciseText(*text, file);
     return exercise ? below(task.folder, exercise->solution).value_or(std::string()) : std::string();
 }
 
@@ -202,11 +184,11 @@ Description describe(const DescribeTask& task) {
     found.height = scene.height;
     addControls(scene, found);
     for (const scene::KeyBinding& each : scene.keys)
-        if (std::find(found.keys.begin(), found.keys.end(), each.key) == found.keys.end())
-            found.keys.push_back(each.key);
+        if (std::ranges::find(found.keys, each.key) == found.keys.end()) found.keys.push_back(each.key);
     for (const scene::Program& program : scene.programs)
         for (const scene::StageFile& stage : program.stages)
-            texts.addShader(scene, scene.files[stage.file], roleOf(stage.stage));
+            texts.addShader(scene, scene.files[stage.file],
+                            std::string(classroom::stageName(stage.stage)) + " shader");
     found.mayMove = read->changesWithTime() || !scene.steps.empty() || namesTime(found.sources);
     return found;
 }

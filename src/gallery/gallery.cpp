@@ -53,8 +53,7 @@ void connect(Gallery& gallery) {
 }
 
 std::string summary(const Gallery& gallery) {
-    const auto drawn =
-        static_cast<std::size_t>(std::count_if(gallery.scenes.begin(), gallery.scenes.end(), isDrawn));
+    const auto drawn = static_cast<std::size_t>(std::ranges::count_if(gallery.scenes, isDrawn));
     std::string text = fmt::format("{}: {} drawn", glib::counted(gallery.scenes.size(), "scene"), drawn);
     if (drawn < gallery.scenes.size()) text += fmt::format(", {} not", gallery.scenes.size() - drawn);
     return text;

@@ -6,37 +6,30 @@
 #include <map>
 #include <span>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
-#include "base/contained.h"
 #include "base/escape_xml.h"
 #include "base/page_template.h"
 #include "base/utf8.h"
+#include "classroom/page_parts.h"
 #include "embedded/gallery_page.h"
 #include "embedded/report_page.h"
 #include "gallery/code_html.h"
 #include "glib/number.h"
 #include "glib/text.h"
 #include "suite/report/plain_page.h"
+#include "suite/write_below.h"
 
 namespace glibra::gallery {
 namespace {
 
 namespace fs = std::filesystem;
 using base::escapeXml;
+using base::printableText;
+using classroom::nameHtml;
 
 constexpr std::size_t kMostMessages = 50;  // of a scene
 constexpr std::size_t kLongestSearch = 4'000;
-
-/// A text that a stranger chose. <bdi> keeps its direction to itself.
-std::string nameHtml(std::string_view name) {
-    return "<bdi>" + base::escapeXml(base::printableText(name)) + "</bdi>";
-}
-
-std::string stemOf(const GalleryScene& scene) {
-    return fs::path(scene.path).stem().string();
-}
 
 std::string pageOf(const GalleryScene& scene) {
     return "scenes/" + scene.name + ".html";
@@ -60,14 +53,13 @@ std::string tileHtml(const GalleryScene& scene) {
     const std::string film = scene.film.empty() ? "" : fmt::format(" data-film=\"{}\"", scene.film);
     const std::string frame =
         scene.picture.empty()
-            ? fmt::format("<span class=\"none\">{}</span>",
-                          base::escapeXml(base::printableText(scene.reason)))
+            ? fmt::format("<span class=\"none\">{}</span>", escapeXml(printableText(scene.reason)))
             : fmt::format("<img src=\"{}\"{} alt=\"\" loading=\"lazy\">", scene.picture, film);
     return fmt::format(
         "<a class=\"tile\" href=\"{}\" data-text=\"{}\"><span class=\"frame{}\">{}</span><b>{}</b>"
         "<small>{}</small></a>\n",
-        pageOf(scene), base::escapeXml(searchText(scene)), scene.film.empty() ? "" : " moves", frame,
-        nameHtml(stemOf(scene)), nameHtml(scene.description.head.summary));
+        pageOf(scene), escapeXml(searchText(scene)), scene.film.empty() ? "" : " moves", frame,
+        nameHtml(fs::path(scene.path).stem().string()), nameHtml(scene.description.head.summary));
 }
 
 using Sections = std::vector<std::pair<std::string, std::vector<const GalleryScene*>>>;
@@ -87,7 +79,7 @@ std::string listPage(const Gallery& gallery, const Sections& sections, bool hasC
                               : isChapters ? "<a href=\"index.html\">By topic</a> <b>By chapter</b>"
                                            : "<b>By topic</b> <a href=\"chapters.html\">By chapter</a>";
     const base::Slot slots[] = {
-        {"title", base::escapeXml(base::printableText(gallery.title))},
+        {"title", escapeXml(printableText(gallery.title))},
         {"headline", nameHtml(gallery.title)},
         {"pages", pages},
         {"count", glib::counted(gallery.scenes.size(), "scene")},
@@ -124,8 +116,8 @@ std::string controlRow(const Control& control) {
             for (const std::string& each : control.words) words += (words.empty() ? "" : ", ") + each;
             const double number = control.numbers.front();
             const bool isIn = number >= 0 && number < static_cast<double>(control.words.size());
-            cells = fmt::format("<td colspan=\"2\">one of {}</td><td>{}</td>", base::escapeXml(words),
-                                base::escapeXml(isIn ? control.words[static_cast<std::size_t>(number)] : ""));
+            cells = fmt::format("<td colspan=\"2\">one of {}</td><td>{}</td>", escapeXml(words),
+                                escapeXml(isIn ? control.words[static_cast<std::size_t>(number)] : ""));
             break;
         }
         case Control::Kind::truth:
@@ -136,8 +128,8 @@ std::string controlRow(const Control& control) {
             cells = fmt::format("<td colspan=\"2\">a colour</td><td>{}</td>", numbersText(control.numbers));
             break;
     }
-    return fmt::format("<tr><th><code>{}</code></th>{}<td>{}</td></tr>\n", base::escapeXml(control.name),
-                       cells, nameHtml(control.owner.empty() ? "scene" : control.owner));
+    return fmt::format("<tr><th><code>{}</code></th>{}<td>{}</td></tr>\n", escapeXml(control.name), cells,
+                       nameHtml(control.owner.empty() ? "scene" : control.owner));
 }
 
 std::string controlsHtml(const Description& about) {
@@ -152,7 +144,7 @@ std::string controlsHtml(const Description& about) {
     }
     if (!about.keys.empty()) {
         html += "<p>Keys:";
-        for (const std::string& each : about.keys) html += " <kbd>" + base::escapeXml(each) + "</kbd>";
+        for (const std::string& each : about.keys) html += " <kbd>" + escapeXml(each) + "</kbd>";
         html += "</p>\n";
     }
     return html;
@@ -169,14 +161,13 @@ std::string textHtml(const GalleryScene& scene) {
         // The items of a task have a line of their own.
         const bool isItem = each.size() > 1 && glib::isDigit(each[0]) && each[1] == '.';
         if (each.empty() || isItem) end();
-        if (!each.empty())
-            paragraph += (paragraph.empty() ? "" : " ") + base::escapeXml(base::printableText(each));
+        if (!each.empty()) paragraph += (paragraph.empty() ? "" : " ") + escapeXml(printableText(each));
     }
     end();
     std::string facts;
     for (const std::string& each : scene.description.head.rows) facts += (facts.empty() ? "" : " ") + each;
     for (const std::string& each : scene.chapters) facts += (facts.empty() ? "" : "; ") + each;
-    if (!facts.empty()) html += "<p><small>" + base::escapeXml(base::printableText(facts)) + "</small></p>\n";
+    if (!facts.empty()) html += "<p><small>" + escapeXml(printableText(facts)) + "</small></p>\n";
     return html.empty() ? html : "<div class=\"text\">" + html + "</div>";
 }
 
@@ -197,11 +188,11 @@ std::string picturesHtml(const GalleryScene& scene) {
 std::string messagesHtml(const GalleryScene& scene) {
     std::string items;
     if (scene.diagnostics.empty() && !scene.reason.empty())
-        items = "<li class=\"remark error\">" + base::escapeXml(base::printableText(scene.reason)) + "</li>";
+        items = "<li class=\"remark error\">" + escapeXml(printableText(scene.reason)) + "</li>";
     for (std::size_t i = 0; i < std::min(scene.diagnostics.size(), kMostMessages); ++i) {
         const Diagnostic& each = scene.diagnostics[i];
         items += fmt::format("<li class=\"remark {}\">{}</li>\n", name(each.severity),
-                             base::escapeXml(base::printableText(toString(each), true)));
+                             escapeXml(printableText(toString(each), true)));
     }
     if (scene.diagnostics.size() > kMostMessages)
         items += fmt::format("<li>{} more</li>", scene.diagnostics.size() - kMostMessages);
@@ -215,7 +206,7 @@ std::string sourcesHtml(const Description& about) {
         html += fmt::format(
             "<details{}><summary><strong>{}</strong> <small>{}</small></summary><div class=\"source\">{}"
             "</div></details>\n",
-            each.role == "included" ? "" : " open", nameHtml(each.name), base::escapeXml(each.role),
+            each.role == "included" ? "" : " open", nameHtml(each.name), escapeXml(each.role),
             codeHtml(each.text, isScene ? source::CodeLanguage::glib : source::CodeLanguage::glsl));
     }
     return html.empty() ? html : "<h2>Sources</h2>" + html;
@@ -247,8 +238,8 @@ std::string indexPage(const Gallery& gallery) {
     Sections folders;
     for (const GalleryScene& each : gallery.scenes) {
         const std::string folder = folderOf(each);
-        const auto known = std::find_if(folders.begin(), folders.end(),
-                                        [&](const auto& one) { return one.first == folder; });
+        const auto known =
+            std::ranges::find_if(folders, [&](const auto& one) { return one.first == folder; });
         if (known != folders.end())
             known->second.push_back(&each);
         else
@@ -266,7 +257,7 @@ std::string scenePage(const Gallery& gallery, std::size_t index) {
     const GalleryScene& scene = gallery.scenes[index];
     const std::string path = fs::path(scene.path).replace_extension().generic_string();
     const base::Slot slots[] = {
-        {"title", base::escapeXml(base::printableText(path + " - " + gallery.title))},
+        {"title", escapeXml(printableText(path + " - " + gallery.title))},
         {"headline", nameHtml(path)},
         {"gallery", nameHtml(gallery.title)},
         {"links", linksHtml(gallery, index)},
@@ -281,10 +272,7 @@ std::string scenePage(const Gallery& gallery, std::size_t index) {
 
 Diagnostics writePages(const Gallery& gallery, const fs::path& site) {
     const auto write = [&](const std::string& name, std::string_view text) -> Diagnostics {
-        const int problem = base::writeBeneath(site, name, std::as_bytes(std::span(text)));
-        if (problem == 0) return {};
-        return {diagnose("file-E10", fmt::format("cannot write '{}': {}", (site / name).string(),
-                                                 std::generic_category().message(problem)))};
+        return suite::writeBelow(site, name, std::as_bytes(std::span(text)));
     };
     Diagnostics problems = write(
         "gallery.css", std::string(report_page::report_css()) + std::string(gallery_page::gallery_css()));

@@ -4,22 +4,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <map>
-#include <set>
 #include <span>
 #include <system_error>
 #include <utility>
 
 #include "base/contained.h"
-#include "base/memory_limit.h"
+#include "base/folder_entries.h"
+#include "base/whole_file.h"
 #include "base/workers.h"
 #include "gallery/describe.h"
 #include "gallery/gallery_page.h"
 #include "image/png/animated_png.h"
 #include "image/png/png_reader.h"
 #include "suite/run/run.h"
+#include "suite/write_below.h"
 
 namespace glibra::gallery {
 namespace {
@@ -33,30 +32,14 @@ constexpr const char* kFilms = "films";
 constexpr std::uint64_t kLargestFrame = std::uint64_t{1} << 28;
 constexpr std::uint64_t kLargestTable = 1 << 24;
 
-/// The text of a file that must lie below the folder, without links on the way.
-std::string textBelow(const fs::path& folder, const fs::path& file) {
-    std::vector<std::byte> bytes;
-    const base::Descriptor open = base::openBeneath(folder, file);
-    if (!open || base::readAll(open, kLargestTable, bytes) != 0) return {};
-    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
-
-Diagnostic cannotWrite(const fs::path& file, int problem) {
-    return diagnose("file-E10", fmt::format("cannot write '{}': {}", file.string(),
-                                            std::generic_category().message(problem)));
-}
-
 /// Removes what an earlier gallery has written: its pages, pictures and films.
 void removeEarlier(const fs::path& site) {
     for (const char* each : {"index.html", "chapters.html"}) base::removeBeneath(site, each);
-    for (const auto& [folder, ending] :
-         {std::pair{"scenes", ".html"}, {kPictures, ".png"}, {kFilms, ".png"}}) {
-        std::error_code ignored;  // a file that stays does no harm: the pages name only those that were drawn
-        std::vector<fs::path> names;
-        for (const fs::directory_entry& each : fs::directory_iterator(site / folder, ignored))
-            if (each.path().extension() == ending) names.push_back(fs::path(folder) / each.path().filename());
-        for (const fs::path& each : names) base::removeBeneath(site, each);
-    }
+    for (const auto& [folder, ending] : {std::pair{"scenes", ".html"}, {kPictures, ".png"}, {kFilms, ".png"}})
+        // A file that stays does no harm: the pages name only those that were drawn.
+        for (const fs::directory_entry& each : base::entriesOf(site / folder))
+            if (each.path().extension() == ending)
+                base::removeBeneath(site, fs::path(folder) / each.path().filename());
 }
 
 /// The largest size of the window's shape that fits into the given one.
@@ -74,8 +57,8 @@ std::string frameName(const std::string& scene, int frame) {
 
 class GalleryRun {
   public:
-    GalleryRun(const GalleryPlan& plan, const GalleryOptions& options, const GalleryEvents& events)
-        : plan_(plan), options_(options), events_(events) {
+    GalleryRun(const GalleryPlan& plan, const suite::SiteWorkers& workers, const GalleryEvents& events)
+        : plan_(plan), workers_(workers), events_(events) {
         Gallery& gallery = end_.gallery;
         gallery.title = plan.title;
         gallery.folder = plan.folder.string();
@@ -91,13 +74,15 @@ class GalleryRun {
         if (end_.stopped) return std::move(end_);
         connect(end_.gallery);
         const std::map<std::string, std::string> chapters =
-            source::chapterColumn(textBelow(plan_.folder, "README.md"));
+            source::chapterColumn(base::textIn(base::openBeneath(plan_.folder, "README.md"), kLargestTable)
+                                      .value_or(std::string()));
         for (GalleryScene& each : end_.gallery.scenes)
             if (const auto found = chapters.find(each.path); found != chapters.end())
                 each.chapters = source::chaptersIn(found->second);
         drawPictures();
         if (!end_.stopped && !end_.noDriver) drawFilms();
-        removeFrames();
+        for (const std::string& each : frames_)
+            base::removeBeneath(plan_.site, fs::path(kPictures) / (each + ".png"));
         if (end_.stopped || end_.noDriver) return std::move(end_);
         append(end_.diagnostics, writePages(end_.gallery, plan_.site));
         return std::move(end_);
@@ -109,14 +94,11 @@ class GalleryRun {
         for (const char* each : {kPictures, kFilms})
             if (const int problem = base::prepareBeneath(plan_.site, fs::path(each) / "x.png");
                 problem != 0) {
-                end_.diagnostics.push_back(cannotWrite(plan_.site / each, problem));
+                end_.diagnostics.push_back(suite::cannotWrite(plan_.site / each, problem));
                 return false;
             }
-        if (const int problem = base::writeBeneath(plan_.site, kMark, std::as_bytes(std::span(text)));
-            problem != 0) {
-            end_.diagnostics.push_back(cannotWrite(plan_.site / kMark, problem));
-            return false;
-        }
+        append(end_.diagnostics, suite::writeBelow(plan_.site, kMark, std::as_bytes(std::span(text))));
+        if (hasError(end_.diagnostics)) return false;
         removeEarlier(plan_.site);
         return true;
     }
@@ -129,15 +111,9 @@ class GalleryRun {
     }
 
     void describeAll() {
-        const int jobs = suite::readingJobs(options_.jobs);
         const std::size_t count = plan_.scenes.size();
         base::runInWorkers(
-            count,
-            {.workers = jobs,
-             .timeout = options_.timeout,
-             .memory = options_.memory.value_or(base::memoryShare(jobs, count)),
-             .stop = events_.stop,
-             .sandbox = options_.reading},
+            count, suite::readingOptions(workers_, count, events_.stop),
             [&](std::size_t index, const base::Step&) -> std::string {
                 try {
                     return toText(describe({plan_.folder, plan_.scenes[index], confined()}));
@@ -163,13 +139,6 @@ class GalleryRun {
             all.push_back({0, i});
             numbers.emplace(suite_.shots[i].name, i);
         }
-        suite::RunOptions options;
-        options.driver = options_.driver;
-        options.jobs = options_.jobs;
-        options.timeout = options_.timeout;
-        options.memory = options_.memory;
-        options.onlyRender = plan_.site / kPictures;
-        options.sandbox = options_.drawing;
         suite::RunEvents events;
         events.begins = [&](const ShotReference& each) {
             if (events_.begins) events_.begins(suite_.shots[each.shot].script.string());
@@ -180,7 +149,8 @@ class GalleryRun {
             if (events_.done) events_.done(suite::isFailure(result.verdict));
         };
         events.stop = events_.stop;
-        const suite::RunEnd end = suite::runShots({&suite_, 1}, all, options, events);
+        const suite::RunEnd end = suite::runShots(
+            {&suite_, 1}, all, suite::drawingOptions(workers_, plan_.site / kPictures), events);
         append(end_.diagnostics, end.diagnostics);
         end_.noDriver = end_.noDriver || end.noDriver;
         end_.stopped = end_.stopped || end.stopped;
@@ -247,12 +217,11 @@ class GalleryRun {
         limits.side = std::max(plan_.width, plan_.height);
         for (int frame = 0; frame < kFilmFrames; ++frame) {
             const fs::path name = fs::path(kPictures) / (frameName(scene.name, frame) + ".png");
-            std::vector<std::byte> bytes;
-            const base::Descriptor open = base::openBeneath(plan_.site, name);
-            if (!open || base::readAll(open, kLargestFrame, bytes) != 0) return;
+            const auto bytes = base::bytesIn(base::openBeneath(plan_.site, name), kLargestFrame);
+            if (!bytes) return;
             // With the PNG reader alone, since a worker that a scene has taken over may have written
             // something else.
-            const Result<image::Image> picture = image::decodePng(bytes, {name.string(), {}}, limits);
+            const Result<image::Image> picture = image::decodePng(*bytes, {name.string(), {}}, limits);
             if (!picture) return;
             if (frame > 0 && (picture->width != width || picture->height != height)) return;
             width = picture->width;
@@ -263,20 +232,13 @@ class GalleryRun {
             base::removeBeneath(plan_.site, fs::path(kPictures) / (frameName(scene.name, frame) + ".png"));
         if (film.differing() < 2) return;
         const std::string file = fmt::format("{}/{}.png", kFilms, scene.name);
-        const std::vector<std::byte> bytes = film.finish();
-        if (const int problem = base::writeBeneath(plan_.site, file, bytes); problem != 0)
-            end_.diagnostics.push_back(cannotWrite(plan_.site / file, problem));
-        else
-            scene.film = file;
-    }
-
-    void removeFrames() {
-        for (const std::string& each : frames_)
-            base::removeBeneath(plan_.site, fs::path(kPictures) / (each + ".png"));
+        Diagnostics problems = suite::writeBelow(plan_.site, file, film.finish());
+        if (problems.empty()) scene.film = file;
+        append(end_.diagnostics, std::move(problems));
     }
 
     const GalleryPlan& plan_;
-    const GalleryOptions& options_;
+    const suite::SiteWorkers& workers_;
     const GalleryEvents& events_;
     suite::Suite suite_;
     std::vector<std::string> frames_;  ///< names of their shots
@@ -295,8 +257,9 @@ std::string whyNoSite(const fs::path& site) {
                : "the folder has files and is not one that glibra gallery has written; name another one";
 }
 
-GalleryEnd runGallery(const GalleryPlan& plan, const GalleryOptions& options, const GalleryEvents& events) {
-    return GalleryRun(plan, options, events).run();
+GalleryEnd runGallery(const GalleryPlan& plan, const suite::SiteWorkers& workers,
+                      const GalleryEvents& events) {
+    return GalleryRun(plan, workers, events).run();
 }
 
 }  // namespace glibra::gallery

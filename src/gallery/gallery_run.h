@@ -3,18 +3,15 @@
 // the driver, hangs or takes all memory affects only itself.
 
 #include <glibra/diagnostic.h>
-#include <glibra/driver.h>
 
-#include <cstdint>
+#include <cstddef>
 #include <filesystem>
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "base/sandbox.h"
 #include "gallery/gallery.h"
-#include "suite/suite.h"
+#include "suite/run/run_options.h"
 
 namespace glibra::gallery {
 
@@ -25,15 +22,6 @@ struct GalleryPlan {
     std::filesystem::path site;
     int width = 0, height = 0;  ///< pictures keep the shape of their windows and fit into this
     std::vector<std::filesystem::path> libraryRoots;
-};
-
-struct GalleryOptions {
-    Driver driver = Driver::automatic;
-    int jobs = 0;                            ///< worker processes; 0: gpu::usualWorkers()
-    double timeout = 20;                     ///< seconds per picture; 0: no limit
-    std::optional<std::uint64_t> memory;     ///< bytes per worker; 0: no limit; nothing: a share
-    const base::Sandbox* drawing = nullptr;  ///< if given, what confines the workers that draw
-    const base::Sandbox* reading = nullptr;  ///< ... and those that read
 };
 
 struct GalleryEvents {
@@ -59,6 +47,7 @@ std::string whyNoSite(const std::filesystem::path& site);
 
 /// Files of an earlier gallery are removed first, so that a run that is stopped leaves no page. Call it
 /// before any thread or GL context exists.
-GalleryEnd runGallery(const GalleryPlan& plan, const GalleryOptions& options, const GalleryEvents& events);
+GalleryEnd runGallery(const GalleryPlan& plan, const suite::SiteWorkers& workers,
+                      const GalleryEvents& events);
 
 }  // namespace glibra::gallery

@@ -4,10 +4,9 @@
 #include <bit>
 #include <cassert>
 #include <cstddef>
-#include <limits>
 #include <span>
 
-#include "geometry/obj/hash_index.h"
+#include "geometry/hash_index.h"
 
 namespace glibra::geometry {
 namespace {
@@ -98,9 +97,6 @@ class EdgeTable {
     std::vector<std::uint32_t> ofSide_;
     std::vector<bool> isForward_;
 };
-
-// kNoIndex is larger than every side.
-static_assert(kNoIndex == std::numeric_limits<std::uint32_t>::max());
 
 }  // namespace
 

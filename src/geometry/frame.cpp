@@ -17,33 +17,9 @@ glm::dvec2 unitTurn(std::int64_t i, std::int64_t n) {
     const double angle = std::numbers::pi / 4 * static_cast<double>(part) / static_cast<double>(n);
     // At pi/4 itself cos and sin differ in the last bit, which would show where octants meet.
     const double c = part == n ? std::sqrt(.5) : std::cos(angle), s = part == n ? c : std::sin(angle);
-    glm::dvec2 point;
-    switch (octant) {
-        case 0:
-            point = {c, s};
-            break;
-        case 1:
-            point = {s, c};
-            break;
-        case 2:
-            point = {-s, c};
-            break;
-        case 3:
-            point = {-c, s};
-            break;
-        case 4:
-            point = {-c, -s};
-            break;
-        case 5:
-            point = {-s, -c};
-            break;
-        case 6:
-            point = {s, -c};
-            break;
-        default:
-            point = {c, -s};
-            break;
-    }
+    glm::dvec2 point = octant % 4 == 1 || octant % 4 == 2 ? glm::dvec2{s, c} : glm::dvec2{c, s};
+    if (octant >= 2 && octant <= 5) point.x = -point.x;
+    if (octant >= 4) point.y = -point.y;
     return point + 0.0;  // -0 becomes 0
 }
 

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "geometry/frame.h"
-#include "geometry/list_topology.h"
 
 namespace glibra::geometry {
 namespace {
@@ -19,26 +18,19 @@ glm::dvec3 euclidean(const Components<4>& point) {
     return point[3] == 0 ? xyz : xyz / point[3];
 }
 
-glm::dvec3 areaNormal(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-    return glm::cross(b - a, c - a);
-}
-
 constexpr glm::dvec3 kTowardViewer{0, 0, 1};
-
-bool getsNormals(ListTopology topology) {
-    return meshTopology(topology) == Topology::triangles;
-}
 
 /// Adds up the area vectors of the triangles around each vertex. Separate primitives share no vertices, so a
 /// triangle or quad gets the normal of its own face: the two halves of a quad are added at all four corners.
 std::vector<glm::dvec3> computedNormals(ListTopology topology, std::span<const ListVertex> vertices,
                                         std::span<const std::uint32_t> indices) {
     std::vector<glm::dvec3> normals(vertices.size(), kTowardViewer);
-    if (!getsNormals(topology)) return normals;
-    std::fill(normals.begin(), normals.end(), glm::dvec3(0));
+    if (meshTopology(topology) != Topology::triangles) return normals;
+    std::ranges::fill(normals, glm::dvec3(0));
     const auto place = [&](std::uint32_t index) { return euclidean(vertices[index].position); };
     for (std::size_t i = 0; i + 3 <= indices.size(); i += 3) {
-        const glm::dvec3 area = areaNormal(place(indices[i]), place(indices[i + 1]), place(indices[i + 2]));
+        const glm::dvec3 a = place(indices[i]), b = place(indices[i + 1]), c = place(indices[i + 2]);
+        const glm::dvec3 area = glm::cross(b - a, c - a);
         if (topology == ListTopology::quads) {
             const std::size_t quad = indices[i] - indices[i] % 4;
             for (std::size_t corner = quad; corner < quad + 4; ++corner) normals[corner] += area;
@@ -83,8 +75,7 @@ int texCoordComponents(std::span<const ListVertex> vertices) {
 }
 
 bool allWeightsOne(std::span<const ListVertex> vertices) {
-    return std::all_of(vertices.begin(), vertices.end(),
-                       [](const ListVertex& v) { return v.position[3] == 1; });
+    return std::ranges::all_of(vertices, [](const ListVertex& v) { return v.position[3] == 1; });
 }
 
 }  // namespace
@@ -117,8 +108,7 @@ ListMesh meshFromList(ListTopology topology, std::span<const ListVertex> vertice
     if (const int components = texCoordComponents(vertices); components > 0)
         attributes.push_back(
             attributeOf(kTexCoord, components, count, [&](std::size_t i) { return vertices[i].texCoord; }));
-    if (std::all_of(vertices.begin(), vertices.end(),
-                    [&](const ListVertex& v) { return v.color == vertices.front().color; }))
+    if (std::ranges::all_of(vertices, [&](const ListVertex& v) { return v.color == vertices.front().color; }))
         list.color = vertices.front().color;
     else
         attributes.push_back(attributeOf(kColor, 4, count, [&](std::size_t i) { return vertices[i].color; }));

@@ -7,36 +7,10 @@
 #include <span>
 #include <string_view>
 
+#include "geometry/list_topology.h"
 #include "geometry/mesh.h"
 
 namespace glibra::geometry {
-
-/// The topologies of glBegin.
-enum class ListTopology {
-    points,
-    lines,
-    lineStrip,
-    lineLoop,
-    triangles,
-    triangleStrip,
-    triangleFan,
-    polygon,
-    quads,
-    quadStrip,
-    linesAdjacency,
-    lineStripAdjacency,
-    trianglesAdjacency,
-    triangleStripAdjacency,
-    patches
-};
-
-/// Returns the topology with that name, for example `triangle_strip`, with or without the prefix `gl_`, in
-/// any case; nothing for other words.
-std::optional<ListTopology> listTopology(std::string_view word);
-
-/// Returns the topology of the resulting mesh: Topology::triangles for strips, fans, polygons and quads, and
-/// so on.
-Topology meshTopology(ListTopology topology);
 
 /// One vertex of a list, with the state at its glVertex.
 struct ListVertex {

@@ -11,28 +11,24 @@
 namespace glibra::geometry {
 namespace {
 
-struct Word {
-    std::string_view text;
-    ListTopology topology;
+/// In the order of ListTopology.
+constexpr std::array<std::string_view, 15> kWords{
+    "points",
+    "lines",
+    "line_strip",
+    "line_loop",
+    "triangles",
+    "triangle_strip",
+    "triangle_fan",
+    "polygon",
+    "quads",
+    "quad_strip",
+    "lines_adjacency",
+    "line_strip_adjacency",
+    "triangles_adjacency",
+    "triangle_strip_adjacency",
+    "patches",
 };
-
-constexpr std::array<Word, 15> kWords{{
-    {"points", ListTopology::points},
-    {"lines", ListTopology::lines},
-    {"line_strip", ListTopology::lineStrip},
-    {"line_loop", ListTopology::lineLoop},
-    {"triangles", ListTopology::triangles},
-    {"triangle_strip", ListTopology::triangleStrip},
-    {"triangle_fan", ListTopology::triangleFan},
-    {"polygon", ListTopology::polygon},
-    {"quads", ListTopology::quads},
-    {"quad_strip", ListTopology::quadStrip},
-    {"lines_adjacency", ListTopology::linesAdjacency},
-    {"line_strip_adjacency", ListTopology::lineStripAdjacency},
-    {"triangles_adjacency", ListTopology::trianglesAdjacency},
-    {"triangle_strip_adjacency", ListTopology::triangleStripAdjacency},
-    {"patches", ListTopology::patches},
-}};
 
 using Indices = std::vector<std::uint32_t>;
 
@@ -56,13 +52,12 @@ void putStripAdjacency(Indices& indices, std::uint32_t i, std::uint32_t count) {
 }  // namespace
 
 std::optional<ListTopology> listTopology(std::string_view word) {
-    std::string plain(word.substr(0, 64));
-    plain = base::lower(plain);
+    const std::string plain = base::lower(word.substr(0, 64));
     std::string_view bare = plain;
     if (bare.starts_with("gl_")) bare.remove_prefix(3);
-    for (const Word& each : kWords)
-        if (each.text == bare) return each.topology;
-    return std::nullopt;
+    const auto* const found = std::ranges::find(kWords, bare);
+    if (found == kWords.end()) return std::nullopt;
+    return static_cast<ListTopology>(found - kWords.begin());
 }
 
 Topology meshTopology(ListTopology topology) {
@@ -89,12 +84,6 @@ Topology meshTopology(ListTopology topology) {
 ListIndices listIndices(ListTopology topology, std::size_t count, int patchVertices) {
     Indices out;
     const auto n = static_cast<std::uint32_t>(count);
-    // Separate primitives of `size` vertices each.
-    const auto separate = [&](std::uint32_t size) {
-        out.resize(n - n % size);
-        std::iota(out.begin(), out.end(), 0U);
-        return n % size;
-    };
     // Primitives that share vertices: the first takes `least` vertices, each further one `step` more.
     const auto shared = [&](std::uint32_t least, std::uint32_t step, auto putPrimitive) {
         if (n < least) return n;
@@ -105,24 +94,18 @@ ListIndices listIndices(ListTopology topology, std::size_t count, int patchVerti
     std::uint32_t dropped = 0;
     switch (topology) {
         case ListTopology::points:
-            dropped = separate(1);
-            break;
         case ListTopology::lines:
-            dropped = separate(2);
-            break;
         case ListTopology::triangles:
-            dropped = separate(3);
-            break;
         case ListTopology::linesAdjacency:
-            dropped = separate(4);
-            break;
         case ListTopology::trianglesAdjacency:
-            dropped = separate(6);
+        case ListTopology::patches: {
+            const int size = verticesPerPrimitive(meshTopology(topology), patchVertices);
+            assert(size >= 1);
+            dropped = n % static_cast<std::uint32_t>(size);
+            out.resize(n - dropped);
+            std::iota(out.begin(), out.end(), 0U);
             break;
-        case ListTopology::patches:
-            assert(patchVertices >= 1);
-            dropped = separate(static_cast<std::uint32_t>(patchVertices));
-            break;
+        }
         case ListTopology::lineStrip:
         case ListTopology::lineLoop:
             dropped = shared(2, 1, [&](std::uint32_t i, std::uint32_t) { putIndices(out, {i, i + 1}); });
@@ -138,11 +121,10 @@ ListIndices listIndices(ListTopology topology, std::size_t count, int patchVerti
             dropped =
                 shared(3, 1, [&](std::uint32_t i, std::uint32_t) { putIndices(out, {0, i + 1, i + 2}); });
             break;
-        case ListTopology::quads: {
+        case ListTopology::quads:
             for (std::uint32_t a = 0; a + 4 <= n; a += 4) putIndices(out, {a, a + 1, a + 2, a, a + 2, a + 3});
             dropped = n % 4;
             break;
-        }
         case ListTopology::quadStrip:
             dropped = shared(4, 2, [&](std::uint32_t i, std::uint32_t) {
                 const std::uint32_t a = 2 * i;

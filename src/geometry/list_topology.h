@@ -1,13 +1,42 @@
 #pragma once
-// Splits the vertices of a glBegin list into separate primitives.
+// The topologies of glBegin, and how they split a list of vertices into separate primitives.
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <string_view>
 #include <vector>
 
-#include "geometry/list_mesh.h"
+#include "geometry/mesh.h"
 
 namespace glibra::geometry {
+
+/// The topologies of glBegin.
+enum class ListTopology {
+    points,
+    lines,
+    lineStrip,
+    lineLoop,
+    triangles,
+    triangleStrip,
+    triangleFan,
+    polygon,
+    quads,
+    quadStrip,
+    linesAdjacency,
+    lineStripAdjacency,
+    trianglesAdjacency,
+    triangleStripAdjacency,
+    patches
+};
+
+/// Returns the topology with that name, for example `triangle_strip`, with or without the prefix `gl_`, in
+/// any case; nothing for other words.
+std::optional<ListTopology> listTopology(std::string_view word);
+
+/// Returns the topology of the resulting mesh: Topology::triangles for strips, fans, polygons and quads, and
+/// so on.
+Topology meshTopology(ListTopology topology);
 
 struct ListIndices {
     std::vector<std::uint32_t> indices;  ///< for meshTopology(topology)

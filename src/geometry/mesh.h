@@ -1,33 +1,26 @@
 #pragma once
 // The mesh, which all geometry becomes: named attributes per vertex, and indices that form primitives.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace glibra::geometry {
 
+/// Stands for "no index"; larger than every index.
+inline constexpr std::uint32_t kNoIndex = std::numeric_limits<std::uint32_t>::max();
+
 /// How consecutive indices form primitives. Quads, strips, fans and polygons have been split into these.
 enum class Topology { points, lines, linesAdjacency, triangles, trianglesAdjacency, patches };
 /// "triangles with adjacency"
 constexpr std::string_view wordsOf(Topology topology) {
-    switch (topology) {
-        case Topology::points:
-            return "points";
-        case Topology::lines:
-            return "lines";
-        case Topology::linesAdjacency:
-            return "lines with adjacency";
-        case Topology::triangles:
-            return "triangles";
-        case Topology::trianglesAdjacency:
-            return "triangles with adjacency";
-        case Topology::patches:
-            break;
-    }
-    return "patches";
+    constexpr std::array<std::string_view, 6> kWords{
+        "points", "lines", "lines with adjacency", "triangles", "triangles with adjacency", "patches"};
+    return kWords[static_cast<std::size_t>(topology)];
 }
 
 /// Names of the attributes. A mesh holds only those that vary over it. A missing colour reads as the current
@@ -70,21 +63,8 @@ struct Mesh {
 
 /// The number of indices that one primitive takes.
 constexpr int verticesPerPrimitive(Topology topology, int patchVertices = 0) {
-    switch (topology) {
-        case Topology::points:
-            return 1;
-        case Topology::lines:
-            return 2;
-        case Topology::linesAdjacency:
-            return 4;
-        case Topology::triangles:
-            return 3;
-        case Topology::trianglesAdjacency:
-            return 6;
-        case Topology::patches:
-            break;
-    }
-    return patchVertices;
+    constexpr std::array<int, 5> kCounts{1, 2, 4, 3, 6};
+    return topology == Topology::patches ? patchVertices : kCounts[static_cast<std::size_t>(topology)];
 }
 
 }  // namespace glibra::geometry

@@ -5,13 +5,10 @@
 #include <cassert>
 #include <iterator>
 #include <limits>
-#include <string>
 #include <vector>
 
-#include "base/suggest.h"
 #include "geometry/shapes/primitive.h"
 #include "glib/limits.h"
-#include "glib/modern/statement_table.h"
 #include "glib/text.h"
 
 namespace glibra::glib {
@@ -157,137 +154,116 @@ using Form = ArgumentForm;
 /// The primitives' rows come between these two.
 constexpr CommandRow kRowsBefore[] = {
     // Window, view, colour (3.1)
-    {Id::windowSize, Form::numbers, {"WindowSize"}, kWindowSize, "size of the window or image"},
-    {Id::perspective,
-     Form::numbers,
-     {"Perspective", "Persp"},
-     kPerspective,
-     "symmetric perspective, vertical full angle"},
-    {Id::ortho, Form::numbers, {"Ortho"}, kOrtho, "orthographic box, shown whole and undistorted"},
-    {Id::lookAt,
-     Form::numbers,
-     {"LookAt"},
-     kLookAt,
-     "replaces ModelView by the view from eye to centre with up"},
-    {Id::color, Form::numbers, {"Color", "Colour"}, kColor, "sets the current colour", LoneNumber::grey},
+    {Id::windowSize, {"WindowSize"}, kWindowSize, "size of the window or image"},
+    {Id::perspective, {"Perspective", "Persp"}, kPerspective, "symmetric perspective, vertical full angle"},
+    {Id::ortho, {"Ortho"}, kOrtho, "orthographic box, shown whole and undistorted"},
+    {Id::lookAt, {"LookAt"}, kLookAt, "replaces ModelView by the view from eye to centre with up"},
+    {Id::color, {"Color", "Colour"}, kColor, "sets the current colour", Form::numbers, LoneNumber::grey},
     {Id::background,
-     Form::numbers,
      {"Background"},
      kBackground,
      "sets the clear colour",
-     LoneNumber::firstThree},
-    {Id::clear, Form::numbers, {"Clear"}, {}, "clears colour and depth of the current target"},
-    // Transforms (3.2)
-    {Id::translate, Form::numbers, {"Translate"}, kTranslate, "moves what follows"},
-    {Id::rotate, Form::numbers, {"Rotate"}, kRotate, "turns what follows about an axis through the origin"},
-    {Id::scale,
      Form::numbers,
+     LoneNumber::firstThree},
+    {Id::clear, {"Clear"}, {}, "clears colour and depth of the current target"},
+    // Transforms (3.2)
+    {Id::translate, {"Translate"}, kTranslate, "moves what follows"},
+    {Id::rotate, {"Rotate"}, kRotate, "turns what follows about an axis through the origin"},
+    {Id::scale,
      {"Scale"},
      kScale,
      "scales what follows, by one factor or by one per axis",
+     Form::numbers,
      LoneNumber::firstThree},
-    {Id::pushMatrix, Form::numbers, {"PushMatrix", "TransformBegin"}, {}, "saves ModelView"},
-    {Id::popMatrix, Form::numbers, {"PopMatrix", "TransformEnd"}, {}, "restores ModelView"},
+    {Id::pushMatrix, {"PushMatrix", "TransformBegin"}, {}, "saves ModelView"},
+    {Id::popMatrix, {"PopMatrix", "TransformEnd"}, {}, "restores ModelView"},
 };
 constexpr CommandRow kRowsAfter[] = {
     // Geometry (3.3) that is not a primitive
-    {Id::obj, Form::file, {"Obj"}, kFile, "OBJ model as triangles"},
-    {Id::wireObj, Form::file, {"WireObj"}, kFile, "edges of an OBJ model"},
-    {Id::objAdj, Form::file, {"ObjAdj"}, kFile, "OBJ model as triangles with adjacency"},
-    {Id::objPatch, Form::file, {"ObjPatch"}, kFile, "OBJ model as patches of three vertices"},
-    {Id::shp, Form::file, {"Shp"}, kFile, "lines of an ESRI shapefile"},
+    {Id::obj, {"Obj"}, kFile, "OBJ model as triangles", Form::file},
+    {Id::wireObj, {"WireObj"}, kFile, "edges of an OBJ model", Form::file},
+    {Id::objAdj, {"ObjAdj"}, kFile, "OBJ model as triangles with adjacency", Form::file},
+    {Id::objPatch, {"ObjPatch"}, kFile, "OBJ model as patches of three vertices", Form::file},
+    {Id::shp, {"Shp"}, kFile, "lines of an ESRI shapefile", Form::file},
     {.id = Id::linesAdjacency,
-     .form = Form::pointGroups,
      .names = {"LinesAdjacency"},
      .arguments = kGroups,
      .summary = "lines with adjacency, four points each",
+     .form = Form::pointGroups,
      .groupMultiple = 4},
     {.id = Id::triangles,
-     .form = Form::pointGroups,
      .names = {"Triangles"},
      .arguments = kGroups,
      .summary = "triangles, three points each",
+     .form = Form::pointGroups,
      .groupMultiple = 3},
     {.id = Id::glBegin,
-     .form = Form::topology,
      .names = {"glBegin"},
      .arguments = kTopology,
      .summary = "starts a list of vertices",
+     .form = Form::topology,
      .words = kListTopologies},
-    {Id::glVertex, Form::numbers, {"glVertex"}, kGlVertex, "a vertex of the list"},
-    {Id::glNormal, Form::numbers, {"glNormal"}, kGlNormal, "normal of the following vertices"},
-    {Id::glColor, Form::numbers, {"glColor"}, kGlColor, "colour of the following vertices"},
-    {Id::glTexCoord,
-     Form::numbers,
-     {"glTexCoord"},
-     kGlTexCoord,
-     "texture coordinates of the following vertices"},
-    {Id::glEnd, Form::numbers, {"glEnd"}, {}, "draws the list"},
-    {Id::lineWidth, Form::numbers, {"LineWidth"}, kPixels, "width of lines"},
-    {Id::pointSize, Form::numbers, {"PointSize"}, kPixels, "size of points"},
-    {Id::pointSizeMode,
-     Form::numbers,
-     {"PointSizeMode"},
-     kPointSizeMode,
-     "if not 0, the program sets the size of points"},
-    {Id::numPatchVertices,
-     Form::numbers,
-     {"NumPatchVertices"},
-     kPatchVertices,
-     "number of vertices per patch"},
-    {Id::flat, Form::numbers, {"Flat"}, {}, "colours are not interpolated"},
-    {Id::smooth, Form::numbers, {"Smooth"}, {}, "colours are interpolated"},
+    {Id::glVertex, {"glVertex"}, kGlVertex, "a vertex of the list"},
+    {Id::glNormal, {"glNormal"}, kGlNormal, "normal of the following vertices"},
+    {Id::glColor, {"glColor"}, kGlColor, "colour of the following vertices"},
+    {Id::glTexCoord, {"glTexCoord"}, kGlTexCoord, "texture coordinates of the following vertices"},
+    {Id::glEnd, {"glEnd"}, {}, "draws the list"},
+    {Id::lineWidth, {"LineWidth"}, kPixels, "width of lines"},
+    {Id::pointSize, {"PointSize"}, kPixels, "size of points"},
+    {Id::pointSizeMode, {"PointSizeMode"}, kPointSizeMode, "if not 0, the program sets the size of points"},
+    {Id::numPatchVertices, {"NumPatchVertices"}, kPatchVertices, "number of vertices per patch"},
+    {Id::flat, {"Flat"}, {}, "colours are not interpolated"},
+    {Id::smooth, {"Smooth"}, {}, "colours are interpolated"},
     // Textures and targets (3.4)
-    {Id::texture1D, Form::texture, {"Texture1D"}, kTexture1D, "1D texture from a file, or an empty one"},
-    {Id::texture2D, Form::texture, {"Texture2D"}, kTexture2D, "2D texture from a file, or an empty one"},
-    {Id::texture3D, Form::texture, {"Texture3D"}, kTexture3D, "3D texture from a file, or an empty one"},
-    {Id::texture, Form::texture, {"Texture"}, kTexture3D, "texture whose dimension its file or sizes decide"},
+    {Id::texture1D, {"Texture1D"}, kTexture1D, "1D texture from a file, or an empty one", Form::texture},
+    {Id::texture2D, {"Texture2D"}, kTexture2D, "2D texture from a file, or an empty one", Form::texture},
+    {Id::texture3D, {"Texture3D"}, kTexture3D, "3D texture from a file, or an empty one", Form::texture},
+    {Id::texture, {"Texture"}, kTexture3D, "texture whose dimension its file or sizes decide", Form::texture},
     {Id::cubeMap,
-     Form::cubeMap,
      {"CubeMap"},
      kCubeMap,
-     "cube map from six square pictures: +x -x +y -y +z -z"},
+     "cube map from six square pictures: +x -x +y -y +z -z",
+     Form::cubeMap},
     {Id::renderToTexture,
-     Form::units,
      {"RenderToTexture"},
      {&kUnit, 1},
-     "draws into textures; without units into the window"},
-    {Id::clamp, Form::switchWord, {"Clamp"}, kSwitch, "textures are clamped to their edge, or repeat"},
+     "draws into textures; without units into the window",
+     Form::units},
+    {Id::clamp, {"Clamp"}, kSwitch, "textures are clamped to their edge, or repeat", Form::switchWord},
     // Shaders and programs (3.5)
-    {Id::vertex, Form::file, {"Vertex"}, kFile, "current vertex shader"},
-    {Id::tessControl, Form::file, {"TessControl"}, kFile, "current tessellation control shader"},
-    {Id::tessEvaluation, Form::file, {"TessEvaluation"}, kFile, "current tessellation evaluation shader"},
-    {Id::geometry, Form::file, {"Geometry"}, kFile, "current geometry shader"},
-    {Id::fragment, Form::file, {"Fragment"}, kFile, "current fragment shader"},
+    {Id::vertex, {"Vertex"}, kFile, "current vertex shader", Form::file},
+    {Id::tessControl, {"TessControl"}, kFile, "current tessellation control shader", Form::file},
+    {Id::tessEvaluation, {"TessEvaluation"}, kFile, "current tessellation evaluation shader", Form::file},
+    {Id::geometry, {"Geometry"}, kFile, "current geometry shader", Form::file},
+    {Id::fragment, {"Fragment"}, kFile, "current fragment shader", Form::file},
     {Id::program,
-     Form::program,
      {"Program"},
      kProgram,
-     "links the current shaders and sets uniform variables"},
+     "links the current shaders and sets uniform variables",
+     Form::program},
     {.id = Id::geometryInput,
-     .form = Form::topology,
      .names = {"GeometryInput", "GeometryInputType"},
      .arguments = kTopology,
      .summary = "input of a geometry shader without layout",
+     .form = Form::topology,
      .words = kInputTopologies},
     {.id = Id::geometryOutput,
-     .form = Form::topology,
      .names = {"GeometryOutput", "GeometryOutputType"},
      .arguments = kTopology,
      .summary = "output of a geometry shader without layout",
+     .form = Form::topology,
      .words = kOutputTopologies},
     {Id::geometryVerticesOut,
-     Form::numbers,
      {"GeometryVerticesOut"},
      kVerticesOut,
      "largest number of vertices that a geometry shader without layout emits"},
-    {Id::gstap, Form::numbers, {"GSTAP", "gstap.h"}, {}, "no effect: its names are always defined"},
+    {Id::gstap, {"GSTAP", "gstap.h"}, {}, "no effect: its names are always defined"},
     // Noise, time, messages (3.6)
-    {Id::noise2D, Form::numbers, {"Noise2D"}, kNoise2D, "size of the 2D noise texture"},
-    {Id::noise3D, Form::numbers, {"Noise3D"}, kNoise3D, "size of the 3D noise texture"},
-    {Id::timer, Form::numbers, {"Timer"}, kTimer, "period of the uniform variable Timer"},
-    {Id::messageBox, Form::message, {"MessageBox"}, kMessage, "shows a message once"},
-    {Id::verbose, Form::numbers, {"Verbose"}, {}, "prints each command as it is carried out"},
+    {Id::noise2D, {"Noise2D"}, kNoise2D, "size of the 2D noise texture"},
+    {Id::noise3D, {"Noise3D"}, kNoise3D, "size of the 3D noise texture"},
+    {Id::timer, {"Timer"}, kTimer, "period of the uniform variable Timer"},
+    {Id::messageBox, {"MessageBox"}, kMessage, "shows a message once", Form::message},
+    {Id::verbose, {"Verbose"}, {}, "prints each command as it is carried out"},
 };
 
 // ---- Primitives.
@@ -325,9 +301,8 @@ struct Table {
         std::span<const Argument> rest = arguments;
         int id = static_cast<int>(CommandId::firstPrimitive);
         for (const geometry::PrimitiveSpec* each : geometry::primitives()) {
-            const auto stated = static_cast<std::size_t>(
-                std::count_if(each->arguments.begin(), each->arguments.end(),
-                              [](const geometry::ShapeArgument& argument) { return !argument.isFixed; }));
+            const auto stated = static_cast<std::size_t>(std::ranges::count_if(
+                each->arguments, [](const geometry::ShapeArgument& argument) { return !argument.isFixed; }));
             rows.push_back({.id = static_cast<CommandId>(id++),
                             .names = each->names,
                             .arguments = rest.first(stated),
@@ -365,13 +340,6 @@ const CommandRow* findCommand(std::string_view word) {
     return nullptr;
 }
 
-std::string_view nameOf(CommandId id) {
-    for (const CommandRow& row : commandTable())
-        if (row.id == id) return row.name();
-    const StatementRow* statement = statementOf(id);
-    return statement != nullptr ? statement->name : std::string_view();
-}
-
 CommandId commandOf(std::string_view word) {
     const CommandRow* row = findCommand(word);
     assert(row != nullptr);
@@ -384,19 +352,6 @@ const geometry::PrimitiveSpec* primitiveOf(CommandId id) {
     const std::size_t index =
         static_cast<std::size_t>(id) - static_cast<std::size_t>(CommandId::firstPrimitive);
     return index < all.size() ? all[index] : nullptr;
-}
-
-std::string_view nearestCommand(std::string_view word) {
-    std::vector<std::string_view> names;
-    for (const CommandRow& row : commandTable())
-        for (const std::string_view name : row.names)
-            if (!name.empty()) names.push_back(name);
-    for (const StatementRow& row : statementTable())
-        if (!row.sharesWord()) names.push_back(row.name);
-    const std::string nearest = base::nearestName(word, names);
-    for (const std::string_view name : names)
-        if (name == nearest) return name;
-    return {};
 }
 
 std::span<const TextureFormat> textureFormats() {

@@ -70,10 +70,10 @@ enum class LoneNumber {
 
 struct CommandRow {
     CommandId id{};
-    ArgumentForm form = ArgumentForm::numbers;
     std::array<std::string_view, 2> names{};  ///< the word as the reference spells it; an alias or nothing
     std::span<const Argument> arguments{};
     std::string_view summary{};  ///< one line
+    ArgumentForm form = ArgumentForm::numbers;
     LoneNumber loneNumber = LoneNumber::first;
     int groupMultiple = 0;                      ///< for ArgumentForm::pointGroups
     std::span<const std::string_view> words{};  ///< for ArgumentForm::topology
@@ -87,18 +87,11 @@ std::span<const CommandRow> commandTable();
 /// The row of a command word or alias, in any case; null if there is none.
 const CommandRow* findCommand(std::string_view word);
 
-/// The command's word as the reference spells it.
-std::string_view nameOf(CommandId id);
-
 /// The id of a command that exists, by its word or alias.
 CommandId commandOf(std::string_view word);
 
 /// The row of the primitive; null if the command is not one.
 const geometry::PrimitiveSpec* primitiveOf(CommandId id);
-
-/// The command, alias or modern statement nearest to an unknown word, spelled as in its table; empty if none
-/// is near.
-std::string_view nearestCommand(std::string_view word);
 
 /// A format of empty textures: its word and the bytes of one texel.
 struct TextureFormat {

@@ -54,11 +54,11 @@ class LineReader {
 
     Line read() {
         if (line_.range.end - line_.range.begin > kLongestLine) {
-            log_.report("glib-E15",
-                        fmt::format("line of {} bytes; the limit is {}",
-                                    groupedText(static_cast<long long>(line_.range.end - line_.range.begin)),
-                                    groupedText(static_cast<long long>(kLongestLine))),
-                        position(at_));
+            log_.report(
+                "glib-E15",
+                fmt::format("line of {} bytes; the limit is {}",
+                            groupedText(line_.range.end - line_.range.begin), groupedText(kLongestLine)),
+                position(at_));
             line_.faulty = line_.tooLong = true;
             return std::move(line_);
         }
@@ -245,6 +245,28 @@ std::optional<bool> Token::truth() const {
     if (sameWord(text, "true")) return true;
     if (sameWord(text, "false")) return false;
     return std::nullopt;
+}
+
+ReadNumber readNumber(const Token& token, MessageLog& log, std::string_view hint) {
+    const std::optional<NumberPrefix> number =
+        token.kind == TokenKind::number ? numberPrefix(token.text) : std::optional<NumberPrefix>();
+    if (!number) {
+        const bool isName = !token.text.empty() && isLetter(token.text[0]);
+        log.report("glib-W05",
+                   fmt::format("{} is not a number, 0 used{}", inQuotes(token.text), isName ? hint : ""),
+                   token.position);
+        return {0, "0"};
+    }
+    const std::string_view text = token.text.substr(0, number->length);
+    if (number->length < token.text.size())
+        log.report("glib-W04",
+                   fmt::format("{} read as {}, {} ignored", inQuotes(token.text), text,
+                               inQuotes(token.text.substr(number->length))),
+                   token.position);
+    if (!number->finite)
+        log.report("glib-E05", fmt::format("{} is too large for a 32-bit float", inQuotes(text)),
+                   token.position);
+    return {number->value, text};
 }
 
 LineSplitter::LineSplitter(std::string_view text) : text_(text) {

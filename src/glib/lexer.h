@@ -71,6 +71,15 @@ class LineSplitter {
     int number_ = 0;
 };
 
+/// A number token: its value, and its text without the part that was ignored.
+struct ReadNumber {
+    double value = 0;
+    std::string_view text;
+};
+
+/// Reads any token as a number. Reports glib-W04, W05, E05; `hint` follows glib-W05 about a name.
+ReadNumber readNumber(const Token& token, MessageLog& log, std::string_view hint = {});
+
 /// How a line that begins with MessageBox is read.
 enum class MessageLines { rawText, tokens };
 

@@ -37,7 +37,7 @@ Diagnostics MessageLog::take() {
     const auto byPlace = [](const Diagnostic& a, const Diagnostic& b) {
         return std::tie(a.place.line, a.place.column) < std::tie(b.place.line, b.place.column);
     };
-    std::stable_sort(kept_.begin(), kept_.end(), byPlace);
+    std::ranges::stable_sort(kept_, byPlace);
     if (keptErrors_ == 0 && firstCutError_) {
         const auto last = std::find_if(kept_.rbegin(), kept_.rend(), [](const Diagnostic& each) {
             return each.severity == Severity::warning;

@@ -2,6 +2,7 @@
 // Numbers as scenes write them (language, 1.5): `5`, `5.`, `.2`, `-.25`, `1e-3`, with or without further text
 // after them.
 
+#include <concepts>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -31,5 +32,9 @@ std::string numberText(double value);
 
 /// Returns a whole number with commas between thousands: "8,388,608".
 std::string groupedText(long long value);
+template <std::integral T>
+std::string groupedText(T value) {
+    return groupedText(static_cast<long long>(value));
+}
 
 }  // namespace glibra::glib

@@ -57,7 +57,11 @@ struct UniformSpec {
 /// - partner: see below.
 ///
 /// A classic command of form `numbers` with an expression among its arguments is `isEvaluatedLater`: `values`
-/// are its numbers and expressions in order, and evaluateNumbers (arguments.h) fills `numbers`.
+/// are its numbers and expressions in order, and evaluateNumbers (parse/arguments.h) fills `numbers`.
+///
+/// Both grammars share this struct instead of having a type per statement: the parser, the formatter, the
+/// editor's help and the window's edits go through the rows of the two tables and know no statement, and only
+/// the function that carries a statement out asks for members by name.
 struct Command {
     CommandId id{};
     std::string word;  ///< as written

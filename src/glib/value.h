@@ -41,6 +41,16 @@ struct NamePart {
     std::vector<Value> index;
 };
 
+/// True for a number or an expression.
+inline bool isNumeric(const Value& value) {
+    return value.kind == Value::Kind::number || value.kind == Value::Kind::expression;
+}
+
+/// The name that a value begins with, without its parts and subscripts.
+inline const std::string& headOf(const Value& value) {
+    return value.path.empty() ? value.text : value.path.front().name;
+}
+
 /// A key of a statement, or a tag, with the values after it.
 struct KeyedValues {
     std::string key;     ///< a key as the table of statements spells it; a tag as written, without blanks

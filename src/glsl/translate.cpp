@@ -4,8 +4,10 @@
 
 #include "glsl/emit/emit.h"
 #include "glsl/facts/facts.h"
+#include "glsl/parse/body_walk.h"
 #include "glsl/parse/lexical.h"
 #include "glsl/parse/usage.h"
+#include "glsl/parse/variables.h"
 #include "glsl/read/source.h"
 #include "glsl/rules/rules.h"
 
@@ -14,8 +16,8 @@ namespace {
 
 /// Reports a compute stage that cannot be translated; false if there is one.
 bool acceptsCompute(const ProgramRequest& request, Report& report) {
-    const bool hasCompute = std::any_of(request.stages.begin(), request.stages.end(),
-                                        [](const StageSource& each) { return each.stage == Stage::compute; });
+    const bool hasCompute = std::ranges::any_of(
+        request.stages, [](const StageSource& each) { return each.stage == Stage::compute; });
     if (!hasCompute) return true;
     if (request.stages.size() > 1)
         report.report("glsl-E13", "a program has a compute stage or stages that draw, not both",
@@ -37,11 +39,7 @@ void read(const ProgramRequest& request, ProgramUnits& program) {
     program.units.reserve(ordered.size());
     for (const StageSource* each : ordered) {
         if (each->text.empty()) {
-            const std::size_t slash = each->path.find_last_of("/\\");
-            program.report.report(
-                "file-E02",
-                "'" + (slash == std::string::npos ? each->path : each->path.substr(slash + 1)) + "' is empty",
-                {each->path, 1, 1});
+            program.report.report("file-E02", "'" + fileName(each->path) + "' is empty", {each->path, 1, 1});
             continue;
         }
         Unit& unit = program.units.emplace_back();
@@ -151,7 +149,7 @@ void applyRules(ProgramUnits& program) {
         chooseOverloads(unit, report);
         adaptToTarget(unit);
         renderVariables(unit);
-        limitSharedSubscripts(unit, walks[i], *program.result, report);
+        limitSharedSubscripts(unit, *program.result, report);
         applyRenames(unit, walks[i]);
         if (program.request->checksUndefined) recordUndefined(unit, program.result->undefinedSites);
         recordUserNames(unit, *program.result);

@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "image/bytes.h"
+#include "image/convert.h"
 
 namespace glibra::image {
 namespace {
@@ -45,16 +46,12 @@ bool hasOtherThanOpaque(const Image& image) {
 
 void unassociateAlpha(Image& image) {
     if (image.components != 4) return;
-    if (image.type == Component::u8) divideColors<std::uint8_t>(image);
-    if (image.type == Component::u16) divideColors<std::uint16_t>(image);
-    if (image.type == Component::f32) divideColors<float>(image);
+    withZeroOf(image.type, [&](auto zero) { divideColors<decltype(zero)>(image); });
 }
 
 bool isTransparent(const Image& image) {
     if (image.components % 2 != 0) return false;
-    if (image.type == Component::u8) return hasOtherThanOpaque<std::uint8_t>(image);
-    if (image.type == Component::u16) return hasOtherThanOpaque<std::uint16_t>(image);
-    return hasOtherThanOpaque<float>(image);
+    return withZeroOf(image.type, [&](auto zero) { return hasOtherThanOpaque<decltype(zero)>(image); });
 }
 
 }  // namespace glibra::image

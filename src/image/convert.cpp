@@ -63,18 +63,6 @@ void copyValues(const Image& from, Image& to) {
         putAt(to.data, i, converted<From, To>(valueAt<From>(from.data.data(), i)));
 }
 
-template <class From>
-void copyFrom(const Image& from, Image& to) {
-    switch (to.type) {
-        case Component::u8:
-            return copyValues<From, std::uint8_t>(from, to);
-        case Component::u16:
-            return copyValues<From, std::uint16_t>(from, to);
-        case Component::f32:
-            return copyValues<From, float>(from, to);
-    }
-}
-
 Image emptyOf(const Image& like, int components, Component type) {
     Image image{like.width, like.height, components, type, {}};
     image.data.resize(image.rowBytes() * static_cast<std::size_t>(image.height));
@@ -92,34 +80,16 @@ Image blankImage(std::uint64_t width, std::uint64_t height, Component type) {
 Image withComponents(const Image& image, int components) {
     if (components == image.components) return image;
     Image result = emptyOf(image, components, image.type);
-    switch (image.type) {
-        case Component::u8:
-            copyComponents<std::uint8_t>(image, result);
-            break;
-        case Component::u16:
-            copyComponents<std::uint16_t>(image, result);
-            break;
-        case Component::f32:
-            copyComponents<float>(image, result);
-            break;
-    }
+    withZeroOf(image.type, [&](auto zero) { copyComponents<decltype(zero)>(image, result); });
     return result;
 }
 
 Image withType(const Image& image, Component type) {
     if (type == image.type) return image;
     Image result = emptyOf(image, image.components, type);
-    switch (image.type) {
-        case Component::u8:
-            copyFrom<std::uint8_t>(image, result);
-            break;
-        case Component::u16:
-            copyFrom<std::uint16_t>(image, result);
-            break;
-        case Component::f32:
-            copyFrom<float>(image, result);
-            break;
-    }
+    withZeroOf(image.type, [&](auto from) {
+        withZeroOf(type, [&](auto to) { copyValues<decltype(from), decltype(to)>(image, result); });
+    });
     return result;
 }
 

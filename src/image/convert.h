@@ -18,6 +18,20 @@ Image withComponents(const Image& image, int components);
 /// 16 exactly.
 Image withType(const Image& image, Component type);
 
+/// Calls use(zero) with a 0 of the type of the components: std::uint8_t, std::uint16_t or float.
+template <class Use>
+auto withZeroOf(Component type, const Use& use) {
+    switch (type) {
+        case Component::u8:
+            return use(std::uint8_t{});
+        case Component::u16:
+            return use(std::uint16_t{});
+        case Component::f32:
+            break;
+    }
+    return use(float{});
+}
+
 /// True if the data have the length that width, height, components and type require, and there is at least
 /// one pixel.
 bool isConsistent(const Image& image);

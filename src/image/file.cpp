@@ -24,6 +24,8 @@ namespace glibra::image {
 namespace {
 
 namespace fs = std::filesystem;
+using base::Descriptor;
+using base::writeAll;
 
 /// The system's text for an error number, as part of a sentence.
 std::string reason(int number) {
@@ -31,32 +33,6 @@ std::string reason(int number) {
     if (!text.empty() && text[0] >= 'A' && text[0] <= 'Z') text[0] = static_cast<char>(text[0] - 'A' + 'a');
     return text;
 }
-
-/// 0, or the error number.
-int writeAll(int descriptor, std::span<const std::byte> bytes) {
-    while (!bytes.empty()) {
-        const ssize_t put = ::write(descriptor, bytes.data(), bytes.size());
-        if (put < 0 && errno == EINTR) continue;
-        if (put < 0) return errno;
-        bytes = bytes.subspan(static_cast<std::size_t>(put));
-    }
-    return 0;
-}
-
-/// A file descriptor that closes itself.
-class Descriptor {
-  public:
-    explicit Descriptor(int number) : number_(number) {}
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    ~Descriptor() {
-        if (number_ >= 0) ::close(number_);
-    }
-    [[nodiscard]] int number() const { return number_; }
-
-  private:
-    int number_;
-};
 
 /// Requests memory of `size` bytes without touching it, in pages of 2 MiB if the system has them: page faults
 /// of small pages took half of the reading time of a large file.

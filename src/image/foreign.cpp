@@ -79,9 +79,8 @@ Result<Prepared> preparePhotoshop(ByteSpan file, const FileLabel& label, const L
     if (file.size() < kHeader) return damaged(label, "the file ends within the Photoshop header");
     const std::uint64_t channels = big16(file, 12), height = big32(file, 14), width = big32(file, 18),
                         bits = big16(file, 22);
-    if (auto tooLarge = checkSize(width, height, (channels * bits + 7) / 8, limits, label))
-        return *std::move(tooLarge);
-    if (auto tooShort = checkInflation(width, height, file.size(), label)) return *std::move(tooShort);
+    if (auto refused = checkPacked(width, height, (channels * bits + 7) / 8, file.size(), limits, label))
+        return *std::move(refused);
     return Prepared{};
 }
 
@@ -109,8 +108,7 @@ Result<Image> decodeForeign(Format format, ByteSpan file, const std::filesystem:
 
     const bool isReplaced = !prepared->replacement.empty();
     Result<Image> read = readByModule(format, isReplaced ? ByteSpan(prepared->replacement) : file,
-                                      isReplaced ? std::filesystem::path() : path, label, options.limits,
-                                      options.moduleFolders, options.decoder);
+                                      isReplaced ? std::filesystem::path() : path, label, options);
     if (!read) return read;
     if (prepared->associatedAlpha) unassociateAlpha(*read);
     if (prepared->orientation != 1) *read = upright(*std::move(read.value), prepared->orientation);

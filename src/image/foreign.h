@@ -9,7 +9,7 @@
 
 #include "image/format.h"
 #include "image/image.h"
-#include "image/read.h"
+#include "image/module_loader.h"
 
 namespace glibra::image {
 

@@ -5,6 +5,9 @@
 #include <cstdint>
 #include <string>
 
+#include "base/text.h"
+#include "image/bytes.h"
+
 namespace glibra::image {
 namespace {
 
@@ -78,22 +81,18 @@ bool hasAt(std::span<const std::byte> bytes, std::size_t offset, std::string_vie
                       });
 }
 
-unsigned byteAt(std::span<const std::byte> bytes, std::size_t at) {
-    return std::to_integer<unsigned>(bytes[at]);
-}
-
 bool isBmp(std::span<const std::byte> bytes) {
     if (!hasAt(bytes, 0, "BM") || bytes.size() < 18) return false;
     constexpr std::array<unsigned, 7> kHeaderSizes{12, 40, 52, 56, 64, 108, 124};
-    const bool small = byteAt(bytes, 15) == 0 && byteAt(bytes, 16) == 0 && byteAt(bytes, 17) == 0;
+    const bool small = octetAt(bytes, 15) == 0 && octetAt(bytes, 16) == 0 && octetAt(bytes, 17) == 0;
     return small &&
-           std::find(kHeaderSizes.begin(), kHeaderSizes.end(), byteAt(bytes, 14)) != kHeaderSizes.end();
+           std::find(kHeaderSizes.begin(), kHeaderSizes.end(), octetAt(bytes, 14)) != kHeaderSizes.end();
 }
 
 /// Format::pnm, Format::pfm or Format::unknown.
 Format pnmOrPfm(std::span<const std::byte> bytes) {
-    if (bytes.size() < 3 || byteAt(bytes, 0) != 'P') return Format::unknown;
-    const unsigned kind = byteAt(bytes, 1), separator = byteAt(bytes, 2);
+    if (bytes.size() < 3 || octetAt(bytes, 0) != 'P') return Format::unknown;
+    const unsigned kind = octetAt(bytes, 1), separator = octetAt(bytes, 2);
     if (separator != '\n' && separator != '\r' && separator != ' ' && separator != '\t' && separator != '#')
         return Format::unknown;
     if (kind == 'F' || kind == 'f') return Format::pfm;
@@ -104,19 +103,19 @@ Format pnmOrPfm(std::span<const std::byte> bytes) {
 /// length of uncompressed pixels agrees.
 bool isTarga(std::span<const std::byte> bytes) {
     if (bytes.size() < 18) return false;
-    const unsigned mapType = byteAt(bytes, 1), kind = byteAt(bytes, 2), mapBits = byteAt(bytes, 7);
-    const std::size_t mapLength = byteAt(bytes, 5) | byteAt(bytes, 6) << 8;
-    const std::size_t width = byteAt(bytes, 12) | byteAt(bytes, 13) << 8;
-    const std::size_t height = byteAt(bytes, 14) | byteAt(bytes, 15) << 8;
-    const unsigned bits = byteAt(bytes, 16);
+    const unsigned mapType = octetAt(bytes, 1), kind = octetAt(bytes, 2), mapBits = octetAt(bytes, 7);
+    const std::size_t mapLength = little16(bytes, 5);
+    const std::size_t width = little16(bytes, 12);
+    const std::size_t height = little16(bytes, 14);
+    const unsigned bits = octetAt(bytes, 16);
     const bool mapped = kind == 1 || kind == 9;
     if (mapType > 1 || !(mapped || kind == 2 || kind == 3 || kind == 10 || kind == 11)) return false;
     if (mapped && mapType == 0) return false;
-    if (width == 0 || height == 0 || (byteAt(bytes, 17) & 0xc0U) != 0) return false;
+    if (width == 0 || height == 0 || (octetAt(bytes, 17) & 0xc0U) != 0) return false;
     if (bits != 8 && bits != 15 && bits != 16 && bits != 24 && bits != 32) return false;
     if (mapType == 0 ? mapLength != 0 : mapLength == 0) return false;
     if (hasAt(bytes, bytes.size() - 18, "TRUEVISION-XFILE.")) return true;
-    const std::size_t pixels = 18 + byteAt(bytes, 0) + mapLength * ((mapBits + 7) / 8);
+    const std::size_t pixels = 18 + octetAt(bytes, 0) + mapLength * ((mapBits + 7) / 8);
     if (kind >= 9) return bytes.size() > pixels;  // run lengths, whose length cannot be checked
     return bytes.size() >= pixels + width * height * ((bits + 7) / 8);
 }
@@ -134,11 +133,8 @@ Format formatOf(std::span<const std::byte> bytes) {
 }
 
 Format formatOfSuffix(const std::filesystem::path& path) {
-    std::string suffix = path.extension().string();
-    if (suffix.size() < 2) return Format::unknown;
-    for (char& each : suffix)
-        if (each >= 'A' && each <= 'Z') each = static_cast<char>(each - 'A' + 'a');
-    suffix += ' ';
+    const std::string suffix = base::lower(path.extension().string()) + ' ';
+    if (suffix.size() < 3) return Format::unknown;
     for (const Row& row : kFormatRows)
         if (row.suffixes.find(suffix) != std::string_view::npos) return row.format;
     return Format::unknown;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "image/bytes.h"
 #include "image/convert.h"
 
 namespace glibra::image {
@@ -21,8 +22,7 @@ NonFinite countNonFinite(const Image& image) {
     for (int y = 0; y < image.height; ++y) {
         const std::byte* row = image.row(y).data();
         for (std::size_t i = 0; i < rowValues; ++i) {
-            float value = 0;
-            std::memcpy(&value, row + i * sizeof value, sizeof value);
+            const auto value = valueAt<float>(row, i);
             if (std::isfinite(value)) continue;
             if (found.nan + found.infinite == 0) {
                 found.x = static_cast<int>(i / static_cast<std::size_t>(image.components));

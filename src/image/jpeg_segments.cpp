@@ -49,7 +49,6 @@ JpegFacts jpegFacts(ByteSpan jpeg) {
 }
 
 std::vector<std::byte> withoutMetadata(std::span<const std::byte> jpeg) {
-    const auto byteAt = [&](std::size_t at) { return std::to_integer<unsigned>(jpeg[at]); };
     std::vector<std::byte> kept;
     kept.reserve(jpeg.size());
     std::size_t at = 2;  // after the start-of-image marker
@@ -58,13 +57,13 @@ std::vector<std::byte> withoutMetadata(std::span<const std::byte> jpeg) {
         kept.insert(kept.end(), jpeg.begin() + static_cast<std::ptrdiff_t>(copied),
                     jpeg.begin() + static_cast<std::ptrdiff_t>(end));
     };
-    while (at + 4 <= jpeg.size() && byteAt(at) == 0xff) {
-        const unsigned marker = byteAt(at + 1);
+    while (at + 4 <= jpeg.size() && octetAt(jpeg, at) == 0xff) {
+        const unsigned marker = octetAt(jpeg, at + 1);
         if (marker == 0xff) {  // a fill byte
             ++at;
             continue;
         }
-        const std::size_t end = at + 2 + (byteAt(at + 2) << 8U | byteAt(at + 3));
+        const std::size_t end = at + 2 + big16(jpeg, at + 2);
         if (marker == kStartOfScan || marker < 0xc0 || end < at + 4 || end > jpeg.size()) break;
         if (isMetadata(marker)) {
             copyUntil(at);
@@ -77,12 +76,11 @@ std::vector<std::byte> withoutMetadata(std::span<const std::byte> jpeg) {
 }
 
 bool hasEndOfImage(std::span<const std::byte> jpeg) {
-    const auto byteAt = [&](std::size_t at) { return std::to_integer<unsigned>(jpeg[at]); };
     std::size_t at = 2;
     while (at + 2 <= jpeg.size()) {
         // Both between segments and within a scan, anything that is not a marker is pixel data or fill.
-        const unsigned marker = byteAt(at + 1);
-        const bool data = byteAt(at) != 0xff || marker == 0 || marker == 0xff ||
+        const unsigned marker = octetAt(jpeg, at + 1);
+        const bool data = octetAt(jpeg, at) != 0xff || marker == 0 || marker == 0xff ||
                           (marker >= kRestart0 && marker <= kRestart7);
         if (data) {
             ++at;
@@ -90,7 +88,7 @@ bool hasEndOfImage(std::span<const std::byte> jpeg) {
             return true;
         } else {
             if (at + 4 > jpeg.size()) return false;
-            at += 2 + (byteAt(at + 2) << 8U | byteAt(at + 3));
+            at += 2 + big16(jpeg, at + 2);
         }
     }
     return false;

@@ -55,6 +55,12 @@ std::optional<Diagnostic> checkInflation(std::uint64_t width, std::uint64_t heig
     return damaged(label, fmt::format("{} bytes cannot hold {} x {} pixels", fileBytes, width, height));
 }
 
+std::optional<Diagnostic> checkPacked(std::uint64_t width, std::uint64_t height, std::uint64_t bytesPerPixel,
+                                      std::uint64_t fileBytes, const Limits& limits, const FileLabel& label) {
+    if (auto tooLarge = checkSize(width, height, bytesPerPixel, limits, label)) return tooLarge;
+    return checkInflation(width, height, fileBytes, label);
+}
+
 Diagnostic damaged(const FileLabel& label, const std::string& what) {
     return diagnose("file-E04", fmt::format("'{}': {}", label.name, what), label.place);
 }

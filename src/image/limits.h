@@ -45,6 +45,10 @@ std::optional<Diagnostic> checkSceneBytes(std::uint64_t bytes, const Limits& lim
 std::optional<Diagnostic> checkInflation(std::uint64_t width, std::uint64_t height, std::uint64_t fileBytes,
                                          const FileLabel& label);
 
+/// checkSize, then checkInflation.
+std::optional<Diagnostic> checkPacked(std::uint64_t width, std::uint64_t height, std::uint64_t bytesPerPixel,
+                                      std::uint64_t fileBytes, const Limits& limits, const FileLabel& label);
+
 /// "2.1 GiB", "300 MiB", "17 bytes".
 std::string readableBytes(std::uint64_t bytes);
 

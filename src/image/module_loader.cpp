@@ -95,10 +95,8 @@ struct ReadingJob {
 /// The reason why a picture of this size is not read.
 std::optional<Diagnostic> refusal(const Reading& reading, const ReadingJob& job) {
     if (!reading.hasSize) return std::nullopt;
-    if (auto tooLarge =
-            checkSize(reading.width, reading.height, 4 * bytesOf(reading.type), job.limits, job.label))
-        return tooLarge;
-    return checkInflation(reading.width, reading.height, job.file.size(), job.label);
+    return checkPacked(reading.width, reading.height, 4 * bytesOf(reading.type), job.file.size(), job.limits,
+                       job.label);
 }
 
 /// The context of the module's callback.
@@ -319,13 +317,12 @@ std::vector<fs::path> defaultModuleFolders() {
 }
 
 Result<Image> readByModule(Format format, std::span<const std::byte> file, const fs::path& path,
-                           const FileLabel& label, const Limits& limits,
-                           std::span<const fs::path> moduleFolders, const base::CallLimits& decoder) {
-    const auto loaded = loadModule(moduleFolders);
+                           const FileLabel& label, const ReadOptions& options) {
+    const auto loaded = loadModule(options.moduleFolders);
     const auto* module = std::get_if<Module>(&loaded);
     if (module == nullptr) return noModule(format, label, std::get<std::string>(loaded));
-    const ReadingJob job{module->read, format, file, path, label, limits};
-    return readContained(job, inTime(decoder));
+    const ReadingJob job{module->read, format, file, path, label, options.limits};
+    return readContained(job, inTime(options.decoder));
 }
 
 Diagnostics writeByModule(const Image& image, Format format, const fs::path& path, const FileLabel& label,

@@ -25,16 +25,21 @@ std::vector<std::filesystem::path> moduleFoldersOf(const std::filesystem::path& 
 /// Those of this process.
 std::vector<std::filesystem::path> defaultModuleFolders();
 
+/// What may be read, and by whom.
+struct ReadOptions {
+    Limits limits;
+    std::vector<std::filesystem::path> moduleFolders = defaultModuleFolders();
+    base::CallLimits decoder{};  ///< of a decoder that is not ours, outside of workers
+};
+
 /// Reads a picture with the module: RGBA, u8, u16 or f32. `path` may be empty if the bytes come from inside
 /// another file. The decoders are foreign code, so they run in a process of their own within the limits of
-/// `decoder`; in a worker (base::isWorker) also within the time that its step has left. A worker that may
-/// start no process runs them in a thread, since it has limits itself. Errors: file-E03 the module is not
+/// `options.decoder`; in a worker (base::isWorker) also within the time that its step has left. A worker that
+/// may start no process runs them in a thread, since it has limits itself. Errors: file-E03 the module is not
 /// installed or cannot be loaded, naming the format; file-E04 damaged; file-E09 exceeds the limits; file-E11
 /// the decoder crashed or took too long.
 Result<Image> readByModule(Format format, std::span<const std::byte> file, const std::filesystem::path& path,
-                           const FileLabel& label, const Limits& limits,
-                           std::span<const std::filesystem::path> moduleFolders,
-                           const base::CallLimits& decoder = {});
+                           const FileLabel& label, const ReadOptions& options);
 
 /// Writes a picture with the module to exactly this path; not atomic. EXR and HDR become float, JPEG has
 /// quality 95; alpha and `comment` are dropped if the format has none. The encoder runs in a process of its

@@ -1,6 +1,7 @@
 #include "image/raw_texture.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <bit>
@@ -36,12 +37,15 @@ std::optional<std::uint64_t> lengthOf(const RawShape& shape) {
     return headerBytes(shape.dimensions) + 4 * bytesOf(shape.type) * texels;
 }
 
+/// "2 x 1 x 3".
+std::string sizesOf(const RawShape& shape) {
+    return fmt::format(
+        "{}", fmt::join(std::span(shape.sizes).first(static_cast<std::size_t>(shape.dimensions)), " x "));
+}
+
 /// "2 float texels (1D)", "2 x 1 x 3 byte texels (3D)".
 std::string describeShape(const RawShape& shape) {
-    std::string sizes = std::to_string(shape.sizes[0]);
-    for (int i = 1; i < shape.dimensions; ++i)
-        sizes += " x " + std::to_string(shape.sizes.at(static_cast<std::size_t>(i)));
-    return fmt::format("{} {} texels ({}D)", sizes, shape.type == Component::u8 ? "byte" : "float",
+    return fmt::format("{} {} texels ({}D)", sizesOf(shape), shape.type == Component::u8 ? "byte" : "float",
                        shape.dimensions);
 }
 
@@ -59,9 +63,7 @@ Diagnostic fitsNothing(ByteSpan file, int dimensions, const FileLabel& label, co
         if (dimensions != 0 && dimensions != d) continue;
         const auto bytes = shapeFor(file, d, Component::u8);
         if (!bytes || !withinSides(*bytes, limits)) continue;
-        std::string sizes = std::to_string(bytes->sizes[0]);
-        for (int i = 1; i < d; ++i)
-            sizes += fmt::format(" x {}", bytes->sizes.at(static_cast<std::size_t>(i)));
+        std::string sizes = sizesOf(*bytes);
         if (d == 1) sizes += " (1D)";
         const std::uint64_t texels = *lengthOf(*bytes) - headerBytes(d);
         would += fmt::format("{} {} would need {} or {}", would.empty() ? ";" : ",", sizes,
@@ -130,8 +132,8 @@ Result<TexelBlock> decodeRawTexture(ByteSpan file, int dimensions, const FileLab
 
     Result<TexelBlock> result(std::move(block));
     if (shapes.size() > 1) {
-        std::string all = describeShape(shapes[0]);
-        for (std::size_t i = 1; i < shapes.size(); ++i) all += " and " + describeShape(shapes[i]);
+        std::string all;
+        for (const RawShape& each : shapes) all += (all.empty() ? "" : " and ") + describeShape(each);
         result.diagnostics.push_back(diagnose(
             "file-W07", fmt::format("{} bytes match {}; read as {}D", file.size(), all, shape.dimensions),
             label.place));

@@ -5,20 +5,12 @@
 
 #include <filesystem>
 #include <span>
-#include <vector>
 
 #include "base/file_source.h"
 #include "image/image.h"
-#include "image/limits.h"
 #include "image/module_loader.h"
 
 namespace glibra::image {
-
-struct ReadOptions {
-    Limits limits;
-    std::vector<std::filesystem::path> moduleFolders = defaultModuleFolders();
-    base::CallLimits decoder{};  ///< of a decoder that is not ours, outside of workers
-};
 
 /// The picture as RGBA, top row first: u8, u16 (16-bit PNG and similar) or f32 (EXR, HDR and similar). PNG,
 /// BMP, TGA, HDR, GIF, PNM, PFM, SGI and DDS without compression are read here, all other formats by the

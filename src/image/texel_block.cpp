@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "image/bytes.h"
 #include "image/convert.h"
 
 namespace glibra::image {
@@ -29,10 +30,8 @@ void decodeSrgb(TexelBlock& block) {
     const auto components = static_cast<std::size_t>(block.components);
     for (std::size_t i = 0; i < count; ++i) {
         if (components == 4 && i % 4 == 3) continue;
-        float value = 0;
-        std::memcpy(&value, image.data.data() + i * sizeof value, sizeof value);
-        const auto encoded = static_cast<double>(value);
-        value =
+        const auto encoded = static_cast<double>(valueAt<float>(image.data.data(), i));
+        const auto value =
             static_cast<float>(encoded <= .04045 ? encoded / 12.92 : std::pow((encoded + .055) / 1.055, 2.4));
         std::memcpy(image.data.data() + i * sizeof value, &value, sizeof value);
     }

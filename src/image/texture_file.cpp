@@ -10,28 +10,20 @@
 #include "image/file.h"
 #include "image/format.h"
 #include "image/raw_texture.h"
+#include "image/texel_block.h"
 
 namespace glibra::image {
 namespace {
 
 namespace fs = std::filesystem;
 
-void swapRows(std::vector<std::byte>& data, std::size_t rowBytes) {
-    const std::size_t rows = data.size() / rowBytes;
-    for (std::size_t y = 0; y < rows / 2; ++y) {
-        const auto top = data.begin() + static_cast<std::ptrdiff_t>(y * rowBytes);
-        const auto bottom = data.begin() + static_cast<std::ptrdiff_t>((rows - 1 - y) * rowBytes);
-        std::swap_ranges(top, top + static_cast<std::ptrdiff_t>(rowBytes), bottom);
-    }
-}
-
 TexelBlock planeOf(Image image) {
     TexelBlock block;
     block.width = image.width;
     block.height = image.height;
     block.type = image.type;
-    swapRows(image.data, image.rowBytes());
     block.data = std::move(image.data);
+    flipRows(block);
     return block;
 }
 
@@ -160,7 +152,7 @@ void join(Pictures& all, bool flips, TexelBlock& to) {
     to.data.reserve(all.blocks.size() * rowBytes * static_cast<std::size_t>(to.height));
     for (TexelBlock& each : all.blocks) {
         each = withBlockType(std::move(each), to.type);
-        if (flips) swapRows(each.data, rowBytes);
+        if (flips) flipRows(each);
         to.data.insert(to.data.end(), each.data.begin(), each.data.end());
         each.data = {};
     }

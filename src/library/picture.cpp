@@ -70,8 +70,21 @@ Comparison compared(const image::Image& got, const image::Image& expected, const
     return to;
 }
 
-Result<image::Image> readPicture(const std::filesystem::path& file) {
+/// The image of a picture, or in a file.
+Result<image::Image> imageIn(const Picture& picture) {
+    if (Diagnostics problems = problemsOf(picture); !problems.empty()) return problems;
+    return imageOf(picture);
+}
+Result<image::Image> imageIn(const std::filesystem::path& file) {
     return image::readImage(file, {file.string(), 1, 1});
+}
+
+Comparison comparison(const auto& got, const auto& expected, const Tolerance& tolerance) {
+    const Result<image::Image> one = imageIn(got);
+    if (!one) return refused(one.diagnostics);
+    const Result<image::Image> other = imageIn(expected);
+    if (!other) return refused(other.diagnostics);
+    return compared(*one, *other, tolerance);
 }
 
 }  // namespace
@@ -97,25 +110,14 @@ Result<void> Picture::save(const std::filesystem::path& file) const {
 }
 
 Comparison compare(const Picture& got, const Picture& expected, const Tolerance& tolerance) {
-    for (const Picture* each : {&got, &expected})
-        if (Diagnostics problems = problemsOf(*each); !problems.empty()) return refused(std::move(problems));
-    return compared(imageOf(got), imageOf(expected), tolerance);
+    return comparison(got, expected, tolerance);
 }
-
 Comparison compare(const std::filesystem::path& got, const std::filesystem::path& expected,
                    const Tolerance& tolerance) {
-    const Result<image::Image> one = readPicture(got);
-    if (!one) return refused(one.diagnostics);
-    const Result<image::Image> other = readPicture(expected);
-    if (!other) return refused(other.diagnostics);
-    return compared(*one, *other, tolerance);
+    return comparison(got, expected, tolerance);
 }
-
 Comparison compare(const Picture& got, const std::filesystem::path& expected, const Tolerance& tolerance) {
-    if (Diagnostics problems = problemsOf(got); !problems.empty()) return refused(std::move(problems));
-    const Result<image::Image> other = readPicture(expected);
-    if (!other) return refused(other.diagnostics);
-    return compared(imageOf(got), *other, tolerance);
+    return comparison(got, expected, tolerance);
 }
 
 }  // namespace glibra

@@ -17,7 +17,7 @@
 #include "gpu/context/current.h"
 #include "gpu/state/neutral_state.h"
 #include "library/renderer_state.h"
-#include "render/probe/nan_search.h"
+#include "render/check/nan_search.h"
 #include "render/scene_renderer.h"
 #include "suite/options/option_table.h"
 
@@ -32,16 +32,11 @@ Result<gpu::Context> openFor(Driver driver) {
 
 /// library-E01 for each option that no picture can have.
 Diagnostics problemsOf(const RenderOptions& options) {
-    Diagnostics found;
-    const auto wrong = [&](std::string text) { found.push_back(diagnose("library-E01", std::move(text))); };
-    const auto check = [&](const char* name, int value, int most) {
-        if (value < 0 || value > most)
-            wrong(fmt::format("{}: {} is not between 0 and {}", name, value, most));
-    };
-    check("width", options.width, kLargestPictureSide);
-    check("height", options.height, kLargestPictureSide);
-    check("samples", options.samples, suite::kMostSamples);
-    check("tileSize", options.tileSize, kLargestPictureSide);
+    Diagnostics found = outOfRange({{"width", options.width, kLargestPictureSide},
+                                    {"height", options.height, kLargestPictureSide},
+                                    {"samples", options.samples, suite::kMostSamples},
+                                    {"tileSize", options.tileSize, kLargestPictureSide}});
+    const auto wrong = [&](std::string text) { found.push_back(wrongOption(std::move(text))); };
     if (options.steps < 0) wrong(fmt::format("steps: {} is below 0", options.steps));
     if (!std::isfinite(options.time))
         wrong(fmt::format("time: {} is not a finite number of seconds", options.time));
@@ -59,8 +54,7 @@ Diagnostics problemsOfLoading(const RenderOptions& options) {
     suite::Shot rest;  // options that have no message yet
     rest.options = options;
     const auto refuse = [&](std::string_view name, auto member, const char* words) {
-        if (options.*member != none.*member)
-            found.push_back(diagnose("library-E01", fmt::format("{}: {}", name, words)));
+        if (options.*member != none.*member) found.push_back(wrongOption(fmt::format("{}: {}", name, words)));
         rest.options.*member = none.*member;
     };
     constexpr const char* kOfRender = "only render() has this; load() has not";
@@ -87,7 +81,7 @@ Diagnostics problemsOfLoading(const RenderOptions& options) {
                                   &suite::optionNamed("library")};
     for (const suite::OptionRow& row : suite::optionTable())
         if (std::ranges::find(kKept, &row) == kKept.end() && !suite::isDefault(row, rest))
-            found.push_back(diagnose("library-E01", fmt::format("{}: {}", row.name, kOfRender)));
+            found.push_back(wrongOption(fmt::format("{}: {}", row.name, kOfRender)));
     return found;
 }
 
@@ -119,6 +113,18 @@ RenderOptions withOrder(RenderOptions options) {
 thread_local const void* lastOfThread = nullptr;
 
 }  // namespace
+
+Diagnostic wrongOption(std::string text) {
+    return diagnose("library-E01", std::move(text));
+}
+
+Diagnostics outOfRange(std::initializer_list<OptionRange> options) {
+    Diagnostics found;
+    for (const auto& [name, value, most] : options)
+        if (value < 0 || value > most)
+            found.push_back(wrongOption(fmt::format("{}: {} is not between 0 and {}", name, value, most)));
+    return found;
+}
 
 Diagnostics identified(Diagnostics messages, const std::string& id, const std::filesystem::path& scene) {
     for (Diagnostic& each : messages) {

@@ -4,6 +4,7 @@
 #include <glibra/render.h>
 #include <glibra/scene.h>
 
+#include <initializer_list>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -82,6 +83,8 @@ struct GLIBRA_INSIDE Scene::State {
     template <class T, class Work>
     Result<T> guarded(const Work& work);
     Result<Picture> draw(const DrawOptions& options);
+    /// What was drawn last.
+    [[nodiscard]] Result<Picture> readWindow(int components, bool isFloat) const;
     Result<const gpu::Target*> targetFor(const DrawOptions& options);
     Result<void> set(std::string_view name, std::span<const double> values, std::string_view text);
     [[nodiscard]] std::vector<view::Knob> knobs() const;
@@ -100,6 +103,16 @@ struct GLIBRA_INSIDE Scene::State {
     ViewState drawnView;
     bool isDrawn = false;
 };
+
+/// library-E01.
+Diagnostic wrongOption(std::string text);
+
+struct OptionRange {
+    const char* name;
+    int value, most;
+};
+/// library-E01 for each option that is not between 0 and its most.
+Diagnostics outOfRange(std::initializer_list<OptionRange> options);
 
 /// Gives errors without an id this one, and the scene as their place if they have none.
 Diagnostics identified(Diagnostics messages, const std::string& id, const std::filesystem::path& scene);

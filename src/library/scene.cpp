@@ -14,6 +14,8 @@
 #include "image/image.h"
 #include "library/renderer_state.h"
 #include "plan/buffer_table.h"
+#include "render/check/run_checks.h"
+#include "render/consequences.h"
 #include "render/load/device_scene.h"
 #include "render/scene_renderer.h"
 #include "scene/texture_name.h"
@@ -23,19 +25,10 @@
 namespace glibra {
 namespace {
 
-Diagnostic wrongOption(std::string text) {
-    return diagnose("library-E01", std::move(text));
-}
-
 Diagnostics problemsOf(const DrawOptions& options) {
-    Diagnostics found;
-    const auto check = [&](const char* name, int value, int most) {
-        if (value < 0 || value > most)
-            found.push_back(wrongOption(fmt::format("{}: {} is not between 0 and {}", name, value, most)));
-    };
-    check("width", options.width, kLargestPictureSide);
-    check("height", options.height, kLargestPictureSide);
-    check("samples", options.samples, suite::kMostSamples);
+    Diagnostics found = outOfRange({{"width", options.width, kLargestPictureSide},
+                                    {"height", options.height, kLargestPictureSide},
+                                    {"samples", options.samples, suite::kMostSamples}});
     if (!std::isfinite(options.time))
         found.push_back(wrongOption(fmt::format("time: {} is not a finite number of seconds", options.time)));
     return found;
@@ -49,19 +42,11 @@ std::string typeOf(const view::Knob& knob) {
     return count == 1 ? "float" : fmt::format("vec{}", count);
 }
 
-std::string programOf(const scene::Scene& scene, const view::Knob& knob) {
-    return knob.program ? scene.programs[knob.program].name : std::string();
-}
-
-/// "3 numbers"
-std::string numbers(std::size_t count) {
-    return fmt::format("{} {}", count, count == 1 ? "number" : "numbers");
-}
-
 /// What is wrong with these numbers for the value; empty if nothing is.
 std::string whyNot(const view::Knob& knob, std::span<const double> values) {
     if (values.size() != knob.initial.size())
-        return fmt::format("'{}' takes {}, found {}", knob.tag, numbers(knob.initial.size()), values.size());
+        return fmt::format("'{}' takes {}, found {}", knob.tag, glib::counted(knob.initial.size(), "number"),
+                           values.size());
     for (const double each : values) {
         if (!std::isfinite(each)) return fmt::format("'{}': {} is not a finite number", knob.tag, each);
         if (!knob.words.empty() &&
@@ -84,24 +69,13 @@ BufferContent::Column columnOf(const plan::BufferColumn& from, const std::vector
     if (from.first >= kinds.size()) return to;
     const plan::MemoryNumber& first = kinds[from.first];
     to.offset = static_cast<std::size_t>(first.offset);
-    switch (first.kind) {
-        case plan::NumberKind::floating:
-            to.type = "float";
-            break;
-        case plan::NumberKind::doublePrecision:
-            to.type = "double";
-            break;
-        case plan::NumberKind::integer:
-            to.type = "int";
-            break;
-        case plan::NumberKind::unsignedInteger:
-            to.type = "uint";
-            break;
-        case plan::NumberKind::boolean:
-            to.type = "bool";
-            break;
-    }
+    to.type = plan::wordOf(first.kind);
     return to;
+}
+
+Result<Picture> pictureIn(Result<image::Image> image) {
+    if (!image) return std::move(image.diagnostics);
+    return pictureOf(std::move(*image));
 }
 
 }  // namespace
@@ -194,24 +168,31 @@ Result<Picture> Scene::State::draw(const DrawOptions& wanted) {
     Result<const gpu::Target*> target = targetFor(wanted);
     if (!target) return std::move(target.diagnostics);
     Diagnostics found = device.live->draw(**target, wanted.view, wanted.time, false);
-    Picture picture;
-    picture.width = device.window->width;
-    picture.height = device.window->height;
-    picture.components = wanted.alpha ? 4 : 3;
-    picture.isFloat = wanted.floatPixels;
-    picture.bits = wanted.floatPixels ? 32 : 8;
-    Result<std::vector<std::byte>> pixels = gpu::readPixels(
-        renderer->context->capabilities(), (*target)->readable(), 0, {0, 0, picture.width, picture.height},
-        {picture.components, wanted.floatPixels ? gpu::TexelType::f32 : gpu::TexelType::u8});
-    append(found, std::move(pixels.diagnostics));
+    Result<Picture> picture = readWindow(wanted.alpha ? 4 : 3, wanted.floatPixels);
+    append(found, std::move(picture.diagnostics));
     render::applyStrict(found, options.strict);
-    isDrawn = pixels && !hasError(found);
+    isDrawn = picture && !hasError(found);
     drawnTime = wanted.time;
     drawnView = wanted.view;
     if (!isDrawn) return found;
     ++frames;
+    return {std::move(*picture), std::move(found)};
+}
+
+Result<Picture> Scene::State::readWindow(int components, bool isFloat) const {
+    Picture picture;
+    picture.width = device.window->width;
+    picture.height = device.window->height;
+    picture.components = components;
+    picture.isFloat = isFloat;
+    picture.bits = isFloat ? 32 : 8;
+    Result<std::vector<std::byte>> pixels =
+        gpu::readPixels(renderer->context->capabilities(), device.window->target.readable(), 0,
+                        {0, 0, picture.width, picture.height},
+                        {components, isFloat ? gpu::TexelType::f32 : gpu::TexelType::u8});
+    if (!pixels) return std::move(pixels.diagnostics);
     picture.data = std::move(*pixels);
-    return {std::move(picture), std::move(found)};
+    return picture;
 }
 
 Result<Picture> Scene::draw(const DrawOptions& options) {
@@ -246,7 +227,7 @@ std::vector<Value> Scene::values() const {
     for (const view::Knob& knob : *knobs) {
         Value& to = values.emplace_back();
         to.name = knob.tag;
-        to.program = programOf(state_->device.live->scene(), knob);
+        if (knob.program) to.program = state_->device.live->scene().programs[knob.program].name;
         to.type = typeOf(knob);
         to.value = knob.current;
         to.initial = knob.initial;
@@ -277,7 +258,7 @@ Result<void> Scene::State::set(std::string_view name, std::span<const double> va
         return program.empty() && tag == of.name + "." + knob.tag;
     };
     std::vector<view::Knob> meant;
-    std::copy_if(all.begin(), all.end(), std::back_inserter(meant), isMeant);
+    std::ranges::copy_if(all, std::back_inserter(meant), isMeant);
     if (meant.empty()) {
         std::vector<std::string_view> names;
         for (const view::Knob& each : all) names.push_back(each.tag);
@@ -288,7 +269,7 @@ Result<void> Scene::State::set(std::string_view name, std::span<const double> va
     std::vector<double> read(values.begin(), values.end());
     if (values.empty()) {
         const auto& words = meant.front().words;
-        if (const auto word = std::find(words.begin(), words.end(), text); word != words.end()) {
+        if (const auto word = std::ranges::find(words, text); word != words.end()) {
             read = {static_cast<double>(word - words.begin())};
         } else {
             Result<plan::Override> parsed =
@@ -364,11 +345,7 @@ Result<Picture> Scene::State::textureNamed(std::string_view name) {
             fmt::format("'{}': '{}' has {}", name, texture.name,
                         glib::counted(static_cast<std::size_t>(*layers), isCube ? "face" : "layer")),
             {path.string(), 1, 1});
-    if (device.live->texture(view->texture) != nullptr) {
-        Result<image::Image> image = device.live->imageOf(*view);
-        if (!image) return std::move(image.diagnostics);
-        return pictureOf(std::move(*image));
-    }
+    if (device.live->texture(view->texture) != nullptr) return pictureIn(device.live->imageOf(*view));
     RenderOptions wanted = options;
     wanted.set = settings();
     wanted.width = device.window->width;
@@ -382,27 +359,13 @@ Result<Picture> Scene::State::textureNamed(std::string_view name) {
     if (!loaded) return std::move(loaded.diagnostics);
     Result<image::Image> drawn = loaded->draw(drawnTime, stats);
     if (!drawn) return std::move(drawn.diagnostics);
-    Result<image::Image> image = loaded->textureImage(*view);
-    if (!image) return std::move(image.diagnostics);
-    return pictureOf(std::move(*image));
+    return pictureIn(loaded->textureImage(*view));
 }
 
 Result<Picture> Scene::target(std::string_view name) {
     return state_->guarded<Picture>([&]() -> Result<Picture> {
         if (!state_->isDrawn) return diagnose("library-E04", "no picture has been drawn yet");
-        if (name != "window") return state_->textureNamed(name);
-        Picture picture;
-        picture.width = state_->device.window->width;
-        picture.height = state_->device.window->height;
-        picture.components = 4;
-        picture.isFloat = true;
-        picture.bits = 32;
-        Result<std::vector<std::byte>> pixels = gpu::readPixels(
-            state_->renderer->context->capabilities(), state_->device.window->target.readable(), 0,
-            {0, 0, picture.width, picture.height}, {picture.components, gpu::TexelType::f32});
-        if (!pixels) return std::move(pixels.diagnostics);
-        picture.data = std::move(*pixels);
-        return picture;
+        return name == "window" ? state_->readWindow(4, true) : state_->textureNamed(name);
     });
 }
 

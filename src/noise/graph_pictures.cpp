@@ -37,7 +37,7 @@ std::array<double, 3> screenColor(double lightness, double a, double b) {
                                        -1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s,
                                        -0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s};
     std::array<double, 3> color{};
-    std::transform(linear.begin(), linear.end(), color.begin(), [](double each) {
+    std::ranges::transform(linear, color.begin(), [](double each) {
         const double c = std::clamp(each, 0.0, 1.0);
         return c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055;
     });

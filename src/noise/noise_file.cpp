@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/shell_word.h"
+#include "base/text.h"
 #include "image/file.h"
 #include "image/write.h"
 
@@ -37,24 +38,20 @@ bool usesColors(const NoiseFile& noise, const std::filesystem::path& file) {
 }  // namespace
 
 std::string endingOf(const std::filesystem::path& file) {
-    std::string ending = file.extension().string();
-    for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return ending;
+    return base::lower(file.extension().string());
 }
 
 Diagnostics writeNoise(const NoiseFile& noise, const std::filesystem::path& file) {
     const std::string ending = endingOf(file);
     if (ending == ".tex")
-        return image::writeFileAtomically(file,
-                                          noise::noiseTexture(noise.options, noise.width, noise.height));
+        return image::writeFileAtomically(file, noiseTexture(noise.options, noise.width, noise.height));
     if (ending == ".svg") {
-        const std::string svg = noise::graphSvg(noise.options, noise.width, noise.height);
+        const std::string svg = graphSvg(noise.options, noise.width, noise.height);
         return image::writeFileAtomically(file, std::as_bytes(std::span(svg)));
     }
     const std::vector<std::uint8_t> pixels =
-        noise.options.dimensions == 1
-            ? noise::graphPixels(noise.options, noise.width, noise.height)
-            : noise::noisePixels(noise.options, noise.colors, noise.width, noise.height);
+        noise.options.dimensions == 1 ? graphPixels(noise.options, noise.width, noise.height)
+                                      : noisePixels(noise.options, noise.colors, noise.width, noise.height);
     image::Image picture{noise.width, noise.height, 3, image::Component::u8, {}};
     const auto bytes = std::as_bytes(std::span(pixels));
     picture.data.assign(bytes.begin(), bytes.end());
@@ -97,8 +94,7 @@ std::string noiseCommand(const NoiseFile& noise, const std::string& file) {
     if (options.turbulence) text += " --turbulence";
     text += pointArguments("--height", options.heights);
     text += pointArguments("--gradient", options.gradients);
-    if (options.smoothness == noise::Smoothness::quintic)
-        text += pointArguments("--curvature", options.curvatures);
+    if (options.smoothness == Smoothness::quintic) text += pointArguments("--curvature", options.curvatures);
     return text +
            fmt::format(" --size {}x{} -o {}", noise.width, noise.height, base::shellWord(file, "/._-+"));
 }

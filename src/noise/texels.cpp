@@ -170,12 +170,21 @@ void writeShorts(const std::array<OctaveRow, kOctaves>& octaves, std::size_t n, 
     }
 }
 
+/// The numbers of the texture of size n, four per texel; 0 if n is out of range.
+std::size_t numbersOf3(int n) {
+    const auto size = static_cast<std::size_t>(n);
+    return n < 1 || n > kLargestSize3 ? 0 : 4 * size * size * size;
+}
+std::size_t numbersOf2(int n) {
+    const auto size = static_cast<std::size_t>(n);
+    return n < 1 || n > kLargestSize2 ? 0 : 4 * size * size;
+}
+
 }  // namespace
 
 bool writeNoise3(int n, std::span<std::uint8_t> texels, int threads) {
-    if (n < 1 || n > kLargestSize3) return false;
+    if (texels.empty() || texels.size() != numbersOf3(n)) return false;
     const auto size = static_cast<std::size_t>(n);
-    if (texels.size() != 4 * size * size * size) return false;
     forEachRow3(n, threads, [&](const auto& octaves, const auto& rows, std::size_t j, std::size_t k) {
         writeRow(rows, size, texels.data() + 4 * size * (j + size * k),
                  [&](std::size_t octave, std::size_t i) {
@@ -187,9 +196,8 @@ bool writeNoise3(int n, std::span<std::uint8_t> texels, int threads) {
 }
 
 bool writeNoise2(int n, std::span<std::uint8_t> texels, int threads) {
-    if (n < 1 || n > kLargestSize2) return false;
+    if (texels.empty() || texels.size() != numbersOf2(n)) return false;
     const auto size = static_cast<std::size_t>(n);
-    if (texels.size() != 4 * size * size) return false;
     forEachRow2(n, threads, [&](const auto& octaves, const auto& rows, std::size_t j) {
         writeRow(rows, size, texels.data() + 4 * size * j, [&](std::size_t octave, std::size_t i) {
             const auto& places = octaves[octave].places;
@@ -200,25 +208,21 @@ bool writeNoise2(int n, std::span<std::uint8_t> texels, int threads) {
 }
 
 TexelBytes noise3Texels(int n, int threads) {
-    if (n < 1 || n > kLargestSize3) return {};
-    const auto size = static_cast<std::size_t>(n);
-    TexelBytes texels(4 * size * size * size);
+    TexelBytes texels(numbersOf3(n));
     writeNoise3(n, texels, threads);
     return texels;
 }
 
 TexelBytes noise2Texels(int n, int threads) {
-    if (n < 1 || n > kLargestSize2) return {};
-    const auto size = static_cast<std::size_t>(n);
-    TexelBytes texels(4 * size * size);
+    TexelBytes texels(numbersOf2(n));
     writeNoise2(n, texels, threads);
     return texels;
 }
 
 TexelShorts noise3Shorts(int n, int threads) {
-    if (n < 1 || n > kLargestSize3) return {};
+    TexelShorts texels(numbersOf3(n));
+    if (texels.empty()) return texels;
     const auto size = static_cast<std::size_t>(n);
-    TexelShorts texels(4 * size * size * size);
     forEachRow3(n, threads, [&](const auto&, const auto& rows, std::size_t j, std::size_t k) {
         thread_local std::vector<float> sum;
         writeShorts(rows, size, sum, texels.data() + 4 * size * (j + size * k));
@@ -227,9 +231,9 @@ TexelShorts noise3Shorts(int n, int threads) {
 }
 
 TexelShorts noise2Shorts(int n, int threads) {
-    if (n < 1 || n > kLargestSize2) return {};
+    TexelShorts texels(numbersOf2(n));
+    if (texels.empty()) return texels;
     const auto size = static_cast<std::size_t>(n);
-    TexelShorts texels(4 * size * size);
     forEachRow2(n, threads, [&](const auto&, const auto& rows, std::size_t j) {
         thread_local std::vector<float> sum;
         writeShorts(rows, size, sum, texels.data() + 4 * size * j);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <string_view>
 
@@ -57,12 +58,9 @@ NodeAccess accessOf(const scene::Scene& scene, const FramePlan& plan, const Plan
     return access;
 }
 
-NodeAccess accessOf(const scene::ClearObject& clear) {
-    const auto* buffer = std::get_if<scene::BufferIndex>(&clear.object);
-    const scene::ObjectView view =
-        buffer != nullptr ? scene::ObjectView(scene::BufferView{*buffer})
-                          : scene::TextureView{.texture = std::get<scene::TextureIndex>(clear.object)};
-    return {{{view, false, true}}, {}, {clear.object}, {}};
+scene::ObjectView viewOf(const Object& object) {
+    if (const auto* buffer = std::get_if<scene::BufferIndex>(&object)) return scene::BufferView{*buffer};
+    return scene::TextureView{.texture = std::get<scene::TextureIndex>(object)};
 }
 
 }  // namespace
@@ -97,27 +95,14 @@ std::vector<ObjectUse> usesOf(const PlannedProgram& program, const std::vector<T
 }
 
 bool readsCamera(const PlannedProgram& program) {
-    using glsl::Builtin;
-    const auto isOfCamera = [](const UniformBinding& each) {
+    using enum glsl::Builtin;
+    constexpr std::array kOthers{timer, noise2, noise3, currentColor, pointSize};
+    const auto isOfCamera = [&](const UniformBinding& each) {
         const auto* supplied = std::get_if<Supplied>(&each.value);
-        if (supplied == nullptr) return false;
-        switch (supplied->value) {
-            case Builtin::timer:
-            case Builtin::noise2:
-            case Builtin::noise3:
-            case Builtin::currentColor:
-            case Builtin::pointSize:
-            case Builtin::textureMatrix:
-            case Builtin::textureMatrixInverse:
-            case Builtin::textureMatrixTranspose:
-            case Builtin::textureMatrixInverseTranspose:
-                return false;
-            default:
-                return true;
-        }
+        return supplied != nullptr && !isTextureMatrix(supplied->value) &&
+               std::ranges::find(kOthers, supplied->value) == kOthers.end();
     };
-    return program.interface->facts.suppliesVertexStage &&
-           std::any_of(program.values.begin(), program.values.end(), isOfCamera);
+    return program.interface->facts.suppliesVertexStage && std::ranges::any_of(program.values, isOfCamera);
 }
 
 Diagnostics readsOfWritten(const scene::Scene& scene, const PlannedProgram& program,
@@ -158,7 +143,9 @@ std::vector<NodeAccess> accessesOf(const scene::Scene& scene, const FramePlan& p
             const PlannedDispatch& planned = plan.dispatches.at(node.index);
             access.uses = usesOf(plan.programs[planned.program], planned.textures, plan.dispatchOf(planned));
         } else {
-            access = accessOf(plan.clearOf(plan.clears.at(node.index)));
+            const Object& cleared = plan.clearOf(plan.clears.at(node.index)).object;
+            access.uses = {{viewOf(cleared), false, true}};
+            access.overwritten = {cleared};
         }
         for (const ObjectUse& each : access.uses)
             if (each.writes) access.written.insert(objectOf(each.object));
@@ -170,6 +157,10 @@ std::vector<NodeAccess> accessesOf(const scene::Scene& scene, const FramePlan& p
 Object objectOf(const scene::ObjectView& view) {
     if (const auto* buffer = std::get_if<scene::BufferView>(&view)) return buffer->buffer;
     return std::get<scene::TextureView>(view).texture;
+}
+
+bool isPreviousCopy(const scene::ObjectView& view) {
+    return std::visit([](const auto& each) { return each.isPrevious; }, view);
 }
 
 bool hasHistory(const scene::Scene& scene, const Object& object) {
@@ -192,21 +183,15 @@ void findBeginnings(const scene::Scene& scene, FramePlan& plan) {
         written.insert(node.written.begin(), node.written.end());
         fresh.insert(node.overwritten.begin(), node.overwritten.end());
     }
-    const auto add = [](std::vector<scene::ObjectView>& to, const Object& object) {
-        if (const auto* buffer = std::get_if<scene::BufferIndex>(&object))
-            to.emplace_back(scene::BufferView{*buffer});
-        else
-            to.emplace_back(scene::TextureView{.texture = std::get<scene::TextureIndex>(object)});
-    };
     for (const Object& each : written) {
         const auto* texture = std::get_if<scene::TextureIndex>(&each);
         if (touched.contains(each) || hasHistory(scene, each))
-            add(plan.resets, each);
+            plan.resets.push_back(viewOf(each));
         else if (texture != nullptr)
             plan.cleared.push_back(*texture);
     }
     for (const Object& each : touched)
-        if (!written.contains(each)) add(plan.reads, each);
+        if (!written.contains(each)) plan.reads.push_back(viewOf(each));
 }
 
 std::map<scene::TextureIndex, scene::TextureIndex> sharedTargets(
@@ -232,8 +217,7 @@ std::map<scene::TextureIndex, scene::TextureIndex> sharedTargets(
         }
     std::vector<Life> inOrder;
     for (const auto& [texture, life] : lives) inOrder.push_back(life);
-    std::stable_sort(inOrder.begin(), inOrder.end(),
-                     [](const Life& a, const Life& b) { return a.first < b.first; });
+    std::ranges::stable_sort(inOrder, [](const Life& a, const Life& b) { return a.first < b.first; });
     const auto haveOneLayout = [&](scene::TextureIndex a, scene::TextureIndex b) {
         const scene::Texture &one = scene.textures[a], &other = scene.textures[b];
         return one.target == other.target && one.levels == other.levels &&
@@ -243,7 +227,7 @@ std::map<scene::TextureIndex, scene::TextureIndex> sharedTargets(
     std::map<scene::TextureIndex, scene::TextureIndex> sharing;
     std::vector<Life> memories;  // with the last use of each so far
     for (const Life& life : inOrder) {
-        const auto free = std::find_if(memories.begin(), memories.end(), [&](const Life& each) {
+        const auto free = std::ranges::find_if(memories, [&](const Life& each) {
             return each.last < life.first && haveOneLayout(each.texture, life.texture);
         });
         if (free == memories.end()) {
@@ -257,15 +241,15 @@ std::map<scene::TextureIndex, scene::TextureIndex> sharedTargets(
 }
 
 bool writesMemory(const PlannedProgram& program, const std::vector<TextureUse>& textures) {
-    return std::any_of(textures.begin(), textures.end(),
-                       [&](const TextureUse& each) { return textureUseOf(program, each).writes; }) ||
-           std::any_of(program.blocks.begin(), program.blocks.end(),
-                       [&](const BlockUse& each) { return blockUseOf(program, each).writes; });
+    return std::ranges::any_of(textures,
+                               [&](const TextureUse& each) { return textureUseOf(program, each).writes; }) ||
+           std::ranges::any_of(program.blocks,
+                               [&](const BlockUse& each) { return blockUseOf(program, each).writes; });
 }
 
 bool writesMemory(const glsl::TranslatedProgram& program) {
-    return std::any_of(program.stages.begin(), program.stages.end(),
-                       [](const glsl::TranslatedStage& each) { return each.facts.writesMemory; });
+    return std::ranges::any_of(program.stages,
+                               [](const glsl::TranslatedStage& each) { return each.facts.writesMemory; });
 }
 
 }  // namespace glibra::plan

@@ -27,6 +27,8 @@ Diagnostics readsOfWritten(const scene::Scene& scene, const PlannedProgram& prog
                            const Place& place);
 
 Object objectOf(const scene::ObjectView& view);
+/// True for the copy that an object with history had before.
+bool isPreviousCopy(const scene::ObjectView& view);
 /// True if there are two copies of it, which are exchanged.
 bool hasHistory(const scene::Scene& scene, const Object& object);
 

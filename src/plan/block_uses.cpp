@@ -1,4 +1,4 @@
-// The buffers of a program's blocks and atomic counters.
+#include "plan/block_uses.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,6 @@
 #include <string_view>
 
 #include "base/suggest.h"
-#include "plan/buffers.h"
 #include "plan/uniform_messages.h"
 
 namespace glibra::plan {
@@ -20,12 +19,6 @@ std::string_view plainName(std::string_view block) {
     return block.substr(0, block.find('['));
 }
 
-/// The declaration of the block in the shaders' text; null if the text does not show it.
-const glsl::MemoryBlock* declarationOf(const ProgramInterface& interface, std::string_view name,
-                                       bool isStorage) {
-    return interface.facts.memory.block(plainName(name), isStorage);
-}
-
 /// "; did you mean 'particles'?" if a buffer of the scene has a name that is near.
 std::string suggestedBuffer(const scene::Scene& scene, std::string_view name) {
     std::vector<std::string_view> names;
@@ -33,41 +26,29 @@ std::string suggestedBuffer(const scene::Scene& scene, std::string_view name) {
     return base::suggestion(name, names);
 }
 
-/// The buffer that a tag binds, or the one of that name; nothing if there is neither.
-class BufferFinder {
-  public:
-    BufferFinder(const scene::Scene& scene, scene::UniformSetIndex set)
-        : scene_(scene), objects_(set ? &scene.uniformSets[set].objects : nullptr) {}
-
-    [[nodiscard]] std::optional<scene::BufferView> find(std::string_view name) const {
-        if (name.empty()) return std::nullopt;
-        if (objects_ != nullptr)
-            for (const auto& object : std::ranges::reverse_view(*objects_))
-                if (const auto* view = std::get_if<scene::BufferView>(&object.object);
-                    view != nullptr && object.tag == name)
-                    return *view;
-        for (const scene::BufferIndex i : scene_.buffers.indices())
-            if (scene_.buffers[i].name == name) return scene::BufferView{i, false};
-        return std::nullopt;
-    }
-
-  private:
-    const scene::Scene& scene_;
-    const std::vector<scene::ObjectBinding>* objects_;
-};
-
 }  // namespace
 
 Result<std::vector<BlockUse>> blockUses(const scene::Scene& scene, const scene::Program& program,
                                         scene::UniformSetIndex set, const ProgramInterface& interface) {
-    const BufferFinder finder(scene, set);
+    // The buffer that a tag binds, or the one of that name; nothing if there is neither.
+    const auto find = [&](std::string_view name) -> std::optional<scene::BufferView> {
+        if (name.empty()) return std::nullopt;
+        if (set)
+            for (const auto& object : std::ranges::reverse_view(scene.uniformSets[set].objects))
+                if (const auto* view = std::get_if<scene::BufferView>(&object.object);
+                    view != nullptr && object.tag == name)
+                    return *view;
+        for (const scene::BufferIndex i : scene.buffers.indices())
+            if (scene.buffers[i].name == name) return scene::BufferView{i, false};
+        return std::nullopt;
+    };
     std::vector<BlockUse> uses;
     Diagnostics errors;
     // A tag whose value is a word that names nothing.
     const auto isLost = [&](std::initializer_list<std::string_view> names) {
         for (const glib::UniformSpec& each : program.uniforms) {
             if (each.word.empty() || !each.values.empty() ||
-                std::find(names.begin(), names.end(), each.tag) == names.end())
+                std::ranges::find(names, each.tag) == names.end())
                 continue;
             const glib::Position at = each.valuePosition;
             errors.push_back(unknownWord(scene, each.word, {scene.path, at.line, at.column}));
@@ -77,16 +58,16 @@ Result<std::vector<BlockUse>> blockUses(const scene::Scene& scene, const scene::
     };
     const auto addBlock = [&](BlockUse::Kind kind, std::size_t index, const std::string& name) {
         const bool isStorage = kind == BlockUse::Kind::storage;
-        const glsl::MemoryBlock* declared = declarationOf(interface, name, isStorage);
+        const glsl::MemoryBlock* declared = interface.facts.memory.block(plainName(name), isStorage);
         const Place place = declared != nullptr ? declared->place : program.place;
-        std::optional<scene::BufferView> view = finder.find(name);
-        if (!view) view = finder.find(plainName(name));
+        std::optional<scene::BufferView> view = find(name);
+        if (!view) view = find(plainName(name));
         if (!view && declared != nullptr && !declared->instance.empty() && !plainName(name).empty()) {
-            view = finder.find(declared->instance + name.substr(plainName(name).size()));
-            if (!view) view = finder.find(declared->instance);
+            view = find(declared->instance + name.substr(plainName(name).size()));
+            if (!view) view = find(declared->instance);
         }
         if (!view && isStorage && declared != nullptr && !declared->members.empty())
-            view = finder.find(declared->members.back().name);
+            view = find(declared->members.back().name);
         if (isLost({name, plainName(name), declared != nullptr ? std::string_view(declared->instance) : "",
                     declared != nullptr && isStorage && !declared->members.empty()
                         ? std::string_view(declared->members.back().name)
@@ -111,7 +92,7 @@ Result<std::vector<BlockUse>> blockUses(const scene::Scene& scene, const scene::
         std::optional<scene::BufferView> view;
         std::string from;  // the counter that has it
         for (const std::string& each : counters.counters) {
-            const std::optional<scene::BufferView> own = finder.find(each);
+            const std::optional<scene::BufferView> own = find(each);
             if (own && view && *own != *view)
                 errors.push_back(diagnose(
                     "memory-E14",
@@ -142,6 +123,19 @@ Result<std::vector<BlockUse>> blockUses(const scene::Scene& scene, const scene::
     }
     if (!errors.empty()) return errors;
     return uses;
+}
+
+std::string describe(const BlockUse& use, const ProgramInterface& interface) {
+    switch (use.kind) {
+        case BlockUse::Kind::uniform:
+            return fmt::format("uniform block '{}'", interface.blocks.at(use.index).name);
+        case BlockUse::Kind::storage:
+            return fmt::format("storage block '{}'", interface.storageBlocks.at(use.index).name);
+        case BlockUse::Kind::counters:
+            break;
+    }
+    const std::vector<std::string>& names = interface.counterBuffers.at(use.index).counters;
+    return fmt::format("atomic counter '{}'", names.empty() ? std::string() : names.front());
 }
 
 }  // namespace glibra::plan

@@ -13,31 +13,10 @@
 #include "base/number.h"
 #include "base/suggest.h"
 #include "glib/number.h"
-#include "plan/frame_plan.h"
-#include "plan/reach.h"
+#include "plan/count_text.h"
 
 namespace glibra::plan {
 namespace {
-
-std::string_view wordOfKind(NumberKind kind) {
-    switch (kind) {
-        case NumberKind::floating:
-            return "float";
-        case NumberKind::doublePrecision:
-            return "double";
-        case NumberKind::integer:
-            return "int";
-        case NumberKind::unsignedInteger:
-            return "uint";
-        case NumberKind::boolean:
-            break;
-    }
-    return "bool";
-}
-
-std::string countedText(std::uint64_t count, std::string_view one, std::string_view several) {
-    return fmt::format("{} {}", glib::groupedText(static_cast<long long>(count)), count == 1 ? one : several);
-}
 
 /// Adds the buffers of one plan to the layouts.
 class LayoutFinder {
@@ -125,8 +104,7 @@ class LayoutFinder {
                      const std::string& what) {
         fail(index, "memory-E04",
              fmt::format("buffer '{}' has {}, but {} needs {}", scene_.buffers[index].name,
-                         countedText(bytes, "byte", "bytes"), what,
-                         glib::groupedText(static_cast<long long>(pattern.least))));
+                         countedText(bytes, "byte"), what, grouped(pattern.least)));
     }
 
     /// The numbers of one element of the declared type; 0 if no type is declared or known.
@@ -204,17 +182,16 @@ class LayoutFinder {
         if (layout.bytes > mostBytes_)
             return fail(index, "memory-E04",
                         fmt::format("buffer '{}' needs {}; the limit is {}", buffer.name,
-                                    countedText(layout.bytes, "byte", "bytes"),
-                                    glib::groupedText(static_cast<long long>(mostBytes_))));
+                                    countedText(layout.bytes, "byte"), grouped(mostBytes_)));
         if (written < layout.pattern.numbers(layout.elements))
-            return fail(index, "memory-E04",
-                        fmt::format("buffer '{}' has {}, but {} needs {}", buffer.name,
-                                    countedText(written, "number", "numbers"), from,
-                                    layout.pattern.numbers(layout.elements)));
+            return fail(
+                index, "memory-E04",
+                fmt::format("buffer '{}' has {}, but {} needs {}", buffer.name,
+                            countedText(written, "number"), from, layout.pattern.numbers(layout.elements)));
         if (buffer.values.size() > layout.pattern.numbers(layout.elements))
             return fail(index, "memory-E04",
                         fmt::format("buffer '{}' has {}, but {} has room for {}", buffer.name,
-                                    countedText(buffer.values.size(), "value", "values"), from,
+                                    countedText(buffer.values.size(), "value"), from,
                                     layout.pattern.numbers(layout.elements)));
         if (buffer.file && fileBytes < layout.pattern.least)
             return reportSmall(index, fileBytes, layout.pattern, from);
@@ -223,7 +200,7 @@ class LayoutFinder {
             return fail(
                 index, "memory-E04",
                 fmt::format("buffer '{}': an element has {}, but the expression gives {}", buffer.name,
-                            countedText(wanted, "number", "numbers"), buffer.values.size() / count));
+                            countedText(wanted, "number"), buffer.values.size() / count));
         checkValues(buffer, layout.pattern);
         checkType(buffer, layout);
         layouts_.emplace(index, std::move(layout));
@@ -264,38 +241,37 @@ class LayoutFinder {
         const auto isWhole = [](NumberKind kind) {
             return kind == NumberKind::integer || kind == NumberKind::unsignedInteger;
         };
+        const auto areAlike = [&](NumberKind a, NumberKind b) {
+            return a == b || (isWhole(a) && isWhole(b));
+        };
         if (!declared || declared->element.empty()) return;
         const std::vector<MemoryNumber>& wanted = declared->element;
         if (!layout.pattern.isRuntimeSized()) {
             // Without an array that the buffer's elements are, all numbers of the block are of its type.
-            const bool isOneKind = std::all_of(wanted.begin(), wanted.end(), [&](const MemoryNumber& each) {
-                return each.kind == wanted.front().kind;
-            });
+            const bool isOneKind = std::ranges::all_of(
+                wanted, [&](const MemoryNumber& each) { return each.kind == wanted.front().kind; });
             const std::uint64_t numbers =
                 std::min<std::uint64_t>(kMostNumbers, layout.pattern.numbers(layout.elements));
             for (std::uint64_t i = 0; isOneKind && i < numbers; ++i) {
                 const NumberKind kind = layout.pattern.at(i).kind;
-                if (kind == wanted.front().kind || (isWhole(kind) && isWhole(wanted.front().kind))) continue;
+                if (areAlike(kind, wanted.front().kind)) continue;
                 diagnostics_.push_back(diagnose(
                     "memory-W04",
                     fmt::format(
                         "buffer '{}' is declared with the type {}, but number {} of {} ({}:{}) is {} {} "
                         "and decides; leave out the type, or make them the same",
                         buffer.name, buffer.type, i, layout.from, layout.place.file, layout.place.line,
-                        kind == NumberKind::integer ? "an" : "a", wordOfKind(kind)),
+                        kind == NumberKind::integer ? "an" : "a", wordOf(kind)),
                     buffer.place));
                 return;
             }
             if (isOneKind) return;
         }
         if (found.empty() || !layout.pattern.head.empty()) return;
-        bool fits =
-            !wanted.empty() && (wanted.size() % found.size() == 0 || found.size() % wanted.size() == 0);
+        bool fits = wanted.size() % found.size() == 0 || found.size() % wanted.size() == 0;
         for (std::size_t i = 0; fits && i < std::min(kMostNumbers, std::max(wanted.size(), found.size()));
-             ++i) {
-            const NumberKind a = wanted[i % wanted.size()].kind, b = found[i % found.size()].kind;
-            fits = a == b || (isWhole(a) && isWhole(b));
-        }
+             ++i)
+            fits = areAlike(wanted[i % wanted.size()].kind, found[i % found.size()].kind);
         if (!fits)
             diagnostics_.push_back(diagnose(
                 "memory-W03",
@@ -314,94 +290,11 @@ class LayoutFinder {
     Diagnostics diagnostics_;
 };
 
-/// The number of a buffer that begins at this byte; nothing if none does.
-std::optional<MemoryNumber> numberAtByte(const BufferLayout& layout, std::uint64_t offset) {
-    // Numbers have at least four bytes, and those of later elements lie behind those of earlier ones.
-    std::uint64_t first = 0, last = std::min(offset / 4 + 1, layout.pattern.numbers(layout.elements));
-    while (first < last) {
-        const std::uint64_t middle = first + (last - first) / 2;
-        if (layout.pattern.at(middle).offset < offset)
-            first = middle + 1;
-        else
-            last = middle;
-    }
-    if (first >= layout.pattern.numbers(layout.elements)) return std::nullopt;
-    const MemoryNumber found = layout.pattern.at(first);
-    return found.offset == offset ? std::optional(found) : std::nullopt;
-}
-
-/// Checks that a buffer has that many counts there. Nothing if it does, or has no layout.
-std::optional<Diagnostic> countsProblem(const scene::Scene& scene, const scene::CountFrom& from,
-                                        const BufferLayout* layout, std::uint64_t counts,
-                                        const std::string& word, const Place& place) {
-    if (layout == nullptr) return std::nullopt;
-    const std::string& name = scene.buffers[from.buffer.buffer].name;
-    const std::uint64_t bytes = (from.word + counts) * sizeof(std::uint32_t);
-    const std::string where = from.word == 0 ? "" : fmt::format(" from word {} on", from.word);
-    if (layout->bytes < bytes)
-        return diagnose(
-            "memory-E12",
-            fmt::format("{}: buffer '{}' has {}, but {}{} need{} {}", word, name,
-                        countedText(layout->bytes, "byte", "bytes"), countedText(counts, "count", "counts"),
-                        where, counts == 1 ? "s" : "", bytes),
-            place);
-    for (std::uint64_t i = 0; i < counts; ++i) {
-        const auto number = numberAtByte(*layout, (from.word + i) * sizeof(std::uint32_t));
-        if (number && (number->kind == NumberKind::unsignedInteger || number->kind == NumberKind::integer))
-            continue;
-        const std::string lack =
-            from.word == 0
-                ? fmt::format("does not begin with {} of type uint", countedText(counts, "number", "numbers"))
-                : fmt::format("has no {} of type uint{}", counts == 1 ? "number" : "numbers", where);
-        return diagnose("memory-E12",
-                        fmt::format("{}: buffer '{}' {} ({} decides)", word, name, lack, layout->from),
-                        place);
-    }
-    return std::nullopt;
-}
-
-/// memory-E12 for draws and dispatches whose counts their buffers do not hold.
-Diagnostics countsProblems(const scene::Scene& scene, const FramePlan& plan, const BufferLayouts& layouts) {
-    Diagnostics problems;
-    const auto check = [&](const scene::CountFrom& from, std::uint64_t counts, const std::string& word,
-                           const Place& place) {
-        if (!from) return;
-        if (auto problem = countsProblem(scene, from, layouts.find(from.buffer.buffer), counts, word, place))
-            problems.push_back(*std::move(problem));
-    };
-    for (const PlannedDispatch& each : plan.dispatches) {
-        const scene::Dispatch& dispatch = plan.dispatchOf(each);
-        if (const auto* groups = std::get_if<scene::GroupsFrom>(&dispatch.groups))
-            check(groups->first, 3, "Dispatch", dispatch.place);
-    }
-    plan.visitDraws([&](const auto&, const scene::Draw& draw, const auto&) {
-        check(draw.verticesFrom, 1, "Vertices", draw.place);
-        check(draw.instancesFrom, 1, "Instances", draw.place);
-    });
-    return problems;
-}
-
 }  // namespace
-
-std::string describe(const BlockUse& use, const ProgramInterface& interface) {
-    switch (use.kind) {
-        case BlockUse::Kind::uniform:
-            return fmt::format("uniform block '{}'", interface.blocks.at(use.index).name);
-        case BlockUse::Kind::storage:
-            return fmt::format("storage block '{}'", interface.storageBlocks.at(use.index).name);
-        case BlockUse::Kind::counters:
-            break;
-    }
-    const std::vector<std::string>& names = interface.counterBuffers.at(use.index).counters;
-    return fmt::format("atomic counter '{}'", names.empty() ? std::string() : names.front());
-}
 
 Diagnostics BufferLayouts::add(const scene::Scene& scene, const FramePlan& plan, std::uint64_t mostBytes,
                                std::uint64_t (*fileBytes)(const scene::FileReference& file)) {
-    Diagnostics diagnostics = LayoutFinder(scene, plan, mostBytes, fileBytes, layouts_).add();
-    append(diagnostics, countsProblems(scene, plan, *this));
-    append(diagnostics, reachProblems(scene, plan, *this));
-    return diagnostics;
+    return LayoutFinder(scene, plan, mostBytes, fileBytes, layouts_).add();
 }
 
 const BufferLayout* BufferLayouts::find(scene::BufferIndex buffer) const {

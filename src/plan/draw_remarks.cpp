@@ -9,7 +9,6 @@
 #include "base/suggest.h"
 #include "plan/accesses.h"
 #include "plan/fragment_outputs.h"
-#include "plan/needs.h"
 #include "plan/submission.h"
 #include "plan/texture_binding.h"
 #include "plan/uniform_names.h"
@@ -93,14 +92,16 @@ void DrawRemarks::unwritten(const scene::Draw& draw, const scene::Pass& pass, Pl
         return warnOnce(draw.place, index, "draw-W10",
                         fmt::format("the fragment stage of program '{}' has no output, so the draw leaves "
                                     "the colours as they are; write 'State write none' if that is meant",
-                                    name));
+                                    name),
+                        name);
     }
     for (std::size_t target = 0; target < unwritten.size(); ++target)
         if (unwritten[target])
             warnOnce(draw.place, index, "draw-W10",
                      fmt::format("program '{}' has no output for {}, so the draw leaves it as it is; "
                                  "declare 'layout(location = {}) out vec4 ...' in the fragment stage",
-                                 name, describeTarget(scene_, pass, target), target));
+                                 name, describeTarget(scene_, pass, target), target),
+                     name);
 }
 
 void DrawRemarks::layers(const scene::Draw& draw, const scene::Pass& pass, PlannedProgramIndex index) {
@@ -114,17 +115,15 @@ void DrawRemarks::layers(const scene::Draw& draw, const scene::Pass& pass, Plann
                          target->isCube ? "face" : "layer", target->name, target->isCube ? "face" : "layer"));
 }
 
-bool DrawRemarks::suppliesIfModern(const ActiveInput& input) const {
-    return !scene_.isModern && !glsl::wellKnownAttribute(input.name, input.type.word).empty();
-}
-
 DrawRemarks::InputHint DrawRemarks::hintForInput(const scene::Draw& draw, const ProgramInterface& interface,
                                                  const ActiveInput& input) const {
-    if (suppliesIfModern(input)) return {"; scenes with a Camera or another modern statement supply it", {}};
-    if (!scene_.isModern) return {};
+    if (!scene_.isModern) {
+        if (glsl::wellKnownAttribute(input.name, input.type.word).empty()) return {};
+        return {"; scenes with a Camera or another modern statement supply it", {}};
+    }
     const std::string name = userNameOf(interface, input.name);
     const auto isFed = [&](std::string_view attribute) {
-        return std::any_of(interface.inputs.begin(), interface.inputs.end(), [&](const ActiveInput& each) {
+        return std::ranges::any_of(interface.inputs, [&](const ActiveInput& each) {
             return userNameOf(interface, each.name) == attribute;
         });
     };
@@ -135,8 +134,7 @@ DrawRemarks::InputHint DrawRemarks::hintForInput(const scene::Draw& draw, const 
     if (const std::string own = base::nearestName(name, names, 1); !own.empty())
         return {fmt::format("; did you mean the attribute '{}'?", own), own};
     const std::string near = glsl::inputNear(name, input.type.word);
-    if (near.empty()) return {};
-    return {fmt::format("; did you mean '{}'?", near), near};
+    return {hintOf(near), near};
 }
 
 void DrawRemarks::reportUnknownInputs(const scene::Draw& draw, PlannedProgramIndex index) {
@@ -163,11 +161,11 @@ void DrawRemarks::reportUnreadAttributes(const scene::Draw& draw, PlannedProgram
     for (const ActiveInput& each : interface.inputs) inputs.push_back(userNameOf(interface, each.name));
     std::vector<std::string_view> free;  // what is not supplied at all is draw-W03
     for (std::size_t i = 0; i < inputs.size(); ++i)
-        if (sources[i].isKnown && std::none_of(bindings.begin(), bindings.end(),
-                                               [&](const auto& each) { return each.name == inputs[i]; }))
+        if (sources[i].isKnown &&
+            std::ranges::none_of(bindings, [&](const auto& each) { return each.name == inputs[i]; }))
             free.emplace_back(inputs[i]);
     for (const scene::AttributeBinding& each : bindings) {
-        if (std::find(inputs.begin(), inputs.end(), each.name) != inputs.end()) continue;
+        if (std::ranges::find(inputs, each.name) != inputs.end()) continue;
         if (const std::string near = base::nearestName(each.name, free); !near.empty())
             warnOnce(each.place, index, "draw-W15",
                      fmt::format("Attribute: program '{}' has no vertex input '{}'; did you mean '{}'?",

@@ -40,8 +40,6 @@ class DrawRemarks {
   private:
     void warnOnce(const Place& place, PlannedProgramIndex index, const char* id, const std::string& text,
                   std::string subject = {}, std::string suggestion = {});
-    /// True if the scene would supply the input if it were modern.
-    [[nodiscard]] bool suppliesIfModern(const ActiveInput& input) const;
     /// The hint for an input that nothing feeds: an attribute of the draw with a name that is near and that
     /// no input has, otherwise a well-known name.
     struct InputHint {

@@ -81,8 +81,8 @@ std::optional<std::size_t> writerAfter(const std::vector<NodeTextures>& nodes, s
                                        scene::TextureIndex texture) {
     std::set<Object> results = nodes[reader].changes;
     for (std::size_t i = reader + 1; i < nodes.size(); ++i) {
-        const bool needsResults = std::any_of(nodes[i].uses.begin(), nodes[i].uses.end(),
-                                              [&](const Object& object) { return results.contains(object); });
+        const bool needsResults = std::ranges::any_of(
+            nodes[i].uses, [&](const Object& object) { return results.contains(object); });
         if (nodes[i].written.contains(texture))
             return needsResults ? std::nullopt : std::optional<std::size_t>(i);
         if (needsResults) results.insert(nodes[i].changes.begin(), nodes[i].changes.end());

@@ -2,7 +2,6 @@
 // Finds textures that the frame reads before it writes them.
 
 #include <set>
-#include <span>
 
 #include "plan/frame_plan.h"
 

@@ -9,10 +9,6 @@
 namespace glibra::plan {
 namespace {
 
-bool isPreviousCopy(const scene::ObjectView& view) {
-    return std::visit([](const auto& each) { return each.isPrevious; }, view);
-}
-
 /// Finds the objects that a dispatch writes whole, as far as the text of its shader shows it.
 class WholeWrites {
   public:
@@ -41,7 +37,7 @@ class WholeWrites {
     /// How often the program uses the current copy.
     [[nodiscard]] std::ptrdiff_t usesOfCurrent(const Object& object) const {
         const std::vector<ObjectUse> uses = shaderUses(program_, textures_);
-        return std::count_if(uses.begin(), uses.end(), [&](const ObjectUse& each) {
+        return std::ranges::count_if(uses, [&](const ObjectUse& each) {
             return objectOf(each.object) == object && !isPreviousCopy(each.object);
         });
     }
@@ -84,8 +80,8 @@ class WholeWrites {
 bool isFilledWhole(const scene::Scene& scene, const FramePlan& plan, const PlannedPass& planned,
                    const Object& object) {
     const scene::Pass& pass = plan.passOf(planned);
-    const auto found = std::find_if(pass.targets.begin(), pass.targets.end(),
-                                    [&](scene::TextureIndex each) { return Object(each) == object; });
+    const auto found =
+        std::ranges::find_if(pass.targets, [&](scene::TextureIndex each) { return Object(each) == object; });
     if (found == pass.targets.end()) return false;
     const auto index = static_cast<std::size_t>(found - pass.targets.begin());
     const scene::Texture& target = scene.textures[*found];
@@ -93,7 +89,7 @@ bool isFilledWhole(const scene::Scene& scene, const FramePlan& plan, const Plann
     const bool isPlane = empty != nullptr && target.target == scene::TextureTarget::texture2D &&
                          target.levels == 1 && target.samples == 1;
     if (!isPlane || (!pass.parts.empty() && pass.parts[index] != scene::TargetPart{})) return false;
-    return std::any_of(planned.steps.begin(), planned.steps.end(), [&](const auto& step) {
+    return std::ranges::any_of(planned.steps, [&](const auto& step) {
         const auto* drawn = std::get_if<PlannedDraw>(&step);
         if (drawn == nullptr) return false;
         const scene::Draw& draw = plan.drawOf(*drawn);

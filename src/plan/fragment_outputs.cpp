@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
-#include <variant>
 
 #include "plan/inputs.h"
+#include "plan/texture_binding.h"
 #include "scene/texture_parts.h"
 
 namespace glibra::plan {
@@ -17,16 +17,7 @@ namespace {
 /// What the texels of a colour target are for a shader. The window's are floating-point numbers.
 BaseType texelKindOf(const scene::Scene& scene, const scene::Pass& pass, std::size_t target) {
     if (target >= pass.targets.size()) return BaseType::floating;
-    const auto* source = std::get_if<scene::EmptySource>(&scene.textures[pass.targets[target]].source);
-    if (source == nullptr) return BaseType::floating;
-    switch (base::rowOf(source->format).kind) {
-        case base::TexelClass::integer:
-            return BaseType::integer;
-        case base::TexelClass::unsignedInteger:
-            return BaseType::unsignedInteger;
-        default:
-            return BaseType::floating;
-    }
+    return texelsOf(scene.textures[pass.targets[target]]);
 }
 
 std::string_view texelWords(BaseType kind) {
@@ -36,15 +27,8 @@ std::string_view texelWords(BaseType kind) {
 
 /// The GLSL type of that kind with as many components: "uvec3".
 std::string glslTypeOf(BaseType kind, int components) {
-    const bool isScalar = components == 1;
-    switch (kind) {
-        case BaseType::integer:
-            return isScalar ? "int" : fmt::format("ivec{}", components);
-        case BaseType::unsignedInteger:
-            return isScalar ? "uint" : fmt::format("uvec{}", components);
-        default:
-            return isScalar ? "float" : fmt::format("vec{}", components);
-    }
+    if (components > 1) return fmt::format("{}vec{}", prefixOf(kind), components);
+    return kind == BaseType::integer ? "int" : kind == BaseType::unsignedInteger ? "uint" : "float";
 }
 
 bool isWritten(const scene::Draw& draw, std::size_t target) {

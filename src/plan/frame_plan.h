@@ -1,56 +1,25 @@
 #pragma once
-// Decides which parts of a Scene are made and drawn for one picture, how, and why the rest is skipped. There
-// is no GL here: what the plan must know of the driver and of compiled programs it asks by PlanQuestions.
+// Which parts of a Scene are made and drawn for one picture, how, and why the rest is skipped. planFrame()
+// (planner.h) makes it. There is no GL here.
 
 #include <bitset>
-#include <functional>
 #include <map>
 #include <optional>
 #include <set>
-#include <span>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "base/raster_state.h"
-#include "plan/buffers.h"
+#include "plan/block_uses.h"
 #include "plan/inputs.h"
 #include "plan/program_interface.h"
+#include "plan/program_variant.h"
 #include "plan/skipped.h"
-#include "plan/uniforms.h"
+#include "plan/uniform_values.h"
 #include "scene/scene.h"
 
 namespace glibra::plan {
-
-/// The same Program statement may need several GL programs: flat or smooth colours, one or several colour
-/// targets, its own vertex stage or a supplied one.
-struct ProgramVariant {
-    scene::ProgramIndex program{};  ///< none: the built-in program
-    bool flatColors = false;
-    int colorTargets = 1;
-    bool isFullScreen = false;      ///< a vertex stage that covers the whole target may be supplied
-    bool inPieces = false;          ///< a compute program that runs in several dispatches
-    bool isFill = false;            ///< Program::isLeftOutByFill: these stages are left out
-    bool suppliesFragment = false;  ///< a fragment stage is missing and needed
-    friend bool operator==(const ProgramVariant&, const ProgramVariant&) = default;
-};
-
-/// All that a plan asks while it is made. The answers cannot come as values: a program is compiled and a mesh
-/// made only if something visible needs it, and what is visible depends on the answers before.
-struct PlanQuestions {
-    /// The interface of a program. Asked at most once per variant. The reference must stay valid while the
-    /// plan is used.
-    std::function<const ProgramInterface&(const ProgramVariant&)> interfaceOf;
-    /// True if a stage of the program may write to an image. Asked before anything is compiled.
-    std::function<bool(scene::ProgramIndex)> mayWriteImages;
-    /// The number of rounds after which the driver ends a shader's loops, 0 if it never does. Asked at most
-    /// once, and only if a needed program has long loops. May be empty, which means never.
-    std::function<int()> loopLimit{};
-    /// Says in words why nothing of the draw is visible; empty if it may be visible or has effects besides
-    /// those on its target. Asked at most once per draw, before its program is asked for, and never with
-    /// PlanOptions::everything. May be empty.
-    std::function<std::string(const scene::Draw& draw, const scene::Pass& pass)> outOfSight{};
-};
 
 struct TextureUse {
     UniformIndex uniform{};
@@ -236,40 +205,5 @@ struct FramePlan {
         visitDraws([&](const PlannedDraw& each, const scene::Draw& draw, const auto&) { visit(each, draw); });
     }
 };
-
-struct PlanOptions {
-    std::vector<Override> overrides;
-    int maxTextureUnits = 80;  ///< of the driver, all stages together
-    int maxImageUnits = 8;     ///< of the driver
-    /// What the driver lacks for compute programs and storage buffers, as "OpenGL 4.3; it has 4.1"; empty if
-    /// it has them.
-    std::string lacksCompute{};
-    bool cutsDispatches = false;  ///< compute programs can run in pieces, also without `tiles`
-    /// Objects of a modern scene whose content is wanted besides the window.
-    std::vector<scene::ObjectView> roots{};
-    bool everything = false;    ///< for `glibra check` and --no-skip: skips nothing
-    bool reportsNames = true;   ///< false: one of several lists; reportNames() is called with all plans
-    bool shareMeshes = true;    ///< false: one mesh per draw
-    bool shareTargets = false;  ///< textures may share memory; only `roots` keep their content
-};
-
-/// The program that draws it in this pass: its own, or the built-in program if its own lacks a stage.
-ProgramVariant variantOf(const scene::Scene& scene, const scene::Draw& draw, const scene::Pass& pass);
-
-/// Plans a node list of the scene: `scene.frame`, or that of a Once or Step block. Scene and list must
-/// outlive the plan. Errors are in the diagnostics. A plan with errors is good for a window, which shows the
-/// rest, but not for a file: draws with an error are left out, while draws with an unusable program stay in
-/// the plan.
-FramePlan planFrame(const scene::Scene& scene, const scene::NodeList& nodes, const PlanQuestions& questions,
-                    const PlanOptions& options);
-
-/// glib-W23 for `--set` names that no program of the plans has, and glib-W24 for those that are declared but
-/// not active. `plans` are those of the scene's frame and of its Once and Step blocks, made with the same
-/// overrides. For a program that none of them asked for, or that did not link, only the pairs are known, so a
-/// name among them is accepted. Also draw-W11 for textures that are read and never written, and glib-W23 for
-/// names of Set that look misspelt: no program has them, one has a name that is near, and all programs of the
-/// scene are known.
-Diagnostics reportNames(const scene::Scene& scene, std::span<const FramePlan* const> plans,
-                        std::span<const Override> overrides);
 
 }  // namespace glibra::plan

@@ -1,12 +1,19 @@
 #include "plan/inputs.h"
 
 #include <algorithm>
-#include <cstddef>
+#include <array>
+#include <string_view>
 
+#include "geometry/shapes/primitive.h"
+#include "glib/command_table.h"
 #include "plan/uniform_names.h"
 
 namespace glibra::plan {
 namespace {
+
+constexpr std::array<std::string_view, 6> kAttributes{geometry::kPosition, geometry::kNormal,
+                                                      geometry::kTexCoord, geometry::kTangent,
+                                                      geometry::kColor,    geometry::kFaceIndex};
 
 /// The binding of that name that counts: the last one.
 const scene::AttributeBinding* bindingOf(const scene::Scene& scene, scene::AttributeSetIndex attributes,
@@ -34,6 +41,12 @@ InputSource given(const scene::AttributeBinding& binding) {
     return source;
 }
 
+bool isModel(glib::CommandId command) {
+    using glib::CommandId;
+    return command == CommandId::obj || command == CommandId::wireObj || command == CommandId::objAdj ||
+           command == CommandId::objPatch;
+}
+
 }  // namespace
 
 std::string userNameOf(const ProgramInterface& interface, const std::string& name) {
@@ -59,6 +72,24 @@ std::vector<InputSource> inputSources(const scene::Scene& scene, scene::Attribut
         sources.push_back(std::move(source));
     }
     return sources;
+}
+
+std::vector<std::string> attributesOf(const scene::Shape& shape) {
+    std::vector<std::string> names;
+    if (shape.bare) return names;
+    for (const std::string_view each : kAttributes) {
+        bool isCarried = each != geometry::kColor || isModel(shape.command);
+        if (each == geometry::kFaceIndex) {
+            const geometry::PrimitiveSpec* spec = glib::primitiveOf(shape.command);
+            isCarried = spec != nullptr && spec->hasFaceIndex;
+        }
+        if (shape.list != nullptr) isCarried = shape.list->attribute(each) != nullptr;
+        if (isCarried) names.emplace_back(each);
+    }
+    if (shape.list != nullptr)
+        for (const geometry::Attribute& each : shape.list->attributes)
+            if (std::ranges::find(names, each.name) == names.end()) names.push_back(each.name);
+    return names;
 }
 
 }  // namespace glibra::plan

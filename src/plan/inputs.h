@@ -1,5 +1,5 @@
 #pragma once
-// Finds what feeds the vertex inputs of a program.
+// Finds what feeds the vertex inputs of a program, and the attributes that meshes have for them.
 
 #include <array>
 #include <string>
@@ -31,5 +31,8 @@ std::vector<InputSource> inputSources(const scene::Scene& scene, scene::Attribut
 
 /// The name of an input or output as the user wrote it.
 std::string userNameOf(const ProgramInterface& interface, const std::string& name);
+
+/// The attributes that the mesh of a shape may have, in the order of the constants of geometry.
+std::vector<std::string> attributesOf(const scene::Shape& shape);
 
 }  // namespace glibra::plan

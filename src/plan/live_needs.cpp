@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "plan/accesses.h"
 #include "plan/needs.h"
 #include "scene/primitives.h"
 #include "scene/texture_parts.h"
@@ -17,14 +18,7 @@ class LiveFinder {
   public:
     LiveFinder(const scene::Scene& scene, const scene::NodeList& nodes, const NeedQuestions& questions,
                bool everything)
-        : scene_(scene),
-          nodes_(nodes),
-          questions_(questions),
-          everything_(everything),
-          liveTextures_(scene.textures.size()),
-          liveBuffers_(scene.buffers.size()),
-          pinnedTextures_(scene.textures.size()),
-          pinnedBuffers_(scene.buffers.size()) {
+        : scene_(scene), nodes_(nodes), questions_(questions), everything_(everything) {
         needs_.passes.resize(nodes.passes.size());
         needs_.dispatches.resize(nodes.dispatches.size());
         needs_.clears.resize(nodes.clears.size());
@@ -46,49 +40,46 @@ class LiveFinder {
     }
 
   private:
-    void read(const scene::ObjectView& object) {
-        if (const auto* texture = std::get_if<scene::TextureView>(&object)) {
-            if (!texture->texture) return;
-            liveTextures_[texture->texture] = needs_.textures[texture->texture] = true;
-            // The other copy is what an earlier writer left, in this frame or before it.
-            if (texture->isPrevious) pinnedTextures_[texture->texture] = true;
-        } else if (const auto& buffer = std::get<scene::BufferView>(object); buffer.buffer) {
-            liveBuffers_[buffer.buffer] = needs_.buffers[buffer.buffer] = true;
-            if (buffer.isPrevious) pinnedBuffers_[buffer.buffer] = true;
-        }
+    void read(const scene::ObjectView& view) {
+        const Object object = objectOf(view);
+        if (!note(object)) return;
+        live_.insert(object);
+        // The other copy is what an earlier writer left, in this frame or before it.
+        if (isPreviousCopy(view)) pinned_.insert(object);
     }
-    [[nodiscard]] bool isLive(const scene::ObjectView& object) const {
-        if (const auto* texture = std::get_if<scene::TextureView>(&object))
-            return texture->texture && liveTextures_[texture->texture];
-        const scene::BufferIndex buffer = std::get<scene::BufferView>(object).buffer;
-        return buffer && liveBuffers_[buffer];
-    }
-    void note(const scene::ObjectView& object) {  // it must exist, but its content need not
-        if (const auto* texture = std::get_if<scene::TextureView>(&object)) {
-            if (texture->texture) needs_.textures[texture->texture] = true;
-        } else if (const auto& buffer = std::get<scene::BufferView>(object); buffer.buffer) {
-            needs_.buffers[buffer.buffer] = true;
-        }
+    /// The object must exist, but its content need not. False for none.
+    bool note(const Object& object) {
+        if (!std::visit([](auto index) { return bool(index); }, object)) return false;
+        if (const auto* texture = std::get_if<scene::TextureIndex>(&object))
+            needs_.textures[*texture] = true;
+        else
+            needs_.buffers[std::get<scene::BufferIndex>(object)] = true;
+        return true;
     }
     /// The whole texture gets a new content here.
     void overwritten(scene::TextureIndex texture, const scene::TargetPart& part) {
         const scene::Texture& declared = scene_.textures[texture];
         const bool isWhole = !part.layer && scene::levelsOf(declared) == 1;
         const bool restIsMade = !part.layer && part.level.value_or(0) == 0 && declared.hasMipmaps;
-        if ((isWhole || restIsMade) && !pinnedTextures_[texture]) liveTextures_[texture] = false;
+        if (isWhole || restIsMade) endNeed(texture);
+    }
+
+    /// What the object holds before this node is not needed.
+    void endNeed(const Object& object) {
+        if (!pinned_.contains(object)) live_.erase(object);
     }
 
     static scene::TargetPart partOf(const scene::Pass& pass, std::size_t target) {
         return target < pass.parts.size() ? pass.parts[target] : scene::TargetPart{};
     }
     [[nodiscard]] bool isDepthLive(const scene::Pass& pass) const {
-        if (pass.depth) return liveTextures_[pass.depth->texture];
+        if (pass.depth) return live_.contains(pass.depth->texture);
         return liveDepths_.contains(pass.depthBuffer);
     }
     [[nodiscard]] bool isColorLive(const scene::Pass& pass) const {
         if (pass.isWindow) return isWindowLive_;
-        return std::any_of(pass.targets.begin(), pass.targets.end(),
-                           [this](scene::TextureIndex each) { return liveTextures_[each]; });
+        return std::ranges::any_of(pass.targets,
+                                   [this](scene::TextureIndex each) { return live_.contains(each); });
     }
 
     bool mayWrite(const scene::Draw& draw) const {
@@ -100,13 +91,16 @@ class LiveFinder {
         return mayWrite(draw) && writesLive(questions_.usesOf(draw, pass));
     }
     [[nodiscard]] bool writesLive(const std::vector<ObjectUse>& uses) const {
-        return std::any_of(uses.begin(), uses.end(),
-                           [this](const ObjectUse& each) { return each.writes && isLive(each.object); });
+        return std::ranges::any_of(uses, [this](const ObjectUse& each) {
+            return each.writes && live_.contains(objectOf(each.object));
+        });
     }
     void use(const std::vector<ObjectUse>& uses) {
         for (const ObjectUse& each : uses) {
-            note(each.object);
-            if (each.reads || each.writes) read(each.object);
+            if (each.reads || each.writes)
+                read(each.object);
+            else
+                note(objectOf(each.object));
         }
     }
 
@@ -175,7 +169,7 @@ class LiveFinder {
             if (isDepthCleared)
                 overwritten(pass.depth->texture, {pass.depth->level, pass.depth->layer});
             else
-                liveTextures_[pass.depth->texture] = true;
+                live_.insert(pass.depth->texture);
         } else if (isDepthCleared) {
             liveDepths_.erase(pass.depthBuffer);
         } else {
@@ -191,30 +185,19 @@ class LiveFinder {
 
     void visitClear(std::size_t index) {
         const scene::ClearObject& clear = nodes_.clears[index];
-        if (const auto* texture = std::get_if<scene::TextureIndex>(&clear.object)) {
-            needs_.clears[index] = everything_ || liveTextures_[*texture];
-            if (!pinnedTextures_[*texture]) liveTextures_[*texture] = false;
-            if (needs_.clears[index]) needs_.textures[*texture] = true;
-            return;
-        }
-        const scene::BufferIndex buffer = std::get<scene::BufferIndex>(clear.object);
-        needs_.clears[index] = everything_ || liveBuffers_[buffer];
-        if (!pinnedBuffers_[buffer]) liveBuffers_[buffer] = false;
-        if (needs_.clears[index]) needs_.buffers[buffer] = true;
+        needs_.clears[index] = everything_ || live_.contains(clear.object);
+        endNeed(clear.object);
+        if (needs_.clears[index]) note(clear.object);
     }
 
     const scene::Scene& scene_;
     const scene::NodeList& nodes_;
     const NeedQuestions& questions_;
     bool everything_;
-    // Their content is read by a later node.
-    scene::List<bool, scene::Texture> liveTextures_;
-    scene::List<bool, scene::Buffer> liveBuffers_;
+    std::set<Object> live_;    ///< their content is read by a later node
+    std::set<Object> pinned_;  ///< a clear does not end the need for them
     std::set<int> liveDepths_;
     bool isWindowLive_ = true;
-    // A clear does not end the need for them.
-    scene::List<bool, scene::Texture> pinnedTextures_;
-    scene::List<bool, scene::Buffer> pinnedBuffers_;
     Needs needs_;
 };
 

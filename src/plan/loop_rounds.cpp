@@ -14,8 +14,8 @@ namespace {
 /// the value or the shader initialises it.
 std::optional<double> valueOf(const PlannedProgram& program, std::string_view name) {
     const std::vector<ActiveUniform>& uniforms = program.interface->uniforms;
-    const auto found = std::find_if(uniforms.begin(), uniforms.end(),
-                                    [&](const ActiveUniform& each) { return each.name == name; });
+    const auto found =
+        std::ranges::find_if(uniforms, [&](const ActiveUniform& each) { return each.name == name; });
     if (found == uniforms.end()) return std::nullopt;
     const UniformIndex index(static_cast<std::size_t>(found - uniforms.begin()));
     std::optional<double> value;

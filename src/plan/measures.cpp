@@ -80,10 +80,9 @@ class SceneMeasures {
                                                       std::size_t axis) {
         const auto size = scene::sizeOfLevel(texture, level);
         if (!size) return std::nullopt;
-        const auto count =
-            scene::isArray(texture.target) && texture.target == scene::TextureTarget::texture1DArray
-                ? std::array<int, 3>{size->at(0), size->at(2), 1}
-                : *size;
+        const auto count = texture.target == scene::TextureTarget::texture1DArray
+                               ? std::array<int, 3>{size->at(0), size->at(2), 1}
+                               : *size;
         return count.at(std::min<std::size_t>(axis, 2));
     }
 

@@ -1,8 +1,8 @@
 #include "plan/memory_pattern.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
-#include <map>
 #include <string>
 
 #include "base/number.h"
@@ -29,11 +29,12 @@ NumberKind numberKindOf(BaseType base) {
     return NumberKind::floating;
 }
 
+constexpr std::array<std::string_view, 5> kKindWords{"float", "double", "int", "uint", "bool"};
+
 NumberKind kindNamed(std::string_view scalar) {
-    if (scalar == "double") return NumberKind::doublePrecision;
-    if (scalar == "int") return NumberKind::integer;
-    if (scalar == "uint") return NumberKind::unsignedInteger;
-    return scalar == "bool" ? NumberKind::boolean : NumberKind::floating;
+    const auto found = std::ranges::find(kKindWords, scalar);
+    return found == kKindWords.end() ? NumberKind::floating
+                                     : static_cast<NumberKind>(found - kKindWords.begin());
 }
 
 struct Array {
@@ -72,8 +73,7 @@ struct Field {
 std::optional<MemoryPattern> patternOfFields(std::vector<Field> fields, std::uint64_t least) {
     MemoryPattern pattern;
     pattern.least = least;
-    std::stable_sort(fields.begin(), fields.end(),
-                     [](const Field& a, const Field& b) { return a.offset < b.offset; });
+    std::ranges::stable_sort(fields, [](const Field& a, const Field& b) { return a.offset < b.offset; });
     const bool endsInArray = !fields.empty() && fields.back().outer.count != 1;
     auto first = fields.begin();
     while (first != fields.end()) {
@@ -106,19 +106,27 @@ std::uint64_t unsignedOf(long long value) {
     return static_cast<std::uint64_t>(std::max(0LL, value));
 }
 
-Field fieldOf(const base::StorageMember& member, std::string_view blockName) {
+/// A field as the driver reports it, without its group and arrays. `Resource`: StorageMember or
+/// ActiveUniform.
+template <class Resource>
+Field plainField(const Resource& resource) {
     Field field;
+    field.offset = unsignedOf(resource.offset);
+    field.kind = numberKindOf(resource.type.base);
+    field.columns = resource.type.columns;
+    field.rows = resource.type.rows;
+    field.matrixStride = unsignedOf(resource.matrixStride);
+    field.isRowMajor = resource.rowMajor;
+    return field;
+}
+
+Field fieldOf(const base::StorageMember& member, std::string_view blockName) {
+    Field field = plainField(member);
     std::string_view name = member.name;
     const std::string_view plainBlock = blockName.substr(0, blockName.find('['));
     if (name.starts_with(plainBlock) && name.substr(plainBlock.size()).starts_with('.'))
         name.remove_prefix(plainBlock.size() + 1);
     field.group = name.substr(0, name.find_first_of(".["));
-    field.offset = unsignedOf(member.offset);
-    field.kind = numberKindOf(member.type.base);
-    field.columns = member.type.columns;
-    field.rows = member.type.rows;
-    field.matrixStride = unsignedOf(member.matrixStride);
-    field.isRowMajor = member.rowMajor;
     const Array own{unsignedOf(member.arraySize), unsignedOf(member.arrayStride)};
     const bool isAlone = name.find('.') == std::string_view::npos;
     // Drivers differ in what they report as the outer array of a member that is an array of a basic type.
@@ -133,14 +141,8 @@ Field fieldOf(const base::StorageMember& member, std::string_view blockName) {
 }
 
 Field fieldOf(const ActiveUniform& uniform) {
-    Field field;
+    Field field = plainField(uniform);
     field.group = uniform.emittedName;
-    field.offset = unsignedOf(uniform.offset);
-    field.kind = numberKindOf(uniform.type.base);
-    field.columns = uniform.type.columns;
-    field.rows = uniform.type.rows;
-    field.matrixStride = unsignedOf(uniform.matrixStride);
-    field.isRowMajor = uniform.rowMajor;
     if (uniform.isArray) field.outer = {unsignedOf(uniform.arraySize), unsignedOf(uniform.arrayStride)};
     return field;
 }
@@ -185,6 +187,10 @@ bool areAlike(NumberKind a, NumberKind b) {
 
 }  // namespace
 
+std::string_view wordOf(NumberKind kind) {
+    return kKindWords.at(static_cast<std::size_t>(kind));
+}
+
 std::uint64_t MemoryPattern::bytes(std::uint64_t count) const {
     const std::uint64_t most = elements != 0 ? elements : count;
     return element.empty() ? least : std::max(least, elementsAt + stride * most);
@@ -226,8 +232,7 @@ std::optional<MemoryPattern> patternOf(std::string_view type, const glsl::Memory
     std::vector<std::pair<std::uint64_t, MemoryNumber>> numbers;
     for (const glsl::MemoryField& each : layout->fields) addAll(each, 0, unsignedOf(each.offset), numbers);
     if (numbers.size() >= kMostHeadNumbers) return std::nullopt;
-    std::stable_sort(numbers.begin(), numbers.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::ranges::stable_sort(numbers, [](const auto& a, const auto& b) { return a.first < b.first; });
     MemoryPattern pattern;
     for (const auto& [from, number] : numbers) pattern.element.push_back(number);
     pattern.stride = unsignedOf(layout->stride);

@@ -16,6 +16,9 @@ namespace glibra::plan {
 
 enum class NumberKind : std::uint8_t { floating, doublePrecision, integer, unsignedInteger, boolean };
 
+/// The GLSL word: "float".
+std::string_view wordOf(NumberKind kind);
+
 /// Bytes of one number.
 constexpr std::size_t sizeOf(NumberKind kind) {
     return kind == NumberKind::doublePrecision ? 8 : 4;

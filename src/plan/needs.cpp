@@ -37,8 +37,7 @@ class NeedFinder {
         spread();
         while (!everything && addImageWriter()) spread();
         for (std::size_t i = 0; i < needs_.passes.size(); ++i)
-            if (!needs_.passes[i])
-                std::fill(needs_.steps[i].begin(), needs_.steps[i].end(), StepNeed::passNotNeeded);
+            if (!needs_.passes[i]) std::ranges::fill(needs_.steps[i], StepNeed::passNotNeeded);
         for (const scene::TextureIndex i : scene_.textures.indices())
             if (read_[i] || everything) needs_.textures[i] = true;
         return std::move(needs_);
@@ -95,7 +94,7 @@ class NeedFinder {
             // Even a pass without draws counts, since it may carry the window's implicit clear.
             const std::vector<StepNeed>& steps = needs_.steps[pass];
             needs_.passes[pass] =
-                pass >= firstSeen || std::find(steps.begin(), steps.end(), StepNeed::needed) != steps.end();
+                pass >= firstSeen || std::ranges::find(steps, StepNeed::needed) != steps.end();
         }
     }
 
@@ -156,8 +155,7 @@ class NeedFinder {
 
     bool feedsNeeded(std::size_t pass) const {
         const std::vector<scene::TextureIndex>& targets = nodes_.passes[pass].targets;
-        return std::any_of(targets.begin(), targets.end(),
-                           [&](scene::TextureIndex target) { return read_[target]; });
+        return std::ranges::any_of(targets, [&](scene::TextureIndex target) { return read_[target]; });
     }
 
     /// Adds the last pass that is not needed yet and may write to an image. False if there is none.
@@ -187,29 +185,10 @@ class NeedFinder {
 }  // namespace
 
 bool usesStencil(const scene::Pass& pass) {
-    return std::any_of(pass.steps.begin(), pass.steps.end(), [](const auto& step) {
+    return std::ranges::any_of(pass.steps, [](const auto& step) {
         const auto* draw = std::get_if<scene::Draw>(&step);
         return draw != nullptr ? draw->raster.stencilTest : std::get<scene::Clear>(step).stencil;
     });
-}
-
-bool isWithoutVertexStage(const scene::Program& program, bool isFill) {
-    const auto isUsed = [&](const scene::StageFile& each) {
-        return !(isFill && scene::Program::isLeftOutByFill(each));
-    };
-    return program.hasStage(glsl::Stage::fragment) &&
-           std::count_if(program.stages.begin(), program.stages.end(), isUsed) == 1;
-}
-
-bool needsFragments(const scene::Scene& scene, const scene::Draw& draw, const scene::Pass& pass) {
-    return !draw.raster.discard && (!scene.isModern || pass.isWindow || !pass.targets.empty());
-}
-
-bool usesBuiltin(const scene::Scene& scene, const scene::Draw& draw) {
-    if (!draw.program) return true;
-    const scene::Program& program = scene.programs[draw.program];
-    if (draw.isFill && !program.hasStage(glsl::Stage::fragment)) return true;
-    return !program.hasStage(glsl::Stage::vertex, draw.isFill) && !isWithoutVertexStage(program, draw.isFill);
 }
 
 Needs findNeeds(const scene::Scene& scene, const scene::NodeList& nodes, const NeedQuestions& questions,

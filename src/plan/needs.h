@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "plan/frame_plan.h"
+#include "plan/plan_questions.h"
 
 namespace glibra::plan {
 
@@ -56,17 +57,5 @@ Needs findLiveNeeds(const scene::Scene& scene, const scene::NodeList& nodes, con
 
 /// True if a draw of the pass tests the stencil, or a Clear sets it.
 bool usesStencil(const scene::Pass& pass);
-
-/// True if the program has a fragment stage and no other. It gets a vertex stage: one that covers the whole
-/// target where a modern scene draws vertices without data or `FullScreen`, otherwise that of the fixed
-/// pipeline.
-bool isWithoutVertexStage(const scene::Program& program, bool isFill = false);
-
-/// True if fragments of the draw are seen: a pass without colours needs no fragment stage.
-bool needsFragments(const scene::Scene& scene, const scene::Draw& draw, const scene::Pass& pass);
-
-/// True if the built-in program is used: the draw has no program, or the program has no vertex stage and
-/// cannot get one (language, 2.2).
-bool usesBuiltin(const scene::Scene& scene, const scene::Draw& draw);
 
 }  // namespace glibra::plan

@@ -39,7 +39,7 @@ std::optional<double> readDecimal(std::string_view token) {
 /// True for a word that may be one of a choice. Spellings of what is not finite are none.
 bool isChoiceWord(std::string_view text) {
     if (text.empty() || !glib::beginsName(text[0])) return false;
-    const bool isWord = std::all_of(text.begin(), text.end(), glib::isOfName);
+    const bool isWord = std::ranges::all_of(text, glib::isOfName);
     return isWord && !glib::sameWord(text, "nan") && !glib::sameWord(text, "inf") &&
            !glib::sameWord(text, "infinity");
 }
@@ -61,6 +61,14 @@ std::optional<glib::UniformForm> takeBrackets(std::string_view& value) {
         return each.form;
     }
     return glib::UniformForm::number;
+}
+
+Diagnostic notAFunction(std::string_view program, std::string_view name, std::string_view word) {
+    return withoutId(
+        Severity::error,
+        fmt::format("--set {0}:{1}={2}: '{2}' is not a number, and program {3} has no subroutine "
+                    "uniform '{1}'",
+                    program, name, word, glib::inQuotes(program)));
 }
 
 }  // namespace
@@ -117,18 +125,6 @@ Diagnostic notAChoice(std::string_view name, std::string_view word) {
                                  name, word));
 }
 
-namespace {
-
-Diagnostic notAFunction(std::string_view program, std::string_view name, std::string_view word) {
-    return withoutId(
-        Severity::error,
-        fmt::format("--set {0}:{1}={2}: '{2}' is not a number, and program {3} has no subroutine "
-                    "uniform '{1}'",
-                    program, name, word, glib::inQuotes(program)));
-}
-
-}  // namespace
-
 bool isFor(const Override& override, const scene::Program& program) {
     return override.program.empty() || override.program == program.name ||
            override.program == std::to_string(program.place.line);
@@ -147,12 +143,11 @@ Diagnostics unusedOverrides(std::span<const Override> overrides, const std::vect
         }
         const std::string where =
             program.empty() ? "program of the scene" : "program " + glib::inQuotes(program);
-        const bool isElsewhere = std::find(names.begin(), names.end(), name) != names.end();
+        const bool isElsewhere = std::ranges::find(names, name) != names.end();
         const std::string near = isElsewhere ? "" : nearestUniform(name, names);
-        const std::string hint = near.empty() ? "" : "; did you mean '" + near + "'?";
-        diagnostics.push_back(about(
-            diagnose("glib-W23", fmt::format("no {} has a uniform {}{}", where, glib::inQuotes(name), hint)),
-            name, near));
+        diagnostics.push_back(about(diagnose("glib-W23", fmt::format("no {} has a uniform {}{}", where,
+                                                                     glib::inQuotes(name), hintOf(near))),
+                                    name, near));
     }
     return diagnostics;
 }

@@ -1,15 +1,37 @@
 #pragma once
 // `--set NAME=VALUE` over a whole scene.
 
+#include <glibra/result.h>
+
 #include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "plan/uniforms.h"
+#include "scene/scene.h"
 
 namespace glibra::plan {
+
+/// One `--set NAME=VALUE`. The value is numbers separated by commas or blanks, or true or false, or a word of
+/// a choice.
+struct Override {
+    std::string name;
+    glib::UniformForm form = glib::UniformForm::number;
+    std::vector<double> values;  ///< empty if there is a word
+    /// Name or line of the Program that it is for; empty: all programs that have the uniform.
+    std::string program{};
+    std::string written{};  ///< the value as typed, for messages
+    /// A word of the choice `name`, or a function of the subroutine uniform `name`; it has no program.
+    std::string word{};
+};
+/// Reads "NAME=VALUE": "uKd=.5", "uColor=1,.5,0", "uOn=true", "uM=[1 0 0 1]". "Dots:uKd=.5" and "12:uKd=.5"
+/// apply only to the program of that name or on that line. "method=unordered" has a word.
+Result<Override> parseOverride(std::string_view text);
+/// The error for a word whose name is no choice.
+Diagnostic notAChoice(std::string_view name, std::string_view word);
+/// True if the override applies to this program.
+bool isFor(const Override& override, const scene::Program& program);
 
 /// Returns glib-W23 for each override that no program used, or notAChoice() for a word. `names` are the names
 /// of existing uniforms, for the suggestion. `used` has one element per override.

@@ -6,14 +6,14 @@
 
 #include "plan/loop_rounds.h"
 #include "plan/uniform_names.h"
+#include "plan/uniforms.h"
 
 namespace glibra::plan {
 namespace {
 
 /// True for members of a uniform block whose values are in a buffer of the scene.
 bool isInBuffer(const PlannedProgram& program, const ActiveUniform& uniform) {
-    return uniform.block >= 0 &&
-           std::any_of(program.blocks.begin(), program.blocks.end(), [&](const BlockUse& each) {
+    return uniform.block >= 0 && std::ranges::any_of(program.blocks, [&](const BlockUse& each) {
                return each.kind == BlockUse::Kind::uniform &&
                       each.index == static_cast<std::size_t>(uniform.block);
            });
@@ -38,9 +38,7 @@ const scene::ObjectView* sizeObjectOf(const scene::Dispatch& dispatch) {
 
 PlannedProgramIndex PlannedPrograms::of(const ProgramVariant& variant, scene::UniformSetIndex uniforms) {
     if (!variant.program) uniforms = {};  // the built-in program reads none of them
-    PlannedProgramIndex& index =
-        programs_[VariantKey{variant.program, variant.flatColors, variant.colorTargets, variant.isFullScreen,
-                             variant.inPieces, variant.isFill, variant.suppliesFragment, uniforms}];
+    PlannedProgramIndex& index = programs_[{variant, uniforms}];
     if (index) return index;
     const ProgramInterface& interface = questions_.interfaceOf(variant);
     PlannedProgram program{variant, &interface, {}, {}, {}};

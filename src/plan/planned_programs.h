@@ -1,17 +1,15 @@
 #pragma once
 // Private to this room: the programs of a plan, each once, with what they read and write.
 
-#include <cstddef>
 #include <map>
 #include <optional>
-#include <span>
-#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 #include "plan/accesses.h"
 #include "plan/frame_plan.h"
+#include "plan/plan_questions.h"
 #include "plan/texture_uses.h"
 
 namespace glibra::plan {
@@ -74,9 +72,6 @@ class PlannedPrograms {
     std::vector<ObjectUse> usesOf(const scene::Dispatch& dispatch);
 
   private:
-    using VariantKey =
-        std::tuple<scene::ProgramIndex, bool, int, bool, bool, bool, bool, scene::UniformSetIndex>;
-
     void resolve(PlannedProgram& program, State& state, scene::UniformSetIndex uniforms);
     void addRefused(PlannedProgramIndex program, std::vector<ObjectUse>& to);
     int loopLimit();
@@ -85,7 +80,7 @@ class PlannedPrograms {
     const PlanQuestions& questions_;
     const PlanOptions& options_;
     FramePlan& plan_;
-    std::map<VariantKey, PlannedProgramIndex> programs_;
+    std::map<std::pair<ProgramVariant, scene::UniformSetIndex>, PlannedProgramIndex> programs_;
     scene::List<State, PlannedProgram> states_;
     std::map<std::tuple<PlannedProgramIndex, scene::SlotTableIndex, bool>, std::vector<TextureUse>> uses_;
     std::map<std::pair<PlannedProgramIndex, scene::AttributeSetIndex>, PlannedInputsIndex> inputs_;

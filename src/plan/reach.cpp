@@ -7,16 +7,12 @@
 #include <optional>
 #include <string>
 
-#include "glib/number.h"
+#include "plan/count_text.h"
 #include "plan/memory_pattern.h"
 #include "scene/texture_parts.h"
 
 namespace glibra::plan {
 namespace {
-
-std::string grouped(std::uint64_t count) {
-    return glib::groupedText(static_cast<long long>(count));
-}
 
 /// How many numbers the built-in variables of shaders count to in a draw or dispatch; 0: not known.
 struct Extent {
@@ -67,7 +63,7 @@ class ReachCheck {
     [[nodiscard]] Extent extentOf(const scene::Dispatch& dispatch, const PlannedProgram& program) const {
         Extent extent;
         const std::array<int, 3>& local = program.interface->facts.localSize;
-        if (std::find(local.begin(), local.end(), 0) != local.end()) return extent;
+        if (std::ranges::find(local, 0) != local.end()) return extent;
         extent.groupSize = 1;
         for (const int each : local) extent.groupSize *= static_cast<std::uint64_t>(each);
         if (const auto* counts = std::get_if<std::array<std::uint64_t, 3>>(&dispatch.groups))
@@ -149,10 +145,9 @@ class ReachCheck {
                                       buffer.name, each.array, grouped(wanted))
                         : fmt::format("declare '{}' with {} elements", buffer.name, grouped(wanted));
                 report("memory-W05",
-                       fmt::format(
-                           "{}: {}[{}] (line {}) goes up to element {}, but buffer '{}' has {} {}; {}", word,
-                           each.array, subscript, each.place.line, grouped(wanted - 1), buffer.name,
-                           grouped(layout->elements), layout->elements == 1 ? "element" : "elements", way),
+                       fmt::format("{}: {}[{}] (line {}) goes up to element {}, but buffer '{}' has {}; {}",
+                                   word, each.array, subscript, each.place.line, grouped(wanted - 1),
+                                   buffer.name, countedText(layout->elements, "element"), way),
                        place);
             }
     }
@@ -196,9 +191,8 @@ class ReachCheck {
     }
 
     void report(const char* id, std::string text, const Place& place) {
-        const bool isKnown =
-            std::any_of(diagnostics_.begin(), diagnostics_.end(),
-                        [&](const Diagnostic& each) { return each.id == id && each.place == place; });
+        const bool isKnown = std::ranges::any_of(
+            diagnostics_, [&](const Diagnostic& each) { return each.id == id && each.place == place; });
         if (!isKnown) diagnostics_.push_back(diagnose(id, std::move(text), place));
     }
 
@@ -208,10 +202,78 @@ class ReachCheck {
     Diagnostics diagnostics_;
 };
 
+/// The number of a buffer that begins at this byte; nothing if none does.
+std::optional<MemoryNumber> numberAtByte(const BufferLayout& layout, std::uint64_t offset) {
+    // Numbers have at least four bytes, and those of later elements lie behind those of earlier ones.
+    std::uint64_t first = 0, last = std::min(offset / 4 + 1, layout.pattern.numbers(layout.elements));
+    while (first < last) {
+        const std::uint64_t middle = first + (last - first) / 2;
+        if (layout.pattern.at(middle).offset < offset)
+            first = middle + 1;
+        else
+            last = middle;
+    }
+    if (first >= layout.pattern.numbers(layout.elements)) return std::nullopt;
+    const MemoryNumber found = layout.pattern.at(first);
+    return found.offset == offset ? std::optional(found) : std::nullopt;
+}
+
+/// Checks that a buffer has that many counts there. Nothing if it does, or has no layout.
+std::optional<Diagnostic> countsProblem(const scene::Scene& scene, const scene::CountFrom& from,
+                                        const BufferLayout* layout, std::uint64_t counts,
+                                        const std::string& word, const Place& place) {
+    if (layout == nullptr) return std::nullopt;
+    const std::string& name = scene.buffers[from.buffer.buffer].name;
+    const std::uint64_t bytes = (from.word + counts) * sizeof(std::uint32_t);
+    const std::string where = from.word == 0 ? "" : fmt::format(" from word {} on", from.word);
+    if (layout->bytes < bytes)
+        return diagnose("memory-E12",
+                        fmt::format("{}: buffer '{}' has {}, but {}{} need{} {}", word, name,
+                                    countedText(layout->bytes, "byte"), countedText(counts, "count"), where,
+                                    counts == 1 ? "s" : "", bytes),
+                        place);
+    for (std::uint64_t i = 0; i < counts; ++i) {
+        const auto number = numberAtByte(*layout, (from.word + i) * sizeof(std::uint32_t));
+        if (number && (number->kind == NumberKind::unsignedInteger || number->kind == NumberKind::integer))
+            continue;
+        const std::string lack =
+            from.word == 0
+                ? fmt::format("does not begin with {} of type uint", countedText(counts, "number"))
+                : fmt::format("has no {} of type uint{}", counts == 1 ? "number" : "numbers", where);
+        return diagnose("memory-E12",
+                        fmt::format("{}: buffer '{}' {} ({} decides)", word, name, lack, layout->from),
+                        place);
+    }
+    return std::nullopt;
+}
+
+/// memory-E12 for draws and dispatches whose counts their buffers do not hold.
+Diagnostics countsProblems(const scene::Scene& scene, const FramePlan& plan, const BufferLayouts& layouts) {
+    Diagnostics problems;
+    const auto check = [&](const scene::CountFrom& from, std::uint64_t counts, const std::string& word,
+                           const Place& place) {
+        if (!from) return;
+        if (auto problem = countsProblem(scene, from, layouts.find(from.buffer.buffer), counts, word, place))
+            problems.push_back(*std::move(problem));
+    };
+    for (const PlannedDispatch& each : plan.dispatches) {
+        const scene::Dispatch& dispatch = plan.dispatchOf(each);
+        if (const auto* groups = std::get_if<scene::GroupsFrom>(&dispatch.groups))
+            check(groups->first, 3, "Dispatch", dispatch.place);
+    }
+    plan.visitDraws([&](const auto&, const scene::Draw& draw, const auto&) {
+        check(draw.verticesFrom, 1, "Vertices", draw.place);
+        check(draw.instancesFrom, 1, "Instances", draw.place);
+    });
+    return problems;
+}
+
 }  // namespace
 
 Diagnostics reachProblems(const scene::Scene& scene, const FramePlan& plan, const BufferLayouts& layouts) {
-    return ReachCheck(scene, plan, layouts).run();
+    Diagnostics problems = countsProblems(scene, plan, layouts);
+    append(problems, ReachCheck(scene, plan, layouts).run());
+    return problems;
 }
 
 }  // namespace glibra::plan

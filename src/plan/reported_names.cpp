@@ -1,5 +1,4 @@
-// Reports what only all plans of a scene show together: names of --set and Set that no program has (language,
-// 12.1), and textures that nothing writes (12.4).
+#include "plan/reported_names.h"
 
 #include <fmt/format.h>
 
@@ -8,22 +7,24 @@
 #include <variant>
 
 #include "plan/early_reads.h"
-#include "plan/frame_plan.h"
-#include "plan/overrides.h"
 #include "plan/uniform_members.h"
 #include "plan/uniform_names.h"
 
 namespace glibra::plan {
 namespace {
 
-/// True if a program declares the uniform without using it. Drivers differ in which unused uniforms they
-/// keep.
-bool isDeclaredUnused(const scene::Scene& scene, const FramePlan& plan, const Override& override) {
-    return std::any_of(plan.programs.begin(), plan.programs.end(), [&](const PlannedProgram& program) {
-        const scene::ProgramIndex own = program.variant.program;
-        return own && isFor(override, scene.programs[own]) &&
-               program.interface->facts.uniforms.contains(std::string(rootName(override.name)));
-    });
+/// The first program that declares the uniform without using it; null if none does. Drivers differ in which
+/// unused uniforms they keep.
+const scene::Program* declaringUnused(const scene::Scene& scene, std::span<const FramePlan* const> plans,
+                                      const Override& override) {
+    for (const FramePlan* plan : plans)
+        for (const PlannedProgram& program : plan->programs) {
+            const scene::ProgramIndex own = program.variant.program;
+            if (own && isFor(override, scene.programs[own]) &&
+                program.interface->facts.uniforms.contains(std::string(rootName(override.name))))
+                return &scene.programs[own];
+        }
+    return nullptr;
 }
 
 /// The programs of the scene that linked in one of the plans.
@@ -57,15 +58,15 @@ Diagnostics reportOverrides(const scene::Scene& scene, std::span<const FramePlan
     }
     Diagnostics diagnostics;
     for (std::size_t i = 0; i < overrides.size(); ++i) {
-        const auto declares = [&](const FramePlan* plan) {
-            return isDeclaredUnused(scene, *plan, overrides[i]);
-        };
-        if (used[i] || !overrides[i].word.empty() || std::none_of(plans.begin(), plans.end(), declares))
-            continue;
+        if (used[i] || !overrides[i].word.empty()) continue;
+        const scene::Program* const program = declaringUnused(scene, plans, overrides[i]);
+        if (program == nullptr) continue;
         used[i] = true;
-        diagnostics.push_back(diagnose(
-            "glib-W24", fmt::format("uniform '{}' is declared but unused, so setting it has no effect",
-                                    overrides[i].name)));
+        diagnostics.push_back(
+            about(diagnose("glib-W24",
+                           fmt::format("uniform '{}' is declared but unused, so setting it has no effect",
+                                       overrides[i].name)),
+                  program->name));
     }
     append(diagnostics, unusedOverrides(overrides, used, names));
     return diagnostics;
@@ -78,16 +79,15 @@ bool has(const ProgramInterface& interface, std::string_view tag) {
     if (const auto search = searchMember(interface.facts.memory, tag)) return search->isDeclared;
     const std::string member = "." + root;
     return interface.facts.uniforms.contains(root) || namesMemory(interface.facts.memory, root) ||
-           std::any_of(interface.uniforms.begin(), interface.uniforms.end(), [&](const ActiveUniform& each) {
+           std::ranges::any_of(interface.uniforms, [&](const ActiveUniform& each) {
                return rootName(each.name) == root || each.name.ends_with(member);
            });
 }
 
 bool isKnown(std::string_view tag, std::span<const FramePlan* const> plans) {
-    return isSuppliedName(rootName(tag)) ||
-           std::any_of(plans.begin(), plans.end(), [&](const FramePlan* plan) {
-               return std::any_of(plan->programs.begin(), plan->programs.end(),
-                                  [&](const PlannedProgram& each) { return has(*each.interface, tag); });
+    return isSuppliedName(rootName(tag)) || std::ranges::any_of(plans, [&](const FramePlan* plan) {
+               return std::ranges::any_of(
+                   plan->programs, [&](const PlannedProgram& each) { return has(*each.interface, tag); });
            });
 }
 
@@ -110,8 +110,7 @@ std::string misspelling(std::string_view whole, std::span<const std::string> nam
         return text;
     };
     const std::string base = withoutDigits(tag);
-    if (std::any_of(names.begin(), names.end(),
-                    [&](const std::string& each) { return withoutDigits(each) == base; }))
+    if (std::ranges::any_of(names, [&](const std::string& each) { return withoutDigits(each) == base; }))
         return {};
     const std::string nearest = nearestUniform(tag, names);
     return nearest.empty() ? nearest : fmt::format("{}{}", nearest, whole.substr(tag.size()));
@@ -124,7 +123,7 @@ MemberSearch hintFor(std::string_view tag, std::span<const FramePlan* const> pla
         for (const PlannedProgram& program : plan->programs)
             if (const auto search = searchMember(program.interface->facts.memory, tag)) return *search;
     const std::string meant = misspelling(tag, declaredUniforms(plans));
-    return {false, meant.empty() ? "" : fmt::format("; did you mean '{}'?", meant), meant};
+    return {false, hintOf(meant), meant};
 }
 
 Diagnostics reportSets(const scene::Scene& scene, std::span<const FramePlan* const> plans) {

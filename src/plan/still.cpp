@@ -19,7 +19,7 @@ std::map<Object, std::vector<std::size_t>> writersOf(const FramePlan& plan) {
 
 bool isShared(const FramePlan& plan, const Object& object) {
     const auto* texture = std::get_if<scene::TextureIndex>(&object);
-    return texture != nullptr && std::any_of(plan.sharing.begin(), plan.sharing.end(), [&](const auto& each) {
+    return texture != nullptr && std::ranges::any_of(plan.sharing, [&](const auto& each) {
                return each.first == *texture || each.second == *texture;
            });
 }
@@ -33,7 +33,7 @@ bool isSameProgram(const PlannedProgram& a, const PlannedProgram& b) {
         return one.kind == other.kind && one.index == other.index && one.buffer == other.buffer;
     };
     return a.variant == b.variant && a.interface == b.interface && a.values == b.values &&
-           std::none_of(a.values.begin(), a.values.end(), isTimer) &&
+           std::ranges::none_of(a.values, isTimer) &&
            std::equal(a.blocks.begin(), a.blocks.end(), b.blocks.begin(), b.blocks.end(), haveOneBuffer);
 }
 
@@ -91,7 +91,7 @@ bool isSameNode(const PlannedScene& before, const scene::NodeIndex& a, const Pla
 /// True if the pass reads or writes its depth or stencil.
 bool usesDepth(const scene::Pass& pass) {
     return pass.depth || pass.clearDepth || pass.clearStencil || usesStencil(pass) ||
-           std::any_of(pass.steps.begin(), pass.steps.end(), [](const auto& step) {
+           std::ranges::any_of(pass.steps, [](const auto& step) {
                const auto* draw = std::get_if<scene::Draw>(&step);
                return draw != nullptr ? draw->raster.depthTest : std::get<scene::Clear>(step).depth;
            });
@@ -101,7 +101,7 @@ bool usesDepth(const scene::Pass& pass) {
 bool hasOwnDepth(const FramePlan& plan, const scene::Pass& pass) {
     if (!usesDepth(pass)) return true;
     if (!pass.clearDepth || (!pass.clearStencil && usesStencil(pass))) return false;
-    return pass.depth || std::none_of(plan.passes.begin(), plan.passes.end(), [&](const PlannedPass& each) {
+    return pass.depth || std::ranges::none_of(plan.passes, [&](const PlannedPass& each) {
                const scene::Pass& other = plan.passOf(each);
                return &other != &pass && !other.isWindow && !other.depth &&
                       other.depthBuffer == pass.depthBuffer;
@@ -137,7 +137,7 @@ StillNodes stillNodes(const PlannedScene& before, const PlannedScene& now,
         const std::vector<ObjectUse>& uses = now.plan.accesses[node].uses;
         const std::set<Object>& written = now.plan.accesses[node].written;
         std::optional<std::size_t> earlier;
-        const bool isAlone = std::all_of(written.begin(), written.end(), [&](const Object& each) {
+        const bool isAlone = std::ranges::all_of(written, [&](const Object& each) {
             const auto writer = onlyWriter(writersBefore, each);
             if (!writer || (earlier && *earlier != *writer)) return false;
             earlier = writer;
@@ -150,7 +150,7 @@ StillNodes stillNodes(const PlannedScene& before, const PlannedScene& now,
         });
         if (!isAlone || !earlier) continue;
         // What it writes begins as declared or is cleared by the node, in both frames.
-        const bool readsOnlyStill = std::all_of(uses.begin(), uses.end(), [&](const ObjectUse& each) {
+        const bool readsOnlyStill = std::ranges::all_of(uses, [&](const ObjectUse& each) {
             const Object object = objectOf(each.object);
             return written.contains(object) || isUnchanged(object);
         });

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <array>
 #include <cstddef>
-#include <span>
 
 #include "geometry/shapes/clouds.h"
 #include "glib/command_table.h"
+#include "glib/modern/statement_table.h"
 #include "scene/primitives.h"
 
 namespace glibra::plan {
@@ -95,21 +95,9 @@ bool isAdjacency(Topology topology) {
 }  // namespace
 
 std::string_view wordOf(Topology topology) {
-    switch (topology) {
-        case Topology::points:
-            return "points";
-        case Topology::lines:
-            return "lines";
-        case Topology::linesAdjacency:
-            return "lines_adjacency";
-        case Topology::triangles:
-            return "triangles";
-        case Topology::trianglesAdjacency:
-            return "triangles_adjacency";
-        case Topology::patches:
-            break;
-    }
-    return "patches";
+    constexpr std::array<std::string_view, 6> kWords{
+        "points", "lines", "lines_adjacency", "triangles", "triangles_adjacency", "patches"};
+    return kWords.at(static_cast<std::size_t>(topology));
 }
 
 std::string stageFileName(const scene::Scene& scene, const scene::Program& program, glsl::Stage stage) {

@@ -13,29 +13,34 @@ namespace {
 
 using scene::TextureTarget;
 
-/// The number of texels that a sampler sees: the word of a GLSL type after "sampler" or "image".
+/// A kind of texture in GLSL, after "sampler" or "image", and in messages.
 struct Dimension {
     std::string_view word;
     TextureTarget target;
+    std::string_view name;
 };
-constexpr Dimension kDimensions[] = {
-    {"1D", TextureTarget::texture1D},           {"2D", TextureTarget::texture2D},
-    {"3D", TextureTarget::texture3D},           {"Cube", TextureTarget::cube},
-    {"1DArray", TextureTarget::texture1DArray}, {"2DArray", TextureTarget::texture2DArray},
-    {"CubeArray", TextureTarget::cubeArray},    {"2DRect", TextureTarget::rectangle}};
+constexpr Dimension kDimensions[] = {{"1D", TextureTarget::texture1D, "a 1D texture"},
+                                     {"2D", TextureTarget::texture2D, "a 2D texture"},
+                                     {"3D", TextureTarget::texture3D, "a 3D texture"},
+                                     {"Cube", TextureTarget::cube, "a cube map"},
+                                     {"1DArray", TextureTarget::texture1DArray, "a 1D array"},
+                                     {"2DArray", TextureTarget::texture2DArray, "a 2D array"},
+                                     {"CubeArray", TextureTarget::cubeArray, "an array of cube maps"},
+                                     {"2DRect", TextureTarget::rectangle, "a rectangle"}};
+
+const Dimension& dimensionOf(TextureTarget target) {
+    return *std::ranges::find(kDimensions, target, &Dimension::target);
+}
 
 std::optional<base::TexelFormat> formatOf(const scene::Texture& texture) {
     if (const auto* empty = std::get_if<scene::EmptySource>(&texture.source)) return empty->format;
     return std::nullopt;
 }
 
-BaseType texelsOf(const std::optional<base::TexelFormat>& format) {
+BaseType texelsOfFormat(const std::optional<base::TexelFormat>& format) {
     if (!format || !isInteger(*format)) return BaseType::floating;
     return base::rowOf(*format).kind == base::TexelClass::integer ? BaseType::integer
                                                                   : BaseType::unsignedInteger;
-}
-BaseType texelsOf(const scene::Texture& texture) {
-    return texelsOf(formatOf(texture));
 }
 
 /// What a shader sees of the view: a layer or face is 2D, that of a 1D array 1D. Images also take a layer of
@@ -49,45 +54,21 @@ TextureTarget targetOf(const scene::Texture& texture, const scene::TextureView& 
 /// texture's own.
 std::string fittingWord(const scene::Texture& texture, const scene::TextureView& view, bool isImage,
                         const SamplerType& asked, const std::optional<base::TexelFormat>& asFormat = {}) {
-    const BaseType texels = asFormat ? texelsOf(asFormat) : texelsOf(texture);
-    std::string word = texels == BaseType::integer ? "i" : texels == BaseType::unsignedInteger ? "u" : "";
-    word += isImage ? "image" : "sampler";
+    const BaseType texels = asFormat ? texelsOfFormat(asFormat) : texelsOf(texture);
+    std::string word = fmt::format("{}{}", prefixOf(texels), isImage ? "image" : "sampler");
     const TextureTarget target = targetOf(texture, view);
     const auto format = formatOf(texture);
     const bool isDepth = format && hasDepth(*format);
     const bool mustReadSamples = texture.samples > 1 && (isDepth || texels != BaseType::floating);
     if (mustReadSamples || (asked.isMultisampled && texture.samples > 1))
         return word + (target == TextureTarget::texture2DArray ? "2DMSArray" : "2DMS");
-    for (const Dimension& each : kDimensions)
-        if (each.target == target) word += each.word;
+    word += dimensionOf(target).word;
     if (asked.isShadow && isDepth) word += "Shadow";
     return word;
 }
 
-std::string_view wordsOf(TextureTarget target) {
-    switch (target) {
-        case TextureTarget::texture1D:
-            return "a 1D texture";
-        case TextureTarget::texture2D:
-            return "a 2D texture";
-        case TextureTarget::texture3D:
-            return "a 3D texture";
-        case TextureTarget::cube:
-            return "a cube map";
-        case TextureTarget::texture1DArray:
-            return "a 1D array";
-        case TextureTarget::texture2DArray:
-            return "a 2D array";
-        case TextureTarget::cubeArray:
-            return "an array of cube maps";
-        case TextureTarget::rectangle:
-            break;
-    }
-    return "a rectangle";
-}
-
 std::string describeView(const scene::Texture& texture, const scene::TextureView& view) {
-    std::string text(wordsOf(texture.target));
+    std::string text(dimensionOf(texture.target).name);
     if (view.layer)
         text = fmt::format("a {} of {}", texture.target == TextureTarget::cubeArray ? "face" : "layer", text);
     if (const auto format = formatOf(texture)) text += fmt::format(" of {}", name(*format));
@@ -100,6 +81,15 @@ std::string placeOf(const ProgramInterface& interface, const ActiveUniform& unif
     if (declared == interface.facts.uniforms.end() || declared->second.place.file.empty()) return {};
     const Place& place = declared->second.place;
     return fmt::format(" ({}:{})", std::filesystem::path(place.file).filename().string(), place.line);
+}
+
+/// Why an image of the format `declared` cannot see texels of `format`; empty if it can. GL reinterprets
+/// texels of equal size.
+std::string sizeProblem(const std::optional<base::TexelFormat>& declared,
+                        const std::optional<base::TexelFormat>& format) {
+    if (!declared || !format || base::bytesPerTexel(*declared) == base::bytesPerTexel(*format)) return {};
+    return fmt::format("; the image has the format {}, whose texels have {} bytes, not {}", name(*declared),
+                       base::bytesPerTexel(*declared), base::bytesPerTexel(*format));
 }
 
 /// bindingProblem() of a buffer.
@@ -122,16 +112,9 @@ std::optional<Diagnostic> bufferProblem(const scene::Scene& scene, const Program
                                      buffer.type));
     const bool isImage = uniform.type.base == BaseType::image;
     const auto declared = isImage ? imageFormatOf(interface, uniform) : std::nullopt;
-    if (declared && base::bytesPerTexel(*declared) != base::bytesPerTexel(*format))
-        return say(fmt::format("; the image has the format {}, whose texels have {} bytes, not {}",
-                               name(*declared), base::bytesPerTexel(*declared),
-                               base::bytesPerTexel(*format)));
-    const BaseType texels = texelsOf(declared ? declared : format);
-    const std::string fitting = fmt::format("{}{}Buffer",
-                                            texels == BaseType::integer           ? "i"
-                                            : texels == BaseType::unsignedInteger ? "u"
-                                                                                  : "",
-                                            isImage ? "image" : "sampler");
+    if (const std::string why = sizeProblem(declared, format); !why.empty()) return say(why);
+    const std::string fitting = fmt::format(
+        "{}{}Buffer", prefixOf(texelsOfFormat(declared ? declared : format)), isImage ? "image" : "sampler");
     if (fitting != uniform.type.word)
         return say(fmt::format(", which holds {}; write {}", buffer.type, fitting));
     return std::nullopt;
@@ -161,10 +144,19 @@ void makeFitForRectangle(base::SamplerState& sampler) {
     using enum base::Filter;
     const bool isNearest = sampler.filter == nearestMipmapNearest || sampler.filter == nearestMipmapLinear;
     if (sampler.readsMipmaps()) sampler.filter = isNearest ? nearest : linear;
-    std::replace_if(sampler.wrap.begin(), sampler.wrap.end(), base::repeats, base::Wrap::clampToEdge);
+    std::ranges::replace_if(sampler.wrap, base::repeats, base::Wrap::clampToEdge);
 }
 
 }  // namespace
+
+BaseType texelsOf(const scene::Texture& texture) {
+    return texelsOfFormat(formatOf(texture));
+}
+
+std::string_view prefixOf(BaseType texels) {
+    if (texels == BaseType::integer) return "i";
+    return texels == BaseType::unsignedInteger ? "u" : "";
+}
 
 SamplerType samplerTypeOf(std::string_view word) {
     SamplerType type;
@@ -235,11 +227,7 @@ std::optional<Diagnostic> bindingProblem(const scene::Scene& scene, const Progra
         return say("; images take neither depth nor sRGB");
     if (isImage && texture.samples > 1) return say("; images take no samples");
     const auto declared = isImage ? imageFormatOf(interface, uniform) : std::nullopt;
-    // GL reinterprets texels of equal size.
-    if (declared && format && base::bytesPerTexel(*declared) != base::bytesPerTexel(*format))
-        return say(fmt::format("; the image has the format {}, whose texels have {} bytes, not {}",
-                               name(*declared), base::bytesPerTexel(*declared),
-                               base::bytesPerTexel(*format)));
+    if (const std::string why = sizeProblem(declared, format); !why.empty()) return say(why);
     const std::string fitting = fittingWord(texture, bound.view, isImage, type, declared);
     if (fitting != uniform.type.word) return say("; write " + fitting);
     return std::nullopt;

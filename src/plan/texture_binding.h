@@ -21,6 +21,11 @@ struct SamplerType {
 /// The type with that GLSL word: "usampler2DArray".
 SamplerType samplerTypeOf(std::string_view word);
 
+/// What a shader reads of a texture: floating, integer or unsignedInteger.
+BaseType texelsOf(const scene::Texture& texture);
+/// What the GLSL words of such types begin with: "", "i", "u".
+std::string_view prefixOf(BaseType texels);
+
 /// The texture as messages name it: "'shadow.layer(2)'".
 std::string nameOf(const scene::Scene& scene, const scene::TextureView& view);
 

@@ -27,8 +27,8 @@ bool isNoiseTexture(const scene::Scene& scene, scene::TextureIndex texture) {
 
 bool fetchesTexels(const ProgramInterface& interface) {
     const auto& stages = interface.facts.stages;
-    return std::any_of(stages.begin(), stages.end(),
-                       [](const glsl::TranslatedStage& each) { return each.facts.fetchesTexels; });
+    return std::ranges::any_of(stages,
+                               [](const glsl::TranslatedStage& each) { return each.facts.fetchesTexels; });
 }
 
 }  // namespace
@@ -72,18 +72,15 @@ std::vector<TextureUse> textureUses(const scene::Scene& scene, scene::SlotTableI
         use.element = unit.binding.element;
         use.driverUnit = unit.driverUnit;
         use.isImage = type.base == BaseType::image;
-        if (unit.binding.bound) {
-            if (unit.binding.bound->buffer.buffer) {
-                useBuffer(scene, unit.binding.bound->buffer, use);
-                if (use.isImage)
-                    use.imageFormat = imageFormatOf(interface, at(interface.uniforms, use.uniform));
-                uses.push_back(use);
-                continue;
-            }
-            useNamed(scene, unit.binding.bound->view, type, use);
+        if (const std::optional<BoundTexture>& bound = unit.binding.bound) {
             if (use.isImage) use.imageFormat = imageFormatOf(interface, at(interface.uniforms, use.uniform));
-            use.readsMipmaps =
-                use.view.level ? *use.view.level > 0 : use.sampler.readsMipmaps() || fetchesTexels(interface);
+            if (bound->buffer.buffer) {
+                useBuffer(scene, bound->buffer, use);
+            } else {
+                useNamed(scene, bound->view, type, use);
+                use.readsMipmaps = use.view.level ? *use.view.level > 0
+                                                  : use.sampler.readsMipmaps() || fetchesTexels(interface);
+            }
             uses.push_back(use);
             continue;
         }

@@ -26,14 +26,9 @@ std::string quote(const GivenValue& given) {
     constexpr std::size_t kMostShown = 6;
     if (given.form == UniformForm::truth) return given.values.front() != 0 ? "<true>" : "<false>";
     std::string numbers;
-    for (std::size_t i = 0; i < given.values.size(); ++i) {
-        if (i == kMostShown) {
-            numbers += " ...";
-            break;
-        }
-        if (i > 0) numbers += ' ';
-        numbers += numberText(given.values[i]);
-    }
+    for (const double each : given.values.first(std::min(kMostShown, given.values.size())))
+        numbers += (numbers.empty() ? "" : " ") + numberText(each);
+    if (given.values.size() > kMostShown) numbers += " ...";
     switch (given.form) {
         case UniformForm::list:
             return "list [ " + numbers + " ]";
@@ -97,15 +92,11 @@ class ValueReader {
         reading_.diagnostics.push_back(diagnose(id, std::move(text), place));
     }
     void warnCount(const std::string& text) {
-        if (!given_.typed.empty())
-            return warn("glib-W15",
-                        fmt::format("--set {}={}: {}; {}", given_.tag, given_.typed,
-                                    base::counted(given_.values.size(), "value"), text),
-                        given_.valuePlace);
-        warn("glib-W15",
-             fmt::format("{}: {} in {}; {}", given_.tag, base::counted(given_.values.size(), "value"),
-                         brackets(given_.form), text),
-             given_.valuePlace);
+        const std::string values = base::counted(given_.values.size(), "value");
+        const std::string what = given_.typed.empty()
+                                     ? fmt::format("{}: {} in {}", given_.tag, values, brackets(given_.form))
+                                     : fmt::format("--set {}={}: {}", given_.tag, given_.typed, values);
+        warn("glib-W15", fmt::format("{}; {}", what, text), given_.valuePlace);
     }
     /// Reports glib-W20 once per value: the value's form does not fit the type.
     void warnForm(const std::string& outcome) {

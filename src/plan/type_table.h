@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "plan/uniforms.h"
+#include "plan/uniform_values.h"
 
 namespace glibra::plan {
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/suggest.h"
+#include "plan/uniform_names.h"
 
 namespace glibra::plan {
 namespace {
@@ -89,10 +90,10 @@ bool hasKnownSizes(const glsl::MemoryFacts& memory, const glsl::MemoryMember& me
     const Declared declared = declaredBy(memory, member);
     if (declared.members == nullptr) return true;
     return depth < kDeepest &&
-           std::all_of(
-               member.sizes.begin(), member.sizes.end(), [](long long size) { return size > 0; }) &&
-           std::all_of(
-               declared.members->begin(), declared.members->end(),
+           std::ranges::all_of(
+               member.sizes, [](long long size) { return size > 0; }) &&
+           std::ranges::all_of(
+               *declared.members,
                [&](const glsl::MemoryMember& each) { return hasKnownSizes(memory, each, depth + 1); });
 }
 
@@ -106,10 +107,9 @@ bool visitAll(const glsl::MemoryFacts& memory, const glsl::MemoryMember& member,
         // Of an array of arrays of a basic type, only the innermost is one value.
         if (axis + 1 >= member.sizes.size()) return visit({path, member.type, axis < member.sizes.size()});
     } else if (axis == member.sizes.size()) {
-        return std::all_of(declared.members->begin(), declared.members->end(),
-                           [&](const glsl::MemoryMember& each) {
-                               return visitAll(memory, each, path + "." + each.name, 0, visit);
-                           });
+        return std::ranges::all_of(*declared.members, [&](const glsl::MemoryMember& each) {
+            return visitAll(memory, each, path + "." + each.name, 0, visit);
+        });
     }
     for (long long i = 0; i < std::max(member.sizes[axis], 1LL); ++i)
         if (!visitAll(memory, member, fmt::format("{}[{}]", path, i), axis + 1, visit)) return false;
@@ -133,8 +133,8 @@ std::optional<MemberSearch> searchMember(const glsl::MemoryFacts& memory, std::s
             return MemberSearch{false,
                                 fmt::format("; '{}' is of type {}, which has no members", path, here->type)};
         const std::string_view name = parts[i + 1].name;
-        const auto member = std::find_if(here->members->begin(), here->members->end(),
-                                         [&](const glsl::MemoryMember& each) { return each.name == name; });
+        const auto member = std::ranges::find_if(
+            *here->members, [&](const glsl::MemoryMember& each) { return each.name == name; });
         if (member == here->members->end()) {
             std::vector<std::string_view> names;
             for (const glsl::MemoryMember& each : *here->members) names.push_back(each.name);
@@ -143,7 +143,7 @@ std::optional<MemberSearch> searchMember(const glsl::MemoryFacts& memory, std::s
                 return MemberSearch{
                     false, fmt::format("; the members of '{}' are {}", path, fmt::join(names, ", "))};
             const std::string whole = fmt::format("{}.{}{}", path, nearest, tag.substr(parts[i + 1].nameEnd));
-            return MemberSearch{false, fmt::format("; did you mean '{}'?", whole), whole};
+            return MemberSearch{false, hintOf(whole), whole};
         }
         here = declaredBy(memory, *member);
     }
@@ -152,7 +152,7 @@ std::optional<MemberSearch> searchMember(const glsl::MemoryFacts& memory, std::s
     const bool isElement = parts.back().subscripts.size() >= here->sizes->size();
     const std::string whole =
         fmt::format("{}{}.{}", tag, isElement ? "" : "[0]", here->members->front().name);
-    return MemberSearch{false, fmt::format("; did you mean '{}'?", whole), whole};
+    return MemberSearch{false, hintOf(whole), whole};
 }
 
 bool visitMembers(const glsl::MemoryFacts& memory, std::string_view root, const VisitMember& visit) {

@@ -40,9 +40,8 @@ constexpr ForeignName kForeignNames[] = {
 /// The expression for the value that the name has elsewhere or in expressions; empty if it has none.
 std::string_view expressionFor(std::string_view name, const std::set<std::string, std::less<>>& local) {
     const auto rows = expression::sceneNames();
-    if (local.contains(name) || std::any_of(rows.begin(), rows.end(), [&](const expression::NameRow& each) {
-            return each.path == name;
-        }))
+    if (local.contains(name) ||
+        std::ranges::any_of(rows, [&](const expression::NameRow& each) { return each.path == name; }))
         return name;
     for (const ForeignName& each : kForeignNames)
         if (each.name == name) return each.expression;
@@ -102,11 +101,10 @@ void UniformMessages::unknown(const GivenValue& given, std::string_view resemble
         return warn("glib-W24",
                     fmt::format("uniform '{}' is declared in '{}' but unused, so its value has no effect",
                                 tag, program_.name),
-                    given.tagPlace);
+                    given.tagPlace, program_.name);
     if (member.empty() && !resembles.empty()) return misspelt(tag, resembles, given.tagPlace);
     const std::string near = member.empty() ? nearestUniform(tag, knownNames()) : member;
-    const std::string hint = near.empty() ? "" : "; did you mean '" + near + "'?";
-    warn("glib-W23", fmt::format("no shader of '{}' has a uniform '{}'{}", program_.name, tag, hint),
+    warn("glib-W23", fmt::format("no shader of '{}' has a uniform '{}'{}", program_.name, tag, hintOf(near)),
          given.tagPlace, tag, near);
 }
 
@@ -130,18 +128,11 @@ const std::vector<std::string>& UniformMessages::knownNames() {
     return knownNames_;
 }
 
-void UniformMessages::oneUnset(const ActiveUniform& each) {
-    warn(
-        "glib-W37",
-        fmt::format("uniform '{}' of '{}' is not set; it is 0{}", each.name, program_.name, modernHint(each)),
-        program_.place, each.name);
-}
-
 bool UniformMessages::isUnreadPart(std::string_view tag) const {
     const std::string_view root = rootName(tag);
-    const bool isRead =
-        std::any_of(interface_.uniforms.begin(), interface_.uniforms.end(),
-                    [&](const ActiveUniform& each) { return each.block < 0 && rootName(each.name) == root; });
+    const bool isRead = std::ranges::any_of(interface_.uniforms, [&](const ActiveUniform& each) {
+        return each.block < 0 && rootName(each.name) == root;
+    });
     if (!isRead || root == tag) return false;
     if (interface_.facts.memory.records.contains(root))
         return searchMember(interface_.facts.memory, tag).value_or(MemberSearch{}).isDeclared;
@@ -160,7 +151,11 @@ void UniformMessages::unset(std::span<const ActiveUniform> uniforms) {
     for (const ActiveUniform& each : uniforms) ++members[groupOf(each)];
     for (const ActiveUniform& each : uniforms) {
         std::size_t& count = members[groupOf(each)];
-        if (count > 0 && count <= kMostNamed) oneUnset(each);
+        if (count > 0 && count <= kMostNamed)
+            warn("glib-W37",
+                 fmt::format("uniform '{}' of '{}' is not set; it is 0{}", each.name, program_.name,
+                             modernHint(each)),
+                 program_.place, each.name);
         if (count <= kMostNamed) continue;
         warn("glib-W37",
              fmt::format("members of '{}' of '{}' are not set; they are 0. The first is '{}'", groupOf(each),
@@ -168,12 +163,6 @@ void UniformMessages::unset(std::span<const ActiveUniform> uniforms) {
              program_.place);
         count = 0;  // reported
     }
-}
-
-std::string UniformMessages::expressionHint(const std::string& name) const {
-    const std::string_view value = expressionFor(name, modern_->localNames);
-    if (value.empty()) return {};
-    return fmt::format("; write '{} ({})' on the line of its Program, Fill or Dispatch", name, value);
 }
 
 std::string UniformMessages::scopeHint(const std::string& name) const {
@@ -189,8 +178,10 @@ std::string UniformMessages::scopeHint(const std::string& name) const {
 
 std::string UniformMessages::modernHint(const ActiveUniform& target) const {
     if (modern_ != nullptr) {
-        const std::string hint = expressionHint(target.name);
-        return hint.empty() ? scopeHint(target.name) : hint;
+        const std::string_view value = expressionFor(target.name, modern_->localNames);
+        if (value.empty()) return scopeHint(target.name);
+        return fmt::format("; write '{} ({})' on the line of its Program, Fill or Dispatch", target.name,
+                           value);
     }
     const auto isUniform = [this](std::string_view name) { return names_.hasUniform(name); };
     if (target.isArray || target.block >= 0 ||

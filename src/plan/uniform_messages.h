@@ -45,8 +45,6 @@ class UniformMessages {
               std::string suggestion = {});
     [[nodiscard]] bool isDeclared(std::string_view name) const;
     const std::vector<std::string>& knownNames();
-    void oneUnset(const ActiveUniform& each);
-    [[nodiscard]] std::string expressionHint(const std::string& name) const;
     /// For a uniform that a Set names, but of another scope.
     [[nodiscard]] std::string scopeHint(const std::string& name) const;
     [[nodiscard]] std::string modernHint(const ActiveUniform& target) const;

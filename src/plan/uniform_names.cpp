@@ -1,5 +1,7 @@
 #include "plan/uniform_names.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cstddef>
@@ -7,15 +9,12 @@
 #include "base/suggest.h"
 
 namespace glibra::plan {
-namespace {
 
 bool isTextureMatrix(glsl::Builtin value) {
     return value == glsl::Builtin::textureMatrix || value == glsl::Builtin::textureMatrixInverse ||
            value == glsl::Builtin::textureMatrixTranspose ||
            value == glsl::Builtin::textureMatrixInverseTranspose;
 }
-
-}  // namespace
 
 UniformNames::UniformNames(const ProgramInterface& interface) {
     for (std::size_t i = 0; i < interface.uniforms.size(); ++i) {
@@ -86,7 +85,7 @@ bool isInternalName(std::string_view name) {
 
 bool namesMemory(const glsl::MemoryFacts& memory, std::string_view name) {
     return memory.counters.contains(std::string(name)) ||
-           std::any_of(memory.blocks.begin(), memory.blocks.end(), [&](const glsl::MemoryBlock& each) {
+           std::ranges::any_of(memory.blocks, [&](const glsl::MemoryBlock& each) {
                return each.name == name || each.instance == name ||
                       (!each.members.empty() && each.members.back().name == name);
            });
@@ -98,9 +97,12 @@ std::string nearestUniform(std::string_view tag, std::span<const std::string> na
     return base::nearestName(tag, candidates, kPrefix);
 }
 
+std::string hintOf(std::string_view name) {
+    return name.empty() ? std::string() : fmt::format("; did you mean '{}'?", name);
+}
+
 std::string suggestionFor(std::string_view tag, std::span<const std::string> names) {
-    const std::string nearest = nearestUniform(tag, names);
-    return nearest.empty() ? nearest : "; did you mean '" + nearest + "'?";
+    return hintOf(nearestUniform(tag, names));
 }
 
 std::string_view rootName(std::string_view name) {

@@ -42,6 +42,9 @@ class UniformNames {
     scene::List<int, ActiveUniform> arraySizes_;  ///< 0: no array
 };
 
+/// True for gl_TextureMatrix and its variants, which are arrays.
+bool isTextureMatrix(glsl::Builtin value);
+
 /// The table row that supplies this uniform; null unless name and GLSL type are those of a built-in.
 const glsl::BuiltinUniform* suppliedBy(const ActiveUniform& uniform);
 
@@ -62,7 +65,10 @@ bool namesMemory(const glsl::MemoryFacts& memory, std::string_view name);
 /// The nearest of these names; empty if none is near.
 std::string nearestUniform(std::string_view tag, std::span<const std::string> names);
 
-/// Returns "; did you mean 'uShrink'?" with the nearest of these names, or nothing if none is near.
+/// Returns "; did you mean 'uShrink'?" for such a name; empty for an empty one.
+std::string hintOf(std::string_view name);
+
+/// Returns hintOf() the nearest of these names, or nothing if none is near.
 std::string suggestionFor(std::string_view tag, std::span<const std::string> names);
 
 /// The name under which a source declares the uniform: `light` for `light[2].color`.

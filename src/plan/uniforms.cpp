@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <map>
 #include <set>
@@ -176,21 +175,18 @@ class Resolver {
 
     /// True for a tag whose word names a texture or buffer.
     bool choosesObject(std::string_view tag) const {
-        return drawn_.set != nullptr && std::any_of(drawn_.set->objects.begin(), drawn_.set->objects.end(),
-                                                    [&](const scene::ObjectBinding& each) {
-                                                        return each.isChosen && each.tag == tag;
-                                                    });
+        return drawn_.set != nullptr &&
+               std::ranges::any_of(drawn_.set->objects, [&](const scene::ObjectBinding& each) {
+                   return each.isChosen && each.tag == tag;
+               });
     }
 
     void bind(const NamedUniform& named, const BoundTexture& bound) {
         touched_[named.uniform] = true;
         if (auto problem = bindingProblem(*drawn_.scene, interface_, uniform(named.uniform), bound)) {
-            if (uniform(named.uniform).type.base == BaseType::image) {
-                if (bound.buffer.buffer)
-                    result_.refusedImages.emplace_back(bound.buffer);
-                else
-                    result_.refusedImages.emplace_back(bound.view);
-            }
+            if (uniform(named.uniform).type.base == BaseType::image)
+                result_.refusedImages.push_back(bound.buffer.buffer ? scene::ObjectView(bound.buffer)
+                                                                    : scene::ObjectView(bound.view));
             return result_.badBindings.push_back(*std::move(problem));
         }
         std::vector<std::optional<BoundTexture>>& elements = bound_[named.uniform];
@@ -266,7 +262,7 @@ class Resolver {
             result_.diagnostics.push_back(unknownWord(*drawn_.scene, word, given.valuePlace));
             return std::nullopt;
         }
-        const auto found = std::find(functions->begin(), functions->end(), word);
+        const auto found = std::ranges::find(*functions, word);
         if (found != functions->end()) return static_cast<double>(found - functions->begin());
         warn("glib-E27",
              fmt::format("subroutine uniform '{}' has no function '{}'{}", given.tag, word,

@@ -50,9 +50,7 @@ plan::ProgramInterface samplersIn(const glsl::TranslatedProgram& program) {
         const std::vector<std::string_view> words = wordsOf(stage.source);
         for (std::size_t i = 1; i + 1 < words.size(); ++i) {
             const std::optional<scene::TextureTarget> target = textureTargetOf(words[i]);
-            if (!target || words[i - 1] != "uniform" ||
-                std::count(words.begin(), words.end(), words[i + 1]) < 2)
-                continue;
+            if (!target || words[i - 1] != "uniform" || std::ranges::count(words, words[i + 1]) < 2) continue;
             plan::ActiveUniform& sampler = guess.uniforms.emplace_back();
             sampler.name = words[i + 1];
             if (const auto renamed = program.userNames.find(sampler.name); renamed != program.userNames.end())
@@ -69,7 +67,7 @@ plan::ProgramInterface samplersIn(const glsl::TranslatedProgram& program) {
 
 }  // namespace
 
-void SceneRenderer::State::makeAhead() {
+void SceneState::makeAhead() {
     if (options.maxError > 0) return;  // shapes are chosen after the programs are compiled
     Result<std::vector<plan::Override>> overrides = parseOverrides(options.set);
     if (!overrides) return;

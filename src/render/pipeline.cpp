@@ -1,11 +1,13 @@
 #include "render/pipeline.h"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 #include <utility>
 
 #include "gpu/object/loop_limit.h"
 #include "plan/accesses.h"
+#include "plan/reported_names.h"
 #include "render/draw/dispatch.h"
 #include "scene/view.h"
 
@@ -75,16 +77,14 @@ Diagnostics Pipeline::planSimulation(const plan::PlanOptions& planOptions, bool 
 
 std::vector<const plan::FramePlan*> Pipeline::plans() const {
     std::vector<const plan::FramePlan*> all{&plan};
-    if (!simulation) return all;
-    const std::vector<const plan::FramePlan*> blocks = simulation->plans();
-    all.insert(all.end(), blocks.begin(), blocks.end());
+    if (simulation) std::ranges::copy(simulation->plans(), std::back_inserter(all));
     return all;
 }
 
 void Pipeline::makeDrawer(Stats& stats) {
     drawer.emplace(context, plan, programs, device, stats);
-    if (std::all_of(plan.programs.begin(), plan.programs.end(),
-                    [](const plan::PlannedProgram& each) { return each.interface->usable; }))
+    if (std::ranges::all_of(plan.programs,
+                            [](const plan::PlannedProgram& each) { return each.interface->usable; }))
         return;
     const plan::ProgramVariant builtin{{}, false, 1};
     programs.interfaceOf(builtin);

@@ -1,6 +1,6 @@
 #pragma once
-// The one owner of a scene on its way from text to pixels. SceneRenderer adds tiles, readback and files to
-// it, the window adds knobs, cameras and edits.
+// The one owner of a scene on its way from text to pixels. SceneState adds tiles and readback to it, the
+// window adds knobs, cameras and edits.
 
 #include <glibra/render.h>
 
@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "gpu/context/context.h"
-#include "plan/frame_plan.h"
+#include "plan/planner.h"
 #include "plan/still.h"
 #include "render/draw/axes.h"
 #include "render/draw/frame.h"
@@ -19,7 +19,7 @@
 #include "render/load/device_scene.h"
 #include "render/load/programs.h"
 #include "render/load/shared_parts.h"
-#include "render/scene_renderer.h"
+#include "render/scene_file.h"
 #include "render/simulation/simulation.h"
 #include "render/stats.h"
 #include "scene/interpret.h"

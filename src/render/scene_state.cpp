@@ -9,135 +9,142 @@
 #include <set>
 #include <utility>
 
-#include "budget/budget.h"
+#include "plan/accesses.h"
+#include "render/consequences.h"
 #include "render/draw/sight.h"
-#include "render/probe/patch_probe.h"
-#include "render/probe/picture_probe.h"
+#include "render/draw/tiles.h"
+#include "render/load/open_loops.h"
 #include "scene/primitives.h"
 #include "scene/texture_name.h"
 #include "scene/texture_parts.h"
 
 namespace glibra::render {
+namespace {
 
-bool SceneRenderer::State::isStopped(const Diagnostics& diagnostics) {
+/// Larger pictures are drawn in tiles, so that the use of device memory is bounded: 8192 x 8192.
+constexpr std::int64_t kMostPixelsAtOnce = std::int64_t{1} << 26;
+constexpr std::int64_t kMostPixels = std::int64_t{1} << 30;
+
+}  // namespace
+
+Result<std::unique_ptr<SceneState>> SceneState::of(gpu::Context& context, InterpretedScene interpreted,
+                                                   const RenderOptions& options, Stats& stats,
+                                                   SharedParts* shared) {
+    const int width = options.width > 0 ? options.width : interpreted.scene.width;
+    const int height = options.height > 0 ? options.height : interpreted.scene.height;
+    if (static_cast<std::int64_t>(width) * height > kMostPixels)
+        return diagnose(
+            "glib-E15",
+            fmt::format("a picture of {} x {} pixels is too large; the limit is 2^30 pixels", width, height),
+            {interpreted.scene.path, 1, 1});
+    const gpu::Capabilities& capabilities = context.capabilities();
+    const int largest = std::min(
+        {capabilities.maxRenderbufferSide, capabilities.maxViewportWidth, capabilities.maxViewportHeight});
+    TileGrid grid = tileGrid(width, height, options.tileSize, largest, kMostPixelsAtOnce);
+
+    auto state = std::make_unique<SceneState>(context, options, std::move(interpreted),
+                                              grid.tiles.size() > 1 || options.tileSize > 0, stats,
+                                              options.skip ? shared : nullptr);
+    state->width = width;
+    state->height = height;
+    state->tiles = std::move(grid.tiles);
+    state->tileParts = std::move(grid.parts);
+    Diagnostics diagnostics;
+    state->placeEye(static_cast<double>(width) / height, diagnostics, stats);
+    state->lookFrom(options.viewState);
+    return {std::move(state), std::move(diagnostics)};
+}
+
+Result<std::unique_ptr<SceneState>> SceneState::load(gpu::Context& context, InterpretedScene interpreted,
+                                                     const RenderOptions& options, Stats& stats,
+                                                     SharedParts* shared) {
+    Result<std::unique_ptr<SceneState>> made = of(context, std::move(interpreted), options, stats, shared);
+    if (!made) return made;
+    append(made.diagnostics, (*made)->preparePlan((*made)->planOptions(false), stats));
+    if (!(*made)->makeReady(made.diagnostics, stats)) made.value.reset();
+    return made;
+}
+
+bool SceneState::isStopped(const Diagnostics& diagnostics) {
     if (!hasError(diagnostics)) return false;
     isIncomplete = options.incomplete;
     return isBroken || !options.incomplete;
 }
 
-/// Chooses counts for what a first plan needs. The scene is then planned again with the chosen shapes.
-Diagnostics SceneRenderer::State::keepBudget(plan::PlanOptions& planOptions, Stats& stats) {
-    const plan::FramePlan first = planList(scene.frame, planOptions);
-    if (hasError(first.diagnostics)) return {};
-    const StageTimer timer(stats, "budget");
-    const PictureProbe pictures{context, scene, options, width, height, view, parts};
-    PatchProbe probe(context, scene, options, width, height);
-    budget::Choice choice =
-        budget::choose(scene, first,
-                       {.maxError = options.maxError,
-                        .overrideCounts = options.overrideCounts,
-                        .width = width,
-                        .height = height,
-                        .areSamplesFree = options.samples == 0,
-                        .mostSamples = context.capabilities().maxSamples,
-                        .clipFromModel =
-                            [&](const scene::Draw& draw, double aspect) {
-                                return view.projection(draw.projection, aspect) * view.modelView(draw);
-                            },
-                        .contourShift = [&](const budget::Choice& from,
-                                            const budget::Choice& to) { return pictures.shift(from, to); },
-                        .mostLevel = context.capabilities().maxTessellationLevel,
-                        .overrides = planOptions.overrides,
-                        .patches = [&](std::size_t pass, std::size_t step,
-                                       auto values) { return probe.patches(pass, step, values); }});
-    if (options.samples == 0) options.samples = choice.samples;
-    for (const scene::ShapeIndex shape : budget::apply(choice, scene)) device.meshes().forget(shape);
-    planOptions.overrides.insert(planOptions.overrides.end(), choice.levels.begin(), choice.levels.end());
-    stats.decisions.insert(stats.decisions.end(), choice.decisions.begin(), choice.decisions.end());
-    std::stable_sort(
-        stats.decisions.begin(), stats.decisions.end(),
-        [](const budget::Decision& a, const budget::Decision& b) { return a.place.line < b.place.line; });
-    return std::move(choice.diagnostics);
-}
-
-Diagnostics SceneRenderer::State::preparePlan(Stats& stats, bool everything) {
+Result<plan::PlanOptions> SceneState::planOptions(bool everything) {
     isBroken = true;  // until there is a plan
     Result<std::vector<plan::Override>> overrides = parseOverrides(options.set);
     if (!overrides) return std::move(overrides.diagnostics);
-    plan::PlanOptions planOptions = planOptionsOf(context.capabilities());
-    planOptions.overrides = std::move(*overrides);
-    std::erase_if(planOptions.overrides, [&](const plan::Override& each) {
+    plan::PlanOptions made = planOptionsOf(context.capabilities());
+    made.overrides = std::move(*overrides);
+    std::erase_if(made.overrides, [&](const plan::Override& each) {
         return each.program.empty() && scene.usedVariables.contains(each.name);
     });
     for (const std::string& each : options.wantedObjects) {
         const Result<scene::ObjectView> wanted = scene::objectNamed(scene, each);
         if (!wanted) return wanted.diagnostics;
-        planOptions.roots.push_back(*wanted);
+        made.roots.push_back(*wanted);
     }
-    if (options.checks)
+    if (options.checks) {
         for (const scene::Check& each : scene.checks)
             for (const auto& object : {each.object, each.other})
-                if (object) planOptions.roots.push_back(*object);
-    if (options.checks)
+                if (object) made.roots.push_back(*object);
         for (const scene::Check& check : scene.checks)
             for (const scene::BufferIndex each : check.reads)
-                planOptions.roots.emplace_back(scene::BufferView{each});
-    for (const scene::Print& each : scene.prints) planOptions.roots.emplace_back(each.buffer);
-    planOptions.everything = everything || !options.skip;
-    planOptions.shareMeshes = options.skip;
-    planOptions.reportsNames = !hasBlocks();
-    planOptions.shareTargets = options.skip && !options.checkNan;  // the search looks into every target
-    Diagnostics diagnostics;
+                made.roots.emplace_back(scene::BufferView{each});
+    }
+    for (const scene::Print& each : scene.prints) made.roots.emplace_back(each.buffer);
+    made.everything = everything || !options.skip;
+    made.shareMeshes = options.skip;
+    made.reportsNames = !hasBlocks();
+    made.shareTargets = options.skip && !options.checkNan;  // the search looks into every target
+    Diagnostics problems;
     if (options.checkUndefined && !context.capabilities().compute)
-        diagnostics.push_back(
-            diagnose("check-E03",
-                     fmt::format("--check-undefined needs OpenGL 4.3; this driver has {}.{}",
-                                 context.capabilities().major, context.capabilities().minor),
-                     {scene.path, 1, 1}));
-    // A picture of another moment would need other counts.
-    if (options.maxError > 0 && !everything && !changesWithTime)
-        append(diagnostics, keepBudget(planOptions, stats));
-    else if (options.maxError > 0 && !everything && !isMoving)
-        stats.decisions.push_back(
-            {"scene", "counts, samples and noise kept: it changes with time", {scene.path, 1, 1}});
+        problems.push_back(diagnose("check-E03",
+                                    fmt::format("--check-undefined needs OpenGL 4.3; this driver has {}.{}",
+                                                context.capabilities().major, context.capabilities().minor),
+                                    {scene.path, 1, 1}));
+    return {std::move(made), std::move(problems)};
+}
+
+Diagnostics SceneState::preparePlan(Result<plan::PlanOptions> asked, Stats& stats) {
+    Diagnostics diagnostics = std::move(asked.diagnostics);
+    if (!asked) return diagnostics;
     options.samples = std::max(1, options.samples);
     Diagnostics meshDiagnostics;
     // Primitives out of sight count, too.
-    const bool countsPrimitives =
-        options.checks && std::any_of(scene.checks.begin(), scene.checks.end(), [](const scene::Check& each) {
-            return each.kind == scene::Check::Kind::primitives;
-        });
+    const bool countsPrimitives = options.checks && std::ranges::any_of(scene.checks, [](const auto& each) {
+                                      return each.kind == scene::Check::Kind::primitives;
+                                  });
     decltype(plan::PlanQuestions::outOfSight) unseen;
-    if (!planOptions.everything && !countsPrimitives)
+    if (!asked->everything && !countsPrimitives)
         unseen = [&](const scene::Draw& draw, const scene::Pass& pass) {
             return outOfSight(draw, pass, &meshDiagnostics);
         };
-    plan = planList(scene.frame, planOptions, std::move(unseen));
+    plan = planList(scene.frame, *asked, std::move(unseen));
     isBroken = false;
     if (!isMoving) {
         stats.skipped.insert(stats.skipped.begin(), plan.skipped.begin(), plan.skipped.end());
         listFoundByName(stats);
     }
-    append(diagnostics, std::move(plan.diagnostics));
-    plan.diagnostics.clear();
+    append(diagnostics, std::exchange(plan.diagnostics, {}));
     append(diagnostics, std::move(meshDiagnostics));
     const bool isFirst = !simulation;
-    if (!isStopped(diagnostics)) {
-        Diagnostics ofSteps = planBlocks(planOptions, stats);
+    const auto add = [&](Diagnostics ofSteps) {
         isBroken = hasError(ofSteps);
         append(diagnostics, std::move(ofSteps));
+    };
+    if (!isStopped(diagnostics)) {
+        add(planSimulation(*asked, changesWithTime));
+        if (isFirst && simulation) explainSimulation(stats);
     }
     if (!isStopped(diagnostics)) append(diagnostics, device.prepare(plan, programs));
-    if (!isStopped(diagnostics) && isFirst && simulation) {
-        Diagnostics ofSteps = simulation->make();
-        isBroken = hasError(ofSteps);
-        append(diagnostics, std::move(ofSteps));
-    }
+    if (!isStopped(diagnostics) && isFirst && simulation) add(simulation->make());
     return diagnostics;
 }
 
 /// Nodes of all lists may be skipped; what one of them uses is not.
-void SceneRenderer::State::explainSimulation(Stats& stats) const {
+void SceneState::explainSimulation(Stats& stats) const {
     std::vector<Place> used;
     for (const plan::FramePlan* each : simulation->plans()) {
         for (const plan::PlannedProgram& program : each->programs) {
@@ -155,21 +162,13 @@ void SceneRenderer::State::explainSimulation(Stats& stats) const {
                each.what == "statement";
     };
     std::erase_if(stats.skipped, [&](const plan::Skipped& each) {
-        return !isNode(each) && std::find(used.begin(), used.end(), each.place) != used.end();
+        return !isNode(each) && std::ranges::find(used, each.place) != used.end();
     });
     for (const plan::FramePlan* each : simulation->plans())
         std::copy_if(each->skipped.begin(), each->skipped.end(), std::back_inserter(stats.skipped), isNode);
 }
 
-Diagnostics SceneRenderer::State::planBlocks(const plan::PlanOptions& planOptions, Stats& stats) {
-    const bool isFirst = !simulation;
-    Diagnostics diagnostics = planSimulation(planOptions, changesWithTime);
-    if (!isFirst || !simulation) return diagnostics;
-    explainSimulation(stats);
-    return diagnostics;
-}
-
-void SceneRenderer::State::listFoundByName(Stats& stats) const {
+void SceneState::listFoundByName(Stats& stats) const {
     std::set<std::pair<scene::ProgramIndex, std::string>> seen;  // draws may have variants of a program
     for (const plan::PlannedProgram& each : plan.programs)
         for (const std::string& found : each.foundByName)
@@ -178,8 +177,7 @@ void SceneRenderer::State::listFoundByName(Stats& stats) const {
                                              scene.programs[each.variant.program].place});
 }
 
-std::string SceneRenderer::State::outOfSight(const scene::Draw& draw, const scene::Pass& pass,
-                                             Diagnostics* remarks) {
+std::string SceneState::outOfSight(const scene::Draw& draw, const scene::Pass& pass, Diagnostics* remarks) {
     const geometry::Topology topology = scene::topologyOf(scene.shapes[draw.shape]);
     const plan::ProgramVariant variant = plan::variantOf(scene, draw, pass);
     const glsl::Placement placement = programs.placementOf(variant);
@@ -202,13 +200,36 @@ std::string SceneRenderer::State::outOfSight(const scene::Draw& draw, const scen
     return std::string(describe(sightOf(placed(bounds, placement), drawView)));
 }
 
+/// Every tile would run the effects again.
+Diagnostics SceneState::checkTiles() const {
+    if (!scene.isModern || tiles.size() == 1) return {};
+    Diagnostics found;
+    plan.visitDraws([&](const plan::PlannedDraw& each, const scene::Draw& draw, const scene::Pass& pass) {
+        if (!found.empty() || !pass.isWindow ||
+            !plan::writesMemory(plan.programs[each.program], each.textures))
+            return;
+        found.push_back(diagnose("memory-E10",
+                                 fmt::format("{} writes memory, so the window cannot be drawn in {} tiles; "
+                                             "choose a smaller size or larger tiles",
+                                             draw.word, tiles.size()),
+                                 draw.place));
+    });
+    return found;
+}
+
+void SceneState::makePictureDrawer(Stats& stats) {
+    makeDrawer(stats);
+    if (options.skip && tiles.size() > 1) drawer->cullToTile(options.samples);
+    if (options.skip && !options.floatPixels) drawer->skipOpaqueBlending();
+    if (gpuTimes) gpuTimes->watch(*drawer, scene, plan);
+}
+
 /// A target that is drawn into or read before it is cleared in this frame shows the previous frame.
-bool SceneRenderer::State::mayShowEarlierFrames() {
+bool SceneState::mayShowEarlierFrames() {
     if (scene.isModern) return false;  // what the frame writes begins as declared
-    const bool writesImages =
-        std::any_of(plan.programs.begin(), plan.programs.end(), [this](const plan::PlannedProgram& each) {
-            return each.variant.program && programs.mayWriteImages(each.variant.program);
-        });
+    const bool writesImages = std::ranges::any_of(plan.programs, [this](const plan::PlannedProgram& each) {
+        return each.variant.program && programs.mayWriteImages(each.variant.program);
+    });
     if (writesImages) return true;
     std::set<scene::TextureIndex> targets;
     for (const plan::PlannedPass& each : plan.passes)
@@ -225,7 +246,7 @@ bool SceneRenderer::State::mayShowEarlierFrames() {
         const auto isOld = [&](scene::TextureIndex texture) {
             return targets.contains(texture) && !fresh.contains(texture);
         };
-        if (std::any_of(pass.targets.begin(), pass.targets.end(), isOld) ||
+        if (std::ranges::any_of(pass.targets, isOld) ||
             (!pass.isWindow && !freshDepths.contains(pass.depthBuffer)))
             return true;
         for (const auto& step : steps)
@@ -234,6 +255,35 @@ bool SceneRenderer::State::mayShowEarlierFrames() {
                     if (isOld(use.view.texture)) return true;
     }
     return false;
+}
+
+bool SceneState::makeReady(Diagnostics& diagnostics, Stats& stats) {
+    const auto refuse = [&] {
+        applyStrict(diagnostics, options.strict);
+        return false;
+    };
+    explainRemovedLoops(scene, plan, programs, diagnostics);
+    applyStrict(diagnostics, options.strict);
+    if (isStopped(diagnostics)) return false;
+
+    const Diagnostics ofTiles = checkTiles();
+    append(diagnostics, ofTiles);
+    if (hasError(ofTiles)) return refuse();
+    makePictureDrawer(stats);
+    isStateful = mayShowEarlierFrames();
+    device.meshes().release();
+
+    Result<gpu::Target> made =
+        gpu::Target::window(context.capabilities(), tiles.front().width, tiles.front().height,
+                            options.floatPixels ? gpu::TexelFormat::rgba32f : gpu::TexelFormat::rgba8,
+                            options.samples, depthFormat(scene));
+    append(diagnostics, std::move(made.diagnostics));
+    if (!made) return refuse();
+    window = std::move(made.value);
+    if (options.axes) append(diagnostics, makeAxes());
+    append(diagnostics, context.debugLog().takeDiagnostics());
+    applyStrict(diagnostics, options.strict);
+    return !isStopped(diagnostics);
 }
 
 }  // namespace glibra::render

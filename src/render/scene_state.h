@@ -1,5 +1,8 @@
 #pragma once
-// The state of a SceneRenderer, for the files that implement it.
+// A scene that draws its own pictures: the plan, what it needs on the device, tiles and readback. It draws no
+// small pictures first, whatever options.maxError is.
+
+#include <glibra/render.h>
 
 #include <deque>
 #include <memory>
@@ -7,23 +10,31 @@
 #include <string>
 #include <vector>
 
+#include "gpu/object/pixel_stream.h"
+#include "gpu/object/target.h"
+#include "image/image.h"
+#include "render/draw/labels.h"
 #include "render/draw/tile.h"
-#include "render/file/labels.h"
+#include "render/gpu_times.h"
 #include "render/pipeline.h"
+#include "render/scene_file.h"
 
 namespace glibra::render {
 
-class GpuTimes;
-
-struct SceneRenderer::State : Pipeline {
-    State(gpu::Context& usedContext, const RenderOptions& usedOptions, InterpretedScene interpreted,
-          bool isTiled, Stats& stats, SharedParts* shared)
+struct SceneState : Pipeline {
+    SceneState(gpu::Context& usedContext, const RenderOptions& usedOptions, InterpretedScene interpreted,
+               bool isTiled, Stats& stats, SharedParts* shared)
         : Pipeline(usedContext, usedOptions, std::move(interpreted), stats,
                    {isTiled, usedOptions.maxError > 0 && usedOptions.skip, shared}) {}
 
     /// Needs no GL. Reports glib-E15 for a picture that is too large.
-    static Result<std::unique_ptr<State>> of(gpu::Context& context, InterpretedScene interpreted,
-                                             const RenderOptions& options, Stats& stats, SharedParts* shared);
+    static Result<std::unique_ptr<SceneState>> of(gpu::Context& context, InterpretedScene interpreted,
+                                                  const RenderOptions& options, Stats& stats,
+                                                  SharedParts* shared);
+    /// A scene that is ready to draw; no value if nothing can be drawn.
+    static Result<std::unique_ptr<SceneState>> load(gpu::Context& context, InterpretedScene interpreted,
+                                                    const RenderOptions& options, Stats& stats,
+                                                    SharedParts* shared);
 
     std::vector<Tile> tiles;      ///< with their margins
     std::vector<Tile> tileParts;  ///< the part of each tile that goes into the picture
@@ -42,41 +53,52 @@ struct SceneRenderer::State : Pipeline {
     bool isIncomplete = false;     ///< an error has cost a part of the picture (options.incomplete)
     bool isBroken = false;         ///< nothing can be drawn, in spite of options.incomplete
     bool isMoving = false;         ///< the plan is made for another moment than the first
-    bool isStateful = false;       ///< remembersFrames()
-    GpuTimes* gpuTimes = nullptr;  ///< measureGpu()
+    bool isStateful = false;       ///< SceneRenderer::remembersFrames()
+    GpuTimes* gpuTimes = nullptr;  ///< SceneRenderer::measureGpu()
 
     /// True if nothing can be drawn because of an error. With options.incomplete errors of single things are
     /// noted in isIncomplete instead.
     [[nodiscard]] bool isStopped(const Diagnostics& diagnostics);
-    void explainSimulation(Stats& stats) const;
-    /// Pipeline::planSimulation, with the names that only all plans together know.
-    Diagnostics planBlocks(const plan::PlanOptions& planOptions, Stats& stats);
-    Diagnostics preparePlan(Stats& stats, bool everything);
+    /// What the plan must know. No value if an option names what the scene does not have.
+    [[nodiscard]] Result<plan::PlanOptions> planOptions(bool everything);
+    /// Plans the frame and its blocks, and makes what the plans need. The result begins with the diagnostics
+    /// of `asked`.
+    Diagnostics preparePlan(Result<plan::PlanOptions> asked, Stats& stats);
+    /// Makes what draws the pictures of the plan. `diagnostics` are those of the scene so far. False if
+    /// nothing can be drawn.
+    bool makeReady(Diagnostics& diagnostics, Stats& stats);
     /// Interprets and plans the scene for this time, if it is another one.
     Diagnostics moveTo(double time, Stats& stats);
-    /// Pipeline::makeDrawer, for pictures and tiles.
-    void makePictureDrawer(Stats& stats);
-    [[nodiscard]] Diagnostics checkTiles() const;
-    void listFoundByName(Stats& stats) const;
-    Diagnostics keepBudget(plan::PlanOptions& planOptions, Stats& stats);
     /// Translates programs, makes meshes and reads textures that the plan will probably need. Needs no GL.
     void makeAhead();
-    /// Why nothing of the draw can be seen, or an empty text. Without `remarks` the diagnostics of its mesh
-    /// are reported later.
-    std::string outOfSight(const scene::Draw& draw, const scene::Pass& pass, Diagnostics* remarks);
-    [[nodiscard]] bool mayShowEarlierFrames();
+
+    /// SceneRenderer::draw.
+    Result<image::Image> draw(double time, Stats& stats);
     /// The values of uniform variables, which are written over the picture (options.labels).
     [[nodiscard]] std::optional<LabelBlock> labels() const;
     /// A picture of the right size and type.
     [[nodiscard]] image::Image emptyPicture() const;
-    /// The means of the window's samples.
-    void resolve();
+    [[nodiscard]] gpu::PixelLayout pixelLayout() const;
+    /// Draws over a picture what belongs to it.
+    static void finishPicture(image::Image& picture, const std::optional<LabelBlock>& labels,
+                              bool isIncomplete);
     /// Draws a tile into `window`.
     Diagnostics drawTile(std::size_t index, double time, const plan::StillNodes& still, Stats& stats);
-    /// Reads the tile that was drawn.
-    Diagnostics readTile(std::size_t index, image::Image& picture, Stats& stats);
     /// What is true after a frame, whether it could be drawn or not.
     void endFrame(Diagnostics& diagnostics, Stats& stats);
+
+  private:
+    void explainSimulation(Stats& stats) const;
+    /// Pipeline::makeDrawer, for pictures and tiles.
+    void makePictureDrawer(Stats& stats);
+    [[nodiscard]] Diagnostics checkTiles() const;
+    void listFoundByName(Stats& stats) const;
+    /// Why nothing of the draw can be seen, or an empty text. Without `remarks` the diagnostics of its mesh
+    /// are reported later.
+    std::string outOfSight(const scene::Draw& draw, const scene::Pass& pass, Diagnostics* remarks);
+    [[nodiscard]] bool mayShowEarlierFrames();
+    /// Reads the tile that was drawn.
+    Diagnostics readTile(std::size_t index, image::Image& picture, Stats& stats);
 };
 
 }  // namespace glibra::render

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -11,22 +12,31 @@
 
 namespace glibra::render {
 
+namespace {
+
+/// The entry of that name, which is added if there is none.
+template <class Entry>
+Entry& entryOf(std::vector<Entry>& entries, std::string_view name) {
+    const auto found = std::ranges::find(entries, name, &Entry::name);
+    return found == entries.end() ? entries.emplace_back(Entry{std::string(name)}) : *found;
+}
+
+/// What was skipped, chosen or found, with why and the line.
+nlohmann::ordered_json reasonsOf(const auto& all) {
+    auto json = nlohmann::ordered_json::array();
+    for (const auto& each : all)
+        json.push_back({{"what", each.what}, {"why", each.why}, {"line", each.place.line}});
+    return json;
+}
+
+}  // namespace
+
 void Stats::addTime(std::string_view stage, double milliseconds) {
-    for (Stage& each : stages)
-        if (each.name == stage) {
-            each.milliseconds += milliseconds;
-            return;
-        }
-    stages.push_back({std::string(stage), milliseconds});
+    entryOf(stages, stage).milliseconds += milliseconds;
 }
 
 void Stats::add(std::string_view count, std::uint64_t value) {
-    for (Count& each : counts)
-        if (each.name == count) {
-            each.value += value;
-            return;
-        }
-    counts.push_back({std::string(count), value});
+    entryOf(counts, count).value += value;
 }
 
 void Stats::skip(std::string_view what, std::string why, const Place& place) {
@@ -51,20 +61,9 @@ std::string toJson(const Stats& stats, std::string_view scene, int width, int he
                                    {"milliseconds", each.milliseconds}});
     json["counts"] = nlohmann::ordered_json::object();
     for (const Stats::Count& each : stats.counts) json["counts"][each.name] = each.value;
-    json["skipped"] = nlohmann::ordered_json::array();
-    for (const plan::Skipped& each : stats.skipped)
-        json["skipped"].push_back({{"what", each.what}, {"why", each.why}, {"line", each.place.line}});
-    if (!stats.decisions.empty()) {
-        json["chosen"] = nlohmann::ordered_json::array();
-        for (const budget::Decision& each : stats.decisions)
-            json["chosen"].push_back({{"what", each.what}, {"why", each.why}, {"line", each.place.line}});
-    }
-    if (!stats.foundByName.empty()) {
-        json["foundByName"] = nlohmann::ordered_json::array();
-        for (const plan::Skipped& each : stats.foundByName)
-            json["foundByName"].push_back(
-                {{"what", each.what}, {"why", each.why}, {"line", each.place.line}});
-    }
+    json["skipped"] = reasonsOf(stats.skipped);
+    if (!stats.decisions.empty()) json["chosen"] = reasonsOf(stats.decisions);
+    if (!stats.foundByName.empty()) json["foundByName"] = reasonsOf(stats.foundByName);
     return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 

@@ -4,14 +4,12 @@
 
 #include <algorithm>
 #include <cctype>
-#include <functional>
 #include <optional>
 #include <span>
 #include <system_error>
 #include <utility>
 
 #include "base/text.h"
-#include "scene/near_files.h"
 
 namespace glibra::scene {
 namespace {
@@ -22,9 +20,6 @@ namespace fs = std::filesystem;
 constexpr std::size_t kLongestName = 4096;
 /// The most folder entries that one case-insensitive search visits.
 constexpr int kMostVisits = 10'000;
-/// Work (FolderListings::spend) for reading one entry of a folder, and for asking the system about a path.
-constexpr std::size_t kEntryWork = 1'000;
-constexpr std::size_t kPathWork = 5'000;
 /// How deep, and in how many folders, the library is searched for a name that its own folders do not have.
 constexpr int kDeepestFolder = 4;
 constexpr int kMostFolders = 200;
@@ -75,6 +70,11 @@ CleanName clean(std::string_view written) {
     return name;
 }
 
+bool isFolder(const fs::path& path) {
+    std::error_code failure;
+    return fs::is_directory(path, failure);
+}
+
 /// Finds the ordinary files below a folder whose paths equal `parts` except for case, in byte order.
 class CaselessSearch {
   public:
@@ -94,10 +94,9 @@ class CaselessSearch {
             return;
         }
         for (const std::string& name : listings_.namesWithoutCase(folder, part)) {
-            if (++visits_ > kMostVisits || !listings_.spend(kPathWork)) return;
+            if (++visits_ > kMostVisits || !listings_.spend(FolderListings::kPathWork)) return;
             const fs::path path = folder / name;
-            std::error_code failure;
-            if (!isLast && fs::is_directory(path, failure)) descend(path, parts, next + 1);
+            if (!isLast && isFolder(path)) descend(path, parts, next + 1);
             if (isLast && isOrdinaryFile(path)) found_.push_back(path);
         }
     }
@@ -125,9 +124,9 @@ class FolderSearch {
             reference_.content = std::move(source.content);
             return true;
         }
-        return !listings_.isSpent() &&
-               std::any_of(folders.begin(), folders.end(),
-                           [&](const fs::path& folder) { return findCaseless(folder, parts); });
+        return !listings_.isSpent() && std::ranges::any_of(folders, [&](const fs::path& folder) {
+            return findCaseless(folder, parts);
+        });
     }
 
   private:
@@ -159,11 +158,6 @@ class FolderSearch {
     FolderListings& listings_;
 };
 
-bool isFolder(const fs::path& path) {
-    std::error_code failure;
-    return fs::is_directory(path, failure);
-}
-
 /// Returns the nearest folder, from `folder` upwards, that contains `shaders` or `textures`. The search ends
 /// at `last`, if that is not empty.
 std::optional<fs::path> libraryAbove(const fs::path& folder, const fs::path& last) {
@@ -175,8 +169,7 @@ std::optional<fs::path> libraryAbove(const fs::path& folder, const fs::path& las
 
 void addRoot(SearchFolders& folders, const fs::path& root, const fs::path& sceneFolder) {
     const auto add = [&](const fs::path& folder) {
-        if (std::find(folders.library.begin(), folders.library.end(), folder) != folders.library.end())
-            return;
+        if (std::ranges::find(folders.library, folder) != folders.library.end()) return;
         folders.library.push_back(folder);
         folders.roots.push_back(root);
     };
@@ -200,7 +193,7 @@ class LibrarySearch {
     std::vector<std::string> find(const std::string& name) {
         for (std::size_t i = 0; i < folders_.library.size() && found_.size() < kMostPlaces; ++i) {
             // The folder of a topic is searched as a part of its root.
-            if (std::any_of(folders_.library.begin(), folders_.library.end(), [&](const fs::path& each) {
+            if (std::ranges::any_of(folders_.library, [&](const fs::path& each) {
                     const fs::path within = folders_.library[i].lexically_relative(each);
                     return !within.empty() && within != "." && *within.begin() != "..";
                 }))
@@ -215,7 +208,7 @@ class LibrarySearch {
     void search(const fs::path& folder, const std::string& name, int depth) {
         if (++visited_ > kMostFolders || listings_.isSpent()) return;
         for (const std::string& each : listings_.namesWithoutCase(folder, name)) {
-            if (found_.size() == kMostPlaces || !listings_.spend(kPathWork)) return;
+            if (found_.size() == kMostPlaces || !listings_.spend(FolderListings::kPathWork)) return;
             if (isOrdinaryFile(folder / each) && folders_.mayRead(folder / each))
                 found_.push_back((folder / each).lexically_relative(root_).string());
         }
@@ -223,7 +216,7 @@ class LibrarySearch {
         for (const std::string& each : listings_.names(folder)) {
             if (found_.size() == kMostPlaces) return;
             if (each.find('.') != std::string::npos) continue;  // no folder, or a hidden one
-            if (!listings_.spend(kPathWork)) return;
+            if (!listings_.spend(FolderListings::kPathWork)) return;
             std::error_code failure;
             if (fs::is_directory(fs::symlink_status(folder / each, failure)))
                 search(folder / each, name, depth + 1);
@@ -254,8 +247,8 @@ Diagnostic notFound(const CleanName& name, std::string_view written, const Searc
         std::erase_if(searched, [&](const fs::path& each) {
             const std::span names =
                 std::span(listings.names(each)).first(std::min(listings.names(each).size(), kSample));
-            return std::none_of(names.begin(), names.end(),
-                                [&](const std::string& one) { return folders.mayRead(each / one); });
+            return std::ranges::none_of(names,
+                                        [&](const std::string& one) { return folders.mayRead(each / one); });
         });
     std::string text = fmt::format("cannot find '{}'", written);
     const auto problem = [&](const std::string& suggestion) {
@@ -275,11 +268,6 @@ Diagnostic notFound(const CleanName& name, std::string_view written, const Searc
 
 }  // namespace
 
-bool isOrdinaryFile(const fs::path& path) {
-    std::error_code failure;
-    return fs::is_regular_file(path, failure);
-}
-
 MemoryFiles memoryFiles(const std::map<fs::path, std::string>& texts,
                         const std::shared_ptr<const FileReader>& reader) {
     if (texts.empty() && !reader) return {};
@@ -296,47 +284,6 @@ base::FileSource SearchFolders::sourceAt(const fs::path& path) const {
     if (inMemory)
         if (std::shared_ptr<const std::string> content = inMemory(path)) return {path, std::move(content)};
     return isOrdinaryFile(path) ? base::FileSource(path) : base::FileSource();
-}
-
-bool FolderListings::spend(std::size_t work) {
-    budget_ -= std::min(work, budget_);
-    return budget_ > 0;
-}
-
-FolderListings::Listing& FolderListings::listing(const fs::path& folder) {
-    const auto known = listings_.find(folder.string());
-    if (known != listings_.end()) return known->second;
-    if (!spend(kPathWork)) return nothing_;
-    Listing& listing = listings_[folder.string()];
-    std::error_code failure;
-    fs::directory_iterator each(folder.empty() ? fs::path(".") : folder, failure);
-    for (; !failure && each != fs::directory_iterator() && listing.names.size() < kLargestFolder;
-         each.increment(failure)) {
-        if (!spend(kEntryWork)) break;
-        listing.names.push_back(each->path().filename().string());
-    }
-    std::sort(listing.names.begin(), listing.names.end());
-    return listing;
-}
-
-const std::vector<std::string>& FolderListings::names(const fs::path& folder) {
-    return listing(folder).names;
-}
-
-std::vector<std::string> FolderListings::namesWithoutCase(const fs::path& folder, std::string_view name) {
-    Listing& found = listing(folder);
-    if (found.byLowerCase.size() != found.names.size()) {
-        for (std::size_t i = 0; i < found.names.size(); ++i)
-            found.byLowerCase.emplace_back(base::lower(found.names[i]), i);
-        std::sort(found.byLowerCase.begin(), found.byLowerCase.end());
-    }
-    const std::string lower = base::lower(name);
-    std::vector<std::string> names;
-    for (auto each = std::lower_bound(found.byLowerCase.begin(), found.byLowerCase.end(),
-                                      std::pair(lower, std::size_t{0}));
-         each != found.byLowerCase.end() && each->first == lower; ++each)
-        names.push_back(found.names[each->second]);
-    return names;
 }
 
 base::Roots shownRoots(const SearchFolders& folders) {

@@ -3,52 +3,37 @@
 // devices count as missing, and so does a file in a folder that cannot be read. No file is opened, and no
 // function throws.
 
+#include <glibra/render.h>
+
 #include <filesystem>
+#include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "base/contained.h"
 #include "base/file_source.h"
-#include "scene/interpret.h"
-#include "scene/scene.h"
+#include "scene/folder_listings.h"
+#include "scene/objects.h"
 
 namespace glibra::scene {
 
-/// A cache of folder listings, with a budget of work. Use one for all look-ups of a scene: a scene of
-/// somebody else may name so many files that comparing their names with those of large folders would take
-/// minutes.
-class FolderListings {
-  public:
-    /// The names in the folder ("" is the current one) in byte order, kLargestFolder at most; none if it
-    /// cannot be read or the budget is spent.
-    const std::vector<std::string>& names(const std::filesystem::path& folder);
-    /// Those names that equal `name` except for case, in byte order.
-    std::vector<std::string> namesWithoutCase(const std::filesystem::path& folder, std::string_view name);
+/// The content of a file that the calling program has in memory, or null. May be empty.
+using MemoryFiles = std::function<std::shared_ptr<const std::string>(const std::filesystem::path& path)>;
 
-    /// Takes units of work from the budget, about a nanosecond each. False once it is spent.
-    bool spend(std::size_t work);
-    [[nodiscard]] bool isSpent() const { return budget_ == 0; }
-    /// True at the first call after the budget was spent, for one message about it.
-    bool reportsSpent() { return isSpent() && !std::exchange(reported_, true); }
+/// Both together: what `reader` has, else what `texts` has. `reader` may be null.
+MemoryFiles memoryFiles(const std::map<std::filesystem::path, std::string>& texts,
+                        const std::shared_ptr<const FileReader>& reader);
 
-    static constexpr std::size_t kLargestFolder = 65'536;
-    static constexpr std::size_t kBudget = 500'000'000;
-
-  private:
-    struct Listing {
-        std::vector<std::string> names;
-        std::vector<std::pair<std::string, std::size_t>> byLowerCase;  ///< sorted; the index is in `names`
-    };
-    Listing& listing(const std::filesystem::path& folder);
-
-    std::map<std::string, Listing> listings_;
-    Listing nothing_;
-    std::size_t budget_ = kBudget;
-    bool reported_ = false;
+/// Folders that are searched after the scene's own (language, 8.6): normally those in GLIBRA_PATH.
+struct InterpretOptions {
+    std::vector<std::filesystem::path> libraryRoots;
+    /// If it is not empty, only files below this folder and below the library folders are found.
+    std::filesystem::path within{};
+    MemoryFiles inMemory{};  ///< these files need not exist, and may lie outside of `within`
 };
 
 /// The folders that names are relative to, in the order of the search.
@@ -93,8 +78,5 @@ FileReference findFile(std::string_view name, const Place& place, const SearchFo
 /// Looks up a file for #include: like findFile, but first beside the including file.
 FileReference findInclude(std::string_view name, std::string_view includingPath, std::string_view scenePath,
                           const InterpretOptions& options, FolderListings& listings);
-
-/// True if the path leads to an ordinary file. Links are followed.
-bool isOrdinaryFile(const std::filesystem::path& path);
 
 }  // namespace glibra::scene

@@ -3,58 +3,29 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <exception>
 #include <utility>
 #include <vector>
 
-#include "glib/arguments.h"
-#include "glib/command_table.h"
 #include "glib/message_log.h"
-#include "glib/number.h"
-#include "scene/modern/evaluate.h"
-#include "scene/modern/scope.h"
-#include "scene/state.h"
+#include "glib/modern/statement_table.h"
+#include "scene/actions.h"
+#include "scene/classic/classic.h"
+#include "scene/modern/modern.h"
+#include "scene/run/camera_use.h"
+#include "scene/run/scope.h"
+#include "scene/run/statements.h"
+#include "scene/run/uniforms.h"
 
 namespace glibra::scene {
 namespace {
 
-using glib::CommandId;
-
-/// A classic command with expressions among its arguments, with their values of this moment; nothing if one
-/// has none.
-std::optional<glib::Command> evaluated(Interpreter& in, const glib::Command& command) {
-    std::vector<glib::EvaluatedNumber> numbers;
-    for (const glib::Value& each : command.values) {
-        const auto values = numbersOf(in, {&each, 1});
-        if (!values) return std::nullopt;
-        const bool isLiteral = each.kind != glib::Value::Kind::expression;
-        for (const double value : *values) numbers.push_back({value, each.position, isLiteral});
-    }
-    glib::Command result = command;
-    result.isEvaluatedLater = false;
-    glib::MessageLog log(in.script->path);
-    glib::evaluateNumbers(*glib::findCommand(glib::nameOf(command.id)), result, numbers, log);
-    const bool isFaulty = log.errorCount() > 0;
-    for (Diagnostic& each : log.take()) in.report(std::move(each));
-    return isFaulty ? std::nullopt : std::optional(std::move(result));
-}
-
-/// Remembers the name that a faulty statement would have declared.
-void noteLost(Interpreter& in, const glib::Command& command) {
-    const glib::StatementRow* row = command.isModern ? glib::statementOf(command.id) : nullptr;
-    if (row == nullptr || !row->declaresName || command.values.empty()) return;
-    const glib::Value& name = command.values.front();
-    in.modern.lostNames.insert(name.path.empty() ? name.text : name.path.front().name);
-}
-
 /// Reports draw-N04 for the programs after the last statement that draws.
 void reportIdlePrograms(Interpreter& in) {
-    const std::vector<glib::Command>& commands = in.script->commands;
-    const auto last = std::find_if(commands.rbegin(), commands.rend(), [](const glib::Command& each) {
-        const CommandAction* action = actionOf(each.id);
+    const std::vector<Command>& commands = in.script->commands;
+    const auto last = std::find_if(commands.rbegin(), commands.rend(), [&](const Command& each) {
+        const CommandAction* action = actionOf(in.actions, each.id);
         return each.id == CommandId::include || (action != nullptr && action->draws);
     });
     if (last == commands.rend()) return;
@@ -68,7 +39,7 @@ void reportIdlePrograms(Interpreter& in) {
 
 /// The statement of a stage that no Program has taken yet.
 struct PendingStage {
-    const glib::Command* command;
+    const Command* command;
     std::string file;  ///< empty: a shader in the script
 };
 
@@ -88,9 +59,9 @@ std::string listOfStages(const std::vector<PendingStage>& stages) {
 void reportStagesWithoutProgram(Interpreter& in) {
     std::map<CommandId, PendingStage> pending;
     std::vector<PendingStage> lost;
-    const auto report = [&](const glib::Command* before) {
+    const auto report = [&](const Command* before) {
         if (lost.empty()) return;
-        std::sort(lost.begin(), lost.end(), [](const PendingStage& a, const PendingStage& b) {
+        std::ranges::sort(lost, [](const PendingStage& a, const PendingStage& b) {
             return a.command->position.line < b.command->position.line;
         });
         in.reportAt(
@@ -103,8 +74,8 @@ void reportStagesWithoutProgram(Interpreter& in) {
                 before != nullptr ? fmt::format(", before line {}", before->position.line) : std::string()));
         lost.clear();
     };
-    const glib::Command* replacing = nullptr;  // the first of `lost`
-    for (const glib::Command& each : in.script->commands) {
+    const Command* replacing = nullptr;  // the first of `lost`
+    for (const Command& each : in.script->commands) {
         switch (each.id) {
             case CommandId::vertex:
             case CommandId::tessControl:
@@ -141,96 +112,7 @@ void reportStagesWithoutProgram(Interpreter& in) {
     report(nullptr);
 }
 
-/// All actions by CommandId. The element of a command without an action has no handler.
-std::vector<CommandAction> allActions() {
-    std::vector<CommandAction> all(static_cast<std::size_t>(CommandId::firstPrimitive));
-    for (const auto& some :
-         {viewActions(), drawActions(), listActions(), passActions(), textureActions(), programActions()})
-        for (const CommandAction& each : some) all.at(static_cast<std::size_t>(each.id)) = each;
-    for (const auto& some :
-         {structureActions(), variableActions(), tagActions(), lightActions(), cameraActions(),
-          objectActions(), targetActions(), stateActions(), vertexActions(), bufferActions(), meshActions(),
-          blockActions(), keyActions(), checkActions()})
-        for (CommandAction each : some) {
-            each.isModern = true;
-            all.at(static_cast<std::size_t>(each.id)) = each;
-        }
-    return all;
-}
-
 }  // namespace
-
-const CommandAction* actionOf(CommandId command) {
-    static const std::vector<CommandAction> kActions = allActions();
-    static constexpr CommandAction kPrimitive{.handler = doPrimitive, .draws = true};
-    const auto index = static_cast<std::size_t>(command);
-    if (index < kActions.size()) return kActions[index].handler != nullptr ? &kActions[index] : nullptr;
-    return glib::primitiveOf(command) != nullptr ? &kPrimitive : nullptr;
-}
-
-void execute(Interpreter& in, const glib::Command& command) {
-    const CommandAction* known = actionOf(command.id);
-    if (known == nullptr) return;
-    // The handlers of modern statements rely on what the parser has checked.
-    if (known->isModern && !command.isModern) return;
-    if (command.isEvaluatedLater) {
-        if (const auto now = evaluated(in, command)) execute(in, *now);
-        return;
-    }
-    const CommandAction& action = *known;
-    if (in.list && action.inList == InList::isWrong) {
-        in.reportAt(command, "glib-E07",
-                    fmt::format("{} is not allowed inside glBegin ... glEnd", command.word));
-        return;
-    }
-    if (in.list && action.inList == InList::goesFirst)
-        in.reportAt(command, "glib-W32",
-                    fmt::format("{} is inside glBegin ... glEnd; it {} before the list", command.word,
-                                action.draws ? "is drawn" : "takes effect"));
-    if (action.inList != InList::isPart) in.isOrphan = false;
-    if (in.scene.verbose && !action.draws)
-        in.report(diagnose("glib-N02", textOf(command), in.place(command)));
-    const std::size_t problems = in.problems;
-    action.handler(in, command);
-    if (in.problems > problems) noteLost(in, command);
-}
-
-std::string textOf(const glib::Command& command) {
-    std::string text = command.word;
-    const std::size_t shown = std::min(command.numbers.size(), std::size_t{16});
-    for (std::size_t i = 0; i < shown; ++i) text += " " + glib::numberText(command.numbers[i]);
-    if (!command.text.empty()) text += fmt::format(" '{}'", command.text);
-    for (const std::string& file : command.files) text += fmt::format(" '{}'", file);
-    return text;
-}
-
-FileIndex fileOf(Interpreter& in, const std::string& name, const Place& place) {
-    return fileNamed(in, name, [&] { return findFile(name, place, in.folders, in.listings); });
-}
-
-FileIndex fileNamed(Interpreter& in, const std::string& key, const std::function<FileReference()>& make) {
-    FileIndex& index = in.shared->files.indices[key];
-    if (index) return index;
-    in.shared->files.all.push_back(make());
-    return index = in.scene.files.add(in.shared->files.all.back());
-}
-
-double windowAspect(const Interpreter& in) {
-    const int width = in.inputs.width > 0 ? in.inputs.width : in.scene.width;
-    const int height = in.inputs.height > 0 ? in.inputs.height : in.scene.height;
-    return static_cast<double>(width) / height;
-}
-
-void setTime(Interpreter& in) {
-    Environment& names = in.shared->environment;
-    names.setNumber("time", in.inputs.time);
-    names.setNumber("dt", 1 / in.shared->frameRate);
-    names.setNumber("frame", std::floor(in.inputs.time * in.shared->frameRate));
-    const std::array mouse{in.inputs.mouseX, in.inputs.mouseY};
-    names.set("mouse", mouse);
-    names.setNumber("mouse.down", in.inputs.isMouseDown ? 1 : 0);
-    names.forget("tick", "only Step counts ticks");
-}
 
 struct Interpretation::State {
     glib::Script script;
@@ -250,20 +132,20 @@ constexpr double kFramesPerSecond = 60;
 
 /// Notes what messages about programs mention.
 void noteNames(Scene& scene, const glib::Script& script) {
-    for (const glib::Command& each : script.commands) {
+    for (const Command& each : script.commands) {
         if (each.id == CommandId::vertex || each.id == CommandId::fragment)
             scene.hasStages = scene.hasStages || each.isModern || !each.text.empty();
         if (each.id == CommandId::group)
-            for (const glib::KeyedValues& parameter : each.tags) scene.localNames.insert(parameter.key);
+            for (const KeyedValues& parameter : each.tags) scene.localNames.insert(parameter.key);
         if (each.id != CommandId::repeat) continue;
-        const glib::KeyedValues* as = each.key("as");
+        const KeyedValues* as = each.key("as");
         scene.localNames.insert(as != nullptr ? as->values.front().text : "i");
     }
 }
 
 /// The values of the names that every scene has.
 void setInputs(Interpreter& in) {
-    Environment& names = in.shared->environment;
+    Environment& names = in.names();
     names.beginFrame();
     in.shared->frameRate = kFramesPerSecond;
     setTime(in);
@@ -274,7 +156,7 @@ void setInputs(Interpreter& in) {
 /// Adds what an earlier run of the same frame has reported, and this one has not.
 void addMissing(Diagnostics& diagnostics, Diagnostics earlier) {
     const auto isKnown = [&](const Diagnostic& each) {
-        return std::any_of(diagnostics.begin(), diagnostics.end(), [&](const Diagnostic& other) {
+        return std::ranges::any_of(diagnostics, [&](const Diagnostic& other) {
             return other.id == each.id && other.text == each.text && other.place == each.place;
         });
     };
@@ -288,6 +170,7 @@ void addMissing(Diagnostics& diagnostics, Diagnostics earlier) {
 Scene Interpretation::State::run(const FrameInputs& inputs) {
     Interpreter in{.script = &script,
                    .shared = &shared,
+                   .actions = allActions(),
                    .inputs = inputs,
                    .log = glib::MessageLog(script.path),
                    .folders = folders};
@@ -296,10 +179,9 @@ Scene Interpretation::State::run(const FrameInputs& inputs) {
     in.scene.files = shared.files.all;  // the indices of files are those of earlier frames
     in.scene.path = script.path;
     in.scene.isModern = script.isModern;
-    in.scene.verbose =
-        std::any_of(script.commands.begin(), script.commands.end(),
-                    [](const glib::Command& command) { return command.id == CommandId::verbose; });
-    for (const glib::Command& each : script.withoutFile)
+    in.scene.verbose = std::ranges::any_of(
+        script.commands, [](const Command& command) { return command.id == CommandId::verbose; });
+    for (const Command& each : script.withoutFile)
         in.scene.missingFiles.push_back(
             {std::string(glib::nameOf(each.id)), script.place(each.position), false});
     noteNames(in.scene, script);

@@ -14,6 +14,7 @@
 #include "geometry/obj/shapefile.h"
 #include "geometry/shapes/primitive.h"
 #include "glib/command_table.h"
+#include "glib/modern/statement_table.h"
 #include "glib/number.h"
 #include "image/file.h"
 #include "scene/file_lookup.h"
@@ -78,12 +79,11 @@ Result<Mesh> readModel(const Shape& shape, const FileReference& file, const std:
     append(diagnostics, std::move(mesh.diagnostics));
     if (!mesh) return diagnostics;
     if (mesh->vertexCount() > kMostCommandVertices) {
-        diagnostics.push_back(
-            diagnose("glib-E15",
-                     fmt::format("{} '{}' needs {} vertices; the limit is {}", glib::nameOf(shape.command),
-                                 file.name, glib::groupedText(static_cast<long long>(mesh->vertexCount())),
-                                 glib::groupedText(static_cast<long long>(kMostCommandVertices))),
-                     file.place));
+        diagnostics.push_back(diagnose(
+            "glib-E15",
+            fmt::format("{} '{}' needs {} vertices; the limit is {}", glib::nameOf(shape.command), file.name,
+                        glib::groupedText(mesh->vertexCount()), glib::groupedText(kMostCommandVertices)),
+            file.place));
         return diagnostics;
     }
     mesh.diagnostics = std::move(diagnostics);

@@ -94,18 +94,16 @@ std::vector<ShaderName> shaderNames() {
     std::vector<ShaderName> all;
     for (const glsl::BuiltinUniform& row : glsl::builtinUniforms()) {
         const std::string_view meaning = meaningOf(row.value);
-        const auto same = std::find_if(all.begin(), all.end(), [&](const ShaderName& each) {
-            return each.meaning == meaning && each.type == row.type;
-        });
+        const auto same = std::ranges::find_if(
+            all, [&](const ShaderName& each) { return each.meaning == meaning && each.type == row.type; });
         if (same == all.end())
             all.push_back({{writtenUniform(row)}, row.type, false, {}, std::string(meaning)});
         else
             same->names.push_back(writtenUniform(row));
     }
     for (const glsl::BuiltinInput& row : glsl::builtinInputs()) {
-        const auto same = std::find_if(all.begin(), all.end(), [&](const ShaderName& each) {
-            return each.isInput && each.attribute == row.attribute;
-        });
+        const auto same = std::ranges::find_if(
+            all, [&](const ShaderName& each) { return each.isInput && each.attribute == row.attribute; });
         if (same != all.end()) {
             same->names.push_back(written(row.name));
             continue;

@@ -93,7 +93,7 @@ Result<ObjectView> objectNamed(const Scene& scene, std::string_view text) {
     const std::string_view name = text.substr(0, text.find('.'));
     const std::string_view part = text.substr(name.size());
     std::vector<std::string_view> names = namesOfTextures(scene);
-    const bool isTexture = std::find(names.begin(), names.end(), name) != names.end();
+    const bool isTexture = std::ranges::find(names, name) != names.end();
     for (const BufferIndex each : scene.buffers.indices()) {
         const Buffer& buffer = scene.buffers[each];
         if (buffer.name == text) return ObjectView(BufferView{each});  // of a mesh: "teapot.position"

@@ -55,8 +55,7 @@ std::optional<Beginning> beginningOf(const base::FileSource& source) {
     file->read(read.data(), read.size());
     beginning.count = static_cast<std::size_t>(std::max<std::streamsize>(file->gcount(), 0));
     if (failure || beginning.count == 0) return std::nullopt;
-    std::transform(read.begin(), read.end(), beginning.bytes.begin(),
-                   [](char c) { return static_cast<std::byte>(c); });
+    std::ranges::transform(read, beginning.bytes.begin(), [](char c) { return static_cast<std::byte>(c); });
     return beginning;
 }
 

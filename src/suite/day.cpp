@@ -7,14 +7,6 @@
 #include <chrono>
 
 namespace glibra::suite {
-namespace {
-
-std::string textOf(const std::chrono::year_month_day& day) {
-    return fmt::format("{:04}-{:02}-{:02}", static_cast<int>(day.year()), static_cast<unsigned>(day.month()),
-                       static_cast<unsigned>(day.day()));
-}
-
-}  // namespace
 
 bool isDay(std::string_view text) {
     constexpr std::string_view kForm = "0000-00-00";
@@ -33,7 +25,10 @@ bool isDay(std::string_view text) {
 }
 
 std::string today() {
-    return textOf(std::chrono::floor<std::chrono::days>(std::chrono::system_clock::now()));
+    const std::chrono::year_month_day day =
+        std::chrono::floor<std::chrono::days>(std::chrono::system_clock::now());
+    return fmt::format("{:04}-{:02}-{:02}", static_cast<int>(day.year()), static_cast<unsigned>(day.month()),
+                       static_cast<unsigned>(day.day()));
 }
 
 }  // namespace glibra::suite

@@ -4,10 +4,14 @@
 #include <glibra/diagnostic.h>
 #include <glibra/render.h>
 
+#include <algorithm>
+#include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "image/compare/judge.h"
@@ -68,6 +72,18 @@ struct Suite {
     std::filesystem::path file;     ///< the TOML file, or the folder of .glib files
     std::filesystem::path goldens;  ///< folder of the golden pictures
     std::vector<Shot> shots;        ///< in the order of the file; sweeps in the order of their values
+
+    /// The shot of that name, or null.
+    [[nodiscard]] const Shot* find(std::string_view shot) const {
+        const auto found = std::ranges::find(shots, shot, &Shot::name);
+        return found == shots.end() ? nullptr : &*found;
+    }
+};
+
+/// A shot of a list of suites.
+struct ShotReference {
+    std::size_t suite = 0, shot = 0;
+    friend auto operator<=>(const ShotReference&, const ShotReference&) = default;
 };
 
 }  // namespace glibra::suite

@@ -1,5 +1,3 @@
-#include "bench/subjects/antialiasing.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,6 +9,7 @@
 #include "bench/draw/patterns.h"
 #include "bench/reference/coverage.h"
 #include "bench/reference/pixel_filter.h"
+#include "bench/subjects/subjects.h"
 
 namespace glibra::bench {
 namespace {

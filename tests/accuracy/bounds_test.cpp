@@ -1,9 +1,8 @@
 // --max-error on scenes of the library with Bound.
 
-#include "bench/subjects/bounds.h"
-
 #include <gtest/gtest.h>
 
+#include "bench/subjects/subjects.h"
 #include "samples.h"
 
 namespace glibra::bench::test {

@@ -1,7 +1,5 @@
 // Claims about speed: what a verdict says, and that both ways of each claim do the same work.
 
-#include "bench/subjects/claims.h"
-
 #include <gtest/gtest.h>
 
 #include <set>
@@ -9,6 +7,7 @@
 
 #include "bench/core/paired.h"
 #include "bench/subjects/claim.h"
+#include "bench/subjects/subjects.h"
 #include "samples.h"
 
 namespace glibra::bench::test {

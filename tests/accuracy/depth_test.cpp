@@ -1,5 +1,3 @@
-#include "bench/subjects/depth.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,6 +5,7 @@
 #include "bench/core/fit.h"
 #include "bench/draw/depth_target.h"
 #include "bench/reference/depth_kinds.h"
+#include "bench/subjects/subjects.h"
 
 namespace glibra::bench {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "bench/subjects/budget.h"
+#include "bench/subjects/displacement.h"
 
 namespace glibra::bench {
 namespace {

@@ -1,5 +1,3 @@
-#include "bench/subjects/filters.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include "bench/core/bench.h"
 #include "bench/draw/filter_passes.h"
 #include "bench/reference/filter_reference.h"
+#include "bench/subjects/subjects.h"
 
 namespace glibra::bench {
 namespace {

@@ -1,5 +1,3 @@
-#include "bench/subjects/minification.h"
-
 #include <gtest/gtest.h>
 
 #include <numeric>
@@ -7,6 +5,7 @@
 
 #include "bench/core/fit.h"
 #include "bench/reference/test_card.h"
+#include "bench/subjects/subjects.h"
 
 namespace glibra::bench {
 namespace {

@@ -1,5 +1,3 @@
-#include "bench/subjects/noise_textures.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,6 +8,7 @@
 #include "bench/draw/byte_filter.h"
 #include "bench/draw/noise_shaders.h"
 #include "bench/draw/noise_volume.h"
+#include "bench/subjects/subjects.h"
 
 namespace glibra::bench {
 namespace {

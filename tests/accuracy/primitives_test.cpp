@@ -1,7 +1,5 @@
 // Primitives: known orders of convergence, and references compared with each other.
 
-#include "bench/subjects/primitives.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,6 +9,7 @@
 #include "bench/core/fit.h"
 #include "bench/reference/bezier_surface.h"
 #include "bench/reference/solids.h"
+#include "bench/subjects/subjects.h"
 #include "geometry/shapes/box.h"
 #include "geometry/shapes/sphere.h"
 #include "geometry/shapes/teapot.h"

@@ -8,10 +8,7 @@
 #include "bench/core/exact.h"
 #include "bench/core/fit.h"
 #include "bench/draw/shader_values.h"
-#include "bench/subjects/curves.h"
-#include "bench/subjects/fractals.h"
-#include "bench/subjects/ray_sphere.h"
-#include "bench/subjects/transforms.h"
+#include "bench/subjects/subjects.h"
 #include "samples.h"
 
 namespace glibra::bench::test {
@@ -95,7 +92,6 @@ TEST(ShaderValues, ComeBackInTheirOrder) {
     const Result<ShaderValues> shader = ShaderValues::create(
         bench, "vec4 value() { return vec4(given(0).x, given(1).x, given(0).w, 7.); }", inputs, 2);
     ASSERT_TRUE(shader) << toString(shader.diagnostics.front());
-    shader->compute();
     const Result<std::vector<Four>> values = shader->values();
     ASSERT_TRUE(values);
     ASSERT_EQ(values->size(), 300U);

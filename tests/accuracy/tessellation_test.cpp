@@ -1,5 +1,3 @@
-#include "bench/subjects/tessellation.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include "bench/core/fit.h"
 #include "bench/draw/tessellator.h"
 #include "bench/reference/pn_triangle.h"
+#include "bench/subjects/subjects.h"
 
 namespace glibra::bench {
 namespace {

@@ -1,5 +1,3 @@
-#include "bench/subjects/volume.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 
 #include "bench/core/fit.h"
 #include "bench/reference/volume_field.h"
+#include "bench/subjects/subjects.h"
 
 namespace glibra::bench {
 namespace {

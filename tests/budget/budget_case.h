@@ -9,6 +9,7 @@
 
 #include "budget/budget.h"
 #include "glib/script.h"
+#include "plan/planner.h"
 #include "scene/interpret.h"
 #include "scene/view.h"
 

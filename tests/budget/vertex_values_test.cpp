@@ -1,6 +1,7 @@
 // Counts for values that programs compute at vertices, with pictures of known error instead of drawn ones.
 
 #include "budget/vertex_values.h"
+#include "budget/pixel_text.h"
 #include "glib/command_table.h"
 
 #include <gtest/gtest.h>
@@ -119,7 +120,8 @@ TEST(VertexValues, StatedCountsAreToldAndKept) {
     EXPECT_EQ(found->numbers[0][1], 36);
     EXPECT_FALSE(found->programs[0].error.isKept);
     EXPECT_NEAR(found->programs[0].error.colored, 1, .05);
-    EXPECT_NE(vertexText(found->programs[0].error).find("of 1000 pixels have another colour"),
+    EXPECT_NE(changeText(found->programs[0].error.pixels, found->programs[0].error.colored)
+                  .find("of 1000 pixels have another colour"),
               std::string::npos);
 }
 

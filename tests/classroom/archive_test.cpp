@@ -70,7 +70,7 @@ TEST_F(ArchiveTest, NothingComesOutBesideTheFolder) {
     std::vector<std::string> all;
     for (const fs::directory_entry& each : fs::recursive_directory_iterator(made / "below"))
         if (!each.is_directory()) all.push_back(each.path().lexically_relative(to).string());
-    std::sort(all.begin(), all.end());
+    std::ranges::sort(all);
     EXPECT_EQ(all, (std::vector<std::string>{"good.glib", "link/in.txt"}));
     EXPECT_FALSE(fs::exists(made / "out.txt"));
 }

@@ -242,7 +242,7 @@ TEST(Similarity, AFileIsNoCopyOfItselfButOneOfEveryOther) {
         {"ana.frag"}, {"bob.frag"}, {"ana.frag", "bob.frag"}, {"ana.frag", "own.frag"}, {"ana.frag"}};
     std::vector<std::pair<std::size_t, std::size_t>> found;
     for (const SimilarPair& each : similarPairs(prints, files)) found.emplace_back(each.a, each.b);
-    std::sort(found.begin(), found.end());
+    std::ranges::sort(found);
     // Only 0 and 4 have nothing but one and the same file.
     EXPECT_EQ(found, (std::vector<std::pair<std::size_t, std::size_t>>{
                          {0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {1, 4}, {2, 3}, {2, 4}, {3, 4}}));

@@ -29,8 +29,8 @@ TEST(FormatCommand, FormatsInPlaceAndChecks) {
     EXPECT_EQ(readFile(folder / "a.glib"), "Group\n    Sphere\nEndGroup\n");
     EXPECT_EQ(glibra(folder.path(), "format --check .").status, 0);
     folder.write("input", " box 1");
-    EXPECT_EQ(shell(folder.path(), "(cat input | " GLIBRA_PROGRAM " format --stdin)").out, "Box 1\n");
-    EXPECT_EQ(shell(folder.path(), "(cat input | " GLIBRA_PROGRAM " format - --check)").status, 1);
+    EXPECT_EQ(shell(folder.path(), "(cat input | '" GLIBRA_PROGRAM "' format --stdin)").out, "Box 1\n");
+    EXPECT_EQ(shell(folder.path(), "(cat input | '" GLIBRA_PROGRAM "' format - --check)").status, 1);
     EXPECT_EQ(glibra(folder.path(), "format no.glib").status, 3);
     EXPECT_EQ(glibra(folder.path(), "format").status, 2);
 }
@@ -69,7 +69,7 @@ Finished converse(const Folder& folder, const std::string& script) {
                  "        length = int(line.split(b':')[1])\n"
                  "    return json.loads(process.stdout.read(length))\n" +
                      script);
-    return shell(folder.path(), "timeout 60 python3 converse.py " GLIBRA_PROGRAM);
+    return shell(folder.path(), "timeout 60 python3 converse.py '" GLIBRA_PROGRAM "'");
 }
 
 TEST(LanguageServerCommand, SpeaksAndEndsAsTheProtocolSays) {
@@ -93,6 +93,15 @@ sys.exit(process.wait())
     EXPECT_EQ(whole.status, 0) << whole.err;
     EXPECT_EQ(converse(folder, "process.stdin.close()\nsys.exit(process.wait())\n").status, 1);
     EXPECT_EQ(converse(folder, "send('exit')\nsys.exit(process.wait())\n").status, 1);
+}
+
+TEST(LanguageServerCommand, SaysWhyItEndsAfterAnAbsurdLength) {
+    const Folder folder;
+    const Finished ended =
+        converse(folder, "raw(b'Content-Length: 99999999999\\r\\n\\r\\n{}')\nsys.exit(process.wait())\n");
+    EXPECT_EQ(ended.status, 1);
+    EXPECT_PRED2(contains, ended.err,
+                 "glibra: error: the client states a message of more than 67108864 bytes");
 }
 
 TEST(LanguageServerCommand, SaysWhatCheckSays) {
@@ -172,7 +181,7 @@ assert kind('Translate (sin(time))', 16) == 'variable.language.glib'
 assert kind('Spheres', 2) == ''
 assert kind('Fragment inline', 10) == 'storage.modifier.glib'
 )");
-    const Finished tested = shell(folder.path(), "python3 test.py " GLIBRA_PROGRAM);
+    const Finished tested = shell(folder.path(), "python3 test.py '" GLIBRA_PROGRAM "'");
     EXPECT_EQ(tested.status, 0) << tested.err;
 }
 
@@ -306,7 +315,8 @@ vim.fn.writefile(vim.split(table.concat(log, '\n'), '\n'), 'out.txt')
 vim.cmd('qall!')
 )LUA");
     const Finished ran =
-        shell(folder.path(), "GLIBRA=" GLIBRA_PROGRAM
+        shell(folder.path(), "GLIBRA='" GLIBRA_PROGRAM
+                             "'"
                              " HOME=$PWD timeout 60 nvim --headless -i NONE -u NONE -n -c 'luafile test.lua' "
                              "-c 'cquit' < /dev/null");
     const std::string out = readFile(folder / "out.txt");

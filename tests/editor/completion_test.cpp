@@ -24,8 +24,7 @@ std::vector<Completion> at(std::string text, const CodeContext& context = {}) {
 }
 
 const Completion* find(const std::vector<Completion>& all, std::string_view word) {
-    const auto found =
-        std::find_if(all.begin(), all.end(), [&](const Completion& each) { return each.word == word; });
+    const auto found = std::ranges::find(all, word, &Completion::word);
     return found == all.end() ? nullptr : &*found;
 }
 
@@ -165,7 +164,7 @@ TEST(GlslTable, HasEveryNameOnceWithItsOwnSignature) {
         EXPECT_LT(each.since, each.until) << each.name;
         EXPECT_FALSE(each.summary.empty()) << each.name;
     }
-    std::sort(names.begin(), names.end());
+    std::ranges::sort(names);
     EXPECT_EQ(std::adjacent_find(names.begin(), names.end()), names.end());
 }
 

@@ -17,7 +17,7 @@ inline std::vector<std::filesystem::path> exampleScenes() {
         for (const auto& each :
              std::filesystem::recursive_directory_iterator(std::filesystem::path(GLIBRA_SOURCE_DIR) / folder))
             if (each.path().extension() == ".glib") scenes.push_back(each.path());
-    std::sort(scenes.begin(), scenes.end());
+    std::ranges::sort(scenes);
     return scenes;
 }
 

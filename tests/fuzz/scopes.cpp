@@ -18,8 +18,8 @@
 #include <vector>
 
 #include "check.h"
+#include "scene/conditions.h"
 #include "scene/interpret.h"
-#include "scene/modern/conditions.h"
 #include "scope_programs.h"
 
 namespace {

@@ -8,7 +8,7 @@
 
 #include "check.h"
 #include "glib/number.h"
-#include "plan/uniforms.h"
+#include "plan/overrides.h"
 #include "scratch_folder.h"
 #include "suite/file/shard.h"
 #include "suite/file/suite_file.h"

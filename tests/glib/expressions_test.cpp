@@ -5,11 +5,11 @@
 
 #include <string>
 
-#include "glib/arguments.h"
 #include "glib/command_table.h"
 #include "glib/message_log.h"
 #include "glib/number.h"
 #include "glib/parentheses.h"
+#include "glib/parse/arguments.h"
 #include "scene.h"
 
 namespace glibra::glib::test {

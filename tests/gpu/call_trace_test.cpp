@@ -13,16 +13,16 @@ namespace {
 class CallTraceTest : public test::GpuTest {};
 
 TEST_F(CallTraceTest, ListsCallsWithArgumentsUnderTheirPlaces) {
-    DebugLog log;
+    WorkPlaces places;
     const CallCounter counter;
-    const CallTrace trace(log);
+    const CallTrace trace(places);
     glEnable(GL_DEPTH_TEST);
-    log.setPlace({"scene.glib", 3, 1});
+    places.set({"scene.glib", 3, 1});
     glActiveTexture(GL_TEXTURE0 + 2);
     glViewport(0, 1, 20, 30);
     glViewport(0, 1, 20, 30);
     glPolygonOffset(.5F, -2);
-    log.setPlace({"scene.glib", 7, 1});
+    places.set({"scene.glib", 7, 1});
     const std::array<float, 4> color{};
     glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, color.data());
     glDepthMask(GL_FALSE);
@@ -37,10 +37,10 @@ TEST_F(CallTraceTest, ListsCallsWithArgumentsUnderTheirPlaces) {
 }
 
 TEST_F(CallTraceTest, ListsNothingAfterItsEnd) {
-    const DebugLog log;
+    const WorkPlaces places;
     const CallCounter counter;
     {
-        const CallTrace trace(log);
+        const CallTrace trace(places);
         EXPECT_EQ(activeTrace(), &trace);
     }
     EXPECT_EQ(activeTrace(), nullptr);

@@ -52,9 +52,8 @@ TEST_F(DebugTest, AShaderThatDoesNotCompileIsNoErrorOfOurs) {
 TEST(DebugLog, KeepsABoundedNumberOfMessages) {
     DebugLog log;
     for (std::size_t i = 0; i < DebugLog::kMost + 5; ++i) log.add({.severity = Severity::warning});
-    EXPECT_EQ(log.dropped(), 5U);
     EXPECT_EQ(log.take().size(), DebugLog::kMost);
-    EXPECT_EQ(log.dropped(), 0U);
+    EXPECT_TRUE(log.take().empty());
 }
 
 TEST(DebugLog, OnlyErrorsBecomeDiagnostics) {

@@ -39,11 +39,11 @@ class ResetTest : public GpuTest {
         toldStatus = GL_NO_ERROR;
         own_ = glad_glGetGraphicsResetStatus;
         glad_glGetGraphicsResetStatus = tellStatus;
-        watchDevice(context().debugLog());
+        watchDevice(context().debugLog().places());
     }
     void TearDown() override {
         glad_glGetGraphicsResetStatus = own_;
-        watchDevice(context().debugLog());
+        watchDevice(context().debugLog().places());
         GpuTest::TearDown();
     }
     /// The cause that is thrown, or nothing.
@@ -89,11 +89,11 @@ TEST_F(ResetTest, EveryWayInWhichContentComesBackRefusesThatOfALostDevice) {
     for (const auto& [status, cause] : {std::pair(GL_GUILTY_CONTEXT_RESET, base::ResetCause::own),
                                         std::pair(GL_INNOCENT_CONTEXT_RESET, base::ResetCause::other),
                                         std::pair(GL_UNKNOWN_CONTEXT_RESET, base::ResetCause::unknown)}) {
-        watchDevice(context().debugLog());
+        watchDevice(context().debugLog().places());
         toldStatus = static_cast<GLenum>(status);
         for (const auto& [name, way] : ways) EXPECT_EQ(causeOf(way), cause) << name;
         toldStatus = GL_NO_ERROR;
-        watchDevice(context().debugLog());
+        watchDevice(context().debugLog().places());
         glUnmapBuffer(GL_COPY_READ_BUFFER);
         clearErrors();
     }
@@ -104,14 +104,14 @@ TEST_F(ResetTest, ALossThatIsToldOnceIsNotForgotten) {
     EXPECT_TRUE(causeOf(expectDevice));
     toldStatus = GL_NO_ERROR;
     EXPECT_EQ(causeOf(expectDevice), base::ResetCause::other);
-    watchDevice(context().debugLog());
+    watchDevice(context().debugLog().places());
     EXPECT_FALSE(causeOf(expectDevice));
 }
 
 TEST_F(ResetTest, ThePlacesAreThoseSinceTheDeviceWasIdle) {
     DebugLog& log = context().debugLog();
     const auto lost = [&] {
-        watchDevice(log);
+        watchDevice(log.places());
         toldStatus = GL_GUILTY_CONTEXT_RESET;
         base::DeviceLost found;
         try {
@@ -120,7 +120,7 @@ TEST_F(ResetTest, ThePlacesAreThoseSinceTheDeviceWasIdle) {
             found = each;
         }
         toldStatus = GL_NO_ERROR;
-        watchDevice(log);
+        watchDevice(log.places());
         return found;
     };
     log.setPlace({"a.glib", 3, 1});
@@ -192,7 +192,7 @@ TEST(ResetGuard, CoversEveryFunctionOfTheProgramThatReadsFromTheDevice) {
                                          "glReadBuffer",
                                          "glGetGraphicsResetStatus",
                                          "glGetGraphicsResetStatusARB"};
-    const std::regex call(R"(\b(gl(Get|Read|Map|Unmap|Finish|ClientWait|Check)\w*)\s*\()");
+    const std::regex call(R"(\b(gl(Get|Read|Map|Unmap|Finish|ClientWait|Check)\w*)\s*[(),])");
     int found = 0;
     for (const auto& each : fs::recursive_directory_iterator(source)) {
         if (each.path().extension() != ".cpp" && each.path().extension() != ".h") continue;

@@ -35,8 +35,8 @@ TEST_F(WriteSgi, KeepsThePixelsForAnotherDecoder) {
             const Image image = testing::noisyImage(37, 23, components, type);
             const auto file = encodeSgi(image);
             // OpenImageIO reads this format from files only.
-            const auto read = readByModule(Format::sgi, file, put("a.sgi", file), {"elsewhere", {}}, {},
-                                           testing::moduleFolders());
+            const auto read =
+                readByModule(Format::sgi, file, put("a.sgi", file), {"elsewhere", {}}, testing::withModule());
             ASSERT_TRUE(read) << read.diagnostics[0].text;
             const Image expected =
                 withComponents(withType(image, type == Component::f32 ? Component::u16 : type), 4);

@@ -118,8 +118,7 @@ inline ReadOptions withoutModule() {
 
 /// An independent decoder: OpenImageIO's.
 inline Result<Image> decodeElsewhere(Format format, std::span<const std::byte> file) {
-    const auto folders = moduleFolders();
-    return readByModule(format, file, {}, {"elsewhere", {}}, {}, folders);
+    return readByModule(format, file, {}, {"elsewhere", {}}, withModule());
 }
 
 /// A new empty folder for every test.

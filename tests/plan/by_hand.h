@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "glib/command_table.h"
-#include "plan/frame_plan.h"
+#include "plan/planner.h"
 #include "plan/type_table.h"
 
 namespace glibra::plan::test {

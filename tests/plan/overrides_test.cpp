@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "by_hand.h"
+#include "plan/uniforms.h"
 
 namespace glibra::plan {
 namespace {

@@ -1,6 +1,6 @@
 // The GPU time of passes, dispatches and clears.
 
-#include "render/probe/gpu_times.h"
+#include "render/gpu_times.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "render/file/labels.h"
+#include "render/draw/labels.h"
 
 #include <gtest/gtest.h>
 

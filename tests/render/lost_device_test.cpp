@@ -26,9 +26,9 @@ TEST(LostDevice, TheLibraryReportsItAndOpensAnotherContext) {
     const Result<Picture> before = renderer->render(scene);
     ASSERT_TRUE(before);
     for (const auto status : std::array<GLenum, 2>{GL_GUILTY_CONTEXT_RESET, GL_INNOCENT_CONTEXT_RESET}) {
-        gpu::DebugLog log;
+        gpu::WorkPlaces places;
         glad_glGetGraphicsResetStatus = tell;
-        gpu::watchDevice(log);
+        gpu::watchDevice(places);
         told = status;
         const Result<Picture> lost = renderer->render(scene);
         EXPECT_FALSE(lost);

@@ -53,8 +53,8 @@ TEST_F(ModernCompute, SkipsADispatchWhoseResultNobodyReads) {
     auto scene = load(sums(true));
     ASSERT_TRUE(scene);
     draw(*scene);
-    const auto skipped = std::find_if(stats_.skipped.begin(), stats_.skipped.end(),
-                                      [](const plan::Skipped& each) { return each.what == "dispatch"; });
+    const auto skipped = std::ranges::find_if(
+        stats_.skipped, [](const plan::Skipped& each) { return each.what == "dispatch"; });
     ASSERT_NE(skipped, stats_.skipped.end());
     EXPECT_EQ(skipped->why, "'Add': nothing reads what it writes");
     EXPECT_EQ(scene->plan().dispatches.size(), 0U);

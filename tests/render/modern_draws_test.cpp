@@ -45,9 +45,8 @@ TEST_F(ModernCompute, InstancesAreTheSameAsALoop) {
     ASSERT_TRUE(instanced && looped);
     const std::vector<std::byte> one = draw(*instanced);
     EXPECT_EQ(one, draw(*looped));
-    EXPECT_GT(std::count(one.begin(), one.end(), std::byte{0}), 0);
-    EXPECT_GT(std::count_if(one.begin(), one.end(), [](std::byte each) { return each != std::byte{0}; }),
-              2000);
+    EXPECT_GT(std::ranges::count(one, std::byte{0}), 0);
+    EXPECT_GT(std::ranges::count_if(one, [](std::byte each) { return each != std::byte{0}; }), 2000);
 }
 
 TEST_F(ModernCompute, CountsOfDrawsComeFromBuffers) {

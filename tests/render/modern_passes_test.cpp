@@ -285,20 +285,24 @@ TEST(ModernPasses, GiveAStorageBlockTheBufferThatIsNamedLikeItsLastMember) {
     EXPECT_EQ(pixel(drawn, 4, 4), (std::array<int, 3>{0, 51, 102}));
 }
 
-TEST(ModernPasses, AreNotMovedWithTheWindowUnlessItsCameraSeesThem) {
-    // The window's eye is moved by half a picture; the pass of another camera is not.
-    constexpr const char* kPlaced = R"(#version 330 core
+/// A white program that places vertices by the matrices.
+auto placedProgram(ModernScene& modern) {
+    return modern.program("Placed", {{glsl::Stage::vertex, R"(#version 330 core
 in vec4 aVertex;
 uniform mat4 uModelViewProjectionMatrix;
 void main() { gl_Position = uModelViewProjectionMatrix * vec4(aVertex.xyz, 1.); }
-)";
-    for (const std::string camera : {"light", "eye"}) {
-        ModernScene modern(4, 4);
-        const auto placed = modern.program(
-            "Placed", {{glsl::Stage::vertex, kPlaced}, {glsl::Stage::fragment, R"(#version 330 core
+)"},
+                                     {glsl::Stage::fragment, R"(#version 330 core
 out vec4 fColor;
 void main() { fColor = vec4(1.); }
 )"}});
+}
+
+TEST(ModernPasses, AreNotMovedWithTheWindowUnlessItsCameraSeesThem) {
+    // The window's eye is moved by half a picture; the pass of another camera is not.
+    for (const std::string camera : {"light", "eye"}) {
+        ModernScene modern(4, 4);
+        const auto placed = placedProgram(modern);
         const auto map = modern.texture("uMap", TexelFormat::rgba8, 4, 4);
         const auto read = modern.shading("Read", kRead);
         scene::Pass& pass = modern.pass({map}, glm::dvec4(0, 0, 0, 1));
@@ -315,26 +319,16 @@ void main() { fColor = vec4(1.); }
 
 TEST(ModernPasses, ProveNothingOutOfSightThatTheirStateShows) {
     // A square beyond the far plane is seen only where depths are clamped.
-    constexpr const char* kPlaced = R"(#version 330 core
-in vec4 aVertex;
-uniform mat4 uModelViewProjectionMatrix;
-void main() { gl_Position = uModelViewProjectionMatrix * vec4(aVertex.xyz, 1.); }
-)";
     for (const bool clamps : {false, true}) {
         ModernScene modern(4, 4);
-        const auto placed = modern.program(
-            "Placed", {{glsl::Stage::vertex, kPlaced}, {glsl::Stage::fragment, R"(#version 330 core
-out vec4 fColor;
-void main() { fColor = vec4(1.); }
-)"}});
+        const auto placed = placedProgram(modern);
         modern.window();
         modern.square(placed, 1.5).raster.depthClamp = clamps;
         const ModernPicture picture = draw(modern);
         EXPECT_EQ(picture.at(1, 1)[0], clamps ? 255 : 0);
-        const bool isSkipped = std::any_of(
-            picture.stats.skipped.begin(), picture.stats.skipped.end(), [](const plan::Skipped& each) {
-                return each.what == "draw" && each.why.find("far plane") != std::string::npos;
-            });
+        const bool isSkipped = std::ranges::any_of(picture.stats.skipped, [](const plan::Skipped& each) {
+            return each.what == "draw" && each.why.find("far plane") != std::string::npos;
+        });
         EXPECT_EQ(isSkipped, !clamps);
     }
 }

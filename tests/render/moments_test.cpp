@@ -86,8 +86,8 @@ TEST(Moments, AShaderInTheScriptIsReportedOnItsLine) {
         "missing; }\nEndFragment\nProgram P\nBox\n",
         kMomentFiles);
     ASSERT_FALSE(wrong);
-    const auto error = std::find_if(wrong.diagnostics.begin(), wrong.diagnostics.end(),
-                                    [](const Diagnostic& each) { return each.id == "glsl-E01"; });
+    const auto error =
+        std::ranges::find_if(wrong.diagnostics, [](const Diagnostic& each) { return each.id == "glsl-E01"; });
     ASSERT_NE(error, wrong.diagnostics.end()) << text(wrong.diagnostics);
     EXPECT_EQ(error->place.line, 5);
 }

@@ -1,6 +1,6 @@
 // The search for NaN: compares the draws that it names with the draws that were written to make NaN.
 
-#include "render/probe/nan_search.h"
+#include "render/check/nan_search.h"
 
 #include <gtest/gtest.h>
 #include <stdlib.h>

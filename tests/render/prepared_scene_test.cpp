@@ -74,7 +74,7 @@ std::vector<fs::path> shippedScenes() {
         if (each.path().extension() == ".glib" &&
             each.path().string().find("/exercises/") == std::string::npos)
             scenes.push_back(each.path());
-    std::sort(scenes.begin(), scenes.end());
+    std::ranges::sort(scenes);
 #if GLIBRA_SANITIZED
     for (std::size_t i = 0; 3 * i < scenes.size(); ++i) scenes[i] = scenes[3 * i];
     scenes.resize((scenes.size() + 2) / 3);
@@ -162,8 +162,8 @@ TEST(PreparedScene, ReadsTheTexturesThatItsShadersSpeakOf) {
     render::Stats stats;
     render::PreparedScene ready = prepareElsewhere(folder / "scene.glib", {}, stats);
     const auto filesRead = [&] {
-        return std::find_if(stats.counts.begin(), stats.counts.end(),
-                            [](const render::Stats::Count& each) { return each.name == "files read"; })
+        return std::ranges::find_if(
+                   stats.counts, [](const render::Stats::Count& each) { return each.name == "files read"; })
             ->value;
     };
     EXPECT_EQ(filesRead(), 5U) << "the scene, two shaders, a.bmp and c.bmp";
@@ -179,7 +179,7 @@ TEST(PreparedScene, MakesNothingThatAnEarlierSceneHas) {
     const Seen first = prepared(folder / "scene.glib", {}, &shared);
     const Seen second = prepared(folder / "scene.glib", {}, &shared);
     const auto has = [](const Seen& run, const char* stage) {
-        return std::find(run.stages.begin(), run.stages.end(), stage) != run.stages.end();
+        return std::ranges::find(run.stages, stage) != run.stages.end();
     };
     for (const char* each : {"geometry", "noise", "compile"}) {
         EXPECT_TRUE(has(first, each)) << each;

@@ -54,7 +54,7 @@ std::vector<std::byte> bytesOf(const std::string& scene, bool skips = true) {
 
 TEST(ScriptIndices, DrawTheSameBytesAsVerticesOfTheirOwn) {
     const std::vector<std::byte> singly = bytesOf(kUnindexedFan + "Vertices triangles 18\n");
-    ASSERT_GT(std::count(singly.begin(), singly.end(), std::byte{255}), 300);
+    ASSERT_GT(std::ranges::count(singly, std::byte{255}), 300);
     EXPECT_EQ(bytesOf(kIndexedFan + "Vertices triangles indices faces\n"), singly);
     EXPECT_EQ(bytesOf(kIndexedFan + "Vertices triangles 18 indices faces\n"), singly);
     EXPECT_EQ(bytesOf(kIndexedFan + "Vertices triangles indices faces\n", false), singly);

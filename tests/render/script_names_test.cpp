@@ -305,7 +305,7 @@ TEST(Groups, MayHaveDefaultsThatAreDeclaredBelow) {
     const std::string unknown = problemsOf(
         "WindowSize 8 8\nCamera eye (mat4(1)) (mat4(1))\nGroup g a nothing\n"
         "Sphere (a)\nEndGroup\nDraw g\n");
-    EXPECT_EQ(std::count(unknown.begin(), unknown.end(), '\n'), 1) << unknown;
+    EXPECT_EQ(std::ranges::count(unknown, '\n'), 1) << unknown;
     EXPECT_NE(unknown.find("scene.glib:3:"), std::string::npos) << unknown;
 }
 
@@ -313,7 +313,7 @@ TEST(Groups, WithAFaultyDefaultGiveOneMessage) {
     const std::string problems = problemsOf(
         "Camera eye (mat4(1)) (mat4(1))\nLet arr [1 2 3 4 5]\n"
         "Group gg size arr\nLet got (1)\nBox\nEndGroup\nDraw gg\nDraw gg\nLet a (got)\nScale (a)\nBox\n");
-    EXPECT_EQ(std::count(problems.begin(), problems.end(), '\n'), 1) << problems;
+    EXPECT_EQ(std::ranges::count(problems, '\n'), 1) << problems;
     EXPECT_NE(problems.find("scene.glib:3:"), std::string::npos) << problems;
 }
 

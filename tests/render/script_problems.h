@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "render/check/answers.h"
-#include "render/scene_renderer.h"
+#include "render/check/run_checks.h"
 #include "scene_text.h"
 #include "skip_runs.h"
 
@@ -20,7 +20,7 @@ namespace glibra::test {
 inline void expectNamesInFields(const Diagnostics& diagnostics) {
     constexpr std::array<std::string_view, 4> kRead{"glib-W23", "draw-W03", "draw-W15", "glsl-W11"};
     for (const Diagnostic& each : diagnostics) {
-        if (std::find(kRead.begin(), kRead.end(), each.id) == kRead.end()) continue;
+        if (std::ranges::find(kRead, each.id) == kRead.end()) continue;
         const bool proposes = each.text.find("did you mean") != std::string::npos;
         EXPECT_EQ(proposes, !each.suggestion.empty()) << each.text;
         EXPECT_NE(each.text.find("'" + each.subject + "'"), std::string::npos) << each.text;

@@ -206,6 +206,18 @@ Program Write cover 0 tile 0
 
 // ---- Subroutine uniforms.
 
+constexpr const char* kShades = R"(Fragment inline
+#version 400 core
+subroutine vec4 Shade(float level);
+subroutine uniform Shade shade;
+subroutine(Shade) vec4 red(float level) { return vec4(level, 0., 0., 1.); }
+subroutine(Shade) vec4 green(float level) { return vec4(0., level, 0., 1.); }
+out vec4 fColor;
+uniform float uLevel;
+void main() { fColor = shade(uLevel); }
+EndFragment
+)";
+
 TEST(Subroutines, AreChosenByTheNamesOfTheirFunctions) {
     const std::string shader = R"(Fragment inline
 #version 400 core
@@ -241,20 +253,9 @@ EndFragment
 }
 
 TEST(Subroutines, OfAStepAreChosenOnTheCommandLine) {
-    const std::string scene = R"(WindowSize 4 4
-Let some 1
-Texture2D kept 4 4 rgba8 nearest
-Fragment inline
-#version 400 core
-subroutine vec4 Shade(float level);
-subroutine uniform Shade shade;
-uniform float uLevel;
-subroutine(Shade) vec4 red(float level) { return vec4(level, 0., 0., 1.); }
-subroutine(Shade) vec4 green(float level) { return vec4(0., level, 0., 1.); }
-out vec4 fColor;
-void main() { fColor = shade(uLevel); }
-EndFragment
-Program P shade red uLevel (some)
+    const std::string scene = "WindowSize 4 4\nLet some 1\nTexture2D kept 4 4 rgba8 nearest\n" +
+                              std::string(kShades) +
+                              R"(Program P shade red uLevel (some)
 Once
     Fill kept with P
 EndOnce
@@ -277,18 +278,7 @@ Expect pixel 1 1 [0 1 0] of kept
 }
 
 TEST(Subroutines, ReportFunctionsThatDoNotExist) {
-    const std::string shader = R"(Let some 1
-Fragment inline
-#version 400 core
-subroutine vec4 Shade(float level);
-subroutine uniform Shade shade;
-uniform float uLevel;
-subroutine(Shade) vec4 red(float level) { return vec4(level, 0., 0., 1.); }
-subroutine(Shade) vec4 green(float level) { return vec4(0., level, 0., 1.); }
-out vec4 fColor;
-void main() { fColor = shade(uLevel); }
-EndFragment
-)";
+    const std::string shader = std::string("Let some 1\n") + kShades;
     const auto expect = [&](const std::string& program, const std::string& message) {
         const std::string problems = problemsOf(shader + program + "\nFill window with P\n");
         EXPECT_NE(problems.find(message), std::string::npos) << problems;

@@ -179,7 +179,8 @@ int main(int count, char** arguments) {
     append(problems, suite::writeHtmlReport(run, folder / "results", folder / "report"));
     for (const Diagnostic& each : problems) std::fprintf(stderr, "%s\n", toString(each).c_str());
     std::ofstream(folder / "junit.xml") << suite::toJunit(run);
-    std::ofstream(folder / "summary.txt") << suite::toText(run, false, folder / "results");
-    std::ofstream(folder / "summary.ansi") << suite::toText(run, true, folder / "results");
+    std::ofstream(folder / "summary.txt") << suite::toText(run, {.resultsFolder = folder / "results"});
+    std::ofstream(folder / "summary.ansi")
+        << suite::toText(run, {.color = true, .resultsFolder = folder / "results"});
     return problems.empty() ? 0 : 1;
 }

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
-#include "scene/near_files.h"
+#include "scene/folder_listings.h"
 #include "support.h"
 
 namespace glibra::scene {

@@ -16,8 +16,9 @@
 #include "glib/modern/grammar.h"
 #include "glib/modern/statement_table.h"
 #include "glib/script.h"
+#include "scene/actions.h"
 #include "scene/interpret.h"
-#include "scene/state.h"
+#include "scene/run/statements.h"
 #include "support.h"
 
 namespace glibra::scene {
@@ -309,7 +310,7 @@ TEST_F(Statements, AndClassicCommandsHaveAWordAndAnActionEach) {
         EXPECT_FALSE(glib::nameOf(id).empty())
             << "name " << i << " of command_id.h has no row; the one before: "
             << (i == 0 ? "none" : glib::nameOf(static_cast<glib::CommandId>(i - 1)));
-        EXPECT_NE(actionOf(id), nullptr) << glib::nameOf(id);
+        EXPECT_NE(actionOf(allActions(), id), nullptr) << glib::nameOf(id);
     }
 }
 

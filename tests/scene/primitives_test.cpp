@@ -9,7 +9,8 @@
 #include "geometry/shapes/primitive.h"
 #include "glib/command_table.h"
 #include "glib/modern/statement_table.h"
-#include "scene/state.h"
+#include "scene/actions.h"
+#include "scene/run/statements.h"
 #include "support.h"
 
 namespace glibra::scene {
@@ -62,13 +63,15 @@ const Expected kShapes[] = {
 
 TEST(Commands, EachHasAnAction) {
     for (const glib::CommandRow& row : glib::commandTable())
-        EXPECT_NE(actionOf(row.id), nullptr) << row.name() << ": list its action at the end of its file";
+        EXPECT_NE(actionOf(allActions(), row.id), nullptr)
+            << row.name() << ": list its action at the end of its file";
     for (const glib::StatementRow& row : glib::statementTable())
-        EXPECT_NE(actionOf(row.id), nullptr) << row.name << ": list its action at the end of its file";
+        EXPECT_NE(actionOf(allActions(), row.id), nullptr)
+            << row.name << ": list its action at the end of its file";
     constexpr int kFirst = static_cast<int>(glib::CommandId::firstPrimitive);
-    EXPECT_EQ(
-        actionOf(static_cast<glib::CommandId>(kFirst + static_cast<int>(geometry::primitives().size()))),
-        nullptr);
+    EXPECT_EQ(actionOf(allActions(), static_cast<glib::CommandId>(
+                                         kFirst + static_cast<int>(geometry::primitives().size()))),
+              nullptr);
 }
 
 TEST(Primitives, MeshesHaveTheSizesOfTheLanguage) {

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "glib/script.h"
-#include "render/probe/nan_search.h"
+#include "render/check/nan_search.h"
 #include "support.h"
 
 namespace glibra::stress {

@@ -54,7 +54,7 @@ TEST(HashList, ANewGoldenVoidsTheLinesOfTheOldOne) {
     EXPECT_EQ(list.find("a", "", {1, 1}, "k2"), nullptr);
     EXPECT_NE(list.find("a", "", {2, 1}, "k1"), nullptr);
     EXPECT_NE(list.find("a", "nvidia", {1, 1}, "k2"), nullptr) << "other variants stay";
-    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2 + 2) << text;
+    EXPECT_EQ(std::ranges::count(text, '\n'), 2 + 2) << text;
 }
 
 TEST(HashList, BrokenLinesAreReportedWithTheirNumberAndLeftOut) {

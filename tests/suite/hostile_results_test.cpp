@@ -176,7 +176,7 @@ TEST_F(Hostile, NoMergeAndNoReportHoldsWhatLiesOutsideOfItsRoots) {
     EXPECT_EQ(contents(folder / "project"), project);
     std::vector<std::string> made;
     for (const auto& each : fs::directory_iterator(folder.path())) made.push_back(each.path().filename());
-    std::sort(made.begin(), made.end());
+    std::ranges::sort(made);
     EXPECT_EQ(made, (std::vector<std::string>{"direct", "into", "outside", "project", "report", "run"}));
 }
 

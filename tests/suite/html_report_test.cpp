@@ -11,6 +11,7 @@
 #include "folder.h"
 #include "image/write.h"
 #include "results_maker.h"
+#include "suite/report/packed_pixels.h"
 #include "suite/report/report_files.h"
 
 namespace glibra::suite {
@@ -105,7 +106,7 @@ class HtmlReport : public testing::Test {
         std::vector<std::string> names;
         for (const auto& each : fs::directory_iterator(folder / "report" / name))
             names.push_back(each.path().filename().string());
-        std::sort(names.begin(), names.end());
+        std::ranges::sort(names);
         return names;
     }
 

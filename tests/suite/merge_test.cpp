@@ -93,7 +93,7 @@ TEST_F(Merge, GivesTheSameForAnyOrderOfTheFolders) {
         add(std::to_string(i),
             run(std::to_string(i) + "/4",
                 {shot("a" + std::to_string(5 - i), Verdict::passed), shot("b", static_cast<Verdict>(i))}));
-    std::sort(folders.begin(), folders.end());
+    std::ranges::sort(folders);
     std::string first;
     do {
         const Result<RunResult> result = merged();
@@ -114,7 +114,8 @@ TEST_F(Merge, ReportsMissingShards) {
     EXPECT_EQ(result->shots.size(), 2U);
     const std::string missing = "2 of 4 shards are missing: 2/4, 4/4";
     EXPECT_EQ(shortfall(*result), missing);
-    EXPECT_NE(toText(*result, false, folder / "into").find("incomplete: " + missing), std::string::npos);
+    EXPECT_NE(toText(*result, {.resultsFolder = folder / "into"}).find("incomplete: " + missing),
+              std::string::npos);
     EXPECT_NE(toJunit(*result).find("<error message=\"" + missing), std::string::npos);
     EXPECT_TRUE(writeHtmlReport(*result, folder / "into", folder / "page", {}).empty());
     EXPECT_NE(textOf(folder / "page/index.html").find("<h1>None of 2 shots failed, " + missing + "</h1>"),

@@ -136,7 +136,7 @@ TEST(Results, ATimeThatNoRunTakesIsRefusedAndNeverPrintedInFull) {
     made.shots.back().verdict = Verdict::failed;
     made.shots.back().judgement.decidedBy = image::Rung::flip;
     made.shots.back().judgement.flip = made.shots.back().judgement.structure = 1e308;
-    for (const std::string& text : {toText(made, false), toJunit(made)})
+    for (const std::string& text : {toText(made, {}), toJunit(made)})
         EXPECT_EQ(text.find("00000000000000000000"), std::string::npos) << text;
 }
 

@@ -121,5 +121,27 @@ TEST_F(Reviews, WhatIsNotAcceptedIsRejected) {
     EXPECT_EQ(review->reject({{}, "{\"shots\": [1]}"}).status, 400);
 }
 
+TEST_F(Reviews, SaysThatItsFileIsDamaged) {
+    begin();
+    EXPECT_TRUE(review->problems().empty()) << "no review has decided anything";
+    EXPECT_EQ(reject(), kRejected);
+    begin();
+    EXPECT_TRUE(review->problems().empty());
+    EXPECT_EQ(review->decisionOf(0), "rejected");
+    const fs::path file = folder / "results/review.json";
+    for (const std::string& damaged : {std::string(), std::string("[]"), textOf(file).substr(0, 20)}) {
+        writeText(file, damaged);
+        begin();
+        ASSERT_EQ(review->problems().size(), 1U) << damaged;
+        EXPECT_EQ(review->problems()[0].id, "result-W02");
+        EXPECT_NE(review->problems()[0].text.find("review.json"), std::string::npos);
+        EXPECT_EQ(review->decisionOf(0), "");
+    }
+    fs::remove(file);
+    fs::create_directory(file);
+    begin();
+    EXPECT_EQ(review->problems().size(), 1U) << "a folder is no file of decisions";
+}
+
 }  // namespace
 }  // namespace glibra::suite

@@ -376,8 +376,7 @@ std::string onWindows(const std::string& name) {
     std::filesystem::path path;
     for (const std::filesystem::path& part : std::filesystem::path(name)) {
         std::string text = part.string();
-        std::transform(text.begin(), text.end(), text.begin(),
-                       [](unsigned char c) { return std::tolower(c); });
+        std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
         path /= text;
     }
     std::string text = path.string();

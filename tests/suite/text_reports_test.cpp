@@ -133,7 +133,7 @@ TEST(Junit, NothingOfWhatXmlCannotHoldGetsIn) {
 
 TEST(Terminal, EndsWithTheSummary) {
     const std::string text =
-        toText(runOf({failedShot(), withVerdict(Verdict::passed), withVerdict(Verdict::missing)}), false);
+        toText(runOf({failedShot(), withVerdict(Verdict::passed), withVerdict(Verdict::missing)}), {});
     const std::string end =
         "1 drawn without a golden, 1 failed, 1 passed; 3 shots in 1 min 5 s, llvmpipe (LLVM 15.0.6, 256 "
         "bits)\n";
@@ -156,7 +156,7 @@ TEST(Terminal, PicturesOfANewSuiteAreNoFailures) {
 }
 
 TEST(Terminal, ShowsTheReasonTheFiguresAndTheCommandsOfAFailure) {
-    const std::string text = toText(runOf({failedShot()}), false);
+    const std::string text = toText(runOf({failedShot()}), {});
     EXPECT_NE(text.find("failed start/teapot: 240 pixels differ by more than 3/255, 13 may\n"),
               std::string::npos)
         << text;
@@ -168,12 +168,11 @@ TEST(Terminal, ShowsTheReasonTheFiguresAndTheCommandsOfAFailure) {
 }
 
 TEST(Terminal, ShowsNoPlainPassAndNothingTwice) {
-    const std::string text =
-        toText(runOf({withVerdict(Verdict::passed), withVerdict(Verdict::skipped)}), false);
+    const std::string text = toText(runOf({withVerdict(Verdict::passed), withVerdict(Verdict::skipped)}), {});
     EXPECT_EQ(occurrences(text, "\n"), 1) << text;
     RunResult many = runOf({});
     for (int i = 0; i < 400; ++i) many.shots.push_back(failedShot());
-    const std::string long400 = toText(many, false);
+    const std::string long400 = toText(many, {});
     EXPECT_EQ(occurrences(long400, "reproduce"), 20);
     EXPECT_EQ(occurrences(long400, "failed start/teapot"), 400);
     EXPECT_NE(long400.find("380 more with one line each"), std::string::npos);
@@ -186,14 +185,14 @@ TEST(Terminal, ShowsAWarningOfPassesOnceWithTheNumberOfShots) {
         shots[i].shot = "oval" + std::to_string(i);
         shots[i].diagnostics = {unknown, unknown, diagnose("draw-N01", "no LookAt")};
     }
-    const std::string text = toText(runOf(shots), false);
+    const std::string text = toText(runOf(shots), {});
     EXPECT_TRUE(
         text.starts_with("warning: no program of the scene has a uniform 'uKe' [glib-W23] in 3 shots, as "
                          "start/oval1\n4 passed"))
         << text;
     for (int i = 0; i < 30; ++i)
         shots[0].diagnostics.push_back(diagnose("glib-W23", "number " + std::to_string(i)));
-    const std::string many = toText(runOf(shots), false);
+    const std::string many = toText(runOf(shots), {});
     EXPECT_EQ(occurrences(many, "warning: "), 10) << many;
     EXPECT_NE(many.find("21 more warnings are not shown"), std::string::npos) << many;
 }
@@ -204,12 +203,12 @@ TEST(Terminal, NoByteOfASceneControlsTheTerminal) {
         "before\033[2J\r\x07 \xc2\x9b"
         "after";
     shot.diagnostics.push_back(diagnose("glsl-E01", "\033]0;title\007", {"a\033.frag", 1, 1}));
-    const std::string text = toText(runOf({shot}), false);
+    const std::string text = toText(runOf({shot}), {});
     EXPECT_EQ(text.find('\033'), std::string::npos);
     EXPECT_EQ(text.find('\r'), std::string::npos);
     EXPECT_EQ(text.find('\x07'), std::string::npos);
     EXPECT_EQ(text.find("\xc2\x9b"), std::string::npos);
-    EXPECT_NE(toText(runOf({shot}), true).find("\033[1;31mfailed"), std::string::npos);
+    EXPECT_NE(toText(runOf({shot}), {.color = true}).find("\033[1;31mfailed"), std::string::npos);
 }
 
 image::Image black(int width, int height) {
@@ -256,7 +255,7 @@ TEST(Terminal, ShowsTheDifferencePictureOfTheResultsFolder) {
     image::Image picture = black(96, 96);
     std::fill(picture.data.begin(), picture.data.begin() + std::ptrdiff_t{96} * 3 * 48, std::byte{255});
     ASSERT_TRUE(image::writeImage(picture, folder / "teapot.difference.png").empty());
-    const std::string text = toText(runOf({failedShot()}), false, folder.path());
+    const std::string text = toText(runOf({failedShot()}), {.resultsFolder = folder.path()});
     EXPECT_EQ(occurrences(text, "    |" + std::string(32, '@') + "|\n"), 8) << text;
     EXPECT_EQ(occurrences(text, "    |" + std::string(32, ' ') + "|\n"), 8) << text;
 }

@@ -1,4 +1,4 @@
-#include "view/edit/code_palette.h"
+#include "view/style/palette.h"
 
 #include <gtest/gtest.h>
 

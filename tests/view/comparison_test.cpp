@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "scene_folder.h"
-#include "view/browse/chapters.h"
+#include "view/browse/example_scenes.h"
 
 namespace glibra::test {
 namespace {

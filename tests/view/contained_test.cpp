@@ -2,9 +2,11 @@
 
 #include <glad/gl.h>
 
+#include <algorithm>
 #include <array>
 
 #include "gpu/object/program.h"
+#include "render/scene_renderer.h"
 #include "scene_folder.h"
 #include "view/scene/live_scene.h"
 
@@ -74,6 +76,42 @@ TEST(EndlessLoops, AreThoseWhoseConditionNothingChanges) {
     EXPECT_EQ(linesOf("while (i < 10) { x += 1.; ++i; }"), none);
     EXPECT_EQ(linesOf("for (int j = 0; j < 10; ++j) x += 1.;"), none);
     EXPECT_EQ(linesOf("while (i < 10) { x += 1.; if (x > 9.) break; }"), none);
+}
+
+TEST(EndlessLoops, ExplainNothingOfOtherPrograms) {
+    const std::string endless =
+        "#version 330\nuniform float uN; out vec4 c;\nvoid main() { float x = uN; int i = 0;\n"
+        "while (i < 10) { x += 1.; }\nc = vec4(x * uN); }\n";
+    const std::string unused = "#version 330\nuniform float uN; out vec4 c;\nvoid main() { c = vec4(1.); }\n";
+    const SceneFolder folder(kHead +
+                                 "Vertex a.vert\nFragment a.frag\nProgram P uN 1\nQuadXY 0 1\n"
+                                 "Fragment b.frag\nProgram Q uN 1\nQuadXY 0 1\n",
+                             {{"a.vert", kPlainVertex}, {"a.frag", endless}, {"b.frag", unused}});
+    const view::LiveScene::Loading loading = view::LiveScene::load(context(), folder.scene(), {}, nullptr);
+    std::vector<std::string> found;
+    for (const Diagnostic& each : loading.diagnostics)
+        if (each.id == "view-W02" || each.id == "glib-W24")
+            found.push_back(each.id + " " + std::to_string(each.place.line));
+    const int line = static_cast<int>(std::count(kHead.begin(), kHead.end(), '\n')) + 6;
+    std::vector<std::string> expected{"glib-W24 " + std::to_string(line)};
+    if (removesUniform(endless)) expected.emplace_back("view-W02 4");
+    EXPECT_EQ(found, expected);
+}
+
+TEST(EndlessLoops, ExplainAnOverrideThatHasNoEffect) {
+    const std::string endless =
+        "#version 330\nuniform float uN; out vec4 c;\nvoid main() { float x = uN; int i = 0;\n"
+        "while (i < 10) { x += 1.; }\nc = vec4(x * uN); }\n";
+    if (!removesUniform(endless)) return;
+    const SceneFolder folder(kHead + "Vertex a.vert\nFragment a.frag\nProgram P\nQuadXY 0 1\n",
+                             {{"a.vert", kPlainVertex}, {"a.frag", endless}});
+    RenderOptions options;
+    options.set = {"uN=2"};
+    render::Stats stats;
+    const auto made = render::SceneRenderer::load(context(), folder.scene(), options, stats);
+    std::vector<std::string> ids;
+    for (const Diagnostic& each : made.diagnostics) ids.push_back(each.id);
+    EXPECT_EQ(ids, std::vector<std::string>{"view-W02"});
 }
 
 }  // namespace

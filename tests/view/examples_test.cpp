@@ -10,6 +10,7 @@
 #include "view/browse/example_scenes.h"
 #include "view/browse/folder_list.h"
 #include "view/browse/thumbnails.h"
+#include "view/edit/example_folders.h"
 
 namespace glibra::test {
 namespace {

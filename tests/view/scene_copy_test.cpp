@@ -9,6 +9,7 @@
 #include "scene_folder.h"
 #include "view/browse/example_scenes.h"
 #include "view/edit/edited_file.h"
+#include "view/edit/example_folders.h"
 #include "view/edit/save_values.h"
 
 namespace glibra::test {

@@ -3,7 +3,7 @@
 #include <set>
 #include <tuple>
 
-#include "render/scene_renderer.h"
+#include "render/check/scene_check.h"
 #include "scene_folder.h"
 #include "view/browse/example_scenes.h"
 #include "view/scene/live_scene.h"

@@ -1,4 +1,4 @@
-#include "view/scene/shared_knobs.h"
+#include "view/scene/knobs.h"
 
 #include <gtest/gtest.h>
 

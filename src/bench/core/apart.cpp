@@ -8,40 +8,17 @@
 #include <cerrno>
 #include <csignal>
 #include <cstddef>
-#include <cstring>
 #include <exception>
 #include <filesystem>
 #include <iterator>
+#include <span>
 #include <string_view>
 #include <system_error>
 
+#include "base/descriptor.h"
+
 namespace glibra::bench {
 namespace {
-
-/// False if the other end is closed.
-bool writeAll(int file, const void* data, std::size_t size) {
-    const auto* bytes = static_cast<const std::byte*>(data);
-    while (size > 0) {
-        const ssize_t written = write(file, bytes, size);
-        if (written < 0 && errno == EINTR) continue;
-        if (written <= 0) return false;
-        bytes += written;
-        size -= static_cast<std::size_t>(written);
-    }
-    return true;
-}
-
-bool readAll(int file, void* data, std::size_t size) {
-    auto* bytes = static_cast<std::byte*>(data);
-    while (size > 0) {
-        const ssize_t got = read(file, bytes, size);
-        if (got < 0 && errno == EINTR) continue;
-        if (got <= 0) return false;
-        bytes += got;
-        size -= static_cast<std::size_t>(got);
-    }
-    return true;
-}
 
 /// Precedes each text. Functions have the same addresses in a forked process.
 struct Head {
@@ -52,13 +29,13 @@ struct Head {
 
 bool send(int file, Head head, const std::string& text) {
     head.size = text.size();
-    return writeAll(file, &head, sizeof head) && writeAll(file, text.data(), text.size());
+    return base::writeAll(file, std::as_bytes(std::span(&head, 1))) == 0 && base::writeAll(file, text) == 0;
 }
 
 bool receive(int file, Head& head, std::string& text) {
-    if (!readAll(file, &head, sizeof head)) return false;
+    if (!base::receiveAll(file, std::as_writable_bytes(std::span(&head, 1)))) return false;
     text.resize(head.size);
-    return readAll(file, text.data(), text.size());
+    return base::receiveAll(file, std::as_writable_bytes(std::span(text)));
 }
 
 /// Runs one piece of work in a new process, so that the next one finds no driver loaded.

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace glibra::bench {
@@ -58,5 +59,12 @@ struct Figure {
         findings{};  ///< sentences computed from the figures: "error falls as slices^-2.00"
     Alternatives alternatives = Alternatives::figure;
 };
+
+/// The curve of that name, which is added if there is none.
+inline Curve& curveNamed(Figure& figure, std::string_view name) {
+    for (Curve& each : figure.curves)
+        if (each.name == name) return each;
+    return figure.curves.emplace_back(Curve{.name = std::string(name)});
+}
 
 }  // namespace glibra::bench

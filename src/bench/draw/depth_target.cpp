@@ -49,7 +49,7 @@ Result<DepthTarget> DepthTarget::create(const gpu::Capabilities& capabilities, G
     target.capabilities_ = &capabilities;
     target.side_ = side;
     Result<gpu::Renderbuffer> color =
-        gpu::Renderbuffer::color(capabilities, side, side, gpu::TexelFormat::rgba8);
+        gpu::Renderbuffer::create(capabilities, side, side, gpu::TexelFormat::rgba8);
     if (!color) return std::move(color.diagnostics);
     target.color_ = std::move(*color);
     const std::array<gpu::Attachment, 1> colors{&target.color_};
@@ -59,7 +59,7 @@ Result<DepthTarget> DepthTarget::create(const gpu::Capabilities& capabilities, G
 
     GLuint name = 0;
     glGenRenderbuffers(1, &name);
-    target.depth_ = gpu::Name<gpu::deleteRenderbuffer>(name);
+    target.depth_ = gpu::Name<glDeleteRenderbuffers>(name);
     gpu::clearErrors();
     glBindRenderbuffer(GL_RENDERBUFFER, name);
     glRenderbufferStorage(GL_RENDERBUFFER, depthFormat, side, side);
@@ -87,7 +87,7 @@ void DepthTarget::begin(const DepthKind& kind, double near, double far) const {
 }
 
 Diagnostics DepthTarget::draw(GLenum primitive, std::span<const float> vertices, float brightness) const {
-    Result<gpu::Buffer> buffer = gpu::Buffer::create(gpu::bytesOf(vertices), GL_STREAM_DRAW);
+    Result<gpu::Buffer> buffer = gpu::Buffer::create(std::as_bytes(vertices), GL_STREAM_DRAW);
     if (!buffer) return std::move(buffer.diagnostics);
     const std::array<gpu::AttributeSource, 1> sources{{{.buffer = &*buffer, .components = 3}}};
     const gpu::VertexArray array{sources};

@@ -46,7 +46,7 @@ class DepthTarget {
     const gpu::Capabilities* capabilities_ = nullptr;
     gpu::Program program_;
     gpu::Renderbuffer color_;
-    gpu::Name<gpu::deleteRenderbuffer> depth_;
+    gpu::Name<glDeleteRenderbuffers> depth_;
     gpu::Framebuffer framebuffer_;
     int side_ = 0;
 };

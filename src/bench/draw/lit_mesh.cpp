@@ -119,11 +119,11 @@ LitMesh::LitMesh(gpu::Buffer positions, gpu::Buffer normals, gpu::Buffer indices
 
 Result<LitMesh> LitMesh::create(const geometry::Mesh& mesh) {
     const auto floats = [&](std::string_view name) {
-        return gpu::Buffer::create(gpu::bytesOf(std::span<const float>(mesh.attribute(name)->values)));
+        return gpu::Buffer::create(std::as_bytes(std::span<const float>(mesh.attribute(name)->values)));
     };
     Result<gpu::Buffer> positions = floats(geometry::kPosition), normals = floats(geometry::kNormal);
     Result<gpu::Buffer> indices =
-        gpu::Buffer::create(gpu::bytesOf(std::span<const std::uint32_t>(mesh.indices)));
+        gpu::Buffer::create(std::as_bytes(std::span<const std::uint32_t>(mesh.indices)));
     for (Result<gpu::Buffer>* each : {&positions, &normals, &indices})
         if (!*each) return std::move(each->diagnostics);
     return LitMesh(std::move(*positions), std::move(*normals), std::move(*indices),

@@ -11,6 +11,21 @@ namespace {
 
 constexpr double kMostByte = 255, kMostShort = 65535;
 
+struct FormatRow {
+    std::string_view name;
+    gpu::TexelFormat texels;
+};
+/// In the order of NoiseFormat.
+constexpr FormatRow kFormatRows[] = {{"8 bit, cut off", gpu::TexelFormat::rgba8},
+                                     {"8 bit, rounded", gpu::TexelFormat::rgba8},
+                                     {"16 bit", gpu::TexelFormat::rgba16},
+                                     {"half float", gpu::TexelFormat::rgba16f},
+                                     {"float", gpu::TexelFormat::rgba32f}};
+
+const FormatRow& formatRow(NoiseFormat format) {
+    return kFormatRows[static_cast<std::size_t>(format)];
+}
+
 float kept(float value, NoiseFormat format) {
     switch (format) {
         case NoiseFormat::byteFloor:
@@ -38,34 +53,11 @@ std::vector<T> integers(const std::vector<float>& values, double most) {
 }  // namespace
 
 std::string_view name(NoiseFormat format) {
-    switch (format) {
-        case NoiseFormat::byteFloor:
-            return "8 bit, cut off";
-        case NoiseFormat::byteNearest:
-            return "8 bit, rounded";
-        case NoiseFormat::sixteenBits:
-            return "16 bit";
-        case NoiseFormat::half:
-            return "half float";
-        case NoiseFormat::single:
-            break;
-    }
-    return "float";
+    return formatRow(format).name;
 }
 
 gpu::TexelFormat texelFormat(NoiseFormat format) {
-    switch (format) {
-        case NoiseFormat::byteFloor:
-        case NoiseFormat::byteNearest:
-            return gpu::TexelFormat::rgba8;
-        case NoiseFormat::sixteenBits:
-            return gpu::TexelFormat::rgba16;
-        case NoiseFormat::half:
-            return gpu::TexelFormat::rgba16f;
-        case NoiseFormat::single:
-            break;
-    }
-    return gpu::TexelFormat::rgba32f;
+    return formatRow(format).texels;
 }
 
 Octaves exactNoise(const glm::dvec3& place) {

@@ -163,7 +163,7 @@ Result<std::vector<Pattern>> patterns(const gpu::Capabilities& capabilities) {
         }
     }
     const std::vector<glm::vec2> corners = star();
-    Result<gpu::Buffer> buffer = gpu::Buffer::create(gpu::bytesOf(std::span(corners)));
+    Result<gpu::Buffer> buffer = gpu::Buffer::create(std::as_bytes(std::span(corners)));
     if (!buffer) return std::move(buffer.diagnostics);
     all[0].corners = std::move(*buffer);
     all[0].cornerCount = static_cast<int>(corners.size());

@@ -10,7 +10,7 @@
 
 #include "gpu/context/call_counter.h"
 #include "image/compare/flip.h"
-#include "render/probe/gpu_times.h"
+#include "render/gpu_times.h"
 #include "render/scene_renderer.h"
 
 namespace glibra::bench {

@@ -70,6 +70,7 @@ void ShaderValues::compute() const {
 }
 
 Result<std::vector<Four>> ShaderValues::values() const {
+    compute();
     const Result<std::vector<float>> floats = readFloats(*capabilities_, target_);
     if (!floats) return floats.diagnostics;
     std::vector<Four> values(count_);

@@ -26,7 +26,7 @@ class ShaderValues {
 
     /// Draws and waits for it.
     void compute() const;
-    /// The results of the last compute(), one vector per value.
+    /// Draws. The results, one vector per value.
     [[nodiscard]] Result<std::vector<Four>> values() const;
     /// Bytes of the inputs and the results.
     [[nodiscard]] double bytes() const;

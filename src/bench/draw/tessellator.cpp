@@ -129,16 +129,11 @@ std::string surfaceOf(Evaluation evaluation) {
     return std::string(kPnTriangle);
 }
 
-std::string_view layoutWord(Spacing spacing) {
-    switch (spacing) {
-        case Spacing::fractionalEven:
-            return "fractional_even_spacing";
-        case Spacing::fractionalOdd:
-            return "fractional_odd_spacing";
-        case Spacing::equal:
-            break;
-    }
-    return "equal_spacing";
+/// The word of GLSL's layouts: "equal_spacing".
+std::string layoutWord(Spacing spacing) {
+    std::string word(name(spacing));
+    std::ranges::replace(word, ' ', '_');
+    return word;
 }
 
 bool isTriangle(Evaluation evaluation) {
@@ -185,7 +180,7 @@ Result<Tessellator> Tessellator::create(const gpu::Capabilities& capabilities, E
     constexpr std::size_t kMostPoints = 1024;
     std::vector<glm::vec4> padded(kMostPoints, glm::vec4(0));
     for (std::size_t i = 0; i < std::min(points.size(), kMostPoints); ++i) padded[i] = {points[i], 1};
-    Result<gpu::Buffer> buffer = gpu::Buffer::create(gpu::bytesOf(std::span(std::as_const(padded))));
+    Result<gpu::Buffer> buffer = gpu::Buffer::create(std::as_bytes(std::span(std::as_const(padded))));
     if (!buffer) return std::move(buffer.diagnostics);
     Tessellator made(std::move(*built), std::move(*buffer));
     made.capabilities_ = &capabilities;

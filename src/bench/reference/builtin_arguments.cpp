@@ -1,7 +1,7 @@
+#include "bench/reference/builtin_arguments.h"
+
 #include <algorithm>
 #include <cmath>
-
-#include "bench/reference/builtin_functions.h"
 
 namespace glibra::bench {
 namespace {

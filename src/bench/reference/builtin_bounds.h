@@ -3,7 +3,7 @@
 // exact result y of the arguments x. Functions that the section defines by an equation inherit the errors of
 // its operations, added up to first order. For BuiltinFunction::allowed.
 
-#include "bench/reference/builtin_functions.h"
+#include "bench/reference/builtin_arguments.h"
 
 namespace glibra::bench::bounds {
 

@@ -8,6 +8,18 @@
 namespace glibra::bench {
 namespace {
 
+struct FilterRow {
+    std::string_view name;
+    double radius;
+};
+/// In the order of PixelFilter.
+constexpr FilterRow kFilterRows[] = {
+    {"box", .5}, {"tent", 1}, {"Gaussian", 1.5}, {"Mitchell", 2}, {"Lanczos 2", 2}};
+
+const FilterRow& filterRow(PixelFilter filter) {
+    return kFilterRows[static_cast<std::size_t>(filter)];
+}
+
 double sinc(double x) {
     const double angle = std::numbers::pi * x;
     return std::abs(angle) < 1e-9 ? 1 : std::sin(angle) / angle;
@@ -46,34 +58,11 @@ std::vector<Taps> tapsOf(int pixels, int factor, PixelFilter filter) {
 }  // namespace
 
 std::string_view name(PixelFilter filter) {
-    switch (filter) {
-        case PixelFilter::tent:
-            return "tent";
-        case PixelFilter::gaussian:
-            return "Gaussian";
-        case PixelFilter::mitchell:
-            return "Mitchell";
-        case PixelFilter::lanczos2:
-            return "Lanczos 2";
-        case PixelFilter::box:
-            break;
-    }
-    return "box";
+    return filterRow(filter).name;
 }
 
 double radiusOf(PixelFilter filter) {
-    switch (filter) {
-        case PixelFilter::box:
-            return .5;
-        case PixelFilter::tent:
-            return 1;
-        case PixelFilter::gaussian:
-            return 1.5;
-        case PixelFilter::mitchell:
-        case PixelFilter::lanczos2:
-            break;
-    }
-    return 2;
+    return filterRow(filter).radius;
 }
 
 double weightOf(PixelFilter filter, double x) {

@@ -76,7 +76,7 @@ Result<CardTexture> CardTexture::create() {
     CardTexture made;
     GLuint name = 0;
     glGenTextures(1, &name);
-    made.name_ = gpu::Name<gpu::deleteTexture>(name);
+    made.name_ = gpu::Name<glDeleteTextures>(name);
     made.bind(0);
     gpu::clearErrors();
     const auto load = [](int level, int side, const Bytes& texels) {

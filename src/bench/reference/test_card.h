@@ -37,7 +37,7 @@ class CardTexture {
     [[nodiscard]] double differenceOfDriversLevels() const;
 
   private:
-    gpu::Name<gpu::deleteTexture> name_;
+    gpu::Name<glDeleteTextures> name_;
 };
 
 }  // namespace glibra::bench

@@ -110,19 +110,11 @@ std::string table(const Figure& figure) {
         hasMemory ? "<th class=\"number\">memory</th>" : "", rows);
 }
 
-std::string_view frontNote(const Figure& figure) {
-    switch (figure.alternatives) {
-        case Alternatives::curve:
-            return " Each curve has a front of its own.";
-        case Alternatives::setting:
-            return " Each setting has a front of its own: it is a difficulty, not a cost.";
-        case Alternatives::none:
-            return " There is no front, because all settings cost the same.";
-        case Alternatives::figure:
-            break;
-    }
-    return {};
-}
+/// In the order of Alternatives.
+constexpr std::string_view kFrontNotes[] = {
+    "", " Each curve has a front of its own.",
+    " Each setting has a front of its own: it is a difficulty, not a cost.",
+    " There is no front, because all settings cost the same."};
 
 std::string section(const Figure& figure, const std::string& subject) {
     std::string html = fmt::format("<article id=\"{0}.{1}\"><h3>{2}</h3>\n", base::escapeXml(subject),
@@ -131,8 +123,9 @@ std::string section(const Figure& figure, const std::string& subject) {
     html += "<div class=\"plots\">" + plot(figure, Abscissa::setting) + plot(figure, Abscissa::time) +
             "</div>\n" + legend(figure);
     if (!figure.reference.empty())
-        html += fmt::format("<p class=\"reference\">Reference: {}.{}</p>\n",
-                            base::escapeXml(figure.reference), frontNote(figure));
+        html +=
+            fmt::format("<p class=\"reference\">Reference: {}.{}</p>\n", base::escapeXml(figure.reference),
+                        kFrontNotes[static_cast<std::size_t>(figure.alternatives)]);
     return html + table(figure) + "</article>\n";
 }
 

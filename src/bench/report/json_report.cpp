@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -19,19 +20,8 @@ Json written(double value) {
     return std::isnan(value) ? Json(nullptr) : Json("inf");
 }
 
-const char* alternativesWord(Alternatives alternatives) {
-    switch (alternatives) {
-        case Alternatives::curve:
-            return "curve";
-        case Alternatives::setting:
-            return "setting";
-        case Alternatives::none:
-            return "none";
-        case Alternatives::figure:
-            break;
-    }
-    return "figure";
-}
+/// In the order of Alternatives.
+constexpr std::array kAlternativeWords{"figure", "curve", "setting", "none"};
 
 Json written(const Curve& curve);
 Json written(const Figure& figure);
@@ -73,7 +63,7 @@ Json written(const Figure& figure) {
             {"errorUnit", figure.errorUnit},
             {"reference", figure.reference},
             {"findings", figure.findings},
-            {"alternatives", alternativesWord(figure.alternatives)},
+            {"alternatives", kAlternativeWords.at(static_cast<std::size_t>(figure.alternatives))},
             {"curves", writtenList(figure.curves)}};
 }
 
@@ -144,10 +134,8 @@ Figure readFigure(const Json& json) {
     readMember(json, "reference", figure.reference);
     readMember(json, "findings", figure.findings);
     if (const auto kind = json.find("alternatives"); kind != json.end())
-        figure.alternatives = *kind == "curve"     ? Alternatives::curve
-                              : *kind == "setting" ? Alternatives::setting
-                              : *kind == "none"    ? Alternatives::none
-                                                   : Alternatives::figure;
+        for (std::size_t i = 0; i < kAlternativeWords.size(); ++i)
+            if (*kind == kAlternativeWords.at(i)) figure.alternatives = static_cast<Alternatives>(i);
     for (const Json& each : json.at("curves")) figure.curves.push_back(readCurve(each));
     return figure;
 }

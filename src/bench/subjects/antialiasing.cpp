@@ -1,5 +1,3 @@
-#include "bench/subjects/antialiasing.h"
-
 #include <fmt/format.h>
 
 #include <cmath>
@@ -11,6 +9,7 @@
 #include "bench/draw/offscreen.h"
 #include "bench/draw/patterns.h"
 #include "bench/reference/pixel_filter.h"
+#include "bench/subjects/subjects.h"
 
 namespace glibra::bench {
 namespace {
@@ -73,13 +72,12 @@ Result<Point> measureSamples(const Setup& setup, const PatternProgram& program, 
     });
     if (!problems.empty()) return problems;
     const int perPixel = factor * factor * target->samples();
-    Point point{
+    return Point{
         .setting = static_cast<double>(perPixel),
         .label = samples > 1 ? fmt::format("MSAA {}", target->samples()) : fmt::format("{0} x {0}", factor),
-        .error = errorInBytes(reduced, setup.references.at(filter))};
-    point.time = timing;
-    point.memory = static_cast<double>(gpu::bytesPerTexel(kSampleFormat)) * perPixel * side * side;
-    return point;
+        .error = errorInBytes(reduced, setup.references.at(filter)),
+        .time = timing,
+        .memory = static_cast<double>(gpu::bytesPerTexel(kSampleFormat)) * perPixel * side * side};
 }
 
 Result<Curve> supersampled(const Setup& setup, const PatternProgram& program, PixelFilter filter) {

@@ -1,5 +1,3 @@
-#include "bench/subjects/bounds.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 #include "bench/core/fit.h"
 #include "bench/draw/scene_picture.h"
 #include "bench/subjects/shipped_scenes.h"
+#include "bench/subjects/subjects.h"
 #include "budget/contour_shift.h"
 #include "render/scene_renderer.h"
 

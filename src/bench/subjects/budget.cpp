@@ -1,5 +1,3 @@
-#include "bench/subjects/budget.h"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -9,7 +7,9 @@
 
 #include "bench/core/fit.h"
 #include "bench/draw/scene_picture.h"
+#include "bench/subjects/displacement.h"
 #include "bench/subjects/shipped_scenes.h"
+#include "bench/subjects/subjects.h"
 
 namespace glibra::bench {
 namespace {
@@ -92,7 +92,7 @@ class Measuring {
 };
 
 Curve sceneCurve(const std::vector<SceneRow>& rows, std::string name, MeasuredSetting SceneRow::* which) {
-    Curve curve{.name = std::move(name), .points = {}};
+    Curve curve{.name = std::move(name)};
     for (std::size_t i = 0; i < rows.size(); ++i)
         curve.points.push_back({.setting = static_cast<double>(i + 1),
                                 .label = rows[i].name,

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "bench/subjects/builtin_precision.h"
-#include "bench/subjects/builtins.h"
+#include "bench/subjects/subjects.h"
 
 namespace glibra::bench {
 namespace {
@@ -140,8 +140,6 @@ Result<std::vector<Figure>> measureBuiltins(Bench& bench) {
                       .errorName = "largest error",
                       .errorUnit = "units in the last place",
                       .reference = "the same function of the same floats in long double on the CPU",
-                      .curves = {},
-                      .findings = {},
                       .alternatives = Alternatives::setting};
         std::vector<MeasuredSweep> all;
         for (const BuiltinFunction& function : builtinFunctions()) {

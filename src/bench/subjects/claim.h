@@ -5,14 +5,14 @@
 
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "bench/core/bench.h"
 #include "bench/core/paired.h"
+#include "bench/core/subject.h"
 #include "gpu/context/context.h"
+#include "gpu/object/target.h"
 
 namespace glibra::bench {
 
@@ -32,7 +32,6 @@ struct Claim {
     std::string errorUnit, reference;
     Way slower, faster;
     bool mayBeEqual = false;  ///< the claim holds without a difference, too
-    std::vector<std::string> findings{};
 };
 
 /// What the claims are measured with.
@@ -66,5 +65,14 @@ template <class T>
 std::shared_ptr<T> shared(T value) {
     return std::make_shared<T>(std::move(value));
 }
+
+/// Draws with a value, which the function keeps alive.
+template <class T>
+std::function<void()> drawing(std::shared_ptr<T> value) {
+    return [value = std::move(value)] { value->draw(); };
+}
+
+/// A target of side x side pixels.
+Result<std::shared_ptr<gpu::Target>> targetOf(const ClaimSetup& setup, int side, gpu::TexelFormat format);
 
 }  // namespace glibra::bench

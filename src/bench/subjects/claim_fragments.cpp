@@ -9,7 +9,6 @@
 #include "bench/core/fit.h"
 #include "bench/draw/offscreen.h"
 #include "bench/subjects/claim.h"
-#include "gpu/object/target.h"
 
 namespace glibra::bench {
 namespace {
@@ -26,6 +25,15 @@ struct FormPair {
     const char* faster;
     bool mayBeEqual;
 };
+
+constexpr const char* kUnrolled =
+    "float form(vec2 p) {\n"
+    "    float sum = p.y;\n"
+    "    sum = sum * p.x + p.y + 1.;\n"
+    "    sum = sum * p.x + p.y + 2.;\n"
+    "    sum = sum * p.x + p.y + 3.;\n"
+    "    return .01 * sum;\n"
+    "}\n";
 
 constexpr FormPair kFormPairs[] = {
     {"pf05-branch", "An if is slow: an arithmetic choice is faster", "if, else",
@@ -45,15 +53,7 @@ constexpr FormPair kFormPairs[] = {
      "    for (int i = 0; i < uFour; ++i) sum = sum * p.x + p.y + float(i);\n"
      "    return .01 * sum;\n"
      "}\n",
-     "unrolled",
-     "float form(vec2 p) {\n"
-     "    float sum = p.y;\n"
-     "    sum = sum * p.x + p.y + 1.;\n"
-     "    sum = sum * p.x + p.y + 2.;\n"
-     "    sum = sum * p.x + p.y + 3.;\n"
-     "    return .01 * sum;\n"
-     "}\n",
-     false},
+     "unrolled", kUnrolled, false},
     {"pf05-constant-loop", "A short loop is better unrolled, even if its bound is constant",
      "loop with a constant bound",
      "float form(vec2 p) {\n"
@@ -61,15 +61,7 @@ constexpr FormPair kFormPairs[] = {
      "    for (int i = 0; i < 4; ++i) sum = sum * p.x + p.y + float(i);\n"
      "    return .01 * sum;\n"
      "}\n",
-     "unrolled",
-     "float form(vec2 p) {\n"
-     "    float sum = p.y;\n"
-     "    sum = sum * p.x + p.y + 1.;\n"
-     "    sum = sum * p.x + p.y + 2.;\n"
-     "    sum = sum * p.x + p.y + 3.;\n"
-     "    return .01 * sum;\n"
-     "}\n",
-     false},
+     "unrolled", kUnrolled, false},
     {"pf06-length", "A built-in function is never slower than the form written by hand: length",
      "sqrt(x * x + y * y + z * z)",
      "float form(vec2 p) {\n"

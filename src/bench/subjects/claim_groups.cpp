@@ -77,11 +77,7 @@ Result<Figure> workGroups(const ClaimSetup& setup) {
 
 Result<std::vector<Figure>> measureGroupClaims(const ClaimSetup& setup) {
     if (!setup.capabilities().compute) return std::vector<Figure>();
-    Result<Figure> groups = workGroups(setup);
-    if (!groups) return std::move(groups.diagnostics);
-    std::vector<Figure> figures;
-    figures.push_back(std::move(*groups));
-    return figures;
+    return measureEach({workGroups}, setup);
 }
 
 }  // namespace glibra::bench

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <numbers>
 #include <span>
 
@@ -13,7 +12,6 @@
 #include "bench/draw/offscreen.h"
 #include "bench/subjects/claim.h"
 #include "gpu/object/buffer.h"
-#include "gpu/object/target.h"
 #include "gpu/object/vertex_array.h"
 
 namespace glibra::bench {
@@ -22,10 +20,12 @@ namespace {
 constexpr const char* kPlainFragment =
     "in vec3 vPosition;\nout vec4 fColor;\nvoid main() { fColor = vec4(fract(vPosition), 1.); }\n";
 
+/// Gives each vertex its number, for the stages after it.
+constexpr const char* kNumberVertex =
+    "flat out int vNumber;\nvoid main() { vNumber = gl_VertexID; gl_Position = vec4(0.); }\n";
+
 Result<std::shared_ptr<gpu::Target>> meshTarget(const ClaimSetup& setup) {
-    Result<gpu::Target> target = gpu::Target::window(setup.capabilities(), 512, 512, gpu::TexelFormat::rgba8);
-    if (!target) return std::move(target.diagnostics);
-    return shared(std::move(*target));
+    return targetOf(setup, 512, gpu::TexelFormat::rgba8);
 }
 
 /// A grid of points as one strip, whose rows end with a restart, and as separate triangles.
@@ -45,15 +45,12 @@ Result<Figure> stripOrTriangles(const ClaimSetup& setup) {
         }
         strip.push_back(kRestart);
     }
-    Result<gpu::Program> built =
-        program(setup.capabilities(),
-                fmt::format("out vec3 vPosition;\nvoid main() {{\n"
-                            "    vec2 p = vec2(gl_VertexID % {0}, gl_VertexID / {0}) / vec2({0}, {1});\n"
-                            "    vPosition = vec3(2. * p - 1., .2 * sin(20. * p.x) * cos(15. * p.y));\n"
-                            "    gl_Position = vec4(vPosition.xy * .95, vPosition.z, 1.);\n}}\n",
-                            width, height),
-                kPlainFragment);
-    if (!built) return std::move(built.diagnostics);
+    const std::string vertex = fmt::format(
+        "out vec3 vPosition;\nvoid main() {{\n"
+        "    vec2 p = vec2(gl_VertexID % {0}, gl_VertexID / {0}) / vec2({0}, {1});\n"
+        "    vPosition = vec3(2. * p - 1., .2 * sin(20. * p.x) * cos(15. * p.y));\n"
+        "    gl_Position = vec4(vPosition.xy * .95, vPosition.z, 1.);\n}}\n",
+        width, height);
     struct Grid {
         gpu::Program program;
         std::shared_ptr<gpu::Target> target;
@@ -71,24 +68,17 @@ Result<Figure> stripOrTriangles(const ClaimSetup& setup) {
             glDisable(GL_PRIMITIVE_RESTART);
         }
     };
-    Result<gpu::Program> second =
-        program(setup.capabilities(),
-                fmt::format("out vec3 vPosition;\nvoid main() {{\n"
-                            "    vec2 p = vec2(gl_VertexID % {0}, gl_VertexID / {0}) / vec2({0}, {1});\n"
-                            "    vPosition = vec3(2. * p - 1., .2 * sin(20. * p.x) * cos(15. * p.y));\n"
-                            "    gl_Position = vec4(vPosition.xy * .95, vPosition.z, 1.);\n}}\n",
-                            width, height),
-                kPlainFragment);
-    if (!second) return std::move(second.diagnostics);
     std::vector<std::shared_ptr<Grid>> grids;
     std::vector<std::vector<float>> pictures;
     for (const bool isStrip : {false, true}) {
         const std::vector<std::uint32_t>& indices = isStrip ? strip : triangles;
+        Result<gpu::Program> built = program(setup.capabilities(), vertex, kPlainFragment);
+        if (!built) return std::move(built.diagnostics);
         Result<gpu::Buffer> buffer = gpu::Buffer::create(std::as_bytes(std::span(indices)));
         if (!buffer) return std::move(buffer.diagnostics);
-        grids.push_back(shared(Grid{std::move(isStrip ? *second : *built), *target, std::move(*buffer),
-                                    static_cast<GLsizei>(indices.size()),
-                                    static_cast<GLenum>(isStrip ? GL_TRIANGLE_STRIP : GL_TRIANGLES)}));
+        grids.push_back(
+            shared(Grid{std::move(*built), *target, std::move(*buffer), static_cast<GLsizei>(indices.size()),
+                        static_cast<GLenum>(isStrip ? GL_TRIANGLE_STRIP : GL_TRIANGLES)}));
         (*target)->bind();
         (*target)->clearColor(0, {});
         grids.back()->draw();
@@ -99,20 +89,17 @@ Result<Figure> stripOrTriangles(const ClaimSetup& setup) {
     double largest = 0;
     for (std::size_t i = 0; i < pictures[0].size(); ++i)
         largest = std::max(largest, static_cast<double>(std::abs(pictures[0][i] - pictures[1][i])));
-    const auto asTriangles = grids[0], asStrip = grids[1];
-    Figure figure =
-        figureOf(setup, {.name = "pf02",
-                         .text = "A grid is faster as one strip with restarts than as separate triangles",
-                         .work = fmt::format("a grid of {} x {} points", width, height),
-                         .errorName = "largest difference",
-                         .errorUnit = "",
-                         .reference = "the picture of the other way",
-                         .slower = {"triangles", [asTriangles] { asTriangles->draw(); }, 0,
-                                    4. * static_cast<double>(triangles.size())},
-                         .faster = {"strip", [asStrip] { asStrip->draw(); }, largest,
-                                    4. * static_cast<double>(strip.size())}});
-    const Timing frame = setup.bench.time([asStrip] {
-        asStrip->draw();
+    Figure figure = figureOf(
+        setup, {.name = "pf02",
+                .text = "A grid is faster as one strip with restarts than as separate triangles",
+                .work = fmt::format("a grid of {} x {} points", width, height),
+                .errorName = "largest difference",
+                .errorUnit = "",
+                .reference = "the picture of the other way",
+                .slower = {"triangles", drawing(grids[0]), 0, 4. * static_cast<double>(triangles.size())},
+                .faster = {"strip", drawing(grids[1]), largest, 4. * static_cast<double>(strip.size())}});
+    const Timing frame = setup.bench.time([&] {
+        grids[1]->draw();
         glFinish();
     });
     if (!setup.bench.isQuick())
@@ -145,16 +132,15 @@ Result<gpu::Program> geometryBalls(const ClaimSetup& setup, int level, bool capt
         "            put(row + 1, column + 1, signs, ball);\n        }}\n        EndPrimitive();\n    "
         "}}\n}}\n",
         level * (level + 2), kOctants, level);
-    const std::string vertex =
-        "flat out int vNumber;\nvoid main() { vNumber = gl_VertexID; gl_Position = vec4(0.); }\n";
-    const std::vector<gpu::StageSource> stages{
-        {GL_VERTEX_SHADER, vertex}, {GL_GEOMETRY_SHADER, geometry}, {GL_FRAGMENT_SHADER, kPlainFragment}};
+    const std::vector<gpu::StageSource> stages{{GL_VERTEX_SHADER, kNumberVertex},
+                                               {GL_GEOMETRY_SHADER, geometry},
+                                               {GL_FRAGMENT_SHADER, kPlainFragment}};
     return program(setup.capabilities(), stages,
                    captures ? std::vector<std::string>{"vPosition"} : std::vector<std::string>{});
 }
 
-/// Spheres by tessellation: of octants, or of one rectangle of longitude and latitude. `placedByHand` leaves
-/// them at the origin with radius 1, for captures.
+/// Spheres by tessellation: of octants, or of one rectangle of longitude and latitude. `atOrigin` leaves them
+/// at the origin with radius 1, for captures.
 Result<gpu::Program> tessellatedBalls(const ClaimSetup& setup, bool octants, double level, bool atOrigin) {
     const std::string control = fmt::format(
         "layout(vertices = 1) out;\nflat in int vNumber[];\nout int cNumber[];\nuniform float uLevel;\n"
@@ -178,9 +164,7 @@ Result<gpu::Program> tessellatedBalls(const ClaimSetup& setup, bool octants, dou
                   "    float around = 6.283185307 * gl_TessCoord.x, up = 3.14159265 * (gl_TessCoord.y - "
                   ".5);\n    vec3 p = vec3(cos(up) * cos(around), sin(up), cos(up) * sin(around));\n{}}}\n",
                   kOctants, place);
-    const std::string vertex =
-        "flat out int vNumber;\nvoid main() { vNumber = gl_VertexID; gl_Position = vec4(0.); }\n";
-    const std::vector<gpu::StageSource> stages{{GL_VERTEX_SHADER, vertex},
+    const std::vector<gpu::StageSource> stages{{GL_VERTEX_SHADER, kNumberVertex},
                                                {GL_TESS_CONTROL_SHADER, control},
                                                {GL_TESS_EVALUATION_SHADER, evaluation},
                                                {GL_FRAGMENT_SHADER, kPlainFragment}};
@@ -216,10 +200,15 @@ double farthestInside(const Captured& captured) {
     return farthest;
 }
 
-Result<std::vector<Figure>> spheres(const ClaimSetup& setup) {
+int ballCount(const ClaimSetup& setup) {
+    return setup.bench.isQuick() ? 4 : 32;
+}
+
+/// Spheres that a geometry stage subdivides, and those of a tessellation stage.
+Result<Figure> geometryOrTessellation(const ClaimSetup& setup) {
     const auto target = meshTarget(setup);
     if (!target) return target.diagnostics;
-    const int balls = setup.bench.isQuick() ? 4 : 32;
+    const int balls = ballCount(setup);
     constexpr int kRows = 10;  // 120 vertices of 7 components: below the 1024 that every driver has
     // Both have about 100 triangles per octant: 10 x 10, and 1.5 x 8 x 8.
     constexpr double kLevel = 8;
@@ -229,27 +218,32 @@ Result<std::vector<Figure>> spheres(const ClaimSetup& setup) {
     if (!byTessellation) return std::move(byTessellation.diagnostics);
     const auto geometry = shared(Balls{std::move(*byGeometry), *target, GL_POINTS, 8, balls});
     const auto tessellation = shared(Balls{std::move(*byTessellation), *target, GL_PATCHES, 8, balls});
-    std::vector<Figure> figures;
-    Figure stages = figureOf(
-        setup, {.name = "pf16",
-                .text = "A geometry stage is slower than tessellation for subdividing surfaces",
-                .work = fmt::format("{} spheres of about 800 triangles", balls),
-                .errorName = "share of triangles too many or too few",
-                .errorUnit = "",
-                .reference = "10 x 10 triangles per octant",
-                .slower = {"geometry stage, 120 vertices per octant", [geometry] { geometry->draw(); }},
-                .faster = {"tessellation, level 8", [tessellation] { tessellation->draw(); },
-                           std::abs(1.5 * kLevel * kLevel / (kRows * kRows) - 1)}});
+    Figure figure =
+        figureOf(setup, {.name = "pf16",
+                         .text = "A geometry stage is slower than tessellation for subdividing surfaces",
+                         .work = fmt::format("{} spheres of about 800 triangles", balls),
+                         .errorName = "share of triangles too many or too few",
+                         .errorUnit = "",
+                         .reference = "10 x 10 triangles per octant",
+                         .slower = {"geometry stage, 120 vertices per octant", drawing(geometry)},
+                         .faster = {"tessellation, level 8", drawing(tessellation),
+                                    std::abs(1.5 * kLevel * kLevel / (kRows * kRows) - 1)}});
     const int most = setup.capabilities().maxGeometryOutputVertices;
     const int components = setup.capabilities().maxGeometryTotalOutputComponents;
-    stages.findings.push_back(
+    figure.findings.push_back(
         fmt::format("a geometry stage may emit {} vertices and {} components here, so that an octant has at "
                     "most {} rows; "
                     "tessellation has levels up to {}",
                     most, components, static_cast<int>(std::sqrt(1. + std::min(most, components / 7)) - 1),
                     setup.capabilities().maxTessellationLevel));
-    figures.push_back(std::move(stages));
+    return figure;
+}
 
+/// Spheres of one patch of longitude and latitude, and of eight octants.
+Result<Figure> patchOrOctants(const ClaimSetup& setup) {
+    const auto target = meshTarget(setup);
+    if (!target) return target.diagnostics;
+    const int balls = ballCount(setup);
     // 8 x 1.5 x 26 x 26 and 2 x 64 x 64 triangles.
     std::vector<std::shared_ptr<Balls>> ways;
     std::vector<double> errors;
@@ -268,19 +262,16 @@ Result<std::vector<Figure>> spheres(const ClaimSetup& setup) {
         counts.push_back(captured->primitives);
         ways.push_back(shared(Balls{std::move(*drawn), *target, GL_PATCHES, octants ? 8 : 1, balls}));
     }
-    const auto whole = ways[0], eighths = ways[1];
-    figures.push_back(figureOf(
-        setup, {.name = "pf17",
-                .text = "A sphere of eight octants is faster than one patch of longitude and latitude",
-                .work = fmt::format("{} spheres of about 8000 triangles", balls),
-                .errorName = "largest distance of a triangle's middle from the sphere",
-                .errorUnit = "radii",
-                .reference = "the sphere",
-                .slower = {fmt::format("one patch, level 64: {} triangles", counts[0]),
-                           [whole] { whole->draw(); }, errors[0]},
-                .faster = {fmt::format("octants, level 26: {} triangles", counts[1]),
-                           [eighths] { eighths->draw(); }, errors[1]}}));
-    return figures;
+    return figureOf(
+        setup,
+        {.name = "pf17",
+         .text = "A sphere of eight octants is faster than one patch of longitude and latitude",
+         .work = fmt::format("{} spheres of about 8000 triangles", balls),
+         .errorName = "largest distance of a triangle's middle from the sphere",
+         .errorUnit = "radii",
+         .reference = "the sphere",
+         .slower = {fmt::format("one patch, level 64: {} triangles", counts[0]), drawing(ways[0]), errors[0]},
+         .faster = {fmt::format("octants, level 26: {} triangles", counts[1]), drawing(ways[1]), errors[1]}});
 }
 
 /// The size of triangles of a sphere of octants, whose level follows its radius in pixels.
@@ -384,16 +375,8 @@ Result<Figure> culling(const ClaimSetup& setup) {
 }  // namespace
 
 Result<std::vector<Figure>> measureMeshClaims(const ClaimSetup& setup) {
-    std::vector<Figure> figures;
-    for (auto* measure : {stripOrTriangles, adaptiveLevels, culling}) {
-        Result<Figure> figure = measure(setup);
-        if (!figure) return std::move(figure.diagnostics);
-        figures.push_back(std::move(*figure));
-    }
-    Result<std::vector<Figure>> balls = spheres(setup);
-    if (!balls) return balls;
-    std::move(balls->begin(), balls->end(), std::back_inserter(figures));
-    return figures;
+    return measureEach({stripOrTriangles, adaptiveLevels, culling, geometryOrTessellation, patchOrOctants},
+                       setup);
 }
 
 }  // namespace glibra::bench

@@ -11,7 +11,6 @@
 #include "bench/draw/offscreen.h"
 #include "bench/subjects/claim.h"
 #include "gpu/object/sampler.h"
-#include "gpu/object/target.h"
 #include "gpu/object/texture.h"
 
 namespace glibra::bench {
@@ -53,12 +52,6 @@ Result<gpu::Texture> textureOf(const ClaimSetup& setup, gpu::TextureShape shape,
                                gpu::TextureSize size, std::span<const float> values, int components) {
     return gpu::Texture::create(setup.capabilities(), shape, format, size,
                                 {std::as_bytes(values), components, gpu::TexelType::f32});
-}
-
-Result<std::shared_ptr<gpu::Target>> targetOf(const ClaimSetup& setup, int side, TexelFormat format) {
-    Result<gpu::Target> target = gpu::Target::window(setup.capabilities(), side, side, format);
-    if (!target) return std::move(target.diagnostics);
-    return shared(std::move(*target));
 }
 
 /// The pattern of pf11, for places 0..1.
@@ -124,8 +117,7 @@ Result<Figure> proceduralOrTexture(const ClaimSetup& setup) {
                  .error = error,
                  .memory = each == procedural ? 0. : 1. * kTexels * kTexels});
         }
-        const PairedTiming timing =
-            setup.time([procedural] { procedural->draw(); }, [read] { read->draw(); });
+        const PairedTiming timing = setup.time(drawing(procedural), drawing(read));
         figure.curves[0].points.back().time = timing.first;
         figure.curves[1].points.back().time = timing.second;
         ratio = timing.ratio;
@@ -208,16 +200,15 @@ Result<Figure> bumpsOrGeometry(const ClaimSetup& setup) {
         squares += difference * difference / static_cast<double>(pictures[0].size());
     }
     const double bytes = 4. * width * height;
-    return figureOf(setup, {.name = "pf12",
-                            .text = "Terrain from one rectangle with bumps is faster than from geometry",
-                            .work = fmt::format("a map of {} x {} heights", width, height),
-                            .errorName = "difference (root of the mean square)",
-                            .errorUnit = "",
-                            .reference = "the picture of the geometry: bumps move no outline",
-                            .slower = {fmt::format("geometry: {} triangles", vertices / 3),
-                                       [geometry] { geometry->draw(); }, 0, bytes},
-                            .faster = {"one rectangle with bumps", [bumps] { bumps->draw(); },
-                                       std::sqrt(squares), bytes}});
+    return figureOf(
+        setup, {.name = "pf12",
+                .text = "Terrain from one rectangle with bumps is faster than from geometry",
+                .work = fmt::format("a map of {} x {} heights", width, height),
+                .errorName = "difference (root of the mean square)",
+                .errorUnit = "",
+                .reference = "the picture of the geometry: bumps move no outline",
+                .slower = {fmt::format("geometry: {} triangles", vertices / 3), drawing(geometry), 0, bytes},
+                .faster = {"one rectangle with bumps", drawing(bumps), std::sqrt(squares), bytes}});
 }
 
 constexpr const char* kTransfer =
@@ -278,8 +269,8 @@ Result<std::vector<Figure>> colorTexture(const ClaimSetup& setup) {
                 .errorName = "error",
                 .errorUnit = "",
                 .reference = "not compared: interpolated colours are not the colours of interpolated values",
-                .slower = {"values and a transfer function", [transfers] { transfers->draw(); }, 0, texels},
-                .faster = {"precomputed colours", [lookups] { lookups->draw(); }, 0, 4 * texels}}));
+                .slower = {"values and a transfer function", drawing(transfers), 0, texels},
+                .faster = {"precomputed colours", drawing(lookups), 0, 4 * texels}}));
     const auto turn = shared(2.F);
     const auto change = [turn] { return *turn = *turn > 2.5F ? 1.5F : *turn + .01F; };
     figures.push_back(figureOf(
@@ -381,15 +372,12 @@ Result<Figure> shadowLookups(const ClaimSetup& setup) {
 }  // namespace
 
 Result<std::vector<Figure>> measureTextureClaims(const ClaimSetup& setup) {
-    std::vector<Figure> figures;
-    for (auto* measure : {proceduralOrTexture, bumpsOrGeometry, shadowLookups}) {
-        Result<Figure> figure = measure(setup);
-        if (!figure) return std::move(figure.diagnostics);
-        figures.push_back(std::move(*figure));
-    }
+    Result<std::vector<Figure>> figures =
+        measureEach({proceduralOrTexture, bumpsOrGeometry, shadowLookups}, setup);
+    if (!figures) return figures;
     Result<std::vector<Figure>> colors = colorTexture(setup);
     if (!colors) return colors;
-    std::move(colors->begin(), colors->end(), std::back_inserter(figures));
+    std::ranges::move(*colors, std::back_inserter(*figures));
     return figures;
 }
 

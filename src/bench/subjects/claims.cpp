@@ -1,11 +1,10 @@
-#include "bench/subjects/claims.h"
-
 #include <fmt/format.h>
 
 #include <iterator>
 
 #include "bench/core/fit.h"
 #include "bench/subjects/claim.h"
+#include "bench/subjects/subjects.h"
 
 namespace glibra::bench {
 namespace {
@@ -42,21 +41,24 @@ std::string verdict(const Timing& ratio, bool mayBeEqual) {
                        range);
 }
 
+Result<std::shared_ptr<gpu::Target>> targetOf(const ClaimSetup& setup, int side, gpu::TexelFormat format) {
+    Result<gpu::Target> target = gpu::Target::window(setup.capabilities(), side, side, format);
+    if (!target) return std::move(target.diagnostics);
+    return shared(std::move(*target));
+}
+
 Figure figureOf(const ClaimSetup& setup, const Claim& claim) {
     const PairedTiming timing = setup.time(claim.slower.draw, claim.faster.draw);
-    Figure figure{.name = claim.name,
-                  .title = claim.text,
-                  .settingName = "work",
-                  .errorName = claim.errorName,
-                  .errorUnit = claim.errorUnit,
-                  .reference = claim.reference,
-                  .curves = {curveOf(claim.slower, claim.work, timing.first),
-                             curveOf(claim.faster, claim.work, timing.second)},
-                  .alternatives = Alternatives::figure};
-    figure.findings.push_back(fmt::format("{}: {} / {}", verdict(timing.ratio, claim.mayBeEqual),
-                                          claim.slower.name, claim.faster.name));
-    figure.findings.insert(figure.findings.end(), claim.findings.begin(), claim.findings.end());
-    return figure;
+    return {.name = claim.name,
+            .title = claim.text,
+            .settingName = "work",
+            .errorName = claim.errorName,
+            .errorUnit = claim.errorUnit,
+            .reference = claim.reference,
+            .curves = {curveOf(claim.slower, claim.work, timing.first),
+                       curveOf(claim.faster, claim.work, timing.second)},
+            .findings = {fmt::format("{}: {} / {}", verdict(timing.ratio, claim.mayBeEqual),
+                                     claim.slower.name, claim.faster.name)}};
 }
 
 Result<std::vector<Figure>> measureClaims(Bench& bench) {

@@ -7,7 +7,9 @@
 #include <utility>
 
 #include "bench/core/fit.h"
+#include "bench/draw/offscreen.h"
 #include "bench/draw/shader_values.h"
+#include "bench/subjects/subjects.h"
 
 namespace glibra::bench {
 namespace {
@@ -102,9 +104,7 @@ Result<Curve> summedInShader(Bench& bench, const std::vector<int>& counts) {
     if (!shader) return shader.diagnostics;
     Curve curve{"shader, t += dt (at the end)", {}};
     for (const int steps : counts) {
-        shader->program().use();
-        glUniform1i(glGetUniformLocation(shader->program().id(), "uSteps"), steps);
-        shader->compute();
+        setInt(shader->program(), "uSteps", steps);
         const Result<std::vector<Four>> values = shader->values();
         if (!values) return values.diagnostics;
         const double error = std::abs(static_cast<double>(values->front()[0]) - 1);
@@ -119,9 +119,7 @@ Result<int> loopRuns(Bench& bench) {
     const Four nothing{};
     const Result<ShaderValues> shader = ShaderValues::create(bench, kLoopShader, std::span(&nothing, 1));
     if (!shader) return shader.diagnostics;
-    shader->program().use();
-    glUniform1i(glGetUniformLocation(shader->program().id(), "uRuns"), kManyRuns);
-    shader->compute();
+    setInt(shader->program(), "uRuns", kManyRuns);
     const Result<std::vector<Four>> values = shader->values();
     if (!values) return values.diagnostics;
     return static_cast<int>(values->front()[0]);
@@ -188,11 +186,8 @@ Figure parameterFigure(Bench& bench, Diagnostics& problems) {
 
 Result<std::vector<Figure>> measureCurves(Bench& bench) {
     Diagnostics problems;
-    std::vector<Figure> figures;
-    figures.push_back(parameterFigure(bench, problems));
-    figures.push_back(chordFigure(bench, false));
-    figures.push_back(chordFigure(bench, true));
-    figures.push_back(streamlineFigure(bench));
+    std::vector<Figure> figures{parameterFigure(bench, problems), chordFigure(bench, false),
+                                chordFigure(bench, true), streamlineFigure(bench)};
     return {std::move(figures), std::move(problems)};
 }
 

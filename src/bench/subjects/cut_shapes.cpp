@@ -110,8 +110,6 @@ Figure cutFigure(std::string name, std::string title, std::string error, std::st
             .errorName = std::move(error),
             .errorUnit = std::move(unit),
             .reference = std::move(reference),
-            .curves = {},
-            .findings = {},
             .alternatives = Alternatives::curve};
 }
 

@@ -1,5 +1,3 @@
-#include "bench/subjects/depth.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 
 #include "bench/core/fit.h"
 #include "bench/draw/depth_target.h"
+#include "bench/subjects/subjects.h"
 
 namespace glibra::bench {
 namespace {
@@ -128,16 +127,18 @@ double meanRatio(const Curve& above, const Curve& below) {
     return count > 0 ? std::exp(sum / count) : kNaN;
 }
 
+Figure gapFigure(std::string name, std::string title, std::string settingName) {
+    return {.name = std::move(name),
+            .title = std::move(title),
+            .settingName = std::move(settingName),
+            .errorName = "smallest gap that is always resolved",
+            .errorUnit = "distances",
+            .reference = kOrderReference,
+            .alternatives = Alternatives::setting};
+}
+
 Result<Figure> gapByRatio(const Bench& bench, const gpu::Capabilities& capabilities) {
-    Figure figure{.name = "gap-by-range",
-                  .title = "Smallest gap resolved at half the far distance",
-                  .settingName = "far / near",
-                  .errorName = "smallest gap that is always resolved",
-                  .errorUnit = "distances",
-                  .reference = kOrderReference,
-                  .curves = {},
-                  .findings = {},
-                  .alternatives = Alternatives::setting};
+    Figure figure = gapFigure("gap-by-range", "Smallest gap resolved at half the far distance", "far / near");
     std::vector<GapPlace> places;
     for (const double ratio : ratios(bench.isQuick()))
         places.push_back({ratio, kNear * ratio, kNear * ratio / 2, fmt::format("{:.3g}:1", ratio)});
@@ -160,15 +161,8 @@ Result<Figure> gapByRatio(const Bench& bench, const gpu::Capabilities& capabilit
 
 Result<Figure> gapByDistance(const Bench& bench, const gpu::Capabilities& capabilities) {
     constexpr double kFar = 1e4;
-    Figure figure{.name = "gap-by-distance",
-                  .title = "Smallest gap resolved, far / near = 10000",
-                  .settingName = "distance / near",
-                  .errorName = "smallest gap that is always resolved",
-                  .errorUnit = "distances",
-                  .reference = kOrderReference,
-                  .curves = {},
-                  .findings = {},
-                  .alternatives = Alternatives::setting};
+    Figure figure =
+        gapFigure("gap-by-distance", "Smallest gap resolved, far / near = 10000", "distance / near");
     std::vector<GapPlace> places;
     for (int octave = 1; octave <= 12; octave += bench.isQuick() ? 3 : 1) {
         const double z = std::ldexp(1., octave);
@@ -183,15 +177,12 @@ Result<Figure> gapByDistance(const Bench& bench, const gpu::Capabilities& capabi
 
 Result<Figure> fightingByGap(const Bench& bench, const gpu::Capabilities& capabilities) {
     constexpr double kFar = 1e4, kDistance = 1e3;
-    Figure figure{
-        .name = "fighting",
-        .title = "Two tilted planes at 1000 times the near distance, far / near = 10000",
-        .settingName = "steps of the buffer between them",
-        .errorName = "pixels in which the farther one wins",
-        .errorUnit = "",
-        .reference = "the nearer plane, which must be visible in every pixel",
-
-    };
+    Figure figure{.name = "fighting",
+                  .title = "Two tilted planes at 1000 times the near distance, far / near = 10000",
+                  .settingName = "steps of the buffer between them",
+                  .errorName = "pixels in which the farther one wins",
+                  .errorUnit = "",
+                  .reference = "the nearer plane, which must be visible in every pixel"};
     for (const DepthKind& kind : usableKinds(capabilities)) {
         Result<DepthTarget> target = DepthTarget::create(capabilities, kind.format, kBufferSide);
         if (!target) return std::move(target.diagnostics);
@@ -227,9 +218,7 @@ Result<Figure> cost(const Bench& bench, const gpu::Capabilities& capabilities) {
         .settingName = "bits per pixel",
         .errorName = "smallest gap that is always resolved",
         .errorUnit = "distances",
-        .reference = kOrderReference,
-
-    };
+        .reference = kOrderReference};
     for (const DepthKind& kind : usableKinds(capabilities)) {
         Result<DepthTarget> target = DepthTarget::create(capabilities, kind.format, kCostSide);
         if (!target) return std::move(target.diagnostics);
@@ -238,10 +227,12 @@ Result<Figure> cost(const Bench& bench, const gpu::Capabilities& capabilities) {
         Diagnostics problems;
         const Timing timing = bench.time([&] { problems = target->drawLayers(kind, kLayers); });
         if (!problems.empty()) return problems;
-        Point point{.setting = bitsKept(kind), .label = std::string(kind.name), .error = *gap};
-        point.time = timing;
-        point.memory = bufferBytes(kind, kCostSide);
-        figure.curves.push_back({.name = std::string(kind.name), .points = {point}});
+        figure.curves.push_back({.name = std::string(kind.name),
+                                 .points = {{.setting = bitsKept(kind),
+                                             .label = std::string(kind.name),
+                                             .error = *gap,
+                                             .time = timing,
+                                             .memory = bufferBytes(kind, kCostSide)}}});
     }
     const Point& standard = figure.curves[1].points.front();
     const Point& last = figure.curves.back().points.front();
@@ -256,14 +247,7 @@ Result<Figure> cost(const Bench& bench, const gpu::Capabilities& capabilities) {
 Result<std::vector<Figure>> measureDepth(Bench& bench) {
     Result<gpu::Context*> context = bench.context();
     if (!context) return std::move(context.diagnostics);
-    const gpu::Capabilities& capabilities = (*context)->capabilities();
-    std::vector<Figure> figures;
-    for (const auto measure : {gapByRatio, gapByDistance, fightingByGap, cost}) {
-        Result<Figure> figure = measure(bench, capabilities);
-        if (!figure) return std::move(figure.diagnostics);
-        figures.push_back(std::move(*figure));
-    }
-    return figures;
+    return measureEach({gapByRatio, gapByDistance, fightingByGap, cost}, bench, (*context)->capabilities());
 }
 
 }  // namespace glibra::bench

@@ -1,8 +1,8 @@
+#include "bench/subjects/displacement.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <vector>
-
-#include "bench/subjects/budget.h"
 
 namespace glibra::bench {
 namespace {

@@ -1,5 +1,3 @@
-#include "bench/subjects/filters.h"
-
 #include <fmt/format.h>
 
 #include <array>
@@ -8,6 +6,7 @@
 
 #include "bench/core/fit.h"
 #include "bench/draw/filter_passes.h"
+#include "bench/subjects/subjects.h"
 
 namespace glibra::bench {
 namespace {
@@ -47,17 +46,18 @@ Result<MeasuredFilter> measureFilter(Bench& bench, const gpu::Capabilities& capa
     const Result<FilterChain> chain =
         FilterChain::create(capabilities, picture, method.fragments(setting), method.between);
     if (!chain) return chain.diagnostics;
-    Point point;
-    point.setting = setting;
-    point.time = bench.time([&] {
+    const Timing time = bench.time([&] {
         chain->draw();
         glFinish();
     });
     const Result<Plane> drawn = chain->result(capabilities);
     if (!drawn) return drawn.diagnostics;
-    point.error = rootMeanSquare(*drawn, wanted) * kBytes;
-    point.memory = chain->bytesBetween();
-    return MeasuredFilter{std::move(point), meanDifference(*drawn, wanted) * kBytes};
+    return MeasuredFilter{.point = {.setting = static_cast<double>(setting),
+                                    .label = {},
+                                    .error = rootMeanSquare(*drawn, wanted) * kBytes,
+                                    .time = time,
+                                    .memory = chain->bytesBetween()},
+                          .shift = meanDifference(*drawn, wanted) * kBytes};
 }
 
 std::vector<FilterMethod> blurMethods() {
@@ -85,8 +85,6 @@ Result<Figure> blurFigure(Bench& bench, const gpu::Capabilities& capabilities) {
                   .errorName = "root mean square",
                   .errorUnit = "1/255",
                   .reference = "the sum over the square of pixels in double on the CPU",
-                  .curves = {},
-                  .findings = {},
                   .alternatives = Alternatives::setting};
     const Plane picture = testPicture(bench.isQuick() ? 64 : 256);
     const std::vector<int> radii =
@@ -95,7 +93,7 @@ Result<Figure> blurFigure(Bench& bench, const gpu::Capabilities& capabilities) {
     wanted.reserve(radii.size());
     for (const int radius : radii) wanted.push_back(blurred(picture, gaussianWeights(radius)));
     for (const FilterMethod& method : blurMethods()) {
-        Curve curve{.name = method.name, .points = {}};
+        Curve curve{.name = method.name};
         for (std::size_t i = 0; i < radii.size(); ++i) {
             Result<MeasuredFilter> measured =
                 measureFilter(bench, capabilities, picture, method, radii[i], wanted[i]);
@@ -122,8 +120,6 @@ Result<Figure> repeatedFigure(Bench& bench, const gpu::Capabilities& capabilitie
                   .errorName = "root mean square",
                   .errorUnit = "1/255",
                   .reference = "as many sums over the square of pixels in double on the CPU",
-                  .curves = {},
-                  .findings = {},
                   .alternatives = Alternatives::setting};
     const Plane picture = testPicture(bench.isQuick() ? 64 : 256);
     const int most = bench.isQuick() ? 8 : 32;
@@ -147,7 +143,7 @@ Result<Figure> repeatedFigure(Bench& bench, const gpu::Capabilities& capabilitie
                                       return passes;
                                   },
                                   format.format};
-        Curve curve{.name = fmt::format("{} between", format.name), .points = {}};
+        Curve curve{.name = fmt::format("{} between", format.name)};
         std::size_t at = 0;
         double shift = 0;
         for (int count = 1; count <= most; count *= 2) {
@@ -173,8 +169,6 @@ Result<Figure> sobelFigure(Bench& bench, const gpu::Capabilities& capabilities) 
                   .errorName = "root mean square of the gradient's length",
                   .errorUnit = "1/255",
                   .reference = "the 3 x 3 kernels in double on the CPU",
-                  .curves = {},
-                  .findings = {},
                   .alternatives = Alternatives::setting};
     std::vector<FilterMethod> methods{
         {"direct", [](int) { return std::vector<std::string>{directSobel()}; }}};
@@ -190,7 +184,7 @@ Result<Figure> sobelFigure(Bench& bench, const gpu::Capabilities& capabilities) 
     const std::vector<int> sides =
         bench.isQuick() ? std::vector<int>{64, 128} : std::vector<int>{128, 256, 512, 1024};
     for (const FilterMethod& method : methods) {
-        Curve curve{.name = method.name, .points = {}};
+        Curve curve{.name = method.name};
         for (const int side : sides) {
             const Plane picture = testPicture(side);
             Result<MeasuredFilter> measured =
@@ -216,13 +210,7 @@ Result<Figure> sobelFigure(Bench& bench, const gpu::Capabilities& capabilities) 
 Result<std::vector<Figure>> measureFilters(Bench& bench) {
     const Result<gpu::Context*> context = bench.context();
     if (!context) return context.diagnostics;
-    std::vector<Figure> figures;
-    for (const auto& make : {blurFigure, repeatedFigure, sobelFigure}) {
-        Result<Figure> figure = make(bench, (*context)->capabilities());
-        if (!figure) return std::move(figure.diagnostics);
-        figures.push_back(std::move(*figure));
-    }
-    return figures;
+    return measureEach({blurFigure, repeatedFigure, sobelFigure}, bench, (*context)->capabilities());
 }
 
 }  // namespace glibra::bench

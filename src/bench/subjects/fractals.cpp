@@ -1,5 +1,3 @@
-#include "bench/subjects/fractals.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <utility>
 
 #include "bench/draw/shader_values.h"
+#include "bench/subjects/subjects.h"
 
 namespace glibra::bench {
 namespace {
@@ -222,7 +221,6 @@ Result<Curve> fractalShaderCurve(Bench& bench, const FractalShader& method, cons
     Curve curve{method.name, {}};
     for (const Case& each : cases) {
         setFractalView(shader->program(), each.view, method.isDouble);
-        shader->compute();
         const Result<std::vector<Four>> values = shader->values();
         if (!values) return values.diagnostics;
         Counts counts;
@@ -277,9 +275,7 @@ Result<std::vector<Figure>> measureFractals(Bench& bench) {
         if (curve) figure.curves.push_back(std::move(*curve));
     }
     for (const Curve& curve : figure.curves) figure.findings.push_back(limitSentence(curve));
-    std::vector<Figure> figures;
-    figures.push_back(std::move(figure));
-    return {std::move(figures), std::move(problems)};
+    return {std::vector{std::move(figure)}, std::move(problems)};
 }
 
 }  // namespace glibra::bench

@@ -1,5 +1,3 @@
-#include "bench/subjects/lighting.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,6 +11,7 @@
 #include "bench/draw/lit_mesh.h"
 #include "bench/draw/offscreen.h"
 #include "bench/reference/analytic_lighting.h"
+#include "bench/subjects/subjects.h"
 #include "geometry/shapes/sphere.h"
 #include "geometry/shapes/torus.h"
 
@@ -48,16 +47,16 @@ Difference difference(const std::vector<float>& drawn, const std::vector<std::op
     return found;
 }
 
-std::vector<std::optional<double>> litReference(LitSurface surface, int side) {
+/// A value of the normal at each pixel that shows the surface, in a picture that reaches to `seen` in x and
+/// y.
+template <class Value>
+std::vector<std::optional<double>> overPixels(LitSurface surface, int side, double seen, const Value& value) {
     std::vector<std::optional<double>> values;
     for (int row = 0; row < side; ++row)
         for (int column = 0; column < side; ++column) {
-            const double x = kSeen * ((2 * column + 1.0) / side - 1),
-                         y = kSeen * (1 - (2 * row + 1.0) / side);
+            const double x = seen * ((2 * column + 1.0) / side - 1), y = seen * (1 - (2 * row + 1.0) / side);
             const std::optional<glm::dvec3> normal = normalAt(surface, x, y);
-            values.push_back(
-                normal ? std::optional(intensity(Highlight::reflection, *normal, obliqueLight(), kExponent))
-                       : std::nullopt);
+            values.push_back(normal ? std::optional(value(*normal)) : std::nullopt);
         }
     return values;
 }
@@ -77,7 +76,8 @@ constexpr std::array<NamedMethod, 4> kNamedMethods{
      {LightingMethod::renormalised, "per fragment, normals renormalised"},
      {LightingMethod::analytic, "per fragment, analytic normals"}}};
 
-Result<Figure> surfaceFigure(Bench& bench, const gpu::Capabilities& capabilities, LitSurface surface) {
+template <LitSurface surface>
+Result<Figure> surfaceFigure(Bench& bench, const gpu::Capabilities& capabilities) {
     const bool isSphere = surface == LitSurface::sphere;
     Figure figure{
         .name = isSphere ? "sphere" : "torus",
@@ -87,35 +87,33 @@ Result<Figure> surfaceFigure(Bench& bench, const gpu::Capabilities& capabilities
         .errorUnit = "of full intensity",
         .reference =
             "Phong lighting in double at the point of the analytic surface that each pixel's ray "
-            "meets; no mesh, no interpolation",
-        .curves = {},
-        .findings = {}};
+            "meets; no mesh, no interpolation"};
     const int side = bench.isQuick() ? 96 : 384, most = bench.isQuick() ? 64 : 512;
-    const std::vector<std::optional<double>> wanted = litReference(surface, side);
+    const auto wanted = overPixels(surface, side, kSeen, [](const glm::dvec3& normal) {
+        return intensity(Highlight::reflection, normal, obliqueLight(), kExponent);
+    });
     Result<gpu::Target> target = gpu::Target::window(capabilities, side, side, gpu::TexelFormat::rgba32f);
     if (!target) return std::move(target.diagnostics);
     for (const NamedMethod& method : kNamedMethods) {
         Result<gpu::Program> program =
             lightingProgram(capabilities, surface, method.method, obliqueLight(), kExponent);
         if (!program) return std::move(program.diagnostics);
-        Curve curve{.name = std::string(method.name), .points = {}};
+        Curve curve{.name = std::string(method.name)};
         for (int slices = 8; slices <= most; slices *= 2) {
             const Result<LitMesh> mesh = LitMesh::create(meshOf(surface, slices));
             if (!mesh) return mesh.diagnostics;
-            Point point{.setting = static_cast<double>(slices),
-                        .label = fmt::format("{} slices", slices),
-                        .time = {},
-                        .memory = {}};
-            point.time = bench.time([&] {
+            const Timing time = bench.time([&] {
                 mesh->draw(*program, *target);
                 glFinish();
             });
             const Result<std::vector<float>> drawn = readFloats(capabilities, *target, 2);
             if (!drawn) return drawn.diagnostics;
             const Difference found = difference(*drawn, wanted);
-            point.error = found.rootMeanSquare;
-            point.memory = mesh->bytes();
-            curve.points.push_back(std::move(point));
+            curve.points.push_back({.setting = static_cast<double>(slices),
+                                    .label = fmt::format("{} slices", slices),
+                                    .error = found.rootMeanSquare,
+                                    .time = time,
+                                    .memory = mesh->bytes()});
             if (slices == 16)
                 figure.findings.push_back(
                     fmt::format("{}: with 16 slices the brightest pixel is {:.3f}, exactly {:.3f}",
@@ -138,16 +136,9 @@ glm::dvec3 lightAt(double angle) {
 }
 
 std::vector<std::optional<double>> highlights(int side, const glm::dvec3& light, double exponent) {
-    std::vector<std::optional<double>> values;
-    for (int row = 0; row < side; ++row)
-        for (int column = 0; column < side; ++column) {
-            const auto normal =
-                normalAt(LitSurface::sphere, (2 * column + 1.0) / side - 1, 1 - (2 * row + 1.0) / side);
-            values.push_back(normal
-                                 ? std::optional(highlight(Highlight::reflection, *normal, light, exponent))
-                                 : std::nullopt);
-        }
-    return values;
+    return overPixels(LitSurface::sphere, side, 1, [&](const glm::dvec3& normal) {
+        return highlight(Highlight::reflection, normal, light, exponent);
+    });
 }
 
 /// The root mean square of highlights alone over the sphere drawn as a rectangle.
@@ -176,8 +167,6 @@ Result<Figure> halfVectorFigure(Bench& bench, const gpu::Capabilities& capabilit
                   .errorName = "root mean square over the sphere",
                   .errorUnit = "of the highlight",
                   .reference = "the reflection's highlight in double on the analytic sphere",
-                  .curves = {},
-                  .findings = {},
                   .alternatives = Alternatives::none};
     const int side = bench.isQuick() ? 64 : 192;
     const int stepsAUnit = bench.isQuick() ? 2 : 8;
@@ -187,8 +176,7 @@ Result<Figure> halfVectorFigure(Bench& bench, const gpu::Capabilities& capabilit
     if (!half) return std::move(half.diagnostics);
     for (const double angle : {20., 90.})
         for (const double exponent : {8., 32., 128.}) {
-            Curve curve{.name = fmt::format("exponent {}, light at {} degrees", exponent, angle),
-                        .points = {}};
+            Curve curve{.name = fmt::format("exponent {}, light at {} degrees", exponent, angle)};
             const glm::dvec3 light = lightAt(angle);
             const auto wanted = highlights(side, light, exponent);
             for (int i = 0; i <= 5 * stepsAUnit; ++i) {
@@ -199,7 +187,6 @@ Result<Figure> halfVectorFigure(Bench& bench, const gpu::Capabilities& capabilit
                 curve.points.push_back({.setting = factor,
                                         .label = fmt::format("{} times", factor),
                                         .error = *error,
-                                        .time = {},
                                         .memory = targetBytes(*target)});
             }
             figure.findings.push_back(bestFactor(curve));
@@ -215,8 +202,6 @@ Result<Figure> modelFigure(Bench& bench, const gpu::Capabilities& capabilities) 
                   .errorName = "root mean square over the sphere",
                   .errorUnit = "of the highlight",
                   .reference = "the reflection's highlight in double on the analytic sphere",
-                  .curves = {},
-                  .findings = {},
                   .alternatives = Alternatives::setting};
     const int side = bench.isQuick() ? 64 : 256;
     Result<gpu::Target> target = gpu::Target::window(capabilities, side, side, gpu::TexelFormat::rgba32f);
@@ -231,24 +216,22 @@ Result<Figure> modelFigure(Bench& bench, const gpu::Capabilities& capabilities) 
           Row{Highlight::halfVector, 4, "half vector, exponent times 4"}}) {
         Result<gpu::Program> program = highlightProgram(capabilities, row.model);
         if (!program) return std::move(program.diagnostics);
-        Curve curve{.name = row.name, .points = {}};
+        Curve curve{.name = row.name};
         for (const double angle : {10., 30., 50., 70., 90., 110., 130., 150.}) {
             const glm::dvec3 light = lightAt(angle);
             const Result<double> error =
                 highlightError(capabilities, *program, *target, light, kExponent * row.factor,
                                highlights(side, light, kExponent));
             if (!error) return error.diagnostics;
-            Point point{.setting = angle,
-                        .label = fmt::format("{} degrees", angle),
-                        .error = *error,
-                        .time = {},
-                        .memory = targetBytes(*target)};
-            point.time = bench.time([&] {
-                target->bind();
-                drawWhole(*program);
-                glFinish();
-            });
-            curve.points.push_back(std::move(point));
+            curve.points.push_back({.setting = angle,
+                                    .label = fmt::format("{} degrees", angle),
+                                    .error = *error,
+                                    .time = bench.time([&] {
+                                        target->bind();
+                                        drawWhole(*program);
+                                        glFinish();
+                                    }),
+                                    .memory = targetBytes(*target)});
         }
         figure.curves.push_back(std::move(curve));
     }
@@ -263,19 +246,9 @@ Result<Figure> modelFigure(Bench& bench, const gpu::Capabilities& capabilities) 
 Result<std::vector<Figure>> measureLighting(Bench& bench) {
     const Result<gpu::Context*> context = bench.context();
     if (!context) return context.diagnostics;
-    const gpu::Capabilities& capabilities = (*context)->capabilities();
-    std::vector<Figure> figures;
-    for (const LitSurface surface : {LitSurface::sphere, LitSurface::torus}) {
-        Result<Figure> figure = surfaceFigure(bench, capabilities, surface);
-        if (!figure) return std::move(figure.diagnostics);
-        figures.push_back(std::move(*figure));
-    }
-    for (const auto& make : {halfVectorFigure, modelFigure}) {
-        Result<Figure> figure = make(bench, capabilities);
-        if (!figure) return std::move(figure.diagnostics);
-        figures.push_back(std::move(*figure));
-    }
-    return figures;
+    return measureEach(
+        {surfaceFigure<LitSurface::sphere>, surfaceFigure<LitSurface::torus>, halfVectorFigure, modelFigure},
+        bench, (*context)->capabilities());
 }
 
 }  // namespace glibra::bench

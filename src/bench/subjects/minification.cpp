@@ -1,5 +1,3 @@
-#include "bench/subjects/minification.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,6 +10,7 @@
 #include "bench/draw/offscreen.h"
 #include "bench/reference/pixel_filter.h"
 #include "bench/reference/test_card.h"
+#include "bench/subjects/subjects.h"
 #include "gpu/object/sampler.h"
 
 namespace glibra::bench {
@@ -160,21 +159,11 @@ Result<Point> measureCard(const Bench& bench, const CardPicture& picture, const 
     Result<std::vector<double>> drawn;
     const Timing timing = bench.time([&] { drawn = picture.draw(*target, view, filter); });
     if (!drawn) return std::move(drawn.diagnostics);
-    Point point{.setting = filter.reads, .label = filter.label, .error = errorInBytes(*drawn, wanted)};
-    point.time = timing;
-    point.memory = filterBytes(filter, *target);
-    return point;
-}
-
-void addTo(Figure& figure, std::string_view curve, Point point) {
-    for (Curve& each : figure.curves)
-        if (each.name == curve) return each.points.push_back(std::move(point));
-    figure.curves.push_back({.name = std::string(curve), .points = {std::move(point)}});
-}
-
-const Point& lastOf(const Figure& figure, std::string_view curve) {
-    const auto found = std::ranges::find(figure.curves, curve, &Curve::name);
-    return found->points.back();
+    return Point{.setting = filter.reads,
+                 .label = filter.label,
+                 .error = errorInBytes(*drawn, wanted),
+                 .time = timing,
+                 .memory = filterBytes(filter, *target)};
 }
 
 int sideOf(const Bench& bench) {
@@ -218,15 +207,15 @@ Result<Figure> plane(Bench& bench, const gpu::Context& context) {
     for (const Filter& filter : filters(capabilities)) {
         Result<Point> point = measureCard(bench, *picture, view, filter, wanted);
         if (!point) return std::move(point.diagnostics);
-        addTo(figure, filter.curve, std::move(*point));
+        curveNamed(figure, filter.curve).points.push_back(std::move(*point));
     }
     if (std::optional<std::vector<Point>> bytes = withByteFilter<planeInBytes>(bench, context))
         figure.curves.push_back({.name = "filtered in bytes", .points = std::move(*bytes)});
 
-    const Point& nearest = lastOf(figure, "nearest");
+    const Point& nearest = curveNamed(figure, "nearest").points.back();
     for (const char* name : {"linear", "mipmaps, bilinear", "mipmaps, trilinear", "anisotropic"}) {
         if (std::ranges::find(figure.curves, name, &Curve::name) == figure.curves.end()) continue;
-        const Point& point = lastOf(figure, name);
+        const Point& point = curveNamed(figure, name).points.back();
         figure.findings.push_back(fmt::format(
             "{}: {:.0f} % of the error of nearest, {:.2f} times its time",
             name == std::string_view("anisotropic") ? fmt::format("{} ({})", name, point.label) : name,
@@ -235,7 +224,7 @@ Result<Figure> plane(Bench& bench, const gpu::Context& context) {
     if (capabilities.maxAnisotropy < 2) {
         figure.findings.emplace_back("this driver has no anisotropic filter");
     } else {
-        const Curve& limits = *std::ranges::find(figure.curves, "anisotropic", &Curve::name);
+        const Curve& limits = curveNamed(figure, "anisotropic");
         figure.findings.push_back(
             fmt::format("anisotropy of {}: {}/255, {}: {}/255", limits.points.front().label,
                         numberText(limits.points.front().error), limits.points.back().label,
@@ -259,8 +248,6 @@ Result<Figure> front(const Bench& bench, const gpu::Capabilities& capabilities) 
                   .errorName = "root mean square error",
                   .errorUnit = "1/255",
                   .reference = kCardReference,
-                  .curves = {},
-                  .findings = {},
                   .alternatives = Alternatives::setting};
     const std::vector<double> ratios =
         bench.isQuick() ? std::vector{1., 2., 4., 11.3}
@@ -274,7 +261,7 @@ Result<Figure> front(const Bench& bench, const gpu::Capabilities& capabilities) 
             if (!point) return std::move(point.diagnostics);
             point->setting = ratio;
             point->label = fmt::format("{:g} texels per pixel", ratio);
-            addTo(figure, filter.curve, std::move(*point));
+            curveNamed(figure, filter.curve).points.push_back(std::move(*point));
         }
     }
     for (const Curve& curve : figure.curves) {
@@ -304,12 +291,11 @@ Result<std::vector<Point>> magnified(const Bench& bench, const gpu::Capabilities
         double largest = 0;
         for (std::size_t i = 0; i < wanted.size(); ++i)
             largest = std::max(largest, std::abs((*drawn)[i] - wanted[i]));
-        Point point{.setting = static_cast<double>(pixels),
-                    .label = fmt::format("{} pixels per texel", pixels),
-                    .error = kByte * largest};
-        point.time = timing;
-        point.memory = filterBytes(linear, *target);
-        points.push_back(std::move(point));
+        points.push_back({.setting = static_cast<double>(pixels),
+                          .label = fmt::format("{} pixels per texel", pixels),
+                          .error = kByte * largest,
+                          .time = timing,
+                          .memory = filterBytes(linear, *target)});
     }
     return points;
 }
@@ -321,8 +307,6 @@ Result<Figure> arithmetic(Bench& bench, const gpu::Context& context) {
                   .errorName = "largest error",
                   .errorUnit = "1/255",
                   .reference = "bilinear interpolation of the same texels at the same places, in double",
-                  .curves = {},
-                  .findings = {},
                   .alternatives = Alternatives::setting};
     Result<std::vector<Point>> floats = magnified(bench, context.capabilities());
     if (!floats) return std::move(floats.diagnostics);

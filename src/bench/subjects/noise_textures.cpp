@@ -1,5 +1,3 @@
-#include "bench/subjects/noise_textures.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,6 +10,7 @@
 #include "bench/draw/byte_filter.h"
 #include "bench/draw/noise_shaders.h"
 #include "bench/draw/noise_volume.h"
+#include "bench/subjects/subjects.h"
 
 namespace glibra::bench {
 namespace {
@@ -55,12 +54,6 @@ std::vector<Sample> samplesOf(int count) {
     samples.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) samples.push_back({spread(i), exactNoise(spread(i))});
     return samples;
-}
-
-Curve& curveNamed(Figure& figure, std::string_view curve) {
-    for (Curve& each : figure.curves)
-        if (each.name == curve) return each;
-    return figure.curves.emplace_back(Curve{.name = std::string(curve)});
 }
 
 std::string texelsLabel(int side) {
@@ -114,8 +107,6 @@ std::vector<Figure> onCpu(const Bench& bench, ExactTexels& exact) {
                    .errorName = "root mean square error, of the octave's own root mean square",
                    .errorUnit = "",
                    .reference = kNoiseReference,
-                   .curves = {},
-                   .findings = {},
                    .alternatives = Alternatives::curve};
     const std::vector<Sample> samples = samplesOf(4096);
     Octaves strength{};
@@ -179,8 +170,8 @@ Result<Point> drawn(const Bench& bench, const NoisePicture& picture, const Noise
     if (!error) return std::move(error.diagnostics);
     Point point{.setting = volume ? static_cast<double>(volume->side()) : 1,
                 .label = volume ? texelsLabel(volume->side()) : "no texture",
-                .error = *error};
-    point.time = timing;
+                .error = *error,
+                .time = timing};
     if (volume) point.memory = volume->bytes();
     return point;
 }

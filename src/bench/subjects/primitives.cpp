@@ -1,5 +1,3 @@
-#include "bench/subjects/primitives.h"
-
 #include <fmt/format.h>
 
 #include <cmath>
@@ -10,6 +8,7 @@
 #include "bench/draw/drawn_solid.h"
 #include "bench/reference/solids.h"
 #include "bench/subjects/cut_shapes.h"
+#include "bench/subjects/subjects.h"
 #include "bench/subjects/teapot.h"
 #include "geometry/shapes/soccerball.h"
 #include "geometry/shapes/sphere.h"

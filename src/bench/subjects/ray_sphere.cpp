@@ -1,5 +1,3 @@
-#include "bench/subjects/ray_sphere.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,6 +12,7 @@
 #include "bench/core/exact.h"
 #include "bench/core/fit.h"
 #include "bench/draw/shader_values.h"
+#include "bench/subjects/subjects.h"
 
 namespace glibra::bench {
 namespace {
@@ -193,7 +192,6 @@ Result<Curve> shaderRayCurve(Bench& bench, const RayShader& method, std::span<co
         }
         const Result<ShaderValues> shader = ShaderValues::create(bench, method.glsl, inputs, 2);
         if (!shader) return shader.diagnostics;
-        shader->compute();
         const Result<std::vector<Four>> values = shader->values();
         if (!values) return values.diagnostics;
         std::vector<double> hits;
@@ -275,9 +273,7 @@ Figure decisionFigure(Bench& bench, Diagnostics& problems) {
 
 Result<std::vector<Figure>> measureRaySphere(Bench& bench) {
     Diagnostics problems;
-    std::vector<Figure> figures;
-    figures.push_back(hitFigure(bench, problems));
-    figures.push_back(decisionFigure(bench, problems));
+    std::vector<Figure> figures{hitFigure(bench, problems), decisionFigure(bench, problems)};
     return {std::move(figures), std::move(problems)};
 }
 

@@ -63,7 +63,7 @@ Result<std::vector<Figure>> measureSweep(Bench& bench, const SceneSweep& sweep) 
         if (!each) return remarks;
         measured.push_back(std::move(*each));
     }
-    Curve curve{.name = sweep.scene.filename().string(), .points = {}};
+    Curve curve{.name = sweep.scene.filename().string()};
     for (std::size_t i = 0; i < measured.size(); ++i) {
         const auto& [picture, time] = measured[i];
         const PictureError error = pictureError(measured.back().first, picture);
@@ -81,7 +81,6 @@ Result<std::vector<Figure>> measureSweep(Bench& bench, const SceneSweep& sweep) 
                   .errorUnit = "1/255",
                   .reference = fmt::format("the picture with {} = {}, so that point has no error of its own",
                                            sweep.name, curve.points.back().label),
-                  .curves = {},
                   .findings = {orderSentence(others, sweep.name), enough(curve, sweep.name)}};
     figure.curves.push_back(std::move(curve));
     return {std::vector{std::move(figure)}, std::move(remarks)};

@@ -1,5 +1,3 @@
-#include "bench/subjects/scenes.h"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -15,22 +13,23 @@
 #include "bench/core/fit.h"
 #include "bench/draw/scene_picture.h"
 #include "bench/subjects/shipped_scenes.h"
+#include "bench/subjects/subjects.h"
 
 namespace glibra::bench {
 namespace {
 
 /// A way to draw a scene.
-struct Way {
+struct SceneWay {
     std::string_view name;
     int samples = 1;      ///< 0: as many as the bound needs
     double maxError = 0;  ///< pixels; 0: the counts of the scene and of the language
     bool overrideCounts = false;
 };
-constexpr std::array<Way, 5> kWays{{{"1 sample", 1},
-                                    {"2 samples", 2},
-                                    {"4 samples", 4},
-                                    {"--max-error 0.25", 0, .25},
-                                    {"--max-error 0.25 --override-counts", 0, .25, true}}};
+constexpr std::array<SceneWay, 5> kWays{{{"1 sample", 1},
+                                         {"2 samples", 2},
+                                         {"4 samples", 4},
+                                         {"--max-error 0.25", 0, .25},
+                                         {"--max-error 0.25 --override-counts", 0, .25, true}}};
 constexpr std::size_t kPlain = 0, kFourSamples = 2, kBudget = 3, kFreeBudget = 4;
 
 /// The quality of the reference. A quick run takes every sixth scene.
@@ -119,7 +118,7 @@ Figure ranked(std::vector<MeasuredScene> all, Figure figure, double (*errorOf)(c
     std::ranges::sort(all, std::ranges::greater(),
                       [&](const MeasuredScene& each) { return errorOf(each.errors.front()); });
     for (std::size_t i = 0; i < kWays.size(); ++i) {
-        Curve curve{.name = std::string(kWays[i].name), .points = {}};
+        Curve curve{.name = std::string(kWays[i].name)};
         for (std::size_t rank = 0; rank < all.size(); ++rank)
             curve.points.push_back({.setting = static_cast<double>(rank + 1),
                                     .label = all[rank].scene->name,
@@ -241,8 +240,6 @@ Result<std::vector<Figure>> measureScenes(Bench& bench) {
                       .errorName = std::move(error),
                       .errorUnit = "",
                       .reference = reference,
-                      .curves = {},
-                      .findings = {},
                       .alternatives = Alternatives::setting};
     };
     std::vector<Figure> figures{

@@ -2,25 +2,6 @@
 
 #include <vector>
 
-#include "bench/subjects/antialiasing.h"
-#include "bench/subjects/bounds.h"
-#include "bench/subjects/budget.h"
-#include "bench/subjects/builtins.h"
-#include "bench/subjects/claims.h"
-#include "bench/subjects/curves.h"
-#include "bench/subjects/depth.h"
-#include "bench/subjects/filters.h"
-#include "bench/subjects/fractals.h"
-#include "bench/subjects/lighting.h"
-#include "bench/subjects/minification.h"
-#include "bench/subjects/noise_textures.h"
-#include "bench/subjects/primitives.h"
-#include "bench/subjects/ray_sphere.h"
-#include "bench/subjects/scenes.h"
-#include "bench/subjects/tessellation.h"
-#include "bench/subjects/transforms.h"
-#include "bench/subjects/volume.h"
-
 namespace glibra::bench {
 
 std::span<const Subject> subjects() {

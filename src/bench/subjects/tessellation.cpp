@@ -1,5 +1,3 @@
-#include "bench/subjects/tessellation.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,6 +11,8 @@
 #include "bench/draw/tessellator.h"
 #include "bench/reference/bezier_surface.h"
 #include "bench/reference/pn_triangle.h"
+#include "bench/subjects/subjects.h"
+#include "bench/subjects/tessellation_cracks.h"
 #include "geometry/shapes/teapot_patches.h"
 
 namespace glibra::bench {
@@ -191,10 +191,7 @@ Result<std::vector<Figure>> measureSurface(const Bench& bench, const gpu::Capabi
         fmt::format("vertices lie within {} {} of the points that their coordinates stand for, in double",
                     numberText(atVertices), surface.unit));
     if (surface.evaluation == Evaluation::pnTriangle) largest.findings.push_back(modelFinding(surface));
-    std::vector<Figure> figures;
-    figures.push_back(std::move(largest));
-    figures.push_back(std::move(mean));
-    return figures;
+    return std::vector{std::move(largest), std::move(mean)};
 }
 
 }  // namespace

@@ -1,3 +1,5 @@
+#include "bench/subjects/tessellation_cracks.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,7 +13,6 @@
 
 #include "bench/core/fit.h"
 #include "bench/draw/tessellator.h"
-#include "bench/subjects/tessellation.h"
 #include "geometry/shapes/teapot_patches.h"
 
 namespace glibra::bench {
@@ -63,22 +64,11 @@ std::array<glm::vec3, 4> edgePoints(const ControlPoints& points, const Edge& edg
         std::span(points).subspan(16 * static_cast<std::size_t>(edge.patch), 16);
     const auto at = [&](std::size_t row, std::size_t column) { return patch[row * 4 + column]; };
     std::array<glm::vec3, 4> along;
-    for (std::size_t place = 0; place < 4; ++place) {
-        switch (edge.side) {
-            case Side::left:
-                along[place] = at(place, 0);
-                break;
-            case Side::right:
-                along[place] = at(place, 3);
-                break;
-            case Side::bottom:
-                along[place] = at(0, place);
-                break;
-            case Side::top:
-                along[place] = at(3, place);
-                break;
-        }
-    }
+    for (std::size_t place = 0; place < 4; ++place)
+        along[place] = edge.side == Side::left     ? at(place, 0)
+                       : edge.side == Side::right  ? at(place, 3)
+                       : edge.side == Side::bottom ? at(0, place)
+                                                   : at(3, place);
     return along;
 }
 
@@ -313,13 +303,7 @@ Result<Figure> levelGaps(const Bench& bench, const gpu::Capabilities& capabiliti
 }  // namespace
 
 Result<std::vector<Figure>> measureCracks(const Bench& bench, const gpu::Capabilities& capabilities) {
-    std::vector<Figure> figures;
-    for (const auto measure : {sharedEdgeCracks, levelGaps}) {
-        Result<Figure> figure = measure(bench, capabilities);
-        if (!figure) return std::move(figure.diagnostics);
-        figures.push_back(std::move(*figure));
-    }
-    return figures;
+    return measureEach({sharedEdgeCracks, levelGaps}, bench, capabilities);
 }
 
 }  // namespace glibra::bench

@@ -13,6 +13,7 @@
 
 #include "bench/core/exact.h"
 #include "bench/core/fit.h"
+#include "bench/draw/offscreen.h"
 #include "bench/draw/shader_values.h"
 #include "bench/subjects/transforms.h"
 
@@ -136,14 +137,11 @@ Result<Curve> shaderChainCurve(Bench& bench, const std::vector<int>& counts) {
     const std::vector<Four> columns{{0, 0, 0, 0}, {1, 0, 0, 0}, {2, 0, 0, 0}};
     const Result<ShaderValues> shader = ShaderValues::create(bench, kChainShader, columns);
     if (!shader) return shader.diagnostics;
-    const GLuint program = shader->program().id();
     const glm::mat3 step(rotation<double>(kTurn));
     Curve curve{"shader, float matrices multiplied", {}};
     for (const int count : counts) {
-        shader->program().use();
-        glUniformMatrix3fv(glGetUniformLocation(program, "uStep"), 1, GL_FALSE, &step[0][0]);
-        glUniform1i(glGetUniformLocation(program, "uCount"), count);
-        shader->compute();
+        setInt(shader->program(), "uCount", count);
+        glUniformMatrix3fv(glGetUniformLocation(shader->program().id(), "uStep"), 1, GL_FALSE, &step[0][0]);
         const Result<std::vector<Four>> values = shader->values();
         if (!values) return values.diagnostics;
         glm::dmat3 matrix;

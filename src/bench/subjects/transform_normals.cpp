@@ -104,7 +104,6 @@ Result<Curve> shaderNormalsCurve(Bench& bench, const std::vector<double>& ratios
         const glm::mat3 model(modelOf(ratio));
         shader->program().use();
         glUniformMatrix3fv(glGetUniformLocation(shader->program().id(), "uModel"), 1, GL_FALSE, &model[0][0]);
-        shader->compute();
         const Result<std::vector<Four>> values = shader->values();
         if (!values) return values.diagnostics;
         const std::vector<ExactVector> truth = exactNormals(modelOf(ratio));

@@ -11,6 +11,7 @@
 
 #include "bench/core/exact.h"
 #include "bench/core/fit.h"
+#include "bench/draw/offscreen.h"
 #include "bench/draw/shader_values.h"
 #include "bench/subjects/transforms.h"
 
@@ -149,9 +150,7 @@ void setMatrices(const PlacementShader& method, const gpu::Program& program, con
 Result<Results> shaderResults(const PlacementShader& method, const ShaderValues& shader) {
     Results results(kPoints, glm::dvec3(0));
     for (int half = 0; half < (method.isDouble ? 2 : 1); ++half) {
-        shader.program().use();
-        glUniform1i(glGetUniformLocation(shader.program().id(), "uHalf"), half);
-        shader.compute();
+        setInt(shader.program(), "uHalf", half);
         const Result<std::vector<Four>> values = shader.values();
         if (!values) return values.diagnostics;
         for (std::size_t i = 0; i < results.size(); ++i)

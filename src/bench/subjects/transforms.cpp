@@ -4,15 +4,15 @@
 #include <string>
 #include <utility>
 
+#include "bench/subjects/subjects.h"
+
 namespace glibra::bench {
 
 Result<std::vector<Figure>> measureTransforms(Bench& bench) {
     Diagnostics problems;
-    std::vector<Figure> figures;
-    figures.push_back(placementFigure(bench, true, problems));
-    figures.push_back(placementFigure(bench, false, problems));
-    figures.push_back(chainFigure(bench, problems));
-    figures.push_back(normalMatrixFigure(bench, problems));
+    std::vector<Figure> figures{placementFigure(bench, true, problems),
+                                placementFigure(bench, false, problems), chainFigure(bench, problems),
+                                normalMatrixFigure(bench, problems)};
     // Each figure asks for the driver; one message is enough.
     const auto isKnown = [&, seen = std::vector<std::string>()](const Diagnostic& each) mutable {
         if (std::ranges::find(seen, each.text) != seen.end()) return true;

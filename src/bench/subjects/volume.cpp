@@ -1,5 +1,3 @@
-#include "bench/subjects/volume.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include "bench/core/fit.h"
 #include "bench/draw/offscreen.h"
 #include "bench/reference/volume_field.h"
+#include "bench/subjects/subjects.h"
 #include "gpu/object/sampler.h"
 #include "gpu/object/texture.h"
 
@@ -202,9 +201,7 @@ Result<Figure> stepsFigure(Bench& bench, const gpu::Capabilities& capabilities, 
         .settingName = "steps a diagonal",
         .errorName = "root mean square of light and opacity",
         .errorUnit = "",
-        .reference = "midpoint rule in double with many more steps over the same texels, filtered in double",
-        .curves = {},
-        .findings = {}};
+        .reference = "midpoint rule in double with many more steps over the same texels, filtered in double"};
     const int most = bench.isQuick() ? 128 : 1024;
     const std::vector<float> wanted = volumeReference(volume, kStrength, 8 * most);
     const std::vector<Casting> castings{{.name = "all steps"},
@@ -219,7 +216,7 @@ Result<Figure> stepsFigure(Bench& bench, const gpu::Capabilities& capabilities, 
         if (!program) return std::move(program.diagnostics);
         setVolumeView(*program, volume);
         setFloats(*program, "uStrength", {static_cast<float>(kStrength)});
-        Curve curve{.name = casting.name, .points = {}};
+        Curve curve{.name = casting.name};
         for (int steps = 8; steps <= most; steps *= 2) {
             setFloats(*program, "uSteps", {static_cast<float>(steps)});
             std::vector<float>* kept = casting.name == "all steps"            ? &plain
@@ -256,8 +253,6 @@ Result<Figure> terminationFigure(Bench& bench, const gpu::Capabilities& capabili
                   .errorName = "root mean square of light and opacity",
                   .errorUnit = "",
                   .reference = "the same steps to the end of every ray, on the same driver",
-                  .curves = {},
-                  .findings = {},
                   .alternatives = Alternatives::curve};
     const float steps = bench.isQuick() ? 128 : 512;
     const auto prepared = [&](double threshold, double strength) {
@@ -278,7 +273,7 @@ Result<Figure> terminationFigure(Bench& bench, const gpu::Capabilities& capabili
         const Result<std::vector<float>> wanted = readFloats(capabilities, volume.target, 2);
         if (!wanted) return wanted.diagnostics;
         const Timing wholeTime = bench.time([&] { draw(volume, *whole); });
-        Curve curve{.name = fmt::format("extinction {}", strength), .points = {}};
+        Curve curve{.name = fmt::format("extinction {}", strength)};
         for (const double threshold : {.5, .2, .1, .05, .02, .01, .005, .002, .001, .0001}) {
             Result<gpu::Program> program = prepared(threshold, strength);
             if (!program) return std::move(program.diagnostics);
@@ -306,13 +301,7 @@ Result<std::vector<Figure>> measureVolume(Bench& bench) {
     const gpu::Capabilities& capabilities = (*context)->capabilities();
     Result<Volume> volume = makeVolume(capabilities, bench.isQuick() ? 32 : 64, bench.isQuick() ? 48 : 128);
     if (!volume) return std::move(volume.diagnostics);
-    std::vector<Figure> figures;
-    for (const auto& make : {stepsFigure, terminationFigure}) {
-        Result<Figure> figure = make(bench, capabilities, *volume);
-        if (!figure) return std::move(figure.diagnostics);
-        figures.push_back(std::move(*figure));
-    }
-    return figures;
+    return measureEach({stepsFigure, terminationFigure}, bench, capabilities, *volume);
 }
 
 }  // namespace glibra::bench

@@ -30,7 +30,7 @@ int windingOf(const std::vector<PlanePoint>& points) {
         return std::tuple(a.x, a.y) < std::tuple(b.x, b.y);
     };
     const std::size_t outermost =
-        static_cast<std::size_t>(std::min_element(points.begin(), points.end(), before) - points.begin());
+        static_cast<std::size_t>(std::ranges::min_element(points, before) - points.begin());
     const std::size_t count = points.size();
     std::size_t next = outermost, previous = outermost;
     for (std::size_t i = 1; i < count && points[next] == points[outermost]; ++i)
@@ -59,8 +59,7 @@ class Remains {
         for (std::size_t i = 0; i < count; ++i) corners_[i].isConvex = turnAt(i) > 0;
         for (std::size_t i = 0; i < count; ++i)
             if (!corners_[i].isConvex) reflex_.push_back(i);
-        std::sort(reflex_.begin(), reflex_.end(),
-                  [&](std::size_t a, std::size_t b) { return isBefore(a, b); });
+        std::ranges::sort(reflex_, [&](std::size_t a, std::size_t b) { return isBefore(a, b); });
         reflexLeft_ = reflex_.size();
     }
 
@@ -166,8 +165,8 @@ class Remains {
 
     void enter(std::size_t corner) {
         ++reflexLeft_;
-        const auto place = std::lower_bound(reflex_.begin(), reflex_.end(), corner,
-                                            [&](std::size_t a, std::size_t b) { return isBefore(a, b); });
+        const auto place = std::ranges::lower_bound(
+            reflex_, corner, [&](std::size_t a, std::size_t b) { return isBefore(a, b); });
         if (place != reflex_.end() && *place == corner) return;  // it is still there
         work_ += reflex_.size() / 64;                            // the others move
         reflex_.insert(place, corner);

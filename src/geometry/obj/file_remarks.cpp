@@ -20,8 +20,7 @@ std::string shown(std::string_view text) {
 }
 
 std::string_view fileName(std::string_view path) {
-    const std::size_t slash = path.find_last_of("/\\");
-    return slash == std::string_view::npos ? path : path.substr(slash + 1);
+    return path.substr(path.find_last_of("/\\") + 1);
 }
 
 std::string grouped(unsigned long long number) {
@@ -55,7 +54,7 @@ Diagnostics FileRemarks::finish() && {
                                      fmt::format("{} '{}' {} ignored", grouped(where.count), shown(word),
                                                  where.count == 1 ? "line" : "lines"),
                                      place(where.line, where.column)));
-    std::stable_sort(warnings_.begin(), warnings_.end(), [](const Diagnostic& a, const Diagnostic& b) {
+    std::ranges::stable_sort(warnings_, [](const Diagnostic& a, const Diagnostic& b) {
         return std::pair(a.place.line, a.place.column) < std::pair(b.place.line, b.place.column);
     });
     if (otherIgnored_ > 0)

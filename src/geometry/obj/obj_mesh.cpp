@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "geometry/adjacency.h"
-#include "geometry/obj/hash_index.h"
+#include "geometry/hash_index.h"
 #include "geometry/obj/obj_vertices.h"
 
 namespace glibra::geometry {

@@ -5,10 +5,11 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "geometry/mesh.h"
 
 namespace glibra::geometry {
 
@@ -16,10 +17,7 @@ namespace glibra::geometry {
 inline constexpr std::uint64_t kLargestModelFile = std::uint64_t{1} << 30;  ///< bytes
 inline constexpr std::uint64_t kMostTriangles = 16'777'216;                 ///< also segments of a shapefile
 
-/// The corner has no texture coordinate, or no normal.
-inline constexpr std::uint32_t kNoIndex = std::numeric_limits<std::uint32_t>::max();
-
-/// One corner of a polygon: indices from 0 into the model's arrays.
+/// One corner of a polygon: indices from 0 into the model's arrays; kNoIndex: it has none.
 struct ObjCorner {
     std::uint32_t position = 0;
     std::uint32_t texCoord = kNoIndex;

@@ -50,6 +50,7 @@ class ObjReader {
 
   private:
     bool readStatement(std::string_view word, int line, int column);
+    void reportRest(TextScanner start, bool isRead);
     bool readNumber(float& value);
     bool readTriple(std::vector<Triple>& triples, std::string_view word, int least, int line, int column);
     bool readPosition(int line, int column);
@@ -120,9 +121,18 @@ bool ObjReader::readStatement(std::string_view word, int line, int column) {
         hasLines_ = true;
         if (wanted_ == ObjElements::edges) return readSequence(word == "l" ? lines_ : points_, line, column);
     }
-    if (std::find(kMeaningless.begin(), kMeaningless.end(), word) == kMeaningless.end())
-        remarks_.ignored(word, line, column);
+    if (std::ranges::find(kMeaningless, word) == kMeaningless.end()) remarks_.ignored(word, line, column);
     return true;
+}
+
+/// Passes over the rest of a token, and says that it was read as what is before the rest, or as 0.
+void ObjReader::reportRest(TextScanner start, bool isRead) {
+    const std::string_view rest = scanner_.token();
+    const int line = start.line(), column = start.column();
+    const std::string_view token = start.token();
+    const std::string_view prefix = token.substr(0, token.size() - rest.size());
+    remarks_.warn("file-W06", fmt::format("'{}' read as {}", shown(token), isRead ? shown(prefix) : "0"),
+                  line, column);
 }
 
 /// Reads the next number of the statement, 0 if it is malformed. Returns false at the end of the statement.
@@ -132,12 +142,7 @@ bool ObjReader::readNumber(float& value) {
     const TextScanner start = scanner_;
     value = 0;
     const bool isNumber = scanner_.number(value);
-    if (isNumber && scanner_.tokenEnds()) return true;
-    const std::string_view rest = scanner_.token();
-    const std::string_view token = TextScanner(start).token();
-    const std::string_view prefix = token.substr(0, token.size() - rest.size());
-    remarks_.warn("file-W06", fmt::format("'{}' read as {}", shown(token), isNumber ? shown(prefix) : "0"),
-                  start.line(), start.column());
+    if (!isNumber || !scanner_.tokenEnds()) reportRest(start, isNumber);
     return true;
 }
 
@@ -242,13 +247,7 @@ bool ObjReader::readCorner(ObjCorner& corner, bool& isForward, std::string& faul
             !readIndex({"normal", model_.normals.size()}, corner.normal, isForward, fault))
             return false;
     }
-    if (scanner_.tokenEnds()) return true;
-    const std::string_view rest = scanner_.token();
-    const std::string_view token = TextScanner(start).token();
-    remarks_.warn(
-        "file-W06",
-        fmt::format("'{}' read as {}", shown(token), shown(token.substr(0, token.size() - rest.size()))),
-        start.line(), start.column());
+    if (!scanner_.tokenEnds()) reportRest(start, true);
     return true;
 }
 
@@ -340,8 +339,7 @@ bool isCompilerOutput(std::string_view text) {
                                                       "\xcf\xfa\xed\xfe"sv,
                                                       "\x80"sv};
     if (text.substr(0, 512).find('\0') == std::string_view::npos) return false;
-    return std::any_of(kMagic.begin(), kMagic.end(),
-                       [&](std::string_view magic) { return text.starts_with(magic); });
+    return std::ranges::any_of(kMagic, [&](std::string_view magic) { return text.starts_with(magic); });
 }
 
 }  // namespace

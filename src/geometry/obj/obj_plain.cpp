@@ -234,8 +234,7 @@ std::vector<Value> joined(std::vector<Piece>& pieces, std::vector<Value> Piece::
 /// The smoothing group of each face; empty if there are no `s` lines.
 std::vector<std::uint32_t> groupsOf(const std::vector<Piece>& pieces, std::size_t faces) {
     std::vector<std::uint32_t> groups;
-    if (std::all_of(pieces.begin(), pieces.end(), [](const Piece& each) { return each.groups.empty(); }))
-        return groups;
+    if (std::ranges::all_of(pieces, [](const Piece& each) { return each.groups.empty(); })) return groups;
     groups.reserve(faces);
     std::uint32_t group = kNoIndex;
     std::size_t before = 0;

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "geometry/frame.h"
-#include "geometry/obj/hash_index.h"
+#include "geometry/hash_index.h"
 
 namespace glibra::geometry {
 namespace {
@@ -105,8 +105,7 @@ std::vector<glm::dvec3> unitNormals(const ObjModel& model, const ObjVertices& ve
         return isOfGroup(corner) || hasOwnNormal(model, corner);
     };
     std::vector<glm::dvec3> smooth;
-    if (!std::all_of(vertices.corners.begin(), vertices.corners.end(), hasNormal))
-        smooth = smoothNormals(model);
+    if (!std::ranges::all_of(vertices.corners, hasNormal)) smooth = smoothNormals(model);
     std::vector<glm::dvec3> normals;
     normals.reserve(vertices.corners.size());
     for (const ObjCorner& corner : vertices.corners) {
@@ -166,8 +165,8 @@ std::vector<float> tangentValues(const ObjModel& model, const ObjVertices& verti
 ObjVertices objVertices(const ObjModel& model) {
     ObjVertices vertices;
     std::vector<ObjCorner> grouped;
-    if (!model.groups.empty() && !std::all_of(model.corners.begin(), model.corners.end(),
-                                              [&](const ObjCorner& c) { return hasOwnNormal(model, c); }))
+    if (!model.groups.empty() &&
+        !std::ranges::all_of(model.corners, [&](const ObjCorner& c) { return hasOwnNormal(model, c); }))
         grouped = groupedCorners(model, vertices.groupNormals);
     const std::vector<ObjCorner>& ofFaces = grouped.empty() ? model.corners : grouped;
     // Most positions have one vertex. It is found without a hash, and near the last one in memory.
@@ -238,8 +237,8 @@ std::vector<Attribute> objAttributes(const ObjModel& model, const ObjVertices& v
         attributes.push_back({std::string(kTangent), 3, tangentValues(model, vertices, normals, triangles)});
 
     if (!model.texCoords.empty()) {
-        const bool hasP = std::any_of(model.texCoords.begin(), model.texCoords.end(),
-                                      [](const std::array<float, 3>& each) { return each[2] != 0; });
+        const bool hasP = std::ranges::any_of(model.texCoords,
+                                              [](const std::array<float, 3>& each) { return each[2] != 0; });
         Attribute texCoord{std::string(kTexCoord), hasP ? 3 : 2, {}};
         texCoord.values.reserve(count * static_cast<std::size_t>(texCoord.components));
         for (const ObjCorner& corner : vertices.corners)

@@ -5,33 +5,11 @@
 #include <utility>
 
 #include "geometry/frame.h"
+#include "geometry/shapes/ball.h"
 #include "geometry/shapes/deviation.h"
-#include "geometry/shapes/surface.h"
 
 namespace glibra::geometry {
 namespace {
-
-/// One ring, or one pole, of the profile.
-struct Ring {
-    double centre = 0;          ///< y of the half sphere's centre
-    glm::dvec2 latitude{1, 0};  ///< (cos f, sin f)
-    double t = 0;
-};
-
-SurfacePoint capsulePoint(double radius, const Ring& ring, const glm::dvec2& around, double s) {
-    const double c = ring.latitude.x, y = ring.latitude.y;
-    const glm::dvec3 normal{-around.x * c, y, around.y * c};
-    return {.position = radius * normal + glm::dvec3(0, ring.centre, 0),
-            .normal = normal,
-            .tangent = {around.x * y, c, -around.y * y},
-            .texCoord = {s, ring.t, 0}};
-}
-
-void addCapsulePole(Surface& surface, double radius, const Ring& pole, int slices) {
-    for (int i = 0; i < slices; ++i)
-        surface.add(capsulePoint(radius, pole, unitTurn(2 * std::int64_t{i} + 1, 2 * std::int64_t{slices}),
-                                 (i + .5) / slices));
-}
 
 constexpr ShapeArgument kCapsuleArguments[] = {sizeArgument("radius", .5), sizeArgument("height", 1),
                                                countArgument("slices", 60, 3, kSmoothTurn),
@@ -55,27 +33,20 @@ Mesh capsule(double radius, double height, int slices, int stacks) {
     const auto t = [&](double along) { return length > 0 ? along / length : 0; };
     const std::vector<glm::dvec2> circle = unitCircle(slices);
     Surface surface(Topology::triangles, 2, capsuleCounts(slices, stacks));
-    addCapsulePole(surface, radius, {-height / 2, {0, -1}, 0}, slices);
+    addBallPole(surface, radius, {{0, -1}, 0, -height / 2}, slices);
     for (int half = 0; half < 2; ++half)
         for (int j = 0; j < stacks; ++j) {
             // Counted from the pole in the south, from the equator in the north.
             const int row = half == 0 ? j + 1 : j;
             const glm::dvec2 turn = unitTurn(row, 4 * std::int64_t{stacks});
             const double part = static_cast<double>(row) / stacks;
-            const Ring ring = half == 0 ? Ring{-height / 2, {turn.y, -turn.x}, t(quarter * part)}
-                                        : Ring{height / 2, turn, t(quarter + height + quarter * part)};
-            for (int i = 0; i <= slices; ++i)
-                surface.add(capsulePoint(radius, ring, circle[static_cast<std::size_t>(i)],
-                                         static_cast<double>(i) / slices));
+            const BallRing ring = half == 0
+                                      ? BallRing{{turn.y, -turn.x}, t(quarter * part), -height / 2}
+                                      : BallRing{turn, t(quarter + height + quarter * part), height / 2};
+            addBallRing(surface, radius, ring, circle);
         }
-    addCapsulePole(surface, radius, {height / 2, {0, 1}, 1}, slices);
-
-    const auto a = static_cast<std::uint32_t>(slices);
-    const std::uint32_t rows = 2 * static_cast<std::uint32_t>(stacks) - 1;
-    const std::uint32_t lastRing = a + rows * (a + 1), north = lastRing + a + 1;
-    for (std::uint32_t i = 0; i < a; ++i) surface.triangle(i, a + i + 1, a + i);
-    surface.gridCells(a, a, rows);
-    for (std::uint32_t i = 0; i < a; ++i) surface.triangle(lastRing + i, lastRing + i + 1, north + i);
+    addBallPole(surface, radius, {{0, 1}, 1, height / 2}, slices);
+    addBallCells(surface, 2 * static_cast<std::uint32_t>(stacks), static_cast<std::uint32_t>(slices));
     return std::move(surface).finish();
 }
 

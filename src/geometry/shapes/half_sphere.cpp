@@ -5,21 +5,12 @@
 #include <utility>
 
 #include "geometry/frame.h"
+#include "geometry/shapes/ball.h"
 #include "geometry/shapes/deviation.h"
 #include "geometry/shapes/revolution.h"
 
 namespace glibra::geometry {
 namespace {
-
-SurfacePoint domePoint(double radius, const glm::dvec2& around, const glm::dvec2& latitude, double s,
-                       double t) {
-    const double c = latitude.x, y = latitude.y;
-    const glm::dvec3 normal{-around.x * c, y, around.y * c};
-    return {.position = radius * normal,
-            .normal = normal,
-            .tangent = {around.x * y, c, -around.y * y},
-            .texCoord = {s, t, 0}};
-}
 
 constexpr ShapeArgument kHalfSphereArguments[] = {sizeArgument("radius", 1),
                                                   countArgument("slices", 60, 3, kSmoothTurn),
@@ -36,18 +27,13 @@ Mesh halfSphere(double radius, int slices, int stacks) {
     const std::vector<glm::dvec2> circle = unitCircle(slices);
     Surface surface(Topology::triangles, 2, halfSphereCounts(slices, stacks));
     for (int j = 0; j < stacks; ++j)
-        for (int i = 0; i <= slices; ++i)
-            surface.add(domePoint(radius, circle[static_cast<std::size_t>(i)],
-                                  unitTurn(j, 4 * std::int64_t{stacks}), static_cast<double>(i) / slices,
-                                  static_cast<double>(j) / stacks));
+        addBallRing(surface, radius, {unitTurn(j, 4 * std::int64_t{stacks}), static_cast<double>(j) / stacks},
+                    circle);
     const std::uint32_t pole = surface.size();
-    for (int i = 0; i < slices; ++i)
-        surface.add(domePoint(radius, unitTurn(2 * std::int64_t{i} + 1, 2 * std::int64_t{slices}), {0, 1},
-                              (i + .5) / slices, 1));
+    addBallPole(surface, radius, {{0, 1}, 1}, slices);
     const auto a = static_cast<std::uint32_t>(slices);
-    const std::uint32_t lastRing = pole - (a + 1);
     surface.gridCells(0, a, static_cast<std::uint32_t>(stacks) - 1);
-    for (std::uint32_t i = 0; i < a; ++i) surface.triangle(lastRing + i, lastRing + i + 1, pole + i);
+    addNorthCells(surface, pole - (a + 1), pole, a);
     addCap(surface, kStanding, {.radius = radius, .sDirection = {1, 0, 0}, .tDirection = {0, 0, 1}}, 1,
            circle);
     return std::move(surface).finish();

@@ -102,8 +102,7 @@ void sortCorners(Face& face, const Frame& frame) {
         const double fromT = std::atan2(-glm::dot(arm, frame.s), glm::dot(arm, frame.t)) + .01;
         return fromT < 0 ? fromT + kTurn : fromT;
     };
-    std::sort(face.corners.begin(), face.corners.end(),
-              [&](const Corner& a, const Corner& b) { return angle(a) < angle(b); });
+    std::ranges::sort(face.corners, [&](const Corner& a, const Corner& b) { return angle(a) < angle(b); });
 }
 
 /// Returns centre * c + a * wa + b * wb. Both faces at a shared edge get the same bits, even if the compiler

@@ -4,41 +4,22 @@
 #include <utility>
 
 #include "geometry/frame.h"
+#include "geometry/shapes/ball.h"
 #include "geometry/shapes/deviation.h"
-#include "geometry/shapes/surface.h"
 
 namespace glibra::geometry {
 namespace {
 
-/// `around` is (cos, sin) of 2 pi s, `latitude` is (cos, sin) of the latitude f.
-SurfacePoint spherePoint(double radius, const glm::dvec2& around, const glm::dvec2& latitude, double s,
-                         double t) {
-    const glm::dvec3 normal{-around.x * latitude.x, latitude.y, around.y * latitude.x};
-    return {.position = radius * normal,
-            .normal = normal,
-            .tangent = {around.x * latitude.y, latitude.x, -around.y * latitude.y},
-            .texCoord = {s, t, 0}};
-}
-
-void addSpherePole(Surface& surface, double radius, int slices, double t) {
-    const glm::dvec2 latitude{0, t == 0 ? -1 : 1};
-    for (int i = 0; i < slices; ++i)
-        surface.add(spherePoint(radius, unitTurn(2 * std::int64_t{i} + 1, 2 * std::int64_t{slices}), latitude,
-                                (i + .5) / slices, t));
-}
-
 void addSpherePoints(Surface& surface, double radius, int slices, int stacks) {
     assert(radius >= 0 && slices >= 3 && stacks >= 2);
     const std::vector<glm::dvec2> circle = unitCircle(slices);
-    addSpherePole(surface, radius, slices, 0);
+    addBallPole(surface, radius, {{0, -1}, 0}, slices);
     for (int j = 1; j < stacks; ++j) {
         const glm::dvec2 colatitude = unitTurn(j, 2 * std::int64_t{stacks});  // from the south pole
-        for (int i = 0; i <= slices; ++i)
-            surface.add(spherePoint(radius, circle[static_cast<std::size_t>(i)],
-                                    {colatitude.y, -colatitude.x}, static_cast<double>(i) / slices,
-                                    static_cast<double>(j) / stacks));
+        addBallRing(surface, radius, {{colatitude.y, -colatitude.x}, static_cast<double>(j) / stacks},
+                    circle);
     }
-    addSpherePole(surface, radius, slices, 1);
+    addBallPole(surface, radius, {{0, 1}, 1}, slices);
 }
 
 }  // namespace
@@ -46,11 +27,7 @@ void addSpherePoints(Surface& surface, double radius, int slices, int stacks) {
 Mesh sphere(double radius, int slices, int stacks) {
     Surface surface(Topology::triangles, 2, sphereCounts(slices, stacks));
     addSpherePoints(surface, radius, slices, stacks);
-    const auto a = static_cast<std::uint32_t>(slices), b = static_cast<std::uint32_t>(stacks);
-    const std::uint32_t lastRing = a + (b - 2) * (a + 1), north = lastRing + a + 1;
-    for (std::uint32_t i = 0; i < a; ++i) surface.triangle(i, a + i + 1, a + i);
-    surface.gridCells(a, a, b - 2);
-    for (std::uint32_t i = 0; i < a; ++i) surface.triangle(lastRing + i, lastRing + i + 1, north + i);
+    addBallCells(surface, static_cast<std::uint32_t>(stacks) - 1, static_cast<std::uint32_t>(slices));
     return std::move(surface).finish();
 }
 

@@ -36,7 +36,7 @@ void BlockStack::checkPlace(const StatementRow& row, const Command& command) {
         if (row.standing == Standing::notInPass) return block.row->id == CommandId::pass;
         return row.standing == Standing::outermost || keepsDeclarationsOut(block.row->id);
     };
-    const auto found = std::find_if(blocks_.begin(), blocks_.end(), hinders);
+    const auto found = std::ranges::find_if(blocks_, hinders);
     if (found == blocks_.end()) return;
     const bool isNumber = command.id == CommandId::let && command.values.size() > 1 &&
                           command.values[1].kind == Value::Kind::number;
@@ -82,7 +82,7 @@ bool BlockStack::unwindTo(const StatementRow& row, Position position) {
     const auto found = std::find_if(blocks_.rbegin(), blocks_.rend(),
                                     [&](const Block& block) { return block.row->id == row.opener; });
     if (found == blocks_.rend()) {
-        const auto unwound = std::find(unwound_.begin(), unwound_.end(), row.opener);
+        const auto unwound = std::ranges::find(unwound_, row.opener);
         if (unwound != unwound_.end() && row.role == BlockRole::closes) {
             unwound_.erase(unwound);
             return false;

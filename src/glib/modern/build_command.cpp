@@ -41,7 +41,7 @@ void checkTags(const StatementRow& row, const Command& command, MessageLog& log)
     }
     std::vector<const KeyedValues*> sorted;
     for (const KeyedValues& each : command.tags) sorted.push_back(&each);
-    std::sort(sorted.begin(), sorted.end(), [](const auto* a, const auto* b) {
+    std::ranges::sort(sorted, [](const auto* a, const auto* b) {
         return std::pair(std::string_view(a->key), a) < std::pair(std::string_view(b->key), b);
     });
     for (std::size_t i = 1; i < sorted.size(); ++i)

@@ -159,9 +159,8 @@ class Compiler {
             node.most = readCount(type.substr(count + 1));
             node.least = type[count] == '*' ? node.most : 1;
         }
-        const auto* known = std::find_if(std::begin(kTypes), std::end(kTypes), [&](const auto& each) {
-            return each.first == type.substr(0, count);
-        });
+        const auto* known = std::ranges::find_if(
+            kTypes, [&](const auto& each) { return each.first == type.substr(0, count); });
         if (known != std::end(kTypes)) {
             node.type = known->second;
         } else {
@@ -175,8 +174,8 @@ class Compiler {
     std::size_t at_ = 0;
 };
 
-void addOnce(std::vector<std::string>& keys, const std::string& key) {
-    if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
+void addOnce(std::vector<std::string>& words, const std::string& word) {
+    if (std::ranges::find(words, word) == words.end()) words.push_back(word);
 }
 
 /// Where a node stands.
@@ -279,7 +278,7 @@ std::vector<WordList> wordLists(const StatementRow& row) {
     std::vector<WordList> lists;
     forEachNode(syntaxOf(row).root, [&](const SyntaxNode& node) {
         if (node.type != ValueType::oneOf || node.words.size() <= kMostShownWords) return;
-        if (std::none_of(lists.begin(), lists.end(), [&](const WordList& each) {
+        if (std::ranges::none_of(lists, [&](const WordList& each) {
                 return each.name == node.text && each.words == node.words;
             }))
             lists.push_back({node.text, node.words});
@@ -289,13 +288,10 @@ std::vector<WordList> wordLists(const StatementRow& row) {
 
 std::vector<std::string> wordsOf(const StatementRow& row) {
     std::vector<std::string> words;
-    const auto add = [&](const std::string& word) {
-        if (std::find(words.begin(), words.end(), word) == words.end()) words.push_back(word);
-    };
     forEachNode(syntaxOf(row).root, [&](const SyntaxNode& node) {
-        if (node.kind == NodeKind::key) add(node.text);
+        if (node.kind == NodeKind::key) addOnce(words, node.text);
         if (node.kind == NodeKind::value)
-            for (const std::string& each : node.words) add(each);
+            for (const std::string& each : node.words) addOnce(words, each);
     });
     return words;
 }

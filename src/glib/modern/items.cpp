@@ -25,12 +25,12 @@ class ItemChecker {
 
     /// Returns false if an item was reported.
     bool check(const Value& group, const Event& event) {
-        const auto comma = std::find_if(group.items.begin(), group.items.end(), hasComma);
+        const auto comma = std::ranges::find_if(group.items, hasComma);
         if (comma != group.items.end()) return refuse(*comma, blanksFor(group));
         const bool isPairs = event.node->kind == SyntaxNode::Kind::pairs;
         const bool takesWords = !isPairs && event.node->type == ValueType::words;
-        const auto word = std::find_if(group.items.begin(), group.items.end(), isWordItem);
-        const bool allWords = std::all_of(group.items.begin(), group.items.end(), isWordItem);
+        const auto word = std::ranges::find_if(group.items, isWordItem);
+        const bool allWords = std::ranges::all_of(group.items, isWordItem);
         const bool isChoice = group.kind == Value::Kind::range && allWords;
         if (word == group.items.end() || takesWords || isChoice) return true;
         if (isPairs && allWords && group.items.size() > 1 && isIdentifier(word->text))
@@ -57,7 +57,7 @@ class ItemChecker {
 
     std::string blanksFor(const Value& group) const {
         std::string all(pieces_.source(group));
-        std::replace(all.begin(), all.end(), ',', ' ');
+        std::ranges::replace(all, ',', ' ');
         std::string text;
         for (const char c : all)
             if (c != ' ' || (!text.empty() && text.back() != ' ')) text += c;

@@ -8,7 +8,7 @@
 #include "glib/lexer.h"
 #include "glib/message_log.h"
 #include "glib/modern/build_command.h"
-#include "glib/modern/match.h"
+#include "glib/modern/declared_names.h"
 #include "glib/modern/pieces.h"
 #include "glib/modern/statement_table.h"
 

@@ -87,8 +87,7 @@ class Matcher {
     }
 
     bool matchChoice(const Node& node, std::size_t& at) {
-        return std::any_of(node.children.begin(), node.children.end(),
-                           [&](const Node& each) { return match(each, at); });
+        return std::ranges::any_of(node.children, [&](const Node& each) { return match(each, at); });
     }
 
     bool matchSet(const Node& node, std::size_t& at) {
@@ -101,13 +100,12 @@ class Matcher {
         while (at < pieces_.size()) {
             const std::size_t begin = at;
             const std::size_t events = events_.size();
-            const auto found = std::find_if(node.children.begin(), node.children.end(),
-                                            [&](const Node& each) { return match(each, at); });
+            const auto found =
+                std::ranges::find_if(node.children, [&](const Node& each) { return match(each, at); });
             if (found == node.children.end() || at == begin) break;
             std::string suffix(afterPoint(pieces_[begin].text));
-            const auto before = std::find_if(used.begin(), used.end(), [&](const Used& each) {
-                return each.alternative == &*found && each.suffix == suffix;
-            });
+            const auto before = std::ranges::find_if(
+                used, [&](const Used& each) { return each.alternative == &*found && each.suffix == suffix; });
             if (before != used.end()) {
                 mismatch_.contradict(before->piece, begin);
                 rewind(at, begin, events);
@@ -142,9 +140,8 @@ class Matcher {
         const std::string_view suffix = afterPoint(text);
         if (node.hasNumberSuffix)
             return !suffix.empty() && suffix.size() < 3 &&
-                   std::all_of(suffix.begin(), suffix.end(), [](char c) { return c >= '0' && c <= '9'; });
-        return std::any_of(node.words.begin(), node.words.end(),
-                           [&](const std::string& each) { return sameWord(each, suffix); });
+                   std::ranges::all_of(suffix, [](char c) { return c >= '0' && c <= '9'; });
+        return isAmong(suffix, node.words);
     }
 
     bool matchNumbers(const Node& node, std::size_t& at) {
@@ -282,9 +279,7 @@ class Matcher {
                 break;
             case ValueType::oneOf:
                 fits = kind == Value::Kind::expression ||
-                       (isUnquoted(*value) &&
-                        std::any_of(node.words.begin(), node.words.end(),
-                                    [&](const std::string& each) { return sameWord(each, value->text); }));
+                       (isUnquoted(*value) && isAmong(value->text, node.words));
                 break;
             default:
                 break;
@@ -298,10 +293,8 @@ class Matcher {
         std::vector<std::string_view> keys(syntax_.keys.begin(), syntax_.keys.end());
         const std::string_view word = beforePoint(value.text);
         // A buffer `Count` may be named after the key `buffer`, though there is a key `count`.
-        if (names_.mayHave(word) && std::find(keys.begin(), keys.end(), word) == keys.end()) return false;
-        if (std::any_of(keys.begin(), keys.end(),
-                        [&](std::string_view each) { return sameWord(each, word); }))
-            return word.size() == value.text.size();
+        if (names_.mayHave(word) && std::ranges::find(keys, word) == keys.end()) return false;
+        if (isAmong(word, keys)) return word.size() == value.text.size();
         return word.size() == value.text.size() && !names_.mayHave(word) &&
                !base::nearestName(word, keys).empty();
     }
@@ -312,8 +305,7 @@ class Matcher {
     bool isNamedLikeKey(std::size_t at, bool isSkippable) const {
         const Value& value = pieces_[at];
         if (!names_.mayHave(value.text)) return false;
-        const auto isIt = [&](const std::string& each) { return sameWord(each, value.text); };
-        if (std::none_of(syntax_.outerKeys.begin(), syntax_.outerKeys.end(), isIt)) return true;
+        if (!isAmong(value.text, syntax_.outerKeys)) return true;
         const bool isAfterKey =
             !events_.empty() && events_.back().kind == Event::Kind::key && events_.back().end == at;
         if (isAfterKey && !isSkippable) return true;
@@ -355,12 +347,12 @@ class Matcher {
         if (!isUnquoted(value)) return {};
         std::vector<std::string_view> keys;
         for (const std::string& each : syntax_.keys)
-            if (std::none_of(events_.begin(), events_.end(), [&](const Event& event) {
+            if (std::ranges::none_of(events_, [&](const Event& event) {
                     return event.kind == Event::Kind::key && event.node->text == each;
                 }))
                 keys.push_back(each);
         const auto isKey = [&](std::string_view each) { return sameWord(each, value.text); };
-        const auto found = std::find_if(keys.begin(), keys.end(), isKey);
+        const auto found = std::ranges::find_if(keys, isKey);
         return found != keys.end() ? std::string(*found) : std::string(base::nearestName(value.text, keys));
     }
 

@@ -25,8 +25,8 @@ bool Mismatch::expect(std::size_t at, Expectation expected) {
         furthest_ = at;
         expected_.clear();
     }
-    if (at == furthest_ && std::none_of(expected_.begin(), expected_.end(),
-                                        [&](const Expectation& each) { return each.text == expected.text; }))
+    if (at == furthest_ &&
+        std::ranges::none_of(expected_, [&](const Expectation& each) { return each.text == expected.text; }))
         expected_.push_back(std::move(expected));
     return false;
 }
@@ -40,8 +40,7 @@ void Mismatch::contradict(std::size_t before, std::size_t at) {
 }
 
 bool Mismatch::expects(Kind kind) const {
-    return std::any_of(expected_.begin(), expected_.end(),
-                       [&](const Expectation& each) { return each.kind == kind; });
+    return std::ranges::any_of(expected_, [&](const Expectation& each) { return each.kind == kind; });
 }
 
 std::string Mismatch::listOfExpected() const {
@@ -104,7 +103,7 @@ std::string Mismatch::bracketHint(const Pieces& pieces, std::size_t at) const {
 std::string Mismatch::nameHint(const Pieces& pieces) const {
     // `Camera LookAt 0 0 5 ...`: the name and what follows it are read as one.
     const bool isKeyword = furthest_ == 1 && pieces[0].kind == Value::Kind::word &&
-                           std::any_of(expected_.begin(), expected_.end(), [&](const Expectation& each) {
+                           std::ranges::any_of(expected_, [&](const Expectation& each) {
                                return each.kind == Kind::word && sameWord(each.name, pieces[0].text);
                            });
     return isKeyword ? fmt::format("; write a name before '{}'", pieces[0].text) : std::string();
@@ -149,6 +148,10 @@ void Mismatch::report(const StatementRow& row, const Pieces& pieces, const Decla
     const auto reportAt = [&](const char* id, std::size_t place, const std::string& message) {
         log.report(id, fmt::format("{}: {}", row.name, message), pieces[place].position);
     };
+    const auto suggest = [&](std::size_t place, const std::string& meant) {
+        reportAt("glib-E16", place,
+                 fmt::format("unknown word {}; did you mean '{}'?", found(pieces, place), meant));
+    };
     if (conflict_ && conflict_->second >= std::max(furthest_, at)) {
         const auto [before, later] = *conflict_;
         return reportAt("glib-E18", later,
@@ -165,8 +168,7 @@ void Mismatch::report(const StatementRow& row, const Pieces& pieces, const Decla
         for (std::size_t i = 1; i < pieces.size(); ++i)
             if (const std::string meant = isUnquoted(pieces[i]) ? suggested(pieces[i].text) : std::string();
                 !meant.empty())
-                return reportAt("glib-E16", i,
-                                fmt::format("unknown word {}; did you mean '{}'?", found(pieces, i), meant));
+                return suggest(i, meant);
         log.report("glib-E17",
                    fmt::format("{}: expected {}, found the end of the statement", row.name, listOfExpected()),
                    command, expected_);
@@ -177,11 +179,10 @@ void Mismatch::report(const StatementRow& row, const Pieces& pieces, const Decla
     if (hint.empty()) hint = nameHint(pieces);
     if (isUnquoted(pieces[furthest_]) && expects(Kind::word)) {
         const std::string nearest = hint.empty() ? suggested(pieces[furthest_].text) : std::string();
-        if (hint.empty() && nearest.empty()) hint = commandHint(row, pieces[furthest_]);
+        if (!nearest.empty()) return suggest(furthest_, nearest);
+        if (hint.empty()) hint = commandHint(row, pieces[furthest_]);
         return reportAt("glib-E16", furthest_,
-                        nearest.empty()
-                            ? fmt::format("unknown word {}; expected {}{}", text, listOfExpected(), hint)
-                            : fmt::format("unknown word {}; did you mean '{}'?", text, nearest));
+                        fmt::format("unknown word {}; expected {}{}", text, listOfExpected(), hint));
     }
     if (matched && furthest_ == at && isVariableAsFile(row, pieces, at, names))
         return reportAt("glib-E19", at - 1,
@@ -192,20 +193,14 @@ void Mismatch::report(const StatementRow& row, const Pieces& pieces, const Decla
         // `tiqes 2 discard`, after which a word of the statement is surplus.
         const std::vector<std::string>& keys = syntaxOf(row).keys;
         const std::vector<std::string_view> known(keys.begin(), keys.end());
-        const bool isKey =
-            isUnquoted(pieces[at]) && std::any_of(keys.begin(), keys.end(), [&](const std::string& each) {
-                return sameWord(each, pieces[at].text);
-            });
+        const bool isKey = isUnquoted(pieces[at]) && isAmong(pieces[at].text, keys);
         for (std::size_t i = at - 2; i > 0 && i < at && (isKey || isUnquoted(pieces[i + 1])); i -= 2)
             if (const std::string meant = base::nearestName(pieces[i].text, known); !meant.empty())
-                return reportAt("glib-E16", i,
-                                fmt::format("unknown word {}; did you mean '{}'?", found(pieces, i), meant));
+                return suggest(i, meant);
         // `Material shqniness 20`: the word was read as that of a preset.
         if (at > 0 && isUnquoted(pieces[at - 1]) && !names.has(pieces[at - 1].text))
             if (const std::string meant = base::nearestName(pieces[at - 1].text, known); !meant.empty())
-                return reportAt(
-                    "glib-E16", at - 1,
-                    fmt::format("unknown word {}; did you mean '{}'?", found(pieces, at - 1), meant));
+                return suggest(at - 1, meant);
         return reportAt("glib-E18", furthest_,
                         fmt::format("surplus argument {}{}", text, surplusHint(pieces, furthest_)));
     }

@@ -11,7 +11,7 @@
 
 #include "glib/expectation.h"
 #include "glib/message_log.h"
-#include "glib/modern/match.h"
+#include "glib/modern/declared_names.h"
 #include "glib/modern/pieces.h"
 #include "glib/modern/statement_table.h"
 

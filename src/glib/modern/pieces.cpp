@@ -21,28 +21,24 @@ void addParts(std::string_view text, std::vector<NamePart>& path) {
 
 }  // namespace
 
-bool isNumeric(const Value& value) {
-    return value.kind == Value::Kind::number || value.kind == Value::Kind::expression;
-}
 bool isUnquoted(const Value& value) {
     return (value.kind == Value::Kind::word || value.kind == Value::Kind::truth) && !value.text.empty();
 }
 
 bool looksLikeExpression(std::string_view word) {
-    const auto countOf = [&](char bracket) { return std::count(word.begin(), word.end(), bracket); };
+    const auto countOf = [&](char bracket) { return std::ranges::count(word, bracket); };
     if (isCompleteNumber(word) || countOf(')') > countOf('(')) return false;
     const std::size_t at = word.find_first_of("*/%+-");
     return at != std::string_view::npos && at + 1 < word.size() &&
            (isOfName(word[at + 1]) || word[at + 1] == '.' || word[at + 1] == '-' || word[at + 1] == '(') &&
-           std::any_of(word.begin(), word.end(), isOfName);
+           std::ranges::any_of(word, isOfName);
 }
 
 std::string_view expressionAt(std::string_view text, std::span<const Token> tokens, const Token& first) {
     std::size_t end = first.end;
     for (const Token* next = &first + 1; next < tokens.data() + tokens.size(); ++next) {
         const std::string_view soFar = text.substr(first.begin, end - first.begin);
-        const bool isOpen =
-            std::count(soFar.begin(), soFar.end(), '(') > std::count(soFar.begin(), soFar.end(), ')');
+        const bool isOpen = std::ranges::count(soFar, '(') > std::ranges::count(soFar, ')');
         if (next->begin != end && !isOpen) break;
         end = next->end;
     }
@@ -143,8 +139,7 @@ std::string Pieces::expressionFrom(std::size_t at) const {
     std::size_t end = at + 1;
     while (end < size()) {
         const std::string whole = written(at, end);
-        const bool isOpen =
-            std::count(whole.begin(), whole.end(), '(') > std::count(whole.begin(), whole.end(), ')');
+        const bool isOpen = std::ranges::count(whole, '(') > std::ranges::count(whole, ')');
         if (!isJoined(end) && !isOpen) break;
         ++end;
     }

@@ -13,8 +13,6 @@
 
 namespace glibra::glib {
 
-/// A number or an expression.
-bool isNumeric(const Value& value);
 /// A word without quotes, or `true` and `false`.
 bool isUnquoted(const Value& value);
 /// True for a word that is an expression without its parentheses: `2*k`, `n/3`, `-k`.

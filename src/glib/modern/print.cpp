@@ -1,7 +1,5 @@
 // Statements as a scene writes them.
 
-#include <fmt/format.h>
-
 #include <string>
 
 #include "glib/number.h"

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "glib/arguments.h"
 #include "glib/bracket_group.h"
 #include "glib/limits.h"
 #include "glib/number.h"
@@ -49,8 +48,7 @@ class PieceReader {
         const Token& token = tokens_[at_++];
         if (++values_ > kMostValues)
             return refuse("glib-E15",
-                          fmt::format("more than {} values in a statement",
-                                      groupedText(static_cast<long long>(kMostValues))),
+                          fmt::format("more than {} values in a statement", groupedText(kMostValues)),
                           token.position);
         switch (token.kind) {
             case TokenKind::number:
@@ -92,14 +90,13 @@ class PieceReader {
         if (token.text.size() > kLongestExpression)
             return refuse("glib-E15",
                           fmt::format("expression of {} bytes; the limit is {}",
-                                      groupedText(static_cast<long long>(token.text.size())),
-                                      groupedText(static_cast<long long>(kLongestExpression))),
+                                      groupedText(token.text.size()), groupedText(kLongestExpression)),
                           token.position);
         if (const std::size_t depth = depthOf(token.text) + 1; depth > kDeepestParentheses)
-            return refuse("glib-E15",
-                          fmt::format("parentheses {} deep; the limit is {}",
-                                      groupedText(static_cast<long long>(depth)), kDeepestParentheses),
-                          token.position);
+            return refuse(
+                "glib-E15",
+                fmt::format("parentheses {} deep; the limit is {}", groupedText(depth), kDeepestParentheses),
+                token.position);
         if (token.text.find_first_not_of(" \t") == std::string_view::npos)
             return refuse("glib-E20", "an expression is missing between '(' and ')'", token.position);
         return valueOf(token, Value::Kind::expression);
@@ -145,17 +142,14 @@ class PieceReader {
                tokens_[at].text == ")";
     }
 
-    static bool isNumeric(const Value& value) {
-        return value.kind == Value::Kind::number || value.kind == Value::Kind::expression;
-    }
     static bool isWord(const Value& value) { return value.kind == Value::Kind::word; }
     /// True for numbers, expressions, and words, which are reported with the statement.
     static bool allNumericOrWords(const Value& group) {
-        return std::all_of(group.items.begin(), group.items.end(),
-                           [](const Value& each) { return isNumeric(each) || isWord(each); });
+        return std::ranges::all_of(group.items,
+                                   [](const Value& each) { return isNumeric(each) || isWord(each); });
     }
     static bool hasComputed(const Value& group) {
-        return std::any_of(group.items.begin(), group.items.end(), [](const Value& each) {
+        return std::ranges::any_of(group.items, [](const Value& each) {
             return each.kind == Value::Kind::expression || isWord(each);
         });
     }
@@ -183,7 +177,7 @@ class PieceReader {
             range.items.clear();
             return range;
         }
-        const bool isChoice = std::all_of(range.items.begin(), range.items.end(), isWord);
+        const bool isChoice = std::ranges::all_of(range.items, isWord);
         // A vector has two to four current values between its limits.
         if (isChoice || (allNumericOrWords(range) && range.items.size() >= 3 && range.items.size() <= 6))
             return range;
@@ -223,10 +217,6 @@ class PieceReader {
 
 std::optional<std::vector<Piece>> readPieces(std::span<const Token> tokens, MessageLog& log) {
     return PieceReader(tokens, log).read();
-}
-
-bool isIdentifier(std::string_view text) {
-    return !text.empty() && beginsName(text.front()) && std::all_of(text.begin(), text.end(), isOfName);
 }
 
 }  // namespace glibra::glib

@@ -3,7 +3,6 @@
 
 #include <optional>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "glib/lexer.h"
@@ -20,8 +19,5 @@ struct Piece {
 
 /// Reads all tokens. Nothing if an error was reported: glib-E05, E15, E20.
 std::optional<std::vector<Piece>> readPieces(std::span<const Token> tokens, MessageLog& log);
-
-/// True for letters, digits and _, the first no digit.
-bool isIdentifier(std::string_view text);
 
 }  // namespace glibra::glib

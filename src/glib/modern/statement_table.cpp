@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "base/suggest.h"
 #include "glib/command_table.h"
 #include "glib/text.h"
 
@@ -389,6 +390,24 @@ const StatementRow* statementOf(CommandId id) {
     for (const StatementRow& row : kStatementRows)
         if (row.id == id) return &row;
     return nullptr;
+}
+
+std::string_view nameOf(CommandId id) {
+    for (const CommandRow& row : commandTable())
+        if (row.id == id) return row.name();
+    const StatementRow* statement = statementOf(id);
+    return statement != nullptr ? statement->name : std::string_view();
+}
+
+std::string_view nearestCommand(std::string_view word) {
+    std::vector<std::string_view> names;
+    for (const CommandRow& row : commandTable())
+        for (const std::string_view name : row.names)
+            if (!name.empty()) names.push_back(name);
+    for (const StatementRow& row : statementTable())
+        if (!row.sharesWord()) names.push_back(row.name);
+    const auto nearest = std::ranges::find(names, base::nearestName(word, names));
+    return nearest != names.end() ? *nearest : std::string_view();
 }
 
 std::string_view syntaxFragment(std::string_view name) {

@@ -63,6 +63,13 @@ const StatementRow* modernFormOf(std::string_view word);
 /// The row of an id; null if the id has none. The stages in the script have the ids of the classic stages.
 const StatementRow* statementOf(CommandId id);
 
+/// The word of a classic command or a modern statement, as the reference spells it.
+std::string_view nameOf(CommandId id);
+
+/// The command, alias or modern statement nearest to an unknown word, spelled as in its table; empty if none
+/// is near.
+std::string_view nearestCommand(std::string_view word);
+
 /// The text that the notation's `$name` stands for; empty if there is no such fragment.
 std::string_view syntaxFragment(std::string_view name);
 /// The words of such a fragment that is a list of words, in their order.

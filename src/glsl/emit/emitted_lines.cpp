@@ -7,7 +7,7 @@ namespace glibra::glsl {
 
 std::vector<EmittedLine> emittedLines(const TranslatedStage& stage, const Place& place) {
     const LineMap& map = stage.lineMap;
-    const auto file = std::find(map.files.begin(), map.files.end(), place.file);
+    const auto file = std::ranges::find(map.files, place.file);
     if (file == map.files.end()) return {};
     const auto index = static_cast<int>(file - map.files.begin());
     std::vector<EmittedLine> lines;

@@ -57,7 +57,7 @@ std::string missingInclude(std::string_view text) {
 /// The file that a log line gives by its name or number; the stage's own if it is unknown.
 const std::string& fileOf(const TranslatedStage& stage, const std::string& source) {
     const std::vector<std::string>& files = stage.lineMap.files;
-    const auto named = std::find_if(files.begin(), files.end(), [&](std::string path) {
+    const auto named = std::ranges::find_if(files, [&](std::string path) {
         for (char& c : path)
             if (c == '"' || c == '\n' || c == '\\') c = c == '\\' ? '/' : '_';
         return path == source;
@@ -105,7 +105,7 @@ bool isCandidate(std::string_view text) {
         return false;
     // "vec4 texture(sampler2D, vec2)": exactly two words before the bracket.
     const std::string_view head = text.substr(first, open - first);
-    return std::count(head.begin(), head.end(), ' ') == 1;
+    return std::ranges::count(head, ' ') == 1;
 }
 
 /// Leaves out what only follows from an error before it.
@@ -138,7 +138,7 @@ class Consequences {
         return std::min(start + static_cast<std::size_t>(std::max(place.column, 1)) - 1, source_.size());
     }
     [[nodiscard]] bool isInStatement(std::size_t place) const {
-        return std::any_of(places_.begin(), places_.end(), [&](std::size_t each) {
+        return std::ranges::any_of(places_, [&](std::size_t each) {
             const auto [first, last] = std::minmax(place, each);
             return last - first < kLongestStatement &&
                    source_.substr(first, last - first).find_first_of(";{}") == std::string_view::npos;

@@ -23,72 +23,56 @@
 namespace glibra::glsl {
 namespace {
 
-/// Words of HLSL, Cg, C and extensions of old GLSL, and what core GLSL has instead.
-struct ForeignWord {
-    std::string_view word, core;
+/// What core GLSL has instead of words of HLSL, Cg, C and extensions of old GLSL, which have blanks around
+/// each.
+struct ForeignWords {
+    std::string_view core, words;
 };
-constexpr auto kForeignWords = std::to_array<ForeignWord>({
-    {"frac", "fract"},
-    {"saturate", "clamp(x, 0.0, 1.0)"},
-    {"lerp", "mix"},
-    {"rsqrt", "inversesqrt"},
-    {"rcp", "1.0 / x"},
-    {"ddx", "dFdx"},
-    {"ddy", "dFdy"},
-    {"fmod", "mod"},
-    {"atan2", "atan"},
-    {"mul", "a * b"},
-    {"mad", "a * b + c"},
-    {"clip", "if (x < 0.0) discard"},
-    {"log10", "log2(x) * 0.30103"},
-    {"fabs", "abs"},
-    {"fmin", "min"},
-    {"fmax", "max"},
-    {"sqrtf", "sqrt"},
-    {"powf", "pow"},
-    {"sinf", "sin"},
-    {"cosf", "cos"},
-    {"floorf", "floor"},
-    {"tex1D", "texture"},
-    {"tex2D", "texture"},
-    {"tex3D", "texture"},
-    {"texCUBE", "texture"},
-    {"tex2Dlod", "textureLod"},
-    {"tex2Dbias", "texture"},
-    {"tex2Dproj", "textureProj"},
-    {"tex2Dgrad", "textureGrad"},
-    {"texture1DLod", "textureLod"},
-    {"texture2DLod", "textureLod"},
-    {"texture3DLod", "textureLod"},
-    {"textureCubeLod", "textureLod"},
-    {"texture2DLodEXT", "textureLod"},
-    {"float1", "float"},
-    {"float2", "vec2"},
-    {"float3", "vec3"},
-    {"float4", "vec4"},
-    {"half", "float"},
-    {"half2", "vec2"},
-    {"half3", "vec3"},
-    {"half4", "vec4"},
-    {"fixed", "float"},
-    {"fixed3", "vec3"},
-    {"fixed4", "vec4"},
-    {"int2", "ivec2"},
-    {"int3", "ivec3"},
-    {"int4", "ivec4"},
-    {"uint2", "uvec2"},
-    {"uint3", "uvec3"},
-    {"uint4", "uvec4"},
-    {"bool2", "bvec2"},
-    {"bool3", "bvec3"},
-    {"bool4", "bvec4"},
-    {"float2x2", "mat2"},
-    {"float3x3", "mat3"},
-    {"float4x4", "mat4"},
-    {"Texture2D", "sampler2D"},
-    {"Texture3D", "sampler3D"},
-    {"TextureCube", "samplerCube"},
-    {"string", "float"},
+constexpr auto kForeignWords = std::to_array<ForeignWords>({
+    {"fract", " frac "},
+    {"clamp(x, 0.0, 1.0)", " saturate "},
+    {"mix", " lerp "},
+    {"inversesqrt", " rsqrt "},
+    {"1.0 / x", " rcp "},
+    {"dFdx", " ddx "},
+    {"dFdy", " ddy "},
+    {"mod", " fmod "},
+    {"atan", " atan2 "},
+    {"a * b", " mul "},
+    {"a * b + c", " mad "},
+    {"if (x < 0.0) discard", " clip "},
+    {"log2(x) * 0.30103", " log10 "},
+    {"abs", " fabs "},
+    {"min", " fmin "},
+    {"max", " fmax "},
+    {"sqrt", " sqrtf "},
+    {"pow", " powf "},
+    {"sin", " sinf "},
+    {"cos", " cosf "},
+    {"floor", " floorf "},
+    {"texture", " tex1D tex2D tex3D texCUBE tex2Dbias "},
+    {"textureLod", " tex2Dlod texture1DLod texture2DLod texture3DLod textureCubeLod texture2DLodEXT "},
+    {"textureProj", " tex2Dproj "},
+    {"textureGrad", " tex2Dgrad "},
+    {"float", " float1 half fixed string "},
+    {"vec2", " float2 half2 "},
+    {"vec3", " float3 half3 fixed3 "},
+    {"vec4", " float4 half4 fixed4 "},
+    {"ivec2", " int2 "},
+    {"ivec3", " int3 "},
+    {"ivec4", " int4 "},
+    {"uvec2", " uint2 "},
+    {"uvec3", " uint3 "},
+    {"uvec4", " uint4 "},
+    {"bvec2", " bool2 "},
+    {"bvec3", " bool3 "},
+    {"bvec4", " bool4 "},
+    {"mat2", " float2x2 "},
+    {"mat3", " float3x3 "},
+    {"mat4", " float4x4 "},
+    {"sampler2D", " Texture2D "},
+    {"sampler3D", " Texture3D "},
+    {"samplerCube", " TextureCube "},
 });
 
 bool contains(std::string_view text, std::string_view part) {
@@ -141,16 +125,7 @@ class LogAdvice::Source {
                 directive_ = each.line;
             if (isSignificant(each.kind) && each.line != directive_) tokens_.push_back(each);
         }
-        closing_.assign(tokens_.size(), tokens_.size());
-        std::vector<std::size_t> open;
-        for (std::size_t i = 0; i < tokens_.size(); ++i) {
-            const std::string_view text = tokens_[i].text;
-            if (text == "(" || text == "{" || text == "[") open.push_back(i);
-            if ((text == ")" || text == "}" || text == "]") && !open.empty()) {
-                closing_[i] = open.back();
-                open.pop_back();
-            }
-        }
+        matches_ = matchBrackets(tokens_, static_cast<std::uint32_t>(tokens_.size()));
     }
 
     [[nodiscard]] std::size_t size() const { return tokens_.size(); }
@@ -161,13 +136,10 @@ class LogAdvice::Source {
     [[nodiscard]] bool isWord(std::size_t at) const {
         return at < tokens_.size() && tokens_[at].kind == TokenKind::word;
     }
-    /// The bracket that the one at `at` closes; size() if there is none.
-    [[nodiscard]] std::size_t opening(std::size_t at) const { return closing_[at]; }
-
     /// The first token at or after the place; size() if there is none.
     [[nodiscard]] std::size_t find(const EmittedPlace& place) const {
         const auto line = static_cast<std::int32_t>(place.line) + 1;
-        const auto found = std::find_if(tokens_.begin(), tokens_.end(), [&](const Token& each) {
+        const auto found = std::ranges::find_if(tokens_, [&](const Token& each) {
             return each.line > line ||
                    (each.line == line &&
                     each.column + static_cast<std::int32_t>(each.text.size()) > place.column);
@@ -177,7 +149,7 @@ class LogAdvice::Source {
 
     /// The first such word on a line; size() if there is none.
     [[nodiscard]] std::size_t findWord(std::size_t line, std::string_view word) const {
-        const auto found = std::find_if(tokens_.begin(), tokens_.end(), [&](const Token& each) {
+        const auto found = std::ranges::find_if(tokens_, [&](const Token& each) {
             return each.line == static_cast<std::int32_t>(line) + 1 && each.text == word;
         });
         return static_cast<std::size_t>(found - tokens_.begin());
@@ -202,7 +174,7 @@ class LogAdvice::Source {
             return (!isStatementWord(token.text) || token.text == "break" || token.text == "continue" ||
                     token.text == "discard" || token.text == "return") &&
                    !isTypeWord(token.text) && !isQualifierWord(token.text);
-        const std::size_t open = opening(at);
+        const std::size_t open = matches_[at];
         if (open == size() || open == 0) return false;
         const std::string_view before = text(open - 1);
         if (token.text == ")")
@@ -239,7 +211,7 @@ class LogAdvice::Source {
     const TranslatedStage& stage_;
     std::deque<std::string> storage_;
     std::vector<Token> tokens_;
-    std::vector<std::size_t> closing_;
+    std::vector<std::uint32_t> matches_;  ///< the partners of brackets; size() if there is none
     std::int32_t directive_ = 0;
 };
 
@@ -264,8 +236,8 @@ std::string LogAdvice::inputFor(std::string_view word) const {
 }
 
 std::string LogAdvice::suggestionFor(std::string_view word, bool isType) {
-    const auto* const foreign = std::find_if(kForeignWords.begin(), kForeignWords.end(),
-                                             [&](const ForeignWord& each) { return each.word == word; });
+    const auto* const foreign = std::ranges::find_if(
+        kForeignWords, [&](const ForeignWords& each) { return listed(each.words, word); });
     if (foreign != kForeignWords.end()) return "; did you mean '" + std::string(foreign->core) + "'?";
     if (!isType)
         if (const std::string declaration = inputFor(word); !declaration.empty())

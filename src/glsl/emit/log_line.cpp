@@ -102,13 +102,9 @@ std::optional<LogLine> parsePrefixed(std::string_view text, std::span<const std:
     if (!takeSource(text, files, ':', line.source)) return std::nullopt;
     text.remove_prefix(1);
     if (!takeNumber(text, line.line)) return std::nullopt;
-    if (text.starts_with("(")) {
-        text.remove_prefix(1);
-        if (!takeNumber(text, line.column) || !text.starts_with(")")) return std::nullopt;
-        text.remove_prefix(1);
-    }
-    if (!text.starts_with(":")) return std::nullopt;
-    text.remove_prefix(1);
+    if (takeNoCase(text, "(") && (!takeNumber(text, line.column) || !takeNoCase(text, ")")))
+        return std::nullopt;
+    if (!takeNoCase(text, ":")) return std::nullopt;
     skipBlanks(text);
     bool again = false;
     std::string_view rest = text;
@@ -128,9 +124,9 @@ std::optional<LogLine> parseMesa(std::string_view text, std::span<const std::str
     line.collapsed = true;
     if (!takeSource(text, files, ':', line.source)) return std::nullopt;
     text.remove_prefix(1);
-    if (!takeNumber(text, line.line) || !text.starts_with("(")) return std::nullopt;
-    text.remove_prefix(1);
-    if (!takeNumber(text, line.column) || !takeNoCase(text, "):")) return std::nullopt;
+    if (!takeNumber(text, line.line) || !takeNoCase(text, "(") || !takeNumber(text, line.column) ||
+        !takeNoCase(text, "):"))
+        return std::nullopt;
     skipBlanks(text);
     if (!takeSeverity(text, line.isWarning)) return std::nullopt;
     dropCode(text);
@@ -219,8 +215,8 @@ bool isLogSummary(std::string_view line) {
     static constexpr std::array<std::string_view, 5> kPhrases = {
         "compilation errors.", "No code generated", "compilation terminated",
         "failed to compile with the following", "was successfully compiled"};
-    return std::any_of(kPhrases.begin(), kPhrases.end(),
-                       [&](std::string_view each) { return line.find(each) != std::string_view::npos; });
+    return std::ranges::any_of(
+        kPhrases, [&](std::string_view each) { return line.find(each) != std::string_view::npos; });
 }
 
 const TranslatedStage* stageOfHeading(const TranslatedProgram& program, std::string_view line) {

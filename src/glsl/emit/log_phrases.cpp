@@ -56,8 +56,8 @@ constexpr std::array kSyntaxPhrases = std::to_array<std::string_view>({
 });
 
 bool containsAny(std::string_view text, std::span<const std::string_view> phrases) {
-    return std::any_of(phrases.begin(), phrases.end(),
-                       [&](std::string_view each) { return text.find(each) != std::string_view::npos; });
+    return std::ranges::any_of(
+        phrases, [&](std::string_view each) { return text.find(each) != std::string_view::npos; });
 }
 
 std::string_view nameIn(std::string_view message, const NamePhrase& phrase) {

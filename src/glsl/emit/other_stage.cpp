@@ -60,7 +60,7 @@ std::optional<OtherStage> findOtherStage(const TranslatedStage& stage) {
     }
     if (first == nullptr) return std::nullopt;
     const std::string_view before = source.substr(0, at);
-    const auto line = static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
+    const auto line = static_cast<std::size_t>(std::ranges::count(before, '\n'));
     const std::size_t start = before.rfind('\n') + 1;
     const auto nameOf = [](Stage of) { return kStageNames.at(static_cast<std::size_t>(of)); };
     return OtherStage{

@@ -62,7 +62,7 @@ AssignedPart partOf(const Unit& unit, const AssignedVariable& variable, Range su
     const std::string_view member = unit.text(suffix.first + 1);
     const bool isAlone = suffix.end == suffix.first + 2;
     if (variable.shape == Shape::structure) {
-        const auto found = std::find(variable.members.begin(), variable.members.end(), member);
+        const auto found = std::ranges::find(variable.members, member);
         if (found == variable.members.end()) return whole;
         return {1U << (found - variable.members.begin()), isAlone};
     }

@@ -7,7 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "glsl/facts/assignment.h"
+#include "glsl/facts/unassigned.h"
+#include "glsl/parse/unit.h"
 
 namespace glibra::glsl {
 

@@ -243,7 +243,7 @@ void AssignmentWalk::leave(const Declaration& declaration, std::size_t first) {
     if (isMain_) return;
     effect_.assigns.assign(state_.sure.begin(),
                            state_.sure.begin() + static_cast<std::ptrdiff_t>(outputCount_));
-    if (exit_.isDead) std::fill(effect_.assigns.begin(), effect_.assigns.end(), 0U);
+    if (exit_.isDead) std::ranges::fill(effect_.assigns, 0U);
     const auto [known, isNew] = effects_.try_emplace(text(declaration.name), effect_);
     if (isNew) return;
     for (std::size_t i = 0; i < outputCount_; ++i) known->second.assigns[i] &= effect_.assigns[i];

@@ -42,7 +42,6 @@ void AssignmentWalk::subscripts(Range suffix) {
 }
 
 std::uint32_t AssignmentWalk::use(std::size_t index, std::uint32_t at, std::uint32_t end) {
-    const auto isStep = [](std::string_view each) { return each == "++" || each == "--"; };
     const std::uint32_t after = std::min(afterSuffixes(unit_, at), end);
     const Range suffix{at + 1, after};
     subscripts(suffix);

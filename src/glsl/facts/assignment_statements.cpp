@@ -116,9 +116,7 @@ std::uint32_t AssignmentWalk::branch(std::uint32_t at, std::uint32_t end) {
 
 void AssignmentWalk::foresee(Range body, bool mayBeEmpty) {
     const int inBody = branches_ + (mayBeEmpty ? 1 : 0);
-    int level = inBody + 1;
-    for (std::uint32_t i = body.first; i < body.end; ++i)
-        if (text(i) == "continue" || text(i) == "break" || text(i) == "return") level = inBody;
+    const int level = unit_.hasAny(body, {"continue", "break", "return"}) ? inBody : inBody + 1;
     for (std::uint32_t i = body.first; i < body.end && search_.spend(1); ++i) {
         const std::optional<std::size_t> index = isWord(i) ? variableAt(i) : std::nullopt;
         if (!index) continue;
@@ -134,9 +132,7 @@ bool AssignmentWalk::isAlwaysTrue(Range condition) const {
 }
 
 bool AssignmentWalk::hasLogic(Range condition) const {
-    for (std::uint32_t i = condition.first; i < condition.end; ++i)
-        if (text(i) == "&&" || text(i) == "||") return true;
-    return false;
+    return unit_.hasAny(condition, {"&&", "||"});
 }
 
 std::uint32_t AssignmentWalk::loop(std::uint32_t body, std::uint32_t end, Range condition, Range step,
@@ -223,10 +219,9 @@ void AssignmentWalk::fill(const std::vector<Range>& parts, Range body) {
                         (text(step.first) == "++" || text(step.first + 1) == "++") &&
                         (text(step.first) == counter || text(step.first + 1) == counter);
     if (!isStep || text(condition.first) != counter) return;
+    if (unit_.hasAny(body, {"break", "continue", "return"})) return;
     for (std::uint32_t i = body.first; i < body.end; ++i)
-        if (text(i) == "break" || text(i) == "continue" || text(i) == "return" ||
-            search_.isChange(counter, i))
-            return;
+        if (search_.isChange(counter, i)) return;
     const Range limit{condition.first + 2, condition.end};
     int depth = 0;
     for (std::uint32_t i = body.first; i < body.end; ++i) {

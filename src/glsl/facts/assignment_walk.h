@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "glsl/facts/assigned_parts.h"
-#include "glsl/facts/assignment.h"
 #include "glsl/facts/formula.h"
+#include "glsl/facts/unassigned.h"
 #include "glsl/parse/unit.h"
 
 namespace glibra::glsl {

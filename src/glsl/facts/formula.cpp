@@ -33,7 +33,7 @@ std::optional<double> numberOf(std::string_view text) {
 }  // namespace
 
 bool TokenSearch::opens(std::uint32_t at) const {
-    return text(at) == "(" || text(at) == "[" || text(at) == "{";
+    return opensBracket(text(at));
 }
 
 bool TokenSearch::spend(std::size_t tokens) {
@@ -165,13 +165,8 @@ bool TokenSearch::name(std::uint32_t at, Formula& to) {
 }
 
 const LocalVariable* TokenSearch::keptLocal(std::uint32_t at) {
-    const LocalVariable* found = nullptr;
-    for (const LocalVariable& each : unit_.bodies.locals) {
-        if (text(each.name) != text(at)) continue;
-        if (found != nullptr) return nullptr;
-        found = &each;
-    }
-    if (found == nullptr || found->isParameter) return nullptr;
+    const LocalVariable* found = unit_.onlyLocal(text(at));
+    if (found == nullptr || found->isParameter || found->initializer.empty()) return nullptr;
     // The declaration itself counts as a change, so the text before and after it is searched.
     const bool isKept = !changes(text(at), {0, found->name}) &&
                         !changes(text(at), {found->name + 1, static_cast<std::uint32_t>(unit_.view.size())});
@@ -213,7 +208,7 @@ bool TokenSearch::measure(std::uint32_t& at, std::uint32_t end, Formula& to) {
         if (size.empty()) return false;
     } else if (unit_.bodies.roles[here] == WordRole::local && text(after) == ".") {
         const LocalVariable* found = keptLocal(here);
-        if (found == nullptr || found->initializer.empty()) return false;
+        if (found == nullptr) return false;
         size = sizeCall(found->initializer);
         if (size.empty()) return false;
     }

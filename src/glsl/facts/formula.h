@@ -34,6 +34,10 @@ class TokenSearch {
     /// True if a token in the range changes it, or if the limit is reached.
     bool changes(std::string_view name, Range range);
 
+    /// The local variable that the word at `at` names, if there is only one and it keeps the value that its
+    /// declaration gives it.
+    const LocalVariable* keptLocal(std::uint32_t at);
+
     /// The value of an expression; nothing if it depends on anything that a Formula does not have.
     std::optional<Formula> formula(Range range);
 
@@ -46,8 +50,6 @@ class TokenSearch {
     bool call(std::string_view function, Range inside, Formula& to);
     bool name(std::uint32_t at, Formula& to);
     bool local(std::uint32_t at, Formula& to);
-    /// The local variable of that name, if there is only one and it keeps the value of its declaration.
-    const LocalVariable* keptLocal(std::uint32_t at);
     /// A size with its component, or a member of a block, at `at`; `at` moves behind it.
     bool measure(std::uint32_t& at, std::uint32_t end, Formula& to);
     /// "imageSize(uMap)" for a call in the range; empty if it is none.

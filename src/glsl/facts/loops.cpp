@@ -104,14 +104,8 @@ class LoopSearch {
         if (!loop) return loopsIn(body, depth + 1, false);
         loop->inside = loopsIn(body, depth + 1, true);
         loop->emits = emitsIn(body, depth + 1);
-        loop->isSure = isSure && !mayEndEarly(body);
+        loop->isSure = isSure && !unit_.hasAny(body, {"break", "return", "continue"});
         return {std::move(*loop)};
-    }
-
-    [[nodiscard]] bool mayEndEarly(Range body) const {
-        for (std::uint32_t at = body.first; at < body.end; ++at)
-            if (text(at) == "break" || text(at) == "return" || text(at) == "continue") return true;
-        return false;
     }
 
     /// The EmitVertex() calls of a range outside of conditions and loops, also in the functions that it

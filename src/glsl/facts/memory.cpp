@@ -16,7 +16,7 @@ constexpr int kDeepestConstant = 8;
 constexpr std::size_t kMostConstantTokens = 500;
 
 bool hasWord(const Qualifiers& qualifiers, std::string_view word) {
-    return std::find(qualifiers.memory.begin(), qualifiers.memory.end(), word) != qualifiers.memory.end();
+    return std::ranges::find(qualifiers.memory, word) != qualifiers.memory.end();
 }
 
 /// r32f, rgba8_snorm, r11f_g11f_b10f, rgb10_a2ui, ...; not row_major.
@@ -75,9 +75,8 @@ class MemoryReader {
         return true;
     }
     bool addNamed(const ViewToken& name, std::vector<ViewToken>& to, int depth) const {
-        const auto found = std::find_if(unit_.variables.begin(), unit_.variables.end(),
-                                        [&](const Variable& each) { return each.name == name.text; });
-        if (found == unit_.variables.end() || found->storage != Storage::constant || found->isArray() ||
+        const Variable* found = unit_.firstVariable(name.text);
+        if (found == nullptr || found->storage != Storage::constant || found->isArray() ||
             (found->type != "int" && found->type != "uint") || depth >= kDeepestConstant)
             return false;
         ViewToken bracket;
@@ -180,8 +179,7 @@ class MemoryReader {
         block.members = membersOf(declaration);
         const auto all = [&](bool MemoryMember::* word) {
             return !block.members.empty() &&
-                   std::all_of(block.members.begin(), block.members.end(),
-                               [&](const MemoryMember& each) { return each.*word; });
+                   std::ranges::all_of(block.members, [&](const MemoryMember& each) { return each.*word; });
         };
         block.isReadonly = !isStorage || hasWord(qualifiers, "readonly") || all(&MemoryMember::isReadonly);
         block.isWriteonly = hasWord(qualifiers, "writeonly") || all(&MemoryMember::isWriteonly);
@@ -216,7 +214,7 @@ class MemoryReader {
         ImageUniform image;
         image.place = unit_.place(variable.nameToken);
         image.type = variable.type;
-        const auto format = std::find_if(qualifiers.layout.begin(), qualifiers.layout.end(), isImageFormat);
+        const auto format = std::ranges::find_if(qualifiers.layout, isImageFormat);
         if (format != qualifiers.layout.end()) image.format = format->name;
         image.isReadonly = hasWord(qualifiers, "readonly");
         image.isWriteonly = hasWord(qualifiers, "writeonly");
@@ -258,23 +256,23 @@ void collectMemory(ProgramUnits& program) {
 }
 
 bool hasWritableStorage(const Unit& unit) {
-    return std::any_of(
-        unit.syntax.declarations.begin(), unit.syntax.declarations.end(), [&](const Declaration& each) {
-            if (each.kind != DeclarationKind::block || each.qualifiers.storage != Storage::buffer ||
-                hasWord(each.qualifiers, "readonly"))
-                return false;
-            if (!each.declarators.empty()) {
-                const bool isReadonly = std::all_of(
-                    each.members.begin(), each.members.end(),
-                    [](const Declaration& member) { return hasWord(member.qualifiers, "readonly"); });
-                return !isReadonly && unit.isUsed(unit.text(each.declarators.front().name));
-            }
-            return std::any_of(each.members.begin(), each.members.end(), [&](const Declaration& member) {
-                return !hasWord(member.qualifiers, "readonly") &&
-                       std::any_of(member.declarators.begin(), member.declarators.end(),
-                                   [&](const Declarator& name) { return unit.isUsed(unit.text(name.name)); });
+    return std::ranges::any_of(unit.syntax.declarations, [&](const Declaration& each) {
+        if (each.kind != DeclarationKind::block || each.qualifiers.storage != Storage::buffer ||
+            hasWord(each.qualifiers, "readonly"))
+            return false;
+        if (!each.declarators.empty()) {
+            const bool isReadonly = std::ranges::all_of(each.members, [](const Declaration& member) {
+                return hasWord(member.qualifiers, "readonly");
             });
+            return !isReadonly && unit.isUsed(unit.text(each.declarators.front().name));
+        }
+        return std::ranges::any_of(each.members, [&](const Declaration& member) {
+            return !hasWord(member.qualifiers, "readonly") &&
+                   std::ranges::any_of(member.declarators, [&](const Declarator& name) {
+                       return unit.isUsed(unit.text(name.name));
+                   });
         });
+    });
 }
 
 bool writesMemory(const Unit& unit) {
@@ -283,7 +281,7 @@ bool writesMemory(const Unit& unit) {
         const Qualifiers& qualifiers = unit.syntax.declarations[each.declaration].qualifiers;
         return each.type == "atomic_uint" || (isImageTypeWord(each.type) && !hasWord(qualifiers, "readonly"));
     };
-    return hasWritableStorage(unit) || std::any_of(unit.variables.begin(), unit.variables.end(), isWritten);
+    return hasWritableStorage(unit) || std::ranges::any_of(unit.variables, isWritten);
 }
 
 }  // namespace glibra::glsl

@@ -51,10 +51,10 @@ bool findOpacity(const ProgramUnits& program) {
     if (!name || !main) return false;
     const auto writes = unit.writes.find(*name);
     if (writes == unit.writes.end()) return false;
-    const bool areOpaque = std::all_of(writes->second.begin(), writes->second.end(), [&](std::uint32_t at) {
+    const bool areOpaque = std::ranges::all_of(writes->second, [&](std::uint32_t at) {
         return isOpaqueAssignment(unit, at) || leavesAlphaAlone(unit, at);
     });
-    return areOpaque && std::any_of(writes->second.begin(), writes->second.end(), [&](std::uint32_t at) {
+    return areOpaque && std::ranges::any_of(writes->second, [&](std::uint32_t at) {
                return isOpaqueAssignment(unit, at) && isAlwaysExecuted(unit, *main, at);
            });
 }

@@ -161,11 +161,10 @@ class PlacementSearch {
 
     /// True if the name has its built-in meaning here.
     [[nodiscard]] bool isSupplied(std::string_view name, bool isInput) const {
-        if (unit_.isWritten(name) || unit_.macros.find(name) != unit_.macros.end()) return false;
+        if (unit_.isWritten(name) || unit_.macros.contains(name)) return false;
         if (!unit_.isDeclared(name)) return true;
-        const auto found = std::find_if(unit_.variables.begin(), unit_.variables.end(),
-                                        [&](const Variable& each) { return each.name == name; });
-        return !name.starts_with("gl_") && found != unit_.variables.end() && !found->isArray() &&
+        const Variable* found = unit_.firstVariable(name);
+        return !name.starts_with("gl_") && found != nullptr && !found->isArray() &&
                found->storage == (isInput ? Storage::input : Storage::uniform) &&
                found->type == (isInput ? "vec4" : "mat4");
     }
@@ -173,12 +172,7 @@ class PlacementSearch {
     /// The meaning of a variable of main that keeps its initial value.
     Meaning local(std::uint32_t at) {
         const std::string_view text = unit_.text(at);
-        const LocalVariable* declared = nullptr;
-        for (const LocalVariable& each : unit_.bodies.locals) {
-            if (unit_.text(each.name) != text) continue;
-            if (declared != nullptr) return Meaning::other;
-            declared = &each;
-        }
+        const LocalVariable* declared = unit_.onlyLocal(text);
         if (declared == nullptr || declared->isParameter || declared->initializer.empty() ||
             !body_.contains(declared->name) || declared->name > at || hasOutputs())
             return Meaning::other;
@@ -198,10 +192,9 @@ class PlacementSearch {
                    each.qualifiers.storage == Storage::inputOutput;
         };
         return unit_.isUsed("modf") || unit_.isUsed("frexp") ||
-               std::any_of(unit_.syntax.declarations.begin(), unit_.syntax.declarations.end(),
-                           [&](const Declaration& each) {
-                               return std::any_of(each.parameters.begin(), each.parameters.end(), writes);
-                           });
+               std::ranges::any_of(unit_.syntax.declarations, [&](const Declaration& each) {
+                   return std::ranges::any_of(each.parameters, writes);
+               });
     }
 
     const Unit& unit_;
@@ -212,7 +205,7 @@ class PlacementSearch {
 /// True if the stage may change anything except the picture, or chooses the picture's layer.
 bool hasOtherEffects(const Unit& unit) {
     return hasWritableStorage(unit) || unit.isUsed("gl_Layer") || unit.isUsed("gl_ViewportIndex") ||
-           std::any_of(unit.variables.begin(), unit.variables.end(), [](const Variable& each) {
+           std::ranges::any_of(unit.variables, [](const Variable& each) {
                return each.storage == Storage::buffer || each.type == "atomic_uint" ||
                       each.type.find("image") != std::string::npos;
            });
@@ -224,7 +217,7 @@ Placement findPlacement(const ProgramUnits& program) {
     const auto& units = program.units;
     const bool isPlain = !units.empty() && units[0].stage == Stage::vertex &&
                          (units.size() == 1 || (units.size() == 2 && units[1].stage == Stage::fragment));
-    if (!isPlain || std::any_of(units.begin(), units.end(), hasOtherEffects)) return Placement::unknown;
+    if (!isPlain || std::ranges::any_of(units, hasOtherEffects)) return Placement::unknown;
     return PlacementSearch(units[0]).find();
 }
 

@@ -16,7 +16,7 @@ namespace {
 /// What limits a number; equality does not, since `if (gl_InvocationID == 0)` only picks one of them.
 bool isComparison(std::string_view text) {
     constexpr std::array<std::string_view, 7> kComparisons{"<", ">", "<=", ">=", "%", "&", ">>"};
-    return std::find(kComparisons.begin(), kComparisons.end(), text) != kComparisons.end();
+    return std::ranges::find(kComparisons, text) != kComparisons.end();
 }
 
 /// True if the name, or a component of it, is compared or reduced anywhere in the stage: then the text does
@@ -40,10 +40,8 @@ void readsOfPatch(const Unit& unit, TranslatedProgram& result) {
     const bool isOwnGuarded = isGuarded(unit, "gl_InvocationID") || unit.isUsed("gl_PatchVerticesIn");
     const auto isInput = [&](std::uint32_t at) {
         if (unit.text(at) == "gl_in") return true;
-        const auto found = std::find_if(unit.variables.begin(), unit.variables.end(),
-                                        [&](const Variable& each) { return each.name == unit.text(at); });
-        return found != unit.variables.end() && found->storage == Storage::input && !found->patch &&
-               found->isArray();
+        const Variable* found = unit.firstVariable(unit.text(at));
+        return found != nullptr && found->storage == Storage::input && !found->patch && found->isArray();
     };
     for (std::uint32_t at = 0; at + 2 < unit.view.size(); ++at) {
         if (unit.bodies.roles[at] != WordRole::global || unit.text(at + 1) != "[" || !isInput(at)) continue;
@@ -148,7 +146,9 @@ class SubscriptSearch {
         if (range.end == range.first + 1) {
             if (name == "gl_VertexID" || name == "gl_InstanceID" || name == "gl_LocalInvocationIndex")
                 return std::string(name);
-            return unit_.bodies.roles[range.first] == WordRole::local ? numberOfLocal(range.first) : "";
+            const LocalVariable* kept =
+                unit_.bodies.roles[range.first] == WordRole::local ? search_.keptLocal(range.first) : nullptr;
+            return kept != nullptr ? numberIn(kept->initializer) : "";
         }
         const bool isComponent = range.end == range.first + 3 && search_.text(range.first + 1) == ".";
         if (!isComponent ||
@@ -156,20 +156,6 @@ class SubscriptSearch {
             return {};
         const std::string_view component = search_.text(range.first + 2);
         return component == "x" ? std::string(name) + ".x" : "";
-    }
-
-    std::string numberOfLocal(std::uint32_t at) {
-        const LocalVariable* found = nullptr;
-        for (const LocalVariable& each : unit_.bodies.locals) {
-            if (unit_.text(each.name) != unit_.text(at)) continue;
-            if (found != nullptr) return {};
-            found = &each;
-        }
-        if (found == nullptr || found->isParameter || found->initializer.empty()) return {};
-        const auto size = static_cast<std::uint32_t>(unit_.view.size());
-        const bool isKept = !search_.changes(unit_.text(at), {0, found->name}) &&
-                            !search_.changes(unit_.text(at), {found->name + 1, size});
-        return isKept ? numberIn(found->initializer) : "";
     }
 
     const Unit& unit_;

@@ -25,7 +25,7 @@ Words wordsOf(const Unit& unit) {
 bool isLinearCall(std::string_view word) {
     static constexpr std::array<std::string_view, 10> kLinear = {
         "vec2", "vec3", "vec4", "mat2", "mat3", "mat4", "float", "normalize", "ftransform", "main"};
-    return std::find(kLinear.begin(), kLinear.end(), word) != kLinear.end();
+    return std::ranges::find(kLinear, word) != kLinear.end();
 }
 
 bool callsFunctions(const Unit& unit) {
@@ -44,16 +44,16 @@ bool hasFlatVariable(const Unit& unit) {
     const auto isFlat = [](const Declaration& each) { return each.qualifiers.interpolation == "flat"; };
     const auto isFlatBlock = [&](const Declaration& each) {
         return each.kind == DeclarationKind::block &&
-               (isFlat(each) || std::any_of(each.members.begin(), each.members.end(), isFlat));
+               (isFlat(each) || std::ranges::any_of(each.members, isFlat));
     };
-    return std::any_of(unit.variables.begin(), unit.variables.end(),
-                       [](const Variable& each) { return each.interpolation == "flat"; }) ||
-           std::any_of(unit.syntax.declarations.begin(), unit.syntax.declarations.end(), isFlatBlock);
+    return std::ranges::any_of(unit.variables,
+                               [](const Variable& each) { return each.interpolation == "flat"; }) ||
+           std::ranges::any_of(unit.syntax.declarations, isFlatBlock);
 }
 
 bool hasCubeMap(const Unit& unit) {
-    return std::any_of(unit.variables.begin(), unit.variables.end(),
-                       [](const Variable& each) { return each.type == "samplerCube"; });
+    return std::ranges::any_of(unit.variables,
+                               [](const Variable& each) { return each.type == "samplerCube"; });
 }
 
 }  // namespace
@@ -80,7 +80,7 @@ bool mayReadTangents(const ProgramUnits& program) {
     if (program.units.empty() || program.units.front().stage != Stage::vertex) return false;
     const Words words = wordsOf(program.units.front());
     const auto rows = builtinInputs();
-    return std::any_of(rows.begin(), rows.end(), [&](const BuiltinInput& each) {
+    return std::ranges::any_of(rows, [&](const BuiltinInput& each) {
         return each.attribute == "tangent" && words.contains(each.name);
     });
 }

@@ -2,7 +2,6 @@
 // control stage, statement by statement, and gives up at every statement that it does not understand.
 
 #include <algorithm>
-#include <array>
 #include <set>
 #include <string>
 #include <string_view>
@@ -11,6 +10,7 @@
 #include "base/text.h"
 #include "glsl/facts/facts.h"
 #include "glsl/parse/usage.h"
+#include "glsl/read/words.h"
 
 namespace glibra::glsl {
 namespace {
@@ -21,26 +21,20 @@ bool isWord(std::string_view token) {
     return !token.empty() && base::beginsName(token.front());
 }
 
-template <std::size_t count>
-bool isOneOf(std::string_view word, const std::array<std::string_view, count>& words) {
-    return std::find(words.begin(), words.end(), word) != words.end();
-}
-
 bool isLevelOutput(std::string_view word) {
     return word == "gl_TessLevelOuter" || word == "gl_TessLevelInner";
 }
 
 bool isType(std::string_view word) {
-    return isOneOf(word, std::array<std::string_view, 8>{"float", "int", "uint", "vec2", "vec3", "vec4",
-                                                         "double", "ivec2"});
+    return listed(" float int uint vec2 vec3 vec4 double ivec2 ", word);
 }
 
 /// Functions that have no effect except their value.
 bool isPureFunction(std::string_view word) {
-    return isType(word) || isOneOf(word, std::array<std::string_view, 20>{
-                                             "max", "min",  "clamp", "mix",   "ceil",   "floor",      "round",
-                                             "abs", "sqrt", "pow",   "exp2",  "log2",   "exp",        "log",
-                                             "mod", "step", "fract", "trunc", "length", "inversesqrt"});
+    constexpr std::string_view kPure =
+        " max min clamp mix ceil floor round abs sqrt pow exp2 log2 exp log mod step fract trunc length "
+        "inversesqrt ";
+    return isType(word) || listed(kPure, word);
 }
 
 /// Everything in a control stage that the value of one uniform can reach.
@@ -61,8 +55,7 @@ class Flow {
 
   private:
     static bool hasOneOf(const Tokens& tokens, const std::set<std::string_view>& words) {
-        return std::any_of(tokens.begin(), tokens.end(),
-                           [&](std::string_view each) { return words.contains(each); });
+        return std::ranges::any_of(tokens, [&](std::string_view each) { return words.contains(each); });
     }
     [[nodiscard]] bool isReached(const Tokens& tokens) const { return hasOneOf(tokens, reached_); }
 
@@ -80,7 +73,7 @@ class Flow {
     /// True if the statement does not touch what is reached, or is an assignment that passes it on.
     bool understands(Tokens statement) {
         if (!dropHeads(statement)) return false;
-        if (std::find(statement.begin(), statement.end(), "uniform") != statement.end()) return true;
+        if (std::ranges::find(statement, "uniform") != statement.end()) return true;
         noteDeclaration(statement);
         return !isReached(statement) || passesOn(statement);
     }
@@ -119,8 +112,7 @@ class Flow {
             }
         const Tokens value(begin, statement.end());
         return !places.empty() && isPure(value) &&
-               std::all_of(places.begin(), places.end(),
-                           [&](const Tokens& each) { return takes(each, value); });
+               std::ranges::all_of(places, [&](const Tokens& each) { return takes(each, value); });
     }
 
     /// True if `place` is a level or a local variable; notes that it now depends on `value`.
@@ -161,10 +153,9 @@ Tokens tokensOf(const Unit& unit) {
 
 /// True if no stage except the control stage names the word.
 bool isOnlyInControl(const ProgramUnits& program, std::string_view word) {
-    return std::none_of(program.units.begin(), program.units.end(), [&](const Unit& unit) {
+    return std::ranges::none_of(program.units, [&](const Unit& unit) {
         return unit.stage != Stage::tessControl &&
-               std::any_of(unit.view.begin(), unit.view.end(),
-                           [&](const ViewToken& each) { return each.text == word; });
+               std::ranges::any_of(unit.view, [&](const ViewToken& each) { return each.text == word; });
     });
 }
 

@@ -53,8 +53,8 @@ class WholeWriteSearch {
             "imageStore",  "imageSize",     "textureSize",     "any", "all", "lessThan",
             "greaterThan", "lessThanEqual", "greaterThanEqual"};
         const std::optional<Range> main = bodyOfMain(unit_);
-        if (!main || std::any_of(kFunctions.begin(), kFunctions.end(),
-                                 [&](std::string_view each) { return unit_.isUserName(each); }))
+        if (!main ||
+            std::ranges::any_of(kFunctions, [&](std::string_view each) { return unit_.isUserName(each); }))
             return {};
         noteLocals(*main);
         findArrays();
@@ -132,10 +132,9 @@ class WholeWriteSearch {
     /// The type of a uniform that is no array; empty for everything else.
     [[nodiscard]] std::string_view uniformType(std::uint32_t at) const {
         if (role(at) != WordRole::global) return {};
-        const auto found = std::find_if(unit_.variables.begin(), unit_.variables.end(),
-                                        [&](const Variable& each) { return each.name == text(at); });
-        const bool isIt = found != unit_.variables.end() && found->storage == Storage::uniform &&
-                          !found->isArray() && !found->removed;
+        const Variable* found = unit_.firstVariable(text(at));
+        const bool isIt =
+            found != nullptr && found->storage == Storage::uniform && !found->isArray() && !found->removed;
         return isIt ? std::string_view(found->type) : std::string_view();
     }
 
@@ -143,7 +142,7 @@ class WholeWriteSearch {
     [[nodiscard]] bool isOnlyStored(std::string_view name) const {
         const auto uses = unit_.uses.find(name);
         if (uses == unit_.uses.end()) return false;
-        return std::all_of(uses->second.begin(), uses->second.end(), [&](std::uint32_t at) {
+        return std::ranges::all_of(uses->second, [&](std::uint32_t at) {
             if (!arrays_.contains(name))
                 return at >= 2 && text(at - 1) == "(" && role(at - 2) == WordRole::global &&
                        (text(at - 2) == "imageStore" || text(at - 2) == "imageSize");
@@ -269,8 +268,8 @@ class WholeWriteSearch {
         // `a && b` holds if both do, and `a || b` does not if neither does.
         const std::vector<Range> parts = search_.parts(condition, wanted ? "&&" : "||");
         if (parts.size() > 1)
-            return std::all_of(parts.begin(), parts.end(),
-                               [&](Range each) { return holdsWithin(each, wanted, depth + 1); });
+            return std::ranges::all_of(parts,
+                                       [&](Range each) { return holdsWithin(each, wanted, depth + 1); });
         if (search_.parts(condition, wanted ? "||" : "&&").size() > 1) return false;
         if (text(condition.first) == "!") {
             const Range rest{condition.first + 1, condition.end};
@@ -373,10 +372,7 @@ class WholeWriteSearch {
     }
 
     bool mayLeave(Range range) {
-        if (!search_.spend(range.end - range.first)) return true;
-        for (std::uint32_t at = range.first; at < range.end; ++at)
-            if (text(at) == "return" || text(at) == "discard") return true;
-        return false;
+        return !search_.spend(range.end - range.first) || unit_.hasAny(range, {"return", "discard"});
     }
 
     /// A declaration, or an expression, without its ';'.

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <map>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -69,7 +68,8 @@ enum class WordRole : std::uint8_t {
 
 struct Bodies {
     std::vector<WordRole> roles;         ///< by view index
-    std::vector<std::uint32_t> matches;  ///< of a bracket: the index of its partner (matchBrackets)
+    std::vector<std::uint32_t> matches;  ///< of a bracket: the index of its partner; the number of all tokens
+                                         ///< if it has none, and for other tokens
     std::vector<LocalVariable> locals;
     std::vector<Call> calls;
     std::vector<ReturnValue> returns;
@@ -82,12 +82,5 @@ struct Bodies {
     std::map<std::string, std::uint32_t, std::less<>> memberNames;
     std::vector<std::uint32_t> memberDeclarations;  ///< view indices of all of these members
 };
-
-/// For every bracket the index of the matching one; `view.size()` for all other tokens.
-std::vector<std::uint32_t> matchBrackets(std::span<const ViewToken> view);
-
-/// Walks all functions and initialisers. The depth is limited, and the time is linear in the number of
-/// tokens.
-Bodies walkBodies(std::span<const ViewToken> view, const Syntax& syntax);
 
 }  // namespace glibra::glsl

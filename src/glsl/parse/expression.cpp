@@ -4,8 +4,8 @@
 #include <tuple>
 #include <utility>
 
-#include "glsl/parse/lexical.h"
 #include "glsl/parse/usage.h"
+#include "glsl/read/words.h"
 
 namespace glibra::glsl {
 namespace {
@@ -78,14 +78,14 @@ bool Expressions::accept(std::string_view text) {
     return true;
 }
 
-Type Expressions::fail() {
-    return {};
+std::uint32_t Expressions::afterBracket() const {
+    return std::min(std::min(matches_[at_], end_) + 1, end_);
 }
 
 Type Expressions::assignment() {
     if (depth_ > kDeepestExpression) {
         at_ = end_;
-        return fail();
+        return {};
     }
     ++depth_;
     Type type = binary(0);
@@ -106,7 +106,7 @@ Type Expressions::assignment() {
 Type Expressions::binary(int lowest) {
     if (depth_ > kDeepestExpression) {
         at_ = end_;
-        return fail();
+        return {};
     }
     ++depth_;
     Type left = unary();
@@ -172,7 +172,7 @@ Type Expressions::postfix() {
             if (type.scalar() && names_.memberType(type, member).known())
                 bodies_.scalarSwizzles.push_back({{first, dot}, dot + 1, type});
             if (peek() == "(") {
-                at_ = std::min(std::min(matches_[at_], end_) + 1, end_);
+                at_ = afterBracket();
                 type = member == "length" ? scalarType(BaseType::integer) : Type{};
             } else {
                 type = names_.memberType(type, member);
@@ -187,7 +187,7 @@ Type Expressions::postfix() {
 }
 
 Type Expressions::primary() {
-    if (at_ >= end_) return fail();
+    if (at_ >= end_) return {};
     const ViewToken& token = view_[at_];
     if (token.kind == TokenKind::number) {
         ++at_;
@@ -197,7 +197,7 @@ Type Expressions::primary() {
         const std::uint32_t close = std::min(matches_[at_], end_);
         if (depth_ > kDeepestExpression) {
             at_ = std::min(close + 1, end_);
-            return fail();
+            return {};
         }
         ++depth_;
         const Type inside = parse({at_ + 1, close});
@@ -205,7 +205,7 @@ Type Expressions::primary() {
         at_ = std::min(close + 1, end_);
         return token.text == "(" ? inside : Type{};
     }
-    if (token.kind != TokenKind::word) return fail();
+    if (token.kind != TokenKind::word) return {};
     const std::uint32_t name = at_++;
     if (token.text == "true" || token.text == "false") return scalarType(BaseType::boolean);
     if (token.text == "const") {
@@ -219,7 +219,7 @@ Type Expressions::primary() {
         std::uint16_t depth = 0;
         while (peek() == "[") {
             parse({at_ + 1, std::min(matches_[at_], end_)});
-            at_ = std::min(std::min(matches_[at_], end_) + 1, end_);
+            at_ = afterBracket();
             ++depth;
         }
         Type type = peek() == "(" ? call(name) : Type{};
@@ -237,7 +237,7 @@ Type Expressions::call(std::uint32_t name) {
     std::uint32_t start = open + 1;
     if (depth_ > kDeepestExpression) {
         at_ = std::min(close + 1, end_);
-        return fail();
+        return {};
     }
     ++depth_;
     const auto saved = end_;
@@ -248,8 +248,8 @@ Type Expressions::call(std::uint32_t name) {
         // If tokens before the next comma were not understood, the type of the argument is unknown.
         const bool whole = at_ >= end_ || peek() == ",";
         while (at_ < end_ && peek() != ",") {
-            const bool bracket = peek() == "(" || peek() == "[" || peek() == "{";
-            at_ = bracket ? std::min(std::min(matches_[at_], end_) + 1, end_) : at_ + 1;
+            const bool bracket = opensBracket(peek());
+            at_ = bracket ? afterBracket() : at_ + 1;
         }
         result.arguments.push_back({start, at_});
         result.types.push_back(whole ? type : Type{});

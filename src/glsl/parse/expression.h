@@ -24,8 +24,9 @@ class Expressions {
   private:
     [[nodiscard]] std::string_view peek(std::uint32_t ahead = 0) const;
     bool accept(std::string_view text);
+    /// The index after the bracket that closes the one here.
+    [[nodiscard]] std::uint32_t afterBracket() const;
     Type parse(Range range);
-    static Type fail();
     Type assignment();
     Type binary(int lowest);
     Type unary();

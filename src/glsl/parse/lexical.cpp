@@ -4,6 +4,7 @@
 
 #include "glsl/parse/usage.h"
 #include "glsl/read/extensions.h"
+#include "glsl/read/words.h"
 
 namespace glibra::glsl {
 namespace {
@@ -102,18 +103,6 @@ bool hasConstantSequences(const Dialect& dialect) {
     return dialect.es ? dialect.written < 300 : dialect.version < 430;
 }
 
-/// True if the evaluation of the tokens changes nothing: no assignment, and no call but of constructors.
-bool isIdle(const Unit& unit, Range range) {
-    for (std::uint32_t i = range.first; i < range.end; ++i) {
-        const std::string_view text = unit.text(i);
-        const bool isCall = unit.view[i].kind == TokenKind::word && unit.text(i + 1) == "(";
-        if (isAssignment(text) || text == "++" || text == "--" || text == ";" || text == "{" ||
-            (isCall && !isTypeWord(text)))
-            return false;
-    }
-    return true;
-}
-
 }  // namespace
 
 void markNames(Unit& unit) {
@@ -131,13 +120,13 @@ void dropIdleOperands(Unit& unit) {
     for (std::uint32_t i = 0; i < unit.view.size(); ++i) {
         const std::string_view text = unit.text(i);
         if (text.size() != 1) continue;
-        if (text == "(" || text == "[" || text == "{") {
+        if (opensBracket(text)) {
             groups.push_back({i});
         } else if (groups.empty()) {
             continue;
         } else if (text == ",") {
             groups.back().comma = i;
-        } else if (text == ")" || text == "]" || text == "}") {
+        } else if (closesBracket(text)) {
             const Group group = groups.back();
             groups.pop_back();
             const std::string_view before = group.open > 0 ? unit.text(group.open - 1) : std::string_view{};
@@ -145,7 +134,7 @@ void dropIdleOperands(Unit& unit) {
                                 unit.view[group.open - 1].kind == TokenKind::word;
             if (isList || group.comma == kNone || group.comma == group.open + 1) continue;
             const Range idle{group.open + 1, group.comma + 1};
-            if (!isIdle(unit, idle)) continue;
+            if (!isIdle(unit, idle) || unit.hasAny(idle, {";", "{"})) continue;
             for (std::uint32_t k = idle.first; k < idle.end; ++k) isDropped[k] = true;
         }
     }

@@ -3,7 +3,6 @@
 // version leaves to the user, words of extensions, `unsigned int`.
 
 #include "glsl/parse/unit.h"
-#include "glsl/read/words.h"
 
 namespace glibra::glsl {
 
@@ -19,17 +18,5 @@ void dropIdleOperands(Unit& unit);
 /// isName. A shader may use such a word with the meaning of a later version, too (language, 7.4), so a word
 /// is a name only where the source has a declaration of it, and then everywhere but in layout(...).
 void markNames(Unit& unit);
-
-// The classes of words, for tokens that markNames has seen.
-
-inline bool isQualifier(const ViewToken& token) {
-    return token.kind == TokenKind::word && !token.isName && isQualifierWord(token.text);
-}
-inline bool isStatement(const ViewToken& token) {
-    return token.kind == TokenKind::word && !token.isName && isStatementWord(token.text);
-}
-inline bool isType(const ViewToken& token) {
-    return token.kind == TokenKind::word && !token.isName && isTypeWord(token.text);
-}
 
 }  // namespace glibra::glsl

@@ -45,8 +45,7 @@ void Names::declareLocal(std::uint32_t name, const Type& type) {
 void Names::declareGlobal(std::string_view name, const Declaration& declaration, Type type,
                           std::size_t dimensions) {
     if (declaration.kind == DeclarationKind::block) type = typeOfStructure(view_[declaration.name].text);
-    type.arrayDepth = static_cast<std::uint16_t>(type.arrayDepth + dimensions);
-    globals_[name] = type;
+    globals_[name] = arrayOf(type, dimensions);
 }
 
 void Names::declareBlockMembers(const Declaration& block) {
@@ -62,11 +61,8 @@ void Names::addStructure(const Declaration& declaration) {
     std::unordered_map<std::string_view, Type> members;
     for (const Declaration& member : declaration.members) {
         const Type type = typeOf(member.type);
-        for (const Declarator& each : member.declarators) {
-            Type own = type;
-            own.arrayDepth = static_cast<std::uint16_t>(own.arrayDepth + each.dimensions.size());
-            members[view_[each.name].text] = own;
-        }
+        for (const Declarator& each : member.declarators)
+            members[view_[each.name].text] = arrayOf(type, each.dimensions.size());
     }
     if (declaration.name == kNone) return;
     structureIndex_[view_[declaration.name].text] = static_cast<std::int32_t>(structures_.size());
@@ -77,11 +73,8 @@ void Names::addFunction(const Declaration& declaration) {
     if (declaration.name == kNone) return;
     Overload overload;
     overload.result = typeOf(declaration.type);
-    for (const Parameter& each : declaration.parameters) {
-        Type type = typeOf(each.type);
-        type.arrayDepth = static_cast<std::uint16_t>(type.arrayDepth + each.dimensions.size());
-        overload.parameters.push_back(type);
-    }
+    for (const Parameter& each : declaration.parameters)
+        overload.parameters.push_back(arrayOf(typeOf(each.type), each.dimensions.size()));
     functions_[view_[declaration.name].text].push_back(std::move(overload));
 }
 
@@ -137,13 +130,11 @@ Type Names::returnType(std::string_view function, std::span<const Type> argument
     const auto found = functions_.find(function);
     if (found == functions_.end()) return {};
     const std::vector<Overload>& overloads = found->second;
-    const bool same = std::all_of(overloads.begin(), overloads.end(), [&](const Overload& each) {
-        return each.result == overloads.front().result;
-    });
+    const bool same = std::ranges::all_of(
+        overloads, [&](const Overload& each) { return each.result == overloads.front().result; });
     if (same) return overloads.front().result;
     for (const Overload& each : overloads)
-        if (std::equal(each.parameters.begin(), each.parameters.end(), arguments.begin(), arguments.end()))
-            return each.result;
+        if (std::ranges::equal(each.parameters, arguments)) return each.result;
     return {};
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "glsl/parse/lexical.h"
+#include "glsl/read/words.h"
 
 namespace glibra::glsl {
 namespace {
@@ -53,7 +53,7 @@ class Parser {
     void skipStatement() {
         while (at_ < end_) {
             const std::string_view text = peek();
-            if (text == "(" || text == "[" || text == "{") {
+            if (opensBracket(text)) {
                 const bool brace = text == "{";
                 at_ = std::min(close(at_) + 1, end_);
                 if (brace && peek() != ";" && peek() != ",") return;
@@ -113,10 +113,8 @@ class Parser {
             if (result.storage == Storage::none) result.storageToken = here;
             if (result.storage == Storage::input && value == Storage::output)
                 result.storage = Storage::inputOutput;
-            else if (result.storage != Storage::constant || value != Storage::input)
-                result.storage = value;
             else
-                result.storage = Storage::input;
+                result.storage = value;
         };
         if (text == "layout") {
             layout(result, here);
@@ -129,18 +127,8 @@ class Parser {
             }
         } else if (text == "const") {
             if (result.storage == Storage::none) storage(Storage::constant);
-        } else if (text == "in") {
-            storage(Storage::input);
-        } else if (text == "out") {
-            storage(Storage::output);
-        } else if (text == "inout") {
-            storage(Storage::inputOutput);
-        } else if (text == "uniform") {
-            storage(Storage::uniform);
-        } else if (text == "buffer") {
-            storage(Storage::buffer);
-        } else if (text == "shared") {
-            storage(Storage::shared);
+        } else if (const auto word = std::ranges::find(kStorageWords, text); word != kStorageWords.end()) {
+            storage(static_cast<Storage>(word - kStorageWords.begin()));
         } else if (text == "attribute") {
             result.attributeWord = true;
             if (result.storage == Storage::none) result.storageToken = here;
@@ -186,10 +174,7 @@ class Parser {
         at_ = std::min(end + 1, end_);
         result.layoutTokens.push_back({start, at_});
     }
-    [[nodiscard]] bool open(std::uint32_t at) const {
-        const std::string_view text = view_[at].text;
-        return text == "(" || text == "[" || text == "{";
-    }
+    [[nodiscard]] bool open(std::uint32_t at) const { return opensBracket(view_[at].text); }
 
     void afterQualifiers(Declaration& declaration) {
         const Qualifiers& q = declaration.qualifiers;
@@ -340,7 +325,7 @@ class Parser {
 
 const LayoutItem* Qualifiers::item(std::string_view name) const {
     const auto found =
-        std::find_if(layout.begin(), layout.end(), [&](const LayoutItem& each) { return each.name == name; });
+        std::ranges::find_if(layout, [&](const LayoutItem& each) { return each.name == name; });
     return found == layout.end() ? nullptr : &*found;
 }
 
@@ -357,10 +342,8 @@ std::uint32_t closing(std::span<const ViewToken> view, std::uint32_t open, std::
     end = std::min<std::uint32_t>(end, static_cast<std::uint32_t>(view.size()));
     for (std::uint32_t i = open; i < end; ++i) {
         const std::string_view text = view[i].text;
-        if (text.size() != 1) continue;
-        const char c = text.front();
-        if (c == '(' || c == '[' || c == '{') ++depth;
-        if ((c == ')' || c == ']' || c == '}') && --depth == 0) return i;
+        if (opensBracket(text)) ++depth;
+        if (closesBracket(text) && --depth == 0) return i;
     }
     return end;
 }

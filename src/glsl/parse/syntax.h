@@ -3,6 +3,7 @@
 // parser: it finds the name, type, qualifiers, sizes and initialiser of every declaration, and skips what it
 // does not know.
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -22,6 +23,9 @@ struct Range {
 };
 
 enum class Storage { none, constant, input, output, inputOutput, uniform, buffer, shared };
+/// The word of each.
+inline constexpr std::array<std::string_view, 8> kStorageWords{"",      "const",   "in",     "out",
+                                                               "inout", "uniform", "buffer", "shared"};
 
 /// One entry of layout(...).
 struct LayoutItem {
@@ -30,15 +34,19 @@ struct LayoutItem {
     Range tokens;  ///< name and value
 };
 
-struct Qualifiers {
-    Range tokens;
+/// The qualifiers that the rules may change.
+struct ChangeableQualifiers {
     Storage storage = Storage::none;
-    bool attributeWord = false, varyingWord = false;
     bool patch = false, invariant = false, precise = false, centroid = false, sample = false,
          subroutine = false;
     std::string interpolation;        ///< "flat", "smooth", "noperspective" or empty
     std::vector<std::string> memory;  ///< "readonly", "coherent", ...
     std::string precision;            ///< "highp", ... or empty
+};
+
+struct Qualifiers : ChangeableQualifiers {
+    Range tokens;
+    bool attributeWord = false, varyingWord = false;
     std::vector<LayoutItem> layout;
     std::vector<Range> layoutTokens;  ///< each layout ( ... ) as a whole
     Range subroutineTypes;            ///< between the parentheses of subroutine( )

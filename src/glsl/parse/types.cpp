@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <unordered_map>
 
 #include "glsl/read/words.h"
 
@@ -48,59 +50,43 @@ Type textureType(std::string_view function, std::span<const Type> arguments) {
     return vectorType(floating, 4);
 }
 
+/// Names of variables of one type, with blanks around each.
 struct Supplied {
-    std::string_view name;
     std::string_view type;
-    int arrayDepth = 0;
+    std::size_t arrayDepth;
+    std::string_view names;
 };
 constexpr std::array kSupplied = std::to_array<Supplied>({
-    {"gl_Position", "vec4"},
-    {"gl_PointSize", "float"},
-    {"gl_ClipDistance", "float", 1},
-    {"gl_ClipVertex", "vec4"},
-    {"gl_FragCoord", "vec4"},
-    {"gl_FragColor", "vec4"},
-    {"gl_FragData", "vec4", 1},
-    {"gl_FragDepth", "float"},
-    {"gl_PointCoord", "vec2"},
-    {"gl_FrontFacing", "bool"},
-    {"gl_TessCoord", "vec3"},
-    {"gl_TessLevelOuter", "float", 1},
-    {"gl_TessLevelInner", "float", 1},
-    {"gl_VertexID", "int"},
-    {"gl_InstanceID", "int"},
-    {"gl_PrimitiveID", "int"},
-    {"gl_InvocationID", "int"},
-    {"gl_PrimitiveIDIn", "int"},
-    {"gl_Layer", "int"},
-    {"gl_Vertex", "vec4"},
-    {"gl_Normal", "vec3"},
-    {"gl_Color", "vec4"},
-    {"gl_SecondaryColor", "vec4"},
-    {"gl_FogCoord", "float"},
-    {"gl_FogFragCoord", "float"},
-    {"gl_TexCoord", "vec4", 1},
-    {"gl_FrontColor", "vec4"},
-    {"gl_BackColor", "vec4"},
-    {"gl_FrontSecondaryColor", "vec4"},
-    {"gl_BackSecondaryColor", "vec4"},
-    {"gl_PositionIn", "vec4", 1},
-    {"gl_FrontColorIn", "vec4", 1},
-    {"gl_BackColorIn", "vec4", 1},
-    {"gl_TexCoordIn", "vec4", 2},
-    {"gl_PointSizeIn", "float", 1},
-    {"gl_NormalMatrix", "mat3"},
-    {"gl_TextureMatrix", "mat4", 1},
-    {"uNormalMatrix", "mat3"},
-    {"aVertex", "vec4"},
-    {"aNormal", "vec3"},
-    {"aColor", "vec4"},
-    {"Tangent", "vec3"},
-    {"aTangent", "vec3"},
-    {"Timer", "float"},
-    {"Noise2", "sampler2D"},
-    {"Noise3", "sampler3D"},
+    {"vec4", 0,
+     " gl_Position gl_ClipVertex gl_FragCoord gl_FragColor gl_Vertex gl_Color "
+     "gl_SecondaryColor gl_FrontColor gl_BackColor gl_FrontSecondaryColor "
+     "gl_BackSecondaryColor aVertex aColor "},
+    {"float", 0, " gl_PointSize gl_FragDepth gl_FogCoord gl_FogFragCoord Timer "},
+    {"float", 1, " gl_ClipDistance gl_TessLevelOuter gl_TessLevelInner gl_PointSizeIn "},
+    {"vec4", 1, " gl_FragData gl_TexCoord gl_PositionIn gl_FrontColorIn gl_BackColorIn "},
+    {"vec2", 0, " gl_PointCoord "},
+    {"bool", 0, " gl_FrontFacing "},
+    {"vec3", 0, " gl_TessCoord gl_Normal aNormal Tangent aTangent "},
+    {"int", 0,
+     " gl_VertexID gl_InstanceID gl_PrimitiveID gl_InvocationID gl_PrimitiveIDIn "
+     "gl_Layer "},
+    {"vec4", 2, " gl_TexCoordIn "},
+    {"mat3", 0, " gl_NormalMatrix uNormalMatrix "},
+    {"mat4", 1, " gl_TextureMatrix "},
+    {"sampler2D", 0, " Noise2 "},
+    {"sampler3D", 0, " Noise3 "},
 });
+
+const std::unordered_map<std::string_view, Type>& suppliedTypes() {
+    static const auto kTypesByName = [] {
+        std::unordered_map<std::string_view, Type> table;
+        for (const Supplied& each : kSupplied)
+            for (const std::string_view name : splitWords(each.names))
+                table.emplace(name, arrayOf(typeOfWord(each.type), each.arrayDepth));
+        return table;
+    }();
+    return kTypesByName;
+}
 
 }  // namespace
 
@@ -156,13 +142,7 @@ std::string wordOf(const Type& type) {
 }
 
 Type typeOfSuppliedName(std::string_view name) {
-    const auto* const found = std::find_if(kSupplied.begin(), kSupplied.end(),
-                                           [&](const Supplied& each) { return each.name == name; });
-    if (found != kSupplied.end()) {
-        Type type = typeOfWord(found->type);
-        type.arrayDepth = static_cast<std::uint16_t>(found->arrayDepth);
-        return type;
-    }
+    if (const auto found = suppliedTypes().find(name); found != suppliedTypes().end()) return found->second;
     if (name.starts_with("gl_MultiTexCoord") || name.starts_with("aTexCoord")) return vectorType(floating, 4);
     const bool matrix =
         (name.starts_with("gl_") || name.starts_with("u")) && name.find("Matrix") != std::string_view::npos;
@@ -210,8 +190,7 @@ Type callType(std::string_view function, std::span<const Type> arguments) {
                                                                      : vectorType(floating, 4);
     if (function.starts_with("texture") || function.starts_with("texelFetch"))
         return textureType(function, arguments);
-    if (arguments.empty() ||
-        std::any_of(arguments.begin(), arguments.end(), [](const Type& t) { return !t.numeric(); }))
+    if (arguments.empty() || std::ranges::any_of(arguments, [](const Type& t) { return !t.numeric(); }))
         return {};
     const Type& first = arguments.front();
     BaseType base = first.base;
@@ -241,12 +220,8 @@ std::vector<std::string_view> coreFunctions() {
         "textureProj "
         "textureOffset textureSize textureGather texelFetch length distance dot determinant ";
     std::vector<std::string_view> names;
-    for (std::string_view list : {kGeneric, kRelational, kOthers})
-        while (!list.empty()) {
-            const std::size_t end = std::min(list.find(' '), list.size());
-            if (end > 0) names.push_back(list.substr(0, end));
-            list.remove_prefix(std::min(end + 1, list.size()));
-        }
+    for (const std::string_view list : {kGeneric, kRelational, kOthers})
+        std::ranges::copy(splitWords(list), std::back_inserter(names));
     return names;
 }
 

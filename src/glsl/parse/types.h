@@ -53,6 +53,12 @@ constexpr Type vectorType(BaseType base, int rows) {
     return {base, 1, static_cast<std::uint8_t>(rows), 0, -1, {}};
 }
 
+/// The type with that many dimensions more.
+constexpr Type arrayOf(Type type, std::size_t dimensions) {
+    type.arrayDepth = static_cast<std::uint16_t>(type.arrayDepth + dimensions);
+    return type;
+}
+
 /// The type that a type word names; unknown for other words.
 Type typeOfWord(std::string_view word);
 

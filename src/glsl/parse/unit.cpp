@@ -5,31 +5,58 @@
 namespace glibra::glsl {
 
 bool Unit::isUserName(std::string_view name) const {
-    return isDeclared(name) || macros.find(name) != macros.end() ||
-           bodies.localNames.find(name) != bodies.localNames.end();
+    return isDeclared(name) || macros.contains(name) || bodies.localNames.contains(name);
 }
 
 void Unit::declare(const std::string& line) {
-    if (std::find(prologue.begin(), prologue.end(), line) == prologue.end()) prologue.push_back(line);
+    if (std::ranges::find(prologue, line) == prologue.end()) prologue.push_back(line);
+}
+
+void Unit::remove(Range range) {
+    for (std::uint32_t i = range.first; i < range.end; ++i) edits.remove(view[i].raw);
+}
+
+void Unit::convert(Range range, const std::string& type) {
+    edits.before(view[range.first].raw, type + "(");
+    edits.after(view[range.end - 1].raw, ")");
+}
+
+bool Unit::hasAny(Range range, std::initializer_list<std::string_view> words) const {
+    for (std::uint32_t i = range.first; i < range.end; ++i)
+        if (std::ranges::find(words, text(i)) != words.end()) return true;
+    return false;
 }
 
 Variable* Unit::variable(std::string_view name) {
-    const auto found = std::find_if(variables.begin(), variables.end(),
-                                    [&](const Variable& each) { return each.name == name && !each.removed; });
+    const auto found = std::ranges::find_if(
+        variables, [&](const Variable& each) { return each.name == name && !each.removed; });
+    return found == variables.end() ? nullptr : &*found;
+}
+
+const Variable* Unit::firstVariable(std::string_view name) const {
+    const auto found = std::ranges::find(variables, name, &Variable::name);
     return found == variables.end() ? nullptr : &*found;
 }
 
 const Declaration* Unit::function(std::string_view name) const {
-    const auto found =
-        std::find_if(syntax.declarations.begin(), syntax.declarations.end(), [&](const Declaration& each) {
-            return each.kind == DeclarationKind::function && text(each.name) == name;
-        });
+    const auto found = std::ranges::find_if(syntax.declarations, [&](const Declaration& each) {
+        return each.kind == DeclarationKind::function && text(each.name) == name;
+    });
     return found == syntax.declarations.end() ? nullptr : &*found;
 }
 
+const LocalVariable* Unit::onlyLocal(std::string_view name) const {
+    const LocalVariable* found = nullptr;
+    for (const LocalVariable& each : bodies.locals) {
+        if (text(each.name) != name) continue;
+        if (found != nullptr) return nullptr;
+        found = &each;
+    }
+    return found;
+}
+
 Unit* ProgramUnits::find(Stage stage) {
-    const auto found =
-        std::find_if(units.begin(), units.end(), [&](const Unit& each) { return each.stage == stage; });
+    const auto found = std::ranges::find(units, stage, &Unit::stage);
     return found == units.end() ? nullptr : &*found;
 }
 
@@ -45,9 +72,7 @@ Unit* ProgramUnits::lastBeforeRaster() {
 }
 
 std::string shortPlace(const Place& place) {
-    const std::size_t slash = place.file.find_last_of("/\\");
-    return (slash == std::string::npos ? place.file : place.file.substr(slash + 1)) + ":" +
-           std::to_string(place.line);
+    return fileName(place.file) + ":" + std::to_string(place.line);
 }
 
 std::string textOf(const Unit& unit, Range range) {

@@ -1,7 +1,7 @@
 #pragma once
 // The stages of a program while they are translated.
 
-#include <deque>
+#include <initializer_list>
 #include <map>
 #include <set>
 #include <string>
@@ -10,7 +10,7 @@
 
 #include "glsl/parse/bodies.h"
 #include "glsl/parse/syntax.h"
-#include "glsl/parse/variables.h"
+#include "glsl/parse/variable.h"
 #include "glsl/read/report.h"
 #include "glsl/read/stage_text.h"
 #include "glsl/types/request.h"
@@ -43,18 +43,26 @@ struct Unit : StageText {
     /// Statements to be executed after the user's main. If there are any, that is renamed to glibra_main.
     std::vector<std::string> mainEnd;
 
-    [[nodiscard]] bool isUsed(std::string_view name) const { return uses.find(name) != uses.end(); }
-    [[nodiscard]] bool isWritten(std::string_view name) const { return writes.find(name) != writes.end(); }
-    [[nodiscard]] bool isDeclared(std::string_view name) const {
-        return declared.find(name) != declared.end();
-    }
+    [[nodiscard]] bool isUsed(std::string_view name) const { return uses.contains(name); }
+    [[nodiscard]] bool isWritten(std::string_view name) const { return writes.contains(name); }
+    [[nodiscard]] bool isDeclared(std::string_view name) const { return declared.contains(name); }
     /// True if the source declares the name anywhere: at file scope, as a local variable, parameter or macro.
     [[nodiscard]] bool isUserName(std::string_view name) const;
     [[nodiscard]] Variable* variable(std::string_view name);
+    /// The first variable of that name, even if it has been removed; null if there is none.
+    [[nodiscard]] const Variable* firstVariable(std::string_view name) const;
     /// The first definition of a function of that name, or null.
     [[nodiscard]] const Declaration* function(std::string_view name) const;
+    /// The local variable or parameter of that name, if there is only one.
+    [[nodiscard]] const LocalVariable* onlyLocal(std::string_view name) const;
+    /// True if a token of the range is one of these words.
+    [[nodiscard]] bool hasAny(Range range, std::initializer_list<std::string_view> words) const;
     /// Adds a line to the prologue if it is not there yet.
     void declare(const std::string& line);
+    /// Removes the text of a range.
+    void remove(Range range);
+    /// Writes `type(...)` around a range.
+    void convert(Range range, const std::string& type);
 };
 
 /// All stages of a program, and the result of their translation so far.

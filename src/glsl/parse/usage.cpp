@@ -56,7 +56,7 @@ std::map<std::string_view, unsigned> outputArguments(const Unit& unit) {
 
 /// True for whole numbers and operators.
 bool isLiteral(std::span<const ViewToken> tokens) {
-    return std::all_of(tokens.begin(), tokens.end(), [](const ViewToken& token) {
+    return std::ranges::all_of(tokens, [](const ViewToken& token) {
         return token.kind == TokenKind::punctuator ||
                (token.kind == TokenKind::number && token.text.find('.') == std::string_view::npos);
     });
@@ -65,15 +65,25 @@ bool isLiteral(std::span<const ViewToken> tokens) {
 }  // namespace
 
 unsigned builtinOutputs(std::string_view function) {
-    const auto* const found = std::find_if(kWritingFunctions.begin(), kWritingFunctions.end(),
-                                           [&](const Output& each) { return each.function == function; });
+    const auto* const found = std::ranges::find_if(
+        kWritingFunctions, [&](const Output& each) { return each.function == function; });
     return found == kWritingFunctions.end() ? 0U : found->arguments;
 }
 
 bool isAssignment(std::string_view text) {
     static constexpr std::array<std::string_view, 11> kAssignments = {
         "=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>="};
-    return std::find(kAssignments.begin(), kAssignments.end(), text) != kAssignments.end();
+    return std::ranges::find(kAssignments, text) != kAssignments.end();
+}
+
+bool isIdle(const Unit& unit, Range range) {
+    for (std::uint32_t i = range.first; i < range.end; ++i) {
+        const std::string_view text = unit.text(i);
+        const bool isCall =
+            unit.view[i].kind == TokenKind::word && unit.text(i + 1) == "(" && !isTypeWord(text);
+        if (isAssignment(text) || isStep(text) || isCall) return false;
+    }
+    return true;
 }
 
 std::set<std::string_view> functionsThatWriteArguments(const Unit& unit) {
@@ -114,7 +124,7 @@ std::string constantText(const Unit& unit, std::string_view name, int depth) {
     const auto isConstant = [&](const Variable& each) {
         return each.storage == Storage::constant && each.name == name && !each.isArray();
     };
-    const auto found = std::find_if(unit.variables.begin(), unit.variables.end(), isConstant);
+    const auto found = std::ranges::find_if(unit.variables, isConstant);
     if (found == unit.variables.end()) return {};
     const Declaration& declaration = unit.syntax.declarations[found->declaration];
     long long value = 0;
@@ -156,7 +166,6 @@ int constantIndex(const Unit& unit, std::uint32_t openBracket) {
 }
 
 bool isWrittenAt(const Unit& unit, std::uint32_t at) {
-    const auto isStep = [](std::string_view text) { return text == "++" || text == "--"; };
     std::uint32_t first = at;
     std::uint32_t behind = afterSuffixes(unit, at);
     while (true) {

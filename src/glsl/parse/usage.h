@@ -1,6 +1,10 @@
 #pragma once
 // Which names a stage declares, uses and changes.
 
+#include <set>
+#include <string>
+#include <string_view>
+
 #include "glsl/parse/unit.h"
 
 namespace glibra::glsl {
@@ -13,6 +17,14 @@ unsigned builtinOutputs(std::string_view function);
 
 /// True for "=", "+=", "<<=", ...
 bool isAssignment(std::string_view text);
+
+/// True for "++" and "--".
+constexpr bool isStep(std::string_view text) {
+    return text == "++" || text == "--";
+}
+
+/// True if the evaluation of the expression changes nothing: no assignment, and no call but of constructors.
+bool isIdle(const Unit& unit, Range range);
 
 /// The functions, of the stage and built in, that write to an argument in any of their overloads.
 std::set<std::string_view> functionsThatWriteArguments(const Unit& unit);

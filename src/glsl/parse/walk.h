@@ -1,6 +1,5 @@
 #pragma once
-// Moves between the tokens as they are written, so that a rule also works inside the body of a macro. The
-// neighbours of a token on a preprocessor line are on that line; those of other tokens are not on such lines.
+// Moves between the significant tokens of a stage. Preprocessor lines are passed over.
 
 #include <string_view>
 #include <vector>
@@ -14,8 +13,12 @@ class TokenWalk {
     explicit TokenWalk(const Unit& unit);
 
     /// The significant token after or before `token`, or kNone.
-    [[nodiscard]] std::uint32_t next(std::uint32_t token) const;
-    [[nodiscard]] std::uint32_t previous(std::uint32_t token) const;
+    [[nodiscard]] std::uint32_t next(std::uint32_t token) const {
+        return token == kNone ? kNone : next_[token];
+    }
+    [[nodiscard]] std::uint32_t previous(std::uint32_t token) const {
+        return token == kNone ? kNone : previous_[token];
+    }
     /// The matching bracket, or kNone.
     [[nodiscard]] std::uint32_t match(std::uint32_t token) const { return matches_[token]; }
     [[nodiscard]] std::string_view text(std::uint32_t token) const {

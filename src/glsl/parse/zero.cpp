@@ -4,6 +4,7 @@
 
 #include "glsl/parse/types.h"
 #include "glsl/parse/usage.h"
+#include "glsl/parse/variables.h"
 
 namespace glibra::glsl {
 namespace {

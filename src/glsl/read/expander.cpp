@@ -222,7 +222,7 @@ void Expander::keepLineEnds(const Token& token, std::uint32_t order) {
     Token end = token;
     end.kind = TokenKind::newline;
     end.text = "\n";
-    for (auto count = std::count(token.text.begin(), token.text.end(), '\n'); count > 0; --count) {
+    for (auto count = std::ranges::count(token.text, '\n'); count > 0; --count) {
         lineEnds_.push_back({end, order});
         ++end.line;
     }

@@ -4,6 +4,8 @@
 #include <array>
 #include <unordered_map>
 
+#include "glsl/read/words.h"
+
 namespace glibra::glsl {
 namespace {
 
@@ -284,18 +286,13 @@ struct Word {
 const std::unordered_multimap<std::string_view, Word>& words() {
     static const auto kWords = [] {
         std::unordered_multimap<std::string_view, Word> table;
-        for (const Extension& each : kExtensions) {
-            std::string_view rest = each.adds;
-            while (!rest.empty()) {
-                const std::size_t end = std::min(rest.find(' '), rest.size());
-                const std::string_view word = rest.substr(0, end);
-                rest.remove_prefix(std::min(end + 1, rest.size()));
+        for (const Extension& each : kExtensions)
+            for (const std::string_view word : splitWords(each.adds)) {
                 if (word.starts_with('+'))
                     table.emplace(word.substr(1), Word{&each, {}});
                 else if (const std::size_t equals = word.find('='); equals != std::string_view::npos)
                     table.emplace(word.substr(0, equals), Word{&each, word.substr(equals + 1)});
             }
-        }
         return table;
     }();
     return kWords;
@@ -308,8 +305,8 @@ std::span<const Extension> extensions() {
 }
 
 const Extension* findExtension(std::string_view name) {
-    const auto* const found = std::find_if(kExtensions.begin(), kExtensions.end(),
-                                           [&](const Extension& row) { return row.name == name; });
+    const auto* const found =
+        std::ranges::find_if(kExtensions, [&](const Extension& row) { return row.name == name; });
     return found == kExtensions.end() ? nullptr : found;
 }
 

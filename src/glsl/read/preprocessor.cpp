@@ -32,12 +32,7 @@ bool Preprocessor::perform(std::string_view directive, const SourceLine& line) {
     }
     if (directive != "define" && directive != "undef") return false;
     if (!active_) return true;
-    if (line.significant.size() < 3 || line.significant[2]->kind != TokenKind::word)
-        complain("expected a name after '#" + std::string(directive) + "'", line.token(2));
-    else if (directive == "define")
-        define(line);
-    else
-        undefine(line);
+    if (hasName(directive, line)) directive == "define" ? define(line) : undefine(line);
     return true;
 }
 
@@ -45,7 +40,9 @@ void Preprocessor::conditional(std::string_view directive, const SourceLine& lin
     if (directive == "if" || directive == "ifdef" || directive == "ifndef") {
         conditionals_.push_back({active_, false, false, line.token(0)});
         const bool holds =
-            active_ && (directive == "if" ? condition(directive, line) : isNameDefined(directive, line));
+            active_ && (directive == "if" ? condition(directive, line)
+                                          : hasName(directive, line) &&
+                                                expander_.isDefined(line.word(2)) == (directive == "ifdef"));
         branch(holds);
     } else if (conditionals_.empty()) {
         complain("'#" + std::string(directive) + "' without '#if'", line.token(0));
@@ -76,12 +73,10 @@ void Preprocessor::finish() {
     if (!conditionals_.empty()) complain("this branch has no '#endif'", conditionals_.back().start);
 }
 
-bool Preprocessor::isNameDefined(std::string_view directive, const SourceLine& line) {
-    if (line.significant.size() < 3 || line.significant[2]->kind != TokenKind::word) {
-        complain("expected a name after '#" + std::string(directive) + "'", line.token(2));
-        return false;
-    }
-    return expander_.isDefined(line.word(2)) == (directive == "ifdef");
+bool Preprocessor::hasName(std::string_view directive, const SourceLine& line) {
+    if (line.significant.size() > 2 && line.significant[2]->kind == TokenKind::word) return true;
+    complain("expected a name after '#" + std::string(directive) + "'", line.token(2));
+    return false;
 }
 
 void Preprocessor::evaluateDefined(std::vector<Piece>& pieces, std::string_view directive,
@@ -193,7 +188,7 @@ bool Preprocessor::defineParameters(const SourceLine& line, Macro& macro, std::s
                      line.token(at));
             return false;
         }
-        if (std::find(macro.parameters.begin(), macro.parameters.end(), name) != macro.parameters.end()) {
+        if (std::ranges::find(macro.parameters, name) != macro.parameters.end()) {
             complain("two parameters have the name " + quoted(name), line.token(at));
             return false;
         }
@@ -222,7 +217,7 @@ void Preprocessor::defineBody(const SourceLine& line, Macro& macro, std::size_t 
         to.text = token.text;
         to.kind = token.kind;
         to.isAfterPaste = std::exchange(paste, false);
-        const auto parameter = std::find(macro.parameters.begin(), macro.parameters.end(), token.text);
+        const auto parameter = std::ranges::find(macro.parameters, token.text);
         if (token.kind == TokenKind::word && parameter != macro.parameters.end())
             to.parameter = static_cast<int>(parameter - macro.parameters.begin());
         for (const Token* before = &token - 1; before != line.significant[i - 1]; --before)

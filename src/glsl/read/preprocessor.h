@@ -38,7 +38,7 @@ class Preprocessor {
     void nextBranch(std::string_view directive, const SourceLine& line);
     void branch(bool taken);
     bool condition(std::string_view directive, const SourceLine& line);
-    bool isNameDefined(std::string_view directive, const SourceLine& line);
+    bool hasName(std::string_view directive, const SourceLine& line);
     void evaluateDefined(std::vector<Piece>& pieces, std::string_view directive, const SourceLine& line);
     void define(const SourceLine& line);
     bool defineParameters(const SourceLine& line, Macro& macro, std::size_t& at);

@@ -26,12 +26,6 @@ constexpr std::array<std::string_view, 14> kDirectives{"define", "undef",  "if",
                                                        "else",   "elif",   "endif", "version", "extension",
                                                        "line",   "pragma", "error", "include"};
 
-/// The last part of a path, in lower case.
-std::string lowerName(std::string_view path) {
-    const std::size_t slash = path.find_last_of("/\\");
-    return base::lower(slash == std::string_view::npos ? path : path.substr(slash + 1));
-}
-
 /// A file that is being read.
 struct Frame {
     std::vector<Token> tokens;
@@ -96,7 +90,7 @@ class SourceReader {
             if (!isSignificant(token.kind) || token.directive || token.synthetic) continue;
             ViewToken view;
             view.text = token.text;
-            view.raw = view.site = i;
+            view.raw = i;
             view.kind = token.kind;
             stage_.view.push_back(view);
         }
@@ -195,8 +189,7 @@ class SourceReader {
             if (each.kind == TokenKind::newline || each.kind == TokenKind::splice) {
                 add(end);
             } else if (each.kind == TokenKind::comment) {
-                for (auto k = std::count(each.text.begin(), each.text.end(), '\n'); k > 0; --k, ++end.line)
-                    add(end);
+                for (auto k = std::ranges::count(each.text, '\n'); k > 0; --k, ++end.line) add(end);
             }
         }
     }
@@ -288,23 +281,16 @@ class SourceReader {
         const Place place = placeOf(line.token(0));
         const Target& target = stage_.request->target;
         const bool has = target.hasExtension && target.hasExtension(name);
-        const auto pass = [&] {
-            const std::string passed = "#extension " + name + " : " + std::string(behaviour);
-            if (std::find(stage_.extensions.begin(), stage_.extensions.end(), passed) ==
-                stage_.extensions.end())
-                stage_.extensions.push_back(passed);
-        };
         if (name == "all") {
-            if (behaviour == "warn" || behaviour == "disable") pass();
+            if (behaviour == "warn" || behaviour == "disable") stage_.passExtension(name, behaviour);
         } else if (isInCore(name, target.version)) {
             stage_.enabled.insert(name);
         } else if (has) {
-            pass();
+            stage_.passExtension(name, behaviour);
             stage_.enabled.insert(name);
         } else if (const Extension* const row = findExtension(name)) {
-            const std::string needs = "extension " + name + " needs GLSL " +
-                                      std::to_string(row->since).insert(1, ".") + ", this driver has " +
-                                      std::to_string(target.version).insert(1, ".");
+            const std::string needs = "extension " + name + " needs GLSL " + dotted(row->since) +
+                                      ", this driver has " + dotted(target.version);
             if (behaviour == "require")
                 report_.report("glsl-E03", needs, place);
             else
@@ -365,15 +351,14 @@ class SourceReader {
         };
         const std::string name = line.includedName();
         if (name.empty()) return refuse("#include needs a file name");
-        if (lowerName(name) == "gstap.h") return end();
+        if (base::sameWord(fileName(name), "gstap.h")) return end();
         std::optional<IncludedFile> found;
         if (const IncludeReader& reader = stage_.request->include)
             found = reader(name, stage_.files[hash.file]);
         if (!found) return refuse(kMissingInclude + name + "'");
         if (found->id.empty()) found->id = found->path;
         if (once_.contains(found->id)) return end();
-        if (std::find(including_.begin(), including_.end(), found->id) != including_.end() ||
-            found->id == stage_.path) {
+        if (std::ranges::find(including_, found->id) != including_.end() || found->id == stage_.path) {
             std::string names = stage_.path;
             for (const std::string& each : including_) names += ", " + each;
             report_.report("glsl-E04", "#include cycle: " + names + ", " + found->id, placeOf(hash));
@@ -396,7 +381,7 @@ class SourceReader {
     }
 
     void enter(IncludedFile found, const SourceLine& line) {
-        auto at = std::find(stage_.files.begin(), stage_.files.end(), found.path);
+        auto at = std::ranges::find(stage_.files, found.path);
         const auto index = static_cast<std::size_t>(at - stage_.files.begin());
         if (at == stage_.files.end()) stage_.files.push_back(found.path);
         stage_.storage.push_back(normalizeLines(found.text));

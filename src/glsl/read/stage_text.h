@@ -4,11 +4,13 @@
 
 #include <glibra/diagnostic.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <deque>
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "glsl/read/edits.h"
@@ -17,6 +19,11 @@
 #include "glsl/types/request.h"
 
 namespace glibra::glsl {
+
+/// The last part of a path.
+inline std::string fileName(std::string_view path) {
+    return std::string(path.substr(path.find_last_of("/\\") + 1));
+}
 
 /// A token in the text of a macro.
 struct BodyPlace {
@@ -53,6 +60,12 @@ struct StageText {
     /// The extensions that the source enables and that are available (extensions.h).
     std::set<std::string, std::less<>> enabled;
     Edits edits;
+
+    /// Adds the line "#extension NAME : BEHAVIOUR" to those to be passed on, if it is not there yet.
+    void passExtension(std::string_view name, std::string_view behaviour) {
+        std::string line = "#extension " + std::string(name) + " : " + std::string(behaviour);
+        if (std::ranges::find(extensions, line) == extensions.end()) extensions.push_back(std::move(line));
+    }
 
     [[nodiscard]] Place placeOfToken(std::uint32_t token) const {
         if (token >= tokens.size()) return start();

@@ -131,7 +131,7 @@ class Lexer {
     void lineComment() {
         const std::size_t end = endOfComment(text_, at_);
         const bool backslash = text_[end - 1] == '\\';
-        const auto joint = std::lower_bound(joints_.begin(), joints_.end(), at_ + 2);
+        const auto joint = std::ranges::lower_bound(joints_, at_ + 2);
         const bool isContinued = joint != joints_.end() && *joint < end;
         push(TokenKind::comment, end - at_);
         tokens_.back().continuedComment = isContinued;

@@ -28,7 +28,6 @@ struct Token {
     std::uint32_t body = kNone;
     std::uint16_t file = 0;  ///< index into the files of the stage
     TokenKind kind = TokenKind::other;
-    bool active = true;             ///< false: in a branch of #if that is not compiled
     bool directive = false;         ///< it is on a preprocessor line
     bool expanded = false;          ///< it comes out of a macro call
     bool droppedBackslash = false;  ///< a // comment that ended in a backslash
@@ -39,11 +38,8 @@ struct Token {
 /// A token as the grammar sees it: a significant one of the text.
 struct ViewToken {
     std::string_view text;
-    std::uint32_t raw = 0;   ///< its index among the tokens
-    std::uint32_t site = 0;  ///< the same
+    std::uint32_t raw = 0;  ///< its index among the tokens
     TokenKind kind = TokenKind::word;
-    bool body = false;
-    bool objectSite = false;
     bool isName = false;  ///< a keyword of the target that this source uses as a name (markNames)
 };
 
@@ -51,6 +47,32 @@ struct ViewToken {
 constexpr bool isSignificant(TokenKind kind) {
     return kind == TokenKind::word || kind == TokenKind::number || kind == TokenKind::punctuator ||
            kind == TokenKind::other;
+}
+
+constexpr bool opensBracket(std::string_view text) {
+    return text == "(" || text == "[" || text == "{";
+}
+constexpr bool closesBracket(std::string_view text) {
+    return text == ")" || text == "]" || text == "}";
+}
+
+/// For every bracket among the tokens the index of its partner; `none` for brackets without one and for all
+/// other tokens. Kinds of brackets are not told apart.
+template <class Tokens>
+std::vector<std::uint32_t> matchBrackets(const Tokens& tokens, std::uint32_t none) {
+    std::vector<std::uint32_t> matches(tokens.size(), none);
+    std::vector<std::uint32_t> open;
+    for (std::uint32_t i = 0; i < tokens.size(); ++i) {
+        const std::string_view text = tokens[i].text;
+        if (opensBracket(text)) {
+            open.push_back(i);
+        } else if (closesBracket(text) && !open.empty()) {
+            matches[open.back()] = i;
+            matches[i] = open.back();
+            open.pop_back();
+        }
+    }
+    return matches;
 }
 
 /// True if the two characters may belong to one token, so that text that ends in the first one and text that

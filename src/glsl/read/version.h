@@ -25,6 +25,11 @@ struct Dialect {
     Place place;
 };
 
+/// "4.30" for 430.
+inline std::string dotted(int version) {
+    return std::to_string(version).insert(1, ".");
+}
+
 /// True if a backslash at the end of a // comment continues it (GLSL 4.20, GLSL ES 3.00).
 inline bool continuesComments(const Dialect& dialect) {
     return dialect.written >= (dialect.es ? 300 : 420);

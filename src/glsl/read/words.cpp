@@ -87,12 +87,8 @@ template <class Rows>
 Table tableOf(const Rows& rows) {
     Table table;
     for (const KeywordRow& row : rows) {
-        std::string_view rest = row.words;
-        while (!rest.empty()) {
-            const std::size_t end = std::min(rest.find(' '), rest.size());
-            table.emplace(rest.substr(0, end), Since{row.since, row.es});
-            rest.remove_prefix(std::min(end + 1, rest.size()));
-        }
+        for (const std::string_view word : splitWords(row.words))
+            table.emplace(word, Since{row.since, row.es});
     }
     return table;
 }
@@ -120,6 +116,16 @@ bool listed(std::string_view list, std::string_view word) {
     return list.find(key) != std::string_view::npos;
 }
 
+std::vector<std::string_view> splitWords(std::string_view list) {
+    std::vector<std::string_view> words;
+    while (!list.empty()) {
+        const std::size_t end = std::min(list.find(' '), list.size());
+        if (end > 0) words.push_back(list.substr(0, end));
+        list.remove_prefix(std::min(end + 1, list.size()));
+    }
+    return words;
+}
+
 int keywordSince(std::string_view word) {
     return sinceOf(word).desktop;
 }
@@ -134,7 +140,7 @@ std::vector<std::string_view> keywords() {
     std::vector<std::string_view> words;
     for (const auto* table : {&typeTable(), &otherTable()})
         for (const auto& [word, since] : *table) words.push_back(word);
-    std::sort(words.begin(), words.end());
+    std::ranges::sort(words);
     return words;
 }
 

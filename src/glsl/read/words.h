@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "glsl/read/token.h"
 #include "glsl/read/version.h"
 
 namespace glibra::glsl {
@@ -23,6 +24,9 @@ std::vector<std::string_view> keywords();
 /// True if `word` is in `list`, which has a blank before and after every word.
 bool listed(std::string_view list, std::string_view word);
 
+/// The words of a list with blanks between them.
+std::vector<std::string_view> splitWords(std::string_view list);
+
 /// True for words that name a type: "float", "vec3", "sampler2D", "void", ...
 bool isTypeWord(std::string_view word);
 
@@ -35,5 +39,17 @@ bool isStatementWord(std::string_view word);
 /// True for samplers, images and atomic counters.
 bool isOpaqueTypeWord(std::string_view word);
 bool isImageTypeWord(std::string_view word);
+
+// The classes of words, of tokens that markNames (parse/lexical.h) has seen.
+
+inline bool isQualifier(const ViewToken& token) {
+    return token.kind == TokenKind::word && !token.isName && isQualifierWord(token.text);
+}
+inline bool isStatement(const ViewToken& token) {
+    return token.kind == TokenKind::word && !token.isName && isStatementWord(token.text);
+}
+inline bool isType(const ViewToken& token) {
+    return token.kind == TokenKind::word && !token.isName && isTypeWord(token.text);
+}
 
 }  // namespace glibra::glsl

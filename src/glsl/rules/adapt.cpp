@@ -44,18 +44,13 @@ class Adaptation {
     void removeItem(const Qualifiers& qualifiers, std::string_view name) {
         const LayoutItem* item = qualifiers.item(name);
         if (!item) return;
-        const auto remove = [&](Range range) {
-            std::vector<std::uint32_t> tokens;
-            if (!editableTokens(unit_, range, tokens)) return;
-            for (const std::uint32_t each : tokens) unit_.edits.remove(each);
-        };
         if (qualifiers.layout.size() == 1) {
-            for (const Range& each : qualifiers.layoutTokens) remove(each);
+            for (const Range& each : qualifiers.layoutTokens) unit_.remove(each);
             return;
         }
         const bool last = unit_.text(item->tokens.end) != ",";
-        remove(last ? Range{item->tokens.first - 1, item->tokens.end}
-                    : Range{item->tokens.first, item->tokens.end + 1});
+        unit_.remove(last ? Range{item->tokens.first - 1, item->tokens.end}
+                          : Range{item->tokens.first, item->tokens.end + 1});
     }
 
     /// Before 4.40 blocks between stages had no locations. They are matched by name.
@@ -72,7 +67,6 @@ class Adaptation {
         bool outermost = true;
         for (std::uint32_t i = initializer.first; i < initializer.end; ++i) {
             const ViewToken& token = unit_.view[i];
-            if (token.body) return;
             if (token.text == "{") {
                 unit_.edits.replace(token.raw, std::string(type) + (outermost && array ? "[](" : "("));
                 outermost = false;
@@ -102,9 +96,9 @@ class Adaptation {
         return true;
     }
     [[nodiscard]] bool isStructure(std::string_view name) const {
-        return std::any_of(
-            unit_.syntax.declarations.begin(), unit_.syntax.declarations.end(),
-            [&](const Declaration& each) { return each.type.isStruct && each.type.name == name; });
+        return std::ranges::any_of(unit_.syntax.declarations, [&](const Declaration& each) {
+            return each.type.isStruct && each.type.name == name;
+        });
     }
 
     /// A local `const` needed a constant initialiser.
@@ -116,9 +110,7 @@ class Adaptation {
             if (each.constToken == kNone || each.initializer.empty() ||
                 isConstant(each.initializer, variables))
                 continue;
-            std::vector<std::uint32_t> tokens;
-            if (editableTokens(unit_, {each.constToken, each.constToken + 1}, tokens))
-                for (const std::uint32_t token : tokens) unit_.edits.remove(token);
+            unit_.edits.remove(unit_.view[each.constToken].raw);
             variables.insert(unit_.text(each.name));
         }
     }
@@ -126,16 +118,9 @@ class Adaptation {
     /// Writes `f.xxx` of a float as vec3(f), and `f.x` as f.
     void scalarSwizzles() {
         for (const ScalarSwizzle& each : unit_.bodies.scalarSwizzles) {
-            const ViewToken& first = unit_.view[each.object.first];
-            const ViewToken& last = unit_.view[each.object.end - 1];
-            std::vector<std::uint32_t> tokens;
-            if (first.body || last.body || !editableTokens(unit_, {each.member - 1, each.member + 1}, tokens))
-                continue;
-            for (const std::uint32_t token : tokens) unit_.edits.remove(token);
+            unit_.remove({each.member - 1, each.member + 1});
             const auto size = static_cast<int>(unit_.text(each.member).size());
-            if (size == 1) continue;
-            unit_.edits.before(first.raw, wordOf(vectorType(each.type.base, size)) + "(");
-            unit_.edits.after(last.raw, ")");
+            if (size > 1) unit_.convert(each.object, wordOf(vectorType(each.type.base, size)));
         }
     }
 
@@ -146,11 +131,7 @@ class Adaptation {
                                   each.wanted.base != each.type.base &&
                                   each.wanted.base != BaseType::boolean &&
                                   each.type.rows == each.wanted.rows && each.wanted.columns == 1;
-            if (!converts) continue;
-            const ViewToken& first = unit_.view[each.expression.first];
-            const ViewToken& last = unit_.view[each.expression.end - 1];
-            unit_.edits.before(first.body ? first.site : first.raw, wordOf(each.wanted) + "(");
-            unit_.edits.after(last.body ? last.site : last.raw, ")");
+            if (converts) unit_.convert(each.expression, wordOf(each.wanted));
         }
     }
 

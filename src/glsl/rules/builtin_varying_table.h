@@ -18,6 +18,9 @@ enum Varying : std::size_t {
     kVaryingCount
 };
 
+inline constexpr std::array<Varying, kVaryingCount> kVaryings{frontColor,    backColor, frontSecondary,
+                                                              backSecondary, texCoord,  fog};
+
 struct Row {
     std::string_view name;  ///< without gl_
     std::string_view type;

@@ -97,8 +97,7 @@ class Varyings {
             output = true;
             access.used = true;
             const auto writes = unit.writes.find(unit.text(at));
-            if (writes != unit.writes.end() &&
-                std::binary_search(writes->second.begin(), writes->second.end(), at))
+            if (writes != unit.writes.end() && std::ranges::binary_search(writes->second, at))
                 access.written = true;
         }
         if (access.place == kNone) access.place = at;
@@ -166,16 +165,13 @@ class Varyings {
     static void dropPerVertex(Unit& unit) {
         for (const Declaration& block : unit.syntax.declarations) {
             if (block.kind != DeclarationKind::block || unit.text(block.name) != "gl_PerVertex") continue;
-            const bool old =
-                std::any_of(block.members.begin(), block.members.end(), [&](const Declaration& member) {
-                    bool input = false;
-                    return !member.declarators.empty() &&
-                           (varyingOf(unit.text(member.declarators[0].name), input) != kVaryingCount ||
-                            unit.text(member.declarators[0].name) == "gl_ClipVertex");
-                });
-            std::vector<std::uint32_t> tokens;
-            if (!old || !editableTokens(unit, block.tokens, tokens)) continue;
-            for (const std::uint32_t each : tokens) unit.edits.remove(each);
+            const bool old = std::ranges::any_of(block.members, [&](const Declaration& member) {
+                bool input = false;
+                return !member.declarators.empty() &&
+                       (varyingOf(unit.text(member.declarators[0].name), input) != kVaryingCount ||
+                        unit.text(member.declarators[0].name) == "gl_ClipVertex");
+            });
+            if (old) unit.remove(block.tokens);
         }
     }
 
@@ -210,11 +206,10 @@ class Varyings {
     [[nodiscard]] std::string block(std::size_t reader, std::string_view direction) const {
         std::string members;
         const bool rasterised = program_.units[reader].stage == Stage::fragment;
-        for (std::size_t k = 0; k < kVaryingCount; ++k) {
-            const auto which = static_cast<Varying>(k);
+        for (const Varying which : kVaryings) {
             if (!passes(reader, which)) continue;
             members += " " + (rasterised ? qualifiers(which, direction) : "") + typeOf(which) + " " +
-                       std::string(kRows[k].name) + size(which) + ";";
+                       std::string(kRows[which].name) + size(which) + ";";
         }
         if (members.empty()) return {};
         return std::string(direction) + " glibra_Varyings_" + letter(program_.units[reader - 1].stage) +
@@ -235,20 +230,19 @@ class Varyings {
         const std::string text = block(index, "in");
         const bool array = unit.stage != Stage::fragment;
         if (!text.empty()) unit.declare(text + " glibra_in" + (array ? "[];" : ";"));
-        for (std::size_t k = 0; k < kVaryingCount; ++k) {
-            const auto which = static_cast<Varying>(k);
-            const Access& access = accesses_[index][k];
+        for (const Varying which : kVaryings) {
+            const Access& access = accesses_[index][which];
             if (!access.read) continue;
             if (!passes(index, which)) {
                 if (array || which == frontColor) currentColor(unit, which);
                 if (array)
                     unit.declare(typeOf(which) + size(which) + " glibra_unwritten" +
-                                 std::string(kRows[k].name) + "(int i) { return " +
-                                 (which == texCoord ? initial(which) : std::string(kRows[k].unwritten)) +
+                                 std::string(kRows[which].name) + "(int i) { return " +
+                                 (which == texCoord ? initial(which) : std::string(kRows[which].unwritten)) +
                                  "; }");
                 if (which != backColor && which != backSecondary) unwritten(unit, which, access.readPlace);
             } else if (which == texCoord) {
-                const Access& writer = accesses_[index - 1][k];
+                const Access& writer = accesses_[index - 1][which];
                 for (const auto& [element, at] : access.readIndices)
                     if (!writer.anyIndex && !writer.writtenIndices.contains(element))
                         warn(unit, "gl_TexCoord[" + std::to_string(element) + "]", at);
@@ -277,8 +271,8 @@ class Varyings {
     /// Also handles a fragment stage without an earlier stage, which reads the values of unwritten varyings.
     void fragment(std::size_t index, Unit& unit) {
         if (index == 0)
-            for (std::size_t k = 0; k < kVaryingCount; ++k)
-                if (accesses_[0][k].read) currentColor(unit, static_cast<Varying>(k));
+            for (const Varying which : kVaryings)
+                if (accesses_[0][which].read) currentColor(unit, which);
         const auto value = [&](Varying which) {
             return passes(index, which)
                        ? "glibra_in." + std::string(kRows[which].name)
@@ -307,9 +301,8 @@ class Varyings {
         const std::string text = reader < program_.units.size() ? block(reader, "out") : "";
         if (!text.empty()) unit.declare(text + " glibra_out" + (control ? "[];" : ";"));
         std::vector<std::string> copies;
-        for (std::size_t k = 0; k < kVaryingCount; ++k) {
-            const auto which = static_cast<Varying>(k);
-            if (!accesses_[index][k].used) continue;
+        for (const Varying which : kVaryings) {
+            if (!accesses_[index][which].used) continue;
             const bool passed = reader < program_.units.size() && passes(reader, which);
             if (passed) unit.varyingComponents += which == fog ? 1 : 4 * (which == texCoord ? texCoords_ : 1);
             if (control && passed) continue;
@@ -317,8 +310,9 @@ class Varyings {
             if (control) continue;
             unit.renames[user(which)] = own(which);
             const std::string source =
-                last && kRows[k].color ? "clamp(" + own(which) + ", 0., 1.)" : own(which);
-            if (passed) copies.push_back("glibra_out." + std::string(kRows[k].name) + " = " + source + ";");
+                last && kRows[which].color ? "clamp(" + own(which) + ", 0., 1.)" : own(which);
+            if (passed)
+                copies.push_back("glibra_out." + std::string(kRows[which].name) + " = " + source + ";");
         }
         if (copies.empty()) return;
         // Before the user's text, so that none of its macros or functions changes it.
@@ -379,7 +373,7 @@ class Varyings {
         const std::uint32_t open = walk.next(at);
         if (walk.text(open) == "[" && walk.match(open) != kNone) {
             read(index, unit, at, open, walk.match(open), which);
-        } else if (unit.tokens[at].active && unit.stage == Stage::geometry) {
+        } else if (unit.stage == Stage::geometry) {
             program_.report.report("glsl-E03",
                                    std::string(walk.text(at)) +
                                        " without a subscript cannot be emulated; write " +

@@ -216,50 +216,44 @@ class Interface {
         if (input.declarators.empty())
             for (const Declaration& member : input.members)
                 for (const Declarator& each : member.declarators) unwritten_.emplace(reader_.text(each.name));
-        std::vector<std::uint32_t> head;
-        if (!editableTokens(reader_, {input.tokens.first, input.body.first}, head)) return;
-        for (const std::uint32_t each : head) reader_.edits.remove(each);
-        input.declarators.empty() ? openBlock(input) : structBlock(input, head.front());
+        reader_.remove({input.tokens.first, input.body.first});
+        input.declarators.empty() ? openBlock(input) : structBlock(input);
     }
 
     /// Handles a block that no stage writes. Without an instance name its members are global names.
     void openBlock(const Declaration& input) {
-        reader_.edits.remove(reader_.view[input.body.first].site);
-        for (std::uint32_t i = input.body.end - 1; i < input.tokens.end; ++i)
-            reader_.edits.remove(reader_.view[i].site);
+        reader_.edits.remove(reader_.view[input.body.first].raw);
+        reader_.remove({input.body.end - 1, input.tokens.end});
         members(input, true);
     }
 
-    void structBlock(const Declaration& input, std::uint32_t first) {
+    void structBlock(const Declaration& input) {
         const std::string type = "glibra_Zero" + std::string(reader_.text(input.name));
-        reader_.edits.replace(first, "struct " + type + " ");
+        reader_.edits.replace(reader_.view[input.tokens.first].raw, "struct " + type + " ");
         members(input, false);
         const Declarator& instance = input.declarators.front();
         std::string element = type + "(" + memberValues(input) + ")";
         if (!instance.dimensions.empty()) {
             const int count = vertices();
-            std::vector<std::uint32_t> brackets;
-            if (editableTokens(reader_, instance.dimensionTokens, brackets))
-                for (const std::uint32_t each : brackets) reader_.edits.remove(each);
+            reader_.remove(instance.dimensionTokens);
             std::string all;
             for (int i = 0; i < count; ++i) all += (i ? ", " : "") + element;
             element = type + "[" + std::to_string(count) + "](" + all + ")";
-            reader_.edits.after(reader_.view[instance.name].site, "[" + std::to_string(count) + "]");
+            reader_.edits.after(reader_.view[instance.name].raw, "[" + std::to_string(count) + "]");
         }
-        reader_.edits.after(reader_.view[instance.name].site, " = " + element);
+        reader_.edits.after(reader_.view[instance.name].raw, " = " + element);
     }
 
     void members(const Declaration& input, bool initialise) {
         for (const Declaration& member : input.members) {
-            for (std::uint32_t i = member.qualifiers.tokens.first; i < member.qualifiers.tokens.end; ++i)
-                reader_.edits.remove(reader_.view[i].site);
+            reader_.remove(member.qualifiers.tokens);
             for (const Declarator& name : member.declarators)
                 if (!name.dimensions.empty() && name.dimensions.front().empty())
-                    reader_.edits.after(reader_.view[name.name + 1].site,
+                    reader_.edits.after(reader_.view[name.name + 1].raw,
                                         std::to_string(implicitSize(reader_.text(name.name))));
             for (const Declarator& name : member.declarators)
                 if (const auto value = memberValue(member, name); value && initialise)
-                    reader_.edits.after(reader_.view[name.dimensionTokens.end - 1].site, " = " + *value);
+                    reader_.edits.after(reader_.view[name.dimensionTokens.end - 1].raw, " = " + *value);
         }
     }
     [[nodiscard]] std::optional<std::string> memberValue(const Declaration& member,

@@ -90,7 +90,7 @@ constexpr std::array<std::string_view, 4> kSettable = {"gl_LightSource", "gl_Lig
                                                        "gl_BackMaterial"};
 
 bool isSettable(std::string_view user) {
-    return std::find(kSettable.begin(), kSettable.end(), user) != kSettable.end();
+    return std::ranges::find(kSettable, user) != kSettable.end();
 }
 /// "gl_FrontLightModelProduct" and "gl_FrontLightProduct", which GL computes from what is settable.
 bool isProduct(std::string_view user) {

@@ -38,9 +38,9 @@ class FragmentOutputs {
         return each.storage == Storage::output && !each.removed && !each.name.starts_with("gl_");
     }
     [[nodiscard]] const Variable* firstWrittenOutput() const {
-        const auto found = std::find_if(
-            unit_.variables.begin(), unit_.variables.end(),
-            [&](const Variable& each) { return isOwnOutput(each) && unit_.isWritten(each.name); });
+        const auto found = std::ranges::find_if(unit_.variables, [&](const Variable& each) {
+            return isOwnOutput(each) && unit_.isWritten(each.name);
+        });
         return found == unit_.variables.end() ? nullptr : &*found;
     }
     void mixed(const std::string& first, const std::string& second, std::uint32_t at) {

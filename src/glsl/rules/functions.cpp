@@ -1,8 +1,8 @@
 // Replaces functions of older versions (language, 7.5).
 
-#include <algorithm>
 #include <array>
 
+#include "glsl/read/words.h"
 #include "glsl/rules/rules.h"
 
 namespace glibra::glsl {
@@ -145,29 +145,12 @@ TextureFunction textureFunction(std::string_view name) {
 
 bool isTextureFunction(std::string_view name) {
     if (!textureFunction(name).core.empty()) return true;
-    static constexpr std::array<std::string_view, 22> kCore = {"texture",
-                                                               "textureProj",
-                                                               "textureLod",
-                                                               "textureProjLod",
-                                                               "textureGrad",
-                                                               "textureProjGrad",
-                                                               "textureOffset",
-                                                               "textureProjOffset",
-                                                               "textureLodOffset",
-                                                               "textureProjLodOffset",
-                                                               "textureGradOffset",
-                                                               "textureProjGradOffset",
-                                                               "texelFetch",
-                                                               "texelFetchOffset",
-                                                               "textureSize",
-                                                               "textureGather",
-                                                               "textureGatherOffset",
-                                                               "textureGatherOffsets",
-                                                               "textureQueryLod",
-                                                               "textureQueryLevels",
-                                                               "textureSamples",
-                                                               "texelSize"};
-    return std::find(kCore.begin(), kCore.end(), name) != kCore.end();
+    constexpr std::string_view kCore =
+        " texture textureProj textureLod textureProjLod textureGrad textureProjGrad textureOffset "
+        "textureProjOffset textureLodOffset textureProjLodOffset textureGradOffset textureProjGradOffset "
+        "texelFetch texelFetchOffset textureSize textureGather textureGatherOffset textureGatherOffsets "
+        "textureQueryLod textureQueryLevels textureSamples texelSize ";
+    return listed(kCore, name);
 }
 
 void modernizeFunctions(Unit& unit, const TokenWalk& walk) {

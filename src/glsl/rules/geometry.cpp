@@ -36,26 +36,11 @@ class OldNames {
             unit_.edits.after(walk_.match(next), "." + member);
         } else if (length && walk_.text(next) == "." && walk_.text(walk_.next(next)) == "length") {
             unit_.edits.replace(at, "gl_in");
-        } else if (!subscriptedByMacro(at, name, member) && unit_.tokens[at].active) {
+        } else {
             report_.report("glsl-E03",
                            name + " without a subscript cannot be emulated; write " + name + "[i]",
                            unit_.placeOfToken(at));
         }
-    }
-
-    /// Handles `#define P gl_PositionIn` with `P[0]`: true if all uses of the macro have a subscript.
-    bool subscriptedByMacro(std::uint32_t at, const std::string& name, const std::string& member) {
-        if (!unit_.tokens[at].directive) return false;
-        std::vector<std::uint32_t> brackets;
-        for (const std::uint32_t use : unit_.uses[name]) {
-            if (unit_.view[use].raw != at) continue;
-            const std::uint32_t close = unit_.text(use + 1) == "[" ? unit_.bodies.matches[use + 1] : kNone;
-            if (close >= unit_.view.size() || unit_.view[close].body) return false;
-            brackets.push_back(unit_.view[close].raw);
-        }
-        for (const std::uint32_t each : brackets) unit_.edits.after(each, "." + member);
-        unit_.edits.replace(at, "gl_in");
-        return true;
     }
 
     void primitive(std::uint32_t at) {
@@ -87,7 +72,7 @@ struct Layout {
 Layout geometryLayoutOf(const Unit& unit) {
     Layout layout;
     const auto has = [](const auto& list, const std::string& name) {
-        return std::find(list.begin(), list.end(), name) != list.end();
+        return std::ranges::find(list, name) != list.end();
     };
     for (const Declaration& each : unit.syntax.declarations) {
         if (each.kind != DeclarationKind::layoutOnly) continue;
@@ -178,10 +163,8 @@ class Completion {
             conflict("GeometryVerticesOut", std::to_string(wanted), std::to_string(value),
                      layout_.vertices->tokens.first);
         if (value <= most) return;
-        std::vector<std::uint32_t> tokens;
-        if (!editableTokens(unit_, range, tokens)) return;
-        for (const std::uint32_t each : tokens) unit_.edits.remove(each);
-        unit_.edits.replace(tokens.front(), std::to_string(most));
+        unit_.remove(range);
+        unit_.edits.replace(unit_.view[range.first].raw, std::to_string(most));
         lowered(value, most, components, unit_.place(range.first));
     }
 

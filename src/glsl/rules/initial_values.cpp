@@ -5,6 +5,7 @@
 #include <string>
 
 #include "glsl/facts/assignment.h"
+#include "glsl/parse/variables.h"
 #include "glsl/parse/zero.h"
 #include "glsl/rules/rules.h"
 

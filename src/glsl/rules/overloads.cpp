@@ -69,15 +69,11 @@ class OverloadChoice {
   private:
     void add(const Declaration& declaration) {
         Overload overload{&declaration, {}};
-        for (const Parameter& each : declaration.parameters) {
-            Type type = typeOfWord(each.type.name);
-            type.arrayDepth =
-                static_cast<std::uint16_t>(each.type.dimensions.size() + each.dimensions.size());
-            overload.types.push_back(type);
-        }
+        for (const Parameter& each : declaration.parameters)
+            overload.types.push_back(
+                arrayOf(typeOfWord(each.type.name), each.type.dimensions.size() + each.dimensions.size()));
         std::vector<Overload>& known = functions_[unit_.text(declaration.name)];
-        if (std::find(known.begin(), known.end(), overload) == known.end())
-            known.push_back(std::move(overload));
+        if (std::ranges::find(known, overload) == known.end()) known.push_back(std::move(overload));
     }
 
     static Storage storageOf(const Overload& overload, std::size_t argument) {
@@ -103,29 +99,26 @@ class OverloadChoice {
         const auto known = functions_.find(unit_.text(call.name));
         if (known == functions_.end()) return;
         const auto isNumeric = [](const Type& each) { return each.numeric(); };
-        if (!std::all_of(call.types.begin(), call.types.end(), isNumeric)) return;
+        if (!std::ranges::all_of(call.types, isNumeric)) return;
         std::vector<Overload> all, fitting;
         for (const Overload& each : known->second)
             if (each.types.size() == call.types.size()) all.push_back(each);
         if (all.size() < 2) return;
         for (Overload& each : all) {
             // A structure, or a type that is not known here, does not fit a number.
-            const bool isKnown = std::all_of(each.types.begin(), each.types.end(),
-                                             [](const Type& type) { return type.known(); });
+            const bool isKnown =
+                std::ranges::all_of(each.types, [](const Type& type) { return type.known(); });
             if (isKnown && fit(each, call.types)) fitting.push_back(each);
         }
         if (fitting.empty()) return;
-        const auto best = std::find_if(fitting.begin(), fitting.end(), [&](const Overload& each) {
-            return std::all_of(fitting.begin(), fitting.end(), [&](const Overload& other) {
-                return &other == &each || isBetter(each, other);
-            });
+        const auto best = std::ranges::find_if(fitting, [&](const Overload& each) {
+            return std::ranges::all_of(
+                fitting, [&](const Overload& other) { return &other == &each || isBetter(each, other); });
         });
         if (best == fitting.end()) return ambiguous(call, fitting);
         for (std::size_t i = 0; i < call.arguments.size(); ++i) {
             if (best->fits[i] == Fit::exact || storageOf(*best, i) == Storage::output) continue;
-            const Range& argument = call.arguments[i];
-            unit_.edits.before(unit_.view[argument.first].raw, wordOf(best->types[i]) + "(");
-            unit_.edits.after(unit_.view[argument.end - 1].raw, ")");
+            unit_.convert(call.arguments[i], wordOf(best->types[i]));
         }
     }
 

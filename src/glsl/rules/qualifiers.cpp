@@ -51,14 +51,11 @@ void modernize(Unit& unit, Variable& variable) {
 void dropInvariantInputs(Unit& unit) {
     for (const Declaration& each : unit.syntax.declarations) {
         if (each.kind != DeclarationKind::requalify || unit.stage != Stage::fragment) continue;
-        const bool inputs =
-            std::all_of(each.declarators.begin(), each.declarators.end(), [&](const Declarator& name) {
-                const Variable* variable = unit.variable(unit.text(name.name));
-                return variable && variable->storage == Storage::input;
-            });
-        std::vector<std::uint32_t> tokens;
-        if (!inputs || !editableTokens(unit, each.tokens, tokens)) continue;
-        for (const std::uint32_t token : tokens) unit.edits.remove(token);
+        const bool inputs = std::ranges::all_of(each.declarators, [&](const Declarator& name) {
+            const Variable* variable = unit.variable(unit.text(name.name));
+            return variable && variable->storage == Storage::input;
+        });
+        if (inputs) unit.remove(each.tokens);
     }
 }
 
@@ -79,7 +76,7 @@ std::uint32_t declarationOf(const Unit& unit, std::string_view word, bool member
 }
 
 bool isTaken(const Unit& unit, std::string_view word) {
-    return isFreeWord(word, unit.dialect) && unit.macros.find(word) == unit.macros.end();
+    return isFreeWord(word, unit.dialect) && !unit.macros.contains(word);
 }
 
 std::set<std::string> takenWords(const Unit& unit) {
@@ -116,13 +113,12 @@ void modernizeQualifiers(ProgramUnits& program) {
 void makePositionsInvariant(ProgramUnits& program) {
     Unit* const vertex = program.find(Stage::vertex);
     if (vertex == nullptr || program.result->placement == Placement::unknown) return;
-    const bool isDeclared = std::any_of(
-        vertex->syntax.declarations.begin(), vertex->syntax.declarations.end(), [&](const Declaration& each) {
-            if (each.kind == DeclarationKind::block) return vertex->text(each.name) == "gl_PerVertex";
-            return std::any_of(each.declarators.begin(), each.declarators.end(), [&](const Declarator& name) {
-                return vertex->text(name.name) == "gl_Position";
-            });
+    const bool isDeclared = std::ranges::any_of(vertex->syntax.declarations, [&](const Declaration& each) {
+        if (each.kind == DeclarationKind::block) return vertex->text(each.name) == "gl_PerVertex";
+        return std::ranges::any_of(each.declarators, [&](const Declarator& name) {
+            return vertex->text(name.name) == "gl_Position";
         });
+    });
     if (!isDeclared) vertex->declare("invariant gl_Position;");
 }
 
@@ -139,10 +135,10 @@ void renameTakenWords(ProgramUnits& program) {
         }
         for (const std::string_view word : kEmitted) {
             // A macro of that name would replace the calls that the translation emits.
-            if (unit.macros.find(word) != unit.macros.end())
+            if (unit.macros.contains(word))
                 unit.wordRenames.try_emplace(std::string(word), "glibra_" + std::string(word));
             const std::uint32_t at = declarationOf(unit, word, false);
-            if (at == kNone || unit.macros.find(word) != unit.macros.end()) continue;
+            if (at == kNone || unit.macros.contains(word)) continue;
             const std::string name(word);
             unit.renames[name] = "glibra_" + name;
             keepCalls(unit, word, at);

@@ -32,7 +32,6 @@ struct Feature {
     std::string_view word;
     int version;
     std::string_view extension;
-    std::string_view inExtension = {};  ///< how the extension spells it, if that differs
 };
 constexpr std::array kFeatures = std::to_array<Feature>({
     {"imageLoad", 420, "GL_ARB_shader_image_load_store"},
@@ -53,21 +52,21 @@ constexpr std::array kFeatures = std::to_array<Feature>({
     {"fwidthCoarse", 450, "GL_ARB_derivative_control"},
     {"gl_CullDistance", 450, "GL_ARB_cull_distance"},
     {"gl_HelperInvocation", 450, ""},
-    {"gl_BaseVertex", 460, "GL_ARB_shader_draw_parameters", "gl_BaseVertexARB"},
-    {"gl_BaseInstance", 460, "GL_ARB_shader_draw_parameters", "gl_BaseInstanceARB"},
-    {"gl_DrawID", 460, "GL_ARB_shader_draw_parameters", "gl_DrawIDARB"},
-    {"anyInvocation", 460, "GL_ARB_shader_group_vote", "anyInvocationARB"},
-    {"allInvocations", 460, "GL_ARB_shader_group_vote", "allInvocationsARB"},
-    {"allInvocationsEqual", 460, "GL_ARB_shader_group_vote", "allInvocationsEqualARB"},
-    {"atomicCounterAdd", 460, "GL_ARB_shader_atomic_counter_ops", "atomicCounterAddARB"},
-    {"atomicCounterSubtract", 460, "GL_ARB_shader_atomic_counter_ops", "atomicCounterSubtractARB"},
-    {"atomicCounterMin", 460, "GL_ARB_shader_atomic_counter_ops", "atomicCounterMinARB"},
-    {"atomicCounterMax", 460, "GL_ARB_shader_atomic_counter_ops", "atomicCounterMaxARB"},
-    {"atomicCounterAnd", 460, "GL_ARB_shader_atomic_counter_ops", "atomicCounterAndARB"},
-    {"atomicCounterOr", 460, "GL_ARB_shader_atomic_counter_ops", "atomicCounterOrARB"},
-    {"atomicCounterXor", 460, "GL_ARB_shader_atomic_counter_ops", "atomicCounterXorARB"},
-    {"atomicCounterExchange", 460, "GL_ARB_shader_atomic_counter_ops", "atomicCounterExchangeARB"},
-    {"atomicCounterCompSwap", 460, "GL_ARB_shader_atomic_counter_ops", "atomicCounterCompSwapARB"},
+    {"gl_BaseVertex", 460, "GL_ARB_shader_draw_parameters"},
+    {"gl_BaseInstance", 460, "GL_ARB_shader_draw_parameters"},
+    {"gl_DrawID", 460, "GL_ARB_shader_draw_parameters"},
+    {"anyInvocation", 460, "GL_ARB_shader_group_vote"},
+    {"allInvocations", 460, "GL_ARB_shader_group_vote"},
+    {"allInvocationsEqual", 460, "GL_ARB_shader_group_vote"},
+    {"atomicCounterAdd", 460, "GL_ARB_shader_atomic_counter_ops"},
+    {"atomicCounterSubtract", 460, "GL_ARB_shader_atomic_counter_ops"},
+    {"atomicCounterMin", 460, "GL_ARB_shader_atomic_counter_ops"},
+    {"atomicCounterMax", 460, "GL_ARB_shader_atomic_counter_ops"},
+    {"atomicCounterAnd", 460, "GL_ARB_shader_atomic_counter_ops"},
+    {"atomicCounterOr", 460, "GL_ARB_shader_atomic_counter_ops"},
+    {"atomicCounterXor", 460, "GL_ARB_shader_atomic_counter_ops"},
+    {"atomicCounterExchange", 460, "GL_ARB_shader_atomic_counter_ops"},
+    {"atomicCounterCompSwap", 460, "GL_ARB_shader_atomic_counter_ops"},
 });
 
 class Refuser {
@@ -78,7 +77,7 @@ class Refuser {
         for (std::uint32_t i = 0; i < unit_.view.size(); ++i)
             if (unit_.view[i].kind == TokenKind::word) word(i);
         for (const Token& token : unit_.tokens)
-            if (token.kind == TokenKind::word && token.text.starts_with("glibra_") && token.active)
+            if (token.kind == TokenKind::word && token.text.starts_with("glibra_"))
                 report_.reportOnce(unit_.path + std::string(token.text), "glsl-E05",
                                    "names beginning with 'glibra_' are reserved",
                                    {unit_.files[token.file], token.line, token.column});
@@ -106,13 +105,12 @@ class Refuser {
         for (const Refusal& each : kRefusals)
             if (each.word == text && !unit_.view[at].isName) error(at, std::string(each.text));
         if (unit_.isDeclared(text)) return;
-        if (unit_.stage != Stage::compute &&
-            std::find(kComputeOnly.begin(), kComputeOnly.end(), text) != kComputeOnly.end())
+        if (unit_.stage != Stage::compute && std::ranges::find(kComputeOnly, text) != kComputeOnly.end())
             computeOnly(at, std::string(text));
         for (const Feature& each : kFeatures)
-            if (each.word == text && feature(at, text, each.version, each.extension) &&
-                !each.inExtension.empty())
-                unit_.renames[std::string(text)] = each.inExtension;
+            // The extensions of 4.60 spell them with ARB.
+            if (each.word == text && feature(at, text, each.version, each.extension) && each.version == 460)
+                unit_.renames[std::string(text)] = std::string(text) + "ARB";
         if (const Extension* const only = extensionThatAlone(text, unit_.enabled)) alone(at, *only);
         const bool layer = text == "gl_Layer" || text == "gl_ViewportIndex";
         if (layer && unit_.stage == Stage::fragment) feature(at, text, 430, "GL_ARB_fragment_layer_viewport");
@@ -123,9 +121,7 @@ class Refuser {
     /// Enables the extension if the driver has it.
     bool enable(std::string_view extension) {
         if (extension.empty() || !target().hasExtension || !target().hasExtension(extension)) return false;
-        const std::string line = "#extension " + std::string(extension) + " : enable";
-        if (std::find(unit_.extensions.begin(), unit_.extensions.end(), line) == unit_.extensions.end())
-            unit_.extensions.push_back(line);
+        unit_.passExtension(extension, "enable");
         return true;
     }
 
@@ -143,9 +139,8 @@ class Refuser {
     bool feature(std::uint32_t at, std::string_view text, int version, std::string_view extension) {
         if (target().version >= version) return false;
         if (enable(extension)) return true;
-        const std::string number = std::to_string(version);
-        error(at, std::string(text) + " needs GLSL " + number[0] + "." + number.substr(1) +
-                      ", this driver has " + std::to_string(target().version).insert(1, "."));
+        error(at, std::string(text) + " needs GLSL " + dotted(version) + ", this driver has " +
+                      dotted(target().version));
         return false;
     }
 

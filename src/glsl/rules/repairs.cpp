@@ -27,7 +27,7 @@ class Repairs {
         for (const Declaration& each : unit_.syntax.declarations) {
             if (each.kind != DeclarationKind::stray || !each.qualifiers.tokens.empty()) continue;
             const ViewToken& token = unit_.view[each.tokens.first];
-            if (token.text != ";" || token.body) continue;
+            if (token.text != ";") continue;
             unit_.edits.remove(token.raw);
             report_.report("glsl-W09", "stray ';' removed", unit_.place(each.tokens.first));
         }
@@ -90,8 +90,7 @@ class Repairs {
     /// Removes `const` from `const vec3(1.)`, `= const vec3[2](...)` and `= const 1.`
     void constructorConstants() {
         for (std::uint32_t i = 0; i < unit_.tokens.size(); ++i) {
-            const Token& token = unit_.tokens[i];
-            if (token.text != "const" || !token.active) continue;
+            if (unit_.tokens[i].text != "const") continue;
             std::uint32_t next = walk_.next(i);
             const bool inInitialiser = walk_.text(walk_.previous(i)) == "=";
             if (!inInitialiser) {

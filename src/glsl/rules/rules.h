@@ -77,7 +77,7 @@ void widenScalars(Unit& unit, Report& report);
 /// ambiguous call is glsl-E17 (language, 7.9).
 void chooseOverloads(Unit& unit, Report& report);
 /// Limits the subscripts of shared variables in a compute stage. Call it when `renames` are complete.
-void limitSharedSubscripts(Unit& unit, const TokenWalk& walk, TranslatedProgram& result, Report& report);
+void limitSharedSubscripts(Unit& unit, TranslatedProgram& result, Report& report);
 /// The text of a vertex stage for ProgramRequest::suppliesFullScreenVertex, and for this fragment stage.
 std::string fullScreenVertex(const Unit& fragment);
 /// The text of a fragment stage for ProgramRequest::suppliesFragment, after this stage: its colour is

@@ -3,10 +3,9 @@
 // `s[glibra_within(i, s.length())].m[glibra_within(j, s[0].m.length())]`: sizes are constant expressions, and
 // every subscript is evaluated once. Constant subscripts stay, because compilers check them.
 
-#include <algorithm>
 #include <set>
 
-#include "glsl/parse/usage.h"
+#include "glsl/parse/variables.h"
 #include "glsl/read/words.h"
 #include "glsl/rules/rules.h"
 
@@ -15,8 +14,8 @@ namespace {
 
 class SharedArrays {
   public:
-    SharedArrays(Unit& unit, const TokenWalk& walk, TranslatedProgram& result, Report& report)
-        : unit_(unit), walk_(walk), result_(result), report_(report) {}
+    SharedArrays(Unit& unit, TranslatedProgram& result, Report& report)
+        : unit_(unit), result_(result), report_(report) {}
 
     void run() {
         for (const Variable& each : unit_.variables) {
@@ -80,67 +79,33 @@ class SharedArrays {
         return true;
     }
 
-    void subscript(std::uint32_t open, std::uint32_t close, std::string size) {
+    void subscript(std::uint32_t open, std::uint32_t close, const std::string& size) {
         const Range inside{open + 1, close};
         if (inside.empty() || isConstant(inside)) return;
-        const ViewToken& left = unit_.view[open];
-        const ViewToken& right = unit_.view[close];
-        // The brackets of a macro are the same for all of its uses, so they get what stands before them
-        // there.
-        if (left.body) size = sizeInMacro(left.raw);
-        const bool isPair = left.body == right.body && (!left.body || left.site == right.site) &&
-                            unit_.tokens[left.raw].text == "[" && unit_.tokens[right.raw].text == "]";
-        if (size.empty() || !isPair) {
-            report_.reportOnce(unit_.path + std::to_string(left.raw), "glsl-E03",
+        if (unit_.text(close) != "]") {
+            report_.reportOnce(unit_.path + std::to_string(unit_.view[open].raw), "glsl-E03",
                                "this subscript of a shared array cannot be limited to the size of the array; "
                                "write '[' and ']' with what is before them in one place",
                                unit_.place(open));
             return;
         }
-        if (!limited_.insert(left.raw).second) return;
+        if (!limited_.insert(open).second) return;
         // Brackets around a subscript with a comma, `a[i, j]`, keep it one argument.
-        const bool hasComma = text(inside, ",");
-        unit_.edits.after(left.raw, hasComma ? "glibra_within((" : "glibra_within(");
-        unit_.edits.before(right.raw, std::string(hasComma ? "), " : ", ") + size + ".length())");
-    }
-
-    [[nodiscard]] bool text(Range range, std::string_view word) const {
-        for (std::uint32_t at = range.first; at < range.end; ++at)
-            if (unit_.text(at) == word) return true;
-        return false;
-    }
-
-    /// What the bracket `open` in the body of a macro follows, with 0 for all subscripts: a word, perhaps a
-    /// parameter, with subscripts and members. Empty for anything else.
-    [[nodiscard]] std::string sizeInMacro(std::uint32_t open) const {
-        std::string path;
-        for (std::uint32_t at = walk_.previous(open); at != kNone;) {
-            if (walk_.text(at) == "]") {
-                if (walk_.match(at) == kNone) return {};
-                path.insert(0, "[0]");
-                at = walk_.previous(walk_.match(at));
-                continue;
-            }
-            if (unit_.tokens[at].kind != TokenKind::word) return {};
-            const std::uint32_t dot = walk_.previous(at);
-            if (walk_.text(dot) != ".") return spelled(unit_, std::string(walk_.text(at))) + path;
-            path.insert(0, "." + member(walk_.text(at)));
-            at = walk_.previous(dot);
-        }
-        return {};
+        const bool hasComma = unit_.hasAny(inside, {","});
+        unit_.edits.after(unit_.view[open].raw, hasComma ? "glibra_within((" : "glibra_within(");
+        unit_.edits.before(unit_.view[close].raw, std::string(hasComma ? "), " : ", ") + size + ".length())");
     }
 
     Unit& unit_;
-    const TokenWalk& walk_;
     TranslatedProgram& result_;
     Report& report_;
-    std::set<std::uint32_t> limited_;  ///< the opening brackets, as tokens
+    std::set<std::uint32_t> limited_;  ///< the opening brackets
 };
 
 }  // namespace
 
-void limitSharedSubscripts(Unit& unit, const TokenWalk& walk, TranslatedProgram& result, Report& report) {
-    if (unit.stage == Stage::compute) SharedArrays(unit, walk, result, report).run();
+void limitSharedSubscripts(Unit& unit, TranslatedProgram& result, Report& report) {
+    if (unit.stage == Stage::compute) SharedArrays(unit, result, report).run();
 }
 
 }  // namespace glibra::glsl

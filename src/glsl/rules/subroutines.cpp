@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "glsl/parse/variables.h"
 #include "glsl/rules/rules.h"
 
 namespace glibra::glsl {
@@ -25,7 +26,7 @@ void addFunctions(const Unit& unit, Functions& to) {
             if (unit.text(i) == ",") continue;
             std::vector<std::string>& names = to[std::string(unit.text(i))];
             const std::string name(unit.text(each.name));
-            if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+            if (std::ranges::find(names, name) == names.end()) names.push_back(name);
         }
     }
 }
@@ -43,7 +44,7 @@ class Subroutines {
             if (each.kind == DeclarationKind::variable)
                 uniform(each);
             else if (!each.qualifiers.subroutineTypes.empty())
-                remove(each.qualifiers.tokens);  // of a function
+                unit_.remove(each.qualifiers.tokens);  // of a function
             else if (each.kind == DeclarationKind::prototype)
                 type(each);
         }
@@ -51,12 +52,6 @@ class Subroutines {
 
   private:
     static std::string chooserOf(std::string_view type) { return "glibra_call_" + std::string(type); }
-
-    void remove(Range range) {
-        std::vector<std::uint32_t> tokens;
-        if (!editableTokens(unit_, range, tokens)) return;
-        for (const std::uint32_t each : tokens) unit_.edits.remove(each);
-    }
 
     std::string textOfType(const TypeUse& type) const {
         return spelled(unit_, std::string(type.name)) + textOfSizes(type.dimensions);
@@ -68,11 +63,10 @@ class Subroutines {
     }
 
     void type(const Declaration& declaration) {
-        std::vector<std::uint32_t> tokens;
-        if (!editableTokens(unit_, declaration.tokens, tokens) || tokens.empty()) return;
-        for (const std::uint32_t each : tokens) unit_.edits.remove(each);
+        unit_.remove(declaration.tokens);
         const auto own = own_.find(unit_.text(declaration.name));
-        if (own != own_.end()) unit_.edits.replace(tokens.front(), chooser(declaration, own->second));
+        if (own != own_.end())
+            unit_.edits.replace(unit_.view[declaration.tokens.first].raw, chooser(declaration, own->second));
     }
 
     /// The prototypes of these functions and the function that chooses among them.
@@ -99,7 +93,7 @@ class Subroutines {
         text += head + chooserOf(type) + "(int glibra_which" + (parameters.empty() ? "" : ", ") + parameters +
                 ") { ";
         for (std::size_t i = 1; i < own.size(); ++i) {
-            const auto number = std::find(all.begin(), all.end(), own[i]) - all.begin();
+            const auto number = std::ranges::find(all, own[i]) - all.begin();
             text += "if (glibra_which == " + std::to_string(number) + ") { " + call(own[i]) +
                     (isVoid ? " return; } " : " } ");
         }
@@ -130,11 +124,9 @@ class Subroutines {
     void call(std::uint32_t name, std::string_view type) {
         std::uint32_t open = name + 1;
         if (unit_.text(open) == "[") open = unit_.bodies.matches[open] + 1;
-        std::vector<std::uint32_t> tokens;
-        if (unit_.text(open) != "(" || !editableTokens(unit_, {name, open + 1}, tokens) || tokens.size() < 2)
-            return;
-        unit_.edits.before(tokens.front(), chooserOf(type) + "(");
-        unit_.edits.replace(tokens.back(), unit_.text(open + 1) == ")" ? "" : ", ");
+        if (unit_.text(open) != "(") return;
+        unit_.edits.before(unit_.view[name].raw, chooserOf(type) + "(");
+        unit_.edits.replace(unit_.view[open].raw, unit_.text(open + 1) == ")" ? "" : ", ");
     }
 
     Unit& unit_;

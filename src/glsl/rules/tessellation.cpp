@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "glsl/parse/usage.h"
+#include "glsl/parse/variables.h"
 #include "glsl/rules/rules.h"
 
 namespace glibra::glsl {
@@ -116,11 +117,9 @@ void checkTessellation(ProgramUnits& program) {
     const bool isRead = (!next || readsPositions(*next)) && !makesPositions(Stage::geometry) &&
                         !makesPositions(Stage::tessEvaluation);
     const Unit* vertex = program.find(Stage::vertex);
-    if (vertex && isRead && !vertex->isWritten("gl_Position")) {
-        const std::size_t slash = vertex->path.find_last_of("/\\");
-        const std::string name = slash == std::string::npos ? vertex->path : vertex->path.substr(slash + 1);
-        program.report.report("glsl-W14", name + " never writes gl_Position", vertex->start());
-    }
+    if (vertex && isRead && !vertex->isWritten("gl_Position"))
+        program.report.report("glsl-W14", fileName(vertex->path) + " never writes gl_Position",
+                              vertex->start());
     Unit* last = program.lastBeforeRaster();
     if (!last) return;
     program.result->writesPointSize = last->isWritten("gl_PointSize");

@@ -51,9 +51,8 @@ class UndefinedChecks {
         for (const Call& each : unit_.bodies.calls) call(each);
         divisors();
         // Smaller ranges first, so that brackets nest.
-        std::stable_sort(changes_.begin(), changes_.end(), [](const Change& a, const Change& b) {
-            return a.last - a.first < b.last - b.first;
-        });
+        std::ranges::stable_sort(
+            changes_, [](const Change& a, const Change& b) { return a.last - a.first < b.last - b.first; });
         for (const Change& each : changes_) {
             if (each.isInside) {
                 unit_.edits.after(each.first, each.before);
@@ -82,10 +81,9 @@ class UndefinedChecks {
     [[nodiscard]] std::uint32_t match(std::uint32_t at) const { return unit_.bodies.matches[at]; }
 
     [[nodiscard]] bool isInFunction(std::uint32_t at) const {
-        return std::any_of(unit_.syntax.declarations.begin(), unit_.syntax.declarations.end(),
-                           [&](const Declaration& each) {
-                               return each.kind == DeclarationKind::function && each.body.contains(at);
-                           });
+        return std::ranges::any_of(unit_.syntax.declarations, [&](const Declaration& each) {
+            return each.kind == DeclarationKind::function && each.body.contains(at);
+        });
     }
 
     /// The number of a new site as text; nothing if there are too many.
@@ -112,16 +110,6 @@ class UndefinedChecks {
             result += edit->after;
         }
         return result;
-    }
-
-    /// True if evaluating the range twice is like evaluating it once.
-    [[nodiscard]] bool isIdle(Range range) const {
-        for (std::uint32_t i = range.first; i < range.end; ++i) {
-            const bool isCall =
-                unit_.view[i].kind == TokenKind::word && text(i + 1) == "(" && !isTypeWord(text(i));
-            if (isAssignment(text(i)) || text(i) == "++" || text(i) == "--" || isCall) return false;
-        }
-        return true;
     }
 
     /// True if all names in the range are constants.
@@ -176,7 +164,7 @@ class UndefinedChecks {
         if (isOwnVertex(each.object.first, index)) return;
         std::string length;
         if (each.type.arrayDepth > 0) {
-            if (!isIdle(each.object)) return;
+            if (!isIdle(unit_, each.object)) return;
             length = emitted(each.object) + ".length()";
         } else if (each.type.vector()) {
             length = std::to_string(each.type.rows);
@@ -226,12 +214,12 @@ class UndefinedChecks {
     }
 
     void fetch(const Call& each, bool hasOffset) {
-        if (each.arguments.size() < 2 || !isIdle(each.arguments[0])) return;
+        if (each.arguments.size() < 2 || !isIdle(unit_, each.arguments[0])) return;
         const TexelSpace space = spaceOf(each.types[0].word);
         if (space.dimensions == 0) return;
         const std::string map = emitted(each.arguments[0]);
         const bool hasLevel = space.hasLevels && each.arguments.size() >= 3;
-        if (hasLevel && !isIdle(each.arguments[2])) return;
+        if (hasLevel && !isIdle(unit_, each.arguments[2])) return;
         std::string offset;
         if (hasOffset) offset = emitted(each.arguments.back()) + ", ";
         const bool mayMissLevel = hasLevel && !isConstantZero(each.arguments[2]);
@@ -249,7 +237,7 @@ class UndefinedChecks {
     }
 
     void image(const Call& each) {
-        if (each.arguments.size() < 2 || !isIdle(each.arguments[0])) return;
+        if (each.arguments.size() < 2 || !isIdle(unit_, each.arguments[0])) return;
         const TexelSpace space = spaceOf(each.types[0].word);
         if (space.dimensions == 0) return;
         std::string size = "imageSize(" + emitted(each.arguments[0]) + ")";
@@ -285,11 +273,10 @@ class UndefinedChecks {
     [[nodiscard]] bool isUniformMember(std::string_view name) const {
         const auto declared = unit_.declared.find(name);
         if (declared == unit_.declared.end()) return false;
-        return std::any_of(
-            unit_.syntax.declarations.begin(), unit_.syntax.declarations.end(), [&](const Declaration& each) {
-                return each.kind == DeclarationKind::block && each.qualifiers.storage == Storage::uniform &&
-                       each.tokens.contains(declared->second);
-            });
+        return std::ranges::any_of(unit_.syntax.declarations, [&](const Declaration& each) {
+            return each.kind == DeclarationKind::block && each.qualifiers.storage == Storage::uniform &&
+                   each.tokens.contains(declared->second);
+        });
     }
 
     /// The operand that begins at `at`.

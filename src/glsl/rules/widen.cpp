@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <optional>
 #include <span>
 
@@ -16,21 +15,21 @@
 namespace glibra::glsl {
 namespace {
 
-/// The arguments that may be scalars while others are vectors, as bits, for each overload of a function.
+/// The arguments that may be scalars while others are vectors, as bits.
 struct Function {
     std::string_view name;
     std::size_t arguments;
-    std::array<unsigned, 2> scalars;  ///< the allowed sets, in addition to the empty set
+    unsigned scalars;  ///< the set that is allowed, in addition to the empty one
 };
 constexpr std::array kFunctions = std::to_array<Function>({
-    {"pow", 2, {0, 0}},
-    {"mod", 2, {2, 2}},
-    {"min", 2, {2, 2}},
-    {"max", 2, {2, 2}},
-    {"step", 2, {1, 1}},
-    {"smoothstep", 3, {3, 3}},
-    {"clamp", 3, {6, 6}},
-    {"mix", 3, {4, 4}},
+    {"pow", 2, 0},
+    {"mod", 2, 2},
+    {"min", 2, 2},
+    {"max", 2, 2},
+    {"step", 2, 1},
+    {"smoothstep", 3, 3},
+    {"clamp", 3, 6},
+    {"mix", 3, 4},
 });
 
 /// The vector size to widen to, and the arguments that are scalars, as bits; nothing if the call is correct
@@ -54,9 +53,7 @@ std::optional<Widening> wideningOf(const Function& function, const Call& call) {
             result.size = type.rows;
         }
     }
-    const bool inOrder = result.size == 0 || result.scalars == 0 || result.scalars == function.scalars[0] ||
-                         result.scalars == function.scalars[1];
-    if (inOrder) result.scalars = 0;
+    if (result.size == 0 || result.scalars == function.scalars) result.scalars = 0;
     return result;
 }
 
@@ -102,104 +99,41 @@ class Widener {
         for (const Call& call : unit_.bodies.calls) {
             const std::string_view name = unit_.text(call.name);
             const auto* const function =
-                std::find_if(kFunctions.begin(), kFunctions.end(),
-                             [&](const Function& each) { return each.name == name; });
+                std::ranges::find_if(kFunctions, [&](const Function& each) { return each.name == name; });
             const bool isWidened = function != kFunctions.end();
             const bool isConverted =
                 listed(kFloatOnly, name) || listed(kForAll, name) || listed(kForSigned, name);
             if (unit_.isDeclared(name) || call.types.empty() || !(isWidened || isConverted)) continue;
-            const auto widening = isWidened ? wideningOf(*function, call) : std::optional(Widening{});
-            if (widening)
-                decide(call, *widening, conversionOf(name, call.types));
-            else if (const BaseType base = conversionOf(name, call.types); base != BaseType::unknown)
-                decide(call, Widening{}, base);
-            else
-                cannotTell(call);
+            const auto widening = isWidened ? wideningOf(*function, call) : std::nullopt;
+            change(call, widening.value_or(Widening{}), conversionOf(name, call.types));
         }
-        apply();
     }
 
   private:
-    using Span = std::pair<std::uint32_t, std::uint32_t>;
-    struct Wish {
-        std::string type;  ///< empty: no change
-        bool conflicting = false;
-        std::string text;
-        std::uint32_t place = 0;
-        std::size_t order = 0;
-    };
-
-    /// The first and the last token of an argument, if the argument can be put in brackets.
-    [[nodiscard]] std::optional<Span> spanOf(Range range) const {
-        if (range.empty()) return std::nullopt;
-        const ViewToken& first = unit_.view[range.first];
-        const ViewToken& last = unit_.view[range.end - 1];
-        if (first.body != last.body) return std::nullopt;
-        if (!first.body) return Span{first.raw, last.raw};
-        if (first.objectSite && first.site == last.site && wholeMacro(range))
-            return Span{first.site, first.site};
-        // If both are in the body of the same macro, all uses of it have to agree.
-        for (std::uint32_t i = first.raw; i <= last.raw && i < unit_.tokens.size(); ++i)
-            if (unit_.tokens[i].kind == TokenKind::newline) return std::nullopt;
-        return first.raw <= last.raw ? std::optional(Span{first.raw, last.raw}) : std::nullopt;
-    }
-    [[nodiscard]] bool wholeMacro(Range range) const {
-        const std::uint32_t site = unit_.view[range.first].site;
-        const auto outside = [&](std::uint32_t at) {
-            return at >= unit_.view.size() || unit_.view[at].site != site;
-        };
-        return outside(range.first - 1) && outside(range.end);
-    }
-
-    void cannotTell(const Call& call) {
-        for (const Range& each : call.arguments)
-            if (const auto span = spanOf(each); span && unit_.view[each.first].body)
-                wishes_[*span].conflicting = true;
-    }
-
-    void decide(const Call& call, const Widening& widening, BaseType base) {
+    /// Inner calls are recorded before the calls around them, so brackets nest.
+    void change(const Call& call, const Widening& widening, BaseType base) {
         const std::string type = "vec" + std::to_string(widening.size);
         std::string shape;
         for (const Type& each : call.types) shape += (shape.empty() ? "" : ", ") + wordOf(each);
         for (std::size_t i = 0; i < call.arguments.size(); ++i) {
-            const auto span = spanOf(call.arguments[i]);
-            if (!span) continue;
-            const bool isWidened = (widening.scalars >> i & 1U) != 0;
-            std::string wanted = isWidened ? type : std::string{};
-            const Type& own = call.types[i];
-            if (!isWidened && base != BaseType::unknown && own.integral() && own.base != base) {
-                Type converted = own;
-                converted.base = base;
-                wanted = wordOf(converted);
+            const Range argument = call.arguments[i];
+            if (argument.empty()) continue;
+            Type own = call.types[i];
+            if ((widening.scalars >> i & 1U) != 0) {
+                unit_.convert(argument, type);
+                report_.reportOnce(
+                    unit_.path + std::to_string(call.name), "glsl-W23",
+                    fmt::format("{}({}): the scalar is widened to {}", unit_.text(call.name), shape, type),
+                    unit_.place(call.name));
+            } else if (base != BaseType::unknown && own.integral() && own.base != base) {
+                own.base = base;  // what GLSL does itself
+                unit_.convert(argument, wordOf(own));
             }
-            const auto [found, isNew] =
-                wishes_.emplace(*span, Wish{wanted, false, {}, call.name, wishes_.size()});
-            if (!isNew && found->second.type != wanted) found->second.conflicting = true;
-            if (isNew && isWidened)
-                found->second.text =
-                    fmt::format("{}({}): the scalar is widened to {}", unit_.text(call.name), shape, type);
-        }
-    }
-
-    void apply() {
-        // Inner calls are recorded before the calls around them, so brackets nest in this order.
-        std::vector<std::pair<Span, const Wish*>> ordered;
-        for (const auto& [span, wish] : wishes_)
-            if (!wish.type.empty() && !wish.conflicting) ordered.emplace_back(span, &wish);
-        std::sort(ordered.begin(), ordered.end(),
-                  [](const auto& a, const auto& b) { return a.second->order < b.second->order; });
-        for (const auto& [span, wish] : ordered) {
-            unit_.edits.before(span.first, wish->type + "(");
-            unit_.edits.after(span.second, ")");
-            if (wish->text.empty()) continue;  // what GLSL does itself
-            const Place place = unit_.place(wish->place);
-            report_.reportOnce(unit_.path + std::to_string(wish->place), "glsl-W23", wish->text, place);
         }
     }
 
     Unit& unit_;
     Report& report_;
-    std::map<Span, Wish> wishes_;
 };
 
 }  // namespace

@@ -89,14 +89,13 @@ std::span<const BuiltinInput> builtinInputs() {
 const BuiltinUniform* findBuiltinUniform(std::string_view name) {
     const std::string key = emittedName(name);
     const auto* const found =
-        std::find_if(kUniforms.begin(), kUniforms.end(), [&](const auto& row) { return row.name == key; });
+        std::ranges::find_if(kUniforms, [&](const auto& row) { return row.name == key; });
     return found == kUniforms.end() ? nullptr : found;
 }
 
 const BuiltinInput* findBuiltinInput(std::string_view name) {
     const std::string key = emittedName(name);
-    const auto* const found =
-        std::find_if(kInputs.begin(), kInputs.end(), [&](const auto& row) { return row.name == key; });
+    const auto* const found = std::ranges::find_if(kInputs, [&](const auto& row) { return row.name == key; });
     return found == kInputs.end() ? nullptr : found;
 }
 

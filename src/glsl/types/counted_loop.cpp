@@ -32,8 +32,8 @@ std::optional<double> applied(Operation operation, double a, double b) {
 }
 
 bool isConstant(const Formula& formula) {
-    return std::none_of(formula.steps.begin(), formula.steps.end(),
-                        [](const auto& each) { return std::holds_alternative<std::string>(each); });
+    return std::ranges::none_of(formula.steps,
+                                [](const auto& each) { return std::holds_alternative<std::string>(each); });
 }
 
 }  // namespace

@@ -110,7 +110,7 @@ bool hasName(std::string_view names, const std::string& plainName) {
 }
 
 bool canTake(std::span<const std::string_view> types, std::string_view type) {
-    return std::find(types.begin(), types.end(), type) != types.end();
+    return std::ranges::find(types, type) != types.end();
 }
 
 }  // namespace
@@ -146,7 +146,7 @@ std::string inputNear(std::string_view name, std::string_view type) {
         }
     }
     const std::string_view own = ownWordOfInput(name);
-    const auto found = std::find(words.begin(), words.end(), base::nearestName(plain(own), words));
+    const auto found = std::ranges::find(words, base::nearestName(plain(own), words));
     if (found == words.end()) return {};
     std::string near(attributes[static_cast<std::size_t>(found - words.begin())]);
     if (isUpper(own.front())) near.front() = static_cast<char>(near.front() - 'a' + 'A');

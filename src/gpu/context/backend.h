@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "gpu/context/context.h"
+#include "gpu/context/context_options.h"
 
 namespace glibra::gpu {
 
@@ -19,8 +19,6 @@ class Backend {
     virtual bool makeCurrent() = 0;
     /// True if it is current on this thread.
     [[nodiscard]] virtual bool isCurrent() const = 0;
-    /// If it is current on this thread, none is afterwards, so that another thread can use it.
-    virtual void release() = 0;
     /// The address of a GL function, or null.
     virtual void* address(const char* function) = 0;
     [[nodiscard]] virtual Driver driver() const = 0;

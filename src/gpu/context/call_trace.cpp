@@ -202,7 +202,7 @@ std::string nextArgument(char kind, CallArguments& arguments) {
 
 }  // namespace
 
-CallTrace::CallTrace(const DebugLog& log) : log_(log) {
+CallTrace::CallTrace(const WorkPlaces& places) : places_(places) {
     trace = this;
 }
 
@@ -226,11 +226,11 @@ void CallTrace::add(const char* name, int argumentCount, CallArguments& argument
         text += "...";
     }
     text += ")";
-    if (!calls_.empty() && calls_.back().text == text && calls_.back().place == log_.place()) {
+    if (!calls_.empty() && calls_.back().text == text && calls_.back().place == places_.current()) {
         ++calls_.back().times;
         return;
     }
-    calls_.push_back({log_.place(), std::move(text)});
+    calls_.push_back({places_.current(), std::move(text)});
 }
 
 std::string CallTrace::text() const {

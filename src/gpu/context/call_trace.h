@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "gpu/context/debug.h"
+#include "gpu/context/work_places.h"
 
 namespace glibra::gpu {
 
@@ -19,8 +19,8 @@ struct CallArguments {
 /// time.
 class CallTrace {
   public:
-    /// `log` knows the places. It must outlive the trace.
-    explicit CallTrace(const DebugLog& log);
+    /// `places` must outlive the trace.
+    explicit CallTrace(const WorkPlaces& places);
     CallTrace(const CallTrace&) = delete;
     CallTrace& operator=(const CallTrace&) = delete;
     ~CallTrace();
@@ -39,7 +39,7 @@ class CallTrace {
         std::string text;
         std::size_t times = 1;
     };
-    const DebugLog& log_;
+    const WorkPlaces& places_;
     std::vector<Call> calls_;
 };
 

@@ -108,7 +108,7 @@ void readRaster(Capabilities& driver) {
 }  // namespace
 
 bool Capabilities::hasExtension(std::string_view name) const {
-    return std::binary_search(extensions.begin(), extensions.end(), name);
+    return std::ranges::binary_search(extensions, name);
 }
 
 Capabilities readCapabilities(bool throughOsmesa) {

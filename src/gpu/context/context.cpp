@@ -1,5 +1,6 @@
 #include "gpu/context/context.h"
 
+#include <fmt/format.h>
 #include <glad/gl.h>
 
 #include <algorithm>
@@ -46,7 +47,6 @@ class AdoptedBackend final : public Backend {
     [[nodiscard]] bool isCurrent() const override {
         return !adopted_ || adopted_->currentHandle() == adopted_->handle;
     }
-    void release() override {}
     void* address(const char* function) override { return loader_ ? loader_(function) : nullptr; }
     [[nodiscard]] Driver driver() const override { return Driver::automatic; }
     [[nodiscard]] std::string description() const override { return "context of a window"; }
@@ -81,8 +81,7 @@ struct Table {
 
     [[nodiscard]] bool isUsedElsewhere() const {
         const std::thread::id here = std::this_thread::get_id();
-        return std::any_of(contexts.begin(), contexts.end(),
-                           [&](std::thread::id each) { return each != here; });
+        return std::ranges::any_of(contexts, [&](std::thread::id each) { return each != here; });
     }
 };
 Table table;
@@ -115,14 +114,8 @@ std::string loadFunctions(Backend& backend, DebugLog& log) {
         table.driver = isLoaded ? driver : std::string();
         if (!isLoaded) return "no OpenGL 4.1";
     }
-    watchDevice(log);
+    watchDevice(log.places());
     return {};
-}
-
-std::string joined(const std::vector<std::string>& phrases) {
-    std::string text;
-    for (const std::string& each : phrases) text += (text.empty() ? "" : "; ") + each;
-    return text;
 }
 
 /// What a user can do who has no driver of this kind.
@@ -140,12 +133,12 @@ Context::State::State() {
 }
 
 Context::State::~State() {
-    unwatchDevice(log);
+    unwatchDevice(log.places());
     // An adopted context continues to exist.
     if (backend && backend->driver() == Driver::automatic && backend->isCurrent()) log.detach();
     backend.reset();
     const std::lock_guard<std::mutex> lock(table.mutex);
-    table.contexts.erase(std::find(table.contexts.begin(), table.contexts.end(), thread));
+    table.contexts.erase(std::ranges::find(table.contexts, thread));
 }
 
 void prepareEnvironment(const ContextOptions& options) {
@@ -216,8 +209,9 @@ Result<Context> openContext(const ContextOptions& options) {
         setInitialState();
         return Context(std::move(state));
     }
-    return diagnose("gpu-E01", "no usable OpenGL driver (4.1 core or later is needed); tried: " +
-                                   joined(failures) + adviceFor(options.driver));
+    return diagnose("gpu-E01",
+                    fmt::format("no usable OpenGL driver (4.1 core or later is needed); tried: {}{}",
+                                fmt::join(failures, "; "), adviceFor(options.driver)));
 }
 
 Diagnostics Context::State::useAdopted() {

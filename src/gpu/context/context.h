@@ -7,7 +7,6 @@
 // its context. After the driver has reset the device, whatever is read with the context throws
 // base::DeviceLost (reset.h), until another one is opened.
 
-#include <glibra/driver.h>
 #include <glibra/result.h>
 
 #include <functional>
@@ -16,22 +15,10 @@
 #include <vector>
 
 #include "gpu/context/capabilities.h"
+#include "gpu/context/context_options.h"
 #include "gpu/context/debug.h"
 
 namespace glibra::gpu {
-
-using glibra::Driver;
-
-struct ContextOptions {
-    Driver driver = Driver::automatic;
-    bool debugContext =
-        false;  ///< requests the driver's own checks as well; errors are collected in any case
-    /// Makes llvmpipe filter byte textures in float, as hardware does. This sets the environment variable
-    /// GALLIVM_PERF unless the user has set it, and takes effect at the first context of a process.
-    bool floatFiltering = true;
-    std::string eglLibrary = "libEGL.so.1";
-    std::vector<std::string> osmesaLibraries = {"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"};
-};
 
 class Context {
   public:

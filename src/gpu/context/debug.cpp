@@ -21,9 +21,6 @@ void GLAD_API_PTR receive(GLenum source, GLenum type, GLuint id, GLenum level, G
     if (source == GL_DEBUG_SOURCE_SHADER_COMPILER) return;
     DebugMessage message;
     message.severity = severityOf(type, level);
-    message.source = source;
-    message.type = type;
-    message.id = id;
     if (text)
         message.text = length < 0 ? std::string(text) : std::string(text, static_cast<std::size_t>(length));
     while (!message.text.empty() && message.text.back() == '\n') message.text.pop_back();
@@ -52,24 +49,9 @@ void DebugLog::detach() {
     callsBack_ = false;
 }
 
-void DebugLog::setPlace(const Place& place) {
-    place_ = place;
-    if (std::exchange(isFinished_, false) || unfinished_.first.file != place.file) {
-        unfinished_.first = place;  // keeps its memory: a frame of a moving scene allocates nothing
-        unfinished_.lastLine = place.line;
-    } else if (place.line < unfinished_.first.line) {
-        unfinished_.first = place;
-    } else {
-        unfinished_.lastLine = std::max(unfinished_.lastLine, place.line);
-    }
-}
-
 void DebugLog::add(DebugMessage message) {
-    if (messages_.size() >= kMost) {
-        ++dropped_;
-        return;
-    }
-    message.place = place_;
+    if (messages_.size() >= kMost) return;
+    message.place = places_.current();
     messages_.push_back(std::move(message));
 }
 
@@ -79,16 +61,12 @@ void DebugLog::check(std::string_view what) {
     if (code == GL_NO_ERROR) return;
     DebugMessage message;
     message.severity = Severity::error;
-    message.source = GL_DEBUG_SOURCE_API;
-    message.type = GL_DEBUG_TYPE_ERROR;
-    message.id = code;
     message.text = errorName(code) + " in " + std::string(what);
     message.outOfMemory = code == GL_OUT_OF_MEMORY;
     add(std::move(message));
 }
 
 std::vector<DebugMessage> DebugLog::take() {
-    dropped_ = 0;
     return std::exchange(messages_, {});
 }
 
@@ -109,9 +87,8 @@ Diagnostics DebugLog::takeDiagnostics() {
 }
 
 bool DebugLog::hasError() const {
-    for (const DebugMessage& each : messages_)
-        if (each.severity == Severity::error) return true;
-    return false;
+    return std::ranges::any_of(messages_,
+                               [](const DebugMessage& each) { return each.severity == Severity::error; });
 }
 
 }  // namespace glibra::gpu

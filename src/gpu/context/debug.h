@@ -8,16 +8,14 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
+
+#include "gpu/context/work_places.h"
 
 namespace glibra::gpu {
 
 struct DebugMessage {
     Severity severity = Severity::note;  ///< GL errors and messages of high severity are errors
-    GLenum source = 0;
-    GLenum type = 0;
-    GLuint id = 0;
     std::string text{};
     bool outOfMemory = false;
     Place place{};  ///< in the scene, where the call was made
@@ -25,20 +23,13 @@ struct DebugMessage {
 
 class DebugLog {
   public:
-    /// The number of messages kept; later ones are only counted.
+    /// The number of messages kept; later ones are lost.
     static constexpr std::size_t kMost = 256;
 
+    /// The places in the scene that the device works for. Messages belong to the current one.
+    [[nodiscard]] WorkPlaces& places() { return places_; }
     /// Sets the place in the scene that later messages belong to.
-    void setPlace(const Place& place);
-    [[nodiscard]] const Place& place() const { return place_; }
-    /// The places since the device was known to be idle.
-    struct Unfinished {
-        Place first;       ///< without a file: none
-        int lastLine = 0;  ///< the last one in the same file
-    };
-    [[nodiscard]] Unfinished unfinished() const { return isFinished_ ? Unfinished{} : unfinished_; }
-    /// The device has done all that it was given.
-    void finishPlaces() { isFinished_ = true; }
+    void setPlace(const Place& place) { places_.set(place); }
 
     /// Below GL 4.3, collects pending errors; `what` names the call ("glTexImage2D"). Otherwise it does
     /// nothing.
@@ -51,7 +42,6 @@ class DebugLog {
     /// programs contain them. A create() that failed for lack of memory has left its message here as well.
     Diagnostics takeDiagnostics();
     [[nodiscard]] bool hasError() const;
-    [[nodiscard]] std::size_t dropped() const { return dropped_; }
     /// True if the driver calls back.
     [[nodiscard]] bool callsBack() const { return callsBack_; }
 
@@ -64,11 +54,8 @@ class DebugLog {
 
   private:
     std::vector<DebugMessage> messages_;
-    std::size_t dropped_ = 0;
     bool callsBack_ = false;
-    Place place_;
-    Unfinished unfinished_;
-    bool isFinished_ = true;  ///< the next place is the first unfinished one
+    WorkPlaces places_;
 };
 
 }  // namespace glibra::gpu

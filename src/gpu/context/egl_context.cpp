@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -24,7 +25,8 @@ class EglBackend final : public Backend {
     EglBackend(const EglBackend&) = delete;
     EglBackend& operator=(const EglBackend&) = delete;
     ~EglBackend() override {
-        EglBackend::release();
+        if (EglBackend::isCurrent())
+            egl_.makeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
         egl_.destroyContext(display_, context_);
         // The display stays initialised: the process has one, and other code may use it.
     }
@@ -33,9 +35,6 @@ class EglBackend final : public Backend {
         return egl_.makeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_TRUE;
     }
     [[nodiscard]] bool isCurrent() const override { return egl_.getCurrentContext() == context_; }
-    void release() override {
-        if (isCurrent()) egl_.makeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-    }
     void* address(const char* function) override {
         return reinterpret_cast<void*>(egl_.getProcAddress(function));
     }
@@ -153,15 +152,6 @@ Attempt tryAll(const EglLibrary& egl, const std::vector<Candidate>& candidates, 
     return failures;
 }
 
-std::string deviceName(const EglLibrary& egl, EGLDeviceEXT device, int index) {
-    std::string name = "EGL device " + std::to_string(index);
-    const char* extensions = egl.queryDeviceString ? egl.queryDeviceString(device, EGL_EXTENSIONS) : nullptr;
-    if (extensions && listHas(extensions, "EGL_EXT_device_drm"))
-        if (const char* file = egl.queryDeviceString(device, EGL_DRM_DEVICE_FILE_EXT))
-            name += std::string(" ") + file;
-    return name;
-}
-
 /// All devices, software devices last.
 std::vector<Candidate> devices(const EglLibrary& egl) {
     constexpr EGLint kMost = 64;
@@ -172,11 +162,14 @@ std::vector<Candidate> devices(const EglLibrary& egl) {
     std::vector<Candidate> software;
     for (EGLint i = 0; i < count; ++i) {
         EGLDeviceEXT device = found[static_cast<std::size_t>(i)];
-        const char* extensions =
-            egl.queryDeviceString ? egl.queryDeviceString(device, EGL_EXTENSIONS) : nullptr;
-        const bool isSoftware = extensions && listHas(extensions, "EGL_MESA_device_software");
-        Candidate candidate{EGL_PLATFORM_DEVICE_EXT, device, Driver::eglDevice, deviceName(egl, device, i)};
-        (isSoftware ? software : hardware).push_back(std::move(candidate));
+        const char* list = egl.queryDeviceString ? egl.queryDeviceString(device, EGL_EXTENSIONS) : nullptr;
+        const std::string_view extensions = list ? list : "";
+        std::string name = "EGL device " + std::to_string(i);
+        if (listHas(extensions, "EGL_EXT_device_drm"))
+            if (const char* file = egl.queryDeviceString(device, EGL_DRM_DEVICE_FILE_EXT))
+                name += std::string(" ") + file;
+        (listHas(extensions, "EGL_MESA_device_software") ? software : hardware)
+            .push_back({EGL_PLATFORM_DEVICE_EXT, device, Driver::eglDevice, std::move(name)});
     }
     hardware.insert(hardware.end(), software.begin(), software.end());
     return hardware;

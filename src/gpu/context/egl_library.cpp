@@ -50,19 +50,14 @@ std::variant<EglLibrary, std::string> openEglLibrary(const std::string& name) {
 
     EglLibrary egl;
     egl.name = name;
-    egl.getProcAddress = library.function<PFNEGLGETPROCADDRESSPROC>("eglGetProcAddress");
-    egl.getError = library.function<PFNEGLGETERRORPROC>("eglGetError");
-    egl.queryString = library.function<PFNEGLQUERYSTRINGPROC>("eglQueryString");
-    egl.initialize = library.function<PFNEGLINITIALIZEPROC>("eglInitialize");
-    egl.bindApi = library.function<PFNEGLBINDAPIPROC>("eglBindAPI");
-    egl.chooseConfig = library.function<PFNEGLCHOOSECONFIGPROC>("eglChooseConfig");
-    egl.createContext = library.function<PFNEGLCREATECONTEXTPROC>("eglCreateContext");
-    egl.destroyContext = library.function<PFNEGLDESTROYCONTEXTPROC>("eglDestroyContext");
-    egl.makeCurrent = library.function<PFNEGLMAKECURRENTPROC>("eglMakeCurrent");
-    egl.getCurrentContext = library.function<PFNEGLGETCURRENTCONTEXTPROC>("eglGetCurrentContext");
-    if (!egl.getProcAddress || !egl.getError || !egl.queryString || !egl.initialize || !egl.bindApi ||
-        !egl.chooseConfig || !egl.createContext || !egl.destroyContext || !egl.makeCurrent ||
-        !egl.getCurrentContext)
+    if (!library.find("eglGetProcAddress", egl.getProcAddress) ||
+        !library.find("eglGetError", egl.getError) || !library.find("eglQueryString", egl.queryString) ||
+        !library.find("eglInitialize", egl.initialize) || !library.find("eglBindAPI", egl.bindApi) ||
+        !library.find("eglChooseConfig", egl.chooseConfig) ||
+        !library.find("eglCreateContext", egl.createContext) ||
+        !library.find("eglDestroyContext", egl.destroyContext) ||
+        !library.find("eglMakeCurrent", egl.makeCurrent) ||
+        !library.find("eglGetCurrentContext", egl.getCurrentContext))
         return name + " is not an EGL library";
 
     // Null for EGL libraries without client extensions.

@@ -1,7 +1,9 @@
 #include "gpu/context/errors.h"
 
+#include <fmt/format.h>
+
 #include <array>
-#include <cstdio>
+#include <utility>
 
 namespace glibra::gpu {
 namespace {
@@ -12,24 +14,17 @@ constexpr int kMostErrors = 32;
 }  // namespace
 
 std::string errorName(GLenum code) {
-    switch (code) {
-        case GL_NO_ERROR:
-            return "GL_NO_ERROR";
-        case GL_INVALID_ENUM:
-            return "GL_INVALID_ENUM";
-        case GL_INVALID_VALUE:
-            return "GL_INVALID_VALUE";
-        case GL_INVALID_OPERATION:
-            return "GL_INVALID_OPERATION";
-        case GL_INVALID_FRAMEBUFFER_OPERATION:
-            return "GL_INVALID_FRAMEBUFFER_OPERATION";
-        case GL_OUT_OF_MEMORY:
-            return "GL_OUT_OF_MEMORY";
-        case GL_CONTEXT_LOST:
-            return "GL_CONTEXT_LOST";
-        default:
-            break;
-    }
+    static constexpr std::array<std::pair<GLenum, const char*>, 7> kNames{{
+        {GL_NO_ERROR, "GL_NO_ERROR"},
+        {GL_INVALID_ENUM, "GL_INVALID_ENUM"},
+        {GL_INVALID_VALUE, "GL_INVALID_VALUE"},
+        {GL_INVALID_OPERATION, "GL_INVALID_OPERATION"},
+        {GL_INVALID_FRAMEBUFFER_OPERATION, "GL_INVALID_FRAMEBUFFER_OPERATION"},
+        {GL_OUT_OF_MEMORY, "GL_OUT_OF_MEMORY"},
+        {GL_CONTEXT_LOST, "GL_CONTEXT_LOST"},
+    }};
+    for (const auto& [value, name] : kNames)
+        if (value == code) return name;
     return "error " + std::to_string(code);
 }
 
@@ -58,10 +53,7 @@ std::string readableBytes(std::uint64_t bytes) {
         value /= 1024;
         ++unit;
     }
-    std::array<char, 32> text{};
-    (void)std::snprintf(text.data(), text.size(), unit == 0 || value >= 100 ? "%.0f %s" : "%.1f %s", value,
-                        kUnits[unit]);
-    return text.data();
+    return fmt::format("{:.{}f} {}", value, unit == 0 || value >= 100 ? 0 : 1, kUnits[unit]);
 }
 
 }  // namespace glibra::gpu

@@ -4,12 +4,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <string>
 #include <string_view>
 #include <system_error>
+
+#include "base/text.h"
 
 namespace glibra::gpu {
 namespace {
@@ -23,10 +24,9 @@ bool canOpen(const fs::path& file) {
 /// True if the variable holds what Mesa reads as yes, in upper or lower case.
 bool mesaMustUseSoftware() {
     const char* value = std::getenv("LIBGL_ALWAYS_SOFTWARE");
-    std::string word = value ? value : "";
-    std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::tolower(c); });
+    const std::string word = base::lower(value ? value : "");
     constexpr std::array<std::string_view, 4> kYes{"1", "true", "y", "yes"};
-    return std::find(kYes.begin(), kYes.end(), word) != kYes.end();
+    return std::ranges::find(kYes, word) != kYes.end();
 }
 
 }  // namespace

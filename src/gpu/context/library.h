@@ -13,10 +13,11 @@ class Library {
     /// Opens the library; a text is the loader's reason for a failure.
     static std::variant<Library, std::string> open(const std::string& name);
 
-    /// The function of that name, or null.
+    /// Sets `function` to the one of that name. False, with null, if there is none.
     template <class Function>
-    [[nodiscard]] Function function(const char* name) const {
-        return reinterpret_cast<Function>(address(name));
+    [[nodiscard]] bool find(const char* name, Function& function) const {
+        function = reinterpret_cast<Function>(address(name));
+        return function != nullptr;
     }
 
   private:

@@ -44,7 +44,7 @@ class OsmesaBackend final : public Backend {
     OsmesaBackend(const OsmesaBackend&) = delete;
     OsmesaBackend& operator=(const OsmesaBackend&) = delete;
     ~OsmesaBackend() override {
-        OsmesaBackend::release();
+        if (OsmesaBackend::isCurrent()) library_.makeCurrent(nullptr, nullptr, 0, 0, 0);
         library_.destroyContext(context_);
     }
 
@@ -52,9 +52,6 @@ class OsmesaBackend final : public Backend {
         return library_.makeCurrent(context_, pixel_.data(), kUnsignedByte, 1, 1) != 0;
     }
     [[nodiscard]] bool isCurrent() const override { return library_.getCurrentContext() == context_; }
-    void release() override {
-        if (isCurrent()) library_.makeCurrent(nullptr, nullptr, 0, 0, 0);
-    }
     void* address(const char* function) override { return library_.getProcAddress(function); }
     [[nodiscard]] Driver driver() const override { return Driver::osmesa; }
     [[nodiscard]] std::string description() const override { return "OSMesa (" + library_.name + ")"; }
@@ -72,15 +69,11 @@ std::variant<OsmesaLibrary, std::string> openLibrary(const std::string& name) {
     const Library& library = std::get<Library>(opened);
     OsmesaLibrary osmesa;
     osmesa.name = name;
-    osmesa.createContextAttribs =
-        library.function<decltype(osmesa.createContextAttribs)>("OSMesaCreateContextAttribs");
-    osmesa.destroyContext = library.function<decltype(osmesa.destroyContext)>("OSMesaDestroyContext");
-    osmesa.makeCurrent = library.function<decltype(osmesa.makeCurrent)>("OSMesaMakeCurrent");
-    osmesa.getCurrentContext =
-        library.function<decltype(osmesa.getCurrentContext)>("OSMesaGetCurrentContext");
-    osmesa.getProcAddress = library.function<decltype(osmesa.getProcAddress)>("OSMesaGetProcAddress");
-    if (!osmesa.createContextAttribs || !osmesa.destroyContext || !osmesa.makeCurrent ||
-        !osmesa.getCurrentContext || !osmesa.getProcAddress)
+    if (!library.find("OSMesaCreateContextAttribs", osmesa.createContextAttribs) ||
+        !library.find("OSMesaDestroyContext", osmesa.destroyContext) ||
+        !library.find("OSMesaMakeCurrent", osmesa.makeCurrent) ||
+        !library.find("OSMesaGetCurrentContext", osmesa.getCurrentContext) ||
+        !library.find("OSMesaGetProcAddress", osmesa.getProcAddress))
         return name + " is not an OSMesa library, or too old";
     return osmesa;
 }

@@ -13,7 +13,7 @@ namespace {
 
 /// There is one for each thread, which has one context at a time.
 struct Watched {
-    DebugLog* log = nullptr;
+    WorkPlaces* places = nullptr;
     GLenum (*status)() = nullptr;           ///< null: the driver cannot tell
     std::optional<base::ResetCause> cause;  ///< of the reset; a driver may tell it only once
     int notWaiting = 0;                     ///< NothingFinished that live
@@ -31,8 +31,8 @@ void refuse(base::ResetCause cause) {
     if (std::uncaught_exceptions() > 0) return;
     base::DeviceLost lost;
     lost.cause = cause;
-    if (watched.log != nullptr) {
-        DebugLog::Unfinished unfinished = watched.log->unfinished();
+    if (watched.places != nullptr) {
+        WorkPlaces::Unfinished unfinished = watched.places->unfinished();
         lost.place = std::move(unfinished.first);
         lost.lastLine = unfinished.lastLine;
     }
@@ -44,8 +44,8 @@ enum class Waits { no, forAll };
 
 void endCall(Waits waits) {
     expectDevice();
-    if (waits == Waits::forAll && watched.notWaiting == 0 && watched.log != nullptr)
-        watched.log->finishPlaces();
+    if (waits == Waits::forAll && watched.notWaiting == 0 && watched.places != nullptr)
+        watched.places->finish();
 }
 
 /// A function of the table that asks for a reset before it returns.
@@ -121,18 +121,18 @@ void guardFunctions() {
 
 }  // namespace
 
-void watchDevice(DebugLog& log) {
-    watched = {&log, glad_glGetGraphicsResetStatus, std::nullopt, 0};
+void watchDevice(WorkPlaces& places) {
+    watched = {&places, glad_glGetGraphicsResetStatus, std::nullopt, 0};
     if (watched.status == nullptr) watched.status = glad_glGetGraphicsResetStatusARB;
     guardFunctions();
 }
 
-void unwatchDevice(const DebugLog& log) {
-    if (watched.log == &log) watched = {};
+void unwatchDevice(const WorkPlaces& places) {
+    if (watched.places == &places) watched = {};
 }
 
 bool resetIsOnlyAnError() {
-    return watched.log != nullptr && watched.status == nullptr;
+    return watched.places != nullptr && watched.status == nullptr;
 }
 
 NothingFinished::NothingFinished() {

@@ -6,15 +6,15 @@
 
 #include <glad/gl.h>
 
-#include "gpu/context/debug.h"
+#include "gpu/context/work_places.h"
 
 namespace glibra::gpu {
 
-/// Begins to watch the context that is current, after its functions have been loaded. `log` knows which
-/// statement of a scene is being drawn; it must live as long as the context is used.
-void watchDevice(DebugLog& log);
+/// Begins to watch the context that is current, after its functions have been loaded. `places`: the
+/// statements of a scene that are being drawn; it must live as long as the context is used.
+void watchDevice(WorkPlaces& places);
 /// Call it when the context ends.
-void unwatchDevice(const DebugLog& log);
+void unwatchDevice(const WorkPlaces& places);
 
 /// Throws base::DeviceLost if the driver has reset the device since the context was made. Every function of
 /// GL that delivers content, counts, logs or errors calls it afterwards, as does glFinish. Without the

@@ -73,51 +73,20 @@ FormatUse useOf(const Capabilities& capabilities, TexelFormat format) {
 }
 
 GLenum glType(TexelType type) {
-    switch (type) {
-        case TexelType::u8:
-            return GL_UNSIGNED_BYTE;
-        case TexelType::u16:
-            return GL_UNSIGNED_SHORT;
-        case TexelType::u32:
-            return GL_UNSIGNED_INT;
-        case TexelType::i8:
-            return GL_BYTE;
-        case TexelType::i16:
-            return GL_SHORT;
-        case TexelType::i32:
-            return GL_INT;
-        case TexelType::f32:
-            break;
-    }
-    return GL_FLOAT;
+    constexpr std::array<GLenum, 7> kTexelTypes{
+        GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT, GL_UNSIGNED_INT, GL_BYTE, GL_SHORT, GL_INT, GL_FLOAT};
+    return kTexelTypes.at(static_cast<std::size_t>(type));
 }
 
 GLenum glFormat(int components) {
-    switch (components) {
-        case 1:
-            return GL_RED;
-        case 2:
-            return GL_RG;
-        case 3:
-            return GL_RGB;
-        default:
-            return GL_RGBA;
-    }
+    constexpr std::array<GLenum, 4> kFormats{GL_RED, GL_RG, GL_RGB, GL_RGBA};
+    return kFormats.at(static_cast<std::size_t>(components) - 1);
 }
 
 GLenum glFormat(int components, TexelFormat format) {
+    constexpr std::array<GLenum, 4> kIntegers{GL_RED_INTEGER, GL_RG_INTEGER, GL_RGB_INTEGER, GL_RGBA_INTEGER};
     if (hasDepth(format)) return GL_DEPTH_COMPONENT;
-    if (!isInteger(format)) return glFormat(components);
-    switch (components) {
-        case 1:
-            return GL_RED_INTEGER;
-        case 2:
-            return GL_RG_INTEGER;
-        case 3:
-            return GL_RGB_INTEGER;
-        default:
-            return GL_RGBA_INTEGER;
-    }
+    return isInteger(format) ? kIntegers.at(static_cast<std::size_t>(components) - 1) : glFormat(components);
 }
 
 }  // namespace glibra::gpu

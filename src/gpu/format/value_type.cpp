@@ -152,7 +152,7 @@ constexpr auto kTypes = std::to_array<Row>({
 
 base::ValueType valueType(GLenum type) {
     const auto* const found =
-        std::find_if(kTypes.begin(), kTypes.end(), [type](const Row& each) { return each.type == type; });
+        std::ranges::find_if(kTypes, [type](const Row& each) { return each.type == type; });
     if (found == kTypes.end()) return {.base = other};
     return {found->base, found->columns, found->rows, found->target, std::string(found->word)};
 }

@@ -20,12 +20,10 @@ Result<Buffer> Buffer::allocate(const std::byte* content, std::size_t bytes, GLe
     if (bytes > static_cast<std::size_t>(std::numeric_limits<GLsizeiptr>::max()))
         return allocationError(GL_OUT_OF_MEMORY, "a buffer of " + readableBytes(bytes));
     Buffer buffer;
-    GLuint name = 0;
-    glGenBuffers(1, &name);
-    buffer.name_ = Name<deleteBuffer>(name);
+    buffer.name_ = Name<glDeleteBuffers>(glGenBuffers);
     buffer.size_ = bytes;
     clearErrors();
-    glBindBuffer(kUploadTarget, name);
+    buffer.bind(kUploadTarget);
     glBufferData(kUploadTarget, static_cast<GLsizeiptr>(bytes), content, usage);
     if (const GLenum code = takeError(); code != GL_NO_ERROR)
         return allocationError(code, "a buffer of " + readableBytes(bytes));

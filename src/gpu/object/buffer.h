@@ -11,10 +11,6 @@
 
 namespace glibra::gpu {
 
-inline void deleteBuffer(GLuint name) {
-    glDeleteBuffers(1, &name);
-}
-
 /// Device memory for vertices, indices, uniform and storage blocks, atomic counters and the arguments of
 /// indirect draws and dispatches. Its size never changes.
 class Buffer {
@@ -45,14 +41,8 @@ class Buffer {
 
   private:
     static Result<Buffer> allocate(const std::byte* content, std::size_t bytes, GLenum usage);
-    Name<deleteBuffer> name_;
+    Name<glDeleteBuffers> name_;
     std::size_t size_ = 0;
 };
-
-/// The bytes of any span of plain values, for Buffer::create.
-template <class T>
-std::span<const std::byte> bytesOf(std::span<const T> values) {
-    return std::as_bytes(values);
-}
 
 }  // namespace glibra::gpu

@@ -2,12 +2,6 @@
 
 namespace glibra::gpu {
 
-BufferTexture::BufferTexture() {
-    GLuint name = 0;
-    glGenTextures(1, &name);
-    name_ = Name<deleteTexture>(name);
-}
-
 void BufferTexture::bind(int unit, const Buffer& buffer, TexelFormat format) const {
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
     glBindTexture(GL_TEXTURE_BUFFER, name_.get());

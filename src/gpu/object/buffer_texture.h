@@ -12,7 +12,6 @@ namespace glibra::gpu {
 /// A texture without texels of its own: those are the bytes of a buffer from its beginning on.
 class BufferTexture {
   public:
-    BufferTexture();
     /// Binds it to a texture image unit, with the texels of that buffer. The format is one of r32f, rg32f,
     /// rgba32f and the integers of these sizes (OpenGL 4.1 core, table 3.15).
     void bind(int unit, const Buffer& buffer, TexelFormat format) const;
@@ -20,7 +19,7 @@ class BufferTexture {
     void bindImage(int unit, const Buffer& buffer, TexelFormat format, TexelFormat as) const;
 
   private:
-    Name<deleteTexture> name_;
+    Name<glDeleteTextures> name_{glGenTextures};
 };
 
 }  // namespace glibra::gpu

@@ -1,7 +1,6 @@
 #include "gpu/object/framebuffer.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -55,25 +54,14 @@ void attachTexture(GLenum framebufferTarget, GLenum point, const TexturePart& pa
     const Texture& texture = *part.texture;
     const int layer = part.layer.value_or(0);
     if (part.isLayered()) return glFramebufferTexture(framebufferTarget, point, texture.id(), part.level);
-    switch (texture.shape()) {
-        case TextureShape::texture1D:
-            return glFramebufferTexture1D(framebufferTarget, point, GL_TEXTURE_1D, texture.id(), part.level);
-        case TextureShape::texture3D:
-        case TextureShape::array1D:
-        case TextureShape::array2D:
-        case TextureShape::cubeArray:
-        case TextureShape::multisampledArray:
-            return glFramebufferTextureLayer(framebufferTarget, point, texture.id(), part.level, layer);
-        case TextureShape::cube:
-            return glFramebufferTexture2D(framebufferTarget, point,
-                                          GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(layer),
-                                          texture.id(), part.level);
-        case TextureShape::texture2D:
-        case TextureShape::rectangle:
-        case TextureShape::multisampled:
-            return glFramebufferTexture2D(framebufferTarget, point, glTarget(texture.shape()), texture.id(),
-                                          part.level);
-    }
+    if (texture.shape() == TextureShape::texture3D || isArray(texture.shape()))
+        return glFramebufferTextureLayer(framebufferTarget, point, texture.id(), part.level, layer);
+    if (texture.shape() == TextureShape::texture1D)
+        return glFramebufferTexture1D(framebufferTarget, point, GL_TEXTURE_1D, texture.id(), part.level);
+    const GLenum target = texture.shape() == TextureShape::cube
+                              ? GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(layer)
+                              : glTarget(texture.shape());
+    glFramebufferTexture2D(framebufferTarget, point, target, texture.id(), part.level);
 }
 
 Result<Renderbuffer> Renderbuffer::create(const Capabilities& capabilities, int width, int height,
@@ -93,14 +81,12 @@ Result<Renderbuffer> Renderbuffer::create(const Capabilities& capabilities, int 
     what += " (" + readableBytes(bytes) + ")";
 
     Renderbuffer made;
-    GLuint name = 0;
-    glGenRenderbuffers(1, &name);
-    made.name_ = Name<deleteRenderbuffer>(name);
+    made.name_ = Name<glDeleteRenderbuffers>(glGenRenderbuffers);
     made.format_ = format;
     made.width_ = width;
     made.height_ = height;
     clearErrors();
-    glBindRenderbuffer(GL_RENDERBUFFER, name);
+    glBindRenderbuffer(GL_RENDERBUFFER, made.id());
     // 0 samples means not multisampled; some drivers make a multisampled buffer for 1.
     glRenderbufferStorageMultisample(GL_RENDERBUFFER, used > 1 ? used : 0, internalFormat(format), width,
                                      height);
@@ -111,23 +97,11 @@ Result<Renderbuffer> Renderbuffer::create(const Capabilities& capabilities, int 
     return made;
 }
 
-Result<Renderbuffer> Renderbuffer::color(const Capabilities& capabilities, int width, int height,
-                                         TexelFormat format, int samples) {
-    return create(capabilities, width, height, format, samples);
-}
-
-Result<Renderbuffer> Renderbuffer::depth(const Capabilities& capabilities, int width, int height, int samples,
-                                         TexelFormat format) {
-    return create(capabilities, width, height, format, samples);
-}
-
 Result<Framebuffer> Framebuffer::create(std::span<const Attachment> colors, const Attachment& depth) {
     Framebuffer made;
-    GLuint name = 0;
-    glGenFramebuffers(1, &name);
-    made.name_ = Name<deleteFramebuffer>(name);
+    made.name_ = Name<glDeleteFramebuffers>(glGenFramebuffers);
     made.colorCount_ = static_cast<int>(colors.size());
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, name);
+    made.bindForDrawing();
     std::vector<GLenum> outputs;
     for (const Attachment& each : colors) {
         std::visit(Attach{outputs.size()}, each);

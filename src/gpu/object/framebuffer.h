@@ -15,23 +15,13 @@
 
 namespace glibra::gpu {
 
-inline void deleteRenderbuffer(GLuint name) {
-    glDeleteRenderbuffers(1, &name);
-}
-inline void deleteFramebuffer(GLuint name) {
-    glDeleteFramebuffers(1, &name);
-}
-
 /// Colour or depth of every pixel, with one or more samples.
 class Renderbuffer {
   public:
-    /// Makes colour storage. `samples` is limited to what the driver supports. Reports gpu-E04 for a size
-    /// beyond the driver's limit and draw-E05 for lack of memory.
-    static Result<Renderbuffer> color(const Capabilities& capabilities, int width, int height,
-                                      TexelFormat format, int samples = 1);
-    /// Makes depth storage of 24 bits or more, or of a given format with depth.
-    static Result<Renderbuffer> depth(const Capabilities& capabilities, int width, int height,
-                                      int samples = 1, TexelFormat format = TexelFormat::depth24);
+    /// Makes storage for colours or depth. `samples` is limited to what the driver supports. Reports gpu-E04
+    /// for a size beyond the driver's limit and draw-E05 for lack of memory.
+    static Result<Renderbuffer> create(const Capabilities& capabilities, int width, int height,
+                                       TexelFormat format, int samples = 1);
 
     [[nodiscard]] TexelFormat format() const { return format_; }
     [[nodiscard]] GLuint id() const { return name_.get(); }
@@ -41,9 +31,7 @@ class Renderbuffer {
     [[nodiscard]] int samples() const { return samples_; }
 
   private:
-    static Result<Renderbuffer> create(const Capabilities& capabilities, int width, int height,
-                                       TexelFormat format, int samples);
-    Name<deleteRenderbuffer> name_;
+    Name<glDeleteRenderbuffers> name_;
     TexelFormat format_ = TexelFormat::rgba8;
     int width_ = 0, height_ = 0, samples_ = 1;
 };
@@ -81,7 +69,7 @@ class Framebuffer {
     [[nodiscard]] int colorCount() const { return colorCount_; }
 
   private:
-    Name<deleteFramebuffer> name_;
+    Name<glDeleteFramebuffers> name_;
     int colorCount_ = 0;
 };
 

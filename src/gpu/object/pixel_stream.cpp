@@ -3,6 +3,7 @@
 #include <cstring>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "gpu/context/errors.h"
 #include "gpu/context/reset.h"
@@ -24,11 +25,10 @@ PixelStream::~PixelStream() {
 
 /// False if there is no memory.
 bool PixelStream::makeBuffer(Slot& slot, std::size_t bytes) const {
-    GLuint name = 0;
-    glGenBuffers(1, &name);
+    Name<glDeleteBuffers> buffer(glGenBuffers);
     slot = {};
-    slot.buffer = Name<deleteBuffer>(name);
-    glBindBuffer(GL_PIXEL_PACK_BUFFER, name);
+    slot.buffer = std::move(buffer);
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, slot.buffer.get());
     const auto size = static_cast<GLsizeiptr>(bytes);
     if (capabilities_.persistentMaps) {
         constexpr GLbitfield kMap = GL_MAP_READ_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;

@@ -39,7 +39,7 @@ class PixelStream {
 
   private:
     struct Slot {
-        Name<deleteBuffer> buffer;
+        Name<glDeleteBuffers> buffer;
         std::size_t bytes = 0;
         const std::byte* mapped = nullptr;  ///< null: it is mapped to be read
         GLsync done = nullptr;

@@ -6,24 +6,14 @@
 namespace glibra::gpu {
 namespace {
 
-std::string shaderLog(GLuint shader) {
+/// The log of a shader or program, by the functions of GL for its kind.
+std::string logOf(GLuint name, PFNGLGETSHADERIVPROC query, PFNGLGETSHADERINFOLOGPROC read) {
     GLint length = 0;
-    glGetShaderiv(shader, GL_INFO_LOG_LENGTH, &length);
+    query(name, GL_INFO_LOG_LENGTH, &length);
     if (length <= 1) return {};
     std::string log(static_cast<std::size_t>(length), '\0');
     GLsizei written = 0;
-    glGetShaderInfoLog(shader, length, &written, log.data());
-    log.resize(static_cast<std::size_t>(written));
-    return log;
-}
-
-std::string programLog(GLuint program) {
-    GLint length = 0;
-    glGetProgramiv(program, GL_INFO_LOG_LENGTH, &length);
-    if (length <= 1) return {};
-    std::string log(static_cast<std::size_t>(length), '\0');
-    GLsizei written = 0;
-    glGetProgramInfoLog(program, length, &written, log.data());
+    read(name, length, &written, log.data());
     log.resize(static_cast<std::size_t>(written));
     return log;
 }
@@ -49,7 +39,7 @@ ProgramBuild::ProgramBuild(const Capabilities& capabilities, const ProgramSource
     // Request everything before querying anything: a query waits. A stage that does not compile only makes
     // the link fail.
     for (const StageSource& each : source.stages) {
-        Name<deleteShader> shader(glCreateShader(each.stage));
+        Name<glDeleteShader> shader(glCreateShader(each.stage));
         // An empty view may hold a null pointer, which GL refuses even with length 0.
         const std::array<const GLchar*, 1> texts{each.text.empty() ? "" : each.text.data()};
         const std::array<GLint, 1> lengths{static_cast<GLint>(each.text.size())};
@@ -94,13 +84,14 @@ BuildOutcome ProgramBuild::finish() {
     for (const StageBuild& each : stages_) {
         GLint compiled = GL_FALSE;
         glGetShaderiv(each.shader.get(), GL_COMPILE_STATUS, &compiled);
-        outcome.stages.push_back({each.stage, compiled != GL_FALSE, shaderLog(each.shader.get())});
+        outcome.stages.push_back(
+            {each.stage, compiled != GL_FALSE, logOf(each.shader.get(), glGetShaderiv, glGetShaderInfoLog)});
         allCompiled = allCompiled && compiled != GL_FALSE;
     }
     if (!allCompiled) return outcome;
     GLint linked = GL_FALSE;
     glGetProgramiv(program_.get(), GL_LINK_STATUS, &linked);
-    outcome.linkLog = programLog(program_.get());
+    outcome.linkLog = logOf(program_.get(), glGetProgramiv, glGetProgramInfoLog);
     // The linked program no longer needs its shaders.
     for (const StageBuild& each : stages_) glDetachShader(program_.get(), each.shader.get());
     stages_.clear();

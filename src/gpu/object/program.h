@@ -19,13 +19,6 @@
 
 namespace glibra::gpu {
 
-inline void deleteShader(GLuint name) {
-    glDeleteShader(name);
-}
-inline void deleteProgram(GLuint name) {
-    glDeleteProgram(name);
-}
-
 /// A linked program.
 class Program {
   public:
@@ -39,7 +32,7 @@ class Program {
     [[nodiscard]] const std::array<int, 3>& localSize() const;
 
   private:
-    Name<deleteProgram> name_;
+    Name<glDeleteProgram> name_;
     mutable std::map<GLint, std::vector<std::byte>> uploaded_;  ///< by location, one element each
     mutable std::optional<std::array<int, 3>> localSize_;
 };
@@ -89,10 +82,10 @@ class ProgramBuild {
   private:
     struct StageBuild {
         GLenum stage;
-        Name<deleteShader> shader;
+        Name<glDeleteShader> shader;
     };
     std::vector<StageBuild> stages_;
-    Name<deleteProgram> program_;
+    Name<glDeleteProgram> program_;
     bool canAsk_ = false;
 };
 

@@ -8,20 +8,12 @@
 
 namespace glibra::gpu {
 
-inline void deleteQuery(GLuint name) {
-    glDeleteQueries(1, &name);
-}
-
 /// Counts what the device does between begin() and end(): GL_SAMPLES_PASSED, GL_PRIMITIVES_GENERATED,
 /// GL_TIME_ELAPSED (nanoseconds) and so on. Only one query of a kind can run at a time. On llvmpipe
 /// GL_TIME_ELAPSED measures the rasteriser's threads, which start when drawing is flushed.
 class Query {
   public:
-    explicit Query(GLenum kind) : kind_(kind) {
-        GLuint name = 0;
-        glGenQueries(1, &name);
-        name_ = Name<deleteQuery>(name);
-    }
+    explicit Query(GLenum kind) : kind_(kind) {}
     void begin() const { glBeginQuery(kind_, name_.get()); }
     void end() const { glEndQuery(kind_); }
     [[nodiscard]] bool isReady() const {
@@ -38,7 +30,7 @@ class Query {
 
   private:
     GLenum kind_;
-    Name<deleteQuery> name_;
+    Name<glDeleteQueries> name_{glGenQueries};
 };
 
 }  // namespace glibra::gpu

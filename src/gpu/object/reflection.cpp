@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <numeric>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -16,7 +17,7 @@ namespace {
 GLint parameter(GLuint program, GLenum what) {
     GLint value = 0;
     glGetProgramiv(program, what, &value);
-    return value;
+    return std::max(value, 0);
 }
 
 /// Room for the longest name. Some drivers count it without the terminating zero.
@@ -42,10 +43,9 @@ std::vector<GLint> layout(GLuint program, const std::vector<GLuint>& indices, GL
 }
 
 std::vector<base::ActiveUniform> uniformsOf(GLuint program) {
-    const GLint count = parameter(program, GL_ACTIVE_UNIFORMS);
     std::string buffer = nameBuffer(parameter(program, GL_ACTIVE_UNIFORM_MAX_LENGTH));
-    std::vector<GLuint> indices(static_cast<std::size_t>(std::max(count, 0)));
-    for (std::size_t i = 0; i < indices.size(); ++i) indices[i] = static_cast<GLuint>(i);
+    std::vector<GLuint> indices(static_cast<std::size_t>(parameter(program, GL_ACTIVE_UNIFORMS)));
+    std::iota(indices.begin(), indices.end(), GLuint{0});
     const std::vector<GLint> blocks = layout(program, indices, GL_UNIFORM_BLOCK_INDEX);
     const std::vector<GLint> offsets = layout(program, indices, GL_UNIFORM_OFFSET);
     const std::vector<GLint> arrayStrides = layout(program, indices, GL_UNIFORM_ARRAY_STRIDE);
@@ -82,10 +82,10 @@ std::vector<base::ActiveUniform> uniformsOf(GLuint program) {
 }
 
 std::vector<base::UniformBlock> blocksOf(GLuint program) {
-    const GLint count = parameter(program, GL_ACTIVE_UNIFORM_BLOCKS);
+    const auto count = static_cast<GLuint>(parameter(program, GL_ACTIVE_UNIFORM_BLOCKS));
     std::string buffer = nameBuffer(parameter(program, GL_ACTIVE_UNIFORM_BLOCK_MAX_NAME_LENGTH));
     std::vector<base::UniformBlock> blocks;
-    for (GLuint index = 0; index < static_cast<GLuint>(std::max(count, 0)); ++index) {
+    for (GLuint index = 0; index < count; ++index) {
         base::UniformBlock block;
         GLsizei length = 0;
         glGetActiveUniformBlockName(program, index, static_cast<GLsizei>(buffer.size()), &length,
@@ -99,10 +99,10 @@ std::vector<base::UniformBlock> blocksOf(GLuint program) {
 }
 
 std::vector<base::ActiveInput> inputsOf(GLuint program) {
-    const GLint count = parameter(program, GL_ACTIVE_ATTRIBUTES);
+    const auto count = static_cast<GLuint>(parameter(program, GL_ACTIVE_ATTRIBUTES));
     std::string buffer = nameBuffer(parameter(program, GL_ACTIVE_ATTRIBUTE_MAX_LENGTH));
     std::vector<base::ActiveInput> inputs;
-    for (GLuint index = 0; index < static_cast<GLuint>(std::max(count, 0)); ++index) {
+    for (GLuint index = 0; index < count; ++index) {
         GLsizei length = 0;
         GLint size = 0;
         GLenum type = 0;
@@ -118,10 +118,10 @@ std::vector<base::ActiveInput> inputsOf(GLuint program) {
 
 // ---- GL 4.3: program interfaces
 
-GLint interfaceParameter(GLuint program, GLenum interface, GLenum what) {
-    GLint value = 0;
-    glGetProgramInterfaceiv(program, interface, what, &value);
-    return value;
+GLuint resourceCount(GLuint program, GLenum interface) {
+    GLint count = 0;
+    glGetProgramInterfaceiv(program, interface, GL_ACTIVE_RESOURCES, &count);
+    return static_cast<GLuint>(std::max(count, 0));
 }
 
 std::string resourceName(GLuint program, GLenum interface, GLuint index) {
@@ -172,9 +172,9 @@ base::StorageMember memberOf(GLuint program, GLuint index) {
 }
 
 std::vector<base::StorageBlock> storageBlocksOf(GLuint program) {
-    const GLint count = interfaceParameter(program, GL_SHADER_STORAGE_BLOCK, GL_ACTIVE_RESOURCES);
+    const GLuint count = resourceCount(program, GL_SHADER_STORAGE_BLOCK);
     std::vector<base::StorageBlock> blocks;
-    for (GLuint index = 0; index < static_cast<GLuint>(std::max(count, 0)); ++index) {
+    for (GLuint index = 0; index < count; ++index) {
         const auto [bytes, members] = resource<2>(program, GL_SHADER_STORAGE_BLOCK, index,
                                                   {GL_BUFFER_DATA_SIZE, GL_NUM_ACTIVE_VARIABLES});
         base::StorageBlock block{resourceName(program, GL_SHADER_STORAGE_BLOCK, index), bytes, index, {}};
@@ -187,9 +187,9 @@ std::vector<base::StorageBlock> storageBlocksOf(GLuint program) {
 
 /// The last stage of a program without a fragment stage has outputs, too; nobody asks for those.
 std::vector<base::ActiveOutput> outputsOf(GLuint program) {
-    const GLint count = interfaceParameter(program, GL_PROGRAM_OUTPUT, GL_ACTIVE_RESOURCES);
+    const GLuint count = resourceCount(program, GL_PROGRAM_OUTPUT);
     std::vector<base::ActiveOutput> outputs;
-    for (GLuint index = 0; index < static_cast<GLuint>(std::max(count, 0)); ++index) {
+    for (GLuint index = 0; index < count; ++index) {
         const auto [location, type, size] =
             resource<3>(program, GL_PROGRAM_OUTPUT, index, {GL_LOCATION, GL_TYPE, GL_ARRAY_SIZE});
         std::string name = withoutSubscript(resourceName(program, GL_PROGRAM_OUTPUT, index));
@@ -200,9 +200,9 @@ std::vector<base::ActiveOutput> outputsOf(GLuint program) {
 }
 
 std::vector<base::CounterBuffer> counterBuffersOf(GLuint program) {
-    const GLint count = interfaceParameter(program, GL_ATOMIC_COUNTER_BUFFER, GL_ACTIVE_RESOURCES);
+    const GLuint count = resourceCount(program, GL_ATOMIC_COUNTER_BUFFER);
     std::vector<base::CounterBuffer> buffers;
-    for (GLuint index = 0; index < static_cast<GLuint>(std::max(count, 0)); ++index) {
+    for (GLuint index = 0; index < count; ++index) {
         const auto [binding, bytes, counters] =
             resource<3>(program, GL_ATOMIC_COUNTER_BUFFER, index,
                         {GL_BUFFER_BINDING, GL_BUFFER_DATA_SIZE, GL_NUM_ACTIVE_VARIABLES});

@@ -4,41 +4,25 @@
 #include <array>
 
 #include "base/number.h"
-#include "gpu/state/raster_tracker.h"
+#include "gpu/format/raster_names.h"
 
 namespace glibra::gpu {
 namespace {
 
 GLint glWrap(Wrap wrap) {
-    switch (wrap) {
-        case Wrap::repeat:
-            return GL_REPEAT;
-        case Wrap::clampToEdge:
-            return GL_CLAMP_TO_EDGE;
-        case Wrap::clampToBorder:
-            return GL_CLAMP_TO_BORDER;
-        case Wrap::mirroredRepeat:
-            break;
-    }
-    return GL_MIRRORED_REPEAT;
+    constexpr std::array<GLint, 4> kWraps{GL_REPEAT, GL_CLAMP_TO_EDGE, GL_MIRRORED_REPEAT,
+                                          GL_CLAMP_TO_BORDER};
+    return kWraps.at(static_cast<std::size_t>(wrap));
 }
 
 GLint glFilter(base::Filter filter) {
-    switch (filter) {
-        case base::Filter::nearest:
-            return GL_NEAREST;
-        case base::Filter::linear:
-            return GL_LINEAR;
-        case base::Filter::nearestMipmapNearest:
-            return GL_NEAREST_MIPMAP_NEAREST;
-        case base::Filter::linearMipmapNearest:
-            return GL_LINEAR_MIPMAP_NEAREST;
-        case base::Filter::nearestMipmapLinear:
-            return GL_NEAREST_MIPMAP_LINEAR;
-        case base::Filter::linearMipmapLinear:
-            break;
-    }
-    return GL_LINEAR_MIPMAP_LINEAR;
+    constexpr std::array<GLint, 6> kFilters{GL_NEAREST,
+                                            GL_LINEAR,
+                                            GL_NEAREST_MIPMAP_NEAREST,
+                                            GL_LINEAR_MIPMAP_NEAREST,
+                                            GL_NEAREST_MIPMAP_LINEAR,
+                                            GL_LINEAR_MIPMAP_LINEAR};
+    return kFilters.at(static_cast<std::size_t>(filter));
 }
 
 bool isNearest(base::Filter filter) {
@@ -49,9 +33,7 @@ bool isNearest(base::Filter filter) {
 }  // namespace
 
 Sampler::Sampler(const SamplerState& state, std::optional<base::Comparison> compare) {
-    GLuint name = 0;
-    glGenSamplers(1, &name);
-    name_ = Name<deleteSampler>(name);
+    const GLuint name = id();
     constexpr std::array<GLenum, 3> kAxes{GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R};
     for (std::size_t i = 0; i < kAxes.size(); ++i) glSamplerParameteri(name, kAxes[i], glWrap(state.wrap[i]));
     glSamplerParameteri(name, GL_TEXTURE_MIN_FILTER, glFilter(state.filter));
@@ -60,7 +42,7 @@ Sampler::Sampler(const SamplerState& state, std::optional<base::Comparison> comp
         glSamplerParameterf(name, GL_TEXTURE_MAX_ANISOTROPY_EXT, static_cast<float>(state.anisotropy));
     if (state.border != std::array<double, 4>{}) {
         std::array<float, 4> border{};
-        std::transform(state.border.begin(), state.border.end(), border.begin(), base::toFloat);
+        std::ranges::transform(state.border, border.begin(), base::toFloat);
         glSamplerParameterfv(name, GL_TEXTURE_BORDER_COLOR, border.data());
     }
     if (!compare) return;

@@ -11,10 +11,6 @@
 
 namespace glibra::gpu {
 
-inline void deleteSampler(GLuint name) {
-    glDeleteSamplers(1, &name);
-}
-
 using base::SamplerState;
 using base::Wrap;
 
@@ -29,7 +25,7 @@ class Sampler {
     [[nodiscard]] GLuint id() const { return name_.get(); }
 
   private:
-    Name<deleteSampler> name_;
+    Name<glDeleteSamplers> name_{glGenSamplers};
 };
 
 }  // namespace glibra::gpu

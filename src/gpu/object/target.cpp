@@ -14,6 +14,12 @@ std::unique_ptr<const T> kept(T value) {
     return std::make_unique<const T>(std::move(value));
 }
 
+std::optional<Diagnostic> countProblem(const Capabilities& capabilities, std::size_t colors) {
+    if (colors <= static_cast<std::size_t>(capabilities.maxDrawBuffers)) return std::nullopt;
+    return diagnose("gpu-E04", std::to_string(colors) + " colour targets; this driver's limit is " +
+                                   std::to_string(capabilities.maxDrawBuffers));
+}
+
 }  // namespace
 
 Result<Target> Target::window(const Capabilities& capabilities, int width, int height, TexelFormat format,
@@ -22,10 +28,10 @@ Result<Target> Target::window(const Capabilities& capabilities, int width, int h
     target.width_ = width;
     target.height_ = height;
     target.format_ = format;
-    auto color = Renderbuffer::color(capabilities, width, height, format, samples);
+    auto color = Renderbuffer::create(capabilities, width, height, format, samples);
     if (!color) return color.diagnostics;
     target.samples_ = color->samples();
-    auto depth = Renderbuffer::depth(capabilities, width, height, target.samples_, depthFormat);
+    auto depth = Renderbuffer::create(capabilities, width, height, depthFormat, target.samples_);
     if (!depth) return depth.diagnostics;
     target.depth_ = kept(std::move(*depth));
     target.storage_.push_back(kept(std::move(*color)));
@@ -36,7 +42,7 @@ Result<Target> Target::window(const Capabilities& capabilities, int width, int h
     target.drawn_ = std::move(*framebuffer);
     if (target.samples_ == 1) return target;
 
-    auto single = Renderbuffer::color(capabilities, width, height, format);
+    auto single = Renderbuffer::create(capabilities, width, height, format);
     if (!single) return single.diagnostics;
     target.storage_.push_back(kept(std::move(*single)));
     const std::array<Attachment, 1> readable{target.storage_.back().get()};
@@ -49,10 +55,7 @@ Result<Target> Target::window(const Capabilities& capabilities, int width, int h
 Result<Target> Target::textures(const Capabilities& capabilities, std::span<const Texture* const> textures,
                                 int samples, SharedDepth depth) {
     if (textures.empty()) return diagnose("gpu-E05", "a render target needs at least one texture");
-    if (textures.size() > static_cast<std::size_t>(capabilities.maxDrawBuffers))
-        return diagnose("gpu-E04", std::to_string(textures.size()) +
-                                       " colour targets; this driver's limit is " +
-                                       std::to_string(capabilities.maxDrawBuffers));
+    if (auto problem = countProblem(capabilities, textures.size())) return *std::move(problem);
     const TextureSize size = textures.front()->size();
     for (const Texture* each : textures)
         if (each->shape() != TextureShape::texture2D || each->size() != size)
@@ -67,14 +70,15 @@ Result<Target> Target::textures(const Capabilities& capabilities, std::span<cons
     for (const Texture* each : textures) {
         direct.emplace_back(each);
         if (samples <= 1) continue;
-        auto color = Renderbuffer::color(capabilities, size.width, size.height, each->format(), samples);
+        auto color = Renderbuffer::create(capabilities, size.width, size.height, each->format(), samples);
         if (!color) return color.diagnostics;
         target.samples_ = color->samples();
         target.storage_.push_back(kept(std::move(*color)));
         drawn.emplace_back(target.storage_.back().get());
     }
     if (!depth) {
-        auto own = Renderbuffer::depth(capabilities, size.width, size.height, target.samples_);
+        auto own = Renderbuffer::create(capabilities, size.width, size.height, TexelFormat::depth24,
+                                        target.samples_);
         if (!own) return own.diagnostics;
         depth = kept(std::move(*own));
     }
@@ -94,10 +98,7 @@ Result<Target> Target::parts(const Capabilities& capabilities, std::span<const T
                              const std::optional<TexturePart>& depth, SharedDepth implicitDepth,
                              TexelFormat implicitFormat) {
     if (colors.empty() && !depth) return diagnose("gpu-E05", "a render target needs at least one texture");
-    if (colors.size() > static_cast<std::size_t>(capabilities.maxDrawBuffers))
-        return diagnose("gpu-E04", std::to_string(colors.size()) +
-                                       " colour targets; this driver's limit is " +
-                                       std::to_string(capabilities.maxDrawBuffers));
+    if (auto problem = countProblem(capabilities, colors.size())) return *std::move(problem);
     std::vector<TexturePart> all(colors.begin(), colors.end());
     if (depth) all.push_back(*depth);
     const TexturePart& first = all.front();
@@ -146,7 +147,7 @@ Result<Target> Target::parts(const Capabilities& capabilities, std::span<const T
     } else {
         if (!implicitDepth) {
             auto own =
-                Renderbuffer::depth(capabilities, size.width, size.height, target.samples_, implicitFormat);
+                Renderbuffer::create(capabilities, size.width, size.height, implicitFormat, target.samples_);
             if (!own) return own.diagnostics;
             implicitDepth = kept(std::move(*own));
         }
@@ -190,7 +191,7 @@ void Target::clearStencil(int value) const {
 }
 
 bool Target::hasSrgb() const {
-    return std::find(formats_.begin(), formats_.end(), TexelFormat::srgb8_alpha8) != formats_.end();
+    return std::ranges::find(formats_, TexelFormat::srgb8_alpha8) != formats_.end();
 }
 
 void Target::resolve() const {

@@ -59,17 +59,14 @@ Result<Texture> Texture::make(const Capabilities& capabilities, TextureLayout la
     }
 
     Texture texture;
-    GLuint name = 0;
-    glGenTextures(1, &name);
-    texture.name_ = Name<deleteTexture>(name);
+    texture.name_ = Name<glDeleteTextures>(glGenTextures);
     texture.shape_ = shape;
     texture.format_ = layout.format;
     texture.size_ = size;
     texture.levels_ = layout.levels;
     clearErrors();
-    glActiveTexture(kWorkUnit);
+    texture.bind(kWorkUnit);
     const GLenum target = glTarget(shape);
-    glBindTexture(target, name);
     allocate(capabilities, layout);
     if (isMultisampled(shape)) {
         GLint samples = 0;
@@ -116,8 +113,7 @@ Diagnostics Texture::upload(int level, const Texels& texels) {
         return {diagnose("gpu-E03", describe(shape_, format_, size) + " takes " + std::to_string(needed) +
                                         " bytes of texels, not " + std::to_string(texels.data.size()))};
     clearErrors();
-    glActiveTexture(kWorkUnit);
-    glBindTexture(glTarget(shape_), id());
+    bind(kWorkUnit);
     glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     fillLevel(shape_, size, level, {glFormat(texels.components, format_), glType(texels.type)},
@@ -128,8 +124,7 @@ Diagnostics Texture::upload(int level, const Texels& texels) {
 }
 
 void Texture::generateMipmaps() {
-    glActiveTexture(kWorkUnit);
-    glBindTexture(glTarget(shape_), id());
+    bind(kWorkUnit);
     glGenerateMipmap(glTarget(shape_));
 }
 
@@ -142,8 +137,7 @@ Result<std::vector<std::byte>> Texture::read(int level, int components, TexelTyp
     std::vector<std::byte> texels(texelCount(shape_, size) * static_cast<std::size_t>(components) *
                                   bytesOf(type));
     clearErrors();
-    glActiveTexture(kWorkUnit);
-    glBindTexture(glTarget(shape_), id());
+    bind(kWorkUnit);
     glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     const GLenum format = glFormat(components, format_);
@@ -171,9 +165,7 @@ Result<Texture> Texture::view(std::optional<int> level, std::optional<int> layer
         level.value_or(0) < 0 || layer.value_or(0) >= layers() || layer.value_or(0) < 0)
         return diagnose("gpu-E03", what + " cannot be read alone");
     Texture part;
-    GLuint name = 0;
-    glGenTextures(1, &name);
-    part.name_ = Name<deleteTexture>(name);
+    part.name_ = Name<glDeleteTextures>(glGenTextures);
     part.shape_ = layer ? shapeOfLayer(shape_) : shape_;
     part.format_ = format_;
     part.size_ = sizeOfLevel(shape_, size_, level.value_or(0));
@@ -182,13 +174,12 @@ Result<Texture> Texture::view(std::optional<int> level, std::optional<int> layer
     part.samples_ = samples_;
     clearErrors();
     const bool isLayered = isArray(shape_) || isCube(shape_);
-    glTextureView(name, glTarget(part.shape_), id(), internalFormat(format_),
+    glTextureView(part.id(), glTarget(part.shape_), id(), internalFormat(format_),
                   static_cast<GLuint>(level.value_or(0)), static_cast<GLuint>(part.levels_),
                   static_cast<GLuint>(layer.value_or(0)),
                   isLayered && !layer ? static_cast<GLuint>(layers()) : 1U);
     if (const GLenum code = takeError(); code != GL_NO_ERROR) return allocationError(code, what);
-    glActiveTexture(kWorkUnit);
-    glBindTexture(glTarget(part.shape_), name);
+    part.bind(kWorkUnit);
     if (!isMultisampled(part.shape_))
         glTexParameteri(glTarget(part.shape_), GL_TEXTURE_MAX_LEVEL, part.levels_ - 1);
     return part;
@@ -201,8 +192,7 @@ void Texture::copyLayer(const Texture& from, int level, int layer) {
 
 void Texture::showLevels(int first, int count) const {
     if (isMultisampled(shape_)) return;
-    glActiveTexture(kWorkUnit);
-    glBindTexture(glTarget(shape_), id());
+    bind(kWorkUnit);
     glTexParameteri(glTarget(shape_), GL_TEXTURE_BASE_LEVEL, first);
     glTexParameteri(glTarget(shape_), GL_TEXTURE_MAX_LEVEL, first + count - 1);
 }

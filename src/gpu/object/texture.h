@@ -18,10 +18,6 @@
 
 namespace glibra::gpu {
 
-inline void deleteTexture(GLuint name) {
-    glDeleteTextures(1, &name);
-}
-
 /// Texels in memory, tightly packed: the components of a texel, then s, t, p; t = 0 first. A cube map has six
 /// faces in the order +x -x +y -y +z -z, each with GL's first row first. Textures of integers take integers
 /// only. A depth texture takes one component.
@@ -81,7 +77,7 @@ class Texture {
 
   private:
     static Result<Texture> make(const Capabilities& capabilities, TextureLayout layout);
-    Name<deleteTexture> name_;
+    Name<glDeleteTextures> name_;
     TextureShape shape_ = TextureShape::texture2D;
     TexelFormat format_ = TexelFormat::rgba8;
     TextureSize size_;

@@ -6,7 +6,6 @@
 #include <array>
 #include <chrono>
 #include <string>
-#include <utility>
 
 #include "gpu/context/errors.h"
 #include "gpu/object/compute.h"
@@ -20,10 +19,8 @@ namespace {
 /// Calls `with` for a framebuffer with that layer of that texture attached, for drawing or reading.
 template <class Use>
 void withAttached(GLenum framebufferTarget, const Texture& texture, int level, int layer, Use&& use) {
-    GLuint name = 0;
-    glGenFramebuffers(1, &name);
-    const Name<deleteFramebuffer> framebuffer(name);
-    glBindFramebuffer(framebufferTarget, name);
+    const Name<glDeleteFramebuffers> framebuffer(glGenFramebuffers);
+    glBindFramebuffer(framebufferTarget, framebuffer.get());
     attachTexture(framebufferTarget, attachmentPoint(texture.format(), 0), {&texture, level, layer});
     use();
 }
@@ -84,18 +81,21 @@ void copyAsDriver(const Texture& from, const Texture& to) {
     }
 }
 
+/// Draws all layers of a level; samples are averaged.
+void blitLevel(const Texture& from, const Texture& to, int level) {
+    const TextureSize size = sizeOfLevel(from.shape(), from.size(), level);
+    for (int layer = 0; layer < from.layers(level); ++layer)
+        withAttached(GL_READ_FRAMEBUFFER, from, level, layer, [&] {
+            withAttached(GL_DRAW_FRAMEBUFFER, to, level, layer, [&] {
+                glBlitFramebuffer(0, 0, size.width, size.height, 0, 0, size.width, size.height,
+                                  maskOf(from.format()), GL_NEAREST);
+            });
+        });
+}
+
 void copyDrawn(const Texture& from, const Texture& to) {
     const FramebufferBindings bindings;
-    for (int level = 0; level < from.levels(); ++level) {
-        const TextureSize size = sizeOfLevel(from.shape(), from.size(), level);
-        for (int layer = 0; layer < from.layers(level); ++layer)
-            withAttached(GL_READ_FRAMEBUFFER, from, level, layer, [&] {
-                withAttached(GL_DRAW_FRAMEBUFFER, to, level, layer, [&] {
-                    glBlitFramebuffer(0, 0, size.width, size.height, 0, 0, size.width, size.height,
-                                      maskOf(from.format()), GL_NEAREST);
-                });
-            });
-    }
+    for (int level = 0; level < from.levels(); ++level) blitLevel(from, to, level);
 }
 
 /// How shaders see texels of that many bytes as plain bits.
@@ -110,8 +110,7 @@ constexpr std::array kBits = std::to_array<BitsRow>({{1, TexelFormat::r8ui, "r8u
                                                      {8, TexelFormat::rg32ui, "rg32ui"},
                                                      {16, TexelFormat::rgba32ui, "rgba32ui"}});
 const BitsRow* rowOfBits(std::size_t bytes) {
-    const auto found =
-        std::find_if(kBits.begin(), kBits.end(), [&](const BitsRow& each) { return each.bytes == bytes; });
+    const auto found = std::ranges::find_if(kBits, [&](const BitsRow& each) { return each.bytes == bytes; });
     return found == kBits.end() ? nullptr : &*found;
 }
 
@@ -137,8 +136,7 @@ void Texture::clear(const Capabilities& capabilities) {
         for (int level = 0; level < levels_; ++level) glClearTexImage(id(), level, layout, type, nullptr);
         return;
     }
-    glActiveTexture(kWorkUnit);
-    glBindTexture(glTarget(shape_), id());
+    bind(kWorkUnit);
     for (int level = 0; level < levels_; ++level) {
         const TextureSize size = sizeOfLevel(shape_, size_, level);
         const std::vector<std::byte> zeros(texelCount(shape_, size) * bytesPerTexel(format_));
@@ -262,14 +260,7 @@ bool TextureCopier::copy(const Capabilities& capabilities, const Texture& from, 
 
 void resolveSamples(const Texture& from, const Texture& to) {
     const FramebufferBindings bindings;
-    const TextureSize size = from.size();
-    for (int layer = 0; layer < from.layers(); ++layer)
-        withAttached(GL_READ_FRAMEBUFFER, from, 0, layer, [&] {
-            withAttached(GL_DRAW_FRAMEBUFFER, to, 0, layer, [&] {
-                glBlitFramebuffer(0, 0, size.width, size.height, 0, 0, size.width, size.height,
-                                  GL_COLOR_BUFFER_BIT, GL_NEAREST);
-            });
-        });
+    blitLevel(from, to, 0);
 }
 
 }  // namespace glibra::gpu

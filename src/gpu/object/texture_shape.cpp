@@ -1,34 +1,23 @@
 #include "gpu/object/texture_shape.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 
 namespace glibra::gpu {
 
 GLenum glTarget(TextureShape shape) {
-    switch (shape) {
-        case TextureShape::texture1D:
-            return GL_TEXTURE_1D;
-        case TextureShape::texture2D:
-            return GL_TEXTURE_2D;
-        case TextureShape::texture3D:
-            return GL_TEXTURE_3D;
-        case TextureShape::array1D:
-            return GL_TEXTURE_1D_ARRAY;
-        case TextureShape::array2D:
-            return GL_TEXTURE_2D_ARRAY;
-        case TextureShape::cubeArray:
-            return GL_TEXTURE_CUBE_MAP_ARRAY;
-        case TextureShape::rectangle:
-            return GL_TEXTURE_RECTANGLE;
-        case TextureShape::multisampled:
-            return GL_TEXTURE_2D_MULTISAMPLE;
-        case TextureShape::multisampledArray:
-            return GL_TEXTURE_2D_MULTISAMPLE_ARRAY;
-        case TextureShape::cube:
-            break;
-    }
-    return GL_TEXTURE_CUBE_MAP;
+    constexpr std::array<GLenum, kTextureShapes> kTargets{GL_TEXTURE_1D,
+                                                          GL_TEXTURE_2D,
+                                                          GL_TEXTURE_3D,
+                                                          GL_TEXTURE_CUBE_MAP,
+                                                          GL_TEXTURE_1D_ARRAY,
+                                                          GL_TEXTURE_2D_ARRAY,
+                                                          GL_TEXTURE_CUBE_MAP_ARRAY,
+                                                          GL_TEXTURE_RECTANGLE,
+                                                          GL_TEXTURE_2D_MULTISAMPLE,
+                                                          GL_TEXTURE_2D_MULTISAMPLE_ARRAY};
+    return kTargets.at(static_cast<std::size_t>(shape));
 }
 
 TextureShape shapeOfLayer(TextureShape shape) {

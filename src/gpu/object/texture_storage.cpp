@@ -3,37 +3,35 @@
 namespace glibra::gpu {
 namespace {
 
+/// The sizes by which GL stores a level. The layers of a 1D array are its second one.
+struct Sides {
+    int count = 2;
+    GLsizei width = 1, height = 1, depth = 1;
+};
+
+Sides sidesOf(TextureShape shape, TextureSize size) {
+    if (shape == TextureShape::texture1D) return {1, size.width};
+    if (shape == TextureShape::array1D) return {2, size.width, size.depth};
+    if (shape == TextureShape::texture3D || isArray(shape)) return {3, size.width, size.height, size.depth};
+    return {2, size.width, size.height};
+}
+
 /// Allocates one level by the calls of GL 4.1.
 void allocateLevel(TextureShape shape, TexelFormat format, TextureSize size, int level) {
     const GLenum target = glTarget(shape);
     const auto inside = static_cast<GLint>(internalFormat(format));
     const auto [layout, type] = nativeTransfer(format);
-    switch (shape) {
-        case TextureShape::texture1D:
-            glTexImage1D(target, level, inside, size.width, 0, layout, type, nullptr);
-            break;
-        case TextureShape::texture2D:
-        case TextureShape::rectangle:
-            glTexImage2D(target, level, inside, size.width, size.height, 0, layout, type, nullptr);
-            break;
-        case TextureShape::array1D:
-            glTexImage2D(target, level, inside, size.width, size.depth, 0, layout, type, nullptr);
-            break;
-        case TextureShape::texture3D:
-        case TextureShape::array2D:
-        case TextureShape::cubeArray:
-            glTexImage3D(target, level, inside, size.width, size.height, size.depth, 0, layout, type,
+    const auto [count, width, height, depth] = sidesOf(shape, size);
+    if (shape == TextureShape::cube)
+        for (GLenum face = 0; face < 6; ++face)
+            glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, level, inside, width, height, 0, layout, type,
                          nullptr);
-            break;
-        case TextureShape::cube:
-            for (GLenum face = 0; face < 6; ++face)
-                glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, level, inside, size.width, size.height, 0,
-                             layout, type, nullptr);
-            break;
-        case TextureShape::multisampled:
-        case TextureShape::multisampledArray:
-            break;
-    }
+    else if (count == 1)
+        glTexImage1D(target, level, inside, width, 0, layout, type, nullptr);
+    else if (count == 2)
+        glTexImage2D(target, level, inside, width, height, 0, layout, type, nullptr);
+    else
+        glTexImage3D(target, level, inside, width, height, depth, 0, layout, type, nullptr);
 }
 
 /// Allocates all samples. Their positions are those of renderbuffers, which such textures are drawn together
@@ -54,82 +52,45 @@ void allocateSamples(const Capabilities& capabilities, const TextureLayout& layo
 }  // namespace
 
 int largestSide(const Capabilities& capabilities, TextureShape shape) {
-    switch (shape) {
-        case TextureShape::texture1D:
-        case TextureShape::array1D:  // GL has one limit for 1D and 2D
-        case TextureShape::texture2D:
-        case TextureShape::array2D:
-        case TextureShape::multisampled:
-        case TextureShape::multisampledArray:
-            return capabilities.max2DTextureSide;
-        case TextureShape::rectangle:
-            return capabilities.maxRectangleSide;
-        case TextureShape::texture3D:
-            return capabilities.max3DTextureSide;
-        case TextureShape::cube:
-        case TextureShape::cubeArray:
-            break;
-    }
-    return capabilities.maxCubeSide;
+    if (shape == TextureShape::rectangle) return capabilities.maxRectangleSide;
+    if (shape == TextureShape::texture3D) return capabilities.max3DTextureSide;
+    // GL has one limit for 1D and 2D.
+    return isCube(shape) ? capabilities.maxCubeSide : capabilities.max2DTextureSide;
 }
 
 void allocate(const Capabilities& capabilities, const TextureLayout& layout) {
-    const GLenum target = glTarget(layout.shape);
-    const GLenum inside = internalFormat(layout.format);
-    const auto& [width, height, depth] = layout.size;
     if (isMultisampled(layout.shape)) return allocateSamples(capabilities, layout);
     if (!capabilities.atLeast(4, 2)) {
         for (int level = 0; level < layout.levels; ++level)
             allocateLevel(layout.shape, layout.format, sizeOfLevel(layout.shape, layout.size, level), level);
         return;
     }
-    switch (layout.shape) {
-        case TextureShape::texture1D:
-            glTexStorage1D(target, layout.levels, inside, width);
-            break;
-        case TextureShape::array1D:
-            glTexStorage2D(target, layout.levels, inside, width, depth);
-            break;
-        case TextureShape::texture3D:
-        case TextureShape::array2D:
-        case TextureShape::cubeArray:
-            glTexStorage3D(target, layout.levels, inside, width, height, depth);
-            break;
-        default:
-            glTexStorage2D(target, layout.levels, inside, width, height);
-            break;
-    }
+    const GLenum target = glTarget(layout.shape);
+    const GLenum inside = internalFormat(layout.format);
+    const auto [count, width, height, depth] = sidesOf(layout.shape, layout.size);
+    if (count == 1)
+        glTexStorage1D(target, layout.levels, inside, width);
+    else if (count == 2)
+        glTexStorage2D(target, layout.levels, inside, width, height);
+    else
+        glTexStorage3D(target, layout.levels, inside, width, height, depth);
 }
 
 void fillLevel(TextureShape shape, TextureSize size, int level, Transfer transfer, const std::byte* data,
                std::size_t faceBytes) {
     const auto [format, type] = transfer;
-    switch (shape) {
-        case TextureShape::texture1D:
-            glTexSubImage1D(GL_TEXTURE_1D, level, 0, size.width, format, type, data);
-            break;
-        case TextureShape::texture2D:
-        case TextureShape::rectangle:
-            glTexSubImage2D(glTarget(shape), level, 0, 0, size.width, size.height, format, type, data);
-            break;
-        case TextureShape::array1D:
-            glTexSubImage2D(glTarget(shape), level, 0, 0, size.width, size.depth, format, type, data);
-            break;
-        case TextureShape::texture3D:
-        case TextureShape::array2D:
-        case TextureShape::cubeArray:
-            glTexSubImage3D(glTarget(shape), level, 0, 0, 0, size.width, size.height, size.depth, format,
-                            type, data);
-            break;
-        case TextureShape::cube:
-            for (GLenum i = 0; i < 6; ++i)
-                glTexSubImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + i, level, 0, 0, size.width, size.height,
-                                format, type, data + i * faceBytes);
-            break;
-        case TextureShape::multisampled:
-        case TextureShape::multisampledArray:
-            break;
-    }
+    const GLenum target = glTarget(shape);
+    const auto [count, width, height, depth] = sidesOf(shape, size);
+    if (shape == TextureShape::cube)
+        for (GLenum i = 0; i < 6; ++i)
+            glTexSubImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + i, level, 0, 0, width, height, format, type,
+                            data + i * faceBytes);
+    else if (count == 1)
+        glTexSubImage1D(target, level, 0, width, format, type, data);
+    else if (count == 2)
+        glTexSubImage2D(target, level, 0, 0, width, height, format, type, data);
+    else
+        glTexSubImage3D(target, level, 0, 0, 0, width, height, depth, format, type, data);
 }
 
 }  // namespace glibra::gpu

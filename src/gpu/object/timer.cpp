@@ -22,9 +22,7 @@ Timer::Timer(const Capabilities& capabilities, Take take)
 Timer::QueryName Timer::stamp() {
     QueryName query;
     if (free_.empty()) {
-        GLuint name = 0;
-        glad_glGenQueries(1, &name);
-        query = QueryName(name);
+        query = QueryName(glad_glGenQueries);
     } else {
         query = std::move(free_.back());
         free_.pop_back();

@@ -36,7 +36,7 @@ class Timer {
     void finish();
 
   private:
-    using QueryName = Name<deleteQuery>;
+    using QueryName = Name<glDeleteQueries>;
     struct Piece {
         std::size_t piece = 0;
         QueryName begin, end;

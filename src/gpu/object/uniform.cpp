@@ -29,7 +29,7 @@ class Converted {
             many_.resize(values.size());
             to = many_.data();
         }
-        std::transform(values.begin(), values.end(), to, convert);
+        std::ranges::transform(values, to, convert);
     }
     [[nodiscard]] const T* data() const { return many_.empty() ? few_.data() : many_.data(); }
 
@@ -38,90 +38,43 @@ class Converted {
     std::vector<T> many_;
 };
 
-/// The glProgramUniformMatrix* function for a number of columns and rows; null for vectors.
-PFNGLPROGRAMUNIFORMMATRIX4FVPROC floatMatrixCall(int columns, int rows) {
-    switch (columns * 10 + rows) {
-        case 22:
-            return glProgramUniformMatrix2fv;
-        case 23:
-            return glProgramUniformMatrix2x3fv;
-        case 24:
-            return glProgramUniformMatrix2x4fv;
-        case 32:
-            return glProgramUniformMatrix3x2fv;
-        case 33:
-            return glProgramUniformMatrix3fv;
-        case 34:
-            return glProgramUniformMatrix3x4fv;
-        case 42:
-            return glProgramUniformMatrix4x2fv;
-        case 43:
-            return glProgramUniformMatrix4x3fv;
-        case 44:
-            return glProgramUniformMatrix4fv;
-        default:
-            return nullptr;
+template <class T>
+using SetVectors = void(GLAD_API_PTR*)(GLuint program, GLint location, GLsizei count, const T* values);
+template <class T>
+using SetMatrices = void(GLAD_API_PTR*)(GLuint program, GLint location, GLsizei count, GLboolean transpose,
+                                        const T* values);
+
+/// Sets uniforms of one base type. The functions are entries of GL's table, which may change.
+template <class T>
+struct UniformCalls {
+    std::array<SetVectors<T>*, 4> vectors;                     ///< by rows, from 1 on
+    std::array<std::array<SetMatrices<T>*, 3>, 3> matrices{};  ///< by columns and rows, from 2 on
+
+    void operator()(GLuint program, const base::ValueType& type, GLint location, GLsizei count,
+                    const T* values) const {
+        const auto columns = static_cast<std::size_t>(type.columns),
+                   rows = static_cast<std::size_t>(type.rows);
+        if (columns > 1)
+            (*matrices.at(columns - 2).at(rows - 2))(program, location, count, GL_FALSE, values);
+        else
+            (*vectors.at(rows - 1))(program, location, count, values);
     }
-}
+};
 
-PFNGLPROGRAMUNIFORMMATRIX4DVPROC doubleMatrixCall(int columns, int rows) {
-    switch (columns * 10 + rows) {
-        case 22:
-            return glProgramUniformMatrix2dv;
-        case 23:
-            return glProgramUniformMatrix2x3dv;
-        case 24:
-            return glProgramUniformMatrix2x4dv;
-        case 32:
-            return glProgramUniformMatrix3x2dv;
-        case 33:
-            return glProgramUniformMatrix3dv;
-        case 34:
-            return glProgramUniformMatrix3x4dv;
-        case 42:
-            return glProgramUniformMatrix4x2dv;
-        case 43:
-            return glProgramUniformMatrix4x3dv;
-        case 44:
-            return glProgramUniformMatrix4dv;
-        default:
-            return nullptr;
-    }
-}
-
-/// Picks the function for vectors of 1 to 4 components.
-template <class Call>
-Call vectorCall(Call one, Call two, Call three, Call four, int rows) {
-    return rows == 1 ? one : rows == 2 ? two : rows == 3 ? three : four;
-}
-
-void setFloats(GLuint program, const base::ValueType& type, GLint location, GLsizei count,
-               const GLfloat* values) {
-    if (const auto matrix = floatMatrixCall(type.columns, type.rows))
-        return matrix(program, location, count, GL_FALSE, values);
-    vectorCall(glProgramUniform1fv, glProgramUniform2fv, glProgramUniform3fv, glProgramUniform4fv, type.rows)(
-        program, location, count, values);
-}
-
-void setDoubles(GLuint program, const base::ValueType& type, GLint location, GLsizei count,
-                const GLdouble* values) {
-    if (const auto matrix = doubleMatrixCall(type.columns, type.rows))
-        return matrix(program, location, count, GL_FALSE, values);
-    vectorCall(glProgramUniform1dv, glProgramUniform2dv, glProgramUniform3dv, glProgramUniform4dv, type.rows)(
-        program, location, count, values);
-}
-
-void setInts(GLuint program, const base::ValueType& type, GLint location, GLsizei count,
-             const GLint* values) {
-    vectorCall(glProgramUniform1iv, glProgramUniform2iv, glProgramUniform3iv, glProgramUniform4iv, type.rows)(
-        program, location, count, values);
-}
-
-void setUnsigneds(GLuint program, const base::ValueType& type, GLint location, GLsizei count,
-                  const GLuint* values) {
-    vectorCall(glProgramUniform1uiv, glProgramUniform2uiv, glProgramUniform3uiv, glProgramUniform4uiv,
-               type.rows)(program, location, count, values);
-}
+constexpr UniformCalls<GLfloat> kSetFloats{
+    {&glProgramUniform1fv, &glProgramUniform2fv, &glProgramUniform3fv, &glProgramUniform4fv},
+    {{{&glProgramUniformMatrix2fv, &glProgramUniformMatrix2x3fv, &glProgramUniformMatrix2x4fv},
+      {&glProgramUniformMatrix3x2fv, &glProgramUniformMatrix3fv, &glProgramUniformMatrix3x4fv},
+      {&glProgramUniformMatrix4x2fv, &glProgramUniformMatrix4x3fv, &glProgramUniformMatrix4fv}}}};
+constexpr UniformCalls<GLdouble> kSetDoubles{
+    {&glProgramUniform1dv, &glProgramUniform2dv, &glProgramUniform3dv, &glProgramUniform4dv},
+    {{{&glProgramUniformMatrix2dv, &glProgramUniformMatrix2x3dv, &glProgramUniformMatrix2x4dv},
+      {&glProgramUniformMatrix3x2dv, &glProgramUniformMatrix3dv, &glProgramUniformMatrix3x4dv},
+      {&glProgramUniformMatrix4x2dv, &glProgramUniformMatrix4x3dv, &glProgramUniformMatrix4dv}}}};
+constexpr UniformCalls<GLint> kSetInts{
+    {&glProgramUniform1iv, &glProgramUniform2iv, &glProgramUniform3iv, &glProgramUniform4iv}};
+constexpr UniformCalls<GLuint> kSetUnsigneds{
+    {&glProgramUniform1uiv, &glProgramUniform2uiv, &glProgramUniform3uiv, &glProgramUniform4uiv}};
 
 /// The bytes of one component in a block.
 struct ComponentBytes {
@@ -174,7 +127,7 @@ int setUniform(const Program& program, const base::ActiveUniform& uniform, std::
         values.first(static_cast<std::size_t>(count) * static_cast<std::size_t>(uniform.type.components()));
     const GLint location = uniform.location + firstElement;
     // Calls the function with the values, unless the uniform has them.
-    const auto upload = [&](const auto* numbers, auto set) {
+    const auto upload = [&](const auto* numbers, const auto& set) {
         const auto bytes = std::as_bytes(std::span(numbers, used.size()));
         if (program.willHold(location, count, bytes))
             set(program.id(), uniform.type, location, count, numbers);
@@ -182,14 +135,14 @@ int setUniform(const Program& program, const base::ActiveUniform& uniform, std::
     };
     switch (uniform.type.base) {
         case base::BaseType::floating:
-            return upload(Converted<GLfloat>(used, base::toFloat).data(), setFloats);
+            return upload(Converted<GLfloat>(used, base::toFloat).data(), kSetFloats);
         case base::BaseType::doublePrecision:
-            return upload(used.data(), setDoubles);
+            return upload(used.data(), kSetDoubles);
         case base::BaseType::unsignedInteger:
-            return upload(Converted<GLuint>(used, base::toUnsigned).data(), setUnsigneds);
+            return upload(Converted<GLuint>(used, base::toUnsigned).data(), kSetUnsigneds);
         case base::BaseType::boolean: {
             const auto truth = [](double value) { return value != 0 ? 1 : 0; };
-            return upload(Converted<GLint>(used, truth).data(), setInts);
+            return upload(Converted<GLint>(used, truth).data(), kSetInts);
         }
         case base::BaseType::other:
             return 0;
@@ -198,7 +151,7 @@ int setUniform(const Program& program, const base::ActiveUniform& uniform, std::
         case base::BaseType::image:
             break;
     }
-    return upload(Converted<GLint>(used, base::toInt).data(), setInts);
+    return upload(Converted<GLint>(used, base::toInt).data(), kSetInts);
 }
 
 int writeBlockMember(std::span<std::byte> block, const base::ActiveUniform& uniform,
@@ -226,31 +179,24 @@ std::vector<double> getUniform(const Program& program, const base::ActiveUniform
     const GLint location = uniform.location + element;
     const auto components = static_cast<std::size_t>(uniform.type.components());
     std::vector<double> values(components);
+    const auto read = [&]<class T>(void(GLAD_API_PTR * get)(GLuint, GLint, T*)) {
+        std::array<T, 16> given{};
+        get(program.id(), location, given.data());
+        std::copy_n(given.begin(), components, values.begin());
+    };
     switch (uniform.type.base) {
-        case base::BaseType::floating: {
-            std::array<GLfloat, 16> read{};
-            glGetUniformfv(program.id(), location, read.data());
-            std::copy_n(read.begin(), components, values.begin());
+        case base::BaseType::floating:
+            read(glGetUniformfv);
             break;
-        }
-        case base::BaseType::doublePrecision: {
-            std::array<GLdouble, 16> read{};
-            glGetUniformdv(program.id(), location, read.data());
-            std::copy_n(read.begin(), components, values.begin());
+        case base::BaseType::doublePrecision:
+            read(glGetUniformdv);
             break;
-        }
-        case base::BaseType::unsignedInteger: {
-            std::array<GLuint, 4> read{};
-            glGetUniformuiv(program.id(), location, read.data());
-            std::copy_n(read.begin(), components, values.begin());
+        case base::BaseType::unsignedInteger:
+            read(glGetUniformuiv);
             break;
-        }
-        default: {
-            std::array<GLint, 4> read{};
-            glGetUniformiv(program.id(), location, read.data());
-            std::copy_n(read.begin(), components, values.begin());
+        default:
+            read(glGetUniformiv);
             break;
-        }
     }
     return values;
 }

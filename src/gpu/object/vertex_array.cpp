@@ -11,30 +11,16 @@ const void* byteOffset(std::size_t offset) {
 }
 
 void connect(const AttributeSource& source) {
+    using Type = AttributeSource::Type;
     source.buffer->bind(GL_ARRAY_BUFFER);
     const auto stride = static_cast<GLsizei>(source.stride);
-    switch (source.type) {
-        case AttributeSource::Type::floating:
-            glVertexAttribPointer(source.location, source.components, GL_FLOAT, GL_FALSE, stride,
-                                  byteOffset(source.offset));
-            break;
-        case AttributeSource::Type::integerAsFloat:
-            glVertexAttribPointer(source.location, source.components, GL_INT, GL_FALSE, stride,
-                                  byteOffset(source.offset));
-            break;
-        case AttributeSource::Type::unsignedAsFloat:
-            glVertexAttribPointer(source.location, source.components, GL_UNSIGNED_INT, GL_FALSE, stride,
-                                  byteOffset(source.offset));
-            break;
-        case AttributeSource::Type::integer:
-            glVertexAttribIPointer(source.location, source.components, GL_INT, stride,
-                                   byteOffset(source.offset));
-            break;
-        case AttributeSource::Type::unsignedInteger:
-            glVertexAttribIPointer(source.location, source.components, GL_UNSIGNED_INT, stride,
-                                   byteOffset(source.offset));
-            break;
-    }
+    const bool isUnsigned = source.type == Type::unsignedInteger || source.type == Type::unsignedAsFloat;
+    const GLenum memory = source.type == Type::floating ? GL_FLOAT : isUnsigned ? GL_UNSIGNED_INT : GL_INT;
+    if (source.type == Type::integer || source.type == Type::unsignedInteger)
+        glVertexAttribIPointer(source.location, source.components, memory, stride, byteOffset(source.offset));
+    else
+        glVertexAttribPointer(source.location, source.components, memory, GL_FALSE, stride,
+                              byteOffset(source.offset));
     glEnableVertexAttribArray(source.location);
     if (source.divisor != 0) glVertexAttribDivisor(source.location, source.divisor);
 }
@@ -42,10 +28,7 @@ void connect(const AttributeSource& source) {
 }  // namespace
 
 VertexArray::VertexArray(std::span<const AttributeSource> sources, const Buffer* indices) {
-    GLuint name = 0;
-    glGenVertexArrays(1, &name);
-    name_ = Name<deleteVertexArray>(name);
-    glBindVertexArray(name);
+    bind();
     for (const AttributeSource& each : sources)
         if (each.buffer) connect(each);
     if (indices) indices->bind(GL_ELEMENT_ARRAY_BUFFER);

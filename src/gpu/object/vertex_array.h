@@ -12,10 +12,6 @@
 
 namespace glibra::gpu {
 
-inline void deleteVertexArray(GLuint name) {
-    glDeleteVertexArrays(1, &name);
-}
-
 /// One vertex input read from a buffer.
 struct AttributeSource {
     /// 32 bits each. `...AsFloat`: integers in memory that the shader reads as floats.
@@ -37,7 +33,7 @@ class VertexArray {
     [[nodiscard]] GLuint id() const { return name_.get(); }
 
   private:
-    Name<deleteVertexArray> name_;
+    Name<glDeleteVertexArrays> name_{glGenVertexArrays};
 };
 
 /// Sets what an input of that type reads when no buffer feeds it. A matrix gets the value in every column.

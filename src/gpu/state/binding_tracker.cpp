@@ -51,7 +51,7 @@ void BindingTracker::bindImage(const Texture& texture, int unit, int level, std:
 
 void BindingTracker::bindBase(const Buffer& buffer, GLenum target, GLuint index) {
     const auto isIt = [&](const IndexedBuffer& each) { return each.target == target && each.index == index; };
-    auto bound = std::find_if(buffers_.begin(), buffers_.end(), isIt);
+    auto bound = std::ranges::find_if(buffers_, isIt);
     if (bound == buffers_.end()) bound = buffers_.insert(bound, {target, index, 0});
     if (std::exchange(bound->name, buffer.id()) != buffer.id()) buffer.bindBase(target, index);
 }

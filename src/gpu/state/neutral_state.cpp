@@ -11,10 +11,9 @@
 namespace glibra::gpu {
 namespace {
 
-/// Something that GL switches on and off, and that a RasterTracker does not.
+/// Something that is off, and that a RasterTracker does not switch.
 struct Switch {
     GLenum capability;
-    bool isOn;
     int major = 4, minor = 1;         ///< the version of GL that has it
     std::string_view extension = {};  ///< that it belongs to, if it is none of GL's own
 };
@@ -24,55 +23,50 @@ constexpr GLenum kConservativeRasterization = 0x9346;       // NV_conservative_r
 constexpr GLenum kIntelConservativeRasterization = 0x83FE;  // INTEL_conservative_rasterization
 
 constexpr Switch kSwitches[] = {
-    {GL_COLOR_LOGIC_OP, false},
-    {GL_FRAMEBUFFER_SRGB, false},
-    {GL_LINE_SMOOTH, false},
-    {GL_POLYGON_SMOOTH, false},
-    {GL_PRIMITIVE_RESTART, false},
-    {GL_PRIMITIVE_RESTART_FIXED_INDEX, false, 4, 3},
-    {GL_SAMPLE_ALPHA_TO_ONE, false},
-    {GL_SAMPLE_COVERAGE, false},
-    {GL_SAMPLE_MASK, false},
-    {kDepthBoundsTest, false, 4, 1, "GL_EXT_depth_bounds_test"},
-    {kConservativeRasterization, false, 4, 1, "GL_NV_conservative_raster"},
-    {kIntelConservativeRasterization, false, 4, 1, "GL_INTEL_conservative_rasterization"},
+    {GL_COLOR_LOGIC_OP},
+    {GL_FRAMEBUFFER_SRGB},
+    {GL_LINE_SMOOTH},
+    {GL_POLYGON_SMOOTH},
+    {GL_PRIMITIVE_RESTART},
+    {GL_PRIMITIVE_RESTART_FIXED_INDEX, 4, 3},
+    {GL_SAMPLE_ALPHA_TO_ONE},
+    {GL_SAMPLE_COVERAGE},
+    {GL_SAMPLE_MASK},
+    {kDepthBoundsTest, 4, 1, "GL_EXT_depth_bounds_test"},
+    {kConservativeRasterization, 4, 1, "GL_NV_conservative_raster"},
+    {kIntelConservativeRasterization, 4, 1, "GL_INTEL_conservative_rasterization"},
 };
 
-/// How pixels lie in memory: packed tightly.
+/// A parameter of glPixelStorei that is zero, so that pixels lie in memory packed tightly.
 struct PixelStore {
     GLenum name;
-    GLint value;
     int major = 4, minor = 1;
 };
 
 constexpr PixelStore kPixelStores[] = {
-    {GL_PACK_SWAP_BYTES, GL_FALSE},
-    {GL_PACK_LSB_FIRST, GL_FALSE},
-    {GL_PACK_ROW_LENGTH, 0},
-    {GL_PACK_IMAGE_HEIGHT, 0},
-    {GL_PACK_SKIP_ROWS, 0},
-    {GL_PACK_SKIP_PIXELS, 0},
-    {GL_PACK_SKIP_IMAGES, 0},
-    {GL_PACK_COMPRESSED_BLOCK_WIDTH, 0, 4, 2},
-    {GL_PACK_COMPRESSED_BLOCK_HEIGHT, 0, 4, 2},
-    {GL_PACK_COMPRESSED_BLOCK_DEPTH, 0, 4, 2},
-    {GL_PACK_COMPRESSED_BLOCK_SIZE, 0, 4, 2},
-    {GL_UNPACK_SWAP_BYTES, GL_FALSE},
-    {GL_UNPACK_LSB_FIRST, GL_FALSE},
-    {GL_UNPACK_ROW_LENGTH, 0},
-    {GL_UNPACK_IMAGE_HEIGHT, 0},
-    {GL_UNPACK_SKIP_ROWS, 0},
-    {GL_UNPACK_SKIP_PIXELS, 0},
-    {GL_UNPACK_SKIP_IMAGES, 0},
-    {GL_UNPACK_COMPRESSED_BLOCK_WIDTH, 0, 4, 2},
-    {GL_UNPACK_COMPRESSED_BLOCK_HEIGHT, 0, 4, 2},
-    {GL_UNPACK_COMPRESSED_BLOCK_DEPTH, 0, 4, 2},
-    {GL_UNPACK_COMPRESSED_BLOCK_SIZE, 0, 4, 2},
+    {GL_PACK_SWAP_BYTES},
+    {GL_PACK_LSB_FIRST},
+    {GL_PACK_ROW_LENGTH},
+    {GL_PACK_IMAGE_HEIGHT},
+    {GL_PACK_SKIP_ROWS},
+    {GL_PACK_SKIP_PIXELS},
+    {GL_PACK_SKIP_IMAGES},
+    {GL_PACK_COMPRESSED_BLOCK_WIDTH, 4, 2},
+    {GL_PACK_COMPRESSED_BLOCK_HEIGHT, 4, 2},
+    {GL_PACK_COMPRESSED_BLOCK_DEPTH, 4, 2},
+    {GL_PACK_COMPRESSED_BLOCK_SIZE, 4, 2},
+    {GL_UNPACK_SWAP_BYTES},
+    {GL_UNPACK_LSB_FIRST},
+    {GL_UNPACK_ROW_LENGTH},
+    {GL_UNPACK_IMAGE_HEIGHT},
+    {GL_UNPACK_SKIP_ROWS},
+    {GL_UNPACK_SKIP_PIXELS},
+    {GL_UNPACK_SKIP_IMAGES},
+    {GL_UNPACK_COMPRESSED_BLOCK_WIDTH, 4, 2},
+    {GL_UNPACK_COMPRESSED_BLOCK_HEIGHT, 4, 2},
+    {GL_UNPACK_COMPRESSED_BLOCK_DEPTH, 4, 2},
+    {GL_UNPACK_COMPRESSED_BLOCK_SIZE, 4, 2},
 };
-
-void set(const Switch& each) {
-    each.isOn ? glEnable(each.capability) : glDisable(each.capability);
-}
 
 /// What others have begun would change what is drawn, or forbid it.
 void endWorkOfOthers() {
@@ -88,7 +82,7 @@ void endWorkOfOthers() {
 
 void setPixelStores(const Capabilities& capabilities) {
     for (const PixelStore& each : kPixelStores)
-        if (capabilities.atLeast(each.major, each.minor)) glPixelStorei(each.name, each.value);
+        if (capabilities.atLeast(each.major, each.minor)) glPixelStorei(each.name, 0);
     if (capabilities.packInvert) glPixelStorei(GL_PACK_INVERT_MESA, GL_FALSE);
     glClampColor(GL_CLAMP_READ_COLOR, GL_FIXED_ONLY);
 }
@@ -127,7 +121,7 @@ void setNeutralState(const Capabilities& capabilities) {
     for (const Switch& each : kSwitches)
         if (capabilities.atLeast(each.major, each.minor) &&
             (each.extension.empty() || capabilities.hasExtension(each.extension)))
-            set(each);
+            glDisable(each.capability);
     setPixelStores(capabilities);
     unbind(capabilities);
     setPrimitives(capabilities);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "gpu/format/raster_names.h"
+
 namespace glibra::gpu {
 namespace {
 
@@ -21,7 +23,7 @@ GLenum modeOf(base::PolygonMode mode) {
 
 template <class T>
 bool allEqual(const std::array<T, kRasterTargets>& values) {
-    return std::all_of(values.begin(), values.end(), [&](const T& each) { return each == values.front(); });
+    return std::ranges::all_of(values, [&](const T& each) { return each == values.front(); });
 }
 
 int edge(double fraction, int size) {
@@ -47,43 +49,6 @@ double roundedUpAtHalf(double lineWidth) {
 }
 
 }  // namespace
-
-GLenum glFunction(base::Comparison comparison) {
-    constexpr std::array<GLenum, 8> kFunctions{GL_NEVER,  GL_LESS,    GL_LEQUAL,   GL_EQUAL,
-                                               GL_GEQUAL, GL_GREATER, GL_NOTEQUAL, GL_ALWAYS};
-    return kFunctions.at(static_cast<std::size_t>(comparison));
-}
-
-GLenum glFactor(base::BlendFactor factor) {
-    constexpr std::array<GLenum, base::kBlendFactorCount> kFactors{GL_ZERO,
-                                                                   GL_ONE,
-                                                                   GL_SRC_COLOR,
-                                                                   GL_ONE_MINUS_SRC_COLOR,
-                                                                   GL_DST_COLOR,
-                                                                   GL_ONE_MINUS_DST_COLOR,
-                                                                   GL_SRC_ALPHA,
-                                                                   GL_ONE_MINUS_SRC_ALPHA,
-                                                                   GL_DST_ALPHA,
-                                                                   GL_ONE_MINUS_DST_ALPHA,
-                                                                   GL_CONSTANT_COLOR,
-                                                                   GL_ONE_MINUS_CONSTANT_COLOR,
-                                                                   GL_CONSTANT_ALPHA,
-                                                                   GL_ONE_MINUS_CONSTANT_ALPHA,
-                                                                   GL_SRC_ALPHA_SATURATE};
-    return kFactors.at(static_cast<std::size_t>(factor));
-}
-
-GLenum glEquation(base::BlendEquation equation) {
-    constexpr std::array<GLenum, base::kBlendEquationCount> kEquations{
-        GL_FUNC_ADD, GL_FUNC_SUBTRACT, GL_FUNC_REVERSE_SUBTRACT, GL_MIN, GL_MAX};
-    return kEquations.at(static_cast<std::size_t>(equation));
-}
-
-GLenum glAction(base::StencilAction action) {
-    constexpr std::array<GLenum, 8> kActions{GL_KEEP, GL_ZERO,   GL_REPLACE,   GL_INCR,
-                                             GL_DECR, GL_INVERT, GL_INCR_WRAP, GL_DECR_WRAP};
-    return kActions.at(static_cast<std::size_t>(action));
-}
 
 PixelRectangle pixelsOf(const base::FractionRectangle& rectangle, int width, int height) {
     const int left = edge(rectangle.x, width), bottom = edge(rectangle.y, height);
@@ -227,7 +192,7 @@ void RasterTracker::applyBlending(const base::RasterState& state) {
     std::array<float, 4> constant{};
     for (std::size_t i = 0; i < constant.size(); ++i)
         constant[i] = static_cast<float>(state.blendConstant[i]);
-    if (std::find(on.begin(), on.end(), true) != on.end())
+    if (std::ranges::find(on, true) != on.end())
         change(known_.blendConstant, constant,
                [&] { glBlendColor(constant[0], constant[1], constant[2], constant[3]); });
 }

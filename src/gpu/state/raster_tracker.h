@@ -12,11 +12,6 @@
 
 namespace glibra::gpu {
 
-GLenum glFunction(base::Comparison comparison);
-GLenum glFactor(base::BlendFactor factor);
-GLenum glEquation(base::BlendEquation equation);
-GLenum glAction(base::StencilAction action);
-
 /// The rectangle in pixels of a target. Each edge is rounded to the nearest pixel edge, so that rectangles
 /// that share an edge neither overlap nor leave a gap.
 PixelRectangle pixelsOf(const base::FractionRectangle& rectangle, int width, int height);

@@ -9,6 +9,7 @@
 #include "image/bmp/bmp_header.h"
 #include "image/bmp/bmp_run_lengths.h"
 #include "image/bytes.h"
+#include "image/convert.h"
 
 namespace glibra::image {
 namespace {
@@ -112,18 +113,15 @@ Result<Image> decodeBmp(ByteSpan file, const FileLabel& label, const Limits& lim
         return endsEarly(label, data.size() / stride, header.height);
 
     const std::size_t count = std::size_t{header.width} * header.height;
-    Image image{static_cast<int>(header.width), static_cast<int>(header.height), 4, Component::u8, {}};
-    image.data.resize(4 * count);
+    Image image = blankImage(header.width, header.height, Component::u8);
     const std::span<BmpPixel> pixels(reinterpret_cast<BmpPixel*>(image.data.data()), count);
-    if (!packed) {
+    if (packed) {
+        const std::uint64_t wholeRows = decodeRunLengths(
+            data, {header.width, header.height, header.topDown, header.bits}, colorsOf(header), pixels);
+        if (wholeRows < header.height) return endsEarly(label, wholeRows, header.height);
+    } else {
         plainRows(header, data, stride, pixels);
-        Diagnostics remarks = findStrays(header, label, pixels);
-        return {std::move(image), std::move(remarks)};
     }
-    const std::vector<BmpPixel> colors = colorsOf(header);
-    const std::uint64_t wholeRows =
-        decodeRunLengths(data, {header.width, header.height, header.topDown, header.bits}, colors, pixels);
-    if (wholeRows < header.height) return endsEarly(label, wholeRows, header.height);
     Diagnostics remarks = findStrays(header, label, pixels);
     return {std::move(image), std::move(remarks)};
 }

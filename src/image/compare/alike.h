@@ -1,7 +1,9 @@
 #pragma once
-// Converts two pictures of equal size to the same components and type, without a copy if they already match.
+// Two pictures of equal size in the same components and type, without a copy if they already match.
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <type_traits>
 
 #include "image/convert.h"
@@ -19,6 +21,13 @@ std::invoke_result_t<Use, const Image&, const Image&> withAlike(const Image& a, 
     if (a.type != wider) return use(withType(a, wider), b);
     if (b.type != wider) return use(a, withType(b, wider));
     return use(a, b);
+}
+
+/// How far two values are apart. NaN equals NaN, and is infinitely far from a number.
+inline double apart(float a, float b) {
+    if (a == b || (std::isnan(a) && std::isnan(b))) return 0;
+    if (std::isnan(a) || std::isnan(b)) return std::numeric_limits<double>::infinity();
+    return std::abs(static_cast<double>(a) - static_cast<double>(b));
 }
 
 }  // namespace glibra::image

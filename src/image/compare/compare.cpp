@@ -24,9 +24,7 @@ auto distance(Value a, Value b) {
     } else if constexpr (std::is_integral_v<Value>) {
         return static_cast<std::uint64_t>(a > b ? a - b : b - a);
     } else {
-        if (a == b || (std::isnan(a) && std::isnan(b))) return 0.;
-        if (std::isnan(a) || std::isnan(b)) return std::numeric_limits<double>::infinity();
-        return std::abs(static_cast<double>(a) - static_cast<double>(b));
+        return apart(a, b);
     }
 }
 
@@ -125,17 +123,8 @@ Comparison compare(const Image& first, const Image& second) {
         return result;
     }
     return withAlike(first, second, [](const Image& a, const Image& b) {
-        Comparison found;
-        switch (a.type) {
-            case Component::u8:
-                return compareAlike<std::uint8_t>(a, b);
-            case Component::u16:
-                return compareAlike<std::uint16_t>(a, b);
-            case Component::f32:
-                found = compareAlike<float>(a, b);
-                found.nonFinite = countNonFiniteOfBoth(a, b);
-                break;
-        }
+        Comparison found = withZeroOf(a.type, [&](auto zero) { return compareAlike<decltype(zero)>(a, b); });
+        found.nonFinite = countNonFiniteOfBoth(a, b);
         return found;
     });
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "image/bytes.h"
+#include "image/convert.h"
 
 namespace glibra::image {
 namespace {
@@ -233,15 +234,7 @@ Excess measure(const Image& a, const Image& b, const ExcessLimits& limits) {
 }  // namespace
 
 Excess measureExcess(const Image& a, const Image& b, const ExcessLimits& limits) {
-    switch (a.type) {
-        case Component::u8:
-            return measure<std::uint8_t>(a, b, limits);
-        case Component::u16:
-            return measure<std::uint16_t>(a, b, limits);
-        case Component::f32:
-            break;
-    }
-    return measure<float>(a, b, limits);
+    return withZeroOf(a.type, [&](auto zero) { return measure<decltype(zero)>(a, b, limits); });
 }
 
 }  // namespace glibra::image

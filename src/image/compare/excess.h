@@ -16,14 +16,14 @@ struct ExcessLimits {
 };
 
 struct Excess {
-    std::uint64_t beyond = 0;   ///< pixels with a component that differs by more than the limit
-    std::uint64_t cluster = 0;  ///< size of the largest group of such pixels that touch, also at corners
-    int clusterX = 0, clusterY = 0;
-    std::uint64_t line = 0;      ///< most of such pixels in one row or column
-    int lineX = -1, lineY = -1;  ///< that column, or that row; the other is -1
+    std::uint64_t beyond = 0;        ///< pixels with a component that differs by more than the limit
+    std::uint64_t cluster = 0;       ///< size of the largest group of such pixels that touch, also at corners
+    int clusterX = 0, clusterY = 0;  ///< its first pixel
+    std::uint64_t line = 0;          ///< most of such pixels in one row or column
+    int lineX = -1, lineY = -1;      ///< that column, or that row; the other is -1
     double bias =
         0;  ///< largest mean of the signed differences of a block, each limited to +-largest; 255ths
-    int biasX = 0, biasY = 0;
+    int biasX = 0, biasY = 0;  ///< top left pixel of that block
 };
 
 /// For two pictures of equal size, component count and type. NaN against a number exceeds any limit and

@@ -66,14 +66,7 @@ void loadRow(const Image& image, int x, int y, std::size_t count, float* r, floa
 }
 
 void loadRow(const Image& image, int x, int y, std::size_t count, float* r, float* g, float* b) {
-    switch (image.type) {
-        case Component::u8:
-            return loadRow<std::uint8_t>(image, x, y, count, r, g, b);
-        case Component::u16:
-            return loadRow<std::uint16_t>(image, x, y, count, r, g, b);
-        case Component::f32:
-            return loadRow<float>(image, x, y, count, r, g, b);
-    }
+    withZeroOf(image.type, [&](auto zero) { loadRow<decltype(zero)>(image, x, y, count, r, g, b); });
 }
 
 /// The part of one picture in a tile: the rows of the tile and `radius` rows above and below, filtered along

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "image/png/lanes.h"
+#include "image/compare/lanes.h"
 
 namespace glibra::image {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "image/png/lanes.h"
+#include "image/compare/lanes.h"
 
 namespace glibra::image {
 namespace {

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <limits>
 
+#include "image/bytes.h"
 #include "image/compare/alike.h"
 #include "image/convert.h"
 
@@ -52,12 +53,6 @@ void paint(Image& map, std::size_t pixel, double value) {
     std::memcpy(map.data.data() + 3 * pixel, palette()[static_cast<std::size_t>(index)].data(), 3);
 }
 
-double difference(float a, float b) {
-    if (a == b || (std::isnan(a) && std::isnan(b))) return 0;
-    if (std::isnan(a) || std::isnan(b)) return std::numeric_limits<double>::infinity();
-    return std::abs(static_cast<double>(a) - static_cast<double>(b));
-}
-
 }  // namespace
 
 void magma(double value, double& red, double& green, double& blue) {
@@ -82,13 +77,9 @@ Image differenceHeatMap(const Image& expected, const Image& got) {
         const auto components = static_cast<std::size_t>(a.components);
         for (std::size_t pixel = 0; pixel < map.data.size() / 3; ++pixel) {
             double largest = 0;
-            for (std::size_t c = 0; c < components; ++c) {
-                float p = 0, q = 0;
-                std::memcpy(&p, a.data.data() + 4 * (pixel * components + c), 4);
-                std::memcpy(&q, b.data.data() + 4 * (pixel * components + c), 4);
-                const double d = difference(p, q);
-                largest = std::max(largest, d);
-            }
+            for (std::size_t i = pixel * components; i < (pixel + 1) * components; ++i)
+                largest = std::max(largest,
+                                   apart(valueAt<float>(a.data.data(), i), valueAt<float>(b.data.data(), i)));
             paint(map, pixel, std::log2(1 + 255 * largest) / 8);
         }
         return map;

@@ -8,7 +8,6 @@
 
 #include "image/bytes.h"
 #include "image/compare/alike.h"
-#include "image/compare/excess.h"
 #include "image/compare/flip.h"
 #include "image/compare/structure.h"
 #include "image/convert.h"
@@ -41,10 +40,8 @@ ExcessLimits limitsFor(const Image& a, const Image& b, const Tolerance& toleranc
     return limits;
 }
 
-/// The plain measures: their decision with the reason. `line` names the row or column with the most pixels
-/// beyond the limit.
-void judgePlainly(const ExcessLimits& limits, const Tolerance& tolerance, const std::string& line,
-                  Judgement& result) {
+/// The plain measures: their decision with the reason.
+void judgePlainly(const ExcessLimits& limits, const Tolerance& tolerance, Judgement& result) {
     const std::string limit = limits.relativeOnly
                                   ? fmt::format("{:g} + {:g} of the value", limits.absolute, limits.relative)
                                   : fmt::format("{:g} of 255", limits.largest);
@@ -61,6 +58,8 @@ void judgePlainly(const ExcessLimits& limits, const Tolerance& tolerance, const 
             differ(result.cluster, fmt::format(" that touch at {}, {}", result.clusterX, result.clusterY)),
             limit, tolerance.cluster, largestDifference(result.comparison));
     } else if (result.line > static_cast<std::uint64_t>(std::max(tolerance.line, 0))) {
+        const std::string line =
+            result.lineY >= 0 ? fmt::format("row {}", result.lineY) : fmt::format("column {}", result.lineX);
         result.reason =
             fmt::format("{} by more than {} (allowed: {}); {}", differ(result.line, " in " + line), limit,
                         tolerance.line, largestDifference(result.comparison));
@@ -194,22 +193,11 @@ Judgement judge(const Image& expected, const Image& got, const Tolerance& tolera
     if (expected.components == got.components && expected.type == got.type && expected.data == got.data)
         return equalBytes(expected);
     const ExcessLimits limits = limitsFor(expected, got, tolerance);
-    std::string place;
     std::optional<OutOfRange> outside;
     withAlike(expected, got, [&](const Image& a, const Image& b) {
         result.comparison = compare(a, b);
         if (result.comparison.identical) return;
-        const Excess excess = measureExcess(a, b, limits);
-        result.beyond = excess.beyond;
-        result.cluster = excess.cluster;
-        result.clusterX = excess.clusterX;
-        result.clusterY = excess.clusterY;
-        result.line = excess.line;
-        place =
-            excess.lineY >= 0 ? fmt::format("row {}", excess.lineY) : fmt::format("column {}", excess.lineX);
-        result.bias = excess.bias;
-        result.biasX = excess.biasX;
-        result.biasY = excess.biasY;
+        static_cast<Excess&>(result) = measureExcess(a, b, limits);
         if (tolerance.flip || tolerance.structure) outside = firstOutOfRange(a, b, limits);
     });
     if (result.comparison.identical) {
@@ -217,7 +205,7 @@ Judgement judge(const Image& expected, const Image& got, const Tolerance& tolera
         result.reason = "equal values";
         return result;
     }
-    judgePlainly(limits, tolerance, place, result);
+    judgePlainly(limits, tolerance, result);
     judgePerceptually(expected, got, tolerance, everything, outside, result);
     return result;
 }

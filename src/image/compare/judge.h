@@ -8,6 +8,7 @@
 #include <string>
 
 #include "image/compare/compare.h"
+#include "image/compare/excess.h"
 #include "image/image.h"
 
 namespace glibra::image {
@@ -48,18 +49,13 @@ enum class Rung { size, bytes, differences, bias, structure, flip };
 /// "size", "bytes", ...
 const char* name(Rung rung);
 
-/// Places are relative to the top left.
-struct Judgement {
+/// Places are relative to the top left. Of what exceeds the limit, clusters and lines are counted only if it
+/// is not too much; the bias is that of Tolerance::bias.
+struct Judgement : Excess {
     bool same = false;
     Rung decidedBy = Rung::bytes;
     std::string reason;                     ///< one sentence with the deciding figure and its limit
     Comparison comparison;                  ///< empty if the sizes or the bytes decided
-    std::uint64_t beyond = 0;               ///< pixels that differ by more than `largest`
-    std::uint64_t cluster = 0;              ///< size of the largest group of them; counted only if they are
-    int clusterX = 0, clusterY = 0;         ///< not too many. Place of its first pixel
-    std::uint64_t line = 0;                 ///< most of them in one row or column, likewise
-    double bias = 0;                        ///< largest mean of a block, 255ths
-    int biasX = 0, biasY = 0;               ///< top left pixel of that block
     std::optional<double> flip, structure;  ///< if needed or requested
 };
 

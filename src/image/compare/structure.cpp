@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "image/compare/alike.h"
+#include "image/compare/lanes.h"
 #include "image/convert.h"
-#include "image/png/lanes.h"
 
 namespace glibra::image {
 namespace {

@@ -145,9 +145,7 @@ Result<DdsContent> decodeDds(ByteSpan file, const FileLabel& label, const Limits
         return content;
     }
     content.image = blankImage(header.width, header.height, type);
-    if (type == Component::u8) readDdsPixels<std::uint8_t>(data, header, *content.image);
-    if (type == Component::u16) readDdsPixels<std::uint16_t>(data, header, *content.image);
-    if (type == Component::f32) readDdsPixels<float>(data, header, *content.image);
+    withZeroOf(type, [&](auto zero) { readDdsPixels<decltype(zero)>(data, header, *content.image); });
     if (header.premultiplied) unassociateAlpha(*content.image);
     return content;
 }

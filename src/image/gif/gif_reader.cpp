@@ -170,10 +170,8 @@ Result<Image> decodeGif(ByteSpan file, const FileLabel& label, const Limits& lim
     const auto found = findFrame(file, label);
     if (!found) return found.diagnostics;
     const GifFrame& frame = *found;
-    if (auto tooLarge = checkSize(frame.screenWidth, frame.screenHeight, 4, limits, label))
-        return *std::move(tooLarge);
-    if (auto tooShort = checkInflation(frame.screenWidth, frame.screenHeight, file.size(), label))
-        return *std::move(tooShort);
+    if (auto refused = checkPacked(frame.screenWidth, frame.screenHeight, 4, file.size(), limits, label))
+        return *std::move(refused);
 
     const std::size_t count = std::size_t{frame.width} * frame.height;
     std::vector<std::uint8_t> indices;

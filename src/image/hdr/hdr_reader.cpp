@@ -147,9 +147,8 @@ Result<Image> decodeHdr(ByteSpan file, const FileLabel& label, const Limits& lim
     if (!read) return read.diagnostics;
     const auto& [slow, fast, dataOffset] = *read;
     const std::uint64_t width = slow.isX ? slow.size : fast.size, height = slow.isX ? fast.size : slow.size;
-    if (auto tooLarge = checkSize(width, height, 4 * sizeof(float), limits, label))
-        return *std::move(tooLarge);
-    if (auto tooShort = checkInflation(width, height, file.size(), label)) return *std::move(tooShort);
+    if (auto refused = checkPacked(width, height, 4 * sizeof(float), file.size(), limits, label))
+        return *std::move(refused);
 
     Image image = blankImage(width, height, Component::f32);
     std::vector<Rgbe> line(static_cast<std::size_t>(fast.size));

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "image/bytes.h"
+#include "image/convert.h"
 #include "image/png/png_data.h"
 
 namespace glibra::image {
@@ -60,10 +61,7 @@ void putPngHeader(std::vector<std::byte>& png, const Image& image) {
 }
 
 std::vector<std::byte> encodePng(const Image& image, const PngOptions& options) {
-    if (image.width < 1 || image.height < 1 || image.components < 1 || image.components > 4) return {};
-    if (image.type == Component::f32) return {};
-    if (image.data.size() != image.rowBytes() * static_cast<std::size_t>(image.height)) return {};
-
+    if (!isConsistent(image) || image.type == Component::f32) return {};
     const std::vector<std::byte> data = packPngData(image, std::clamp(options.level, 0, 12), options.threads);
     if (data.empty()) return {};
 

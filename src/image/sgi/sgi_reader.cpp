@@ -114,10 +114,9 @@ Result<Image> decodeSgi(ByteSpan file, const FileLabel& label, const Limits& lim
     if (!read) return read.diagnostics;
     const SgiHeader& header = *read;
     const Component type = header.sampleBytes == 1 ? Component::u8 : Component::u16;
-    if (auto tooLarge = checkSize(header.width, header.height, 4 * bytesOf(type), limits, label))
-        return *std::move(tooLarge);
-    if (auto tooShort = checkInflation(header.width, header.height, file.size(), label))
-        return *std::move(tooShort);
+    if (auto refused =
+            checkPacked(header.width, header.height, 4 * bytesOf(type), file.size(), limits, label))
+        return *std::move(refused);
     const std::uint64_t rows = std::uint64_t{header.height} * header.channels;
     const std::uint64_t rowBytes = header.packed ? 8 : header.width * header.sampleBytes;
     if (const std::uint64_t have = (file.size() - kSgiHeader) / rowBytes; have < rows)

@@ -185,9 +185,8 @@ Result<Image> decodeTarga(ByteSpan file, const FileLabel& label, const Limits& l
     auto read = readTargaHeader(file, label);
     if (!read) return std::move(read.diagnostics);
     const TargaHeader& header = *read;
-    if (auto tooLarge = checkSize(header.width, header.height, 4, limits, label)) return *std::move(tooLarge);
-    if (auto tooShort = checkInflation(header.width, header.height, file.size(), label))
-        return *std::move(tooShort);
+    if (auto refused = checkPacked(header.width, header.height, 4, file.size(), limits, label))
+        return *std::move(refused);
 
     Image image = blankImage(header.width, header.height, Component::u8);
     const std::size_t count = std::size_t{header.width} * header.height;

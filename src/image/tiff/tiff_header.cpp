@@ -184,10 +184,8 @@ Result<TiffHeader> readTiffHeader(ByteSpan file, const FileLabel& label, const L
         return damaged(label, fmt::format("{} samples of {} bits are not read", header.samples, header.bits));
     if (const std::string problem = misreadBy(header); !problem.empty()) return damaged(label, problem);
     const std::uint64_t component = header.bits <= 8 ? 1 : header.bits <= 16 ? 2 : 4;
-    if (auto tooLarge = checkSize(header.width, header.height, 4 * component, limits, label))
-        return *std::move(tooLarge);
-    if (auto tooShort = checkInflation(header.width, header.height, file.size(), label))
-        return *std::move(tooShort);
+    if (auto refused = checkPacked(header.width, header.height, 4 * component, file.size(), limits, label))
+        return *std::move(refused);
     const std::uint64_t most = limits.texelBytes / (header.samples * (header.bits + 7) / 8);
     if (header.tileWidth > 0 && header.tileHeight > most / header.tileWidth)
         return diagnose("file-E09",

@@ -19,6 +19,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/text.h"
 #include "image/convert.h"
 #include "image/file.h"
 #include "image/gif/gif_writer.h"
@@ -30,9 +31,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string suffixOf(const fs::path& file) {
-    std::string suffix = file.extension().string();
-    for (char& c : suffix) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return suffix;
+    return base::lower(file.extension().string());
 }
 
 /// The words of the command. The options before "-i" describe the pixels that ffmpeg reads.

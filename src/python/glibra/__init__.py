@@ -33,6 +33,15 @@ def _renderer():
     return _thread.renderer
 
 
+def _png_of(picture):
+    """The bytes of a PNG file."""
+    with tempfile.TemporaryDirectory() as folder:
+        file = os.path.join(folder, "picture.png")
+        save(picture, file)
+        with open(file, "rb") as png:
+            return png.read()
+
+
 def save(picture, file):
     """Writes an array as a picture file: .png, .exr, .jpg and others, by the name."""
     _core.save(numpy.asarray(picture), os.fspath(file))
@@ -179,11 +188,7 @@ class Scene:
         return f"<glibra.Scene {self.files[0]}>"
 
     def _repr_png_(self):
-        with tempfile.TemporaryDirectory() as folder:
-            file = os.path.join(folder, "picture.png")
-            save(self.draw(), file)
-            with open(file, "rb") as png:
-                return png.read()
+        return _png_of(self.draw())
 
     def interact(self, width=0, height=0):
         """In a notebook: the picture with a slider for every value that has a range (needs ipywidgets)."""
@@ -206,11 +211,7 @@ class Scene:
             for name, control in controls.items():
                 if name != "time":
                     self[name] = control.value
-            with tempfile.TemporaryDirectory() as folder:
-                file = os.path.join(folder, "picture.png")
-                save(self.draw(width, height, time=controls["time"].value), file)
-                with open(file, "rb") as png:
-                    picture.value = png.read()
+            picture.value = _png_of(self.draw(width, height, time=controls["time"].value))
 
         for control in controls.values():
             control.observe(redraw, names="value")

@@ -123,10 +123,9 @@ class Answerer {
             if (!equal(wanted[i], found[i], content)) return false;
         return true;
     }
-    [[nodiscard]] std::string wantedText() const {
-        return check_.tolerance > 0
-                   ? fmt::format("{} within {}", numbersText(check_.wanted), shownNumber(check_.tolerance))
-                   : numbersText(check_.wanted);
+    [[nodiscard]] std::string wantedText() const { return numbersText(check_.wanted) + withinText(); }
+    [[nodiscard]] std::string withinText() const {
+        return check_.tolerance > 0 ? " within " + shownNumber(check_.tolerance) : std::string();
     }
     /// Why the wanted components do not fit the content; empty if they do.
     [[nodiscard]] std::string misfit(const Content& content) const {
@@ -291,21 +290,18 @@ class Answerer {
             largest = std::max(largest, std::abs(a - b));
         }
         if (wantsSame == (differing.count() == 0)) return std::nullopt;
-        const std::string within =
-            check_.tolerance > 0 ? " within " + shownNumber(check_.tolerance) : std::string();
-        return wantsSame ? wrong("the same content" + within,
+        return wantsSame ? wrong("the same content" + withinText(),
                                  fmt::format("{}, by up to {}: {}",
                                              glib::counted(differing.count(), "differing value"),
                                              shownNumber(largest), differing.text()))
-                         : wrong("different content", "the same" + within);
+                         : wrong("different content", "the same" + withinText());
     }
 
     [[nodiscard]] Answer number(const char* what, std::uint64_t found) const {
         const double wanted = check_.numbers.at(0);
         if (std::abs(static_cast<double>(found) - wanted) <= check_.tolerance) return std::nullopt;
-        const std::string within =
-            check_.tolerance > 0 ? " within " + shownNumber(check_.tolerance) : std::string{};
-        return wrong(fmt::format("{} {}{}", shownNumber(wanted), what, within), fmt::format("{}", found));
+        return wrong(fmt::format("{} {}{}", shownNumber(wanted), what, withinText()),
+                     fmt::format("{}", found));
     }
 
     [[nodiscard]] Answer condition() const {

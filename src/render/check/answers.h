@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "render/check/content.h"
-#include "scene/modern/conditions.h"
+#include "scene/conditions.h"
 #include "scene/nodes.h"
 
 namespace glibra::render {

@@ -20,8 +20,7 @@ OpenChecks::OpenChecks(const scene::Scene& scene, double time)
 std::vector<Check> OpenChecks::take(double moment, const std::vector<Check>& there) {
     std::vector<Check> taken;
     const auto laterOf = [&](const Check& check) {
-        const auto found =
-            std::find_if(there.begin(), there.end(), [&](const Check& each) { return each.isSame(check); });
+        const auto found = std::ranges::find_if(there, [&](const Check& each) { return each.isSame(check); });
         return found != there.end() && found->kind == check.kind ? *found : check;
     };
     for (const Check& each : open_)
@@ -30,7 +29,7 @@ std::vector<Check> OpenChecks::take(double moment, const std::vector<Check>& the
     for (const Check& each : there) {
         const auto isSame = [&](const Check& other) { return other.isSame(each); };
         if (each.kind == Check::Kind::error || !each.seconds || *each.seconds != moment ||
-            std::any_of(all_.begin(), all_.end(), isSame))
+            std::ranges::any_of(all_, isSame))
             continue;
         taken.push_back(each);
         all_.push_back(each);

@@ -1,4 +1,4 @@
-// glibra check: prepares everything and draws nothing.
+#include "render/check/scene_check.h"
 
 #include <fmt/format.h>
 
@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "base/text.h"
+#include "render/consequences.h"
 #include "render/scene_state.h"
 
 namespace glibra::render {
@@ -51,7 +52,7 @@ constexpr const char* kNotShown =
     "#error not shown: a source lies outside of the scene's folder and the library; add its folder to "
     "GLIBRA_PATH\n";
 
-std::vector<TranslatedShader> translatedShaders(const SceneRenderer::State& state) {
+std::vector<TranslatedShader> translatedShaders(const SceneState& state) {
     const scene::Scene& scene = state.scene;
     const plan::FramePlan& plan = state.plan;
     std::vector<TranslatedShader> shaders;
@@ -80,8 +81,8 @@ CheckResult checkScene(gpu::Context& context, const std::filesystem::path& path,
     result.diagnostics = std::move(interpreted.diagnostics);
     if (interpreted) {
         // A scene with errors in its text is checked further, because its shaders may have errors too.
-        SceneRenderer::State state(context, compiled, std::move(*interpreted), false, stats, nullptr);
-        append(result.diagnostics, state.preparePlan(stats, true));
+        SceneState state(context, compiled, std::move(*interpreted), false, stats, nullptr);
+        append(result.diagnostics, state.preparePlan(state.planOptions(true), stats));
         result.shaders = translatedShaders(state);
     }
     append(result.diagnostics, context.debugLog().takeDiagnostics());

@@ -55,7 +55,7 @@ bool texturesComeFirst(const plan::FramePlan& plan) {
     const auto isOfWindow = [&](const scene::NodeIndex& node) {
         return node.kind == scene::NodeIndex::Kind::pass && plan.passOf(plan.passes[node.index]).isWindow;
     };
-    return std::is_partitioned(plan.order.begin(), plan.order.end(), std::not_fn(isOfWindow));
+    return std::ranges::is_partitioned(plan.order, std::not_fn(isOfWindow));
 }
 
 Diagnostics FrameDrawer::draw(const gpu::Target& window, const Frame& frame) {
@@ -196,9 +196,8 @@ Diagnostics FrameDrawer::drawNodes(const gpu::Target* window, const Frame& frame
         }
         const plan::PlannedPass& pass = plan_.passes[node.index];
         const std::size_t begin = draws;
-        draws += static_cast<std::size_t>(
-            std::count_if(pass.steps.begin(), pass.steps.end(),
-                          [](const auto& step) { return std::holds_alternative<plan::PlannedDraw>(step); }));
+        draws += static_cast<std::size_t>(std::ranges::count_if(
+            pass.steps, [](const auto& step) { return std::holds_alternative<plan::PlannedDraw>(step); }));
         const bool isWindow = plan_.passOf(pass).isWindow;
         if (isWindow ? window == nullptr : !frame.texturePasses) continue;
         if (isStill(index)) {
@@ -229,29 +228,24 @@ Diagnostics FrameDrawer::drawNodes(const gpu::Target* window, const Frame& frame
 Diagnostics FrameDrawer::drawPass(const plan::PlannedPass& pass, const gpu::Target& target,
                                   std::size_t begin) {
     Diagnostics diagnostics;
-    const bool isWindow = plan_.passOf(pass).isWindow;
-    completeReads(pass);
+    const scene::Pass& drawn = plan_.passOf(pass);
+    for (const auto& step : pass.steps)
+        if (const auto* draw = std::get_if<plan::PlannedDraw>(&step)) completeReads(draw->textures);
     beginPass(pass, target);
     std::size_t drawIndex = begin;
     for (const auto& step : pass.steps) {
         if (drawIndex >= drawLimit_) break;
         if (const auto* draw = std::get_if<plan::PlannedDraw>(&step)) {
-            append(diagnostics, drawOne(*draw, target, isWindow));
+            append(diagnostics, drawOne(*draw, target, drawn.isWindow));
             ++drawIndex;
         } else {
-            clear(target, plan_.clearOf(std::get<plan::PlannedClear>(step)), isWindow);
+            clear(target, plan_.clearOf(std::get<plan::PlannedClear>(step)), drawn.isWindow);
         }
     }
     gpu::settleClears(context_.capabilities());  // the draws may have been skipped
-    const scene::Pass& drawn = plan_.passOf(pass);
     for (const scene::TextureIndex each : drawn.targets) device_.textures().wasWritten(each);
     stats_.add("passes", 1);
     return diagnostics;
-}
-
-void FrameDrawer::completeReads(const plan::PlannedPass& pass) {
-    for (const auto& step : pass.steps)
-        if (const auto* draw = std::get_if<plan::PlannedDraw>(&step)) completeReads(draw->textures);
 }
 
 void FrameDrawer::completeReads(const std::vector<plan::TextureUse>& textures) {

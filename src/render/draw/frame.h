@@ -45,12 +45,12 @@ struct Frame {
     bool staysOpen = false;
 };
 
-/// Draws the frames of one plan. A drawer is complete when it is constructed; the setters below are options
-/// that hold for all frames that follow, in any order.
 /// True if every pass into textures, dispatch and clear comes before every pass into the window, so that
 /// tiles can share them.
 bool texturesComeFirst(const plan::FramePlan& plan);
 
+/// Draws the frames of one plan. A drawer is complete when it is constructed; the setters below are options
+/// that hold for all frames that follow, in any order.
 class FrameDrawer {
   public:
     FrameDrawer(const gpu::Context& context, const plan::FramePlan& plan, const ProgramLibrary& programs,
@@ -202,8 +202,7 @@ class FrameDrawer {
     /// Viewport and scissor are fractions of the whole picture. Programs that are made for tiles map the
     /// viewport themselves; this leaves the rest to the scissor.
     void fitToTile(scene::RasterState& raster, const BuiltProgram& built, bool isWindow) const;
-    /// Makes what the pass reads from textures that were drawn into: mipmaps, resolved samples.
-    void completeReads(const plan::PlannedPass& pass);
+    /// Makes what is read from textures that were drawn into: mipmaps, resolved samples.
     void completeReads(const std::vector<plan::TextureUse>& textures);
     /// Runs the groups in as many pieces as the scene wants, along the last axis with several groups. After
     /// each piece the driver gets the commands, so that none of them takes long.

@@ -47,8 +47,8 @@ void FrameDrawer::fitToTile(scene::RasterState& raster, const BuiltProgram& buil
     const Tile whole{0, 0, isWindow ? frame_->width : texture_.width,
                      isWindow ? frame_->height : texture_.height};
     const Tile& part = isWindow ? frame_->tile : texture_;
-    const bool isTiled = std::any_of(built.interface.uniforms.begin(), built.interface.uniforms.end(),
-                                     [](const auto& each) { return each.emittedName == "glibra_Tile"; });
+    const bool isTiled = std::ranges::any_of(
+        built.interface.uniforms, [](const auto& each) { return each.emittedName == "glibra_Tile"; });
     if (!isTiled) return;
     // setSupplied() maps the viewport to the tile; what GL would clip at its edges is cut off here.
     const auto shown = [&](const base::FractionRectangle& fraction) {
@@ -101,18 +101,15 @@ void FrameDrawer::setRaster(const plan::PlannedDraw& planned, const BuiltProgram
     for (int i = before; i < distances; ++i) glEnable(GL_CLIP_DISTANCE0 + static_cast<GLenum>(i));
     for (int i = distances; i < after; ++i) glDisable(GL_CLIP_DISTANCE0 + static_cast<GLenum>(i));
     clipDistances_ = distances;
-    if (planned.submission.topology == geometry::Topology::patches &&
-        patchVertices_ != planned.submission.patchVertices) {
+    if (planned.submission.topology != geometry::Topology::patches) return;
+    if (patchVertices_ != planned.submission.patchVertices) {
         patchVertices_ = planned.submission.patchVertices;
         glPatchParameteri(GL_PATCH_VERTICES, planned.submission.patchVertices);
     }
-    if (planned.submission.topology == geometry::Topology::patches) {
-        std::array<float, 6> levels = kOneLevel;
-        if (const auto& given = plan_.drawOf(planned).tessellationLevels)
-            std::transform(given->begin(), given->end(), levels.begin(),
-                           [](double each) { return static_cast<float>(each); });
-        setTessellationLevels(levels);
-    }
+    std::array<float, 6> levels = kOneLevel;
+    if (const auto& given = plan_.drawOf(planned).tessellationLevels)
+        std::ranges::transform(*given, levels.begin(), [](double each) { return static_cast<float>(each); });
+    setTessellationLevels(levels);
 }
 
 bool FrameDrawer::isOutOfTile(const plan::PlannedDraw& planned, const BuiltProgram& built,

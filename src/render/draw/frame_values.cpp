@@ -128,8 +128,8 @@ void FrameDrawer::setConstantInputs(const plan::PlannedDraw& planned, const Buil
                                     const glm::dvec4& color) const {
     const DeviceMesh& mesh = *device_.meshes().onDevice(plan_, planned.mesh);
     const auto isInMesh = [&](const std::string& name) {
-        return std::any_of(mesh.attributes.begin(), mesh.attributes.end(),
-                           [&](const DeviceMesh::Attribute& each) { return each.name == name; });
+        return std::ranges::any_of(mesh.attributes,
+                                   [&](const DeviceMesh::Attribute& each) { return each.name == name; });
     };
     const std::vector<plan::InputSource>& sources = device_.inputSources(plan_, planned.inputs, built);
     for (std::size_t i = 0; i < sources.size(); ++i) {

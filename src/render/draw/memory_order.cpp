@@ -33,7 +33,7 @@ GLbitfield waysOf(const plan::PlannedProgram& program, const std::vector<plan::T
 }
 
 void addOnce(std::vector<plan::Object>& to, const plan::Object& object) {
-    if (std::find(to.begin(), to.end(), object) == to.end()) to.push_back(object);
+    if (std::ranges::find(to, object) == to.end()) to.push_back(object);
 }
 
 }  // namespace
@@ -67,8 +67,7 @@ NodeMemory memoryOf(const plan::FramePlan& plan, std::size_t node) {
 }
 
 MemoryOrder::Used* MemoryOrder::find(const plan::Object& object) {
-    const auto found =
-        std::find_if(used_.begin(), used_.end(), [&](const Used& each) { return each.object == object; });
+    const auto found = std::ranges::find_if(used_, [&](const Used& each) { return each.object == object; });
     return found == used_.end() ? nullptr : &*found;
 }
 
@@ -101,8 +100,7 @@ void MemoryOrder::after(const NodeMemory& node, bool isOrdered) {
 }
 
 void MemoryOrder::finish() {
-    const bool isOpen =
-        std::any_of(used_.begin(), used_.end(), [](const Used& each) { return each.stored != 0; });
+    const bool isOpen = std::ranges::any_of(used_, [](const Used& each) { return each.stored != 0; });
     if (isOpen) gpu::finishShaderWrites();
     used_.clear();
 }

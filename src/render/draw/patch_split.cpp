@@ -16,20 +16,20 @@ bool reads(const glsl::TranslatedStage& stage, const char* name) {
 }
 
 bool anyReads(const glsl::TranslatedProgram& program, const char* name) {
-    return std::any_of(program.stages.begin(), program.stages.end(),
-                       [name](const glsl::TranslatedStage& each) { return reads(each, name); });
+    return std::ranges::any_of(program.stages,
+                               [name](const glsl::TranslatedStage& each) { return reads(each, name); });
 }
 
 bool hasStage(const glsl::TranslatedProgram& program, glsl::Stage stage) {
-    return std::any_of(program.stages.begin(), program.stages.end(),
-                       [stage](const glsl::TranslatedStage& each) { return each.stage == stage; });
+    return std::ranges::any_of(program.stages,
+                               [stage](const glsl::TranslatedStage& each) { return each.stage == stage; });
 }
 
 /// Without translation a stage reads the driver's numbers, those within one draw. A fragment stage after a
 /// geometry stage gets what that stage writes.
 bool numbersWithinDraw(const glsl::TranslatedProgram& program) {
     const bool hasGeometry = hasStage(program, glsl::Stage::geometry);
-    return std::any_of(program.stages.begin(), program.stages.end(), [&](const glsl::TranslatedStage& each) {
+    return std::ranges::any_of(program.stages, [&](const glsl::TranslatedStage& each) {
         if (each.stage == glsl::Stage::geometry)
             return reads(each, "gl_PrimitiveIDIn") && !reads(each, kPatch);
         if (each.stage == glsl::Stage::fragment && hasGeometry) return false;

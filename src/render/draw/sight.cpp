@@ -1,7 +1,6 @@
 #include "render/draw/sight.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -94,43 +93,7 @@ bool missesCentres(const VertexBox& bounds, const Form& coordinate, const Form& 
     return std::isfinite(first) && std::isfinite(last) && std::floor(last) < std::ceil(first);
 }
 
-template <std::size_t Components>
-VertexBox boundsOfValues(const std::vector<float>& values) {
-    constexpr float kMost = std::numeric_limits<float>::infinity();
-    std::array<float, 4> low{kMost, kMost, kMost, kMost};
-    std::array<float, 4> high{-kMost, -kMost, -kMost, -kMost};
-    std::array<float, Components> zero{};  // becomes NaN where a value is not finite
-    for (std::size_t i = 0; i + Components <= values.size(); i += Components)
-        for (std::size_t k = 0; k < Components; ++k) {
-            const float value = values[i + k];
-            low[k] = value < low[k] ? value : low[k];
-            high[k] = value > high[k] ? value : high[k];
-            zero[k] += value * 0;
-        }
-    if constexpr (Components == 3) low[3] = high[3] = 1;
-    VertexBox bounds;
-    for (std::size_t k = 0; k < 4; ++k) {
-        bounds.low[static_cast<int>(k)] = static_cast<double>(low[k]);
-        bounds.high[static_cast<int>(k)] = static_cast<double>(high[k]);
-    }
-    bounds.isKnown = std::none_of(zero.begin(), zero.end(), [](float each) { return std::isnan(each); });
-    return bounds;
-}
-
 }  // namespace
-
-VertexBox boundsOf(const geometry::Mesh& mesh) {
-    const geometry::Attribute* position = mesh.attribute(geometry::kPosition);
-    if (position == nullptr || position->values.empty()) return {};
-    switch (position->components) {
-        case 3:
-            return boundsOfValues<3>(position->values);
-        case 4:
-            return boundsOfValues<4>(position->values);
-        default:
-            return {};
-    }
-}
 
 bool isPlacedByMatrices(const scene::Draw& draw) {
     return !draw.raster.depthClamp && draw.raster.polygon == base::PolygonMode::fill &&

@@ -9,8 +9,8 @@
 #include "glsl/types/translated_program.h"
 #include "gpu/context/capabilities.h"
 #include "render/draw/tile.h"
-#include "render/draw/vertex_box.h"
 #include "render/draw/view_matrices.h"
+#include "render/load/vertex_box.h"
 #include "scene/scene.h"
 
 namespace glibra::render {

@@ -68,7 +68,7 @@ glm::dmat4 ViewMatrices::projection(const scene::Projection& projection, double 
 }
 
 bool isMoved(const scene::NodeList& nodes, const scene::Pass& pass) {
-    return std::any_of(nodes.passes.begin(), nodes.passes.end(), [&](const scene::Pass& each) {
+    return std::ranges::any_of(nodes.passes, [&](const scene::Pass& each) {
         return each.isWindow && each.rootCamera == pass.rootCamera;
     });
 }

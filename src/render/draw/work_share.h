@@ -8,6 +8,8 @@ namespace glibra::render {
 
 /// The seconds that one part of a draw may take on a device that is not the processor.
 inline constexpr double kTimeShare = .1;
+/// Work that takes less than this part of the share is not waited for.
+inline constexpr double kQuickShare = .25;
 
 /// How work was done in parts.
 struct Shares {

@@ -7,6 +7,7 @@
 #include <utility>
 #include <variant>
 
+#include "base/whole_file.h"
 #include "image/file.h"
 #include "render/draw/frame.h"
 #include "render/file/scene_inputs.h"
@@ -22,8 +23,8 @@ class TimerSearch {
     TimerSearch(const scene::Scene& scene, const RenderOptions& options) : scene_(scene), options_(options) {}
 
     bool isReadBy(const scene::Program& program) {
-        return std::any_of(program.stages.begin(), program.stages.end(),
-                           [&](const scene::StageFile& each) { return isIn(scene_.files[each.file].path); });
+        return std::ranges::any_of(
+            program.stages, [&](const scene::StageFile& each) { return isIn(scene_.files[each.file].path); });
     }
 
   private:
@@ -37,14 +38,10 @@ class TimerSearch {
     bool search(const std::filesystem::path& file) {
         const auto bytes = image::readFile(file, {file.string(), {}}, kLargestSource);
         if (!bytes) return false;
-        const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
-        return text.find("Timer") != std::string_view::npos || isIncludedIn(text, file);
-    }
-
-    bool isIncludedIn(std::string_view text, const std::filesystem::path& file) {
-        const auto included = includedFiles(text, file, scene_, options_, listings_);
-        return std::any_of(included.begin(), included.end(),
-                           [&](const std::filesystem::path& each) { return isIn(each); });
+        const std::string_view text = base::asText(*bytes);
+        return text.find("Timer") != std::string_view::npos ||
+               std::ranges::any_of(includedFiles(text, file, scene_, options_, listings_),
+                                   [&](const std::filesystem::path& each) { return isIn(each); });
     }
 
     const scene::Scene& scene_;
@@ -61,15 +58,15 @@ int mostDifferentFrames(const std::filesystem::path& path, const RenderOptions& 
     Stats stats;
     const Result<InterpretedScene> interpreted = interpretFile(path, options, stats);
     if (!interpreted || hasError(interpreted.diagnostics)) return 1;
-    if (!interpreted->scene.once.empty() || !interpreted->scene.steps.empty()) return 1;
+    const scene::Scene& scene = interpreted->scene;
+    if (!scene.once.empty() || !scene.steps.empty()) return 1;
     if (!options.skip || interpreted->changesWithTime()) return most;
-    const scene::Scene* scene = &interpreted->scene;
     std::set<double> periods;
-    TimerSearch search(*scene, options);
+    TimerSearch search(scene, options);
     scene::List<bool, scene::Program> readsTimer;
-    readsTimer.reserve(scene->programs.size());
-    for (const scene::Program& each : scene->programs) readsTimer.push_back(search.isReadBy(each));
-    scene->frame.visitDraws([&](const scene::Draw& draw, const auto&) {
+    readsTimer.reserve(scene.programs.size());
+    for (const scene::Program& each : scene.programs) readsTimer.push_back(search.isReadBy(each));
+    scene.frame.visitDraws([&](const scene::Draw& draw, const auto&) {
         if (draw.program && readsTimer[draw.program]) periods.insert(draw.timerPeriod);
     });
     std::set<std::vector<float>> moments;

@@ -4,22 +4,12 @@
 
 #include <glibra/result.h>
 
-#include <cstddef>
 #include <filesystem>
-#include <vector>
 
 #include "image/file.h"
-#include "plan/buffer_table.h"
-#include "plan/buffers.h"
+#include "render/load/buffer_content.h"
 
 namespace glibra::render {
-
-/// A buffer as the last picture left it.
-struct BufferContent {
-    plan::BufferLayout layout;
-    plan::BufferTable table;
-    std::vector<std::byte> bytes;
-};
 
 /// True for the suffixes of tables: .csv and .npy.
 bool isTableFile(const std::filesystem::path& file);

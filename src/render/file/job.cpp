@@ -21,12 +21,14 @@
 #include "image/inspect.h"
 #include "image/video/video_file.h"
 #include "image/write.h"
+#include "render/check/nan_search.h"
+#include "render/check/run_checks.h"
+#include "render/consequences.h"
 #include "render/file/animation.h"
 #include "render/file/buffer_file.h"
 #include "render/file/picture_stream.h"
 #include "render/file/picture_writer.h"
-#include "render/probe/gpu_times.h"
-#include "render/probe/nan_search.h"
+#include "render/gpu_times.h"
 #include "render/scene_renderer.h"
 #include "render/stats.h"
 #include "scene/texture_name.h"
@@ -56,12 +58,8 @@ std::string whyNothingIsSeen(const plan::FramePlan& plan) {
 bool isOfPixels(const Diagnostic& remark) {
     constexpr std::array<std::string_view, 7> kIds{"draw-N02", "draw-W06", "draw-W09", "glsl-W29",
                                                    "glsl-W30", "glsl-W31", "glsl-W32"};
-    return std::find(kIds.begin(), kIds.end(), remark.id) != kIds.end();
+    return std::ranges::find(kIds, remark.id) != kIds.end();
 }
-
-}  // namespace
-
-namespace {
 
 Diagnostics remarksOn(const image::Image& picture, const std::filesystem::path& scene,
                       const std::string& whyNothing, bool isSearched) {
@@ -125,8 +123,8 @@ Diagnostics reportOverwritten(const scene::Scene& scene, const Job& job) {
         const bool isFilm = job.frames > 1 && image::holdsAnimation(each);
         const int count = isFilm ? 1 : job.frames;
         const std::filesystem::path place = filePlaceOf(each);
-        if (std::none_of(read.begin(), read.end(),
-                         [&](const auto& one) { return one.first.parent_path() == place.parent_path(); }))
+        if (std::ranges::none_of(
+                read, [&](const auto& one) { return one.first.parent_path() == place.parent_path(); }))
             continue;
         for (int i = 0; i < count; ++i)
             if (const auto found = read.find(frameFile(place, i, count)); found != read.end())
@@ -157,15 +155,10 @@ class JobRun {
     JobResult run(const std::function<void(int)>& frameWritten, SharedParts* shared) && {
         Result<SceneRenderer> loaded = SceneRenderer::load(context_, job_.scene, options_, stats_, shared);
         append(result_.diagnostics, std::move(loaded.diagnostics));
-        if (!loaded) {
-            result_.failed = true;
-            return std::move(result_);
-        }
-        if (Diagnostics errors = reportOverwritten(loaded->scene(), job_); !errors.empty()) {
-            append(result_.diagnostics, std::move(errors));
-            result_.failed = true;
-            return std::move(result_);
-        }
+        Diagnostics overwritten = loaded ? reportOverwritten(loaded->scene(), job_) : Diagnostics();
+        result_.failed = !loaded || !overwritten.empty();
+        append(result_.diagnostics, std::move(overwritten));
+        if (result_.failed) return std::move(result_);
         if (gpuTimes_) loaded->measureGpu(*gpuTimes_);
         if (options_.checkNan) search_ = NanSearch::load(context_, job_.scene, options_);
         if (job_.frames == 1)
@@ -189,7 +182,7 @@ class JobRun {
     /// Draws frame `index`; nothing if it must not be written.
     std::optional<image::Image> draw(SceneRenderer& scene, int index) {
         std::optional<gpu::CallTrace> trace;
-        if (job_.trace && index == job_.frames - 1) trace.emplace(context_.debugLog());
+        if (job_.trace && index == job_.frames - 1) trace.emplace(context_.debugLog().places());
         Result<image::Image> picture = scene.draw(timeOf(index), stats_);
         if (trace) trace_ = trace->text();
         trace.reset();
@@ -201,7 +194,7 @@ class JobRun {
                                      const std::string& whyNothing) {
         Diagnostics remarks = std::move(picture.diagnostics);
         if (search_) append(remarks, search_->at(timeOf(index)));
-        if (picture) append(remarks, scene.printed());
+        if (picture) append(remarks, printed(scene));
         if (picture) append(remarks, remarksOn(*picture, job_.scene, whyNothing, options_.checkNan));
         applyStrict(remarks, options_.strict);
         if (picture && (!hasError(remarks) || options_.incomplete)) append(remarks, save(scene, index));
@@ -258,8 +251,7 @@ class JobRun {
 
     [[nodiscard]] bool hasErrors() const {
         return hasError(result_.diagnostics) ||
-               std::any_of(result_.ofFrames.begin(), result_.ofFrames.end(),
-                           [](const auto& each) { return hasError(each.second); });
+               std::ranges::any_of(result_.ofFrames, [](const auto& each) { return hasError(each.second); });
     }
 
     void drawPicture(SceneRenderer& scene) {

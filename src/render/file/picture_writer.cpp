@@ -19,10 +19,6 @@ Diagnostics copyFile(const std::filesystem::path& from, const std::filesystem::p
 
 PictureWriter::PictureWriter(const std::function<void(int)>& written, std::size_t mostThreads)
     : written_(written), mostThreads_(base::threadCount(static_cast<int>(mostThreads))) {
-    startThread();
-}
-
-void PictureWriter::startThread() {
     threads_.emplace_back([this] { run(); });
 }
 
@@ -38,7 +34,7 @@ bool PictureWriter::add(image::Image picture, std::filesystem::path file) {
     }
     if (!isBehind || !fits || threads_.size() >= mostThreads_) return true;
     try {
-        startThread();
+        threads_.emplace_back([this] { run(); });
     } catch (const std::system_error&) {
         mostThreads_ = threads_.size();  // the machine gives no more threads
     }
@@ -93,7 +89,7 @@ bool PictureWriter::done(const Item& item, Diagnostics problems) {
     failed_ = hasError(problems);
     for (Diagnostic& each : problems) {
         // What all frames lose is reported for the first one.
-        const bool isKnown = std::any_of(problems_.begin(), problems_.end(), [&](const Diagnostic& before) {
+        const bool isKnown = std::ranges::any_of(problems_, [&](const Diagnostic& before) {
             return before.id == each.id && each.severity != Severity::error;
         });
         if (!isKnown) problems_.push_back(std::move(each));

@@ -45,7 +45,6 @@ class PictureWriter {
         std::filesystem::path file;
     };
     bool wait(Item item);
-    void startThread();
     bool take(Item& item);
     bool done(const Item& item, Diagnostics problems);
     void run();

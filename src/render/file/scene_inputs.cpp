@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "base/whole_file.h"
 #include "image/file.h"
 #include "render/draw/frame.h"
 #include "render/scene_renderer.h"
@@ -28,7 +29,7 @@ bool mayChooseFiles(const scene::Interpretation& source) {
                                    glib::CommandId::objPatch, glib::CommandId::include};
     for (const glib::Script* script : source.scripts())
         for (const glib::Command& command : script->commands)
-            if (std::find(kChoosing.begin(), kChoosing.end(), command.id) != kChoosing.end()) return true;
+            if (std::ranges::find(kChoosing, command.id) != kChoosing.end()) return true;
     return false;
 }
 
@@ -37,7 +38,7 @@ bool isTimed(const InterpretedScene& interpreted) {
     const auto& steps = interpreted.scene.steps;
     return interpreted.source &&
            (interpreted.changesWithTime() ||
-            std::any_of(steps.begin(), steps.end(), [](const auto& each) { return each.dependsOnTick; }));
+            std::ranges::any_of(steps, [](const auto& each) { return each.dependsOnTick; }));
 }
 
 /// Interprets the scene for the picture at `time`, so that its list of files has those of that time. False if
@@ -110,8 +111,7 @@ ReadByScene filesReadBy(const fs::path& path, const RenderOptions& options) {
     const auto addShader = [&](const fs::path& file) {
         if (file.empty() || !files.insert(file).second) return;
         const auto bytes = image::readFile(file, {file.string(), {}}, kLargestSource);
-        if (bytes)
-            open.emplace_back(file, std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size()));
+        if (bytes) open.emplace_back(file, base::asText(*bytes));
     };
     for (const scene::Program& program : scene.programs)
         for (const scene::StageFile& each : program.stages) {

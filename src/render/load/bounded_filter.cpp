@@ -88,16 +88,15 @@ struct Spot {
     std::size_t byte = 0, line = 0;
 };
 Spot afterExtensions(std::string_view source) {
-    Spot spot, found;
+    Spot spot;
     while (spot.byte < source.size()) {
         const std::size_t end = source.find('\n', spot.byte);
         if (end == std::string_view::npos) break;
         const std::string_view line = source.substr(spot.byte, end - spot.byte);
         if (!line.empty() && !line.starts_with("#version") && !line.starts_with("#extension")) break;
         spot = {end + 1, spot.line + 1};
-        found = spot;
     }
-    return found;
+    return spot;
 }
 
 }  // namespace

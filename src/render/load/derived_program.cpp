@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 #include "gpu/object/uniform.h"
+#include "render/load/gl_names.h"
 
 namespace glibra::render {
 
@@ -12,6 +14,18 @@ std::vector<gpu::NamedLocation> inputLocations(const BuiltProgram& of) {
     for (const base::ActiveInput& each : of.interface.inputs)
         if (each.location >= 0) locations.push_back({each.name, static_cast<GLuint>(each.location)});
     return locations;
+}
+
+std::optional<gpu::Program> capturingProgram(const gpu::Capabilities& capabilities, const BuiltProgram& of,
+                                             const std::vector<glsl::TranslatedStage>& stages,
+                                             std::vector<std::string> captured) {
+    std::vector<gpu::StageSource> sources;
+    for (const glsl::TranslatedStage& each : stages) sources.push_back({glStage(each.stage), each.source});
+    return gpu::buildProgram(capabilities, {.stages = sources,
+                                            .vertexInputs = inputLocations(of),
+                                            .fragmentOutputs = {},
+                                            .captured = std::move(captured)})
+        .program;
 }
 
 void copyUniforms(const BuiltProgram& from, const gpu::Program& program,

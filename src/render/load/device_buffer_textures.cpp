@@ -33,12 +33,12 @@ Diagnostics DeviceBuffers::checkTexels(const plan::FramePlan& plan) const {
             if (texels <= most || !reported.insert(each.buffer.buffer).second) continue;
             const scene::Buffer& declared = scene_.buffers[each.buffer.buffer];
             const base::ActiveUniform& uniform = at(plan.programs[program].interface->uniforms, each.uniform);
-            problems.push_back(diagnose(
-                "memory-E04",
-                fmt::format("buffer '{}' has {} texels for {} '{}'; this driver allows {}", declared.name,
-                            glib::groupedText(static_cast<long long>(texels)), uniform.type.word,
-                            uniform.name, glib::groupedText(static_cast<long long>(most))),
-                declared.place));
+            problems.push_back(
+                diagnose("memory-E04",
+                         fmt::format("buffer '{}' has {} texels for {} '{}'; this driver allows {}",
+                                     declared.name, glib::groupedText(texels), uniform.type.word,
+                                     uniform.name, glib::groupedText(most)),
+                         declared.place));
         }
     };
     plan.visitDraws(

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "image/file.h"
+#include "plan/reach.h"
 
 namespace glibra::render {
 namespace {
@@ -25,6 +26,7 @@ Diagnostics DeviceBuffers::prepare(const plan::FramePlan& plan) {
     Diagnostics diagnostics;
     if (plan.buffers.empty()) return diagnostics;
     append(diagnostics, layouts_.add(scene_, plan, bytesLeft_, sizeOfFile));
+    append(diagnostics, plan::reachProblems(scene_, plan, layouts_));
     for (const scene::BufferIndex each : plan.buffers)
         if (layouts_.find(each) != nullptr) append(diagnostics, make(each));
     return diagnostics;
@@ -103,7 +105,7 @@ Result<std::vector<std::byte>> DeviceBuffers::declaredBytes(scene::BufferIndex i
         if (!bytes) return diagnostics;
         return {std::move(*bytes), std::move(diagnostics)};
     }
-    if (std::all_of(buffer.values.begin(), buffer.values.end(), [](double each) { return each == 0; }))
+    if (std::ranges::all_of(buffer.values, [](double each) { return each == 0; }))
         return std::vector<std::byte>();
     // The bytes up to the last value.
     const plan::MemoryNumber last = layout.pattern.at(buffer.values.size() - 1);

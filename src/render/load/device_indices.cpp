@@ -19,10 +19,6 @@ namespace {
 constexpr double kRestartAt = std::numeric_limits<std::uint32_t>::max();
 constexpr double kRestartOfInts = -1;
 
-std::string grouped(std::uint64_t number) {
-    return glib::groupedText(static_cast<long long>(number));
-}
-
 /// The buffers that nodes of the plan write to.
 std::set<scene::BufferIndex> writtenBuffers(const plan::FramePlan& plan) {
     std::set<scene::BufferIndex> written;
@@ -62,8 +58,9 @@ std::optional<std::string> DeviceScene::elementsProblem(const plan::FramePlan& p
         const std::optional<Elements> of = elementsOf(plan, each);
         const std::uint64_t needed = each.isPerInstance ? instances : vertices;
         if (!of || needed <= of->count) continue;
-        return fmt::format("{}: {} {} are more than the {} elements of '{}'", draw.word, grouped(needed),
-                           each.isPerInstance ? "instances" : "vertices", grouped(of->count),
+        return fmt::format("{}: {} {} are more than the {} elements of '{}'", draw.word,
+                           glib::groupedText(needed), each.isPerInstance ? "instances" : "vertices",
+                           glib::groupedText(of->count),
                            scene_.buffers[std::get<scene::BufferView>(each.from).buffer].name);
     }
     return std::nullopt;
@@ -141,8 +138,8 @@ std::optional<std::string> DeviceScene::indexProblem(const plan::FramePlan& plan
     const auto given =
         draw.drawsAllIndices || numbers.empty() ? std::uint64_t{0} : static_cast<std::uint64_t>(numbers[0]);
     if (given > layout.elements)
-        return fmt::format("{}: {} indices are more than the {} of buffer '{}'", draw.word, grouped(given),
-                           grouped(layout.elements), name);
+        return fmt::format("{}: {} indices are more than the {} of buffer '{}'", draw.word,
+                           glib::groupedText(given), glib::groupedText(layout.elements), name);
     if (layout.elements == 0)
         return fmt::format("{}: buffer '{}' is empty, so it has no indices", draw.word, name);
     if (!isAsDeclared || !planned.inputs) return std::nullopt;
@@ -160,8 +157,8 @@ std::optional<std::string> DeviceScene::indexProblem(const plan::FramePlan& plan
     const auto beyond = firstIndexFrom(draw.indices.buffer, count, *vertices, restarts);
     if (!beyond) return std::nullopt;
     return fmt::format("{}: element {} of '{}' is vertex {}, but '{}' has {} elements", draw.word,
-                       grouped(beyond->element), name, glib::numberText(beyond->vertex),
-                       scene_.buffers[shortest].name, grouped(*vertices));
+                       glib::groupedText(beyond->element), name, glib::numberText(beyond->vertex),
+                       scene_.buffers[shortest].name, glib::groupedText(*vertices));
 }
 
 std::optional<DeviceScene::IndexAt> DeviceScene::firstIndexFrom(scene::BufferIndex buffer,

@@ -55,7 +55,7 @@ std::size_t bytesOf(const DeviceMesh& mesh) {
 }
 
 bool hasName(const std::vector<std::string>& names, std::string_view name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
+    return std::ranges::find(names, name) != names.end();
 }
 
 /// The wanted attributes of a mesh on the device, with these indices; `isInteger` says which attributes are

@@ -154,8 +154,8 @@ std::optional<DeviceScene::Elements> DeviceScene::elementsOf(const plan::FramePl
         const std::optional<base::StorageBlock> block = plan::blockOf(plan, view->buffer);
         const plan::BufferTable table =
             plan::tableOf(*layout, block ? &*block : nullptr, pattern.element.size());
-        const auto found = std::find_if(table.columns.begin(), table.columns.end(),
-                                        [&](const auto& each) { return each.name == part.member; });
+        const auto found =
+            std::ranges::find_if(table.columns, [&](const auto& each) { return each.name == part.member; });
         if (!block || found == table.columns.end()) return std::nullopt;
         first = found->first;
         count = found->count;

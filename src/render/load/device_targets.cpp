@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/text.h"
 #include "plan/texture_binding.h"
 
 namespace glibra::render {
@@ -19,12 +20,13 @@ std::optional<Diagnostic> problemOf(const scene::Texture& texture, const std::st
         return diagnose("draw-E10",
                         fmt::format("{} does not exist: {} (line {})", name, why, texture.place.line), place);
     };
-    if (part.level.value_or(0) >= made.levels())
+    const auto has = [&](int count, const char* things) {
         return say(
-            fmt::format("'{}' has {} level{}", texture.name, made.levels(), made.levels() == 1 ? "" : "s"));
-    if (part.layer.value_or(0) >= made.layers(part.level.value_or(0)))
-        return say(fmt::format("'{}' has {} layer{}", texture.name, made.layers(part.level.value_or(0)),
-                               made.layers(part.level.value_or(0)) == 1 ? "" : "s"));
+            fmt::format("'{}' has {}", texture.name, base::counted(static_cast<std::size_t>(count), things)));
+    };
+    const int level = part.level.value_or(0);
+    if (level >= made.levels()) return has(made.levels(), "level");
+    if (part.layer.value_or(0) >= made.layers(level)) return has(made.layers(level), "layer");
     return std::nullopt;
 }
 
@@ -33,8 +35,8 @@ std::optional<Diagnostic> problemOf(const scene::Texture& texture, const std::st
 void DeviceTargets::forget(const std::set<const gpu::Texture*>& gone) {
     std::set<int> depths;
     std::erase_if(made_, [&](const Made& each) {
-        const bool isGone = std::any_of(each.textures.begin(), each.textures.end(),
-                                        [&](const gpu::Texture* part) { return gone.contains(part); });
+        const bool isGone =
+            std::ranges::any_of(each.textures, [&](const gpu::Texture* part) { return gone.contains(part); });
         if (isGone) depths.insert(each.depthBuffer);
         return isGone;
     });

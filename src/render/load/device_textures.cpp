@@ -25,6 +25,12 @@ std::string textureLabel(const scene::Texture& texture) {
     return "unit " + plan::slotText(texture.unit, texture.target);
 }
 
+/// True if the texture has the size that the scene declares now.
+bool hasSizeOf(const gpu::Texture& texture, const scene::EmptySource& declared) {
+    const gpu::TextureSize size = texture.size();
+    return size.width == declared.width && size.height == declared.height && size.depth == declared.depth;
+}
+
 }  // namespace
 
 std::optional<Diagnostic> DeviceTextures::charge(std::uint64_t bytes, const scene::Texture& texture) {
@@ -69,9 +75,8 @@ Diagnostics DeviceTextures::followSizes(bool& hasLost) {
     Diagnostics diagnostics;
     for (auto& [index, made] : made_) {
         const auto* empty = std::get_if<scene::EmptySource>(&scene_.textures[index].source);
-        if (empty == nullptr || !made.copies || !made.copies->copies[0].texture) continue;
-        const gpu::TextureSize size = made.copies->copies[0].texture->size();
-        if (size.width == empty->width && size.height == empty->height && size.depth == empty->depth)
+        if (empty == nullptr || !made.copies || !made.copies->copies[0].texture ||
+            hasSizeOf(*made.copies->copies[0].texture, *empty))
             continue;
         drop(made);
         if (!made.state.lasts) continue;
@@ -85,11 +90,7 @@ bool DeviceTextures::isMade(scene::TextureIndex index, const std::string& key) {
     Made& made = made_[index];
     if (!made.texture) return false;
     const auto* empty = std::get_if<scene::EmptySource>(&scene_.textures[index].source);
-    const gpu::TextureSize size = made.texture->size();
-    const bool isSame = empty != nullptr ? size.width == empty->width && size.height == empty->height &&
-                                               size.depth == empty->depth
-                                         : made.key == key;
-    if (isSame) return true;
+    if (empty != nullptr ? hasSizeOf(*made.texture, *empty) : made.key == key) return true;
     texelBytesLeft_ += std::exchange(made.charged, 0);
     drop(made);
     return false;
@@ -107,8 +108,7 @@ Diagnostics DeviceTextures::prepare(const plan::FramePlan& plan) {
         if (isShared(each)) continue;
         Made& made = made_[each];
         if (made.sharing) drop(made);  // it needs memory of its own from now on
-        const bool isCleared =
-            std::find(plan.cleared.begin(), plan.cleared.end(), each) != plan.cleared.end();
+        const bool isCleared = std::ranges::find(plan.cleared, each) != plan.cleared.end();
         const bool isFilled = !isCleared || made.state.lasts;
         if (!isFilled && !made.copies) made.state.isChanged = made.state.isWritten = true;
         append(diagnostics, make(each, isFilled));

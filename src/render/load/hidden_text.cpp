@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <deque>
 
+#include "base/text.h"
 #include "glsl/read/token.h"
 #include "glsl/read/words.h"
 
@@ -15,13 +16,7 @@ namespace {
 constexpr std::size_t kShortestPart = 4;
 
 bool isWordByte(char c) {
-    const auto byte = static_cast<unsigned char>(c);
-    return (byte >= '0' && byte <= '9') || (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z') ||
-           byte == '_' || byte >= 0x80;
-}
-
-bool isDigit(char c) {
-    return c >= '0' && c <= '9';
+    return base::isOfName(c) || static_cast<unsigned char>(c) >= 0x80;
 }
 
 /// Calls `visit` with each longest run of bytes of words, and each run of other bytes.
@@ -58,7 +53,7 @@ void HiddenWords::addHidden(std::string_view source) {
     visitWords(source, [this](std::string_view word) {
         hidden_.emplace(word);
         // Compilers end a number where its letters are wrong, and go on with a word.
-        const auto letter = std::find_if_not(word.begin(), word.end(), isDigit);
+        const auto letter = std::ranges::find_if_not(word, base::isDigit);
         const auto digits = static_cast<std::size_t>(letter - word.begin());
         if (digits == 0 || digits == word.size()) return;
         hidden_.emplace(word.substr(0, digits));
@@ -69,7 +64,7 @@ void HiddenWords::addHidden(std::string_view source) {
 bool HiddenWords::mayBeHidden(std::string_view word) const {
     if (shown_.contains(word) || glsl::keywordSince(word) != 0) return false;
     if (hidden_.contains(word)) return true;
-    return std::any_of(hidden_.begin(), hidden_.end(), [&](const std::string& each) {
+    return std::ranges::any_of(hidden_, [&](const std::string& each) {
         return each.size() >= kShortestPart && word.find(each) != std::string_view::npos;
     });
 }

@@ -154,24 +154,32 @@ std::vector<Place> endlessLoops(const glsl::TranslatedStage& stage) {
     return places;
 }
 
-void explainRemovedLoops(const plan::FramePlan& plan, ProgramLibrary& programs, Diagnostics& diagnostics) {
+void explainRemovedLoops(const scene::Scene& scene, const plan::FramePlan& plan, ProgramLibrary& programs,
+                         Diagnostics& diagnostics) {
     const auto follows = [](const Diagnostic& each) {
         return each.id == "glib-W24" || each.id == "draw-W10";
     };
     if (std::ranges::none_of(diagnostics, follows)) return;
-    std::vector<Place> loops;
-    for (const plan::PlannedProgram& each : plan.programs)
-        if (const glsl::TranslatedProgram* text = programs.translated(each.variant))
-            for (const glsl::TranslatedStage& stage : text->stages)
-                for (const Place& place : endlessLoops(stage))
-                    if (std::ranges::find(loops, place) == loops.end()) loops.push_back(place);
-    if (loops.empty()) return;
-    std::erase_if(diagnostics, follows);
-    for (const Place& each : loops)
+    std::vector<Place> explained;
+    for (const plan::PlannedProgram& each : plan.programs) {
+        const glsl::TranslatedProgram* text = programs.translated(each.variant);
+        if (text == nullptr || !each.variant.program) continue;
+        std::vector<Place> loops;
+        for (const glsl::TranslatedStage& stage : text->stages)
+            for (const Place& place : endlessLoops(stage)) addOnce(loops, place);
+        // The subject of both messages is the program.
+        const std::string& name = scene.programs[each.variant.program].name;
+        const auto isOfLoop = [&](const Diagnostic& found) {
+            return follows(found) && found.subject == name;
+        };
+        if (loops.empty() || std::erase_if(diagnostics, isOfLoop) == 0) continue;
+        for (const Place& place : loops) addOnce(explained, place);
+    }
+    for (const Place& place : explained)
         diagnostics.push_back(diagnose("view-W02",
                                        "this loop never ends, because nothing in it changes its condition; "
                                        "compilers remove it with all that follows",
-                                       each));
+                                       place));
 }
 
 }  // namespace glibra::render

@@ -23,7 +23,9 @@ std::vector<Place> openLoops(const glsl::TranslatedStage& stage, const glsl::Uni
 std::vector<Place> endlessLoops(const glsl::TranslatedStage& stage);
 
 /// Puts view-W02 for the endless loops of the plan's programs in the place of what follows from them: that a
-/// uniform is unused (glib-W24) or an output missing (draw-W10), because the compiler has removed them.
-void explainRemovedLoops(const plan::FramePlan& plan, ProgramLibrary& programs, Diagnostics& diagnostics);
+/// uniform of such a program is unused (glib-W24) or its output missing (draw-W10), because the compiler has
+/// removed them. `scene` is what the plan is of.
+void explainRemovedLoops(const scene::Scene& scene, const plan::FramePlan& plan, ProgramLibrary& programs,
+                         Diagnostics& diagnostics);
 
 }  // namespace glibra::render

@@ -7,7 +7,7 @@
 
 #include "glsl/emit/emitted_lines.h"
 #include "glsl/translate.h"
-#include "plan/uniforms.h"
+#include "plan/overrides.h"
 #include "render/load/programs.h"
 
 namespace glibra::render {
@@ -134,7 +134,7 @@ std::string ProgramLibrary::keyOf(const plan::ProgramVariant& variant,
             if (const Result<plan::Override> given = plan::parseOverride(each))
                 tags.push_back(fmt::format("{}:{} {} {}", given->program, given->name,
                                            static_cast<int>(given->form), given->values.size()));
-        std::sort(tags.begin(), tags.end());
+        std::ranges::sort(tags);
         for (const std::string& each : tags) key += each + '\n';
     }
     return key;

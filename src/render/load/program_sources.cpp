@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/whole_file.h"
 #include "image/file.h"
 #include "render/load/hidden_text.h"
 
@@ -14,7 +15,7 @@ namespace {
 
 /// The bytes as text, without a UTF-8 byte order mark.
 std::string asText(const std::vector<std::byte>& bytes) {
-    std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    std::string text(base::asText(bytes));
     if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
     return text;
 }
@@ -120,7 +121,7 @@ std::vector<glsl::SamplerKind> ProgramSources::samplerKinds(scene::ProgramIndex 
     for (const scene::Texture& each : scene_.textures) {
         if (each.unit != unit) continue;
         const glsl::SamplerKind kind = samplerKind(each.target);
-        if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) kinds.push_back(kind);
+        if (std::ranges::find(kinds, kind) == kinds.end()) kinds.push_back(kind);
     }
     return kinds;
 }

@@ -204,8 +204,8 @@ void ProgramLibrary::build(const plan::ProgramVariant& variant, BuiltProgram& bu
 }
 
 bool ProgramLibrary::observe(const BuiltProgram& program, const glsl::MainWrapper& fragment) {
-    const auto known = std::find_if(programs_.begin(), programs_.end(),
-                                    [&](const KnownProgram& each) { return each.second.get() == &program; });
+    const auto known = std::ranges::find_if(
+        programs_, [&](const KnownProgram& each) { return each.second.get() == &program; });
     if (known == programs_.end()) return false;
     glsl::TranslatedProgram stages = program.interface.facts;
     stages.diagnostics.clear();

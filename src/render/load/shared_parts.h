@@ -16,7 +16,7 @@
 #include "base/program_resources.h"
 #include "gpu/object/program.h"
 #include "gpu/object/texture.h"
-#include "render/draw/vertex_box.h"
+#include "render/load/vertex_box.h"
 
 namespace glibra::geometry {
 struct Mesh;

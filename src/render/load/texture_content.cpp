@@ -44,45 +44,14 @@ gpu::TextureShape multisampled(gpu::TextureShape shape) {
                                                : gpu::TextureShape::multisampled;
 }
 
-int dimensionsOf(scene::TextureTarget target) {
-    switch (target) {
-        case scene::TextureTarget::texture1D:
-        case scene::TextureTarget::texture1DArray:
-            return 1;
-        case scene::TextureTarget::texture3D:
-        case scene::TextureTarget::texture2DArray:
-            return 3;
-        case scene::TextureTarget::texture2D:
-        case scene::TextureTarget::rectangle:
-        case scene::TextureTarget::cube:
-        case scene::TextureTarget::cubeArray:
-            break;
-    }
-    return 2;
-}
-
 gpu::TexelFormat formatOf(image::Component type) {
-    switch (type) {
-        case image::Component::u8:
-            return gpu::TexelFormat::rgba8;
-        case image::Component::u16:
-            return gpu::TexelFormat::rgba16;
-        case image::Component::f32:
-            break;
-    }
-    return gpu::TexelFormat::rgba32f;
+    if (type == image::Component::u8) return gpu::TexelFormat::rgba8;
+    return type == image::Component::u16 ? gpu::TexelFormat::rgba16 : gpu::TexelFormat::rgba32f;
 }
 
 gpu::TexelType texelTypeOf(image::Component type) {
-    switch (type) {
-        case image::Component::u8:
-            return gpu::TexelType::u8;
-        case image::Component::u16:
-            return gpu::TexelType::u16;
-        case image::Component::f32:
-            break;
-    }
-    return gpu::TexelType::f32;
+    if (type == image::Component::u8) return gpu::TexelType::u8;
+    return type == image::Component::u16 ? gpu::TexelType::u16 : gpu::TexelType::f32;
 }
 
 /// Converts bytes to 16-bit texels with the same values in 0..1, because llvmpipe filters 8-bit textures with
@@ -91,13 +60,6 @@ noise::TexelShorts widened(const noise::TexelBytes& bytes) {
     noise::TexelShorts wide(bytes.size());
     for (std::size_t i = 0; i < bytes.size(); ++i) wide[i] = static_cast<std::uint16_t>(bytes[i] * 257U);
     return wide;
-}
-
-/// The files of a picture, in order.
-std::vector<base::FileSource> sourcesOf(const scene::Scene& scene, const scene::PictureSource& picture) {
-    std::vector<base::FileSource> sources;
-    for (const scene::FileIndex each : picture.files) sources.push_back(scene.files[each].source());
-    return sources;
 }
 
 }  // namespace
@@ -125,7 +87,8 @@ DeviceTextures::NoiseTexels DeviceTextures::noiseTexels(const scene::NoiseSource
 DeviceTextures::PictureTexels DeviceTextures::pictureTexels(const scene::Texture& texture,
                                                             const scene::PictureSource& picture) {
     const StageTimer timer(stats_, "read");
-    const std::vector<base::FileSource> files = sourcesOf(scene_, picture);
+    std::vector<base::FileSource> files;
+    for (const scene::FileIndex each : picture.files) files.push_back(scene_.files[each].source());
     stats_.add("files read", files.size());
     image::ReadOptions options;
     options.limits.sceneBytesLeft = texelBytesLeft_;
@@ -139,7 +102,11 @@ DeviceTextures::PictureTexels DeviceTextures::pictureTexels(const scene::Texture
             files.size() > 1 || (texture.target == scene::TextureTarget::texture2DArray &&
                                  scene::targetOfFile(files.front()) == scene::TextureTarget::texture2D);
         if (hasLayers) return image::readLayers(files, 2, texture.place, options);
-        return image::readTexture(files.front(), dimensionsOf(texture.target), texture.place, options);
+        // A file of an array whose layers it holds itself has them as its depth.
+        const int dimensions = texture.target == scene::TextureTarget::texture2DArray
+                                   ? 3
+                                   : static_cast<int>(scene::sideCount(texture.target));
+        return image::readTexture(files.front(), dimensions, texture.place, options);
     };
     PictureTexels texels = read();
     if (texels) texelBytesLeft_ -= texels->data.size();
@@ -155,9 +122,8 @@ void DeviceTextures::readAhead(scene::TextureIndex index) {
         return;
     }
     const auto& picture = std::get<scene::PictureSource>(texture.source);
-    const bool areThere =
-        std::none_of(picture.files.begin(), picture.files.end(),
-                     [this](scene::FileIndex file) { return hasError(scene_.files[file].remarks); });
+    const bool areThere = std::ranges::none_of(
+        picture.files, [this](scene::FileIndex file) { return hasError(scene_.files[file].remarks); });
     if (areThere && !picturesAhead_.contains(key))
         picturesAhead_.emplace(key, pictureTexels(texture, picture));
 }

@@ -12,13 +12,6 @@
 #include "scene/texture_parts.h"
 
 namespace glibra::render {
-namespace {
-
-bool isColor(gpu::TexelFormat format) {
-    return !hasDepth(format) && !isInteger(format);
-}
-
-}  // namespace
 
 Diagnostics DeviceTextures::makeCopies(scene::TextureIndex index, std::shared_ptr<gpu::Texture> first) {
     const scene::Texture& texture = scene_.textures[index];
@@ -36,8 +29,10 @@ Diagnostics DeviceTextures::makeCopies(scene::TextureIndex index, std::shared_pt
             append(problems, gpu::copyTexture(driver, *copies.copies[0].texture, *copies.copies[1].texture));
         }
     }
+    const bool isResolvable =
+        gpu::isMultisampled(layout.shape) && !hasDepth(layout.format) && !isInteger(layout.format);
     for (Copies::Copy& each : copies.copies) {
-        if (!each.texture || !gpu::isMultisampled(layout.shape) || !isColor(layout.format)) continue;
+        if (!each.texture || !isResolvable) continue;
         gpu::TextureLayout single{
             gpu::isArray(layout.shape) ? gpu::TextureShape::array2D : gpu::TextureShape::texture2D,
             layout.format, layout.size};

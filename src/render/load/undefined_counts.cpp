@@ -17,13 +17,11 @@ namespace {
 
 constexpr std::size_t kNumbersPerSite = 3;
 
-using Kind = glsl::UndefinedSite::Kind;
-
 /// `first` is the first number that was found, `limit` the one that it must stay below.
 Diagnostic reportOf(const glsl::UndefinedSite& site, std::int32_t count, std::int32_t first,
                     std::int32_t limit) {
-    const std::string times =
-        count == 1 ? "once" : glib::groupedText(static_cast<long long>(count)) + " times";
+    using Kind = glsl::UndefinedSite::Kind;
+    const std::string times = count == 1 ? "once" : glib::groupedText(count) + " times";
     switch (site.kind) {
         case Kind::subscript:
             return diagnose("glsl-W29",
@@ -58,9 +56,8 @@ Diagnostic reportOf(const glsl::UndefinedSite& site, std::int32_t count, std::in
 void ProgramLibrary::countUndefined(const glsl::TranslatedProgram& translated, BuiltProgram& built,
                                     Diagnostics& diagnostics) const {
     std::vector<base::StorageBlock>& blocks = built.interface.storageBlocks;
-    const auto found = std::find_if(blocks.begin(), blocks.end(), [](const base::StorageBlock& each) {
-        return each.name == glsl::kUndefinedBlock;
-    });
+    const auto found = std::ranges::find_if(
+        blocks, [](const base::StorageBlock& each) { return each.name == glsl::kUndefinedBlock; });
     if (found == blocks.end()) return;
     const unsigned index = found->index;
     blocks.erase(found);

@@ -12,6 +12,7 @@
 #include "budget/contour_shift.h"
 #include "glib/number.h"
 #include "render/probe/probe_options.h"
+#include "render/scene_state.h"
 
 namespace glibra::render {
 namespace {
@@ -82,12 +83,11 @@ class BoundPictures {
         if (hasError(scene.scene.diagnostics)) return std::move(scene.scene.diagnostics);
         scene.scene.diagnostics.clear();
         Stats stats;
-        Result<SceneRenderer> renderer =
-            SceneRenderer::of(context_, std::move(scene), options, stats, nullptr);
-        if (!renderer) return std::move(renderer.diagnostics);
+        auto loaded = SceneState::load(context_, std::move(scene), options, stats, nullptr);
+        if (!loaded) return std::move(loaded.diagnostics);
         std::vector<image::Image> drawn;
         for (const double each : moments_) {
-            Result<image::Image> picture = renderer->draw(each, stats);
+            Result<image::Image> picture = (*loaded)->draw(each, stats);
             if (!picture) return std::move(picture.diagnostics);
             drawn.push_back(std::move(*picture));
         }
@@ -106,15 +106,15 @@ class BoundPictures {
 
 /// True if options.set states the variable.
 bool isStated(const RenderOptions& options, const std::string& name) {
-    return std::any_of(options.set.begin(), options.set.end(),
-                       [&](const std::string& each) { return each.starts_with(name + "="); });
+    return std::ranges::any_of(options.set,
+                               [&](const std::string& each) { return each.starts_with(name + "="); });
 }
 
 }  // namespace
 
 bool hasBounds(const scene::Scene& scene) {
-    return std::any_of(scene.variables.begin(), scene.variables.end(),
-                       [](const scene::Variable& each) { return each.bound.has_value(); });
+    return std::ranges::any_of(scene.variables,
+                               [](const scene::Variable& each) { return each.bound.has_value(); });
 }
 
 budget::ChosenBounds chooseBounds(gpu::Context& context, InterpretedScene& interpreted,

@@ -5,7 +5,7 @@
 
 #include "budget/choose_bounds.h"
 #include "gpu/context/context.h"
-#include "render/scene_renderer.h"
+#include "render/scene_file.h"
 
 namespace glibra::render {
 

@@ -7,10 +7,17 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "budget/budget.h"
 #include "gpu/context/context.h"
+#include "gpu/object/buffer.h"
+#include "gpu/object/program.h"
+#include "render/load/programs.h"
+#include "render/load/shared_parts.h"
+#include "render/scene_state.h"
+#include "render/stats.h"
 #include "scene/scene.h"
 
 namespace glibra::render {
@@ -24,7 +31,6 @@ class PatchProbe {
                int height);
     PatchProbe(const PatchProbe&) = delete;
     PatchProbe& operator=(const PatchProbe&) = delete;
-    ~PatchProbe();
 
     /// The patches of the draw at Scene::passes[pass].steps[step], with these values in place of the scene's.
     /// If there are more than 64 patches, only every second, third ... is captured. Nothing if drawing or
@@ -33,8 +39,20 @@ class PatchProbe {
                                                       std::span<const budget::LevelValue> values);
 
   private:
-    struct State;
-    std::unique_ptr<State> state_;
+    /// Loads the scene at the first call. False if that fails.
+    bool prepare();
+    const gpu::Program* capturingFor(const BuiltProgram& built);
+    std::optional<std::vector<budget::Patch>> capture(const plan::PlannedDraw& draw,
+                                                      std::span<const budget::LevelValue> values);
+
+    gpu::Context& context_;
+    const scene::Scene& scene_;
+    RenderOptions options_;
+    Stats stats_;
+    SharedParts parts_;
+    std::unique_ptr<SceneState> loaded_;
+    std::vector<std::pair<const BuiltProgram*, gpu::Program>> programs_;
+    std::optional<gpu::Buffer> buffer_;
 };
 
 }  // namespace glibra::render

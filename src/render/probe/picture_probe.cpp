@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "render/probe/probe_options.h"
-#include "render/scene_renderer.h"
+#include "render/scene_state.h"
 
 namespace glibra::render {
 namespace {
@@ -33,11 +33,11 @@ std::optional<budget::ContourShifts> PictureProbe::shift(const budget::Choice& f
         scene::Scene chosen = scene;
         budget::apply(choice, chosen);
         probe.options.samples = choice.samples;
-        Result<SceneRenderer> renderer =
-            SceneRenderer::of(context, {std::move(chosen), nullptr, {}}, probe.options, stats, parts);
-        if (!renderer) return std::move(renderer.diagnostics);
-        renderer->setView(view);
-        return renderer->draw(options.time, stats);
+        auto loaded =
+            SceneState::load(context, {std::move(chosen), nullptr, {}}, probe.options, stats, parts);
+        if (!loaded) return std::move(loaded.diagnostics);
+        (*loaded)->view = view;
+        return (*loaded)->draw(options.time, stats);
     };
     const Result<image::Image> before = picture(from), after = picture(to);
     if (!before || !after) return std::nullopt;

@@ -43,8 +43,7 @@ std::string nameOf(const scene::Scene& scene, const scene::ObjectView& object) {
 void addReads(const plan::FramePlan& plan, std::vector<scene::ObjectView>& to) {
     for (const plan::NodeAccess& node : plan.accesses)
         for (const plan::ObjectUse& each : node.uses)
-            if (each.reads && std::find(to.begin(), to.end(), each.object) == to.end())
-                to.push_back(each.object);
+            if (each.reads && std::ranges::find(to, each.object) == to.end()) to.push_back(each.object);
 }
 
 std::vector<scene::ObjectView> allObjects(const scene::Scene& scene) {
@@ -58,7 +57,7 @@ std::vector<scene::ObjectView> allObjects(const scene::Scene& scene) {
 
 bool readsTimedVariable(const plan::FramePlan& plan) {
     const auto& all = plan.programs;
-    return std::any_of(all.begin(), all.end(), [](const auto& each) { return !each.timed.empty(); });
+    return std::ranges::any_of(all, [](const auto& each) { return !each.timed.empty(); });
 }
 
 bool readsCamera(const plan::FramePlan& plan) {

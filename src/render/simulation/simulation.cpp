@@ -18,8 +18,8 @@ constexpr std::int64_t kVeryMany = std::int64_t{1} << 62;
 
 /// True if the list has the object, whole or a part of it.
 bool writes(const std::vector<scene::ObjectView>& list, const scene::ObjectView& object) {
-    return std::any_of(list.begin(), list.end(),
-                       [&](const auto& each) { return plan::objectOf(each) == plan::objectOf(object); });
+    return std::ranges::any_of(
+        list, [&](const auto& each) { return plan::objectOf(each) == plan::objectOf(object); });
 }
 
 /// True if the values are the same. One that is not a number is equal to itself.
@@ -46,6 +46,8 @@ struct Simulation::Block {
     bool isOfStep = false;                      ///< a Once that was planned while a step ran
     glm::dmat4 view{1.0};
     std::optional<ViewMatrices> seen;  ///< by `view`; made when the block first runs
+
+    [[nodiscard]] const char* word() const { return isOnce ? "Once" : "Step"; }
 };
 
 Simulation::Simulation(SimulationParts parts, std::int64_t mostSteps)
@@ -117,19 +119,17 @@ Diagnostics Simulation::planAll() {
     }
     // Every block says so once.
     const auto lacks = [](const Diagnostic& each) { return each.id == "memory-E01"; };
-    if (const auto first = std::find_if(diagnostics.begin(), diagnostics.end(), lacks);
-        first != diagnostics.end())
+    if (const auto first = std::ranges::find_if(diagnostics, lacks); first != diagnostics.end())
         diagnostics.erase(std::remove_if(first + 1, diagnostics.end(), lacks), diagnostics.end());
     for (const auto* list : {&once_, &steps_})
         for (const auto& block : *list) {
-            const char* word = block->isOnce ? "Once" : "Step";
             for (const scene::Pass& pass : block->nodes.passes)
                 if (pass.isWindow)
                     diagnostics.push_back(diagnose(
                         "memory-E09",
-                        fmt::format("{}: what is drawn into the window does not last; draw into a texture, "
-                                    "or move the pass out of {}",
-                                    word, word),
+                        fmt::format("{0}: what is drawn into the window does not last; draw into a texture, "
+                                    "or move the pass out of {0}",
+                                    block->word()),
                         pass.place));
             noteWrites(*block);
         }
@@ -139,12 +139,10 @@ Diagnostics Simulation::planAll() {
 void Simulation::noteWrites(Block& block) {
     for (const plan::NodeAccess& node : block.plan.accesses)
         for (const plan::ObjectUse& each : node.uses) {
-            if (each.writes && !writes(block.written, each.object)) block.written.push_back(each.object);
-            const bool isKnown = std::any_of(lasting_.begin(), lasting_.end(), [&](const Lasting& known) {
-                return plan::objectOf(known.object) == plan::objectOf(each.object);
-            });
-            if (!each.writes || isKnown) continue;
-            lasting_.push_back({each.object, block.place, block.isOnce ? "Once" : "Step"});
+            if (!each.writes) continue;
+            if (!writes(block.written, each.object)) block.written.push_back(each.object);
+            if (lasts(plan::objectOf(each.object))) continue;
+            lasting_.push_back({each.object, block.place, block.word()});
             parts_.device.state(plan::objectOf(each.object)).setLasting();
         }
 }
@@ -154,7 +152,7 @@ Diagnostics Simulation::check(const plan::FramePlan& frame) const {
     for (std::size_t node = 0; node < frame.order.size(); ++node)
         for (const plan::ObjectUse& each : frame.accesses[node].uses) {
             if (!each.writes) continue;
-            const auto lasts = std::find_if(lasting_.begin(), lasting_.end(), [&](const Lasting& known) {
+            const auto lasts = std::ranges::find_if(lasting_, [&](const Lasting& known) {
                 return plan::objectOf(known.object) == plan::objectOf(each.object);
             });
             if (lasts == lasting_.end()) continue;
@@ -179,9 +177,8 @@ Diagnostics Simulation::checkReads() const {
     Diagnostics diagnostics;
     for (const auto* list : {&once_, &steps_})
         for (const auto& each : *list)
-            append(diagnostics,
-                   readsOfFrame(parts_.scene, {each->isOnce ? "Once" : "Step", each->plan}, frame,
-                                [this](const plan::Object& object) { return lasts(object); }));
+            append(diagnostics, readsOfFrame(parts_.scene, {each->word(), each->plan}, frame,
+                                             [this](const plan::Object& object) { return lasts(object); }));
     return diagnostics;
 }
 
@@ -190,12 +187,6 @@ Diagnostics Simulation::make() {
     for (const plan::FramePlan* each : plans())
         append(diagnostics, parts_.device.prepare(*each, parts_.programs));
     return diagnostics;
-}
-
-std::vector<double> Simulation::rates() const {
-    std::vector<double> rates;
-    for (const auto& each : steps_) rates.push_back(each->rate);
-    return rates;
 }
 
 std::vector<std::int64_t> Simulation::stepsAt(double time) const {
@@ -208,8 +199,8 @@ std::vector<std::int64_t> Simulation::stepsAt(double time) const {
 }
 
 bool Simulation::lasts(const plan::Object& object) const {
-    return std::any_of(lasting_.begin(), lasting_.end(),
-                       [&](const Lasting& each) { return plan::objectOf(each.object) == object; });
+    return std::ranges::any_of(lasting_,
+                               [&](const Lasting& each) { return plan::objectOf(each.object) == object; });
 }
 
 std::vector<const plan::FramePlan*> Simulation::plans() const {
@@ -279,7 +270,8 @@ Diagnostics Simulation::advance(const scene::FrameInputs& inputs) {
     const StageTimer timer(parts_.stats, "simulate");
     const std::vector<std::vector<double>> reads = onceReads();
     const std::vector<std::int64_t> to = stepsAt(inputs.time);
-    const std::vector<double> rates = this->rates();
+    std::vector<double> rates;
+    for (const auto& each : steps_) rates.push_back(each->rate);
     Diagnostics diagnostics;
     if (!hasRun_ || reads != onceReads_ || !canGoOn(rates, done_, to)) {
         append(diagnostics, restart(!onceReads_.empty() && reads != onceReads_));
@@ -290,7 +282,7 @@ Diagnostics Simulation::advance(const scene::FrameInputs& inputs) {
     for (std::size_t i = 0; i < to.size(); ++i)
         steps = to[i] - done_[i] > kVeryMany - steps ? kVeryMany : steps + (to[i] - done_[i]);
     if (steps > mostSteps_) {
-        const auto slowest = std::max_element(to.begin(), to.end());
+        const auto slowest = std::ranges::max_element(to);
         diagnostics.push_back(diagnose(
             "memory-E08",
             fmt::format("the picture at {} s needs {} steps; the limit is {} (--steps N allows more)",
@@ -363,8 +355,7 @@ Diagnostics Simulation::beginAnew(Block& step, std::int64_t tick) {
         grows = false;
         for (const auto& each : once_) {
             const auto isShared = [&](const scene::ObjectView& object) { return writes(objects, object); };
-            if (runs[each->index] || std::none_of(each->written.begin(), each->written.end(), isShared))
-                continue;
+            if (runs[each->index] || std::ranges::none_of(each->written, isShared)) continue;
             runs[each->index] = grows = true;
             objects.insert(objects.end(), each->written.begin(), each->written.end());
         }

@@ -140,7 +140,6 @@ class Simulation {
     /// Remembers the values after `reset` at a step. True if they differ from those at the step before.
     static bool hasOtherResets(Block& block, const std::vector<double>& now);
     Diagnostics beginAnew(Block& step, std::int64_t tick);
-    [[nodiscard]] std::vector<double> rates() const;
     /// What the content of the Once blocks depends on.
     [[nodiscard]] std::vector<std::vector<double>> onceReads() const;
 

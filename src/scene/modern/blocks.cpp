@@ -3,22 +3,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <string>
 #include <utility>
 
-#include "scene/modern/evaluate.h"
 #include "scene/modern/modern.h"
-#include "scene/modern/scope.h"
-#include "scene/state.h"
+#include "scene/run/camera_use.h"
+#include "scene/run/evaluate.h"
+#include "scene/run/scope.h"
+#include "scene/run/statements.h"
+#include "scene/run/uniforms.h"
 
 namespace glibra::scene {
 namespace {
 
 using expression::Depends;
-using glib::Command;
-using glib::CommandId;
 
 constexpr double kMostStepsPerSecond = 1e9;
 
@@ -28,7 +26,7 @@ void runBlock(Interpreter& in, const Command& command, OpenBlock& block, NodeLis
     const std::size_t index = indexOf(in, command);
     Output outer = std::exchange(in.out, {&nodes});
     in.around.block = &block;
-    in.shared->environment.beginBlock();
+    in.names().beginBlock();
     {
         const Scope scope(in);
         // What has moved and changed the frame so far, perhaps with time, does not act on what lasts.
@@ -39,7 +37,7 @@ void runBlock(Interpreter& in, const Command& command, OpenBlock& block, NodeLis
         runBody(in, index + 1, command.partner);
     }
     nodes.namedValues = namedValuesOfBlock(in);
-    in.shared->environment.endBlock(fmt::format("only {} sets it (line {})", block.word, block.place.line));
+    in.names().endBlock(fmt::format("only {} sets it (line {})", block.word, block.place.line));
     in.around.block = nullptr;
     in.out = std::move(outer);
     // The frame depends on the block only through the objects that the block writes.
@@ -50,22 +48,22 @@ void runBlock(Interpreter& in, const Command& command, OpenBlock& block, NodeLis
 }
 
 void forgetInputs(Interpreter& in, const std::string& why) {
-    for (const char* name : {"mouse", "mouse.down", "frame"}) in.shared->environment.forget(name, why);
+    for (const char* name : {"mouse", "mouse.down", "frame"}) in.names().forget(name, why);
 }
 
 /// The values after `reset`: expressions, or the names of variables and cameras.
-std::vector<double> resetValues(Interpreter& in, const glib::KeyedValues& key) {
+std::vector<double> resetValues(Interpreter& in, const KeyedValues& key) {
     std::vector<double> values;
     const auto add = [&](std::span<const double> more) {
         values.insert(values.end(), more.begin(), more.end());
     };
-    for (const glib::Value& each : key.values) {
+    for (const Value& each : key.values) {
         if (namesCamera(in, each) || choosesCamera(in, each)) {
             const auto camera = cameraNamed(in, each);
             if (!camera) continue;
             const CameraValues now = valuesOf(*camera, 1);
             for (const glm::dmat4* matrix : {&now.view, &now.projection}) add({&(*matrix)[0][0], 16});
-        } else if (each.kind == glib::Value::Kind::word) {
+        } else if (each.kind == Value::Kind::word) {
             if (const auto value = evaluate(in, each)) add(value->all());
         } else if (const auto numbers = numbersOf(in, {&each, 1})) {
             add(*numbers);
@@ -82,7 +80,7 @@ void doOnce(Interpreter& in, const Command& command) {
     block.place = once.place;
     const std::string why = "what Once writes lasts, so it cannot depend on this";
     forgetInputs(in, why);
-    for (const char* name : {"time", "tick", "dt"}) in.shared->environment.forget(name, why);
+    for (const char* name : {"time", "tick", "dt"}) in.names().forget(name, why);
     runBlock(in, command, block, once.nodes);
     once.reads = std::move(block.reads);
     in.scene.once.push_back(std::move(once));
@@ -93,10 +91,9 @@ void doStep(Interpreter& in, const Command& command) {
     const auto rate = numberOf(in, command.values.front());
     const bool isRight = rate && *rate > 0 && *rate <= kMostStepsPerSecond;
     if (rate && !isRight)
-        in.report(diagnose(
-            "glib-E26",
-            fmt::format("Step: the rate {} is not above 0 and at most {}", *rate, kMostStepsPerSecond),
-            in.script->place(command.values.front().position)));
+        in.reportAt(
+            command.values.front(), "glib-E26",
+            fmt::format("Step: the rate {} is not above 0 and at most {}", *rate, kMostStepsPerSecond));
     StepBlock step;
     step.rate = isRight ? *rate : 1;
     step.place = in.place(command);
@@ -110,10 +107,10 @@ void doStep(Interpreter& in, const Command& command) {
     };
     const double tick = of(in.inputs.ticks);
     forgetInputs(in, "a step is the same whatever frames are drawn; use a variable");
-    in.shared->environment.setNumber("tick", std::max(0.0, tick - of(in.inputs.firstTicks)));
-    in.shared->environment.setNumber("time", tick / step.rate);
-    in.shared->environment.setNumber("dt", 1 / step.rate);
-    if (const glib::KeyedValues* reset = command.key("reset")) {
+    in.names().setNumber("tick", std::max(0.0, tick - of(in.inputs.firstTicks)));
+    in.names().setNumber("time", tick / step.rate);
+    in.names().setNumber("dt", 1 / step.rate);
+    if (const KeyedValues* reset = command.key("reset")) {
         in.around.block = &block;  // which depends on what these values depend on
         step.resets = resetValues(in, *reset);
         in.around.block = nullptr;
@@ -123,13 +120,6 @@ void doStep(Interpreter& in, const Command& command) {
     step.fillsDependOnTick = any(block.fillDepends & (Depends::time | Depends::tick));
     if (isRight) in.scene.steps.push_back(std::move(step));
 }
-
-constexpr CommandAction kBlockActions[] = {
-    {CommandId::once, doOnce, InList::isWrong, true},
-    {CommandId::endOnce, doNothing, InList::isWrong, true},
-    {CommandId::step, doStep, InList::isWrong, true},
-    {CommandId::endStep, doNothing, InList::isWrong, true},
-};
 
 }  // namespace
 
@@ -145,12 +135,18 @@ void noteCamera(Interpreter& in, const SceneCamera& camera) {
 void noteFill(Interpreter& in) {
     OpenBlock* block = in.around.block;
     if (block == nullptr) return;
-    if (const auto* symbol = in.shared->environment.lookUpInScene(currentCamera(in).name.first + ".view"))
-        block->fillDepends = block->fillDepends | in.shared->environment.dependsOf(symbol->slot);
+    if (const auto* symbol = in.names().lookUpInScene(currentCamera(in).name.first + ".view"))
+        block->fillDepends = block->fillDepends | in.names().dependsOf(symbol->slot);
 }
 
 std::span<const CommandAction> blockActions() {
-    return kBlockActions;
+    static constexpr CommandAction kActions[] = {
+        {CommandId::once, doOnce, InList::isWrong, true},
+        {CommandId::endOnce, doNothing, InList::isWrong, true},
+        {CommandId::step, doStep, InList::isWrong, true},
+        {CommandId::endStep, doNothing, InList::isWrong, true},
+    };
+    return kActions;
 }
 
 }  // namespace glibra::scene

@@ -5,23 +5,22 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
 #include <utility>
 
 #include "glib/number.h"
 #include "glib/text.h"
-#include "scene/modern/evaluate.h"
+#include "scene/classic/classic.h"
 #include "scene/modern/modern.h"
-#include "scene/state.h"
+#include "scene/run/depends.h"
+#include "scene/run/evaluate.h"
+#include "scene/run/names.h"
+#include "scene/run/statements.h"
+#include "scene/run/uniforms.h"
 
 namespace glibra::scene {
 namespace {
 
 using expression::Type;
-using glib::Command;
-using glib::CommandId;
-using glib::KeyedValues;
-using glib::Value;
 
 constexpr double kMostBufferElements = 1 << 30;
 constexpr double kMostNumbers = 1 << 26;                           ///< that an expression gives a buffer
@@ -57,9 +56,6 @@ struct Parts {
 Parts partsOf(const Command& command) {
     Parts parts;
     std::size_t at = 1;
-    const auto isNumeric = [](const Value& value) {
-        return value.kind == Value::Kind::number || value.kind == Value::Kind::expression;
-    };
     const auto& values = command.values;
     if (at < values.size() && values[at].kind == Value::Kind::word) parts.type = &values[at++];
     if (at < values.size() && isNumeric(values[at])) parts.size = &values[at++];
@@ -74,7 +70,7 @@ std::optional<std::vector<double>> computedElements(Interpreter& in, const Value
     const auto readsOf = [&](std::span<const Environment::Slot> slots) {
         std::vector<double> reads;
         for (const Environment::Slot slot : slots) {
-            const std::vector<double> values = in.shared->environment.valuesOf(slot);
+            const std::vector<double> values = in.names().valuesOf(slot);
             reads.insert(reads.end(), values.begin(), values.end());
         }
         return reads;
@@ -93,7 +89,7 @@ std::optional<std::vector<double>> computedElements(Interpreter& in, const Value
     known.depends = in.shared->depends;
     in.shared->depends = before | known.depends;
     if (!values) return std::nullopt;
-    std::sort(slots.begin(), slots.end());
+    std::ranges::sort(slots);
     slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
     // Only variables are compared, so the expression must read nothing else that changes.
     constexpr auto kOthers = Depends::time | Depends::tick | Depends::frame | Depends::window |
@@ -112,7 +108,7 @@ bool readContent(Interpreter& in, const Command& command, const Parts& parts, Bu
     const auto type = basicType(buffer.type);
     const std::size_t components = type ? type->size() : 1;
     if (content.kind == Value::Kind::word || content.kind == Value::Kind::text) {
-        buffer.file = fileOf(in, content.text, in.script->place(content.position));
+        buffer.file = fileOf(in, content.text, in.place(content));
         return true;
     }
     if (content.kind == Value::Kind::list) {
@@ -153,10 +149,9 @@ void reportCut(Interpreter& in, const Value& content, const Buffer& buffer) {
     const auto cut =
         std::ranges::find_if(buffer.values, [](double each) { return std::trunc(each) != each; });
     if (cut != buffer.values.end() && std::isfinite(*cut))
-        in.report(diagnose(
-            "glib-W27",
-            fmt::format("{} is cut to {}", glib::numberText(*cut), glib::numberText(std::trunc(*cut) + 0.0)),
-            in.script->place(content.position)));
+        in.reportAt(
+            content, "glib-W27",
+            fmt::format("{} is cut to {}", glib::numberText(*cut), glib::numberText(std::trunc(*cut) + 0.0)));
 }
 
 void doBuffer(Interpreter& in, const Command& command) {
@@ -169,7 +164,7 @@ void doBuffer(Interpreter& in, const Command& command) {
     buffer.hasHistory = command.key("history") != nullptr;
     if (parts.type != nullptr) buffer.type = parts.type->text;
     const auto type = basicType(buffer.type);
-    if (!in.shared->environment.declareBuffer(buffer.name, type)) {
+    if (!in.names().declareBuffer(buffer.name, type)) {
         refuse(in, "glib-E27", command, target.position,
                fmt::format("'{}' has had another meaning in this scene", buffer.name));
         return;
@@ -196,19 +191,16 @@ void doBuffer(Interpreter& in, const Command& command) {
     if (numbers * kBytes > kLargestBuffer) {
         refuse(in, "glib-E15", command, command.position,
                fmt::format("'{}' needs {} bytes; the limit is {}", buffer.name,
-                           glib::groupedText(static_cast<long long>(numbers * kBytes)),
-                           glib::groupedText(static_cast<long long>(kLargestBuffer))));
+                           glib::groupedText(numbers * kBytes), glib::groupedText(kLargestBuffer)));
         return;
     }
     if (!chargeTexels(in, command, numbers * kBytes * (buffer.hasHistory ? 2 : 1))) return;
     if (buffer.count)
-        in.shared->environment.setNumber(buffer.name + ".count", static_cast<double>(*buffer.count));
+        in.names().setNumber(buffer.name + ".count", static_cast<double>(*buffer.count));
     else if (type && !buffer.file)
-        in.shared->environment.setNumber(buffer.name + ".count",
-                                         static_cast<double>(buffer.values.size() / components));
+        in.names().setNumber(buffer.name + ".count", static_cast<double>(buffer.values.size() / components));
     else
-        in.shared->environment.forget(buffer.name + ".count",
-                                      "it is known only when a file or a shader is read");
+        in.names().forget(buffer.name + ".count", "it is known only when a file or a shader is read");
     setObject(in, target.text, in.scene.buffers.add(std::move(buffer)));
 }
 
@@ -266,15 +258,6 @@ std::optional<decltype(Dispatch::groups)> groupsOf(Interpreter& in, const Comman
     return Over{*object};
 }
 
-/// Reports glib-E23 inside Pass, whose draws would be torn apart.
-bool isOutsidePass(Interpreter& in, const Command& command) {
-    if (!in.around.pass) return true;
-    in.reportAt(command, "glib-E23",
-                fmt::format("{} cannot stand inside Pass (line {}); move it out", command.word,
-                            in.around.pass->place.line));
-    return false;
-}
-
 void doDispatch(Interpreter& in, const Command& command) {
     if (!isOutsidePass(in, command)) return;
     const auto program = programNamed(in, command.values.front(), true);
@@ -304,12 +287,6 @@ void doDispatch(Interpreter& in, const Command& command) {
     in.out.implicitPass.reset();
     in.out.nodes->add(std::move(made));
 }
-
-constexpr CommandAction kBufferActions[] = {
-    {CommandId::buffer, doBuffer},
-    {CommandId::compute, doCompute},
-    {CommandId::dispatch, doDispatch, InList::isWrong, true},
-};
 
 }  // namespace
 
@@ -343,7 +320,12 @@ std::optional<CountFrom> countFrom(Interpreter& in, const Command& command) {
 }
 
 std::span<const CommandAction> bufferActions() {
-    return kBufferActions;
+    static constexpr CommandAction kActions[] = {
+        {CommandId::buffer, doBuffer},
+        {CommandId::compute, doCompute},
+        {CommandId::dispatch, doDispatch, InList::isWrong, true},
+    };
+    return kActions;
 }
 
 }  // namespace glibra::scene

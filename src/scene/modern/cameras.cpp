@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <string_view>
 
@@ -15,19 +13,103 @@
 #include "expression/name_table.h"
 #include "scene/camera.h"
 #include "scene/matrices.h"
-#include "scene/modern/evaluate.h"
 #include "scene/modern/modern.h"
-#include "scene/modern/scope.h"
-#include "scene/state.h"
+#include "scene/run/camera_use.h"
+#include "scene/run/counts.h"
+#include "scene/run/depends.h"
+#include "scene/run/evaluate.h"
+#include "scene/run/names.h"
+#include "scene/run/scope.h"
 #include "scene/view.h"
 
 namespace glibra::scene {
 namespace {
 
-using glib::Command;
-using glib::CommandId;
-using glib::KeyedValues;
 using Numbers = std::optional<std::vector<double>>;
+
+/// The camera that a parameter of this name stands for; null if it is none.
+const CameraName* cameraOfScope(const Interpreter& in, std::string_view name) {
+    const Environment& names = in.names();
+    const auto slot = names.findLocal(name);
+    return slot && names.cameraOf(*slot) ? &*names.cameraOf(*slot) : nullptr;
+}
+
+/// True if the name means a camera here.
+bool isCameraHere(const Interpreter& in, std::string_view name) {
+    if (cameraOfScope(in, name) != nullptr) return true;
+    if (in.names().findLocal(name)) return false;
+    const DeclaredName* declared = declaredName(in, name);
+    return name == "eye" || (declared != nullptr && declared->kind == DeclaredName::Kind::camera);
+}
+
+}  // namespace
+
+void noteCameraDepends(Interpreter& in, const CameraName& name) {
+    if (name.first == "eye") in.modern.usesEye = true;
+    if (const auto* symbol = in.names().lookUpInScene(name.first + ".view"))
+        addDepends(in, in.names().dependsOf(symbol->slot));
+}
+
+bool namesCamera(const Interpreter& in, const Value& value) {
+    return value.kind == Value::Kind::word && value.path.size() < 2 && isCameraHere(in, headOf(value));
+}
+
+bool choosesCamera(Interpreter& in, const Value& value) {
+    if (value.kind != Value::Kind::word || value.path.size() > 1 || namesCamera(in, value)) return false;
+    const std::string& name = headOf(value);
+    const std::string word = wordBehind(in, name);
+    return word != name && isCameraHere(in, word);
+}
+
+std::optional<SceneCamera> cameraNamed(Interpreter& in, const Value& value) {
+    const auto refuse = [&](std::string text) { return in.reportAt(value, "glib-E27", std::move(text)); };
+    const glib::NamePart whole{value.text, {}};
+    const glib::NamePart& first = value.path.empty() ? whole : value.path.front();
+    const auto isCamera = [&](const std::string& name) {
+        const auto known = in.modern.names.find(name);
+        return known != in.modern.names.end() && known->second.kind == DeclaredName::Kind::camera;
+    };
+    CameraName name{wordBehind(in, first.name), 0};
+    const bool isWord = name.first != first.name;  // of a counter, which hides a camera of its name
+    if (!isWord || !isCamera(name.first)) name.first = isCamera(first.name) ? first.name : name.first;
+    const bool isEye = name.first == "eye" && !isCamera("eye");
+    if (value.path.size() > 1)
+        return refuse(fmt::format("expected a camera, found '{}', which is a part of one", value.text));
+    const CameraName* given = cameraOfScope(in, first.name);
+    if (given == nullptr && isWord) given = cameraOfScope(in, name.first);
+    if (given != nullptr) {
+        if (!first.index.empty()) return refuse(fmt::format("'{}' is one camera, not an array", first.name));
+        noteCameraDepends(in, *given);
+        const SceneCamera* const found = findCamera(in, *given);
+        return found != nullptr ? *found : classicCamera(in);
+    }
+    if (isEye && first.index.empty()) return classicCamera(in);
+    if (in.modern.lostNames.contains(name.first)) return std::nullopt;
+    if (!isCamera(name.first)) {
+        std::vector<std::string_view> names{"eye"};
+        for (const auto& [each, camera] : in.modern.cameras) names.push_back(each.first);
+        return refuse(fmt::format("no camera '{}' is declared before this line{}", name.first,
+                                  base::suggestion(name.first, names)));
+    }
+    const expression::Symbol* const symbol = in.names().lookUpInScene(name.first);
+    const std::size_t count = symbol != nullptr ? symbol->count : 0;
+    if (count == 0 && !first.index.empty())
+        return refuse(fmt::format("'{}' is one camera, not an array", name.first));
+    if (count > 0) {
+        if (first.index.empty())
+            return refuse(
+                fmt::format("'{0}' is an array of cameras; write {0}[0] to {0}[{1}]", name.first, count - 1));
+        const auto index = integerIn(in, first.index.front(), fmt::format("{}: the index", name.first), 0,
+                                     static_cast<int>(count) - 1);
+        if (!index) return std::nullopt;
+        name.second = static_cast<std::size_t>(*index);
+    }
+    noteCameraDepends(in, name);
+    const SceneCamera* found = findCamera(in, name);
+    return found != nullptr ? std::optional(*found) : std::nullopt;  // a faulty one has been reported
+}
+
+namespace {
 
 glm::dvec3 vectorAt(const std::vector<double>& numbers, std::size_t first) {
     return {numbers[first], numbers[first + 1], numbers[first + 2]};
@@ -37,7 +119,7 @@ void refuseCamera(Interpreter& in, const Command& command, std::string text) {
     in.reportAt(command, "glib-E29", "Camera: " + std::move(text));
 }
 
-std::span<const glib::Value> afterName(const KeyedValues& key) {
+std::span<const Value> afterName(const KeyedValues& key) {
     return std::span(key.values).subspan(1);
 }
 
@@ -185,7 +267,7 @@ std::optional<SceneCamera> read(Interpreter& in, const Command& command) {
 /// Gives expressions the values of the camera. Its aspect is that of the passes that it sees; if they differ,
 /// it has no projection outside of them.
 void publish(Interpreter& in, const SceneCamera& camera) {
-    Environment& names = in.shared->environment;
+    Environment& names = in.names();
     const auto& [name, element] = camera.name;
     const auto known = in.shared->seen.aspects.find(camera.name);
     const std::size_t aspects = known != in.shared->seen.aspects.end() ? known->second.size() : 0;
@@ -203,15 +285,14 @@ void publish(Interpreter& in, const SceneCamera& camera) {
 void addCameraDepends(Interpreter& in, const std::string& name, expression::Depends depends) {
     for (const expression::NameRow& each : expression::cameraFields())
         for (const char* moment : {".", ".prev."})
-            if (const auto* symbol =
-                    in.shared->environment.lookUpInScene(name + moment + std::string(each.path)))
-                in.shared->environment.addDepends(symbol->slot, depends);
+            if (const auto* symbol = in.names().lookUpInScene(name + moment + std::string(each.path)))
+                in.names().addDepends(symbol->slot, depends);
 }
 
 void declareCamera(Interpreter& in, const Command& command) {
-    const glib::Value& target = command.values.front();
-    const std::string name = target.path.empty() ? target.text : target.path.front().name;
-    Environment& names = in.shared->environment;
+    const Value& target = command.values.front();
+    const std::string name = headOf(target);
+    Environment& names = in.names();
     const bool isArray = !target.path.empty() && !target.path.front().index.empty();
     double count = 1;
     if (isArray) {
@@ -247,8 +328,8 @@ void declareCamera(Interpreter& in, const Command& command) {
 void doCamera(Interpreter& in, const Command& command) {
     const DependsOnly own(in);
     declareCamera(in, command);
-    const glib::Value& target = command.values.front();
-    addCameraDepends(in, target.path.empty() ? target.text : target.path.front().name, own.depends());
+    const Value& target = command.values.front();
+    addCameraDepends(in, headOf(target), own.depends());
 }
 
 bool holdsWord(std::string_view text, std::string_view word) {
@@ -270,28 +351,21 @@ bool mentions(const Command& command, std::string_view camera) {
     return holdsWord(glib::written(rest), camera);
 }
 
-constexpr CommandAction kCameraActions[] = {{CommandId::camera, doCamera}};
-
 }  // namespace
 
 std::span<const CommandAction> cameraActions() {
-    return kCameraActions;
-}
-
-const SceneCamera* findCamera(const Interpreter& in, const CameraName& name) {
-    const auto known = in.modern.cameras.find(name);
-    return known != in.modern.cameras.end() ? &known->second : nullptr;
+    static constexpr CommandAction kActions[] = {{CommandId::camera, doCamera}};
+    return kActions;
 }
 
 void reportUnusedCameras(Interpreter& in) {
     const auto& commands = in.script->commands;
     if (findCamera(in, {"eye", 0}) != nullptr ||
-        std::any_of(commands.begin(), commands.end(),
-                    [](const Command& each) { return each.id == CommandId::include; }))
+        std::ranges::any_of(commands, [](const Command& each) { return each.id == CommandId::include; }))
         return;
     for (const auto& [name, camera] : in.modern.cameras) {
-        if (name.second > 0 || std::any_of(commands.begin(), commands.end(),
-                                           [&](const Command& each) { return mentions(each, name.first); }))
+        if (name.second > 0 ||
+            std::ranges::any_of(commands, [&](const Command& each) { return mentions(each, name.first); }))
             continue;
         in.report(diagnose(
             "glib-W38", fmt::format("camera '{}' is not used; the camera 'eye' sees the window", name.first),

@@ -10,17 +10,14 @@
 #include "base/suggest.h"
 #include "glib/diagnostic_catalogue.h"
 #include "glib/number.h"
-#include "scene/modern/evaluate.h"
+#include "scene/conditions.h"
 #include "scene/modern/modern.h"
-#include "scene/state.h"
+#include "scene/run/evaluate.h"
+#include "scene/run/names.h"
 
 namespace glibra::scene {
 namespace {
 
-using glib::Command;
-using glib::CommandId;
-using glib::KeyedValues;
-using glib::Value;
 using CheckKind = Check::Kind;
 
 constexpr double kMostPrintedIndex = 1e12;
@@ -47,6 +44,52 @@ bool readObject(Interpreter& in, const Value& value, std::optional<ObjectView>& 
 
 bool isBracket(const Value& value) {
     return value.kind == Value::Kind::list || value.kind == Value::Kind::color;
+}
+
+/// The names that a condition reads, with their values where it stands; null with the reason reported if it
+/// is wrong. The scene depends on what the condition reads.
+std::shared_ptr<const ConditionNames> namesOfCondition(Interpreter& in, const Value& value,
+                                                       const expression::Wanted& wanted) {
+    if (!supplyNames(in, value, wanted)) return nullptr;
+    const Environment& environment = in.names();
+    auto names = std::make_shared<ConditionNames>();
+    // It is read again when it is answered, with all names in it: also those of what is folded, as in
+    // arr.count.
+    const NotedNames noted(environment);
+    static_cast<void>(expression::parse(value.text, {}, noted, wanted));
+    for (const NotedNames::Note& each : noted.take()) {
+        const auto symbol = names->find(each.path) ? std::nullopt : environment.find(each.path);
+        if (!symbol) continue;
+        ConditionNames::Name name{each.path, *symbol, {}};
+        if (any(symbol->depends & expression::Depends::buffer)) {
+            constexpr std::string_view kCount = ".count";
+            const std::string head = each.path.ends_with(kCount)
+                                         ? each.path.substr(0, each.path.size() - kCount.size())
+                                         : each.path;
+            Value word;
+            word.kind = Value::Kind::word;
+            word.text = head;
+            if (const std::size_t point = head.find('.'); point != std::string::npos)
+                word.path = {{head.substr(0, point), {}}, {head.substr(point + 1), {}}};
+            word.position = value.position;
+            const auto object = objectNamed(in, word);
+            if (const auto* view = object ? std::get_if<BufferView>(&*object) : nullptr)
+                name.buffer = in.scene.buffers[view->buffer].name;
+            const expression::Symbol* const elements = environment.lookUp(head);
+            if (elements != nullptr && Environment::isBuffer(*elements))
+                name.elementSize = elements->type.size();
+        }
+        const std::size_t count = Environment::isBuffer(*symbol) ? 0 : std::max(1U, symbol->count);
+        for (std::size_t i = 0; i < count; ++i) {
+            const double* const found = environment.find(symbol->slot, i);
+            name.has.push_back(found != nullptr);
+            for (std::size_t k = 0; k < symbol->type.size(); ++k)
+                name.components.push_back(found != nullptr ? found[k] : 0);
+        }
+        name.why = environment.whyMissing(symbol->slot, 0);
+        names->add(std::move(name));
+    }
+    return names;
 }
 
 class CheckReader {
@@ -87,7 +130,7 @@ class CheckReader {
     }
 
     bool refuse(const Value& value, const std::string& text) {
-        in_.report(diagnose("glib-E26", "Expect: " + text, in_.script->place(value.position)));
+        in_.reportAt(value, "glib-E26", "Expect: " + text);
         return false;
     }
 
@@ -101,7 +144,7 @@ class CheckReader {
     /// Reads `count` numbers and then the wanted colour.
     bool readColor(const KeyedValues& key, std::size_t count) {
         const std::span<const Value> values(key.values);  // expressions are known by their address
-        const auto bracket = std::find_if(values.begin(), values.end(), isBracket);
+        const auto bracket = std::ranges::find_if(values, isBracket);
         const auto plain = static_cast<std::size_t>(bracket - values.begin());
         auto numbers = numbersOf(in_, values.first(plain));
         if (!numbers) return false;
@@ -319,8 +362,6 @@ void doPrint(Interpreter& in, const Command& command) {
     in.scene.prints.push_back(std::move(made));
 }
 
-constexpr CommandAction kCheckActions[] = {{CommandId::expect, doExpect}, {CommandId::print, doPrint}};
-
 }  // namespace
 
 std::vector<IdleCheck> idleChecks(const Interpreter& in) {
@@ -348,7 +389,8 @@ std::vector<IdleCheck> idleChecks(const Interpreter& in) {
 }
 
 std::span<const CommandAction> checkActions() {
-    return kCheckActions;
+    static constexpr CommandAction kActions[] = {{CommandId::expect, doExpect}, {CommandId::print, doPrint}};
+    return kActions;
 }
 
 }  // namespace glibra::scene

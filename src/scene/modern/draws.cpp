@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <string>
 
 #include "base/suggest.h"
@@ -12,19 +11,15 @@
 #include "glib/command_table.h"
 #include "glib/number.h"
 #include "glib/text.h"
+#include "scene/classic/classic.h"
 #include "scene/count_limits.h"
-#include "scene/modern/evaluate.h"
 #include "scene/modern/modern.h"
 #include "scene/primitives.h"
-#include "scene/state.h"
+#include "scene/run/evaluate.h"
+#include "scene/run/names.h"
 
 namespace glibra::scene {
 namespace {
-
-using glib::Command;
-using glib::CommandId;
-using glib::KeyedValues;
-using glib::Value;
 
 void doInstances(Interpreter& in, const Command& command) {
     LocalState& local = in.state.local;
@@ -82,11 +77,10 @@ void doVertices(Interpreter& in, const Command& command) {
         case geometry::ListTopology::patches:
             break;
         case geometry::ListTopology::quads:
-            in.report(diagnose("glib-E26",
-                               fmt::format("Vertices: there are no {0} without data; write triangles, or "
-                                           "'Instances n' and triangle_strip 4",
-                                           word),
-                               in.script->place(command.values.front().position)));
+            in.reportAt(command.values.front(), "glib-E26",
+                        fmt::format("Vertices: there are no {0} without data; write triangles, or "
+                                    "'Instances n' and triangle_strip 4",
+                                    word));
             return;
         default:
             shape.strip = *topology;
@@ -124,33 +118,10 @@ std::optional<std::string> roleNamed(Interpreter& in, const Value& value) {
     for (const std::string_view each : kRoles)
         if (glib::sameWord(each, value.text)) return std::string(each);
     const std::string hint = base::suggestion(value.text, kRoles);
-    in.report(diagnose(
-        "glib-E26",
+    return in.reportAt(
+        value, "glib-E26",
         fmt::format("Attribute: there is no role '{}'{}", value.text,
-                    hint.empty() ? fmt::format("; the roles are {}", fmt::join(kRoles, ", ")) : hint),
-        in.script->place(value.position)));
-    return std::nullopt;
-}
-
-/// A key that is equal for equal bindings.
-std::vector<std::pair<std::string, std::vector<double>>> keyOfAttributes(const AttributeSet& set) {
-    std::vector<std::pair<std::string, std::vector<double>>> key;
-    for (const AttributeBinding& each : set.bindings) {
-        std::string name = each.name + (each.isPerInstance ? " per instance" : "");
-        std::vector<double> numbers;
-        if (const auto* role = std::get_if<std::string>(&each.source)) {
-            name += " as " + *role;
-        } else if (const auto* given = std::get_if<std::vector<double>>(&each.source)) {
-            numbers = *given;
-        } else {
-            const auto& view = std::get<BufferView>(each.source);
-            name += view.isPrevious ? " previous buffer" : " buffer";
-            name += fmt::format(" {} {} {}", each.part.member, each.part.offset, each.part.stride);
-            numbers = {static_cast<double>(view.buffer.position())};
-        }
-        key.emplace_back(std::move(name), std::move(numbers));
-    }
-    return key;
+                    hint.empty() ? fmt::format("; the roles are {}", fmt::join(kRoles, ", ")) : hint));
 }
 
 void bind(Interpreter& in, AttributeBinding binding) {
@@ -191,7 +162,7 @@ void setInList(Interpreter& in, const Command& command, const std::string& name,
     }
     values.components = std::max(values.components, static_cast<int>(numbers.size()));
     values.current = {0, 0, 0, 1};
-    std::copy(numbers.begin(), numbers.end(), values.current.begin());
+    std::ranges::copy(numbers, values.current.begin());
 }
 
 /// Takes the member from "particles.velocity" and leaves the name of the buffer. Nothing with the reason
@@ -286,23 +257,16 @@ void doTessLevels(Interpreter& in, const Command& command) {
     in.state.local.tessellationLevels = made;
 }
 
-constexpr CommandAction kVertexActions[] = {
-    {CommandId::instances, doInstances},
-    {CommandId::vertices, doVertices, InList::isWrong, true},
-    {CommandId::attribute, doAttribute, InList::isPart},
-    {CommandId::tessLevels, doTessLevels},
-};
-
 }  // namespace
 
-AttributeSetIndex shareAttributes(Interpreter& in, AttributeSet set) {
-    AttributeSetIndex& index = in.made.attributeSets[keyOfAttributes(set)];
-    if (!index) index = in.scene.attributeSets.add(std::move(set));
-    return index;
-}
-
 std::span<const CommandAction> vertexActions() {
-    return kVertexActions;
+    static constexpr CommandAction kActions[] = {
+        {CommandId::instances, doInstances},
+        {CommandId::vertices, doVertices, InList::isWrong, true},
+        {CommandId::attribute, doAttribute, InList::isPart},
+        {CommandId::tessLevels, doTessLevels},
+    };
+    return kActions;
 }
 
 }  // namespace glibra::scene

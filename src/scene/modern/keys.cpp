@@ -4,34 +4,27 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <string>
 #include <string_view>
 
 #include "base/suggest.h"
 #include "glib/number.h"
 #include "glib/text.h"
-#include "scene/modern/evaluate.h"
 #include "scene/modern/modern.h"
-#include "scene/state.h"
+#include "scene/run/evaluate.h"
 
 namespace glibra::scene {
 namespace {
-
-using glib::Command;
-using glib::Value;
 
 /// The variable of that name with its control; null with glib-E27 reported.
 const Variable* variableNamed(Interpreter& in, const Value& value) {
     for (const Variable& each : in.scene.variables)
         if (each.name == value.text) return &each;
-    if (isLost(in, value.text)) return nullptr;
+    if (in.modern.lostNames.contains(value.text)) return nullptr;
     std::vector<std::string_view> names;
     for (const Variable& each : in.scene.variables) names.push_back(each.name);
-    in.report(diagnose("glib-E27",
-                       fmt::format("Key: no variable '{}' with a control is declared before this line{}",
-                                   value.text, base::suggestion(value.text, names)),
-                       in.script->place(value.position)));
+    in.reportAt(value, "glib-E27",
+                fmt::format("Key: no variable '{}' with a control is declared before this line{}", value.text,
+                            base::suggestion(value.text, names)));
     return nullptr;
 }
 
@@ -42,11 +35,9 @@ std::optional<std::vector<double>> valueForKey(Interpreter& in, const Value& val
         for (std::size_t i = 0; i < variable.words.size(); ++i)
             if (glib::sameWord(variable.words[i], value.text)) return std::vector{static_cast<double>(i)};
         const std::vector<std::string_view> words(variable.words.begin(), variable.words.end());
-        in.report(diagnose("glib-E26",
+        return in.reportAt(value, "glib-E26",
                            fmt::format("Key: '{}' has no choice '{}'{}", variable.name, value.text,
-                                       base::suggestion(value.text, words)),
-                           in.script->place(value.position)));
-        return std::nullopt;
+                                       base::suggestion(value.text, words)));
     }
     auto numbers = numbersOf(in, {&value, 1});
     if (!numbers) return std::nullopt;
@@ -58,29 +49,23 @@ std::optional<std::vector<double>> valueForKey(Interpreter& in, const Value& val
             each = std::clamp(each, variable.least(), variable.largest());
             continue;
         }
-        in.report(diagnose("glib-E26",
+        return in.reportAt(value, "glib-E26",
                            fmt::format("Key: {} is not between {} and {}, which '{}' allows",
                                        glib::numberText(each), glib::numberText(variable.least()),
-                                       glib::numberText(variable.largest()), variable.name),
-                           in.script->place(value.position)));
-        return std::nullopt;
+                                       glib::numberText(variable.largest()), variable.name));
     }
     if (numbers->size() == variable.current.size()) return numbers;
-    in.report(diagnose("glib-E26",
+    return in.reportAt(value, "glib-E26",
                        fmt::format("Key: '{}' has {} components, not {}", variable.name,
-                                   variable.current.size(), numbers->size()),
-                       in.script->place(value.position)));
-    return std::nullopt;
+                                   variable.current.size(), numbers->size()));
 }
 
 constexpr std::string_view kKeyNames[] = {"space", "enter", "left", "right", "up", "down"};
 
 /// A letter, a digit, or one of the names.
 bool isKey(std::string_view key) {
-    const auto isSame = [&](std::string_view name) { return glib::sameWord(name, key); };
-    if (std::any_of(std::begin(kKeyNames), std::end(kKeyNames), isSame)) return true;
-    const char lower = key.size() == 1 ? static_cast<char>(key[0] | 0x20) : ' ';
-    return key.size() == 1 && ((lower >= 'a' && lower <= 'z') || (key[0] >= '0' && key[0] <= '9'));
+    return glib::isAmong(key, kKeyNames) ||
+           (key.size() == 1 && (glib::isLetter(key[0]) || glib::isDigit(key[0])));
 }
 
 void doKey(Interpreter& in, const Command& command) {
@@ -89,11 +74,10 @@ void doKey(Interpreter& in, const Command& command) {
     binding.key = key.kind == Value::Kind::number ? fmt::format("{}", key.number) : key.text;
     binding.place = in.place(command);
     if (!isKey(binding.key)) {
-        in.report(diagnose("glib-E26",
-                           fmt::format("Key: '{}' is no key; write a letter, a digit, space, enter, left, "
-                                       "right, up or down",
-                                       binding.key),
-                           in.script->place(key.position)));
+        in.reportAt(key, "glib-E26",
+                    fmt::format("Key: '{}' is no key; write a letter, a digit, space, enter, left, "
+                                "right, up or down",
+                                binding.key));
         return;
     }
     if (command.key("restart") != nullptr) {
@@ -110,11 +94,10 @@ void doKey(Interpreter& in, const Command& command) {
     binding.variable = variable->name;
     const bool isNumeric = variable->words.empty() && variable->form != glib::UniformForm::truth;
     if (binding.isHeld && !isNumeric) {
-        in.report(diagnose("glib-E26",
-                           fmt::format("Key: '{}' has no values between its {}, through which a held key "
-                                       "could move it",
-                                       variable->name, variable->words.empty() ? "two" : "words"),
-                           in.script->place(rest.front().position)));
+        in.reportAt(rest.front(), "glib-E26",
+                    fmt::format("Key: '{}' has no values between its {}, through which a held key "
+                                "could move it",
+                                variable->name, variable->words.empty() ? "two" : "words"));
         return;
     }
     for (const Value& each : rest.subspan(1)) {
@@ -125,12 +108,11 @@ void doKey(Interpreter& in, const Command& command) {
     in.scene.keys.push_back(std::move(binding));
 }
 
-constexpr CommandAction kKeyActions[] = {{glib::CommandId::key, doKey}};
-
 }  // namespace
 
 std::span<const CommandAction> keyActions() {
-    return kKeyActions;
+    static constexpr CommandAction kActions[] = {{CommandId::key, doKey}};
+    return kActions;
 }
 
 }  // namespace glibra::scene

@@ -1,7 +1,6 @@
 #include "scene/modern/materials.h"
 
 #include <array>
-#include <string>
 
 #include "glib/text.h"
 

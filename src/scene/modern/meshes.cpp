@@ -11,18 +11,15 @@
 
 #include "base/suggest.h"
 #include "geometry/shapes/primitive.h"
-#include "glib/arguments.h"
-#include "scene/modern/evaluate.h"
+#include "scene/classic/classic.h"
 #include "scene/modern/modern.h"
 #include "scene/primitives.h"
-#include "scene/state.h"
+#include "scene/run/evaluate.h"
+#include "scene/run/names.h"
+#include "scene/run/statements.h"
 
 namespace glibra::scene {
 namespace {
-
-using glib::Command;
-using glib::CommandId;
-using glib::Value;
 
 /// A buffer of a mesh: its part of the name, its type, and what the attribute does not fill.
 struct MeshPartRow {
@@ -84,28 +81,19 @@ std::optional<Shape> shapeOf(Interpreter& in, const Command& command) {
     Shape shape;
     shape.command = row->id;
     if (isModel) {
-        shape.file = fileOf(in, rest.front().text, in.script->place(rest.front().position));
+        shape.file = fileOf(in, rest.front().text, in.place(rest.front()));
         return shape;
     }
     Command made = command;
     made.id = row->id;
     made.word = word.text;
-    std::vector<glib::EvaluatedNumber> numbers;
-    for (const Value& each : rest) {
-        const auto values = numbersOf(in, {&each, 1});
-        if (!values) return std::nullopt;
-        for (const double value : *values)
-            numbers.push_back({value, each.position, each.kind != Value::Kind::expression});
-    }
-    if (numbers.size() > row->arguments.size())
+    const auto numbers = evaluatedNumbers(in, rest);
+    if (!numbers) return std::nullopt;
+    if (numbers->size() > row->arguments.size())
         return refuse(in, "glib-E26", command, rest.front().position,
                       fmt::format("{} takes at most {} numbers; the values here have {}", word.text,
-                                  row->arguments.size(), numbers.size()));
-    glib::MessageLog log(in.script->path);
-    glib::evaluateNumbers(*row, made, numbers, log);
-    const bool isFaulty = log.errorCount() > 0;
-    for (Diagnostic& each : log.take()) in.report(std::move(each));
-    if (isFaulty) return std::nullopt;
+                                  row->arguments.size(), numbers->size()));
+    if (!fillNumbers(in, *row, *numbers, made)) return std::nullopt;
     shape.numbers = made.numbers;
     return shape;
 }
@@ -139,7 +127,7 @@ void doMesh(Interpreter& in, const Command& command) {
     if (!shape) return;
     const MeshContent* const mesh = meshOf(in, command, *std::move(shape));
     if (mesh == nullptr) return;
-    Environment& names = in.shared->environment;
+    Environment& names = in.names();
     if (!names.declareMesh(target.text)) {
         refuse(in, "glib-E27", command, target.position,
                fmt::format("'{}' has had another meaning in this scene", target.text));
@@ -168,12 +156,11 @@ void doMesh(Interpreter& in, const Command& command) {
     }
 }
 
-constexpr CommandAction kMeshActions[] = {{CommandId::mesh, doMesh}};
-
 }  // namespace
 
 std::span<const CommandAction> meshActions() {
-    return kMeshActions;
+    static constexpr CommandAction kActions[] = {{CommandId::mesh, doMesh}};
+    return kActions;
 }
 
 }  // namespace glibra::scene

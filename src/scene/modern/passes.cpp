@@ -10,19 +10,18 @@
 #include "base/text.h"
 #include "glib/command_table.h"
 #include "glib/limits.h"
-#include "scene/modern/evaluate.h"
+#include "scene/classic/classic.h"
 #include "scene/modern/modern.h"
-#include "scene/modern/scope.h"
-#include "scene/state.h"
+#include "scene/run/camera_use.h"
+#include "scene/run/evaluate.h"
+#include "scene/run/names.h"
+#include "scene/run/scope.h"
+#include "scene/run/statements.h"
+#include "scene/run/uniforms.h"
 #include "scene/texture_parts.h"
 
 namespace glibra::scene {
 namespace {
-
-using glib::Command;
-using glib::CommandId;
-using glib::KeyedValues;
-using glib::Value;
 
 // ---- Targets.
 
@@ -59,9 +58,7 @@ class TargetReader {
 
   private:
     std::nullopt_t refuse(const Value& value, const std::string& text) {
-        in_.report(diagnose("glib-E11", fmt::format("{}: {}", command_.word, text),
-                            in_.script->place(value.position)));
-        return std::nullopt;
+        return in_.reportAt(value, "glib-E11", fmt::format("{}: {}", command_.word, text));
     }
 
     bool add(const Value& value, const TextureView& view, Targets& targets) {
@@ -84,7 +81,7 @@ class TargetReader {
             return other.texture == view.texture && other.level.value_or(0) == view.level.value_or(0) &&
                    (!other.layer || !view.layer || other.layer == view.layer);
         };
-        if (std::any_of(targets.colors.begin(), targets.colors.end(), isSame))
+        if (std::ranges::any_of(targets.colors, isSame))
             return refuse(value, fmt::format("'{}' is named twice", value.text)), false;
         if (!fits(value, view, texture, targets)) return false;
         if (!base::hasDepth(source->format)) {
@@ -174,13 +171,10 @@ std::optional<glm::dvec4> colorOf(Interpreter& in, const Command& command, const
     const auto numbers = numbersOf(in, {&value, 1});
     if (!numbers) return std::nullopt;
     if (numbers->size() == 1) return glm::dvec4(numbers->front());
-    if (numbers->size() != 3 && numbers->size() != 4) {
-        in.report(diagnose(
-            "glib-E26",
-            fmt::format("{}: a colour has 1, 3 or 4 components, not {}", command.word, numbers->size()),
-            in.script->place(value.position)));
-        return std::nullopt;
-    }
+    if (numbers->size() != 3 && numbers->size() != 4)
+        return in.reportAt(
+            value, "glib-E26",
+            fmt::format("{}: a colour has 1, 3 or 4 components, not {}", command.word, numbers->size()));
     return glm::dvec4((*numbers)[0], (*numbers)[1], (*numbers)[2], numbers->size() == 4 ? (*numbers)[3] : 1);
 }
 
@@ -195,14 +189,11 @@ std::optional<Clearing> readClearing(Interpreter& in, const Command& command, co
                 if (!color) return std::nullopt;
                 clearing.colors.push_back(*color);
             }
-            if (clearing.colors.size() > 1 && clearing.colors.size() != most) {
-                in.report(diagnose("glib-E26",
+            if (clearing.colors.size() > 1 && clearing.colors.size() != most)
+                return in.reportAt(key.values.front(), "glib-E26",
                                    fmt::format("{}: {} colours for {} targets; write one for all, or one "
                                                "per target with colours",
-                                               command.word, clearing.colors.size(), most),
-                                   in.script->place(key.values.front().position)));
-                return std::nullopt;
-            }
+                                               command.word, clearing.colors.size(), most));
         } else if (key.key == "depth") {
             const auto depth = numberIn(in, key.values.front(), command.word + ": depth", 0, 1);
             if (!depth) return std::nullopt;
@@ -287,17 +278,8 @@ Pass makePass(Interpreter& in, const Command& command, const Targets& targets, c
     return pass;
 }
 
-/// False, with glib-E23 reported, inside a pass: a group that is drawn there may contain another one.
-bool mayBegin(Interpreter& in, const Command& command) {
-    if (!in.around.pass) return true;
-    in.reportAt(command, "glib-E23",
-                fmt::format("{} cannot stand inside Pass (line {}); move it out", command.word,
-                            in.around.pass->place.line));
-    return false;
-}
-
 void doPass(Interpreter& in, const Command& command) {
-    if (!mayBegin(in, command)) return;
+    if (!isOutsidePass(in, command)) return;
     const auto targets = TargetReader(in, command).read(command.values);
     if (!targets) return;
     const auto clearing = readClearing(in, command, *targets);
@@ -346,12 +328,12 @@ void doPass(Interpreter& in, const Command& command) {
 }
 
 void doFill(Interpreter& in, const Command& command) {
-    if (!mayBegin(in, command)) return;
+    if (!isOutsidePass(in, command)) return;
     const KeyedValues* with = command.key("with");
     const auto targets = TargetReader(in, command).read(command.values);
     if (!targets || with == nullptr) return;
     if (targets->depth) {
-        const auto depth = std::find_if(command.values.begin(), command.values.end(), [&](const Value& each) {
+        const auto depth = std::ranges::find_if(command.values, [&](const Value& each) {
             const auto view = textureNamed(in, each);
             return view && base::hasDepth(formatOf(in, *view));
         });
@@ -424,12 +406,10 @@ std::optional<base::FractionRectangle> areaOf(Interpreter& in, const Command& co
     const bool hasArea = area.width > 0 && area.height > 0;
     const bool isNegative = area.width < 0 || area.height < 0;
     if (isNear && (hasArea || (mayBeEmpty && !isNegative))) return area;
-    in.report(diagnose("glib-E26",
+    return in.reportAt(command.values.front(), "glib-E26",
                        fmt::format("{} needs x y width height in fractions of the target, the width and "
                                    "height above 0",
-                                   command.word),
-                       in.script->place(command.values.front().position)));
-    return std::nullopt;
+                                   command.word));
 }
 
 void doViewport(Interpreter& in, const Command& command) {
@@ -442,19 +422,26 @@ void doScissor(Interpreter& in, const Command& command) {
     if (const auto area = areaOf(in, command, true)) in.state.raster.scissor = *area;
 }
 
-constexpr CommandAction kTargetActions[] = {
-    {CommandId::pass, doPass, InList::isWrong, true},
-    {CommandId::endPass, doNothing, InList::isWrong, true},
-    {CommandId::fill, doFill, InList::isWrong, true},
-    {CommandId::clearParts, doClearParts},
-    {CommandId::viewport, doViewport},
-    {CommandId::scissor, doScissor},
-};
-
 }  // namespace
 
+bool isOutsidePass(Interpreter& in, const Command& command) {
+    if (!in.around.pass) return true;
+    in.reportAt(command, "glib-E23",
+                fmt::format("{} cannot stand inside Pass (line {}); move it out", command.word,
+                            in.around.pass->place.line));
+    return false;
+}
+
 std::span<const CommandAction> targetActions() {
-    return kTargetActions;
+    static constexpr CommandAction kActions[] = {
+        {CommandId::pass, doPass, InList::isWrong, true},
+        {CommandId::endPass, doNothing, InList::isWrong, true},
+        {CommandId::fill, doFill, InList::isWrong, true},
+        {CommandId::clearParts, doClearParts},
+        {CommandId::viewport, doViewport},
+        {CommandId::scissor, doScissor},
+    };
+    return kActions;
 }
 
 }  // namespace glibra::scene

@@ -11,50 +11,45 @@
 
 #include "glib/number.h"
 #include "glib/text.h"
-#include "scene/modern/evaluate.h"
 #include "scene/modern/modern.h"
-#include "scene/modern/scope.h"
-#include "scene/state.h"
+#include "scene/run/counts.h"
+#include "scene/run/depends.h"
+#include "scene/run/evaluate.h"
+#include "scene/run/scope.h"
+#include "scene/run/statements.h"
 
 namespace glibra::scene {
 namespace {
 
-using glib::Command;
-
 /// The words over which a Repeat runs.
-const std::vector<glib::Value>* wordsOf(const Command& command) {
-    const glib::Value& what = command.values.front();
-    return what.kind == glib::Value::Kind::list && what.count.empty() ? &what.items : nullptr;
+const std::vector<Value>* wordsOf(const Command& command) {
+    const Value& what = command.values.front();
+    return what.kind == Value::Kind::list && what.count.empty() ? &what.items : nullptr;
 }
 
 /// True for a list of values: numbers, expressions, and variables that are no choices. Any other list is one
 /// of words.
-bool isListOfValues(const Interpreter& in, std::span<const glib::Value> items) {
-    const auto isPlainVariable = [&](const glib::Value& each) {
-        const expression::Symbol* const symbol = in.shared->environment.lookUp(each.text);
+bool isListOfValues(const Interpreter& in, std::span<const Value> items) {
+    const auto isPlainVariable = [&](const Value& each) {
+        const expression::Symbol* const symbol = in.names().lookUp(each.text);
         return symbol != nullptr && symbol->type.kind != expression::Kind::record && symbol->words.empty() &&
                symbol->count == 0;
     };
-    return std::any_of(items.begin(), items.end(),
-                       [](const glib::Value& each) { return each.kind != glib::Value::Kind::word; }) ||
-           std::all_of(items.begin(), items.end(), isPlainVariable);
+    return std::ranges::any_of(items, [](const Value& each) { return each.kind != Value::Kind::word; }) ||
+           std::ranges::all_of(items, isPlainVariable);
 }
 
 /// The values over which a Repeat runs, all of one type. Nothing with the reason reported.
-std::optional<std::vector<expression::Value>> repeatedValues(Interpreter& in,
-                                                             std::span<const glib::Value> items) {
+std::optional<std::vector<expression::Value>> repeatedValues(Interpreter& in, std::span<const Value> items) {
     std::vector<expression::Value> values;
-    for (const glib::Value& each : items) {
-        const bool isWord = each.kind == glib::Value::Kind::word;
-        const auto value = isWord ? evaluate(in, each) : constantOf(in, {&each, 1});
+    for (const Value& each : items) {
+        const auto value = constantOf(in, {&each, 1});
         if (!value) return std::nullopt;
         values.push_back(*value);
         if (value->type == values.front().type) continue;
-        in.report(diagnose("glib-E26",
+        return in.reportAt(each, "glib-E26",
                            fmt::format("Repeat: the first value is {}, but this one is {}",
-                                       expression::name(values.front().type), expression::name(value->type)),
-                           in.script->place(each.position)));
-        return std::nullopt;
+                                       expression::name(values.front().type), expression::name(value->type)));
     }
     return values;
 }
@@ -77,8 +72,8 @@ RoundNames bindCounter(Environment& names, const std::string& name, const expres
 
 void doRepeat(Interpreter& in, const Command& command) {
     const std::size_t index = indexOf(in, command);
-    const std::vector<glib::Value>* words = wordsOf(command);
-    const glib::KeyedValues* as = command.key("as");
+    const std::vector<Value>* words = wordsOf(command);
+    const KeyedValues* as = command.key("as");
     const std::string name = as != nullptr ? as->values.front().text : "i";
     double rounds = 0;
     std::optional<std::vector<expression::Value>> values;
@@ -99,7 +94,7 @@ void doRepeat(Interpreter& in, const Command& command) {
     if (rounds > static_cast<double>(kMostStatements)) {
         in.reportAt(command, "glib-E28",
                     fmt::format("Repeat: {} rounds; the limit is {}", glib::numberText(rounds),
-                                glib::groupedText(static_cast<long long>(kMostStatements))));
+                                glib::groupedText(kMostStatements)));
         return;
     }
     if (rounds < 1) in.modern.untaken.push_back({in.script, index + 1, command.partner});
@@ -107,9 +102,9 @@ void doRepeat(Interpreter& in, const Command& command) {
     if (values && !values->empty())
         symbol.type = values->front().type;
     else if (words != nullptr)
-        for (const glib::Value& each : *words) symbol.words.push_back(each.text);
+        for (const Value& each : *words) symbol.words.push_back(each.text);
     // All rounds have the same names, so they are made once.
-    Environment& names = in.shared->environment;
+    Environment& names = in.names();
     const InnerNames outer(in);
     const RoundNames own = bindCounter(names, name, symbol, words != nullptr);
     std::vector<std::size_t>& path = in.modern.checks.path;

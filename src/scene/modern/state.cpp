@@ -4,16 +4,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <string>
 #include <utility>
 
 #include "glib/modern/statement_table.h"
 #include "glib/number.h"
-#include "scene/modern/evaluate.h"
 #include "scene/modern/modern.h"
-#include "scene/modern/scope.h"
-#include "scene/state.h"
+#include "scene/run/evaluate.h"
+#include "scene/run/scope.h"
 
 namespace glibra::scene {
 namespace {
@@ -24,10 +22,6 @@ using base::BlendFactor;
 using base::BlendFunction;
 using base::Comparison;
 using base::StencilAction;
-using glib::Command;
-using glib::CommandId;
-using glib::KeyedValues;
-using glib::Value;
 
 using glib::wordsOfFragment;
 
@@ -79,24 +73,22 @@ class StateReader {
 
   private:
     bool refuse(const Value& value, const std::string& text) {
-        in_.report(diagnose("glib-E26", "State: " + text, in_.script->place(value.position)));
+        in_.reportAt(value, "glib-E26", "State: " + text);
         return false;
     }
 
     /// The index of a word among those of a list of the table.
     std::optional<std::size_t> word(const Value& value, std::string_view fragment) {
-        const std::vector<std::string_view> words = wordsOfFragment(fragment);
-        return wordOf(in_, value, words);
+        return wordOf(in_, value, wordsOfFragment(fragment));
     }
-    template <std::size_t n>
-    std::optional<std::size_t> word(const Value& value, const std::array<std::string_view, n>& words) {
-        return wordOf(in_, value, words);
-    }
-    bool readSwitch(const Value& value, bool& target) {
-        const auto index = word(value, std::array<std::string_view, 2>{"off", "on"});
-        if (index) target = *index == 1;
+    /// Sets the target to what the index of the word among these stands for.
+    template <class Target, std::size_t n>
+    bool readWord(const Value& value, Target& target, const std::string_view (&words)[n]) {
+        const auto index = wordOf(in_, value, words);
+        if (index) target = static_cast<Target>(*index);
         return index.has_value();
     }
+    bool readSwitch(const Value& value, bool& target) { return readWord(value, target, {"off", "on"}); }
     std::optional<int> stencilValue(const Value& value, std::string_view what) {
         const auto number = numberIn(in_, value, what, 0, kLargestStencil);
         return number ? std::optional(static_cast<int>(*number)) : std::nullopt;
@@ -105,26 +97,10 @@ class StateReader {
     bool readKey(const KeyedValues& key, const KeyedValues* alpha, base::RasterState& state) {
         const std::string& name = key.key;
         const Value& first = key.values.front();
-        if (name == "cull") {
-            const auto index = word(first, std::array<std::string_view, 4>{"off", "back", "front", "both"});
-            if (index) state.cull = static_cast<base::Cull>(*index);
-            return index.has_value();
-        }
-        if (name == "front") {
-            const auto index = word(first, std::array<std::string_view, 2>{"ccw", "cw"});
-            if (index) state.front = static_cast<base::Winding>(*index);
-            return index.has_value();
-        }
-        if (name == "polygon") {
-            const auto index = word(first, std::array<std::string_view, 3>{"fill", "line", "point"});
-            if (index) state.polygon = static_cast<base::PolygonMode>(*index);
-            return index.has_value();
-        }
-        if (name == "provoking") {
-            const auto index = word(first, std::array<std::string_view, 2>{"last", "first"});
-            if (index) state.provoking = static_cast<base::ProvokingVertex>(*index);
-            return index.has_value();
-        }
+        if (name == "cull") return readWord(first, state.cull, {"off", "back", "front", "both"});
+        if (name == "front") return readWord(first, state.front, {"ccw", "cw"});
+        if (name == "polygon") return readWord(first, state.polygon, {"fill", "line", "point"});
+        if (name == "provoking") return readWord(first, state.provoking, {"last", "first"});
         if (name == "depth") return readDepth(first, state);
         if (name == "depthwrite") return readSwitch(first, state.depthWrite);
         if (name == "depthclamp") return readSwitch(first, state.depthClamp);
@@ -185,7 +161,7 @@ class StateReader {
         if (key.values.size() == 1) {
             constexpr std::array<std::string_view, 5> kModes{"off", "alpha", "add", "multiply",
                                                              "premultiplied"};
-            const auto mode = word(key.values.front(), kModes);
+            const auto mode = wordOf(in_, key.values.front(), kModes);
             if (!mode) return false;
             const auto both = [&](BlendFactor source, BlendFactor destination) {
                 blend.color = blend.alpha = {source, destination, BlendEquation::add};
@@ -232,10 +208,9 @@ class StateReader {
         }
         const auto target = static_cast<std::size_t>(std::strtoul(key.suffix.c_str(), nullptr, 10));
         if (target >= targets.size()) {
-            in_.report(diagnose("glib-E26",
-                                fmt::format("State: {}.{}: colour targets are 0 to {}", key.key, key.suffix,
-                                            targets.size() - 1),
-                                in_.script->place(key.position)));
+            in_.reportAt(key, "glib-E26",
+                         fmt::format("State: {}.{}: colour targets are 0 to {}", key.key, key.suffix,
+                                     targets.size() - 1));
             return false;
         }
         targets[target] = value;
@@ -252,11 +227,10 @@ class StateReader {
     bool readStencil(const KeyedValues& key, base::RasterState& state) {
         if (in_.around.pass && !in_.around.pass->hasStencil) {
             if (!std::exchange(in_.around.pass->isStencilReported, true))
-                in_.report(diagnose("glib-E11",
-                                    fmt::format("State {}: the depth texture of this pass has no stencil; "
-                                                "depth24_stencil8 has one",
-                                                key.key),
-                                    in_.script->place(key.position)));
+                in_.reportAt(key, "glib-E11",
+                             fmt::format("State {}: the depth texture of this pass has no stencil; "
+                                         "depth24_stencil8 has one",
+                                         key.key));
             return false;
         }
         const std::string what = "State: " + key.key;
@@ -319,12 +293,11 @@ void doState(Interpreter& in, const Command& command) {
     StateReader(in, command).read();
 }
 
-constexpr CommandAction kStateActions[] = {{CommandId::state, doState}};
-
 }  // namespace
 
 std::span<const CommandAction> stateActions() {
-    return kStateActions;
+    static constexpr CommandAction kActions[] = {{CommandId::state, doState}};
+    return kActions;
 }
 
 }  // namespace glibra::scene

@@ -18,17 +18,16 @@
 #include "glib/number.h"
 #include "glib/text.h"
 #include "image/file.h"
-#include "scene/modern/evaluate.h"
 #include "scene/modern/modern.h"
-#include "scene/modern/scope.h"
-#include "scene/state.h"
+#include "scene/run/depends.h"
+#include "scene/run/evaluate.h"
+#include "scene/run/names.h"
+#include "scene/run/scope.h"
+#include "scene/run/statements.h"
 #include "scene/texture_parts.h"
 
 namespace glibra::scene {
 namespace {
-
-using glib::Command;
-using glib::CommandId;
 
 /// Nested groups and included files.
 constexpr std::size_t kMostCalls = 64;
@@ -46,14 +45,14 @@ bool mayEnter(Interpreter& in, const Command& command) {
 enum class Wanted { value, object, camera };
 
 /// What the default of a parameter is.
-Wanted kindOf(Interpreter& in, const glib::Value& usual) {
+Wanted kindOf(Interpreter& in, const Value& usual) {
     if (namesObject(in, usual) || choosesObject(in, usual)) return Wanted::object;
     return namesCamera(in, usual) || choosesCamera(in, usual) ? Wanted::camera : Wanted::value;
 }
 
-std::optional<decltype(Argument::value)> valueOf(Interpreter& in, std::span<const glib::Value> values,
+std::optional<decltype(Argument::value)> valueOf(Interpreter& in, std::span<const Value> values,
                                                  Wanted wanted) {
-    const bool isWord = values.size() == 1 && values.front().kind == glib::Value::Kind::word;
+    const bool isWord = values.size() == 1 && values.front().kind == Value::Kind::word;
     const bool isPart = isWord && values.front().path.size() > 1;
     const bool wantsObject = wanted == Wanted::object;
     if (isWord && (namesCamera(in, values.front()) ||
@@ -68,12 +67,12 @@ std::optional<decltype(Argument::value)> valueOf(Interpreter& in, std::span<cons
         if (!object) return std::nullopt;
         return *object;
     }
-    const auto value = isWord ? evaluate(in, values.front()) : constantOf(in, values);
+    const auto value = constantOf(in, values);
     if (!value) return std::nullopt;
     return *value;
 }
 
-std::optional<Argument> argumentOf(Interpreter& in, std::span<const glib::Value> values, Wanted wanted) {
+std::optional<Argument> argumentOf(Interpreter& in, std::span<const Value> values, Wanted wanted) {
     const DependsOnly depends(in);
     auto value = valueOf(in, values, wanted);
     if (!value) return std::nullopt;
@@ -81,12 +80,11 @@ std::optional<Argument> argumentOf(Interpreter& in, std::span<const glib::Value>
 }
 
 /// True if one of the values reads a name that nothing has declared so far.
-bool readsLaterName(Interpreter& in, std::span<const glib::Value> values) {
-    const Environment& names = in.shared->environment;
-    return std::ranges::any_of(values, [&](const glib::Value& each) {
-        if (each.kind == glib::Value::Kind::word)
-            return !names.find(each.path.empty() ? each.text : each.path.front().name);
-        if (each.kind != glib::Value::Kind::expression) return false;
+bool readsLaterName(Interpreter& in, std::span<const Value> values) {
+    const Environment& names = in.names();
+    return std::ranges::any_of(values, [&](const Value& each) {
+        if (each.kind == Value::Kind::word) return !names.find(headOf(each));
+        if (each.kind != Value::Kind::expression) return false;
         const NotedNames noted(names);
         static_cast<void>(expression::parse(each.text, {}, noted));
         return std::ranges::any_of(noted.take(), [](const NotedNames::Note& note) {
@@ -99,9 +97,9 @@ void doGroup(Interpreter& in, const Command& command) {
     const std::size_t index = indexOf(in, command);
     if (!command.values.empty()) {
         GroupDefinition& group = in.modern.groups[command.values.front().text];
-        group = {{in.script, in.around.given}, index, in.shared->environment.here(), group.isRunning};
+        group = {{in.script, in.around.given}, index, in.names().here(), group.isRunning};
         // No default reads a parameter.
-        for (const glib::KeyedValues& each : command.tags)
+        for (const KeyedValues& each : command.tags)
             group.defaults.push_back(
                 readsLaterName(in, each.values)
                     ? GroupDefinition::Default{{}, true}
@@ -120,20 +118,19 @@ Wanted wantedLike(const Argument& usual) {
 
 /// True if all arguments have the name of a parameter; otherwise glib-E27 is reported, which calls the
 /// parameters' owner `owner`.
-bool haveParameters(Interpreter& in, std::span<const glib::KeyedValues> arguments,
+bool haveParameters(Interpreter& in, std::span<const KeyedValues> arguments,
                     std::span<const std::string_view> names, const std::string& owner) {
-    for (const glib::KeyedValues& given : arguments) {
-        if (std::find(names.begin(), names.end(), given.key) != names.end()) continue;
-        in.report(diagnose("glib-E27",
-                           fmt::format("{} '{}'{}", owner, given.key, base::suggestion(given.key, names)),
-                           in.script->place(given.position)));
+    for (const KeyedValues& given : arguments) {
+        if (std::ranges::find(names, given.key) != names.end()) continue;
+        in.reportAt(given, "glib-E27",
+                    fmt::format("{} '{}'{}", owner, given.key, base::suggestion(given.key, names)));
         return false;
     }
     return true;
 }
 
 /// Gives a parameter its value for the statements of the group.
-void bindValue(Environment& names, const glib::KeyedValues& parameter, const expression::Value& value,
+void bindValue(Environment& names, const KeyedValues& parameter, const expression::Value& value,
                expression::Depends depends) {
     expression::Symbol symbol;
     symbol.type = value.type;
@@ -144,8 +141,8 @@ void bindValue(Environment& names, const glib::KeyedValues& parameter, const exp
 }
 
 /// Makes a parameter stand for a texture or buffer, with its size.
-void bindObject(Interpreter& in, const glib::KeyedValues& parameter, const ObjectView& object) {
-    Environment& names = in.shared->environment;
+void bindObject(Interpreter& in, const KeyedValues& parameter, const ObjectView& object) {
+    Environment& names = in.names();
     const auto* texture = std::get_if<TextureView>(&object);
     const std::string& own = texture != nullptr ? in.scene.textures[texture->texture].name
                                                 : in.scene.buffers[std::get<BufferView>(object).buffer].name;
@@ -172,19 +169,19 @@ template <class Work>
 auto aroundGroup(Interpreter& in, const GroupDefinition& group, const Work& work) {
     const InFile file(in, group.file);
     const InnerNames inner(in);
-    in.shared->environment.enterGroup(group.names, &group.file.script->commands[group.command]);
+    in.names().enterGroup(group.names, &group.file.script->commands[group.command]);
     return work();
 }
 
 /// What a parameter has for a Draw. `given`: by the Draw; null: nothing.
 std::optional<Argument> argumentOf(Interpreter& in, const GroupDefinition& group, std::size_t index,
-                                   const glib::KeyedValues* given) {
+                                   const KeyedValues* given) {
     const auto& [usual, isOfLater] = group.defaults[index];
     if (!isOfLater) {
         if (given == nullptr) return usual;
         return argumentOf(in, given->values, usual ? wantedLike(*usual) : Wanted::value);
     }
-    const std::vector<glib::Value>& values = group.file.script->commands[group.command].tags[index].values;
+    const std::vector<Value>& values = group.file.script->commands[group.command].tags[index].values;
     const Wanted wanted = aroundGroup(in, group, [&] { return kindOf(in, values.front()); });
     if (given != nullptr) return argumentOf(in, given->values, wanted);
     return aroundGroup(in, group, [&] { return argumentOf(in, values, wanted); });
@@ -196,13 +193,13 @@ std::optional<std::vector<Argument>> argumentsOf(Interpreter& in, const GroupDef
                                                  const Command& call) {
     const Command& definition = group.file.script->commands[group.command];
     std::vector<std::string_view> names;
-    for (const glib::KeyedValues& each : definition.tags) names.push_back(each.key);
+    for (const KeyedValues& each : definition.tags) names.push_back(each.key);
     if (!haveParameters(in, call.tags, names,
                         fmt::format("group '{}' has no parameter", definition.values.front().text)))
         return std::nullopt;
     std::vector<Argument> arguments;
     for (std::size_t i = 0; i < names.size(); ++i) {
-        const auto given = std::ranges::find(call.tags, names[i], &glib::KeyedValues::key);
+        const auto given = std::ranges::find(call.tags, names[i], &KeyedValues::key);
         auto argument = argumentOf(in, group, i, given == call.tags.end() ? nullptr : &*given);
         if (!argument) return std::nullopt;
         arguments.push_back(*std::move(argument));
@@ -214,9 +211,9 @@ void bindParameters(Interpreter& in, const Command& group, const std::vector<Arg
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const auto& [argument, depends] = arguments[i];
         if (const auto* value = std::get_if<expression::Value>(&argument))
-            bindValue(in.shared->environment, group.tags[i], *value, depends);
+            bindValue(in.names(), group.tags[i], *value, depends);
         else if (const auto* camera = std::get_if<CameraName>(&argument))
-            in.shared->environment.bindCamera(group.tags[i].key, *camera);
+            in.names().bindCamera(group.tags[i].key, *camera);
         else
             bindObject(in, group.tags[i], std::get<ObjectView>(argument));
     }
@@ -227,9 +224,9 @@ void loseNames(Interpreter& in, const glib::Script& script, std::size_t first, s
     for (std::size_t i = first; i < last; ++i) {
         const Command& each = script.commands[i];
         if (each.id != CommandId::let || each.values.empty()) continue;
-        const glib::Value& target = each.values.front();
-        const std::string& name = target.path.empty() ? target.text : target.path.front().name;
-        if (in.shared->environment.lookUpInScene(name) == nullptr) in.modern.lostNames.insert(name);
+        const Value& target = each.values.front();
+        const std::string& name = headOf(target);
+        if (in.names().lookUpInScene(name) == nullptr) in.modern.lostNames.insert(name);
     }
 }
 
@@ -239,7 +236,7 @@ void runGroup(Interpreter& in, const GroupDefinition& group, const Command& call
     const auto arguments = argumentsOf(in, group, call);
     if (!arguments) return loseNames(in, *group.file.script, group.command + 1, definition.partner);
     const InFile file(in, group.file);
-    in.shared->environment.enterGroup(group.names, &definition);
+    in.names().enterGroup(group.names, &definition);
     bindParameters(in, definition, *arguments);
     runBody(in, group.command + 1, definition.partner);
 }
@@ -249,13 +246,12 @@ void doDraw(Interpreter& in, const Command& command) {
     auto known = in.modern.groups.find(name);
     if (known == in.modern.groups.end()) known = in.modern.groups.find(name = wordBehind(in, name));
     if (known == in.modern.groups.end()) {
-        if (isLost(in, name)) return;
+        if (in.modern.lostNames.contains(name)) return;
         std::vector<std::string_view> names;
         for (const auto& [each, group] : in.modern.groups) names.push_back(each);
         const std::string hint = base::suggestion(name, names);
-        in.report(diagnose("glib-E27",
-                           fmt::format("no group '{}' is declared before this line{}", name, hint),
-                           in.script->place(command.values.front().position)));
+        in.reportAt(command.values.front(), "glib-E27",
+                    fmt::format("no group '{}' is declared before this line{}", name, hint));
         return;
     }
     if (known->second.isRunning) {
@@ -278,10 +274,9 @@ void addConditions(Interpreter& in, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
         const Command& each = in.script->commands[i];
         if (each.id != CommandId::let || each.values.empty()) continue;
-        const glib::Value& target = each.values.front();
-        const expression::Symbol* const symbol = in.shared->environment.lookUpInScene(
-            target.path.empty() ? target.text : target.path.front().name);
-        if (symbol != nullptr) in.shared->environment.addDepends(symbol->slot, in.around.conditions);
+        const Value& target = each.values.front();
+        const expression::Symbol* const symbol = in.names().lookUpInScene(headOf(target));
+        if (symbol != nullptr) in.names().addDepends(symbol->slot, in.around.conditions);
     }
 }
 
@@ -313,7 +308,7 @@ void doWhen(Interpreter& in, const Command& command) {
 
 /// The script of an included file; null with the reason reported.
 const glib::Script* includedScript(Interpreter& in, const Command& command, const std::string& name) {
-    const FileIndex file = fileOf(in, name, in.script->place(command.values.front().position));
+    const FileIndex file = fileOf(in, name, in.place(command.values.front()));
     const FileReference& reference = in.scene.files[file];
     if (reference.path.empty()) {
         for (const Diagnostic& each : reference.remarks) in.report(each);
@@ -359,7 +354,7 @@ std::optional<GivenVariables> givenVariables(Interpreter& in, const Command& com
     std::vector<std::string_view> names;
     for (const Command& each : script.commands) {
         if ((each.id != CommandId::let && each.id != CommandId::bound) || each.values.empty()) continue;
-        const glib::Value& name = each.values.front();
+        const Value& name = each.values.front();
         if (name.path.empty())
             names.push_back(name.text);
         else if (name.path.front().index.empty())
@@ -369,9 +364,8 @@ std::optional<GivenVariables> givenVariables(Interpreter& in, const Command& com
                         fmt::format("'{}' has no variable", command.values.front().text)))
         return std::nullopt;
     GivenVariables given;
-    for (const glib::KeyedValues& each : command.tags) {
-        const bool isWord = each.values.size() == 1 && each.values.front().kind == glib::Value::Kind::word;
-        const auto value = isWord ? evaluate(in, each.values.front()) : constantOf(in, each.values);
+    for (const KeyedValues& each : command.tags) {
+        const auto value = constantOf(in, each.values);
         if (!value) return std::nullopt;
         given.insert_or_assign(each.key, *value);
     }
@@ -386,7 +380,7 @@ void doInclude(Interpreter& in, const Command& command) {
         in.reportAt(command, "glib-E28", fmt::format("'{}' includes itself", name));
         return;
     }
-    const auto declaration = std::find_if(script->commands.begin(), script->commands.end(), declares);
+    const auto declaration = std::ranges::find_if(script->commands, declares);
     if (in.around.blocks > 0 && declaration != script->commands.end()) {
         in.modern.including.erase(script);
         in.reportAt(command, "glib-E28",
@@ -410,22 +404,21 @@ void doInclude(Interpreter& in, const Command& command) {
     in.modern.including.erase(script);
 }
 
-constexpr CommandAction kStructureActions[] = {
-    {CommandId::group, doGroup},
-    {CommandId::endGroup, doNothing},
-    {CommandId::draw, doDraw, InList::isWrong, true},
-    {CommandId::repeat, doRepeat, InList::isPart},
-    {CommandId::endRepeat, doNothing, InList::isPart},
-    {CommandId::when, doWhen, InList::isPart},
-    {CommandId::elseBranch, doNothing, InList::isPart},
-    {CommandId::endWhen, doNothing, InList::isPart},
-    {CommandId::include, doInclude, InList::isWrong},
-};
-
 }  // namespace
 
 std::span<const CommandAction> structureActions() {
-    return kStructureActions;
+    static constexpr CommandAction kActions[] = {
+        {CommandId::group, doGroup},
+        {CommandId::endGroup, doNothing},
+        {CommandId::draw, doDraw, InList::isWrong, true},
+        {CommandId::repeat, doRepeat, InList::isPart},
+        {CommandId::endRepeat, doNothing, InList::isPart},
+        {CommandId::when, doWhen, InList::isPart},
+        {CommandId::elseBranch, doNothing, InList::isPart},
+        {CommandId::endWhen, doNothing, InList::isPart},
+        {CommandId::include, doInclude, InList::isWrong},
+    };
+    return kActions;
 }
 
 }  // namespace glibra::scene

@@ -1,57 +1,37 @@
-// Tags: uniform variables and objects of a scope, and those that a draw gives to its program
-// (language, 12.1).
+// Set, Material and Light: the uniform variables of the following draws of a scope, and among them the light
+// sources and materials of GLSL 1.10 to 1.40 (language, 12.1; OpenGL 2.1 specification, 2.14).
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <utility>
 
 #include "base/suggest.h"
-#include "glib/modern/read_values.h"
-#include "scene/modern/evaluate.h"
-#include "scene/modern/lights.h"
+#include "scene/modern/materials.h"
 #include "scene/modern/modern.h"
-#include "scene/modern/scope.h"
-#include "scene/state.h"
+#include "scene/run/evaluate.h"
+#include "scene/run/names.h"
+#include "scene/run/uniforms.h"
 
 namespace glibra::scene {
 namespace {
 
-constexpr double kMostSubscript = 1 << 20;
+constexpr int kMostLights = 8;
+constexpr double kMostShininess = 1e6;
+constexpr double kNoSpot = 180;  ///< a cut-off that makes a light shine in all directions
 
-using glib::Command;
-using glib::CommandId;
-using glib::Value;
-
-/// The tag with the values of its subscripts, as `lights[2].color` for `lights[i + 1].color`. Nothing with
-/// the reason reported.
-std::optional<std::string> keyOf(Interpreter& in, const glib::KeyedValues& tag) {
-    const auto isComputed = [](const glib::NamePart& each) {
-        return !each.index.empty() && each.index.front().kind == Value::Kind::expression;
-    };
-    if (std::none_of(tag.path.begin(), tag.path.end(), isComputed)) return tag.key;
-    std::string key;
-    for (const glib::NamePart& each : tag.path) {
-        if (!key.empty()) key += '.';
-        key += each.name;
-        if (each.index.empty()) continue;
-        const auto index = numberIn(in, each.index.front(), tag.key + ": subscript", 0, kMostSubscript);
-        if (!index) return std::nullopt;
-        key += fmt::format("[{:.0f}]", std::trunc(*index));
-    }
-    return key;
-}
+// ---- Set.
 
 /// Puts tags into the list of the scope; the last one of a name counts.
-void addTags(Interpreter& in, std::span<const glib::KeyedValues> tags) {
-    for (const glib::KeyedValues& each : tags) {
-        std::optional<std::string> key = keyOf(in, each);
+void addTags(Interpreter& in, std::span<const KeyedValues> tags) {
+    for (const KeyedValues& each : tags) {
+        std::optional<std::string> key = keyOfTag(in, each);
         if (!key) continue;
         std::erase_if(in.state.set, [&](const ScopedTag& other) { return other.key == *key; });
         if (key->starts_with("gl_")) in.scene.setsLights = true;
-        ScopedTag scoped{&each, *std::move(key), in.script, in.shared->environment.here()};
+        ScopedTag scoped{&each, *std::move(key), in.script, in.names().here()};
         if (namesObject(in, each.values.front())) {
             scoped.object = objectNamed(in, each.values.front());
             if (!scoped.object) continue;
@@ -67,269 +47,178 @@ void doSet(Interpreter& in, const Command& command) {
             in.scene.setNames.try_emplace(each.key, in.script->place(each.tag->position));
 }
 
-constexpr CommandAction kTagActions[] = {
-    {CommandId::set, doSet},
-};
+// ---- Material and Light.
 
-/// The form of a variable that is a colour stays a colour, so that it fits three and four components.
-bool isColor(const Interpreter& in, const std::string& name) {
-    for (const Variable& each : in.scene.variables)
-        if (each.name == name) return each.form == glib::UniformForm::color;
-    return false;
+/// Sets a uniform variable of the following draws of the scope.
+void setNumbers(Interpreter& in, const KeyedValues& from, std::string key, std::vector<double> numbers,
+                EyeSpace space = EyeSpace::asGiven) {
+    std::erase_if(in.state.set, [&](const ScopedTag& other) { return other.key == key; });
+    ScopedTag scoped{&from, std::move(key), in.script, in.names().here()};
+    in.scene.setsLights = true;
+    scoped.numbers = std::move(numbers);
+    scoped.space = space;
+    in.state.set.push_back(std::move(scoped));
 }
 
-/// The word of a choice.
-void setWord(const expression::Symbol& symbol, glib::UniformSpec& spec) {
-    if (spec.values.size() != 1) return;
-    const double value = spec.values[0];
-    if (value >= 0 && value < static_cast<double>(symbol.words.size()))
-        spec.word = symbol.words[static_cast<std::size_t>(value)];
+/// Three or four components; a missing alpha is 1.
+std::optional<std::vector<double>> colorOfMember(Interpreter& in, const Command& command,
+                                                 const KeyedValues& key) {
+    auto numbers = numbersOf(in, key.values);
+    if (!numbers) return std::nullopt;
+    if (numbers->size() == 1) numbers->resize(3, numbers->front());
+    if (numbers->size() == 3) numbers->push_back(1);
+    if (numbers->size() == 4) return numbers;
+    return refuse(in, "glib-E26", command, key.position,
+                  fmt::format("'{}' is a colour of 3 or 4 components, not {}", key.key, numbers->size()));
 }
 
-/// The values of a variable; nothing if it has none.
-void setToVariable(const Interpreter& in, const std::string& name, const expression::Symbol& symbol,
-                   glib::UniformSpec& spec) {
-    const std::size_t elements = std::max<std::size_t>(1, symbol.count);
-    for (std::size_t i = 0; i < elements; ++i)
-        if (const double* values = in.shared->environment.find(symbol.slot, i))
-            spec.values.insert(spec.values.end(), values, values + symbol.type.size());
-    setWord(symbol, spec);
-    spec.form = symbol.type.isBoolean() && elements == 1 ? glib::UniformForm::truth
-                : isColor(in, name)                      ? glib::UniformForm::color
-                                                         : glib::UniformForm::list;
+/// Sets a member of `material`, as shaders of today call it, and of both materials of older GLSL.
+void setMember(Interpreter& in, const KeyedValues& from, const std::string& member,
+               const std::vector<double>& numbers) {
+    for (const char* material : {"material.", "gl_FrontMaterial.", "gl_BackMaterial."})
+        setNumbers(in, from, material + member, numbers);
 }
 
-/// The tag with its values of this moment, in the form in which a Program line would state it.
-/// `isOfProgram`: a word that has no meaning here may name a function of the program.
-std::optional<glib::UniformSpec> specOf(Interpreter& in, const glib::KeyedValues& tag, bool isOfProgram) {
-    glib::UniformSpec spec;
-    spec.tag = tag.key;
-    spec.tagPosition = tag.position;
-    spec.valuePosition = tag.values.front().position;
-    const Value& first = tag.values.front();
-    if (first.kind == Value::Kind::word) {
-        const expression::Symbol* const symbol = in.shared->environment.lookUp(first.text);
-        const bool isPlain = symbol != nullptr && symbol->type.kind != expression::Kind::record;
-        if (isPlain && symbol->words.empty() && first.path.size() <= 1 &&
-            (first.path.empty() || first.path.front().index.empty())) {
-            // Reading the name as an expression notes what it depends on.
-            if (symbol->count == 0 && !evaluate(in, first)) return std::nullopt;
-            if (symbol->count > 0) {
-                noteRead(in, first.text, symbol->slot, in.place(first));
-                addDepends(in, in.shared->environment.dependsOf(symbol->slot));
-            }
-            setToVariable(in, first.text, *symbol, spec);
-            if (isLost(in, spec.word)) return std::nullopt;
-        } else if (isPlain || first.path.size() > 1 ||
-                   (!first.path.empty() && !first.path.front().index.empty())) {
-            const auto value = evaluate(in, first);
-            if (!value) return std::nullopt;
-            spec.values.assign(value->all().begin(), value->all().end());
-            spec.form = value->type.isBoolean() ? glib::UniformForm::truth : glib::UniformForm::list;
-            if (isPlain && first.path.size() <= 1) setWord(*symbol, spec);
-        } else if (isLost(in, first.text)) {
-            return std::nullopt;
-        } else if (isOfProgram && first.path.size() <= 1) {
-            spec.word = first.text;
-            return spec;
-        } else {
-            std::vector<std::string> names = in.shared->environment.known("");
-            for (const auto& [each, declared] : in.modern.names) names.push_back(each);
-            const std::vector<std::string_view> views(names.begin(), names.end());
-            in.report(diagnose("glib-E27",
-                               fmt::format("'{}' is no variable, texture or buffer{}", first.text,
-                                           base::suggestion(first.text, views)),
-                               in.place(first)));
-            return std::nullopt;
-        }
-    } else if (first.kind == Value::Kind::list) {
-        const auto numbers = listOf(in, first);
-        if (!numbers) return std::nullopt;
-        spec.values = *numbers;
-        spec.form = glib::UniformForm::list;
-    } else if (first.kind == Value::Kind::expression && tag.values.size() == 1) {
-        const auto value = evaluate(in, first);
-        if (!value) return std::nullopt;
-        spec.values.assign(value->all().begin(), value->all().end());
-        spec.form = value->type.isBoolean() ? glib::UniformForm::truth : glib::UniformForm::list;
-    } else {
-        const auto numbers = numbersOf(in, tag.values);
-        if (!numbers) return std::nullopt;
-        if (first.kind == Value::Kind::range && numbers->size() > 3) {
-            in.report(
-                diagnose("glib-E26",
-                         fmt::format("'{0}': a range on a tag has three numbers; write 'Let {0} < >' for a "
-                                     "vector with sliders",
-                                     tag.key),
-                         in.place(first)));
-            return std::nullopt;
-        }
-        spec.values = *numbers;
-        spec.form = first.kind == Value::Kind::color   ? glib::UniformForm::color
-                    : first.kind == Value::Kind::truth ? glib::UniformForm::truth
-                    : first.kind == Value::Kind::range ? glib::UniformForm::range
-                                                       : glib::UniformForm::list;
+/// The row of the preset that the statement names. Null with the reason reported.
+const MaterialRow* presetOf(Interpreter& in, const Value& preset) {
+    std::string name = wordBehind(in, preset.text);
+    if (preset.kind == Value::Kind::expression) {
+        const auto chosen = wordOf(in, preset, materialNames());
+        if (!chosen) return nullptr;
+        name = materialNames()[*chosen];
     }
-    if (spec.values.empty()) return std::nullopt;
-    if (spec.form == glib::UniformForm::list && spec.values.size() == 1)
-        spec.form = glib::UniformForm::number;
-    return spec;
+    const MaterialRow* row = findMaterial(name);
+    if (row == nullptr)
+        in.reportAt(preset, "glib-E27",
+                    fmt::format("no material '{}'{}", name, base::suggestion(name, materialNames())));
+    return row;
 }
 
-/// A number for each different object, for keys of sets.
-std::vector<double> keyOfObject(const ObjectView& object) {
-    if (const auto* buffer = std::get_if<BufferView>(&object))
-        return {-1, static_cast<double>(buffer->buffer.position()), buffer->isPrevious ? 1.0 : 0};
-    const auto& view = std::get<TextureView>(object);
-    return {-2,
-            static_cast<double>(view.texture.position()),
-            static_cast<double>(view.level.value_or(-1)),
-            static_cast<double>(view.layer.value_or(-1)),
-            view.isPrevious ? 1.0 : 0,
-            view.sampler ? static_cast<double>(view.sampler.position()) : -1};
+void doMaterial(Interpreter& in, const Command& command) {
+    if (command.keys.empty()) {
+        const MaterialRow* row = presetOf(in, command.values.front());
+        if (row == nullptr) return;
+        for (const MaterialMember& each : row->members) setMember(in, each.tag, each.name, each.numbers);
+        return;
+    }
+    std::vector<std::pair<const KeyedValues*, std::vector<double>>> members;
+    for (const KeyedValues& key : command.keys) {
+        std::optional<std::vector<double>> numbers;
+        if (key.key == "shininess") {
+            const auto value = numberIn(in, key.values.front(), "Material: shininess", 0, kMostShininess);
+            if (value) numbers = std::vector{*value};
+        } else {
+            numbers = colorOfMember(in, command, key);
+        }
+        if (!numbers) return;
+        members.emplace_back(&key, std::move(*numbers));
+    }
+    for (const auto& [key, numbers] : members) setMember(in, *key, key->key, numbers);
 }
 
-/// The word in the parentheses of `uMap (shown)`, if it is a choice that names objects: it means the same
-/// with and without them.
-std::optional<Value> choiceInParentheses(Interpreter& in, const glib::KeyedValues& tag) {
-    const Value& value = tag.values.front();
-    if (value.kind != Value::Kind::expression || tag.values.size() > 1 || !glib::isIdentifier(value.text))
-        return std::nullopt;
-    Value word = value;
-    word.kind = Value::Kind::word;
-    return choosesObject(in, word) ? std::optional(std::move(word)) : std::nullopt;
-}
-
-/// The names of the statement that a tag stands in, for its expressions: they are evaluated at draws, which
-/// may stand in other scopes.
-class NamesOfTag {
+class LightReader {
   public:
-    NamesOfTag(Interpreter& in, const glib::KeyedValues& tag, Environment::Point names,
-               const glib::Script* script)
-        : file_(in, {script, in.around.given}), before_(in) {
-        const auto hasNoNames = [](const Value& each) {
-            return each.kind == Value::Kind::number || each.kind == Value::Kind::truth;
-        };
-        if (!std::all_of(tag.values.begin(), tag.values.end(), hasNoNames))
-            in.shared->environment.enterGroup(names, &tag);
+    LightReader(Interpreter& in, const Command& command, int number)
+        : in_(in), command_(command), name_(fmt::format("gl_LightSource[{}].", number)) {}
+
+    void read() {
+        for (const KeyedValues& key : command_.keys)
+            if (!readKey(key)) return;
+        for (Member& each : members_)
+            setNumbers(in_, *each.from, name_ + each.name, std::move(each.numbers), each.space);
     }
 
   private:
-    InFile file_;
-    InnerNames before_;
+    struct Member {
+        const KeyedValues* from = nullptr;
+        std::string name;
+        std::vector<double> numbers;
+        EyeSpace space = EyeSpace::asGiven;
+    };
+
+    bool add(const KeyedValues& key, std::string name, std::vector<double> numbers,
+             EyeSpace space = EyeSpace::asGiven) {
+        members_.push_back({&key, std::move(name), std::move(numbers), space});
+        return true;
+    }
+
+    bool readKey(const KeyedValues& key) {
+        if (key.key == "position") return readPosition(key);
+        if (key.key == "spot") {
+            const auto numbers = numbersOf(in_, key.values, 3, "Light: spot");
+            if (!numbers) return false;
+            std::vector<double> inWorld = transformed(in_.state.model, *numbers, 0);
+            inWorld.resize(3);
+            return add(key, "spotDirection", std::move(inWorld), EyeSpace::direction);
+        }
+        if (key.key == "cutoff") return readCutoff(key);
+        if (key.key == "exponent") {
+            const auto value = numberIn(in_, key.values.front(), "Light: exponent", 0, kMostShininess);
+            return value && add(key, "spotExponent", {*value});
+        }
+        if (key.key == "attenuation") {
+            const auto factors = numbersOf(in_, key.values, 3, "Light: attenuation");
+            if (!factors) return false;
+            add(key, "constantAttenuation", {factors->at(0)});
+            add(key, "linearAttenuation", {factors->at(1)});
+            return add(key, "quadraticAttenuation", {factors->at(2)});
+        }
+        auto color = colorOfMember(in_, command_, key);
+        return color && add(key, key.key, std::move(*color));
+    }
+
+    bool readPosition(const KeyedValues& key) {
+        const auto numbers = numbersOf(in_, key.values);
+        if (!numbers) return false;
+        if (numbers->size() < 3 || numbers->size() > 4) {
+            refuse(in_, "glib-E26", command_, key.position,
+                   fmt::format("a position has 3 numbers, or 4 with w, not {}", numbers->size()));
+            return false;
+        }
+        const std::vector<double> inWorld = transformed(in_.state.model, *numbers, 1);
+        add(key, "position", inWorld, EyeSpace::place);
+        return add(key, "halfVector", inWorld, EyeSpace::halfVector);
+    }
+
+    bool readCutoff(const KeyedValues& key) {
+        const auto angle = numberIn(in_, key.values.front(), "Light: cutoff", 0, kNoSpot);
+        if (!angle) return false;
+        if (*angle > 90 && *angle != kNoSpot) {
+            refuse(in_, "glib-E26", command_, key.position,
+                   "a cutoff is an angle from 0 to 90 degrees, or 180 for light in all directions");
+            return false;
+        }
+        add(key, "spotCutoff", {*angle});
+        const double cosine = *angle == kNoSpot ? -1 : std::cos(*angle * std::numbers::pi / 180);
+        return add(key, "spotCosCutoff", {cosine});
+    }
+
+    Interpreter& in_;
+    const Command& command_;
+    std::string name_;
+    std::vector<Member> members_;
 };
+
+void doLight(Interpreter& in, const Command& command) {
+    if (command.values.empty()) {
+        const KeyedValues& ambient = command.keys.front();
+        auto color = colorOfMember(in, command, ambient);
+        if (color) setNumbers(in, ambient, "gl_LightModel.ambient", std::move(*color));
+        return;
+    }
+    const auto number = integerIn(in, command.values.front(), "Light:", 0, kMostLights - 1);
+    if (number) LightReader(in, command, *number).read();
+}
 
 }  // namespace
 
 std::span<const CommandAction> tagActions() {
-    return kTagActions;
-}
-
-UniformSetIndex uniformsOf(Interpreter& in, ProgramIndex program, std::span<const glib::KeyedValues> own) {
-    UniformSet set;
-    const auto isGiven = [&](const std::string& key) {
-        const auto isKey = [&](const auto& each) { return each.tag == key; };
-        return std::any_of(set.values.begin(), set.values.end(), isKey) ||
-               std::any_of(set.objects.begin(), set.objects.end(), isKey);
+    static constexpr CommandAction kActions[] = {
+        {CommandId::set, doSet},
+        {CommandId::material, doMaterial},
+        {CommandId::light, doLight},
     };
-    const auto add = [&](const glib::KeyedValues& tag, const std::string& key, bool mayBeUnknown,
-                         const std::optional<ObjectView>& named = {}) {
-        const auto forget = [&] {
-            std::erase(set.lost, key);
-            std::erase_if(set.values, [&](const auto& each) { return each.tag == key; });
-            std::erase_if(set.objects, [&](const auto& each) { return each.tag == key; });
-        };
-        const std::optional<Value> choice = choiceInParentheses(in, tag);
-        const Value& value = choice ? *choice : tag.values.front();
-        const bool isChosen = !named && choosesObject(in, value);
-        const auto chosen = isChosen ? objectNamed(in, value) : std::nullopt;
-        if (isChosen && !chosen) {
-            // A faulty part of the object has been reported.
-        } else if (named || namesObject(in, value) || (isChosen && value.path.size() > 1)) {
-            if (auto object = named ? named : isChosen ? chosen : objectNamed(in, value)) {
-                forget();
-                set.objects.push_back(
-                    {key, *object, tag.position, value.position, mayBeUnknown, tag.resembles});
-            }
-        } else if (auto spec = specOf(in, tag, !mayBeUnknown)) {
-            spec->tag = key;
-            spec->mayBeUnknown = mayBeUnknown;
-            spec->resembles = tag.resembles;
-            forget();
-            set.values.push_back(std::move(*spec));
-            if (chosen)
-                set.objects.push_back(
-                    {key, *chosen, tag.position, value.position, mayBeUnknown, tag.resembles, true});
-        }
-        if (!isGiven(key)) set.lost.push_back(key);
-    };
-    const auto addNumbers = [&](const ScopedTag& tag) {
-        glib::UniformSpec spec;
-        spec.tag = tag.key;
-        spec.tagPosition = spec.valuePosition = tag.tag->position;
-        spec.form = tag.numbers.size() == 1 ? glib::UniformForm::number : glib::UniformForm::list;
-        spec.values = numbersInEye(in, tag);
-        spec.mayBeUnknown = true;
-        std::erase_if(set.values, [&](const auto& each) { return each.tag == tag.key; });
-        set.values.push_back(std::move(spec));
-    };
-    const auto addOwn = [&](const glib::KeyedValues& tag, bool mayBeUnknown) {
-        if (const auto key = keyOf(in, tag)) add(tag, *key, mayBeUnknown);
-    };
-    if (const auto tags = in.modern.programTags.find(program); tags != in.modern.programTags.end())
-        for (const glib::KeyedValues& each : tags->second.command->tags) {
-            const NamesOfTag names(in, each, tags->second.names, tags->second.script);
-            addOwn(each, false);
-        }
-    for (const ScopedTag& each : in.state.set) {
-        if (!each.numbers.empty()) {
-            addNumbers(each);
-            continue;
-        }
-        const NamesOfTag names(in, *each.tag, each.names, each.script);
-        add(*each.tag, each.key, true, each.object);
-    }
-    for (const glib::KeyedValues& each : own) addOwn(each, false);
-    if (set.values.empty() && set.objects.empty() && set.lost.empty()) return {};
-    std::vector<std::pair<std::string, std::vector<double>>> key;
-    key.reserve(set.values.size() + set.objects.size());
-    for (const glib::UniformSpec& each : set.values)
-        key.emplace_back(fmt::format("{}\n{}{}{}\n{}", each.tag, static_cast<int>(each.form),
-                                     each.mayBeUnknown, each.resembles, each.word),
-                         each.values);
-    for (const ObjectBinding& each : set.objects)
-        key.emplace_back(
-            fmt::format("{}\n{}{}{}", each.tag, each.mayBeUnknown, each.isChosen, each.resembles),
-            keyOfObject(each.object));
-    for (const std::string& each : set.lost) key.emplace_back(each + "\nlost", std::vector<double>());
-    UniformSetIndex& index = in.made.uniformSets[std::move(key)];
-    if (!index) index = in.scene.uniformSets.add(std::move(set));
-    return index;
-}
-
-std::vector<glib::UniformSpec> namedValuesOfBlock(Interpreter& in) {
-    std::vector<glib::UniformSpec> own = namedValues(in);
-    std::erase_if(own, [&](const auto& each) { return !in.shared->environment.isOfBlock(each.tag); });
-    return own;
-}
-
-std::vector<glib::UniformSpec> namedValues(Interpreter& in) {
-    std::vector<glib::UniformSpec> all;
-    for (const auto& [name, position] : in.modern.variables) {
-        const expression::Symbol* const symbol = in.shared->environment.lookUpInScene(name);
-        if (symbol == nullptr || symbol->type.kind == expression::Kind::record) continue;
-        glib::UniformSpec spec;
-        spec.tag = name;
-        spec.tagPosition = spec.valuePosition = position;
-        spec.mayBeUnknown = true;
-        setToVariable(in, name, *symbol, spec);
-        spec.changesWithTime = changesWithTime(in.shared->environment.dependsOf(symbol->slot));
-        if (spec.values.empty()) continue;
-        if (spec.form == glib::UniformForm::list && spec.values.size() == 1)
-            spec.form = glib::UniformForm::number;
-        all.push_back(std::move(spec));
-    }
-    return all;
+    return kActions;
 }
 
 }  // namespace glibra::scene

@@ -7,12 +7,9 @@
 #include <utility>
 
 #include "glib/modern/statement_table.h"
-#include "scene/modern/evaluate.h"
+#include "scene/run/evaluate.h"
 
 namespace glibra::scene {
-
-using glib::Command;
-using glib::KeyedValues;
 
 namespace {
 
@@ -51,11 +48,9 @@ std::optional<std::array<double, 4>> borderColor(Interpreter& in, const Command&
     const auto numbers = numbersOf(in, key.values);
     if (!numbers) return std::nullopt;
     const std::size_t count = numbers->size();
-    if (count != 1 && count != 3 && count != 4) {
-        refuse(in, "glib-E26", command, key.position,
-               fmt::format("a border has 1, 3 or 4 components, not {}", count));
-        return std::nullopt;
-    }
+    if (count != 1 && count != 3 && count != 4)
+        return refuse(in, "glib-E26", command, key.position,
+                      fmt::format("a border has 1, 3 or 4 components, not {}", count));
     std::array<double, 4> color{};
     if (count == 1) color.fill(numbers->front());
     color[3] = 1;
@@ -79,11 +74,9 @@ std::optional<TextureOptions> readOptions(Interpreter& in, const Command& comman
             options.filter = *filter;
             options.filterPosition = key.position;
         } else if (const auto wrap = wrapNamed(key.key)) {
-            if (options.wraps.size() == axes) {
-                refuse(in, "glib-E18", command, key.position,
-                       fmt::format("'{}' is one wrap mode too many; write one, or {}", key.key, axes));
-                return std::nullopt;
-            }
+            if (options.wraps.size() == axes)
+                return refuse(in, "glib-E18", command, key.position,
+                              fmt::format("'{}' is one wrap mode too many; write one, or {}", key.key, axes));
             options.wraps.push_back(*wrap);
             if (key.values.empty()) continue;
             options.border = borderColor(in, command, key);
@@ -115,11 +108,10 @@ std::optional<TextureOptions> readOptions(Interpreter& in, const Command& comman
             options.history = &key;
         }
     }
-    if (options.wraps.size() > 1 && options.wraps.size() < axes) {
-        refuse(in, "glib-E26", command, command.position,
-               fmt::format("{} wrap modes for {} axes; write one, or {}", options.wraps.size(), axes, axes));
-        return std::nullopt;
-    }
+    if (options.wraps.size() > 1 && options.wraps.size() < axes)
+        return refuse(
+            in, "glib-E26", command, command.position,
+            fmt::format("{} wrap modes for {} axes; write one, or {}", options.wraps.size(), axes, axes));
     return options;
 }
 

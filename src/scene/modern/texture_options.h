@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "scene/state.h"
+#include "scene/run/state.h"
 
 namespace glibra::scene {
 
@@ -20,12 +20,12 @@ struct TextureOptions {
     std::optional<base::Comparison> compare;
     glib::Position comparePosition;
     std::optional<int> samples, levels;
-    const glib::KeyedValues *flip = nullptr, *srgb = nullptr, *generate = nullptr, *history = nullptr;
-    const glib::KeyedValues *samplesKey = nullptr, *levelsKey = nullptr;
+    const KeyedValues *flip = nullptr, *srgb = nullptr, *generate = nullptr, *history = nullptr;
+    const KeyedValues *samplesKey = nullptr, *levelsKey = nullptr;
 };
 
 /// `axes`: those that have a wrap mode. Nothing with the reason reported.
-std::optional<TextureOptions> readOptions(Interpreter&, const glib::Command& command, std::size_t axes);
+std::optional<TextureOptions> readOptions(Interpreter&, const Command& command, std::size_t axes);
 
 /// The wrap mode of that word; nothing for other keys.
 std::optional<base::Wrap> wrapNamed(std::string_view word);

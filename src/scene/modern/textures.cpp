@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -14,10 +13,12 @@
 #include "glib/modern/statement_table.h"
 #include "glib/number.h"
 #include "glib/text.h"
-#include "scene/modern/evaluate.h"
+#include "scene/classic/classic.h"
 #include "scene/modern/modern.h"
 #include "scene/modern/texture_options.h"
-#include "scene/state.h"
+#include "scene/run/evaluate.h"
+#include "scene/run/names.h"
+#include "scene/run/statements.h"
 #include "scene/texture_parts.h"
 #include "scene/textures.h"
 
@@ -26,10 +27,6 @@ namespace {
 
 using base::Filter;
 using base::Wrap;
-using glib::Command;
-using glib::CommandId;
-using glib::KeyedValues;
-using glib::Value;
 
 constexpr int kLargestSide = 16'384;
 constexpr int kLargestSide3 = 2048;  ///< of a 3D texture, and the layers of an array
@@ -68,21 +65,15 @@ std::string withFourComponents(std::string_view name) {
 
 std::optional<TexelFormat> formatNamed(Interpreter& in, const Command& command, const Value& word) {
     if (const auto format = base::texelFormatNamed(word.text)) return format;
-    if (const std::string four = withFourComponents(word.text); !four.empty()) {
-        refuse(in, "glib-E16", command, word.position,
-               fmt::format("the format '{}' has three components; write '{}'", word.text, four));
-        return std::nullopt;
-    }
+    if (const std::string four = withFourComponents(word.text); !four.empty())
+        return refuse(in, "glib-E16", command, word.position,
+                      fmt::format("the format '{}' has three components; write '{}'", word.text, four));
     std::vector<std::string_view> names;
     for (const base::TexelFormatRow& row : base::texelFormats()) names.push_back(row.name);
     std::string help = base::suggestion(word.text, names);
     if (help.empty()) help = "; formats are named as in rgba8, r32f, rg16ui, depth24";
-    refuse(in, "glib-E16", command, word.position, fmt::format("unknown format '{}'{}", word.text, help));
-    return std::nullopt;
-}
-
-bool isNumeric(const Value& value) {
-    return value.kind == Value::Kind::number || value.kind == Value::Kind::expression;
+    return refuse(in, "glib-E16", command, word.position,
+                  fmt::format("unknown format '{}'{}", word.text, help));
 }
 
 std::optional<EmptySource> emptySourceOfForm(Interpreter& in, const Command& command, const Form& form) {
@@ -97,12 +88,10 @@ std::optional<EmptySource> emptySourceOfForm(Interpreter& in, const Command& com
         const double size = std::trunc((*numbers)[i]) + 0.0;  // never -0
         const bool isSmall = form.target == TextureTarget::texture3D || form.countsLayers(i);
         const int most = isSmall ? kLargestSide3 : kLargestSide;
-        if (!(size >= 1 && size <= most)) {
-            refuse(in, size > most ? "glib-E15" : "glib-E26", command, sizes.front().position,
-                   fmt::format("the size {} is not between 1 and {}", glib::numberText(size),
-                               glib::groupedText(most)));
-            return std::nullopt;
-        }
+        if (!(size >= 1 && size <= most))
+            return refuse(in, size > most ? "glib-E15" : "glib-E26", command, sizes.front().position,
+                          fmt::format("the size {} is not between 1 and {}", glib::numberText(size),
+                                      glib::groupedText(most)));
         *(form.countsLayers(i) ? &source.depth : targets[i]) = static_cast<int>(size);
     }
     if (form.target == TextureTarget::cube) source.height = source.width;
@@ -113,11 +102,9 @@ std::optional<EmptySource> emptySourceOfForm(Interpreter& in, const Command& com
         source.depth = 6 * *count;
     }
     const bool isFlat = form.target == TextureTarget::texture3D || form.target == TextureTarget::texture1D;
-    if (isFlat && base::hasDepth(*format)) {
-        refuse(in, "glib-E26", command, all.back().position,
-               fmt::format("'{}' is for 2D textures, arrays and cube maps", base::name(*format)));
-        return std::nullopt;
-    }
+    if (isFlat && base::hasDepth(*format))
+        return refuse(in, "glib-E26", command, all.back().position,
+                      fmt::format("'{}' is for 2D textures, arrays and cube maps", base::name(*format)));
     return source;
 }
 
@@ -234,27 +221,24 @@ std::optional<Texture> pictureOf(Interpreter& in, const Command& command, const 
     const std::span<const Value> files = std::span(command.values).subspan(1);
     const bool isCube = form.target == TextureTarget::cube;
     if (isCube || isArray(form.target) || files.size() > 1) {
-        if (files.size() > kLargestSide3) {
-            refuse(
+        if (files.size() > kLargestSide3)
+            return refuse(
                 in, "glib-E15", command, files[kLargestSide3].position,
                 fmt::format("{} pictures; the limit is {}", files.size(), glib::groupedText(kLargestSide3)));
-            return std::nullopt;
-        }
         PictureSource source;
-        for (const Value& each : files)
-            source.files.push_back(fileOf(in, each.text, in.script->place(each.position)));
+        for (const Value& each : files) source.files.push_back(fileOf(in, each.text, in.place(each)));
         texture.source = std::move(source);
         texture.target = form.target;
         return texture;
     }
-    texture = pictureTexture(in, files.front().text, in.script->place(files.front().position), form.sizes);
+    texture = pictureTexture(in, files.front().text, in.place(files.front()), form.sizes);
     texture.target = form.target;
     return texture;
 }
 
 /// Gives expressions the size of a texture of files, if the beginning of the first one shows it.
 void setPictureSize(Interpreter& in, const std::string& name, const Texture& texture) {
-    Environment& names = in.shared->environment;
+    Environment& names = in.names();
     const auto set = [&](double width, double height, double depth) {
         names.set(name + ".size", std::array{width, height, depth});
     };
@@ -276,11 +260,10 @@ void setPictureSize(Interpreter& in, const std::string& name, const Texture& tex
 }
 
 void doNamedTexture(Interpreter& in, const Command& command) {
-    const Form& form = *std::find_if(std::begin(kForms), std::end(kForms),
-                                     [&](const Form& f) { return f.id == command.id; });
+    const Form& form = *std::ranges::find_if(kForms, [&](const Form& f) { return f.id == command.id; });
     const std::string& name = command.values.front().text;
     if (!declareName(in, command, name, DeclaredName::Kind::texture)) return;
-    if (!in.shared->environment.declareTexture(name, form.components)) {
+    if (!in.names().declareTexture(name, form.components)) {
         refuse(in, "glib-E27", command, command.values.front().position,
                fmt::format("'{}' has had another meaning in this scene", name));
         return;
@@ -310,9 +293,8 @@ void doNamedTexture(Interpreter& in, const Command& command) {
         const std::uint64_t bytes = bytesOf(texture);
         if (bytes > kLargestTexture) {
             refuse(in, "glib-E15", command, command.values[1].position,
-                   fmt::format("'{}' needs {} bytes; the limit is {}", name,
-                               glib::groupedText(static_cast<long long>(bytes)),
-                               glib::groupedText(static_cast<long long>(kLargestTexture))));
+                   fmt::format("'{}' needs {} bytes; the limit is {}", name, glib::groupedText(bytes),
+                               glib::groupedText(kLargestTexture)));
             return;
         }
         if (!chargeTexels(in, command, bytes * (texture.hasHistory ? 2 : 1))) return;
@@ -320,7 +302,7 @@ void doNamedTexture(Interpreter& in, const Command& command) {
         const int second = form.countsLayers(1) ? source.depth : source.height;
         const std::array<double, 3> size{static_cast<double>(source.width), static_cast<double>(second),
                                          static_cast<double>(source.depth)};
-        in.shared->environment.set(name + ".size", size);
+        in.names().set(name + ".size", size);
     } else {
         setPictureSize(in, name, texture);
     }
@@ -337,17 +319,16 @@ void doSampler(Interpreter& in, const Command& command) {
         in.scene.samplers.add({name, stateOf(*options, {}), in.place(command), !options->wraps.empty()}));
 }
 
-constexpr CommandAction kObjectActions[] = {
-    {CommandId::namedTexture1D, doNamedTexture}, {CommandId::namedTexture2D, doNamedTexture},
-    {CommandId::namedTexture3D, doNamedTexture}, {CommandId::textureArray1D, doNamedTexture},
-    {CommandId::textureArray, doNamedTexture},   {CommandId::textureRect, doNamedTexture},
-    {CommandId::namedCubeMap, doNamedTexture},   {CommandId::sampler, doSampler},
-};
-
 }  // namespace
 
 std::span<const CommandAction> objectActions() {
-    return kObjectActions;
+    static constexpr CommandAction kActions[] = {
+        {CommandId::namedTexture1D, doNamedTexture}, {CommandId::namedTexture2D, doNamedTexture},
+        {CommandId::namedTexture3D, doNamedTexture}, {CommandId::textureArray1D, doNamedTexture},
+        {CommandId::textureArray, doNamedTexture},   {CommandId::textureRect, doNamedTexture},
+        {CommandId::namedCubeMap, doNamedTexture},   {CommandId::sampler, doSampler},
+    };
+    return kActions;
 }
 
 }  // namespace glibra::scene

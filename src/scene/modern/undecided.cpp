@@ -1,22 +1,12 @@
-#include "scene/modern/undecided.h"
-
 #include <algorithm>
 #include <map>
 #include <string>
 #include <vector>
 
-#include "scene/state.h"
+#include "scene/modern/modern.h"
 
 namespace glibra::scene {
 namespace {
-
-using glib::Command;
-using glib::CommandId;
-using glib::Value;
-
-const std::string& headOf(const Value& value) {
-    return value.path.empty() ? value.text : value.path.front().name;
-}
 
 /// What a name may stand for: the words of a choice or of a Repeat, the values of a parameter.
 class Aliases {
@@ -27,11 +17,11 @@ class Aliases {
                 each.values[1].kind == Value::Kind::range)
                 addWords(headOf(each.values.front()), each.values[1].items, true);
             if (each.id == CommandId::repeat && !each.values.empty()) {
-                const glib::KeyedValues* as = each.key("as");
+                const KeyedValues* as = each.key("as");
                 addWords(as != nullptr ? as->values.front().text : "i", each.values.front().items, false);
             }
             if (each.id == CommandId::group || each.id == CommandId::draw || each.id == CommandId::include)
-                for (const glib::KeyedValues& parameter : each.tags)
+                for (const KeyedValues& parameter : each.tags)
                     addWords(parameter.key, parameter.values, false);
         }
     }
@@ -121,8 +111,8 @@ class WriteSearch {
         if (tags != in_.modern.programTags.end()) addTags(tags->second.command->tags);
     }
 
-    void addTags(const std::vector<glib::KeyedValues>& tags) {
-        for (const glib::KeyedValues& each : tags)
+    void addTags(const std::vector<KeyedValues>& tags) {
+        for (const KeyedValues& each : tags)
             if (!each.values.empty()) addName(each.values.front(), false);
     }
 
@@ -156,11 +146,10 @@ std::set<TextureIndex> undecidedWrites(const Interpreter& in) {
                each.values[1].items.front().kind == Value::Kind::word;
     };
     const auto hasChoice = [&](const glib::Script* script) {
-        return std::any_of(script->commands.begin(), script->commands.end(), isChoice);
+        return std::ranges::any_of(script->commands, isChoice);
     };
     const std::vector<const glib::Script*>& included = in.shared->files.includedOrder;
-    if (in.modern.untaken.empty() && !hasChoice(in.script) &&
-        std::none_of(included.begin(), included.end(), hasChoice))
+    if (in.modern.untaken.empty() && !hasChoice(in.script) && std::ranges::none_of(included, hasChoice))
         return {};  // as in most frames
     return WriteSearch(in).find();
 }

@@ -4,24 +4,22 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
 
 #include "base/suggest.h"
 #include "glib/number.h"
-#include "scene/modern/evaluate.h"
 #include "scene/modern/modern.h"
-#include "scene/modern/scope.h"
-#include "scene/state.h"
+#include "scene/run/counts.h"
+#include "scene/run/depends.h"
+#include "scene/run/evaluate.h"
+#include "scene/run/names.h"
+#include "scene/run/scope.h"
+#include "scene/run/statements.h"
 
 namespace glibra::scene {
 namespace {
-
-using glib::Command;
-using glib::CommandId;
-using glib::Value;
 
 /// The value that the run gives a variable in place of the scene's, if it has as many components.
 const std::vector<double>* chosenValue(Interpreter& in, const std::string& name, std::size_t components) {
@@ -36,7 +34,7 @@ std::optional<double> chosenWord(Interpreter& in, const Variable& variable) {
     const auto chosen = in.inputs.words.find(variable.name);
     if (chosen == in.inputs.words.end() || variable.words.empty()) return std::nullopt;
     in.scene.usedVariables.insert_or_assign(variable.name, std::size_t{1});
-    const auto found = std::find(variable.words.begin(), variable.words.end(), chosen->second);
+    const auto found = std::ranges::find(variable.words, chosen->second);
     if (found != variable.words.end()) return static_cast<double>(found - variable.words.begin());
     const std::vector<std::string_view> words(variable.words.begin(), variable.words.end());
     in.report(
@@ -50,7 +48,7 @@ std::optional<double> chosenWord(Interpreter& in, const Variable& variable) {
 /// The slot of the variable that Let sets. Nothing with the reason reported.
 std::optional<Environment::Slot> slotOfLet(Interpreter& in, const Command& command, const std::string& name,
                                            const expression::Symbol& symbol) {
-    Environment& names = in.shared->environment;
+    Environment& names = in.names();
     const auto slot = names.declareVariable(name, symbol);
     if (!slot)
         in.reportAt(command, "glib-E27", fmt::format("'{}' is declared above with another type", name));
@@ -63,7 +61,7 @@ void declare(Interpreter& in, const Command& command, const std::string& name,
     if (!slot) return;
     const std::size_t size = symbol.type.size();
     for (std::size_t i = 0; i * size < components.size(); ++i)
-        in.shared->environment.set(*slot, components.subspan(i * size, size), i);
+        in.names().set(*slot, components.subspan(i * size, size), i);
 }
 
 expression::Symbol variable(expression::Type type, std::size_t count = 0) {
@@ -82,8 +80,7 @@ const expression::Value* find(const GivenVariables& given, const std::string& na
 /// A file that is included twice declares its variables twice.
 void addVariable(Interpreter& in, Variable variable) {
     const auto isSame = [&](const Variable& each) { return each.name == variable.name; };
-    if (std::none_of(in.scene.variables.begin(), in.scene.variables.end(), isSame))
-        in.scene.variables.push_back(std::move(variable));
+    if (std::ranges::none_of(in.scene.variables, isSame)) in.scene.variables.push_back(std::move(variable));
 }
 
 /// True if a number that the run gives a choice counts one of its words; reports one that does not.
@@ -116,24 +113,20 @@ void checkCurrent(Interpreter& in, const Variable& variable) {
 bool makeBound(Interpreter& in, const Value& value, Variable& made) {
     std::vector<double>& numbers = made.written;
     const auto isWord = [](const Value& each) { return each.kind == Value::Kind::word; };
-    if (value.kind != Value::Kind::range || std::any_of(value.items.begin(), value.items.end(), isWord) ||
-        numbers.size() != 3) {
-        in.report(diagnose("glib-E26",
-                           fmt::format("'{}' needs <cheapest current finest>: three numbers", made.name),
-                           in.place(value)));
+    if (value.kind != Value::Kind::range || std::ranges::any_of(value.items, isWord) || numbers.size() != 3) {
+        in.reportAt(value, "glib-E26",
+                    fmt::format("'{}' needs <cheapest current finest>: three numbers", made.name));
         return false;
     }
     const double coarsest = numbers[0], finest = numbers[2];
     if (coarsest <= 0 || finest <= 0 || coarsest == finest) {
-        in.report(diagnose("glib-E26",
-                           fmt::format("'{}' goes from {} to {}; both ends of a Bound must be above 0, and "
-                                       "different",
-                                       made.name, glib::numberText(coarsest), glib::numberText(finest)),
-                           in.place(value)));
+        in.reportAt(value, "glib-E26",
+                    fmt::format("'{}' goes from {} to {}; both ends of a Bound must be above 0, and "
+                                "different",
+                                made.name, glib::numberText(coarsest), glib::numberText(finest)));
         return false;
     }
-    const bool isWhole =
-        std::all_of(numbers.begin(), numbers.end(), [](double each) { return each == std::round(each); });
+    const bool isWhole = std::ranges::all_of(numbers, [](double each) { return each == std::round(each); });
     made.bound = Variable::Fineness{coarsest, finest, isWhole};
     if (coarsest > finest) std::swap(numbers[0], numbers[2]);
     return true;
@@ -155,10 +148,9 @@ void declareControl(Interpreter& in, const Command& command, const std::string& 
         checkCurrent(in, made);
     } else if (value.kind == Value::Kind::color) {
         if (made.written.size() < 3 || made.written.size() > 4) {
-            in.report(diagnose(
-                "glib-E26",
-                fmt::format("'{}': a colour has 3 or 4 components, not {}", name, made.written.size()),
-                in.place(value)));
+            in.reportAt(
+                value, "glib-E26",
+                fmt::format("'{}': a colour has 3 or 4 components, not {}", name, made.written.size()));
             return;
         }
         made.form = glib::UniformForm::color;
@@ -219,7 +211,7 @@ class NamesWithArray final : public expression::Names {
 /// Nothing if there is none.
 std::optional<expression::Type> typeOfElements(Interpreter& in, const std::string& name, const Value& value,
                                                std::size_t elements) {
-    const Environment& environment = in.shared->environment;
+    const Environment& environment = in.names();
     auto& foundSoFar = in.shared->computed.arrayTypes[writtenAt(in, value)];
     if (const auto* known = foundSoFar.find(environment)) return *known;
     const NotedNames noted(environment);
@@ -242,16 +234,15 @@ void declareArray(Interpreter& in, const Command& command, const std::string& na
     const auto wanted = numberOf(in, count);
     if (!wanted) return;
     if (!(*wanted >= 1 && *wanted <= kMostVariableElements)) {
-        in.report(diagnose("glib-E26",
-                           fmt::format("'{}' cannot have {} elements; there are 1 to {}", name,
-                                       std::trunc(*wanted), kMostVariableElements),
-                           in.place(count)));
+        in.reportAt(count, "glib-E26",
+                    fmt::format("'{}' cannot have {} elements; there are 1 to {}", name, std::trunc(*wanted),
+                                kMostVariableElements));
         return;
     }
     const auto elements = static_cast<std::size_t>(*wanted);
     if (!countElements(in, value, *wanted)) return;
     const InnerNames inner(in);
-    Environment& names = in.shared->environment;
+    Environment& names = in.names();
     const Environment::Slot counter = names.bind("i", counterSymbol());
     // The expression may read earlier elements, so their type must be known before it can be read. Without a
     // type it is wrong; evaluating it reports why.
@@ -277,7 +268,7 @@ void runLet(Interpreter& in, const Command& command) {
     if (command.values.size() < 2) return;
     const Value& target = command.values[0];
     const Value& value = command.values[1];
-    const std::string name = target.path.empty() ? target.text : target.path.front().name;
+    const std::string name = headOf(target);
     const bool isArray = !target.path.empty() && !target.path.front().index.empty();
     const expression::Value* const given = in.around.given ? find(*in.around.given, name) : nullptr;
     const bool isGiven = given != nullptr;
@@ -287,15 +278,14 @@ void runLet(Interpreter& in, const Command& command) {
                      isComputed ? DeclaredName::Kind::computed : DeclaredName::Kind::variable))
         return;
     const auto isSame = [&](const auto& each) { return each.first == name; };
-    if (std::none_of(in.modern.variables.begin(), in.modern.variables.end(), isSame))
+    if (std::ranges::none_of(in.modern.variables, isSame))
         in.modern.variables.emplace_back(name, command.position);
     if (isGiven) return declare(in, command, name, variable(given->type), given->all());
     if (command.id == CommandId::bound) return declareControl(in, command, name, value);
     if (isArray && isRule) {
-        in.report(diagnose(
-            "glib-E26",
-            fmt::format("'{}' has two counts; write 'Let {} ({})'", name, target.text, bodyOf(value)),
-            in.place(value)));
+        in.reportAt(
+            value, "glib-E26",
+            fmt::format("'{}' has two counts; write 'Let {} ({})'", name, target.text, bodyOf(value)));
         return;
     }
     if (isRule) return declareArray(in, command, name, value.count.front(), value.items.front());
@@ -337,7 +327,7 @@ void runLet(Interpreter& in, const Command& command) {
 /// A counter or parameter of this name is hidden from here to the end of the scope, so that what Let sets
 /// can be read.
 void showVariable(Interpreter& in, const Command& command, const std::string& name) {
-    Environment& names = in.shared->environment;
+    Environment& names = in.names();
     const expression::Symbol* const own = names.lookUpInScene(name);
     const auto seen = names.findOwn(name);
     if (own == nullptr || !seen || *seen == own->slot) return;
@@ -354,10 +344,10 @@ void showVariable(Interpreter& in, const Command& command, const std::string& na
 /// What a variable depends on passes to the expressions that read it.
 void doLet(Interpreter& in, const Command& command) {
     const Value& target = command.values.front();
-    const std::string& name = target.path.empty() ? target.text : target.path.front().name;
+    const std::string& name = headOf(target);
     const DependsOnly own(in);
     runLet(in, command);
-    Environment& names = in.shared->environment;
+    Environment& names = in.names();
     const expression::Symbol* const symbol = names.lookUpInScene(name);
     if (symbol == nullptr) return;
     names.addDepends(symbol->slot, own.depends() | in.around.conditions);
@@ -373,25 +363,24 @@ void doFps(Interpreter& in, const Command& command) {
     if (!rate) return;
     constexpr double kLeast = 1e-3, kMost = 1e6;
     if (!(*rate >= kLeast && *rate <= kMost)) {
-        in.report(diagnose("glib-E26", fmt::format("Fps: {} is not between {} and {}", *rate, kLeast, kMost),
-                           in.place(command.values.front())));
+        in.reportAt(command.values.front(), "glib-E26",
+                    fmt::format("Fps: {} is not between {} and {}", *rate, kLeast, kMost));
         return;
     }
     in.shared->frameRate = *rate;
     setTime(in);
 }
 
-constexpr CommandAction kVariableActions[] = {
-    {CommandId::let, doLet, InList::isPart},
-    {CommandId::bound, doLet, InList::isPart},
-    {CommandId::use, doUse},
-    {CommandId::fps, doFps},
-};
-
 }  // namespace
 
 std::span<const CommandAction> variableActions() {
-    return kVariableActions;
+    static constexpr CommandAction kActions[] = {
+        {CommandId::let, doLet, InList::isPart},
+        {CommandId::bound, doLet, InList::isPart},
+        {CommandId::use, doUse},
+        {CommandId::fps, doFps},
+    };
+    return kActions;
 }
 
 }  // namespace glibra::scene

@@ -2,9 +2,10 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <system_error>
-#include <utility>
 
+#include "base/whole_file.h"
 #include "image/file.h"
 #include "suite/file/toml_reader.h"
 
@@ -18,15 +19,11 @@ constexpr double kLargestTime = 1e9;
 constexpr std::uint64_t kLargestExercise = 1 << 20;
 
 std::vector<double> timesOf(TomlReader& reader, const TomlValue& value) {
+    const auto* list = value.as<TomlList>();
     std::vector<double> times;
-    const auto add = [&](const TomlValue& each) {
-        if (const std::optional<double> time = reader.number(each, "times", -kLargestTime, kLargestTime))
+    for (const TomlValue& each : list ? std::span(*list) : std::span(&value, 1))
+        if (const auto time = reader.number(each, "times", -kLargestTime, kLargestTime))
             times.push_back(*time);
-    };
-    if (const auto* list = value.as<TomlList>())
-        for (const TomlValue& each : *list) add(each);
-    else
-        add(value);
     return times;
 }
 
@@ -34,15 +31,13 @@ std::vector<double> timesOf(TomlReader& reader, const TomlValue& value) {
 
 bool isExercise(std::string_view text) {
     TomlReader reader("", text);
-    const TomlValue* root = reader.root();
-    const auto* table = root ? root->as<TomlTable>() : nullptr;
+    const TomlTable* table = reader.root();
     return table && hasKey(*table, "solution");
 }
 
 Result<Exercise> readExerciseText(std::string_view text, const fs::path& file) {
     TomlReader reader(file.string(), text);
-    const TomlValue* root = reader.root();
-    const auto* table = root ? root->as<TomlTable>() : nullptr;
+    const TomlTable* table = reader.root();
     if (!table) return reader.take();
     Exercise exercise;
     for (const TomlEntry& each : *table) {
@@ -66,9 +61,8 @@ Result<Exercise> readExercise(const fs::path& file) {
     if (!fs::is_regular_file(file, failure)) return Diagnostics{};
     const auto bytes = image::readFile(file, {file.string(), {}}, kLargestExercise);
     if (!bytes) return bytes.diagnostics;
-    const std::string text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
-    if (!isExercise(text)) return Diagnostics{};
-    return readExerciseText(text, file);
+    const std::string_view text = base::asText(*bytes);
+    return isExercise(text) ? readExerciseText(text, file) : Diagnostics{};
 }
 
 fs::path exerciseFileOf(const fs::path& scene) {

@@ -213,8 +213,7 @@ Result<std::vector<fs::path>> filesThatFit(const fs::path& folder, std::string_v
     }
     if (walk.isTooMuch()) return {};
     if (!walk.problems().empty()) return walk.problems();
-    std::sort(files.begin(), files.end(),
-              [](const fs::path& a, const fs::path& b) { return a.native() < b.native(); });
+    std::ranges::sort(files, [](const fs::path& a, const fs::path& b) { return a.native() < b.native(); });
     return files;
 }
 

@@ -27,7 +27,7 @@ std::vector<std::string> foldersIn(const fs::path& folder) {
         std::error_code ignored;
         if (each->is_directory(ignored)) names.push_back(each->path().filename().string());
     }
-    std::sort(names.begin(), names.end());
+    std::ranges::sort(names);
     return names;
 }
 

@@ -73,7 +73,7 @@ void reportCycles(TomlReader& reader, const Suite& suite, const Edges& edges) {
                 states[edge.to] = State::onPath;
                 path.push_back(edge.to);
             } else if (states[edge.to] == State::onPath) {
-                const auto begin = std::find(path.begin(), path.end(), edge.to) - path.begin();
+                const auto begin = std::ranges::find(path, edge.to) - path.begin();
                 reader.report("suite-E08",
                               fmt::format("{}: the shots name each other in a cycle: {}",
                                           edge.request->isMatch ? "match" : "differ",

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <set>
 #include <system_error>
 
@@ -10,7 +9,7 @@
 #include "glib/number.h"
 #include "glib/text.h"
 #include "scene/file_lookup.h"
-#include "scene/near_files.h"
+#include "scene/folder_listings.h"
 #include "suite/file/glob.h"
 #include "suite/file/missing_folder.h"
 #include "suite/file/shot_name.h"

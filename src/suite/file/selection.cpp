@@ -37,21 +37,18 @@ void markNamed(const Suite& suite, std::vector<bool>& marked) {
     std::vector<std::size_t> open;
     for (std::size_t i = 0; i < marked.size(); ++i)
         if (marked[i]) open.push_back(i);
+    const auto mark = [&](std::size_t i) {
+        if (!marked[i]) open.push_back(i);
+        marked[i] = true;
+    };
     while (!open.empty()) {
         const Shot& shot = suite.shots[open.back()];
         open.pop_back();
         const auto [begin, end] = namedBy.equal_range(shot.name);
-        for (auto each = begin; isPartnerOnly(shot) && each != end; ++each) {
-            if (marked[each->second]) continue;
-            marked[each->second] = true;
-            open.push_back(each->second);
-        }
-        for (const std::string* each : {&shot.match, &shot.differ}) {
-            const auto found = byName.find(*each);
-            if (each->empty() || found == byName.end() || marked[found->second]) continue;
-            marked[found->second] = true;
-            open.push_back(found->second);
-        }
+        for (auto each = begin; isPartnerOnly(shot) && each != end; ++each) mark(each->second);
+        for (const std::string* each : {&shot.match, &shot.differ})
+            if (const auto found = byName.find(*each); !each->empty() && found != byName.end())
+                mark(found->second);
     }
 }
 
@@ -76,8 +73,8 @@ std::string nearest(std::span<const Suite> suites, std::string_view pattern) {
 
 bool isMeant(const Shot& shot, std::string_view pattern) {
     if (pattern.starts_with(kTag))
-        return std::any_of(shot.tags.begin(), shot.tags.end(),
-                           [&](const std::string& tag) { return fits(pattern.substr(kTag.size()), tag); });
+        return std::ranges::any_of(
+            shot.tags, [&](const std::string& tag) { return fits(pattern.substr(kTag.size()), tag); });
     return fits(pattern, shot.name) || fits(pattern, beforeSweep(shot.name));
 }
 
@@ -98,9 +95,8 @@ std::vector<std::size_t> select(const Suite& suite, std::span<const std::string>
 Diagnostics unmatchedPatterns(std::span<const Suite> suites, std::span<const std::string> onlyPatterns) {
     Diagnostics problems;
     for (const std::string& pattern : onlyPatterns) {
-        const bool meansAny = std::any_of(suites.begin(), suites.end(), [&](const Suite& suite) {
-            return std::any_of(suite.shots.begin(), suite.shots.end(),
-                               [&](const Shot& shot) { return isMeant(shot, pattern); });
+        const bool meansAny = std::ranges::any_of(suites, [&](const Suite& suite) {
+            return std::ranges::any_of(suite.shots, [&](const Shot& shot) { return isMeant(shot, pattern); });
         });
         if (meansAny) continue;
         const std::string near = nearest(suites, pattern);

@@ -1,23 +1,17 @@
 #include "suite/file/shard.h"
 
-#include <charconv>
+#include <algorithm>
 #include <numeric>
 #include <string>
 #include <unordered_map>
 
 #include "glib/text.h"
+#include "suite/number_of.h"
 
 namespace glibra::suite {
 namespace {
 
 constexpr int kMostShards = 1'000'000;
-
-/// The whole of `text` as a decimal number without a sign.
-bool readWhole(std::string_view text, int& value) {
-    if (text.empty() || text.front() < '0' || text.front() > '9') return false;
-    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
-    return problem == std::errc() && end == text.data() + text.size();
-}
 
 std::uint64_t fnv1a(std::string_view bytes, std::uint64_t hash) {
     for (const char c : bytes) {
@@ -58,11 +52,12 @@ class Groups {
 }  // namespace
 
 Result<Shard> parseShard(std::string_view text) {
-    Shard shard;
-    const std::size_t slash = text.find('/');
-    if (slash == std::string_view::npos || !readWhole(text.substr(0, slash), shard.index) ||
-        !readWhole(text.substr(slash + 1), shard.count))
+    const std::size_t slash = std::min(text.find('/'), text.size());
+    const auto index = numberOf<int>(text.substr(0, slash));
+    const auto count = numberOf<int>(text.substr(std::min(slash + 1, text.size())));
+    if (!index || !count || text.find('-') != text.npos)
         return diagnose("suite-E16", "--shard: expected I/N, as 2/8, found " + glib::inQuotes(text));
+    const Shard shard{*index, *count};
     if (shard.index < 1 || shard.count > kMostShards || shard.index > shard.count)
         return diagnose("suite-E16",
                         "--shard: expected I/N with 1 <= I <= N <= 1,000,000, found " + glib::inQuotes(text));

@@ -4,8 +4,6 @@
 
 #include <glibra/result.h>
 
-#include <cstddef>
-#include <cstdint>
 #include <string_view>
 #include <vector>
 

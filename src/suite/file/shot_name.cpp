@@ -14,7 +14,7 @@ constexpr std::size_t kLongestPart = 200;  // leaves room for ".nvidia.png" in t
 constexpr std::size_t kLongestName = 1000;
 
 bool isNameCharacter(char c) {
-    return glib::isLetter(c) || (c >= '0' && c <= '9') ||
+    return glib::isLetter(c) || glib::isDigit(c) ||
            std::string_view("._-=,@+").find(c) != std::string_view::npos;
 }
 
@@ -32,7 +32,7 @@ std::string whyNotAName(std::string_view name) {
         if (part == "." || part == "..") return fmt::format("has '{}' in it", part);
         if (part.starts_with('.')) return "has a part that begins with '.'";
         if (part.size() > kLongestPart) return fmt::format("has a part of more than {} bytes", kLongestPart);
-        const auto* const bad = std::find_if_not(part.begin(), part.end(), isNameCharacter);
+        const auto* const bad = std::ranges::find_if_not(part, isNameCharacter);
         if (bad != part.end()) {
             std::size_t length = 1;
             while (bad + length != part.end() && (static_cast<unsigned char>(bad[length]) & 0xc0U) == 0x80U)
@@ -51,7 +51,7 @@ std::string nameOnAnyDisk(std::string_view name) {
     std::string folded;
     for (const char c : name) {
         while (c == '/' && folded.ends_with('.')) folded.pop_back();
-        folded += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+        folded += glib::lower(c);
     }
     return folded;
 }
@@ -62,7 +62,7 @@ std::string_view shotOfVariant(std::string_view name) {
     std::string_view family = name.substr(dot + 1);
     constexpr std::string_view kOsmesa = "osmesa-";
     if (family.starts_with(kOsmesa)) family.remove_prefix(kOsmesa.size());
-    const bool isWord = !family.empty() && std::all_of(family.begin(), family.end(), glib::isLetter);
+    const bool isWord = !family.empty() && std::ranges::all_of(family, glib::isLetter);
     const bool isFurther = family.starts_with(kFurtherVariant) &&
                            family.size() == kFurtherVariant.size() + 1 && family.back() >= '1' &&
                            family.back() <= '9';

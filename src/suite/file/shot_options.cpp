@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <limits>
 #include <optional>
 #include <system_error>
@@ -14,6 +13,7 @@
 #include "glib/text.h"
 #include "suite/file/missing_folder.h"
 #include "suite/file/sweep.h"
+#include "suite/number_of.h"
 #include "suite/options/option_words.h"
 
 namespace glibra::suite {
@@ -43,7 +43,7 @@ struct OptionReader {
             if (!expected.empty())
                 reader.report("suite-E04",
                               fmt::format("{}: expected {}, found {}", key, expected, glib::inQuotes(*text)),
-                              reader.placeOf(value));
+                              value);
             return;
         }
         if (const auto read = reader.number(value, key, number.least, number.most))
@@ -53,7 +53,7 @@ struct OptionReader {
     void operator()(const SizeValue& size) const;
     void operator()(const WordValue& word) const {
         const auto* text = value.as<std::string>();
-        const auto found = text ? std::find(word.words.begin(), word.words.end(), *text) : word.words.end();
+        const auto found = text ? std::ranges::find(word.words, *text) : word.words.end();
         if (found != word.words.end()) {
             word.set(to.shot, static_cast<int>(found - word.words.begin()));
             return;
@@ -106,7 +106,7 @@ struct OptionReader {
     void readMatrix(const TomlValue& from, const std::string& name, Matrix& matrix) const {
         if (const auto read =
                 numbers(from, name, "a list of 16 numbers, column by column", matrix.size(), matrix.size()))
-            std::copy(read->begin(), read->end(), matrix.begin());
+            std::ranges::copy(*read, matrix.begin());
     }
 };
 
@@ -114,8 +114,7 @@ struct OptionReader {
 void OptionReader::operator()(const TimeValue& time) const {
     const auto* list = value.as<TomlList>();
     std::vector<double> times;
-    if (list && list->empty())
-        reader.report("suite-E04", fmt::format("{}: the list is empty", key), reader.placeOf(value));
+    if (list && list->empty()) reader.report("suite-E04", fmt::format("{}: the list is empty", key), value);
     for (const TomlValue& each : list ? std::span(*list) : std::span(&value, 1))
         if (const auto one = reader.number(each, key, time.least, time.most)) times.push_back(*one);
     if (times.empty()) return;
@@ -128,16 +127,16 @@ void OptionReader::operator()(const SizeValue& size) const {
     int width = 0;
     int height = 0;
     if (const auto* text = value.as<std::string>()) {
-        const char* const end = text->data() + text->size();
-        const auto first = std::from_chars(text->data(), end, width);
-        if (first.ec != std::errc() || first.ptr == end || *first.ptr != 'x')
-            return reader.wrongType(value, key, kExpected);
-        const auto second = std::from_chars(first.ptr + 1, end, height);
-        if (second.ec != std::errc() || second.ptr != end) return reader.wrongType(value, key, kExpected);
+        const std::size_t x = std::min(text->find('x'), text->size());
+        const auto first = numberOf<int>(std::string_view(*text).substr(0, x));
+        const auto second = numberOf<int>(std::string_view(*text).substr(std::min(x + 1, text->size())));
+        if (!first || !second) return reader.wrongType(value, key, kExpected);
+        width = *first;
+        height = *second;
         if (std::min(width, height) < 1 || std::max(width, height) > size.most)
             return reader.report("suite-E04",
                                  fmt::format("{}: {} is not 1 to {} pixels a side", key, *text, size.most),
-                                 reader.placeOf(value));
+                                 value);
     } else {
         const auto* list = value.as<TomlList>();
         if (!list || list->size() != 2) return reader.wrongType(value, key, kExpected);
@@ -155,8 +154,7 @@ void OptionReader::operator()(const UniformsValue&) const {
     const TomlTable* table = reader.table(value, key);
     if (!table) return;
     for (UniformValues& each : readUniforms(reader, *table, UniformTable::set)) {
-        const auto same = std::find_if(to.set.begin(), to.set.end(),
-                                       [&](const UniformValues& old) { return old.name == each.name; });
+        const auto same = std::ranges::find(to.set, each.name, &UniformValues::name);
         if (same == to.set.end())
             to.set.push_back(std::move(each));
         else
@@ -170,18 +168,15 @@ void OptionReader::operator()(const ObjectsValue& objects) const {
     if (!table) return;
     std::vector<ViewState::Object>& all = objects.member.edit(to.shot);
     for (const TomlEntry& entry : *table) {
-        int line = 0;
-        const char* const end = entry.key.data() + entry.key.size();
-        const auto [stop, failure] = std::from_chars(entry.key.data(), end, line);
-        if (failure != std::errc() || stop != end || line < 1) {
+        const int line = numberOf<int>(entry.key).value_or(0);
+        if (line < 1) {
             reader.report("suite-E04",
                           fmt::format("{}: {} is not the number of a line of the scene", key,
                                       glib::inQuotes(entry.key)),
-                          reader.placeOf(entry.position));
+                          entry.position);
             continue;
         }
-        const auto same = std::find_if(all.begin(), all.end(),
-                                       [&](const ViewState::Object& each) { return each.line == line; });
+        const auto same = std::ranges::find(all, line, &ViewState::Object::line);
         ViewState::Object& object =
             same == all.end() ? all.emplace_back(ViewState::Object{line, kIdentity}) : *same;
         readMatrix(entry.value, fmt::format("{}.{}", key, entry.key), object.matrix);
@@ -198,10 +193,9 @@ void OptionReader::operator()(const FoldersValue& folders) const {
         std::error_code failure;
         if (std::filesystem::is_regular_file(path, failure))
             reader.report("suite-E10",
-                          fmt::format("{}: {} is not a folder", key, glib::inQuotes(path.string())),
-                          reader.placeOf(value));
+                          fmt::format("{}: {} is not a folder", key, glib::inQuotes(path.string())), value);
         else if (const std::string why = whyNoFolder(path); !why.empty())
-            reader.report("suite-E10", fmt::format("{}: {}", key, why), reader.placeOf(value));
+            reader.report("suite-E10", fmt::format("{}: {}", key, why), value);
         all.push_back(path);
     }
 }

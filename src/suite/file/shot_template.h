@@ -1,16 +1,13 @@
 #pragma once
-// The keys of [defaults] and [[shot]], before scripts, sweeps and times make shots of them.
+// What a table [defaults] or [[shot]] states, before scripts, sweeps and times make shots of it.
 
 #include <glibra/diagnostic.h>
 
-#include <filesystem>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "suite/file/sweep.h"
-#include "suite/file/toml_reader.h"
 #include "suite/suite.h"
 
 namespace glibra::suite {
@@ -31,16 +28,5 @@ struct ShotTemplate {
     bool namesTimes = false;  ///< times was a list, so the names of the shots contain them
     std::vector<UniformValues> set, sweeps;
 };
-
-/// Applies the keys of a table to `shot`. Uniforms and fields of the tolerance are replaced one by one, tags
-/// are added, and every other key replaces its value. Folders are relative to `folder`. With `isDefaults`,
-/// only the keys of [defaults] are allowed.
-void readTemplate(TomlReader& reader, const TomlTable& table, const std::filesystem::path& folder,
-                  bool isDefaults, ShotTemplate& shot);
-
-/// True for a key of [[shot]].
-bool isShotKey(std::string_view key);
-/// True for a key that [defaults] may have too.
-bool isDefaultsKey(std::string_view key);
 
 }  // namespace glibra::suite

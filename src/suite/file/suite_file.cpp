@@ -12,15 +12,17 @@
 #include <utility>
 #include <vector>
 
+#include "base/whole_file.h"
 #include "glib/diagnostic_catalogue.h"
 #include "glib/number.h"
 #include "glib/text.h"
 #include "image/file.h"
 #include "scene/file_lookup.h"
-#include "scene/near_files.h"
+#include "scene/folder_listings.h"
 #include "suite/file/glob.h"
 #include "suite/file/pairs.h"
 #include "suite/file/scripts.h"
+#include "suite/file/shot_keys.h"
 #include "suite/file/shot_name.h"
 #include "suite/file/shot_template.h"
 #include "suite/file/sweep.h"
@@ -112,9 +114,9 @@ class SuiteBuilder {
     void dropSwept(ShotTemplate& shot, const ShotTemplate& defaults) {
         for (const UniformValues& sweep : shot.sweeps) {
             const auto isIt = [&](const UniformValues& each) { return each.name == sweep.name; };
-            const auto set = std::find_if(shot.set.begin(), shot.set.end(), isIt);
+            const auto set = std::ranges::find_if(shot.set, isIt);
             if (set == shot.set.end()) continue;
-            const auto old = std::find_if(defaults.set.begin(), defaults.set.end(), isIt);
+            const auto old = std::ranges::find_if(defaults.set, isIt);
             if (old == defaults.set.end() || old->place != set->place)
                 reader_.report("suite-E12", fmt::format("'{}' is in both set and sweep", sweep.name),
                                sweep.place);
@@ -124,7 +126,7 @@ class SuiteBuilder {
 
     static void nameOwnUniforms(ShotTemplate& shot, const ShotTemplate& defaults) {
         const auto isOfDefaults = [&](const UniformValues& own) {
-            return std::any_of(defaults.set.begin(), defaults.set.end(), [&](const UniformValues& each) {
+            return std::ranges::any_of(defaults.set, [&](const UniformValues& each) {
                 return each.name == own.name && each.place == own.place;
             });
         };
@@ -224,7 +226,7 @@ const TomlList* readTopLevel(TomlReader& reader, const TomlTable& root, const fs
             reader.report("suite-E02",
                           fmt::format("'{}' belongs under {}[[shot]]", entry.key,
                                       isDefaultsKey(entry.key) ? "[defaults] or " : ""),
-                          reader.placeOf(entry.position));
+                          entry.position);
         } else {
             reader.unknownKey(entry, "at the top of the file", kKeys);
         }
@@ -250,6 +252,9 @@ Result<Suite> readFolder(const fs::path& folder) {
                         place);
     if (scenes->empty()) return diagnose("suite-E14", "there is no .glib file in the folder", place);
     Diagnostics problems;
+    const auto report = [&](const char* id, const std::string& text) {
+        problems.push_back(diagnose(id, text, place));
+    };
     std::unordered_map<std::string, std::string> byName;
     for (const fs::path& script : *scenes) {
         Shot shot;
@@ -259,30 +264,23 @@ Result<Suite> readFolder(const fs::path& folder) {
         const auto [old, isNew] = byName.emplace(shot.name, script.string());
         const std::string why = whyNotAName(shot.name);
         if (!isNew)
-            problems.push_back(
-                diagnose("suite-E06",
-                         fmt::format("{} and {} would both be the shot '{}'; rename one",
-                                     glib::inQuotes(old->second), glib::inQuotes(script.string()), shot.name),
-                         place));
+            report("suite-E06",
+                   fmt::format("{} and {} would both be the shot '{}'; rename one",
+                               glib::inQuotes(old->second), glib::inQuotes(script.string()), shot.name));
         else if (!why.empty())
-            problems.push_back(diagnose("suite-E05",
-                                        fmt::format("shot {} of {} {}", glib::inQuotes(shot.name),
-                                                    glib::inQuotes(script.string()), why),
-                                        place));
+            report("suite-E05", fmt::format("shot {} of {} {}", glib::inQuotes(shot.name),
+                                            glib::inQuotes(script.string()), why));
         else
             suite.shots.push_back(std::move(shot));
     }
     for (const Shot& shot : suite.shots)
         if (const auto other = byName.find(std::string(shotOfVariant(shot.name))); other != byName.end())
-            problems.push_back(
-                diagnose("suite-E06",
-                         fmt::format("the golden of {} would be a variant of that of {}; rename one",
-                                     glib::inQuotes(shot.script.string()), glib::inQuotes(other->second)),
-                         place));
+            report("suite-E06",
+                   fmt::format("the golden of {} would be a variant of that of {}; rename one",
+                               glib::inQuotes(shot.script.string()), glib::inQuotes(other->second)));
     std::vector<std::string> names;
     for (const Shot& shot : suite.shots) names.push_back(shot.name);
-    for (const auto& [name, other] : sharedOnSomeDisk(names))
-        problems.push_back(diagnose("suite-E23", shareText(name, other), place));
+    for (const auto& [name, other] : sharedOnSomeDisk(names)) report("suite-E23", shareText(name, other));
     if (hasError(problems)) return problems;
     return suite;
 }
@@ -305,10 +303,10 @@ Result<Suite> readSuiteText(std::string_view text, const fs::path& file) {
     suite.goldens = folder / "golden" / suite.name;
 
     TomlReader reader(file.string(), text);
-    const TomlValue* root = reader.root();
+    const TomlTable* root = reader.root();
     if (!root) return reader.take();
     ShotTemplate defaults;
-    const TomlList* shots = readTopLevel(reader, *root->as<TomlTable>(), folder, suite, defaults);
+    const TomlList* shots = readTopLevel(reader, *root, folder, suite, defaults);
     SuiteBuilder builder(reader, suite);
     if (shots)
         for (const TomlValue& each : *shots) {
@@ -317,10 +315,8 @@ Result<Suite> readSuiteText(std::string_view text, const fs::path& file) {
             else
                 reader.wrongType(each, "shot", "a table under [[shot]]");
         }
-    if (!shots || shots->empty()) {
-        if (!reader.hasErrors())
-            reader.report("suite-E14", "the suite has no [[shot]]", {file.string(), 1, 1});
-    }
+    if ((!shots || shots->empty()) && !reader.hasErrors())
+        reader.report("suite-E14", "the suite has no [[shot]]", Place{file.string(), 1, 1});
     if (!reader.hasErrors()) builder.finish();
     if (reader.hasErrors()) return reader.take();
     return suite;
@@ -339,8 +335,7 @@ Result<Suite> readSuite(const fs::path& fileOrFolder) {
             bytes.diagnostics.front().text += fmt::format("; nearest: '{}'", near);
         return bytes.diagnostics;
     }
-    const std::string text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
-    return readSuiteText(text, fileOrFolder);
+    return readSuiteText(base::asText(*bytes), fileOrFolder);
 }
 
 }  // namespace glibra::suite

@@ -12,7 +12,7 @@
 
 #include "glib/number.h"
 #include "glib/text.h"
-#include "plan/uniforms.h"
+#include "plan/overrides.h"
 
 namespace glibra::suite {
 namespace {
@@ -22,8 +22,7 @@ constexpr std::size_t kMostNumbers = 4096;  // as --set
 
 /// "Dots" or "12": a program's name or line, where letters and digits are enough for it.
 bool isProgram(std::string_view text) {
-    return !text.empty() &&
-           std::all_of(text.begin(), text.end(), [](char c) { return glib::isOfName(c) || c == '-'; });
+    return !text.empty() && std::ranges::all_of(text, [](char c) { return glib::isOfName(c) || c == '-'; });
 }
 
 /// A name as GLSL has it, with parts and indices: "uKd", "light.color", "uWeights[2]"; a program may stand
@@ -33,11 +32,9 @@ bool isUniformName(std::string_view name) {
         if (!isProgram(name.substr(0, colon))) return false;
         name.remove_prefix(colon + 1);
     }
-    if (name.empty() || (name.front() >= '0' && name.front() <= '9')) return false;
-    for (const char c : name)
-        if (!glib::isLetter(c) && !(c >= '0' && c <= '9') && std::string_view("_.[]").find(c) == name.npos)
-            return false;
-    return true;
+    return !name.empty() && !glib::isDigit(name.front()) && std::ranges::all_of(name, [](char c) {
+        return glib::isOfName(c) || std::string_view(".[]").find(c) != std::string_view::npos;
+    });
 }
 
 std::string labelOf(const plan::Override& value, std::size_t index) {
@@ -70,7 +67,7 @@ class UniformReader {
                 reader_.report(
                     "suite-E05",
                     fmt::format("{}: {} is not the name of a uniform", word(), glib::inQuotes(name)),
-                    reader_.placeOf(entry.position));
+                    entry.position);
             } else {
                 readOne(name, entry);
             }
@@ -94,8 +91,7 @@ class UniformReader {
         }
         const auto* list = entry.value.as<TomlList>();
         if (!list) return reader_.wrongType(entry.value, called, "a list of values, as [0, 0.1, 0.2]");
-        if (list->empty())
-            return reader_.report("suite-E04", called + ": the list is empty", reader_.placeOf(entry.value));
+        if (list->empty()) return reader_.report("suite-E04", called + ": the list is empty", entry.value);
         for (std::size_t i = 0; i < list->size(); ++i)
             if (auto one = value((*list)[i], name, called, i)) uniform.values.push_back(std::move(*one));
         if (uniform.values.size() == list->size()) all_.push_back(std::move(uniform));
@@ -119,8 +115,7 @@ class UniformReader {
             std::string why = parsed.diagnostics.empty() ? "not a value" : parsed.diagnostics.front().text;
             const std::string given = fmt::format("--set {}={}: ", name, *text);
             if (why.starts_with(given)) why.erase(0, given.size());
-            reader_.report("suite-E04", fmt::format("{}: {}: {}", called, glib::inQuotes(*text), why),
-                           reader_.placeOf(node));
+            reader_.report("suite-E04", fmt::format("{}: {}: {}", called, glib::inQuotes(*text), why), node);
             return std::nullopt;
         }
         return UniformValue{std::move(*text), labelOf(*parsed, index)};
@@ -133,7 +128,7 @@ class UniformReader {
                            list.empty() ? called + ": the list is empty"
                                         : fmt::format("{}: {} numbers; the limit is {}", called, list.size(),
                                                       kMostNumbers),
-                           reader_.placeOf(node));
+                           node);
             return std::nullopt;
         }
         std::string text;
@@ -143,7 +138,7 @@ class UniformReader {
                                called +
                                    ": expected one value, found a list of lists; a list of values belongs "
                                    "in sweep",
-                               reader_.placeOf(each));
+                               each);
                 return std::nullopt;
             }
             const auto one = scalarText(each, called, "a number in the list");
@@ -166,8 +161,7 @@ class UniformReader {
         if (!std::isfinite(static_cast<float>(number))) {
             reader_.report(
                 "suite-E04",
-                fmt::format("{}: {} is not a finite 32-bit number", called, glib::numberText(number)),
-                reader_.placeOf(node));
+                fmt::format("{}: {} is not a finite 32-bit number", called, glib::numberText(number)), node);
             return std::nullopt;
         }
         return glib::numberText(number);

@@ -63,8 +63,7 @@ TomlValue valueOf(const toml::node& node) {
         entries.reserve(table->size());
         for (const auto& [key, each] : *table)
             entries.push_back({std::string(key.str()), positionOf(key.source()), valueOf(each)});
-        std::stable_sort(entries.begin(), entries.end(),
-                         [](const TomlEntry& a, const TomlEntry& b) { return a.position < b.position; });
+        std::ranges::stable_sort(entries, {}, &TomlEntry::position);
         value.content = std::move(entries);
     }
     return value;
@@ -73,7 +72,7 @@ TomlValue valueOf(const toml::node& node) {
 }  // namespace
 
 bool hasKey(const TomlTable& table, std::string_view key) {
-    return std::any_of(table.begin(), table.end(), [&](const TomlEntry& each) { return each.key == key; });
+    return std::ranges::find(table, key, &TomlEntry::key) != table.end();
 }
 
 std::string described(const TomlValue& value) {
@@ -101,8 +100,7 @@ std::size_t TomlReader::charactersBefore(std::size_t offset) const {
     if (offset >= text_.size() && blocks_.empty()) return 0;
     const std::size_t block = std::min(offset / kBlock, blocks_.size() - 1);
     const std::string_view rest = text_.substr(block * kBlock, offset - block * kBlock);
-    return blocks_[block] +
-           static_cast<std::size_t>(std::count_if(rest.begin(), rest.end(), beginsCharacter));
+    return blocks_[block] + static_cast<std::size_t>(std::ranges::count_if(rest, beginsCharacter));
 }
 
 Place TomlReader::placeOf(const TomlPosition& position) const {
@@ -112,7 +110,7 @@ Place TomlReader::placeOf(const TomlPosition& position) const {
     const std::size_t begin = lines_[line - 1];
     const std::size_t end = line < lines_.size() ? lines_[line] - 1 : text_.size();
     const std::size_t wanted = charactersBefore(begin) + std::max<std::size_t>(position.column, 1) - 1;
-    const auto after = std::upper_bound(blocks_.begin(), blocks_.end(), wanted);
+    const auto after = std::ranges::upper_bound(blocks_, wanted);
     const auto block = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - blocks_.begin(), 1) - 1);
     std::size_t at = std::max(begin, block * kBlock);
     for (std::size_t seen = charactersBefore(at); at < end; ++at)
@@ -120,12 +118,12 @@ Place TomlReader::placeOf(const TomlPosition& position) const {
     return {path_, static_cast<int>(line), static_cast<int>(std::min(at, end) - begin) + 1};
 }
 
-const TomlValue* TomlReader::root() {
+const TomlTable* TomlReader::root() {
     if (const auto offset = endlessKey(text_)) {
-        const auto line = std::upper_bound(lines_.begin(), lines_.end(), *offset) - lines_.begin();
+        const auto line = std::ranges::upper_bound(lines_, *offset) - lines_.begin();
         const std::size_t column = *offset - lines_[static_cast<std::size_t>(line) - 1] + 1;
         report("suite-E01", "a key has too many parts",
-               {path_, static_cast<int>(line), static_cast<int>(column)});
+               Place{path_, static_cast<int>(line), static_cast<int>(column)});
         return nullptr;
     }
     try {
@@ -136,7 +134,7 @@ const TomlValue* TomlReader::root() {
             lines_.at(static_cast<std::size_t>(where.line) - 1) + static_cast<std::size_t>(where.column) - 1;
         report("suite-E01", syntaxMessage(wrong.description(), text_, std::min(at, text_.size())), where);
     }
-    return root_ ? &*root_ : nullptr;
+    return root_ ? root_->as<TomlTable>() : nullptr;
 }
 
 std::optional<bool> TomlReader::truth(const TomlValue& value, std::string_view name) {
@@ -159,8 +157,7 @@ std::optional<double> TomlReader::number(const TomlValue& value, std::string_vie
         high < std::numeric_limits<double>::max()
             ? fmt::format("between {} and {}", glib::numberText(low), glib::numberText(high))
             : fmt::format("a finite number from {} upwards", glib::numberText(low));
-    report("suite-E04", fmt::format("{}: {} is not {}", name, glib::numberText(*number), range),
-           placeOf(value));
+    report("suite-E04", fmt::format("{}: {} is not {}", name, glib::numberText(*number), range), value);
     return std::nullopt;
 }
 
@@ -171,8 +168,7 @@ std::optional<int> TomlReader::whole(const TomlValue& value, std::string_view na
         return std::nullopt;
     }
     if (*number >= low && *number <= high) return static_cast<int>(*number);
-    report("suite-E04", fmt::format("{}: {} is not between {} and {}", name, *number, low, high),
-           placeOf(value));
+    report("suite-E04", fmt::format("{}: {} is not between {} and {}", name, *number, low, high), value);
     return std::nullopt;
 }
 
@@ -187,7 +183,7 @@ std::optional<std::string> TomlReader::text(const TomlValue& value, std::string_
         report("suite-E04",
                fmt::format("{}: {}", name,
                            characters.empty() ? "the text is empty" : "the text has a zero byte"),
-               placeOf(value));
+               value);
         return std::nullopt;
     }
     return characters;
@@ -205,7 +201,7 @@ std::optional<std::vector<std::string>> TomlReader::texts(const TomlValue& value
         return std::vector<std::string>{std::move(*one)};
     }
     if (list->empty()) {
-        report("suite-E04", fmt::format("{}: the list is empty", name), placeOf(value));
+        report("suite-E04", fmt::format("{}: the list is empty", name), value);
         return std::nullopt;
     }
     std::vector<std::string> all;
@@ -228,12 +224,11 @@ void TomlReader::unknownKey(const TomlEntry& entry, std::string_view where,
            fmt::format("unknown key {} {}; {}", glib::inQuotes(entry.key), where,
                        near.empty() ? fmt::format("the keys are {}", fmt::join(keys, ", "))
                                     : fmt::format("did you mean '{}'?", near)),
-           placeOf(entry.position));
+           entry.position);
 }
 
 void TomlReader::wrongType(const TomlValue& value, std::string_view name, std::string_view expected) {
-    report("suite-E03", fmt::format("{}: expected {}, found {}", name, expected, described(value)),
-           placeOf(value));
+    report("suite-E03", fmt::format("{}: expected {}, found {}", name, expected, described(value)), value);
 }
 
 void TomlReader::report(const char* id, const std::string& text, Place place) {
@@ -244,7 +239,7 @@ void TomlReader::report(const char* id, const std::string& text, Place place) {
 }
 
 Diagnostics TomlReader::take() {
-    std::stable_sort(problems_.begin(), problems_.end(), [](const Diagnostic& a, const Diagnostic& b) {
+    std::ranges::stable_sort(problems_, [](const Diagnostic& a, const Diagnostic& b) {
         return std::tie(a.place.line, a.place.column) < std::tie(b.place.line, b.place.column);
     });
     if (count_ > problems_.size())

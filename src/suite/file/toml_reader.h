@@ -51,8 +51,8 @@ class TomlReader {
   public:
     TomlReader(std::string path, std::string_view text);
 
-    /// The whole file; null (and suite-E01) if it is not TOML. Valid as long as the reader.
-    const TomlValue* root();
+    /// The table that is the whole file; null (and suite-E01) if it is not TOML. Valid as long as the reader.
+    const TomlTable* root();
 
     [[nodiscard]] Place placeOf(const TomlPosition& position) const;
     [[nodiscard]] Place placeOf(const TomlValue& value) const { return placeOf(value.position); }
@@ -72,6 +72,12 @@ class TomlReader {
     /// suite-E03: "NAME: expected EXPECTED, found the text 'x'".
     void wrongType(const TomlValue& value, std::string_view name, std::string_view expected);
     void report(const char* id, const std::string& text, Place place);
+    void report(const char* id, const std::string& text, const TomlPosition& position) {
+        report(id, text, placeOf(position));
+    }
+    void report(const char* id, const std::string& text, const TomlValue& value) {
+        report(id, text, placeOf(value));
+    }
 
     [[nodiscard]] std::size_t errorCount() const { return count_; }
     [[nodiscard]] bool hasErrors() const { return count_ > 0; }

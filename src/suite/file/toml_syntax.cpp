@@ -12,14 +12,14 @@ namespace {
 
 /// Hints for the most common mistakes; empty for others. `said` is the message of the parser about `offset`.
 std::string_view syntaxHint(std::string_view said, std::string_view text, std::size_t offset) {
-    const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
     const std::string_view rest = text.substr(offset);
     const bool endsLine = rest.empty() || rest[0] == '\n' || rest[0] == '\r';
     const std::string_view line = text.substr(0, offset).substr(text.substr(0, offset).rfind('\n') + 1);
     const bool isValue = line.find('=') != std::string_view::npos;
-    if (rest.size() > 1 && rest[0] == '.' && isDigit(rest[1]))
+    if (rest.size() > 1 && rest[0] == '.' && glib::isDigit(rest[1]))
         return "a number needs a digit before its point, as 0.5";
-    if (rest.size() > 1 && isDigit(rest[0]) && rest[1] == '.' && (rest.size() == 2 || !isDigit(rest[2])))
+    if (rest.size() > 1 && glib::isDigit(rest[0]) && rest[1] == '.' &&
+        (rest.size() == 2 || !glib::isDigit(rest[2])))
         return "a number needs a digit after its point, as 1.0";
     if (said.starts_with("boolean") &&
         (glib::sameWord(rest.substr(0, 4), "true") || glib::sameWord(rest.substr(0, 5), "false")))

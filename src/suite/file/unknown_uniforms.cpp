@@ -1,7 +1,6 @@
 #include "suite/file/unknown_uniforms.h"
 
 #include <algorithm>
-#include <string>
 #include <string_view>
 
 namespace glibra::suite {
@@ -22,7 +21,7 @@ void reportUnknownUniforms(const Shot& shot, Diagnostics& diagnostics) {
         const auto isAbout = [&](const PlacedUniform& uniform) {
             return each.subject == withoutProgram(uniform.name);
         };
-        const auto found = std::find_if(shot.ownUniforms.begin(), shot.ownUniforms.end(), isAbout);
+        const auto found = std::ranges::find_if(shot.ownUniforms, isAbout);
         if (found != shot.ownUniforms.end()) each = diagnose("suite-E19", each.text, found->place);
     }
 }

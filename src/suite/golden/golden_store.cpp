@@ -8,12 +8,14 @@
 #include <utility>
 
 #include "base/contained.h"
+#include "base/folder_entries.h"
 #include "image/file.h"
 #include "image/read.h"
 #include "image/write.h"
 #include "suite/file/shot_name.h"
 #include "suite/golden/hash_key.h"
 #include "suite/golden/ignored.h"
+#include "suite/write_below.h"
 
 namespace glibra::suite {
 namespace {
@@ -45,10 +47,6 @@ Diagnostics refuseAs(Diagnostics problems, const fs::path& written, const fs::pa
     return problems;
 }
 
-Diagnostic cannotWrite(const fs::path& golden, const std::string& why) {
-    return diagnose("file-E10", fmt::format("cannot write '{}': {}", golden.string(), why));
-}
-
 /// The path with all links resolved, as far as it exists.
 fs::path resolved(const fs::path& path) {
     std::error_code failed;
@@ -64,13 +62,13 @@ bool isBelow(const fs::path& path, const fs::path& folder) {
     return !whole.empty() && !inside.empty() && *inside.begin() != "..";
 }
 
+}  // namespace
+
 fs::path folderOf(const Suite& suite) {
     std::error_code failed;
     if (fs::is_directory(suite.file, failed)) return suite.file;
     return suite.file.has_parent_path() ? suite.file.parent_path() : fs::path(".");
 }
-
-}  // namespace
 
 std::string toText(const image::Tolerance& tolerance) {
     return fmt::format("{} {} {} {} {} {} {} {} {}", tolerance.largest, tolerance.fraction, tolerance.cluster,
@@ -95,12 +93,10 @@ bool hasGolden(const fs::path& folder, const Shot& shot) {
     const fs::path golden = folder / goldenName(shot);
     std::error_code failure;
     if (fs::exists(golden, failure)) return true;
-    for (fs::directory_iterator each(golden.parent_path(), failure), end; !failure && each != end;
-         each.increment(failure))
-        if (each->path().extension() == golden.extension() &&
-            shotOfVariant(each->path().stem().string()) == golden.stem().string())
-            return true;
-    return false;
+    return std::ranges::any_of(base::entriesOf(golden.parent_path()), [&](const fs::directory_entry& each) {
+        return each.path().extension() == golden.extension() &&
+               shotOfVariant(each.path().stem().string()) == golden.stem().string();
+    });
 }
 
 Diagnostics checkGoldenFolder(const Suite& suite) {
@@ -166,10 +162,10 @@ std::vector<std::string> GoldenStore::furtherVariants(const Shot& shot) const {
 }
 
 std::string GoldenStore::freeVariant(const Shot& shot) const {
-    const std::vector<std::string> used = furtherVariants(shot);
     for (int i = 1; i <= kMostFurther; ++i) {
         std::string variant = fmt::format("{}{}", kFurtherVariant, i);
-        if (std::find(used.begin(), used.end(), variant) == used.end()) return variant;
+        std::error_code failure;
+        if (!fs::exists(file(shot, variant), failure)) return variant;
     }
     return {};
 }
@@ -185,9 +181,9 @@ fs::path GoldenStore::lostGolden(const Shot& shot) const {
 }
 
 bool GoldenStore::hasAny(const Suite& suite) const {
-    return !accepted_.shots().empty() ||
-           std::any_of(suite.shots.begin(), suite.shots.end(),
-                       [&](const Shot& each) { return hasOwnGolden(each) && hasGolden(folder_, each); });
+    return !accepted_.shots().empty() || std::ranges::any_of(suite.shots, [&](const Shot& each) {
+        return hasOwnGolden(each) && hasGolden(folder_, each);
+    });
 }
 
 const Hash* GoldenStore::acceptedPixels(const Shot& shot, const Golden& golden,
@@ -200,7 +196,7 @@ Result<Golden> GoldenStore::replace(const Shot& shot, std::string_view variant,
     const fs::path path = file(shot, variant);
     std::error_code ignored;  // reported with the file that cannot be written
     fs::create_directories(path.parent_path(), ignored);
-    if (const std::string why = whyNotWritten(path); !why.empty()) return cannotWrite(path, why);
+    if (const std::string why = whyNotWritten(path); !why.empty()) return image::cannotWrite(path, why);
     // The new golden is on the disk before it takes the place of the old one.
     const fs::path whole =
         path.parent_path() / fmt::format(".glibra-{}-golden{}", ::getpid(), path.extension().string());
@@ -211,7 +207,7 @@ Result<Golden> GoldenStore::replace(const Shot& shot, std::string_view variant,
     if (hasError(problems)) return refuseAs(std::move(problems), whole, path);
     if (const int problem = base::renameDurably(whole, path); problem != 0) {
         fs::remove(whole, ignored);
-        return cannotWrite(path, std::generic_category().message(problem));
+        return cannotWrite(path, problem);
     }
     return readGolden(shot, path, std::string(variant));
 }
@@ -219,11 +215,11 @@ Result<Golden> GoldenStore::replace(const Shot& shot, std::string_view variant,
 Diagnostics GoldenStore::restore(const Shot& shot, std::string_view variant,
                                  const std::optional<std::vector<std::byte>>& bytes) const {
     const fs::path path = file(shot, variant);
-    if (const std::string why = whyNotWritten(path); !why.empty()) return {cannotWrite(path, why)};
+    if (const std::string why = whyNotWritten(path); !why.empty()) return {image::cannotWrite(path, why)};
     const int problem = bytes ? base::writeBeneath(path.parent_path(), path.filename(), *bytes)
                               : base::removeBeneath(path.parent_path(), path.filename());
     if (problem == 0) return {};
-    return {cannotWrite(path, std::generic_category().message(problem))};
+    return {cannotWrite(path, problem)};
 }
 
 std::string GoldenStore::whyNotWritten(const fs::path& path) const {

@@ -28,6 +28,8 @@ struct Golden {
 /// All numbers of a tolerance, with blanks between them.
 std::string toText(const image::Tolerance& tolerance);
 
+/// The folder of a suite's file, or the folder that is the suite.
+std::filesystem::path folderOf(const Suite& suite);
 /// The folder of a suite's goldens; `folder` replaces the suite's own unless it is empty.
 std::filesystem::path goldenFolder(const Suite& suite, const std::filesystem::path& folder = {});
 /// The name of a shot's golden in that folder.

@@ -43,27 +43,21 @@ std::string processor() {
     std::string words = firstOf({"vendor_id", "CPU implementer"});
     std::istringstream flags(firstOf({"flags", "Features"}));
     for (std::string flag; flags >> flag;)
-        if (std::find(kFeatures.begin(), kFeatures.end(), flag) != kFeatures.end()) words += " " + flag;
+        if (std::ranges::find(kFeatures, flag) != kFeatures.end()) words += " " + flag;
     return words;
-}
-
-/// Replaces line ends by blanks.
-std::string oneLine(std::string text) {
-    std::replace_if(text.begin(), text.end(), [](unsigned char c) { return c < ' '; }, ' ');
-    return text;
 }
 
 }  // namespace
 
 std::string driverKey(const gpu::Capabilities& driver) {
     std::string key = driver.renderer + "; " + driver.version;
-    const bool drawsOnProcessor = driver.isSoftware;
-    if (drawsOnProcessor) {
+    if (driver.isSoftware) {
         key += "; " + processor();
         for (const char* each : kSwitches)
             if (const char* value = std::getenv(each)) key += fmt::format("; {}={}", each, value);
     }
-    return oneLine(std::move(key));
+    std::ranges::replace_if(key, [](unsigned char c) { return c < ' '; }, ' ');  // it is one line
+    return key;
 }
 
 std::vector<std::string> variantsFor(std::string_view family) {

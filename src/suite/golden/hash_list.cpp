@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -12,7 +11,9 @@
 #include <tuple>
 
 #include "base/contained.h"
+#include "base/whole_file.h"
 #include "image/file.h"
+#include "suite/write_below.h"
 
 namespace glibra::suite {
 namespace {
@@ -25,47 +26,25 @@ constexpr std::string_view kHeading =
     "# Written by glibra test --update. Lines may be deleted at any time.\n";
 constexpr std::uint64_t kLargestHashList = 256ULL << 20;
 
-/// Locks a folder for one process, if the file system has locks, as long as the object lives. The folder
-/// itself is locked, so that no lock file is left among the goldens.
-class FolderLock {
-  public:
-    explicit FolderLock(const fs::path& folder)
-        : descriptor_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-        if (descriptor_ >= 0) ::flock(descriptor_, LOCK_EX);
-    }
-    FolderLock(const FolderLock&) = delete;
-    FolderLock& operator=(const FolderLock&) = delete;
-    ~FolderLock() {
-        if (descriptor_ >= 0) ::close(descriptor_);
-    }
-
-  private:
-    int descriptor_;
-};
-
-void sortLines(std::vector<AcceptedHash>& lines) {
-    std::sort(lines.begin(), lines.end(), [](const AcceptedHash& a, const AcceptedHash& b) {
-        return std::tie(a.variant, a.key) < std::tie(b.variant, b.key);
-    });
-}
-
 /// Reads the list, changes it and writes it, if that makes a difference.
 Diagnostics changeList(const fs::path& file, const std::function<void(HashList&)>& change) {
-    const FolderLock lock(file.has_parent_path() ? file.parent_path() : ".");
+    // The folder itself is locked for this process, if the file system has locks, so that no lock file is
+    // left among the goldens.
+    const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
+    const base::Descriptor lock(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (lock) ::flock(lock.number(), LOCK_EX);
     Result<HashList> list = HashList::read(file);
     const std::string before = list->toText();
     change(*list);
     const std::string after = list->toText();
     std::error_code failure;
     if (after == before && fs::exists(file, failure)) return {};
-    const auto refuse = [&](const std::string& why) {
-        return Diagnostics{diagnose("file-E10", fmt::format("cannot write '{}': {}", file.string(), why))};
-    };
     if (fs::is_symlink(file, failure))
-        return refuse("it is a symbolic link, and its target would be overwritten; remove the link");
+        return {image::cannotWrite(
+            file, "it is a symbolic link, and its target would be overwritten; remove the link")};
     const int problem =
         base::writeBeneath(file.parent_path(), file.filename(), std::as_bytes(std::span(after)));
-    return problem == 0 ? Diagnostics{} : refuse(std::generic_category().message(problem));
+    return problem == 0 ? Diagnostics{} : Diagnostics{cannotWrite(file, problem)};
 }
 
 }  // namespace
@@ -73,7 +52,7 @@ Diagnostics changeList(const fs::path& file, const std::function<void(HashList&)
 bool isKey(std::string_view text) {
     constexpr std::size_t kLongest = 1000;
     return !text.empty() && text.size() <= kLongest &&
-           std::none_of(text.begin(), text.end(), [](unsigned char each) { return each < ' '; });
+           std::ranges::none_of(text, [](unsigned char each) { return each < ' '; });
 }
 
 std::string toLine(const AcceptedHash& accepted) {
@@ -114,7 +93,7 @@ Result<HashList> HashList::read(const fs::path& file) {
         list->isUnknown_ = true;
         return list;
     }
-    std::string_view rest(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+    std::string_view rest = base::asText(*bytes);
     for (int number = 1; !rest.empty(); ++number) {
         std::string_view line = rest.substr(0, rest.find('\n'));
         rest.remove_prefix(std::min(line.size() + 1, rest.size()));
@@ -146,7 +125,9 @@ std::vector<AcceptedHash> HashList::linesOf(const std::string& shot) const {
     const auto found = ofShot_.find(shot);
     if (found == ofShot_.end()) return {};
     std::vector<AcceptedHash> lines = found->second;
-    sortLines(lines);
+    std::ranges::sort(lines, [](const AcceptedHash& a, const AcceptedHash& b) {
+        return std::tie(a.variant, a.key) < std::tie(b.variant, b.key);
+    });
     return lines;
 }
 
@@ -170,9 +151,8 @@ void HashList::restore(const std::string& shot, const std::string& variant,
 
 std::string HashList::toText() const {
     std::string text(kHeading);
-    for (const auto& [shot, lines] : ofShot_) {
+    for (const auto& [shot, lines] : ofShot_)
         for (const AcceptedHash& each : linesOf(shot)) text += toLine(each) + "\n";
-    }
     return text;
 }
 

@@ -14,8 +14,14 @@
 namespace glibra::suite {
 namespace {
 
-bool isActive(const IgnoredRegion& region, const std::string& day) {
-    return region.until.empty() || day <= region.until;
+/// The rectangles that are left out today.
+std::vector<IgnoredRegion> activeRegions(const Shot& shot) {
+    if (shot.ignored.empty()) return {};
+    std::vector<IgnoredRegion> active = shot.ignored;
+    std::erase_if(active, [day = today()](const IgnoredRegion& each) {
+        return !each.until.empty() && day > each.until;
+    });
+    return active;
 }
 
 bool samePixels(const image::Image& a, const image::Image& b) {
@@ -45,26 +51,21 @@ Result<image::Image> readMask(const Shot& shot, int width, int height) {
 
 Diagnostics wrongIgnored(const Shot& shot, int width, int height) {
     Diagnostics problems;
-    const std::string day = today();
-    for (const IgnoredRegion& each : shot.ignored)
-        if (const auto problem = isActive(each, day) ? reachesOut(each, width, height) : std::nullopt)
-            problems.push_back(*problem);
+    for (const IgnoredRegion& each : activeRegions(shot))
+        if (const auto problem = reachesOut(each, width, height)) problems.push_back(*problem);
     if (!shot.mask.empty()) append(problems, readMask(shot, width, height).diagnostics);
     return problems;
 }
 
 bool ignoresSomething(const Shot& shot) {
-    const std::string day = shot.ignored.empty() ? std::string() : today();
-    return !shot.mask.empty() || std::any_of(shot.ignored.begin(), shot.ignored.end(),
-                                             [&](const IgnoredRegion& each) { return isActive(each, day); });
+    return !shot.mask.empty() || !activeRegions(shot).empty();
 }
 
 std::string ignoredText(const Shot& shot) {
     if (!ignoresSomething(shot)) return {};
     std::string text;
-    const std::string day = today();
-    for (const IgnoredRegion& each : shot.ignored)
-        if (isActive(each, day)) text += fmt::format(" {},{},{},{}", each.x, each.y, each.width, each.height);
+    for (const IgnoredRegion& each : activeRegions(shot))
+        text += fmt::format(" {},{},{},{}", each.x, each.y, each.width, each.height);
     if (shot.mask.empty()) return text;
     const Result<image::Image> mask = image::readImage(shot.mask);
     return text + " mask " + (mask ? toText(hashOf(*mask)) : "unreadable");
@@ -100,9 +101,7 @@ Result<image::Image> withoutIgnored(const Shot& shot, const image::Image& golden
         std::memcpy(seen.data.data() + at, expected.data.data() + at,
                     static_cast<std::size_t>(count) * pixel);
     };
-    const std::string day = today();
-    for (const IgnoredRegion& each : shot.ignored) {
-        if (!isActive(each, day)) continue;
+    for (const IgnoredRegion& each : activeRegions(shot)) {
         if (const auto problem = reachesOut(each, got.width, got.height)) return *problem;
         for (int y = each.y; y < each.y + each.height; ++y) hide(each.x, y, each.width);
     }

@@ -8,6 +8,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/folder_entries.h"
 #include "suite/file/suite_file.h"
 #include "suite/golden/golden_store.h"
 #include "suite/golden/hash_list.h"
@@ -42,11 +43,10 @@ bool suitesBeside(const Suite& suite, std::vector<Suite>& beside) {
     std::error_code failure;
     if (!fs::is_regular_file(suite.file, failure)) return true;
     bool allRead = true;
-    for (fs::directory_iterator each(suite.file.has_parent_path() ? suite.file.parent_path() : ".", failure),
-         end;
-         !failure && each != end; each.increment(failure)) {
-        const fs::path& file = each->path();
-        if (file.extension() != ".toml" || !each->is_regular_file(failure) ||
+    for (const fs::directory_entry& each :
+         base::entriesOf(suite.file.has_parent_path() ? suite.file.parent_path() : ".")) {
+        const fs::path& file = each.path();
+        if (file.extension() != ".toml" || !each.is_regular_file(failure) ||
             fs::equivalent(file, suite.file, failure))
             continue;
         Result<Suite> read = readSuite(file);
@@ -101,7 +101,7 @@ std::vector<fs::path> orphanGoldens(const Suite& suite, const fs::path& folder,
     }
     std::vector<fs::path> orphans;
     for (auto& [file, name] : found) orphans.push_back(std::move(file));
-    std::sort(orphans.begin(), orphans.end());
+    std::ranges::sort(orphans);
     return orphans;
 }
 

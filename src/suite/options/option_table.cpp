@@ -3,40 +3,31 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <limits>
 #include <stdexcept>
+#include <type_traits>
 
 #include "glib/number.h"
 
 namespace glibra::suite {
 namespace {
 
-const ViewState& in(const Shot& shot, const ViewState*) {
-    return shot.options.viewState;
-}
-const RenderOptions& in(const Shot& shot, const RenderOptions*) {
-    return shot.options;
-}
-const Shot& in(const Shot& shot, const Shot*) {
-    return shot;  // NOLINT(bugprone-return-const-ref-from-parameter)
-}
-ViewState& in(Shot& shot, const ViewState*) {
-    return shot.options.viewState;
-}
-RenderOptions& in(Shot& shot, const RenderOptions*) {
-    return shot.options;
-}
-Shot& in(Shot& shot, const Shot*) {
-    return shot;
+/// The part of a shot, const or not, that has the members of Owner.
+template <class Owner>
+auto& partOf(auto& shot) {
+    if constexpr (std::is_same_v<Owner, ViewState>)
+        return shot.options.viewState;
+    else if constexpr (std::is_same_v<Owner, RenderOptions>)
+        return shot.options;
+    else
+        return shot;  // NOLINT(bugprone-return-const-ref-from-parameter)
 }
 
 template <auto kMember>
 struct MemberOf;
 template <class Owner, class T, T Owner::* kMember>
 struct MemberOf<kMember> {
-    static const T& get(const Shot& shot) { return in(shot, static_cast<const Owner*>(nullptr)).*kMember; }
-    static T& edit(Shot& shot) { return in(shot, static_cast<const Owner*>(nullptr)).*kMember; }
+    static const T& get(const Shot& shot) { return partOf<Owner>(shot).*kMember; }
+    static T& edit(Shot& shot) { return partOf<Owner>(shot).*kMember; }
     static constexpr ShotMember<T> kAccess{get, edit};
 
     static int getIndex(const Shot& shot) { return static_cast<int>(get(shot)); }
@@ -60,15 +51,23 @@ constexpr std::array<std::string_view, 5> kCornerWords{"none", "bottom-left", "b
 
 using Options = RenderOptions;
 
+/// The row as one that --help leaves out.
+constexpr OptionRow rare(OptionRow row) {
+    row.isRare = true;
+    return row;
+}
+/// The row as one that may be given for all shots of a suite.
+constexpr OptionRow withSuite(OptionRow row) {
+    row.withSuite = true;
+    return row;
+}
+
 constexpr OptionRow kRows[] = {
     {"size", "size", SizeValue{kTo<&Options::width>, kTo<&Options::height>, kLargestPictureSide},
      "size of the picture in pixels instead of the scene's WindowSize"},
     {"time", "time", TimeValue{{kTo<&Options::time>, -1e9, 1e9}}, "seconds since the start of the scene"},
-    {.name = "steps",
-     .key = "steps",
-     .value = WholeValue{kTo<&Options::steps>, 0, 1'000'000'000},
-     .help = "steps of Step blocks that one picture may need",
-     .isRare = true},
+    rare({"steps", "steps", WholeValue{kTo<&Options::steps>, 0, 1'000'000'000},
+          "steps of Step blocks that one picture may need"}),
     {"set", "set", UniformsValue{kTo<&Options::set>},
      "give a uniform variable or a variable of the scene a value, as uKd=.5 or uColor=1,.5,0; may be "
      "repeated"},
@@ -78,19 +77,13 @@ constexpr OptionRow kRows[] = {
      .help = "auto moves the eye out of the objects of the scene, glman leaves it where it is",
      .former = "view"},
     {"samples", "samples", WholeValue{kTo<&Options::samples>, 1, kMostSamples}, "samples per pixel"},
-    {.name = "max-error",
-     .key = "max-error",
-     .value = NumberValue{kTo<&Options::maxError>, kLeastMaxError, kLargestMaxError, "px"},
-     .help =
-         "choose the slices, stacks, samples and noise sizes that the scene leaves open so that nothing is "
-         "drawn more than N pixels from its place",
-     .isRare = true},
-    {.name = "override-counts",
-     .key = "override-counts",
-     .value = FlagValue{kTo<&Options::overrideCounts>},
-     .help = "with --max-error: choose also the counts and tessellation levels that the scene states",
-     .needs = "max-error",
-     .isRare = true},
+    rare({"max-error", "max-error",
+          NumberValue{kTo<&Options::maxError>, kLeastMaxError, kLargestMaxError, "px"},
+          "choose the slices, stacks, samples and noise sizes that the scene leaves open so that nothing is "
+          "drawn more than N pixels from its place"}),
+    rare({"override-counts", "override-counts", FlagValue{kTo<&Options::overrideCounts>},
+          "with --max-error: choose also the counts and tessellation levels that the scene states",
+          "max-error"}),
     {"axes", "axes", FlagValue{kTo<&Options::axes>}, "draw the axes of world space, 1.5 units long"},
     {"labels", "labels", oneOf<&Options::labels>(kCornerWords),
      "write the values of the uniform variables over the picture, as 'Dots : uKd = 0.5000', in this corner"},
@@ -98,73 +91,40 @@ constexpr OptionRow kRows[] = {
     {"", "float", FlagValue{kTo<&Options::floatPixels>},
      "32-bit float pixels, not limited to 0..1, in an .exr file"},
     {"strict", "strict", FlagValue{kTo<&Options::strict>}, "treat warnings as errors"},
-    {.name = "incomplete",
-     .key = "",
-     .value = FlagValue{kTo<&Options::incomplete>},
-     .help = "draw what does not need the files that are missing or wrong, with a striped border; the exit "
-             "status is 3 all the same"},
-    {.name = "no-shim",
-     .key = "shim",
-     .value = FlagValue{kTo<&Options::shim>, false},
-     .help = "compile the shaders as they are, without translating their dialect",
-     .isRare = true},
-    {.name = "scene-transform",
-     .key = "scene-transform",
-     .value = MatrixValue{kTo<&ViewState::scene>},
-     .help = "Projection becomes Projection * M",
-     .isRare = true},
-    {.name = "eye-transform",
-     .key = "eye-transform",
-     .value = MatrixValue{kTo<&ViewState::eye>},
-     .help = "ModelView becomes M * ModelView",
-     .isRare = true},
-    {.name = "texture-transform",
-     .key = "texture-transform",
-     .value = MatrixValue{kTo<&ViewState::texture>},
-     .help = "gl_TextureMatrix[0] becomes M",
-     .isRare = true},
-    {.name = "object-transform",
-     .key = "object-transform",
-     .value = ObjectsValue{kTo<&ViewState::objects>},
-     .help = "ModelView becomes ModelView * M for the object on that line of the scene; may be repeated",
-     .isRare = true},
-    {.name = "projection",
-     .key = "projection",
-     .value = oneOf<&ViewState::projection>(kProjectionWords),
-     .help = "the scene's own projections, or one of these for all",
-     .isRare = true},
+    {"incomplete", "", FlagValue{kTo<&Options::incomplete>},
+     "draw what does not need the files that are missing or wrong, with a striped border; the exit "
+     "status is 3 all the same"},
+    rare({"no-shim", "shim", FlagValue{kTo<&Options::shim>, false},
+          "compile the shaders as they are, without translating their dialect"}),
+    rare({"scene-transform", "scene-transform", MatrixValue{kTo<&ViewState::scene>},
+          "Projection becomes Projection * M"}),
+    rare({"eye-transform", "eye-transform", MatrixValue{kTo<&ViewState::eye>},
+          "ModelView becomes M * ModelView"}),
+    rare({"texture-transform", "texture-transform", MatrixValue{kTo<&ViewState::texture>},
+          "gl_TextureMatrix[0] becomes M"}),
+    rare({"object-transform", "object-transform", ObjectsValue{kTo<&ViewState::objects>},
+          "ModelView becomes ModelView * M for the object on that line of the scene; may be repeated"}),
+    rare({"projection", "projection", oneOf<&ViewState::projection>(kProjectionWords),
+          "the scene's own projections, or one of these for all"}),
     {"background", "background", ColorValue{kTo<&ViewState::background>},
      "background color instead of the scene's"},
-    {.name = "tile",
-     .key = "tile",
-     .value = WholeValue{kTo<&Options::tileSize>, 16, 16384},
-     .help = "side of the tiles of large pictures in pixels",
-     .isRare = true},
+    rare({"tile", "tile", WholeValue{kTo<&Options::tileSize>, 16, 16384},
+          "side of the tiles of large pictures in pixels"}),
     {"library", "library", FoldersValue{kTo<&Options::libraryRoots>},
      "folder to search for the files of the scene, before those of GLIBRA_PATH; may be repeated"},
-    {.name = "timeout",
-     .key = "timeout",
-     .value = NumberValue{kTo<&Shot::timeout>, 0, 1e6},
-     .help = "seconds that one picture may take; 0 means no limit",
-     .withSuite = true},
-    {.name = "memory",
-     .key = "memory",
-     .value = MemoryValue{kTo<&Shot::memory>},
-     .help = "memory that a process that works on pictures may take, as 512M or 2G; 0 means no limit; by "
-             "default half of the machine's, divided by the processes, but at least 2G",
-     .withSuite = true,
-     .isRare = true},
+    withSuite({"timeout", "timeout", NumberValue{kTo<&Shot::timeout>, 0, 1e6},
+               "seconds that one picture may take; 0 means no limit"}),
+    rare(withSuite(
+        {"memory", "memory", MemoryValue{kTo<&Shot::memory>},
+         "memory that a process that works on pictures may take, as 512M or 2G; 0 means no limit; by "
+         "default half of the machine's, divided by the processes, but at least 2G"})),
     {"check-nan", "", FlagValue{kTo<&Options::checkNan>},
      "name the draws that put NaN or infinity into the picture, or lose vertices by it"},
     {"check-undefined", "", FlagValue{kTo<&Options::checkUndefined>},
      "find subscripts outside of arrays, fetches outside of textures, vertices beyond max_vertices and "
      "divisions by uniforms that are 0"},
-    {.name = "no-skip",
-     .key = "",
-     .value = FlagValue{kTo<&Options::skip>, false},
-     .help = "read, make and draw also what the picture does not need; the picture stays the same",
-     .withSuite = true,
-     .isRare = true},
+    rare(withSuite({"no-skip", "", FlagValue{kTo<&Options::skip>, false},
+                    "read, make and draw also what the picture does not need; the picture stays the same"})),
 };
 
 template <class... Fs>

@@ -20,7 +20,7 @@ std::string list(const auto& values) {
 
 /// A key that needs no quotes is written without them.
 std::string keyText(std::string_view key) {
-    const bool isBare = !key.empty() && std::all_of(key.begin(), key.end(), base::isOfName);
+    const bool isBare = !key.empty() && std::ranges::all_of(key, base::isOfName);
     return isBare ? std::string(key) : tomlText(key);
 }
 

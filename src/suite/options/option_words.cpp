@@ -4,14 +4,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>
-#include <system_error>
 
 #include "glib/text.h"
+#include "suite/number_of.h"
 
 namespace glibra::suite {
 namespace {
@@ -19,15 +18,6 @@ namespace {
 constexpr std::string_view kUnits = "KMGT";                       // 1024 to the power of 1, 2, 3, 4
 constexpr std::uint64_t kLeastMemory = std::uint64_t{64} << 20U;  // what a driver needs to start
 constexpr std::uint64_t kMostMemory = std::uint64_t{1} << 60U;
-
-/// The number that is the whole text.
-template <class T>
-std::optional<T> numberOf(std::string_view text) {
-    T value{};
-    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (failure != std::errc() || end != text.data() + text.size()) return std::nullopt;
-    return value;
-}
 
 /// Numbers separated by commas, finite as 32-bit floats; nothing if the text is anything else.
 std::optional<std::vector<double>> numbersOf(std::string_view text) {
@@ -45,10 +35,6 @@ std::optional<std::vector<double>> numbersOf(std::string_view text) {
 
 std::string numberList(const auto& values) {
     return fmt::format("{}", fmt::join(values, ","));
-}
-
-std::string colorList(const std::array<double, 4>& color) {
-    return numberList(std::span(color).first(color[3] == 1 ? 3 : 4));
 }
 
 /// Reads the text of an option; returns what would be right, or nothing if it is.
@@ -90,7 +76,7 @@ struct TextReader {
         return {};
     }
     std::string operator()(const WordValue& word) const {
-        const auto found = std::find(word.words.begin(), word.words.end(), text);
+        const auto found = std::ranges::find(word.words, text);
         if (found == word.words.end()) return fmt::format("{}", fmt::join(word.words, " or "));
         word.set(shot, static_cast<int>(found - word.words.begin()));
         return {};
@@ -136,48 +122,44 @@ struct TextReader {
         const auto values = numbersOf(text);
         if (!values || values->size() != matrix.size())
             return "16 numbers separated by commas, column by column";
-        std::copy(values->begin(), values->end(), matrix.begin());
+        std::ranges::copy(*values, matrix.begin());
         return {};
     }
 };
 
 /// The texts of an option's values, one for each time that the option is given.
 struct TextWriter {
+    using Texts = std::vector<std::string>;
     const Shot& shot;
 
-    std::vector<std::string> operator()(const FlagValue&) const { return {""}; }
-    std::vector<std::string> operator()(const WholeValue& whole) const {
-        return {std::to_string(whole.member.get(shot))};
-    }
-    std::vector<std::string> operator()(const NumberValue& number) const {
+    Texts operator()(const FlagValue&) const { return {""}; }
+    Texts operator()(const WholeValue& whole) const { return {std::to_string(whole.member.get(shot))}; }
+    Texts operator()(const NumberValue& number) const {
         return {fmt::format("{}{}", number.member.get(shot), number.unit)};
     }
-    std::vector<std::string> operator()(const SizeValue& size) const {
+    Texts operator()(const SizeValue& size) const {
         return {fmt::format("{}x{}", size.width.get(shot), size.height.get(shot))};
     }
-    std::vector<std::string> operator()(const WordValue& word) const {
+    Texts operator()(const WordValue& word) const {
         return {std::string(word.words[static_cast<std::size_t>(word.get(shot))])};
     }
-    std::vector<std::string> operator()(const UniformsValue& uniforms) const {
-        return uniforms.member.get(shot);
-    }
-    std::vector<std::string> operator()(const MatrixValue& matrix) const {
-        return {numberList(matrix.member.get(shot))};
-    }
-    std::vector<std::string> operator()(const ObjectsValue& objects) const {
-        std::vector<std::string> all;
+    Texts operator()(const UniformsValue& uniforms) const { return uniforms.member.get(shot); }
+    Texts operator()(const MatrixValue& matrix) const { return {numberList(matrix.member.get(shot))}; }
+    Texts operator()(const ObjectsValue& objects) const {
+        Texts all;
         for (const ViewState::Object& each : objects.member.get(shot))
             all.push_back(fmt::format("{}:{}", each.line, numberList(each.matrix)));
         return all;
     }
-    std::vector<std::string> operator()(const ColorValue& color) const {
-        return {colorList(color.member.get(shot).value())};
+    Texts operator()(const ColorValue& color) const {
+        const std::array<double, 4> values = color.member.get(shot).value();
+        return {numberList(std::span(values).first(values[3] == 1 ? 3 : 4))};
     }
-    std::vector<std::string> operator()(const MemoryValue& memory) const {
+    Texts operator()(const MemoryValue& memory) const {
         return {memoryText(memory.member.get(shot).value())};
     }
-    std::vector<std::string> operator()(const FoldersValue& folders) const {
-        std::vector<std::string> all;
+    Texts operator()(const FoldersValue& folders) const {
+        Texts all;
         for (const std::filesystem::path& each : folders.member.get(shot)) all.push_back(each.string());
         return all;
     }

@@ -81,9 +81,7 @@ std::string toJson(const RunResult& run, std::span<const ShownShot> shown, const
 }
 
 std::string headline(const RunResult& run) {
-    const auto count = [&](const auto& fits) {
-        return std::count_if(run.shots.begin(), run.shots.end(), fits);
-    };
+    const auto count = [&](const auto& fits) { return std::ranges::count_if(run.shots, fits); };
     const auto drawn = count([](const ShotResult& shot) { return shot.verdict == Verdict::missing; });
     const auto failures = count([](const ShotResult& shot) { return isFailure(shot.verdict); }) - drawn;
     std::string text = fmt::format("{} of {} shots failed", failures, run.shots.size());

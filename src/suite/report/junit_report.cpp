@@ -91,8 +91,7 @@ void putShot(std::string& xml, const ShotResult& shot) {
 std::string toJunit(const RunResult& run) {
     std::vector<std::pair<std::string_view, std::vector<const ShotResult*>>> suites;
     for (const ShotResult& shot : run.shots) {
-        auto suite = std::find_if(suites.begin(), suites.end(),
-                                  [&](const auto& each) { return each.first == shot.suite; });
+        auto suite = std::ranges::find_if(suites, [&](const auto& each) { return each.first == shot.suite; });
         if (suite == suites.end()) suite = suites.insert(suite, {shot.suite, {}});
         suite->second.push_back(&shot);
     }

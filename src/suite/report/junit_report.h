@@ -12,9 +12,6 @@ namespace glibra::suite {
 /// pictures and the commands. Diagnostics of the scene are in <system-out>. If planned shots have no verdict,
 /// one more test case is an <error>. The text is UTF-8 and valid XML 1.0 for all strings. Schema:
 /// junit-10.xsd of the xUnit plugin of Jenkins.
-/// <error>, other failures are a <failure> whose text holds the figures, the pictures' paths and the
-/// commands; diagnostics of the scene are in <system-out>. UTF-8, fit for XML 1.0 whatever the strings hold.
-/// Form: the schema junit-10.xsd of Jenkins' xUnit plugin.
 std::string toJunit(const RunResult& run);
 
 }  // namespace glibra::suite

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/text.h"
 #include "base/utf8.h"
 #include "suite/report/terminal_report.h"
 #include "suite/results/figures.h"
@@ -19,8 +20,7 @@ constexpr std::size_t kMostText = 30000;  // a comment on GitHub has at most 655
 std::string cell(std::string_view text) {
     std::string escaped;
     for (const char c : base::printableText(text)) {
-        const bool isPlain = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
-                             static_cast<unsigned char>(c) >= 0x80 ||
+        const bool isPlain = base::isLetter(c) || base::isDigit(c) || static_cast<unsigned char>(c) >= 0x80 ||
                              std::string_view(" .,:;/=+-%()'").find(c) != std::string_view::npos;
         escaped += isPlain ? std::string(1, c) : fmt::format("&#{};", static_cast<unsigned char>(c));
     }
@@ -31,8 +31,7 @@ std::string cell(std::string_view text) {
 std::string address(const std::string& path) {
     std::string encoded;
     for (const char c : path) {
-        const bool isPlain = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
-                             std::string_view("-._~/").find(c) != std::string_view::npos;
+        const bool isPlain = base::isOfName(c) || std::string_view("-.~/").find(c) != std::string_view::npos;
         encoded += isPlain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
     }
     return encoded;
@@ -41,10 +40,6 @@ std::string address(const std::string& path) {
 std::string imageTag(const std::filesystem::path& file, const std::string& at) {
     if (file.empty() || file.is_absolute()) return "";
     return fmt::format("<img src=\"{}/{}\" width=\"160\">", at, address(file.generic_string()));
-}
-
-bool needsALook(const ShotResult& shot) {
-    return isFailure(shot.verdict) || shot.verdict == Verdict::flaky || shot.verdict == Verdict::quarantined;
 }
 
 }  // namespace

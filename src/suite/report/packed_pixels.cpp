@@ -1,3 +1,5 @@
+#include "suite/report/packed_pixels.h"
+
 #include <fmt/format.h>
 #include <libdeflate.h>
 
@@ -7,10 +9,8 @@
 #include <cstring>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string_view>
-
-#include "suite/report/report_files.h"
+#include <vector>
 
 namespace glibra::suite {
 namespace {
@@ -18,23 +18,6 @@ namespace {
 struct FreeCompressor {
     void operator()(libdeflate_compressor* each) const { libdeflate_free_compressor(each); }
 };
-
-/// RFC 4648, section 4.
-std::string base64(std::span<const std::byte> bytes) {
-    constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    text.reserve((bytes.size() + 2) / 3 * 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        const auto byte = [&](std::size_t at) {
-            return at < bytes.size() ? std::to_integer<std::uint32_t>(bytes[at]) : 0U;
-        };
-        const std::uint32_t group = byte(i) << 16U | byte(i + 1) << 8U | byte(i + 2);
-        const std::size_t digits = std::min<std::size_t>(bytes.size() - i, 3) + 1;
-        for (std::size_t digit = 0; digit < 4; ++digit)
-            text += digit < digits ? kDigits[group >> (18 - 6 * digit) & 63U] : '=';
-    }
-    return text;
-}
 
 std::vector<std::byte> rowsMinusAbove(const image::Image& picture) {
     std::vector<std::byte> bytes = picture.data;
@@ -62,22 +45,27 @@ std::optional<image::Image> withoutAlpha(const image::Image& picture) {
     return opaque;
 }
 
-const char* typeName(image::Component type) {
-    switch (type) {
-        case image::Component::u8:
-            return "u8";
-        case image::Component::u16:
-            return "u16";
-        case image::Component::f32:
-            break;
-    }
-    return "f32";
-}
-
 }  // namespace
+
+std::string base64(std::span<const std::byte> bytes) {
+    constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    text.reserve((bytes.size() + 2) / 3 * 4);
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        const auto byte = [&](std::size_t at) {
+            return at < bytes.size() ? std::to_integer<std::uint32_t>(bytes[at]) : 0U;
+        };
+        const std::uint32_t group = byte(i) << 16U | byte(i + 1) << 8U | byte(i + 2);
+        const std::size_t digits = std::min<std::size_t>(bytes.size() - i, 3) + 1;
+        for (std::size_t digit = 0; digit < 4; ++digit)
+            text += digit < digits ? kDigits[group >> (18 - 6 * digit) & 63U] : '=';
+    }
+    return text;
+}
 
 std::string packedPixels(const image::Image& picture) {
     if (const std::optional<image::Image> opaque = withoutAlpha(picture)) return packedPixels(*opaque);
+    constexpr std::array kTypes{"u8", "u16", "f32"};
     constexpr int kLevel = 1;  // fast: a report may have hundreds of failures
     const std::unique_ptr<libdeflate_compressor, FreeCompressor> compressor(
         libdeflate_alloc_compressor(kLevel));
@@ -86,7 +74,8 @@ std::string packedPixels(const image::Image& picture) {
     packed.resize(
         libdeflate_zlib_compress(compressor.get(), bytes.data(), bytes.size(), packed.data(), packed.size()));
     return fmt::format(R"({{"width":{},"height":{},"components":{},"type":"{}","data":"{}"}})", picture.width,
-                       picture.height, picture.components, typeName(picture.type), base64(packed));
+                       picture.height, picture.components, kTypes.at(static_cast<std::size_t>(picture.type)),
+                       base64(packed));
 }
 
 }  // namespace glibra::suite

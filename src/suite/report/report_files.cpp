@@ -7,7 +7,9 @@
 #include <system_error>
 #include <utility>
 
+#include "base/folder_entries.h"
 #include "base/utf8.h"
+#include "base/whole_file.h"
 #include "image/convert.h"
 #include "image/file.h"
 #include "image/format.h"
@@ -15,7 +17,9 @@
 #include "image/png/png_writer.h"
 #include "image/read.h"
 #include "suite/golden/hash.h"
+#include "suite/report/packed_pixels.h"
 #include "suite/results/results_file.h"
+#include "suite/write_below.h"
 
 namespace glibra::suite {
 namespace {
@@ -75,9 +79,7 @@ ReportFiles::ReportFiles(fs::path resultsFolder, fs::path reportFolder, ReportRo
 bool ReportFiles::write(const std::string& name, std::span<const std::byte> bytes) {
     if (hasError(problems_)) return false;  // a full disk is reported once
     if (const int problem = base::prepareBeneath(reportFolder_, name); problem != 0) {
-        problems_.push_back(
-            diagnose("file-E10", fmt::format("cannot write '{}': {}", (reportFolder_ / name).string(),
-                                             std::generic_category().message(problem))));
+        problems_.push_back(cannotWrite(reportFolder_ / name, problem));
         return false;
     }
     Diagnostics problems = image::writeFileAtomically(reportFolder_ / name, bytes, image::NamedBy::program);
@@ -118,8 +120,7 @@ ReportFiles::Copy ReportFiles::addPicture(const fs::path& picture, const ShotRes
     Result<std::vector<std::byte>> bytes = readNamed(picture, resultsFolder_, roots_.pictures);
     if (!bytes) {
         const std::string& why = bytes.diagnostics.front().text;
-        const bool isOutside = roots_.areUnnamed && picture == shot.expected;
-        if (isOutside) {
+        if (roots_.areUnnamed && picture == shot.expected) {
             shown.remarks.push_back(why);
             ++unnamedCount_;
         } else {
@@ -178,12 +179,12 @@ void ReportFiles::addSource(const fs::path& path, ShownShot& shown) {
         const Result<std::vector<std::byte>> bytes =
             readNamed(path, resultsFolder_, roots_.texts, kLargestSource);
         if (!bytes) return;
-        const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+        const std::string_view text = base::asText(*bytes);
         if (text.find('\0') != std::string_view::npos) return;
         known = sourceOf_.emplace(file, sources_.size()).first;
         sources_.push_back({file, onlyUtf8(text)});
     }
-    if (std::find(shown.sources.begin(), shown.sources.end(), known->second) == shown.sources.end())
+    if (std::ranges::find(shown.sources, known->second) == shown.sources.end())
         shown.sources.push_back(known->second);
 }
 
@@ -210,9 +211,9 @@ ShownShot ReportFiles::add(const ShotResult& shot, std::size_t number) {
 
 void ReportFiles::removeOthers() const {
     for (const char* folder : kFolders) {
-        std::error_code ignored;  // a file that stays does no harm
-        for (const fs::directory_entry& each : fs::directory_iterator(reportFolder_ / folder, ignored)) {
+        for (const fs::directory_entry& each : base::entriesOf(reportFolder_ / folder)) {
             const std::string name = each.path().filename().string();
+            std::error_code ignored;  // a file that stays does no harm
             if (isOurs(name) && !written_.contains(std::string(folder) + "/" + name))
                 fs::remove(each.path(), ignored);
         }

@@ -85,8 +85,4 @@ class ReportFiles {
     std::size_t unnamedCount_ = 0;  ///< pictures that lie outside of the results
 };
 
-/// A JSON object with width, height, components, type and data of a picture. The data is each row minus the
-/// row above it (bytes modulo 256), compressed as zlib, in base64.
-std::string packedPixels(const image::Image& picture);
-
 }  // namespace glibra::suite

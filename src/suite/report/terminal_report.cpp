@@ -46,7 +46,7 @@ class Text {
             if (isFailure(shot.verdict)) continue;
             for (const Diagnostic& each : shot.diagnostics) {
                 if (each.severity != Severity::warning) continue;
-                const auto known = std::find_if(all.begin(), all.end(), [&](const Repeated& other) {
+                const auto known = std::ranges::find_if(all, [&](const Repeated& other) {
                     return other.warning->id == each.id && other.warning->text == each.text;
                 });
                 if (known == all.end()) {
@@ -145,10 +145,6 @@ std::string toText(const RunResult& run, const TextOptions& options) {
     if (!run.shard.empty()) summary += ", shard " + base::printableText(run.shard);
     text.line(text.painted(summary, failures > 0 || !shortfall(run).empty() ? kRed : kGreen));
     return text.take();
-}
-
-std::string toText(const RunResult& run, bool color, const std::filesystem::path& resultsFolder) {
-    return toText(run, TextOptions{.color = color, .resultsFolder = resultsFolder});
 }
 
 }  // namespace glibra::suite

@@ -19,6 +19,5 @@ struct TextOptions {
 /// shots that do not fail; and one line with the totals. The first `mostDetails` failures are shown in full,
 /// the others with one line each.
 std::string toText(const RunResult& run, const TextOptions& options);
-std::string toText(const RunResult& run, bool color, const std::filesystem::path& resultsFolder = {});
 
 }  // namespace glibra::suite

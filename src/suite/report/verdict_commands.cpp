@@ -12,16 +12,16 @@ std::string reproduceCommand(const Shot& shot) {
     std::string command = "glibra render " + shellWord(shot.script.string()) + optionArguments(shot);
     if (shot.expectedError) return command;
     std::string file = shot.name;
-    std::replace(file.begin(), file.end(), '/', '_');
+    std::ranges::replace(file, '/', '_');
     return command + " -o " + shellWord(file + (shot.options.floatPixels ? ".exr" : ".png"));
 }
 
 std::string checkCommand(const Shot& shot) {
     const auto isUnknown = [&](const OptionRow& row) {
-        return std::find(kCheckOptions.begin(), kCheckOptions.end(), row.name) == kCheckOptions.end() &&
+        return std::ranges::find(kCheckOptions, row.name) == kCheckOptions.end() &&
                !optionWords(row, shot).empty();
     };
-    if (std::any_of(optionTable().begin(), optionTable().end(), isUnknown)) return {};
+    if (std::ranges::any_of(optionTable(), isUnknown)) return {};
     return "glibra check --run " + shellWord(shot.script.string()) + optionArguments(shot);
 }
 

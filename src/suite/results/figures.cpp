@@ -12,10 +12,6 @@
 namespace glibra::suite {
 namespace {
 
-bool wasCompared(const ShotResult& shot) {
-    return shot.judgement.decidedBy != image::Rung::bytes && shot.judgement.decidedBy != image::Rung::size;
-}
-
 bool isFloat(const ShotResult& shot) {
     return image::holdsFloats(shot.got) || image::holdsFloats(shot.expected);
 }
@@ -63,8 +59,8 @@ Figure perceptual(const char* title, double value, std::optional<double> limit) 
 }  // namespace
 
 std::vector<Figure> figures(const ShotResult& shot) {
-    if (!wasCompared(shot)) return {};
     const image::Judgement& judgement = shot.judgement;
+    if (judgement.decidedBy == image::Rung::bytes || judgement.decidedBy == image::Rung::size) return {};
     const double pixels = static_cast<double>(shot.width) * shot.height;
     std::vector<Figure> list;
     list.push_back(largest(shot));
@@ -124,44 +120,21 @@ PictureTitles titlesOf(const ShotResult& shot) {
 
 std::string reasonOf(const ShotResult& shot) {
     if (!shot.reason.empty()) return shot.reason;
-    switch (shot.verdict) {
-        case Verdict::passed:
-            return shot.changed ? "within the tolerance, but this driver and processor once gave other bytes"
-                                : "";
-        case Verdict::failed:
-            return shot.judgement.reason.empty() ? "the picture is not as expected" : shot.judgement.reason;
-        case Verdict::missing:
-            return "there is no golden picture yet";
-        case Verdict::unstable:
-            return "two renderings on this machine differ";
-        case Verdict::updated:
-            return "the golden picture was written";
-        case Verdict::refused:
-            return "the golden picture was kept: the new one is blank, of one colour or not finite";
-        case Verdict::crashed:
-            return "the process that drew it ended";
-        case Verdict::timedOut:
-            return "it was not drawn in time";
-        case Verdict::flaky:
-            return "one of its drawings was right, others were not";
-        case Verdict::quarantined:
-            return "it failed during its quarantine";
-        case Verdict::skipped:
-            return "it was not run";
-    }
-    return "";
+    if (shot.verdict == Verdict::passed && shot.changed)
+        return "within the tolerance, but this driver and processor once gave other bytes";
+    if (shot.verdict == Verdict::failed && !shot.judgement.reason.empty()) return shot.judgement.reason;
+    return meaning(shot.verdict);
 }
 
 std::string counts(const RunResult& run) {
     const auto count = [&](Verdict verdict) {
-        return std::count_if(run.shots.begin(), run.shots.end(),
-                             [&](const ShotResult& shot) { return shot.verdict == verdict; });
+        return std::ranges::count(run.shots, verdict, &ShotResult::verdict);
     };
     std::string text;
     const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
     // A golden is missing for pictures that were drawn: that is no failure of a scene.
     const auto drawn = count(Verdict::missing);
-    const bool hasGolden = std::any_of(run.shots.begin(), run.shots.end(), [](const ShotResult& shot) {
+    const bool hasGolden = std::ranges::any_of(run.shots, [](const ShotResult& shot) {
         return !shot.expected.empty() || shot.verdict == Verdict::passed ||
                shot.verdict == Verdict::updated || shot.verdict == Verdict::refused;
     });

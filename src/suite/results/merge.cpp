@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <iterator>
 #include <map>
 #include <optional>
@@ -18,7 +17,9 @@
 #include "image/format.h"
 #include "image/png/png_chunks.h"
 #include "suite/golden/hash.h"
+#include "suite/number_of.h"
 #include "suite/results/results_file.h"
+#include "suite/write_below.h"
 
 namespace glibra::suite {
 namespace {
@@ -39,14 +40,11 @@ struct ShotSource {
 };
 
 std::optional<std::pair<int, int>> shardNumbers(const std::string& text) {
-    std::pair<int, int> shard;
-    const char* const end = text.data() + text.size();
-    const auto [slash, problem] = std::from_chars(text.data(), end, shard.first);
-    if (problem != std::errc{} || slash == end || *slash != '/') return std::nullopt;
-    const auto [last, problemToo] = std::from_chars(slash + 1, end, shard.second);
-    if (problemToo != std::errc{} || last != end || shard.first < 1 || shard.first > shard.second)
-        return std::nullopt;
-    return shard;
+    const std::size_t slash = std::min(text.find('/'), text.size());
+    const auto index = numberOf<int>(std::string_view(text).substr(0, slash));
+    const auto count = numberOf<int>(std::string_view(text).substr(std::min(slash + 1, text.size())));
+    if (!index || !count || *index < 1 || *index > *count) return std::nullopt;
+    return std::pair(*index, *count);
 }
 
 /// result-E03 and result-E04: whether all shards of a run are there, and only those. `missing` names
@@ -155,8 +153,7 @@ std::vector<PlannedShots> joinedPlans(std::span<const MergedRun> runs) {
 /// Of two verdicts the heavier counts.
 std::ptrdiff_t weight(Verdict verdict) {
     if (verdict == Verdict::skipped) return -1;
-    return std::end(kVerdictsByConcern) -
-           std::find(std::begin(kVerdictsByConcern), std::end(kVerdictsByConcern), verdict);
+    return std::end(kVerdictsByConcern) - std::ranges::find(kVerdictsByConcern, verdict);
 }
 
 /// Chooses one source per shot; the warnings name those on which runs differ.
@@ -201,8 +198,7 @@ class PictureCopier {
         const fs::path name = fs::path("pictures") / (toText(hashOf(bytes)) + ending);
         if (written_.insert(name).second)
             if (const int problem = base::writeBeneath(into_, name, bytes); problem != 0)
-                return {diagnose("file-E10", fmt::format("cannot write '{}': {}", (into_ / name).string(),
-                                                         std::generic_category().message(problem)))};
+                return {cannotWrite(into_ / name, problem)};
         picture = name;
         return {};
     }
@@ -225,8 +221,7 @@ class PictureCopier {
 
 /// Page and JUnit file of a merge that is not whole say so, too.
 std::string firstErrorOf(const Diagnostics& remarks) {
-    const auto first = std::find_if(remarks.begin(), remarks.end(),
-                                    [](const Diagnostic& each) { return each.severity == Severity::error; });
+    const auto first = std::ranges::find(remarks, Severity::error, &Diagnostic::severity);
     return first == remarks.end() ? "" : first->text;
 }
 
@@ -236,8 +231,7 @@ std::string joined(std::span<const MergedRun> runs, std::string RunResult::* mem
     std::vector<std::string_view> values;
     for (const MergedRun& run : runs) {
         const std::string& value = run.results.*member;
-        if (!value.empty() && std::find(values.begin(), values.end(), value) == values.end())
-            values.push_back(value);
+        if (!value.empty() && std::ranges::find(values, value) == values.end()) values.push_back(value);
     }
     return fmt::format("{}", fmt::join(values, between));
 }
@@ -261,7 +255,7 @@ RunResult header(std::span<const MergedRun> runs) {
 
 Result<RunResult> mergeResults(std::span<const fs::path> folders, const fs::path& into) {
     if (folders.empty()) return diagnose("result-E05", "no folder of results is given");
-    const Result<base::Descriptor> lock = lockResults(into);
+    const Result<ResultsLock> lock = lockResults(into);
     if (!lock) return lock.diagnostics;
     Diagnostics remarks;
     std::vector<MergedRun> runs;

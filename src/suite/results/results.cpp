@@ -13,20 +13,26 @@ struct VerdictRow {
     const char* word;
     Verdict verdict;
     bool failure;
+    const char* meaning;
 };
 
 constexpr VerdictRow kVerdicts[] = {
-    {"passed", Verdict::passed, false},   {"failed", Verdict::failed, true},
-    {"missing", Verdict::missing, true},  {"unstable", Verdict::unstable, true},
-    {"updated", Verdict::updated, false}, {"refused", Verdict::refused, true},
-    {"crashed", Verdict::crashed, true},  {"timed-out", Verdict::timedOut, true},
-    {"flaky", Verdict::flaky, false},     {"quarantined", Verdict::quarantined, false},
-    {"skipped", Verdict::skipped, false},
+    {"passed", Verdict::passed, false, ""},
+    {"failed", Verdict::failed, true, "the picture is not as expected"},
+    {"missing", Verdict::missing, true, "there is no golden picture yet"},
+    {"unstable", Verdict::unstable, true, "two renderings on this machine differ"},
+    {"updated", Verdict::updated, false, "the golden picture was written"},
+    {"refused", Verdict::refused, true,
+     "the golden picture was kept: the new one is blank, of one colour or not finite"},
+    {"crashed", Verdict::crashed, true, "the process that drew it ended"},
+    {"timed-out", Verdict::timedOut, true, "it was not drawn in time"},
+    {"flaky", Verdict::flaky, false, "one of its drawings was right, others were not"},
+    {"quarantined", Verdict::quarantined, false, "it failed during its quarantine"},
+    {"skipped", Verdict::skipped, false, "it was not run"},
 };
 
 const VerdictRow& rowOf(Verdict verdict) {
-    const auto* row = std::find_if(std::begin(kVerdicts), std::end(kVerdicts),
-                                   [&](const VerdictRow& each) { return each.verdict == verdict; });
+    const auto* row = std::ranges::find(kVerdicts, verdict, &VerdictRow::verdict);
     return row != std::end(kVerdicts) ? *row : kVerdicts[1];  // a verdict without a row counts as failed
 }
 
@@ -34,6 +40,10 @@ const VerdictRow& rowOf(Verdict verdict) {
 
 const char* name(Verdict verdict) {
     return rowOf(verdict).word;
+}
+
+const char* meaning(Verdict verdict) {
+    return rowOf(verdict).meaning;
 }
 
 std::optional<Verdict> verdictOf(std::string_view word) {
@@ -49,6 +59,10 @@ bool isFailure(Verdict verdict) {
 bool wasNotDrawn(const ShotResult& shot) {
     return shot.verdict == Verdict::crashed || shot.verdict == Verdict::timedOut ||
            (shot.verdict == Verdict::failed && shot.width == 0);
+}
+
+bool needsALook(const ShotResult& shot) {
+    return isFailure(shot.verdict) || shot.verdict == Verdict::flaky || shot.verdict == Verdict::quarantined;
 }
 
 void makeFlaky(ShotResult& shot, int drawing, const ShotResult& before) {

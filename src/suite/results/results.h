@@ -37,6 +37,8 @@ inline constexpr Verdict kVerdictsByConcern[] = {Verdict::failed,   Verdict::cra
 
 /// All words of Verdict: "passed", ..., "timed-out", "skipped".
 const char* name(Verdict verdict);
+/// A sentence for a shot without a reason; empty for a pass.
+const char* meaning(Verdict verdict);
 /// The verdict of such a word, or nothing.
 std::optional<Verdict> verdictOf(std::string_view word);
 /// True for verdicts that make a run fail (exit status 1): all but passed, updated, flaky, quarantined and
@@ -69,6 +71,8 @@ struct ShotResult {
 
 /// True for a shot that failed without a picture: its scene has errors, or the process that drew it ended.
 bool wasNotDrawn(const ShotResult& shot);
+/// True for a shot that somebody should look at: a failure, and one that does not count as such.
+bool needsALook(const ShotResult& shot);
 /// Makes the result that of a flaky shot: drawing number `drawing` is right, and one before had the verdict
 /// of `before`, which may be the result itself.
 void makeFlaky(ShotResult& shot, int drawing, const ShotResult& before);

@@ -3,17 +3,17 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <map>
 #include <span>
 #include <system_error>
 #include <utility>
 
+#include "base/whole_file.h"
 #include "image/file.h"
+#include "suite/write_below.h"
 
 namespace glibra::suite {
 namespace {
@@ -26,24 +26,12 @@ constexpr std::uint64_t kLargestResults = 1ULL << 30;
 /// longer than drawing it on some disks.
 constexpr std::chrono::seconds kSyncInterval{1};
 
-Diagnostic cannotWrite(const fs::path& path, int problem) {
-    return diagnose("file-E10", fmt::format("cannot write '{}': {}", path.string(),
-                                            std::generic_category().message(problem)));
-}
-
 Diagnostics makeFolder(const fs::path& folder) {
     std::error_code failed;
     fs::create_directories(folder, failed);
     std::error_code unknown;
     if (failed && !fs::is_directory(folder, unknown)) return {cannotWrite(folder, failed.value())};
     return {};
-}
-
-Diagnostic isBusy(const fs::path& folder) {
-    return diagnose(
-        "result-E02",
-        fmt::format("another run is writing its results to '{}'; give each run a folder of its own",
-                    folder.string()));
 }
 
 /// Appends in one piece. Returns 0, or the error number; the file is then as before.
@@ -62,45 +50,14 @@ int appendLine(int file, std::string_view line) {
     return 0;
 }
 
-/// The folder of a results file, and its name there.
-std::pair<fs::path, fs::path> placeOf(const fs::path& file) {
-    return {file.parent_path(), file.filename()};
-}
-
 Diagnostics writeWhole(const RunResult& run, const fs::path& file) {
     std::string text = toJsonLine(run) + '\n';
     for (const ShotResult& shot : run.shots) text += toJsonLine(shot) + '\n';
     if (run.complete) text += endLine(run.shots.size()) + '\n';
-    const auto [folder, name] = placeOf(file);
-    const int problem = base::writeBeneath(folder, name, std::as_bytes(std::span(text)));
+    const int problem =
+        base::writeBeneath(file.parent_path(), file.filename(), std::as_bytes(std::span(text)));
     return problem == 0 ? Diagnostics{} : Diagnostics{cannotWrite(file, problem)};
 }
-
-/// The lines of a file with their numbers, one after the other.
-class Lines {
-  public:
-    explicit Lines(std::string_view text) : rest_(text) {}
-
-    bool next() {
-        if (rest_.empty()) return false;
-        const std::size_t end = rest_.find('\n');
-        torn_ = end == std::string_view::npos;
-        line_ = rest_.substr(0, end);
-        rest_.remove_prefix(torn_ ? rest_.size() : end + 1);
-        if (line_.ends_with('\r')) line_.remove_suffix(1);
-        ++number_;
-        return true;
-    }
-    [[nodiscard]] std::string_view line() const { return line_; }
-    [[nodiscard]] int number() const { return number_; }
-    /// The last line, without a line end.
-    [[nodiscard]] bool torn() const { return torn_; }
-
-  private:
-    std::string_view rest_, line_;
-    int number_ = 0;
-    bool torn_ = false;
-};
 
 }  // namespace
 
@@ -163,13 +120,18 @@ Result<RunResult> readResults(const fs::path& folder) {
     if (fs::is_symlink(file, ignored)) return cannotShow(file, ELOOP);
     const Result<std::vector<std::byte>> bytes = image::readFile(file, {file, {}}, kLargestResults);
     if (!bytes) return bytes.diagnostics;
-    Lines lines({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
+    std::string_view rest = base::asText(*bytes);
     Result<RunResult> result;
-    std::map<std::pair<std::string, std::string>, std::size_t> known;
-    while (lines.next() && result.diagnostics.size() < kMostMistakes) {
-        const Place place{file, lines.number(), 1};
-        if (lines.number() == 1) {
-            Result<RunResult> run = parseRunLine(lines.line(), place);
+    std::map<ShotKey, std::size_t> known;
+    for (int number = 1; !rest.empty() && result.diagnostics.size() < kMostMistakes; ++number) {
+        const std::size_t end = rest.find('\n');
+        const bool isTorn = end == std::string_view::npos;
+        std::string_view line = rest.substr(0, end);
+        rest.remove_prefix(isTorn ? rest.size() : end + 1);
+        if (line.ends_with('\r')) line.remove_suffix(1);
+        const Place place{file, number, 1};
+        if (number == 1) {
+            Result<RunResult> run = parseRunLine(line, place);
             if (!run) return run.diagnostics;
             result.value = std::move(run.value);
             continue;
@@ -179,7 +141,7 @@ Result<RunResult> readResults(const fs::path& folder) {
                 diagnose("result-E01", "this line stands after the end line", place));
             break;
         }
-        if (const std::optional<std::size_t> count = parseEndLine(lines.line())) {
+        if (const std::optional<std::size_t> count = parseEndLine(line)) {
             result->complete = true;
             if (*count != result->shots.size())
                 result.diagnostics.push_back(
@@ -189,8 +151,8 @@ Result<RunResult> readResults(const fs::path& folder) {
                              place));
             continue;
         }
-        Result<ShotResult> shot = parseJsonLine(lines.line(), place);
-        if (!shot && lines.torn()) {
+        Result<ShotResult> shot = parseJsonLine(line, place);
+        if (!shot && isTorn) {
             result.diagnostics.push_back(
                 diagnose("result-N01", "the last line is torn, so its shot is not counted", place));
         } else if (!shot) {
@@ -208,19 +170,30 @@ Result<RunResult> readResults(const fs::path& folder) {
     return result;
 }
 
-Result<base::Descriptor> lockResults(const fs::path& folder) {
+ResultsLock::ResultsLock(base::Descriptor folder) : folder_(std::move(folder)), owner_(::getpid()) {}
+
+ResultsLock::~ResultsLock() {
+    // A process that was forked meanwhile shares the lock. Closing alone would leave the lock with it, and
+    // that process must not release it.
+    if (folder_ && ::getpid() == owner_) ::flock(folder_.number(), LOCK_UN);
+}
+
+Result<ResultsLock> lockResults(const fs::path& folder) {
     if (Diagnostics problems = makeFolder(folder); !problems.empty()) return problems;
-    base::Descriptor locked(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-    if (::flock(locked.number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) return isBusy(folder);
-    return locked;
+    base::Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    // Only a lock that another process holds is a reason to stop, because some file systems have no locks.
+    if (::flock(opened.number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+        return diagnose(
+            "result-E02",
+            fmt::format("another run is writing its results to '{}'; give each run a folder of its own",
+                        folder.string()));
+    return ResultsLock(std::move(opened));
 }
 
 Result<ResultsWriter> ResultsWriter::open(const fs::path& folder, const RunResult& run, Start start) {
-    if (Diagnostics problems = makeFolder(folder); !problems.empty()) return problems;
+    Result<ResultsLock> lock = lockResults(folder);
+    if (!lock) return std::move(lock.diagnostics);
     const fs::path path = resultsFile(folder);
-    ResultsWriter writer(path, ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC), -1);
-    // Only a lock that another process holds is a reason to stop, because some file systems have no locks.
-    if (::flock(writer.folder_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) return isBusy(folder);
     RunResult beginning = run;
     beginning.shots.clear();
     beginning.complete = false;
@@ -231,51 +204,26 @@ Result<ResultsWriter> ResultsWriter::open(const fs::path& folder, const RunResul
         beginning.shots = std::move(earlier->shots);
     }
     if (Diagnostics problems = writeWhole(beginning, path); !problems.empty()) return problems;
-    writer.file_ = ::open(path.c_str(), O_RDWR | O_APPEND | O_CLOEXEC | O_NOFOLLOW);
-    if (writer.file_ < 0) return cannotWrite(path, errno);
-    return writer;
+    base::Descriptor file(::open(path.c_str(), O_RDWR | O_APPEND | O_CLOEXEC | O_NOFOLLOW));
+    if (!file) return cannotWrite(path, errno);
+    return ResultsWriter(path, std::move(*lock), std::move(file));
 }
 
 Diagnostics ResultsWriter::add(const ShotResult& shot) {
-    if (const int problem = appendLine(file_, toJsonLine(shot) + '\n'); problem != 0)
+    if (const int problem = appendLine(file_.number(), toJsonLine(shot) + '\n'); problem != 0)
         return {cannotWrite(path_, problem)};
     if (const auto now = std::chrono::steady_clock::now(); now - synced_ >= kSyncInterval) {
-        ::fdatasync(file_);  // a disk that fails is reported by the write of the whole file at the end
+        // A disk that fails is reported by the write of the whole file at the end.
+        ::fdatasync(file_.number());
         synced_ = now;
     }
     return {};
 }
 
-ResultsWriter::ResultsWriter(fs::path path, int folder, int file)
+ResultsWriter::ResultsWriter(fs::path path, ResultsLock lock, base::Descriptor file)
     : path_(std::move(path)),
-      folder_(folder),
-      owner_(::getpid()),
-      file_(file),
+      lock_(std::move(lock)),
+      file_(std::move(file)),
       synced_(std::chrono::steady_clock::now()) {}
-
-ResultsWriter::ResultsWriter(ResultsWriter&& other) noexcept
-    : path_(std::move(other.path_)),
-      folder_(std::exchange(other.folder_, -1)),
-      owner_(other.owner_),
-      file_(std::exchange(other.file_, -1)),
-      synced_(other.synced_) {}
-
-ResultsWriter& ResultsWriter::operator=(ResultsWriter&& other) noexcept {
-    std::swap(path_, other.path_);
-    std::swap(folder_, other.folder_);
-    std::swap(owner_, other.owner_);
-    std::swap(file_, other.file_);
-    std::swap(synced_, other.synced_);
-    return *this;
-}
-
-ResultsWriter::~ResultsWriter() {
-    if (file_ >= 0) ::close(file_);
-    if (folder_ < 0) return;
-    // A process that was forked meanwhile shares the lock. Closing alone would leave the lock with it, and
-    // that process must not release it.
-    if (::getpid() == owner_) ::flock(folder_, LOCK_UN);
-    ::close(folder_);
-}
 
 }  // namespace glibra::suite

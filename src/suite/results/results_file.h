@@ -9,7 +9,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <string>
 #include <vector>
 
 #include "base/contained.h"
@@ -45,9 +44,21 @@ Diagnostics writeResults(const RunResult& run, const std::filesystem::path& fold
 /// and for lines after it.
 Result<RunResult> readResults(const std::filesystem::path& folder);
 
-/// Locks a results folder for this process, as a ResultsWriter does, as long as the object lives; the system
-/// releases the lock when the process ends. Error: result-E02.
-Result<base::Descriptor> lockResults(const std::filesystem::path& folder);
+/// The lock on a results folder. The process that has taken it has it as long as the object lives; the system
+/// releases the lock when the process ends.
+class ResultsLock {
+  public:
+    explicit ResultsLock(base::Descriptor folder);
+    ResultsLock(ResultsLock&&) noexcept = default;
+    ~ResultsLock();
+
+  private:
+    base::Descriptor folder_;
+    int owner_;
+};
+/// Makes the folder if it does not exist, and locks it, as a ResultsWriter does. Errors: file-E10; result-E02
+/// another process has the lock. Where the file system has no locks, there is a value all the same.
+Result<ResultsLock> lockResults(const std::filesystem::path& folder);
 
 /// Appends the shots of a run as they are done. Each line reaches the system in one piece before add()
 /// returns, so a run that is killed keeps every result that it has reported. A loss of power costs the
@@ -68,17 +79,12 @@ class ResultsWriter {
     /// Returns nothing, or one file-E10; the file then ends with the line before.
     Diagnostics add(const ShotResult& shot);
 
-    ResultsWriter(ResultsWriter&& other) noexcept;
-    ResultsWriter& operator=(ResultsWriter&& other) noexcept;
-    ~ResultsWriter();
-
   private:
-    ResultsWriter(std::filesystem::path path, int folder, int file);
+    ResultsWriter(std::filesystem::path path, ResultsLock lock, base::Descriptor file);
 
     std::filesystem::path path_;
-    int folder_ = -1;  ///< has the lock
-    int owner_ = 0;    ///< the process that opened it
-    int file_ = -1;
+    ResultsLock lock_;
+    base::Descriptor file_;
     std::chrono::steady_clock::time_point synced_;  ///< when the file was last written to the disk
 };
 

@@ -2,13 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <set>
-#include <system_error>
 #include <vector>
 
+#include "base/folder_entries.h"
 #include "gpu/context/context.h"
 #include "suite/golden/golden_store.h"
 #include "suite/golden/hash.h"
@@ -25,13 +24,10 @@ namespace fs = std::filesystem;
 /// The shots that a shot is compared with.
 std::vector<ShotReference> partnersOf(std::span<const Suite> suites, const ShotReference& shot) {
     std::vector<ShotReference> partners;
-    const std::vector<Shot>& all = suites[shot.suite].shots;
-    for (const std::string* name : {&all[shot.shot].match, &all[shot.shot].differ}) {
-        const auto found =
-            std::find_if(all.begin(), all.end(), [&](const Shot& each) { return each.name == *name; });
-        if (!name->empty() && found != all.end())
-            partners.push_back({shot.suite, static_cast<std::size_t>(found - all.begin())});
-    }
+    const Suite& suite = suites[shot.suite];
+    for (const std::string* name : {&suite.shots[shot.shot].match, &suite.shots[shot.shot].differ})
+        if (const Shot* found = name->empty() ? nullptr : suite.find(*name))
+            partners.push_back({shot.suite, static_cast<std::size_t>(found - suite.shots.data())});
     return partners;
 }
 
@@ -63,11 +59,9 @@ class GoldenNames {
   private:
     const std::set<std::string>& in(const fs::path& folder) {
         const auto [known, isNew] = folders_.try_emplace(folder);
-        std::error_code failure;
         if (isNew)
-            for (fs::directory_iterator each(folder, failure), end; !failure && each != end;
-                 each.increment(failure))
-                known->second.insert(each->path().filename().string());
+            for (const fs::directory_entry& each : base::entriesOf(folder))
+                known->second.insert(each.path().filename().string());
         return known->second;
     }
 

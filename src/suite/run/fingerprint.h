@@ -8,7 +8,7 @@
 
 #include "base/workers.h"
 #include "suite/run/read_inputs.h"
-#include "suite/run/run.h"
+#include "suite/run/run_options.h"
 #include "suite/suite.h"
 
 namespace glibra::suite {

@@ -17,12 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path suiteFolderOf(const Suite& suite) {
-    std::error_code failed;
-    if (fs::is_directory(suite.file, failed)) return suite.file;
-    return suite.file.has_parent_path() ? suite.file.parent_path() : fs::path(".");
-}
-
 std::string portablePathOf(const fs::path& folder, const fs::path& file) {
     std::error_code failed;
     const fs::path base = fs::absolute(folder, failed).lexically_normal();
@@ -62,9 +56,8 @@ std::string planDigest(std::span<const Suite> suites, std::span<const ShotRefere
         const Shot& shot = suite.shots[each.shot];
         const auto [known, isNew] = contents.try_emplace(shot.script);
         if (isNew) known->second = contentOf(shot.script);
-        text +=
-            fmt::format("\n\n{}\n{}\n{}\n{}", suite.name, portablePathOf(suiteFolderOf(suite), shot.script),
-                        known->second, portableSettingsOf(shot));
+        text += fmt::format("\n\n{}\n{}\n{}\n{}", suite.name, portablePathOf(folderOf(suite), shot.script),
+                            known->second, portableSettingsOf(shot));
     }
     return toText(hashOf(std::as_bytes(std::span(text))));
 }

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "suite/run/run.h"
+#include "suite/run/run_options.h"
 #include "suite/suite.h"
 
 namespace glibra::suite {

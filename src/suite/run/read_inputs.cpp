@@ -88,7 +88,7 @@ std::vector<SceneInputs> readInputs(std::span<const SceneQuery> queries, const b
     std::vector<bool> isDone(distinct.size());
     InputReader reader;
     // A scene that ends its worker or is late is given up, and those of its piece after it are asked again.
-    while (!std::all_of(isDone.begin(), isDone.end(), [](bool done) { return done; })) {
+    while (!std::ranges::all_of(isDone, [](bool done) { return done; })) {
         // A message per scene would cost more than most of the scenes do.
         constexpr std::size_t kScenesPerPiece = 8;
         std::vector<std::vector<std::size_t>> pieces;

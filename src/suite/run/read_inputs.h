@@ -4,7 +4,6 @@
 #include <glibra/render.h>
 
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>

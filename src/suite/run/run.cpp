@@ -2,14 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <stdlib.h>
-
 #include <algorithm>
+#include <csignal>
 #include <map>
 #include <set>
 
 #include "base/memory_limit.h"
-#include "base/parallel.h"
 #include "base/workers.h"
 #include "gpu/context/hardware.h"
 #include "image/file.h"
@@ -21,6 +19,7 @@
 #include "suite/run/shot_clocks.h"
 #include "suite/run/suspicions.h"
 #include "suite/run/verdict.h"
+#include "suite/run/worker_count.h"
 
 namespace glibra::suite {
 namespace {
@@ -40,9 +39,8 @@ class Run {
         accepted_.resize(suites.size());
         for (const Suite& suite : suites)
             for (const Shot& shot : suite.shots)
-                for (auto* each : {!shot.quarantine.empty() ? &quarantined_ : nullptr,
-                                   !shot.ignored.empty() ? &ignoring_ : nullptr})
-                    if (each) each->emplace(std::pair(suite.name, shot.name), &shot);
+                if (!shot.quarantine.empty() || !shot.ignored.empty())
+                    dated_.emplace(std::pair(suite.name, shot.name), &shot);
         if (!options.onlyRender.empty()) return;
         for (const Suite& each : suites) {
             Result<GoldenStore> store = GoldenStore::open(each, options.goldens, options.allowOutside);
@@ -75,16 +73,13 @@ class Run {
   private:
     bool stopped() const { return end_.noDriver || (events_.stop && events_.stop()); }
 
-    const Shot& shotOf(const ShotReference& reference) const {
-        return plan_.suites[reference.suite].shots[reference.shot];
-    }
     double timeoutOf(const ShotReference& reference) const {
-        return options_.timeout.value_or(shotOf(reference).timeout);
+        return options_.timeout.value_or(plan_.shotOf(reference).timeout);
     }
 
     std::uint64_t memoryOf(const ShotReference& reference) const {
         if (options_.memory) return *options_.memory;
-        return shotOf(reference).memory.value_or(base::memoryShare(jobs_, count_));
+        return plan_.shotOf(reference).memory.value_or(base::memoryShare(jobs_, count_));
     }
 
     void round(const std::vector<ShotReference>& open) {
@@ -137,10 +132,10 @@ class Run {
             if (!isOf(piece, done->shot)) return;
             clocks_[piece].hear(*done);
             done->result.suite = plan_.suites[done->shot.suite].name;
-            done->result.shot = shotOf(done->shot).name;
+            done->result.shot = plan_.shotOf(done->shot).name;
             // Only --update changes the list, whatever a worker says that a scene has taken over.
             if (done->accepted && options_.update) {
-                done->accepted->shot = shotOf(done->shot).name;
+                done->accepted->shot = plan_.shotOf(done->shot).name;
                 accepted_[done->shot.suite].push_back(std::move(*done->accepted));
             }
             finish(done->shot, done->result);
@@ -150,14 +145,14 @@ class Run {
     /// A worker that a shader has taken over may send anything; it speaks for the shots of its piece only.
     [[nodiscard]] bool isOf(std::size_t piece, const ShotReference& shot) const {
         const std::vector<ShotReference>& shots = plan_.pieces[piece];
-        return std::find(shots.begin(), shots.end(), shot) != shots.end();
+        return std::ranges::find(shots, shot) != shots.end();
     }
 
     /// True if the shot may be drawn again though a drawing of it ended its worker.
     bool forgive(const ShotReference& shot, const ShotResult& result) {
         if (options_.update || !options_.onlyRender.empty()) return false;
         const int times = plan_.ended.contains(shot) ? plan_.ended.at(shot).times : 0;
-        if (times >= shotOf(shot).retries) return false;
+        if (times >= plan_.shotOf(shot).retries) return false;
         RunPlan::Ended& ended = plan_.ended[shot];
         if (ended.times++ == 0) ended.first = result;
         return true;
@@ -173,17 +168,17 @@ class Run {
         for (ShotResult& each : suspicions_.settle(shot, result)) {
             each.driverKey = driverKey_;
             if (options_.strictFlaky) countFlakyAsFailure(each);
-            if (!options_.update) quarantine(each);
-            reportExpired(each);
+            if (const auto dated = dated_.find({each.suite, each.shot}); dated != dated_.end()) {
+                if (!options_.update) quarantine(*dated->second, each);
+                reportExpired(*dated->second, each);
+            }
             if (events_.done) events_.done(each);
         }
     }
 
     /// Failures of a shot in quarantine are reported and do not count, up to its last day.
-    void quarantine(ShotResult& result) const {
-        const auto found = quarantined_.find({result.suite, result.shot});
-        if (found == quarantined_.end()) return;
-        const Shot& shot = *found->second;
+    void quarantine(const Shot& shot, ShotResult& result) const {
+        if (shot.quarantine.empty()) return;
         if (today_ > shot.quarantine) {
             result.diagnostics.push_back(
                 diagnose("suite-W02",
@@ -197,17 +192,15 @@ class Run {
         }
     }
 
-    void reportExpired(ShotResult& result) const {
-        const auto found = ignoring_.find({result.suite, result.shot});
-        if (found == ignoring_.end()) return;
-        for (const IgnoredRegion& each : found->second->ignored)
+    void reportExpired(const Shot& shot, ShotResult& result) const {
+        for (const IgnoredRegion& each : shot.ignored)
             if (!each.until.empty() && today_ > each.until)
                 result.diagnostics.push_back(diagnose(
                     "suite-W03",
                     fmt::format(
                         "an ignored rectangle of '{}' counts again since {}; remove it from the suite",
                         result.shot, each.until),
-                    found->second->place));
+                    shot.place));
     }
 
     void pieceEnds(std::size_t piece, const base::Outcome& outcome) {
@@ -236,9 +229,8 @@ class Run {
         if (outcome.end == End::timedOut && clocks_[piece].latest()) blamed = clocks_[piece].latest();
         if (blamed && done_.contains(*blamed)) blamed.reset();
         if (!blamed) {
-            const auto first = std::find_if(shots.begin(), shots.end(), [this](const ShotReference& each) {
-                return !done_.contains(each);
-            });
+            const auto first = std::ranges::find_if(
+                shots, [this](const ShotReference& each) { return !done_.contains(each); });
             if (first == shots.end() || ++unexplained_[*first] < kPatience) return;
             blamed = *first;
         }
@@ -249,7 +241,7 @@ class Run {
             prepared = preparedBeside(*blamed, shots);
             const std::optional<ShotReference> judged = clocks_[piece].judged();
             if (judged && *judged != *blamed && !done_.contains(*judged) &&
-                std::find(prepared.begin(), prepared.end(), *judged) == prepared.end())
+                std::ranges::find(prepared, *judged) == prepared.end())
                 prepared.push_back(*judged);
         }
         const bool isForgiven = forgive(*blamed, result);
@@ -270,7 +262,7 @@ class Run {
     [[nodiscard]] std::vector<ShotReference> preparedBeside(const ShotReference& drawn,
                                                             const std::vector<ShotReference>& shots) const {
         std::vector<ShotReference> prepared;
-        auto next = std::find(shots.begin(), shots.end(), drawn);
+        auto next = std::ranges::find(shots, drawn);
         for (std::size_t i = 0; i < kShotsAhead && next != shots.end() && ++next != shots.end(); ++i)
             if (!done_.contains(*next)) prepared.push_back(*next);
         return prepared;
@@ -286,10 +278,10 @@ class Run {
                                                outcome.signal, signalName(outcome.signal))
                                  : "the process that drew it ended by itself";
         if (outcome.nearMemoryLimit) reason += ", perhaps because it reached its limit of memory (--memory)";
-        const std::string script = shotOf(blamed).script.string();
+        const std::string script = plan_.shotOf(blamed).script.string();
         Diagnostic problem = diagnose(late ? "draw-E07" : "draw-E06", reason, {script, 1, 1});
         if (outcome.end == End::deviceLost) problem = base::diagnosticOf(outcome.lost, script);
-        ShotResult result = ShotJudge::broken(plan_.suites[blamed.suite], shotOf(blamed),
+        ShotResult result = ShotJudge::broken(plan_.suites[blamed.suite], plan_.shotOf(blamed),
                                               late ? Verdict::timedOut : Verdict::crashed, problem.text);
         result.accept.clear();
         result.diagnostics.push_back(std::move(problem));
@@ -297,20 +289,15 @@ class Run {
     }
 
     static const char* signalName(int signal) {
-        switch (signal) {
-            case 6:
-                return "abort";
-            case 7:
-                return "bus error";
-            case 8:
-                return "arithmetic error";
-            case 9:
-                return "killed, perhaps for lack of memory";
-            case 11:
-                return "segmentation fault";
-            default:
-                return "see signal(7)";
-        }
+        static constexpr std::pair<int, const char*> kNames[] = {
+            {SIGABRT, "abort"},
+            {SIGBUS, "bus error"},
+            {SIGFPE, "arithmetic error"},
+            {SIGKILL, "killed, perhaps for lack of memory"},
+            {SIGSEGV, "segmentation fault"}};
+        for (const auto& [number, name] : kNames)
+            if (number == signal) return name;
+        return "see signal(7)";
     }
 
     /// Removes the files that a worker was writing when it ended.
@@ -318,7 +305,7 @@ class Run {
         std::set<fs::path> folders;
         for (const ShotReference& each : shots) {
             const Suite& suite = plan_.suites[each.suite];
-            const Shot& shot = shotOf(each);
+            const Shot& shot = plan_.shotOf(each);
             if (!options_.onlyRender.empty()) {
                 folders.insert(
                     pictureFile(options_.onlyRender, suite, shot, plan_.suites.size() > 1).parent_path());
@@ -336,7 +323,7 @@ class Run {
     const RunEvents& events_;
     RunPlan plan_;
     RunEnd end_;
-    std::map<ShotKey, const Shot*> quarantined_, ignoring_;
+    std::map<ShotKey, const Shot*> dated_;  ///< shots with a quarantine or ignored rectangles
     const std::string today_ = today();
     int jobs_ = 1;
     std::size_t count_ = 0;  ///< of the shots
@@ -359,27 +346,6 @@ class Run {
 RunEnd runShots(std::span<const Suite> suites, std::span<const ShotReference> shots,
                 const RunOptions& options, const RunEvents& events) {
     return Run(suites, options, events).run(shots);
-}
-
-void shareProcessors(int jobs, std::size_t pieces) {
-    const auto workers = static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(jobs), pieces));
-    if (workers <= 1) return;
-    const int threads = readingJobs(0) / workers;
-    // 0: the caller rasterises. With one thread it would only wait for that thread.
-    ::setenv("LP_NUM_THREADS", std::to_string(threads > 1 ? threads : 0).c_str(), 0);
-}
-
-int readingJobs(int wanted) {
-    return static_cast<int>(base::threadCount(wanted));
-}
-
-int drawingJobs(int wanted, Driver driver, std::size_t pieces) {
-    return wanted > 0 ? wanted : gpu::usualWorkers(driver, pieces, readingJobs(0));
-}
-
-fs::path pictureFile(const fs::path& folder, const Suite& suite, const Shot& shot, bool severalSuites) {
-    const fs::path base = severalSuites ? folder / suite.name : folder;
-    return base / (shot.name + (shot.options.floatPixels ? ".exr" : ".png"));
 }
 
 }  // namespace glibra::suite

@@ -33,9 +33,7 @@ std::string toText(const Message& message) {
 
 std::optional<Message> parseMessage(const std::string& text) {
     std::istringstream lines(text);
-    std::string first;
-    std::string second;
-    std::string third;
+    std::string first, second, third;
     std::getline(lines, first);
     std::getline(lines, second);
     std::getline(lines, third);

@@ -7,7 +7,7 @@
 
 #include "suite/golden/hash_list.h"
 #include "suite/results/results.h"
-#include "suite/run/run.h"
+#include "suite/suite.h"
 
 namespace glibra::suite {
 

@@ -6,22 +6,18 @@
 #include <deque>
 #include <mutex>
 #include <new>
-#include <system_error>
 
 #include "base/contained.h"
 #include "image/write.h"
 #include "suite/golden/hash_key.h"
 #include "suite/run/background.h"
+#include "suite/run/worker_count.h"
 
 namespace glibra::suite {
 namespace {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
-
-double millisecondsSince(Clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 /// Passes shots that must be rendered again from the judging thread to the thread with the context.
 class Recalls {
@@ -59,10 +55,6 @@ std::size_t bytesOf(const Attempt& attempt) {
 
 }  // namespace
 
-const Shot& ShotWorker::shotOf(const ShotReference& reference) const {
-    return plan_.suites[reference.suite].shots[reference.shot];
-}
-
 std::string ShotWorker::openContext() {
     if (context_) return {};
     shareProcessors(plan_.jobs, plan_.pieces.size());
@@ -87,16 +79,13 @@ std::string ShotWorker::openContext() {
 }
 
 Attempt ShotWorker::attempt(const ShotReference& reference, std::span<const Shot* const> coming) {
-    const Suite& suite = plan_.suites[reference.suite];
-    const Shot& shot = shotOf(reference);
+    const Shot& shot = plan_.shotOf(reference);
     Attempt attempt;
     attempt.shot = &shot;
     const auto partner = [&](const std::string& name) -> std::optional<Rendering> {
         if (name.empty() || !plan_.options.onlyRender.empty()) return std::nullopt;
-        const auto found = std::find_if(suite.shots.begin(), suite.shots.end(),
-                                        [&](const Shot& each) { return each.name == name; });
-        if (found == suite.shots.end()) return std::nullopt;
-        return renderer_->render(*found);
+        const Shot* found = plan_.suites[reference.suite].find(name);
+        return found ? std::optional(renderer_->render(*found)) : std::nullopt;
     };
     attempt.own = renderer_->render(shot, coming);
     // What lacks something is shown, but never judged.
@@ -111,7 +100,7 @@ Attempt ShotWorker::attempt(const ShotReference& reference, std::span<const Shot
 Judged ShotWorker::keep(const ShotReference& reference, const Attempt& attempt) const {
     const Shot& shot = *attempt.shot;
     const Suite& suite = plan_.suites[reference.suite];
-    Judged judged{ShotJudge::broken(suite, shot, Verdict::passed, {}), std::nullopt};
+    Judged judged{ShotJudge::broken(suite, shot, Verdict::passed, {})};
     ShotResult& result = judged.result;
     result.accept.clear();
     result.diagnostics = attempt.own.diagnostics;
@@ -163,7 +152,7 @@ std::optional<Judged> ShotWorker::judge(const ShotReference& reference, const At
 int ShotWorker::retriesLeft(const ShotReference& reference) const {
     if (plan_.options.update || !plan_.options.onlyRender.empty()) return 0;
     const auto ended = plan_.ended.find(reference);
-    return shotOf(reference).retries - (ended == plan_.ended.end() ? 0 : ended->second.times);
+    return plan_.shotOf(reference).retries - (ended == plan_.ended.end() ? 0 : ended->second.times);
 }
 
 std::string ShotWorker::operator()(std::size_t piece, const base::Step& step) {
@@ -194,14 +183,15 @@ std::string ShotWorker::operator()(std::size_t piece, const base::Step& step) {
             else if (drawing <= retries)
                 return askAgain(std::move(judged));
         }
-        judged->result.milliseconds += millisecondsSince(start);
+        judged->result.milliseconds +=
+            std::chrono::duration<double, std::milli>(Clock::now() - start).count();
         send(Done{reference, std::move(judged->result), std::move(judged->accepted)});
     };
     const std::vector<ShotReference>& shots = plan_.pieces[piece];
     ShotReference current;
     awaits_ = [&](const Shot* shot) {
-        const auto found = std::find_if(shots.begin(), shots.end(),
-                                        [&](const ShotReference& each) { return &shotOf(each) == shot; });
+        const auto found = std::ranges::find_if(
+            shots, [&](const ShotReference& each) { return &plan_.shotOf(each) == shot; });
         send(Phase{Phase::Kind::awaits, found == shots.end() ? current : *found});
     };
     const auto renderRecalled = [&] {
@@ -223,7 +213,7 @@ std::string ShotWorker::operator()(std::size_t piece, const base::Step& step) {
         if (first) send(DriverIs{driver_, driverKey_});
         std::vector<const Shot*> coming;
         for (std::size_t next = i + 1; next < shots.size() && coming.size() < kShotsAhead; ++next)
-            coming.push_back(&shotOf(shots[next]));
+            coming.push_back(&plan_.shotOf(shots[next]));
         auto drawn = std::make_shared<const Attempt>(attempt(reference, coming));
         const std::size_t bytes = bytesOf(*drawn);
         send(Phase{Phase::Kind::drawn, reference});

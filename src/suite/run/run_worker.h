@@ -3,7 +3,6 @@
 // with judging the shots before it and preparing the shots after it.
 
 #include <map>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,8 +12,10 @@
 #include "gpu/context/context.h"
 #include "suite/golden/golden_store.h"
 #include "suite/run/run_messages.h"
+#include "suite/run/run_options.h"
 #include "suite/run/shot_renderer.h"
 #include "suite/run/verdict.h"
+#include "suite/suite.h"
 
 namespace glibra::suite {
 
@@ -32,6 +33,10 @@ struct RunPlan {
         ShotResult first;  ///< of the first of them
     };
     std::map<ShotReference, Ended> ended{};
+
+    [[nodiscard]] const Shot& shotOf(const ShotReference& reference) const {
+        return suites[reference.suite].shots[reference.shot];
+    }
 };
 
 class ShotWorker {
@@ -53,7 +58,6 @@ class ShotWorker {
     [[nodiscard]] int retriesLeft(const ShotReference& reference) const;
     /// Writes the picture of a run that only renders.
     Judged keep(const ShotReference& reference, const Attempt& attempt) const;
-    [[nodiscard]] const Shot& shotOf(const ShotReference& reference) const;
 
     const RunPlan& plan_;
     std::optional<gpu::Context> context_;

@@ -7,8 +7,8 @@
 #include <map>
 #include <optional>
 
-#include "suite/run/run.h"
 #include "suite/run/run_messages.h"
+#include "suite/suite.h"
 
 namespace glibra::suite {
 

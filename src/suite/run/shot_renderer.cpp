@@ -5,7 +5,8 @@
 #include <utility>
 
 #include "base/device_lost.h"
-#include "render/check/misspellings.h"
+#include "render/check/run_checks.h"
+#include "render/consequences.h"
 #include "render/file/job.h"
 #include "suite/file/unknown_uniforms.h"
 
@@ -107,10 +108,10 @@ Rendering ShotRenderer::tryRender(const Shot& shot, std::span<const Shot* const>
         append(rendering.diagnostics,
                render::remarksOn(*rendering.picture, shot.script, loaded_->renderer.plan()));
         render::applyStrict(rendering.diagnostics, shot.options.strict);
-        rendering.hasChecks = loaded_->renderer.hasChecks();
-        if (rendering.hasChecks || loaded_->renderer.hasIdleChecks())
-            rendering.failedChecks =
-                loaded_->renderer.answerChecks(shot.options.time, rendering.diagnostics, *loaded_->stats);
+        rendering.hasChecks = render::hasChecks(loaded_->renderer.scene());
+        if (rendering.hasChecks || !loaded_->renderer.scene().idleChecks.empty())
+            rendering.failedChecks = render::answerChecks(loaded_->renderer, shot.options.time,
+                                                          rendering.diagnostics, *loaded_->stats);
     }
     return rendering;
 }

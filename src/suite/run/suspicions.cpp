@@ -11,18 +11,16 @@ void Suspicions::add(const ShotReference& drawn, std::vector<ShotReference> prep
 }
 
 bool Suspicions::concerns(const Suspicion& suspicion, const ShotReference& shot) {
-    return suspicion.drawn == shot ||
-           std::find(suspicion.open.begin(), suspicion.open.end(), shot) != suspicion.open.end();
+    return suspicion.drawn == shot || std::ranges::find(suspicion.open, shot) != suspicion.open.end();
 }
 
 bool Suspicions::isUnder(const ShotReference& shot) const {
-    return std::any_of(suspicions_.begin(), suspicions_.end(),
-                       [&](const Suspicion& each) { return concerns(each, shot); });
+    return std::ranges::any_of(suspicions_, [&](const Suspicion& each) { return concerns(each, shot); });
 }
 
 std::vector<ShotResult> Suspicions::settle(const ShotReference& shot, const ShotResult& result) {
-    const auto found = std::find_if(suspicions_.begin(), suspicions_.end(),
-                                    [&](const Suspicion& each) { return concerns(each, shot); });
+    const auto found =
+        std::ranges::find_if(suspicions_, [&](const Suspicion& each) { return concerns(each, shot); });
     if (found == suspicions_.end()) return {result};
     const bool isGuilty = result.verdict == Verdict::crashed || result.verdict == Verdict::timedOut;
     std::vector<ShotResult> told;

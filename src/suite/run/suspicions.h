@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "suite/results/results.h"
-#include "suite/run/run.h"
+#include "suite/suite.h"
 
 namespace glibra::suite {
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <system_error>
 
 #include "base/contained.h"
 #include "image/compare/heat_map.h"
@@ -13,6 +12,7 @@
 #include "suite/golden/ignored.h"
 #include "suite/options/option_words.h"
 #include "suite/report/verdict_commands.h"
+#include "suite/write_below.h"
 
 namespace glibra::suite {
 namespace {
@@ -46,7 +46,7 @@ std::string whyNoGolden(const image::Image& picture) {
 }
 
 bool contains(const Diagnostics& diagnostics, const ExpectedError& expected) {
-    return std::any_of(diagnostics.begin(), diagnostics.end(), [&](const Diagnostic& each) {
+    return std::ranges::any_of(diagnostics, [&](const Diagnostic& each) {
         return each.severity == Severity::error && (expected.id.empty() || each.id == expected.id) &&
                each.text.find(expected.text) != std::string::npos &&
                (expected.line == 0 || each.place.line == expected.line);
@@ -100,7 +100,7 @@ ShotResult ShotJudge::begin(const Attempt& attempt) const {
     result.diagnostics = attempt.own.diagnostics;
     result.milliseconds = attempt.own.milliseconds;
     if (attempt.own.picture) {
-        if (attempt.shot->golden && !attempt.shot->expectedError)
+        if (hasOwnGolden(*attempt.shot))
             result.accept = acceptCommand(suite_, *attempt.shot) + acceptOptions_;
         result.width = attempt.own.picture->width;
         result.height = attempt.own.picture->height;
@@ -217,7 +217,7 @@ ShotJudge::Findings ShotJudge::look(const Attempt& attempt, bool everything) con
 }
 
 Judged ShotJudge::passed(const Attempt& attempt, Findings found) const {
-    Judged judged{begin(attempt), std::nullopt};
+    Judged judged{begin(attempt)};
     ShotResult& result = judged.result;
     result.verdict = Verdict::passed;
     append(result.diagnostics, std::move(found.problems));
@@ -237,7 +237,7 @@ Judged ShotJudge::passed(const Attempt& attempt, Findings found) const {
 std::optional<Judged> ShotJudge::first(const Attempt& attempt) const {
     const Shot& shot = *attempt.shot;
     if (shot.expectedError) {
-        Judged judged{begin(attempt), std::nullopt};
+        Judged judged{begin(attempt)};
         if (attempt.own.picture)
             judged.result.reason = fmt::format("expected {}, but the scene rendered without errors",
                                                toPhrase(*shot.expectedError));
@@ -250,7 +250,7 @@ std::optional<Judged> ShotJudge::first(const Attempt& attempt) const {
         return judged;
     }
     if (!attempt.own.picture) {
-        Judged judged{begin(attempt), std::nullopt};
+        Judged judged{begin(attempt)};
         if (attempt.own.failsAsExpected)
             judged.result.verdict = Verdict::passed;
         else
@@ -258,18 +258,17 @@ std::optional<Judged> ShotJudge::first(const Attempt& attempt) const {
         return judged;
     }
     if (!attempt.own.failedChecks.empty()) {
-        Judged judged{begin(attempt), std::nullopt};
-        append(judged.result.diagnostics, attempt.own.failedChecks);
-        judged.result.accept.clear();  // a golden does not make the checks hold
+        Judged judged = refused(attempt, attempt.own.failedChecks);
         if (std::string command = checkCommand(shot); !command.empty())
             judged.result.reproduce = std::move(command);
-        judged.result.reason = firstError(attempt.own.failedChecks);
-        judged.result.got = write(shot, "got", *attempt.own.picture, judged.result);
         return judged;
     }
-    if (std::optional<Judged> judged = refuseIgnored(attempt)) return judged;
+    if (const Diagnostics problems =
+            wrongIgnored(shot, attempt.own.picture->width, attempt.own.picture->height);
+        hasError(problems))
+        return refused(attempt, problems);
     if (!isCompared(attempt)) {
-        Judged judged{begin(attempt), std::nullopt};
+        Judged judged{begin(attempt)};
         judged.result.diagnostics.push_back(diagnose(
             "suite-E21",
             fmt::format(
@@ -286,15 +285,12 @@ std::optional<Judged> ShotJudge::first(const Attempt& attempt) const {
     return std::nullopt;
 }
 
-std::optional<Judged> ShotJudge::refuseIgnored(const Attempt& attempt) const {
-    const image::Image& got = *attempt.own.picture;
-    Diagnostics problems = wrongIgnored(*attempt.shot, got.width, got.height);
-    if (!hasError(problems)) return std::nullopt;
-    Judged judged{begin(attempt), std::nullopt};
-    judged.result.accept.clear();  // a golden does not mend the suite
+Judged ShotJudge::refused(const Attempt& attempt, const Diagnostics& problems) const {
+    Judged judged{begin(attempt)};
+    judged.result.accept.clear();
     judged.result.reason = firstError(problems);
-    append(judged.result.diagnostics, std::move(problems));
-    judged.result.got = write(*attempt.shot, "got", got, judged.result);
+    append(judged.result.diagnostics, problems);
+    judged.result.got = write(*attempt.shot, "got", *attempt.own.picture, judged.result);
     return judged;
 }
 
@@ -306,11 +302,9 @@ fs::path ShotJudge::write(const Shot& shot, std::string_view what, const image::
     const fs::path file = options_.results / name;
     // A results folder may have been unpacked from somebody else's archive, with links in it.
     const int problem = base::prepareBeneath(options_.results, name);
-    Diagnostics problems =
-        problem == 0
-            ? image::writeImage(picture, file, image::writtenAs(image::NamedBy::program))
-            : Diagnostics{diagnose("file-E10", fmt::format("cannot write '{}': {}", file.string(),
-                                                           std::generic_category().message(problem)))};
+    Diagnostics problems = problem == 0
+                               ? image::writeImage(picture, file, image::writtenAs(image::NamedBy::program))
+                               : Diagnostics{cannotWrite(file, problem)};
     const bool bad = hasError(problems);
     append(result.diagnostics, std::move(problems));
     return bad ? fs::path() : name;
@@ -420,7 +414,7 @@ void ShotJudge::update(const Attempt& attempt, const Findings& found, Judged& ju
 Judged ShotJudge::second(const Attempt& attempt, const Attempt& again) const {
     const Shot& shot = *attempt.shot;
     const image::Image& got = *attempt.own.picture;
-    Judged judged{begin(attempt), std::nullopt};
+    Judged judged{begin(attempt)};
     ShotResult& result = judged.result;
     result.milliseconds += again.own.milliseconds;
     if (!again.own.picture || !drawingsAgree(shot, got, *again.own.picture)) {

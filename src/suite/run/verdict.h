@@ -43,7 +43,7 @@ struct JudgeOptions {
 /// A verdict, and the pixels that --update accepted.
 struct Judged {
     ShotResult result;
-    std::optional<AcceptedHash> accepted;
+    std::optional<AcceptedHash> accepted{};
 };
 
 class ShotJudge {
@@ -66,8 +66,8 @@ class ShotJudge {
     /// False for a picture that nothing is compared with, neither here nor as the partner of another shot.
     [[nodiscard]] bool isCompared(const Attempt& attempt) const;
     [[nodiscard]] Findings look(const Attempt& attempt, bool everything) const;
-    /// The verdict on a shot whose `ignore` or `mask` does not fit its picture; nothing if they fit.
-    [[nodiscard]] std::optional<Judged> refuseIgnored(const Attempt& attempt) const;
+    /// The verdict on a picture with errors that no golden mends: in the scene's checks, `ignore` or `mask`.
+    [[nodiscard]] Judged refused(const Attempt& attempt, const Diagnostics& problems) const;
     /// Says in `found` whether the picture equals `found.golden`.
     void compare(const Attempt& attempt, bool everything, Findings& found) const;
     [[nodiscard]] Judged passed(const Attempt& attempt, Findings found) const;

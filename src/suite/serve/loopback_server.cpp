@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <sys/random.h>
 
-#include <algorithm>
 #include <array>
 #include <atomic>
 #include <charconv>
@@ -15,6 +14,7 @@
 #include <string_view>
 #include <thread>
 
+#include "base/text.h"
 #include "image/module_loader.h"
 #include "suite/module/abi.h"
 
@@ -79,17 +79,11 @@ bool sameToken(std::string_view token, std::string_view given) {
     return difference == 0;
 }
 
-bool sameName(std::string_view a, std::string_view b) {
-    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [&](char left, char right) { return lower(left) == lower(right); });
-}
-
 /// All values of a header.
 std::vector<std::string_view> headersOf(const GlibraRequest& request, std::string_view name) {
     std::vector<std::string_view> values;
     for (std::size_t i = 0; i < request.headerCount; ++i)
-        if (sameName(viewOf(request.headers[i].name), name))
+        if (base::sameWord(viewOf(request.headers[i].name), name))
             values.push_back(viewOf(request.headers[i].value));
     return values;
 }

@@ -3,15 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <functional>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <span>
 #include <sstream>
+#include <system_error>
 
 #include "base/contained.h"
 #include "base/page_template.h"
+#include "base/whole_file.h"
 #include "embedded/review_page.h"
 #include "image/convert.h"
 #include "image/file.h"
@@ -28,6 +32,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using ReviewJson = nlohmann::ordered_json;
+
+constexpr const char* kExpectedShots = "expected {\"shots\": [numbers]}";
 
 std::string textOf(const ReviewJson& json) {
     return json.dump(-1, ' ', false, ReviewJson::error_handler_t::replace);
@@ -50,7 +56,7 @@ std::set<std::string> shadersOf(const fs::path& script) {
     const auto bytes = image::readFile(script, {script.string(), {script.string(), 1, 1}}, kMostBytes);
     if (!bytes) return {};
     std::set<std::string> shaders;
-    std::istringstream words(std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size()));
+    std::istringstream words{std::string(base::asText(*bytes))};
     for (std::string line; std::getline(words, line);) {
         std::istringstream rest(line.substr(0, line.find('#')));
         for (std::string word; rest >> word;) {
@@ -88,10 +94,11 @@ std::optional<Asked> parse(const std::string& body, std::size_t count) {
 }
 
 /// Decides about each shot: {"accepted": [3], "refused": [[5, "why"]]}. `decide` returns why not, or nothing.
-WebReply answer(const char* word, const std::vector<std::size_t>& shots,
+WebReply answer(const char* word, const std::optional<Asked>& asked,
                 const std::function<std::string(std::size_t)>& decide) {
+    if (!asked) return refuse(400, kExpectedShots);
     ReviewJson json = {{word, ReviewJson::array()}, {"refused", ReviewJson::array()}};
-    for (const std::size_t each : shots) {
+    for (const std::size_t each : asked->shots) {
         const std::string why = decide(each);
         if (why.empty())
             json[word].push_back(each);
@@ -113,9 +120,7 @@ std::optional<std::vector<std::byte>> bytesOf(const fs::path& golden) {
 
 Review::Review(const RunResult& run, std::vector<Suite> suites, ReviewOptions options)
     : suites_(std::move(suites)), options_(std::move(options)) {
-    for (const ShotResult& each : run.shots)
-        if (isFailure(each.verdict) || each.verdict == Verdict::flaky || each.verdict == Verdict::quarantined)
-            shots_.push_back(each);
+    std::ranges::copy_if(run.shots, std::back_inserter(shots_), needsALook);
     readDecisions();
 }
 
@@ -232,14 +237,14 @@ WebReply Review::picture(const WebRequest& request) {
     if (!bytes) return refuse(404, bytes.message());
     const Result<image::Image> picture = image::decodeImage(*bytes, *file);
     if (!picture) return refuse(404, picture.message());
-    if (what == "got") fetched_[shot] = hashOf(std::span<const std::byte>(*bytes));
+    if (what == "got") fetched_[shot] = hashOf(*bytes);
     const std::vector<std::byte> png = image::encodePng(image::withType(*picture, image::Component::u8));
-    return {200, "image/png", std::string(reinterpret_cast<const char*>(png.data()), png.size())};
+    return {200, "image/png", std::string(base::asText(png))};
 }
 
 WebReply Review::see(const WebRequest& request) {
     const auto asked = parse(request.body, shots_.size());
-    if (!asked) return refuse(400, "expected {\"shots\": [numbers]}");
+    if (!asked) return refuse(400, kExpectedShots);
     for (const std::size_t each : asked->shots)
         if (const auto known = fetched_.find(each); known != fetched_.end()) seen_[each] = known->second;
     return {200, "application/json", "{}"};
@@ -253,8 +258,7 @@ std::string Review::acceptOne(std::size_t index, bool force, bool also) {
     const Known known = find(result);
     const auto bytes = read(result.got);
     if (!bytes) return bytes.message();
-    if (hashOf(std::span<const std::byte>(*bytes)) != seen->second)
-        return "its picture has changed since it was shown; look again";
+    if (hashOf(*bytes) != seen->second) return "its picture has changed since it was shown; look again";
     const Result<image::Image> decoded = image::decodeImage(*bytes, result.got);
     if (!decoded) return decoded.message();
     // A picture without alpha was read with one.
@@ -271,7 +275,7 @@ std::string Review::acceptOne(std::size_t index, bool force, bool also) {
         if (line.variant == variant) before.lines.push_back(std::move(line));
     const Result<Golden> golden = store->replace(*known.shot, variant, picture);
     if (!golden) return golden.message();
-    before.accepted = hashOf(std::span<const std::byte>(golden->bytes));
+    before.accepted = hashOf(golden->bytes);
     before_[index] = std::move(before);
     Diagnostics problems;
     if (isKey(result.acceptKey)) {
@@ -285,8 +289,7 @@ std::string Review::acceptOne(std::size_t index, bool force, bool also) {
 
 WebReply Review::accept(const WebRequest& request) {
     const auto asked = parse(request.body, shots_.size());
-    if (!asked) return refuse(400, "expected {\"shots\": [numbers]}");
-    return answer("accepted", asked->shots, [&](std::size_t each) {
+    return answer("accepted", asked, [&](std::size_t each) {
         return decisionOf(each) == "accepted" ? "it has been accepted already"
                                               : acceptOne(each, asked->force, asked->also);
     });
@@ -301,7 +304,7 @@ std::string Review::undo(std::size_t index) {
     const auto store = GoldenStore::open(*known.suite, options_.goldens, options_.allowOutside);
     if (!store) return store.message();
     const Result<Golden> golden = store->read(*known.shot, before.variant);
-    if (!golden || hashOf(std::span<const std::byte>(golden->bytes)) != before.accepted)
+    if (!golden || hashOf(golden->bytes) != before.accepted)
         return "its golden has changed since it was accepted; restore it from version control";
     // Lines without their golden only cost time, so they come first.
     Diagnostics problems = restoreHashes(store->hashFile(), known.shot->name, before.variant, before.lines);
@@ -318,9 +321,8 @@ std::string Review::rejectOne(std::size_t index) {
 }
 
 WebReply Review::reject(const WebRequest& request) {
-    const auto asked = parse(request.body, shots_.size());
-    if (!asked) return refuse(400, "expected {\"shots\": [numbers]}");
-    return answer("rejected", asked->shots, [this](std::size_t each) { return rejectOne(each); });
+    return answer("rejected", parse(request.body, shots_.size()),
+                  [this](std::size_t each) { return rejectOne(each); });
 }
 
 std::string Review::decisionOf(std::size_t index) const {
@@ -332,7 +334,7 @@ std::string Review::contentOf(std::size_t index) const {
     const ShotResult& result = shots_[index];
     if (result.got.empty()) return toText(hashOf(std::as_bytes(std::span(result.reason))));
     const auto got = read(result.got);
-    return got ? toText(hashOf(std::span<const std::byte>(*got))) : std::string();
+    return got ? toText(hashOf(*got)) : std::string();
 }
 
 bool Review::isGolden(std::size_t index) const {
@@ -360,11 +362,18 @@ bool Review::isGolden(std::size_t index) const {
 void Review::readDecisions() {
     constexpr std::uint64_t kLargest = std::uint64_t{64} << 20U;
     const base::Descriptor file = base::openBeneath(options_.results, kReviewFile);
+    if (!file && (errno == ENOENT || errno == ENOTDIR)) return;
     std::vector<std::byte> bytes;
-    if (!file || base::readAll(file, kLargest, bytes) != 0) return;
-    const char* text = reinterpret_cast<const char*>(bytes.data());
-    const ReviewJson json = ReviewJson::parse(text, text + bytes.size(), nullptr, false);
-    if (!json.is_object()) return;
+    const int problem = file ? base::readAll(file, kLargest, bytes) : errno;
+    const ReviewJson json = ReviewJson::parse(base::asText(bytes), nullptr, false);
+    if (problem != 0 || !json.is_object()) {
+        const std::string why =
+            problem != 0 ? std::generic_category().message(problem) : "it is not what a review has written";
+        problems_.push_back(
+            diagnose("result-W02", fmt::format("cannot read '{}': {}; earlier decisions are not known",
+                                               (options_.results / kReviewFile).string(), why)));
+        return;
+    }
     for (std::size_t i = 0; i < shots_.size(); ++i) {
         const auto found = json.find(shots_[i].suite + "/" + shots_[i].shot);
         if (found == json.end() || !found->is_array() || found->size() != 2) continue;

@@ -9,7 +9,6 @@
 #include <filesystem>
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -64,6 +63,8 @@ class Review {
     /// "accepted", "rejected" or "": what was decided about the picture of a shot, in this review or in an
     /// earlier one of the same picture (RESULTS/review.json).
     [[nodiscard]] std::string decisionOf(std::size_t index) const;
+    /// The warning result-W02 if RESULTS/review.json is there and cannot be read.
+    [[nodiscard]] const Diagnostics& problems() const { return problems_; }
 
   private:
     struct Known {
@@ -97,6 +98,7 @@ class Review {
         std::string word, content;
     };
     std::map<std::size_t, Decision> decided_;
+    Diagnostics problems_;
     /// What a golden was before this review replaced it.
     struct Before {
         std::string variant;

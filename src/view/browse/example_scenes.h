@@ -1,9 +1,8 @@
 #pragma once
-// Lists the example scenes that ship with glibra.
-
-#include <glibra/diagnostic.h>
+// Lists the example scenes that ship with glibra, and the chapters that they are about.
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,23 +16,14 @@ struct ExampleScene {
     std::string source;   ///< the book and the chapter that it is about: "Graphics Shaders, chapter 4"
 };
 
-/// The folder with the examples: the first one that contains both `glib` and `shaders`. Searched are `roots`,
-/// then the folders above the program, then those above the scene, and `share/glibra` in each of them. Empty
-/// if there is none.
-std::filesystem::path exampleRoot(const std::vector<std::filesystem::path>& roots,
-                                  const std::filesystem::path& scene, const std::filesystem::path& program);
-
-/// The file of the running program.
-std::filesystem::path programFile();
-
-/// True for the scenes, shaders, textures and models that ship with the running program, and for any other
-/// file in their folders, whether it exists or not. They are not written to.
-bool isExample(const std::filesystem::path& file);
-/// view-E03 if the file may not be written, because it is in such a folder.
-Diagnostics writingProblem(const std::filesystem::path& file);
-
 /// All scenes in ROOT/glib and its folders, sorted by topic and name, with the topic "start" first. Their
 /// sources are those that the table in ROOT/glib/README.md states.
 std::vector<ExampleScene> exampleScenes(const std::filesystem::path& root);
+
+/// All chapters of the scenes, in their order.
+std::vector<std::string> chaptersOf(std::span<const ExampleScene> scenes);
+
+/// True if the scene is about that chapter; an empty one stands for all.
+bool isOfChapter(const ExampleScene& scene, const std::string& chapter);
 
 }  // namespace glibra::view

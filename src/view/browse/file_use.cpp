@@ -13,8 +13,7 @@ namespace fs = std::filesystem;
 bool isMadeOf(const scene::Texture& texture, scene::FileIndex file) {
     if (const auto* noise = std::get_if<scene::NoiseSource>(&texture.source)) return noise->file == file;
     const auto* picture = std::get_if<scene::PictureSource>(&texture.source);
-    return picture != nullptr &&
-           std::find(picture->files.begin(), picture->files.end(), file) != picture->files.end();
+    return picture != nullptr && std::ranges::find(picture->files, file) != picture->files.end();
 }
 
 bool isEquivalent(const fs::path& a, const fs::path& b) {

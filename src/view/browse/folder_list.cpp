@@ -1,6 +1,7 @@
 #include "view/browse/folder_list.h"
 
 #include <algorithm>
+#include <ranges>
 #include <system_error>
 #include <tuple>
 
@@ -13,14 +14,10 @@ namespace fs = std::filesystem;
 namespace {
 
 bool endsWithOneOf(const fs::path& file, std::string_view endings) {
-    if (endings.empty()) return true;
     const std::string own = file.extension().string();
-    for (std::string_view rest = endings; !rest.empty();) {
-        const std::string_view each = rest.substr(0, rest.find(' '));
-        if (glib::sameWord(own, each)) return true;
-        rest.remove_prefix(std::min(rest.size(), each.size() + 1));
-    }
-    return false;
+    return endings.empty() || std::ranges::any_of(std::views::split(endings, ' '), [&](const auto& each) {
+               return glib::sameWord(own, std::string_view(each.begin(), each.end()));
+           });
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <poll.h>
-#include <spawn.h>
 #include <sys/eventfd.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -19,6 +18,7 @@
 
 #include "gpu/context/context.h"
 #include "view/browse/thumbnails.h"
+#include "view/edit/detached_process.h"
 
 namespace glibra::view {
 namespace {
@@ -26,23 +26,6 @@ namespace {
 constexpr int kLongestScene = 30'000;  ///< milliseconds
 constexpr int kNiceness = 10;
 constexpr int kNoDriver = 4;  ///< exit status
-
-/// Starts this program with these words. Its standard output goes to `output`; its messages are discarded.
-pid_t start(const std::vector<std::string>& words, int output) {
-    std::vector<std::string> copies = words;
-    std::vector<char*> arguments;
-    arguments.reserve(copies.size() + 1);
-    for (std::string& each : copies) arguments.push_back(each.data());
-    arguments.push_back(nullptr);
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
-    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-    pid_t process = -1;
-    const int failure = posix_spawn(&process, "/proc/self/exe", &actions, nullptr, arguments.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    return failure == 0 ? process : -1;
-}
 
 }  // namespace
 
@@ -100,7 +83,7 @@ std::size_t ThumbnailMaker::runProcess(std::size_t first, const char*& why) {
     // Nothing below allocates in this process, so that no exception can leave the pipe open.
     std::array<int, 2> pipe{-1, -1};
     if (::pipe2(pipe.data(), O_CLOEXEC) != 0) return scenes_.size();
-    const pid_t process = start(words, pipe[1]);
+    const pid_t process = startAgain(std::move(words), {{pipe[1], STDOUT_FILENO}});
     ::close(pipe[1]);
     std::size_t done = process < 0 ? scenes_.size() : first;
     why = "the program that drew it ended unexpectedly";

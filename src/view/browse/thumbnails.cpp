@@ -8,11 +8,12 @@
 #include <system_error>
 #include <utility>
 
-#include "gpu/object/readback.h"
+#include "base/whole_file.h"
 #include "image/file.h"
 #include "image/image.h"
 #include "image/write.h"
 #include "suite/golden/hash.h"
+#include "view/scene/window_target.h"
 #include "view/session/session.h"
 
 namespace glibra::view {
@@ -24,10 +25,6 @@ using Json = nlohmann::ordered_json;
 /// Increase this when pictures of unchanged files should be made again.
 constexpr int kVersion = 1;
 constexpr std::uint64_t kLargestRecord = 1ULL << 20;
-
-std::string textOf(const std::vector<std::byte>& bytes) {
-    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
 
 /// The cache file for a scene, named after its absolute path.
 fs::path entryFile(const fs::path& folder, const fs::path& scene, const char* ending) {
@@ -73,15 +70,6 @@ void writeRecord(const fs::path& folder, const fs::path& scene, const std::vecto
     image::writeFileAtomically(entryFile(folder, scene, ".json"), std::as_bytes(std::span(text)));
 }
 
-Result<image::Image> pictureOf(const gpu::Context& context, const gpu::Target& target) {
-    image::Image picture{target.width(), target.height(), 3, image::Component::u8, {}};
-    auto pixels = gpu::readPixels(context.capabilities(), target.readable(), 0,
-                                  {0, 0, picture.width, picture.height}, {3, gpu::TexelType::u8});
-    if (!pixels) return std::move(pixels.diagnostics);
-    picture.data = std::move(*pixels);
-    return picture;
-}
-
 }  // namespace
 
 fs::path thumbnailFolder() {
@@ -96,7 +84,7 @@ Thumbnail findThumbnail(const fs::path& folder, const fs::path& scene) {
     const fs::path record = entryFile(folder, scene, ".json");
     const auto bytes = image::readFile(record, {record.string(), {}}, kLargestRecord);
     if (!bytes) return {};
-    const Json json = Json::parse(textOf(*bytes), nullptr, false);
+    const Json json = Json::parse(base::asText(*bytes), nullptr, false);
     try {
         if (!json.is_object() || json.value("version", 0) != kVersion) return {};
         const Json& files = json.at("files");
@@ -119,23 +107,20 @@ Thumbnail makeThumbnail(gpu::Context& context, const fs::path& folder, const fs:
     RenderOptions options;
     options.libraryRoots = libraryRoots;
     Session session(context, options);
-    Diagnostics problems;
     std::vector<fs::path> files{scene};
     if (session.open(scene)) {
         session.resize(kThumbnailWidth, kThumbnailHeight);
         session.drawIfNeeded();
         files = session.live().files();
     }
-    problems = session.diagnostics();
+    Diagnostics problems = session.diagnostics();
     if (session.picture() && !hasError(problems)) {
-        const Result<image::Image> picture = pictureOf(context, *session.picture());
+        const Result<image::Image> picture = imageOf(context.capabilities(), *session.picture(), 3);
         append(problems, picture.diagnostics);
         if (picture) append(problems, image::writeImage(*picture, entryFile(folder, scene, ".png"), {}));
     }
-    std::string problem;
-    for (const Diagnostic& each : problems)
-        if (problem.empty() && each.severity == Severity::error) problem = toString(each);
-    writeRecord(folder, scene, files, problem);
+    const auto error = std::ranges::find(problems, Severity::error, &Diagnostic::severity);
+    writeRecord(folder, scene, files, error == problems.end() ? "" : toString(*error));
     return findThumbnail(folder, scene);
 }
 

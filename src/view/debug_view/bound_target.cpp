@@ -26,13 +26,17 @@ GLint integerOf(GLenum what) {
     return value;
 }
 
+/// Of an attachment of the framebuffer that is bound for drawing; `unknown` if the driver does not say.
+GLint attached(GLenum point, GLenum what, GLint unknown = 0) {
+    GLint value = unknown;
+    glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, point, what, &value);
+    return value;
+}
+
 /// GL_INT, GL_UNSIGNED_INT, or another type for what is read as floats.
 GLenum componentType(int output) {
-    GLint type = GL_FLOAT;
-    glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER,
-                                          GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(output),
-                                          GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, &type);
-    return static_cast<GLenum>(type);
+    return static_cast<GLenum>(attached(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(output),
+                                        GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, GL_FLOAT));
 }
 
 template <class T>
@@ -58,8 +62,7 @@ struct Copy {
     bool make(const gpu::Capabilities& capabilities, base::TexelFormat format, const BoundPart& part,
               int width, int height, GLenum filter) {
         const bool isColor = part.kind == FrameTarget::Kind::color;
-        auto made = isColor ? gpu::Renderbuffer::color(capabilities, width, height, format)
-                            : gpu::Renderbuffer::depth(capabilities, width, height, 1, format);
+        auto made = gpu::Renderbuffer::create(capabilities, width, height, format);
         if (!made) return false;
         storage = std::move(made.value);
         const std::array<gpu::Attachment, 1> own{&*storage};
@@ -130,33 +133,29 @@ KeptState::~KeptState() {
 BoundLayer::BoundLayer(const std::optional<LayerOfPass>& layer) {
     if (!layer) return;
     whole_ = static_cast<GLuint>(integerOf(GL_DRAW_FRAMEBUFFER_BINDING));
-    struct Attached {
+    struct TextureAt {
         GLenum point;
-        GLint type = GL_NONE, name = 0, level = 0;
+        GLuint name;
+        GLint level;
     };
-    std::vector<Attached> all{{GL_DEPTH_ATTACHMENT}, {GL_STENCIL_ATTACHMENT}};
-    for (GLenum i = 0; i < base::kRasterTargets; ++i) all.push_back({GL_COLOR_ATTACHMENT0 + i});
-    const auto ask = [](GLenum point, GLenum what, GLint& value) {
-        glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, point, what, &value);
+    std::vector<TextureAt> textures;
+    const auto look = [&](GLenum point) {
+        if (attached(point, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_TEXTURE) return;
+        textures.push_back({point,
+                            static_cast<GLuint>(attached(point, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME)),
+                            attached(point, GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL)});
     };
-    for (Attached& each : all) {
-        ask(each.point, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, each.type);
-        if (each.type != GL_TEXTURE) continue;
-        ask(each.point, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME, each.name);
-        ask(each.point, GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL, each.level);
-    }
+    look(GL_DEPTH_ATTACHMENT);
+    look(GL_STENCIL_ATTACHMENT);
+    for (GLenum i = 0; i < base::kRasterTargets; ++i) look(GL_COLOR_ATTACHMENT0 + i);
     glGenFramebuffers(1, &layer_);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, layer_);
-    for (const Attached& each : all) {
-        if (each.type != GL_TEXTURE) continue;
-        const auto name = static_cast<GLuint>(each.name);
+    const GLenum face = GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(layer->layer);
+    for (const auto& [point, name, level] : textures)
         if (layer->shape == gpu::TextureShape::cube)
-            glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, each.point,
-                                   GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(layer->layer), name,
-                                   each.level);
+            glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, point, face, name, level);
         else
-            glFramebufferTextureLayer(GL_DRAW_FRAMEBUFFER, each.point, name, each.level, layer->layer);
-    }
+            glFramebufferTextureLayer(GL_DRAW_FRAMEBUFFER, point, name, level, layer->layer);
 }
 
 BoundLayer::~BoundLayer() {
@@ -289,11 +288,8 @@ std::optional<BesideTarget> BesideTarget::make(const gpu::Capabilities& capabili
     };
     std::array<Depth, 2> depths{{{GL_DEPTH_ATTACHMENT}, {GL_STENCIL_ATTACHMENT}}};
     for (Depth& each : depths) {
-        glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, each.point,
-                                              GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &each.type);
-        if (each.type != GL_NONE)
-            glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, each.point,
-                                                  GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME, &each.name);
+        each.type = attached(each.point, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE);
+        if (each.type != GL_NONE) each.name = attached(each.point, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME);
     }
     BesideTarget made;
     made.width_ = size.width;
@@ -314,8 +310,8 @@ std::optional<BesideTarget> BesideTarget::make(const gpu::Capabilities& capabili
         if (!read) return std::nullopt;
         made.layer_ = std::move(read.value);
     } else {
-        auto color = gpu::Renderbuffer::color(capabilities, size.width, size.height,
-                                              base::TexelFormat::rgba32f, samples);
+        auto color = gpu::Renderbuffer::create(capabilities, size.width, size.height,
+                                               base::TexelFormat::rgba32f, samples);
         if (!color) return std::nullopt;
         made.color_ = std::move(*color);
     }
@@ -349,7 +345,7 @@ void BesideTarget::clear() const {
     const KeptState kept;
     bind(0);
     glDisable(GL_SCISSOR_TEST);
-    for (GLuint i = 0; i < 1; ++i) glColorMaski(i, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     constexpr std::array<float, 4> kZero{};
     glClearBufferfv(GL_COLOR, 0, kZero.data());
 }

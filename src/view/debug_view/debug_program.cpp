@@ -15,12 +15,6 @@
 namespace glibra::view {
 namespace {
 
-bool hasStage(const render::BuiltProgram& built, glsl::Stage stage) {
-    const auto& stages = built.interface.facts.stages;
-    return std::any_of(stages.begin(), stages.end(),
-                       [&](const glsl::TranslatedStage& each) { return each.stage == stage; });
-}
-
 constexpr std::string_view kEyeOfFragment =
     "uniform mat4 glibra_debugProjectionInverse;\nuniform vec2 glibra_debugSize;\n"
     "vec3 glibra_debugEye(float depth) {\n"
@@ -86,18 +80,19 @@ std::string normalsGeometry(const std::string& version, bool fromVertices) {
            std::string(debug_shaders::normals_geom());
 }
 
-/// The inputs of the scene's program keep their locations, so that its vertex arrays fit.
+/// A fragment stage that only writes the number.
+std::string fragmentAlone(const glsl::TranslatedStage& like, DebugView kind, DebugStages stages,
+                          bool isVertexAlone) {
+    const Addition alone = fragmentAddition(false, kind, stages, isVertexAlone);
+    return glsl::versionLine(like) + alone.declarations + "void main() {\n" + alone.body + "}\n";
+}
+
 std::optional<DebugProgram> link(const gpu::Context& context, const render::BuiltProgram& from,
-                                 const std::vector<std::pair<GLenum, std::string>>& sources) {
-    std::vector<gpu::StageSource> stages;
-    stages.reserve(sources.size());
-    for (const auto& [stage, text] : sources) stages.push_back({stage, text});
-    gpu::BuildOutcome built = gpu::buildProgram(
-        context.capabilities(),
-        {.stages = stages, .vertexInputs = render::inputLocations(from), .fragmentOutputs = {}});
-    if (!built.program) return std::nullopt;
-    base::ActiveResources resources = gpu::reflect(*built.program);
-    return DebugProgram{std::move(*built.program), std::move(resources)};
+                                 const StageTexts& texts) {
+    std::optional<gpu::Program> program = linkStages(context.capabilities(), from, texts);
+    if (!program) return std::nullopt;
+    base::ActiveResources resources = gpu::reflect(*program);
+    return DebugProgram{std::move(*program), std::move(resources)};
 }
 
 }  // namespace
@@ -109,11 +104,28 @@ void writeOnly(int output) {
     glDrawBuffers(output + 1, outputs.data());
 }
 
-bool hasStagesAfterVertices(const render::BuiltProgram& built) {
-    return hasGeometryStage(built) || hasStage(built, glsl::Stage::tessEvaluation);
+std::optional<gpu::Program> linkStages(const gpu::Capabilities& capabilities,
+                                       const render::BuiltProgram& from, const StageTexts& texts,
+                                       std::vector<std::string> captured) {
+    std::vector<gpu::StageSource> stages;
+    stages.reserve(texts.size());
+    for (const auto& [stage, text] : texts) stages.push_back({stage, text});
+    return gpu::buildProgram(capabilities, {.stages = stages,
+                                            .vertexInputs = render::inputLocations(from),
+                                            .fragmentOutputs = {},
+                                            .captured = std::move(captured)})
+        .program;
 }
-bool hasGeometryStage(const render::BuiltProgram& built) {
-    return hasStage(built, glsl::Stage::geometry);
+
+const glsl::TranslatedStage* stageOf(const render::BuiltProgram& built, glsl::Stage stage) {
+    const auto& stages = built.interface.facts.stages;
+    const auto found = std::ranges::find(stages, stage, &glsl::TranslatedStage::stage);
+    return found == stages.end() ? nullptr : &*found;
+}
+
+bool hasStagesAfterVertices(const render::BuiltProgram& built) {
+    return stageOf(built, glsl::Stage::geometry) != nullptr ||
+           stageOf(built, glsl::Stage::tessEvaluation) != nullptr;
 }
 
 std::optional<DebugProgram> makeDebugProgram(const gpu::Context& context, const render::BuiltProgram& built,
@@ -121,9 +133,10 @@ std::optional<DebugProgram> makeDebugProgram(const gpu::Context& context, const 
     const bool isVertexAlone = !hasStagesAfterVertices(built);
     const bool asLines = stages == DebugStages::normalLines;
     const std::string& tessellated = built.interface.facts.tessellationOutput;
-    if (asLines && (hasGeometryStage(built) || !(isVertexAlone || tessellated == "triangles")))
+    if (asLines &&
+        (stageOf(built, glsl::Stage::geometry) != nullptr || !(isVertexAlone || tessellated == "triangles")))
         return std::nullopt;
-    std::vector<std::pair<GLenum, std::string>> sources;
+    StageTexts sources;
     std::string ownFragment;  // used if the scene's does not link with the additions
     for (const glsl::TranslatedStage& each : built.interface.facts.stages) {
         std::string source = each.source;
@@ -139,18 +152,14 @@ std::optional<DebugProgram> makeDebugProgram(const gpu::Context& context, const 
         } else if (each.stage == glsl::Stage::fragment) {
             const Addition add = fragmentAddition(each.facts.mayWriteDepth, kind, stages, isVertexAlone);
             source = glsl::wrappedMain(each, {add.declarations, add.before, add.body});
-            const Addition alone = fragmentAddition(false, kind, stages, isVertexAlone);
-            ownFragment = version + alone.declarations + "void main() {\n" + alone.body + "}\n";
+            ownFragment = fragmentAlone(each, kind, stages, isVertexAlone);
         }
         sources.emplace_back(render::glStage(each.stage), std::move(source));
     }
-    const bool hasFragment = hasStage(built, glsl::Stage::fragment);
-    if (!hasFragment && !asLines && !built.interface.facts.stages.empty()) {  // of a pass without colours
-        const Addition alone = fragmentAddition(false, kind, stages, isVertexAlone);
-        sources.emplace_back(GL_FRAGMENT_SHADER, glsl::versionLine(built.interface.facts.stages.front()) +
-                                                     alone.declarations + "void main() {\n" + alone.body +
-                                                     "}\n");
-    }
+    const bool hasFragment = stageOf(built, glsl::Stage::fragment) != nullptr;
+    const auto& all = built.interface.facts.stages;
+    if (!hasFragment && !asLines && !all.empty())  // of a pass without colours
+        sources.emplace_back(GL_FRAGMENT_SHADER, fragmentAlone(all.front(), kind, stages, isVertexAlone));
     std::optional<DebugProgram> made = link(context, built, sources);
     if (made || ownFragment.empty()) return made;
     for (auto& [stage, text] : sources)
@@ -160,14 +169,13 @@ std::optional<DebugProgram> makeDebugProgram(const gpu::Context& context, const 
 
 std::optional<DebugProgram> makeCoverageProgram(const gpu::Context& context,
                                                 const render::BuiltProgram& built) {
-    std::vector<std::pair<GLenum, std::string>> sources;
+    StageTexts sources;
     for (const glsl::TranslatedStage& each : built.interface.facts.stages)
         if (each.stage != glsl::Stage::fragment)
             sources.emplace_back(render::glStage(each.stage), each.source);
     if (sources.empty()) return std::nullopt;
-    const Addition alone = fragmentAddition(false, DebugView::layers, DebugStages::numbers, true);
-    sources.emplace_back(GL_FRAGMENT_SHADER, glsl::versionLine(built.interface.facts.stages.front()) +
-                                                 alone.declarations + "void main() {\n" + alone.body + "}\n");
+    sources.emplace_back(GL_FRAGMENT_SHADER, fragmentAlone(built.interface.facts.stages.front(),
+                                                           DebugView::layers, DebugStages::numbers, true));
     return link(context, built, sources);
 }
 
@@ -176,7 +184,8 @@ void DebugProgram::set(std::string_view uniform, std::span<const double> values)
         if (each.name == uniform) gpu::setUniform(program, each, values);
 }
 
-void DebugProgram::copyUniforms(const render::BuiltProgram& from) const {
+void DebugProgram::use(const render::BuiltProgram& from) const {
+    program.use();
     render::copyUniforms(from, program, resources);
 }
 

@@ -3,6 +3,9 @@
 
 #include <optional>
 #include <span>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "base/program_resources.h"
 #include "gpu/context/context.h"
@@ -29,8 +32,9 @@ struct DebugProgram {
 
     /// Does nothing if the program has no such uniform.
     void set(std::string_view uniform, std::span<const double> values) const;
-    /// Gives every uniform, sampler and block its value in the program that this one was made from.
-    void copyUniforms(const render::BuiltProgram& from) const;
+    /// Puts it in use. Every uniform, sampler and block gets its value in the program that this one was made
+    /// from.
+    void use(const render::BuiltProgram& from) const;
 };
 
 /// Inputs of the vertex stage that only debug programs have.
@@ -50,8 +54,16 @@ std::optional<DebugProgram> makeDebugProgram(const gpu::Context& context, const 
 std::optional<DebugProgram> makeCoverageProgram(const gpu::Context& context,
                                                 const render::BuiltProgram& built);
 
+/// Links stages that read the inputs of the program: these keep their locations, so that its vertex arrays
+/// fit. `captured`: outputs for transform feedback. Nothing if the driver does not link them.
+using StageTexts = std::vector<std::pair<GLenum, std::string>>;
+std::optional<gpu::Program> linkStages(const gpu::Capabilities& capabilities,
+                                       const render::BuiltProgram& from, const StageTexts& texts,
+                                       std::vector<std::string> captured = {});
+
+/// Null if the program has no such stage.
+const glsl::TranslatedStage* stageOf(const render::BuiltProgram& built, glsl::Stage stage);
 /// True if that program has a tessellation or geometry stage.
 bool hasStagesAfterVertices(const render::BuiltProgram& built);
-bool hasGeometryStage(const render::BuiltProgram& built);
 
 }  // namespace glibra::view

@@ -12,13 +12,10 @@
 #include "glsl/types/builtins.h"
 #include "scene/matrices.h"
 #include "view/debug_view/bound_target.h"
+#include "view/scene/window_target.h"
 
 namespace glibra::view {
 namespace {
-
-void writeNothing() {
-    glDrawBuffer(GL_NONE);
-}
 
 /// Restores the state that FrameDrawer sets once per frame and a debug view changes.
 void restoreState() {
@@ -35,11 +32,6 @@ std::string_view debugAttribute(std::string_view input) {
     return {};
 }
 
-std::string_view sceneAttribute(std::string_view input) {
-    const glsl::BuiltinInput* row = glsl::findBuiltinInput(input);
-    return row ? row->attribute : std::string_view();
-}
-
 /// What feeds the input of that name in the scene's program; null if the plan does not say.
 const plan::InputSource* sourceOf(const plan::FramePlan& plan, const plan::PlannedDraw& draw,
                                   const render::BuiltProgram* built, const std::string& input) {
@@ -52,8 +44,10 @@ const plan::InputSource* sourceOf(const plan::FramePlan& plan, const plan::Plann
 
 /// The mesh attribute that an input reads, also by a name of its own such as `vertPos`.
 std::string_view attributeOf(const plan::InputSource* source, std::string_view input) {
-    const auto* name = source != nullptr ? std::get_if<std::string>(&source->from) : nullptr;
-    return name != nullptr ? *name : sceneAttribute(input);
+    if (source != nullptr)
+        if (const auto* name = std::get_if<std::string>(&source->from)) return *name;
+    const glsl::BuiltinInput* row = glsl::findBuiltinInput(input);
+    return row ? row->attribute : std::string_view();
 }
 
 /// True if indices or attributes come from buffers of the scene. Equal meshes may then have others, and the
@@ -114,18 +108,18 @@ void DebugRenderer::connect(const plan::PlannedDraw& draw, Drawn& made) {
 const DebugRenderer::Drawn& DebugRenderer::drawn(const plan::PlannedDraw& draw, DebugView kind,
                                                  DebugStages stages) {
     const auto [entry, isNew] = drawn_.try_emplace({kind, stages, draw.program, draw.mesh});
+    Drawn& made = entry->second;
     if (!isNew) {
-        if (entry->second.program && readsBuffers(scene_.plan(), draw)) connect(draw, entry->second);
-        return entry->second;
+        if (made.program && readsBuffers(scene_.plan(), draw)) connect(draw, made);
+        return made;
     }
     const render::BuiltProgram* built = scene_.drawer().programOf(draw);
     const bool isTriangles = draw.submission.topology == geometry::Topology::triangles ||
                              draw.submission.topology == geometry::Topology::patches;
-    if (!built || (stages == DebugStages::normalLines && !isTriangles)) return entry->second;
-    entry->second.program = makeDebugProgram(context_, *built, kind, stages);
-    if (entry->second.program) connect(draw, entry->second);
-    if (!entry->second.program && kind != DebugView::normals &&
-        told_.try_emplace({kind, draw.program}, true).second) {
+    if (!built || (stages == DebugStages::normalLines && !isTriangles)) return made;
+    made.program = makeDebugProgram(context_, *built, kind, stages);
+    if (made.program) connect(draw, made);
+    if (!made.program && kind != DebugView::normals && told_.emplace(kind, draw.program).second) {
         const char* why = kind == DebugView::coordinates && hasStagesAfterVertices(*built)
                               ? "its stages pass no vST to the fragment stage"
                               : "the driver cannot link its stages with those of the debug view";
@@ -134,7 +128,7 @@ const DebugRenderer::Drawn& DebugRenderer::drawn(const plan::PlannedDraw& draw, 
                                                 scene_.plan().drawOf(draw).word, nameOf(kind), why),
                                     scene_.plan().drawOf(draw).place));
     }
-    return entry->second;
+    return made;
 }
 
 /// As FrameDrawer sees the pass of the draw.
@@ -147,10 +141,12 @@ render::ViewMatrices DebugRenderer::viewOf(const plan::PlannedDraw& draw) const 
 
 void DebugRenderer::bind(const plan::PlannedDraw& draw, const Drawn& with, const Request& request) {
     const DebugProgram& program = *with.program;
+    const scene::Draw& drawn = scene_.plan().drawOf(draw);
+    const render::BuiltProgram* built = scene_.drawer().programOf(draw);
     const render::ViewMatrices view = viewOf(draw);
     const double aspect = static_cast<double>(width_) / height_;
-    const glm::dmat4 projection = view.projection(scene_.plan().drawOf(draw).projection, aspect);
-    const glm::dmat4 modelView = view.modelView(scene_.plan().drawOf(draw));
+    const glm::dmat4 projection = view.projection(drawn.projection, aspect);
+    const glm::dmat4 modelView = view.modelView(drawn);
     const glm::dmat4 inverse = scene::inverseOrZero(projection);
     const glm::dmat4 both = projection * modelView;
     const glm::dmat3 normals = scene::normalMatrix(modelView);
@@ -159,31 +155,29 @@ void DebugRenderer::bind(const plan::PlannedDraw& draw, const Drawn& with, const
     const double up = glm::length(glm::dvec3(projection[0][1], projection[1][1], projection[2][1]));
     const double reach = up > 0 ? request.normalLength / up : 0;
     const std::array<double, 2> size{static_cast<double>(width_), static_cast<double>(height_)};
-    program.copyUniforms(*scene_.drawer().programOf(draw));
+    program.use(*built);
     program.set("glibra_debugProjection", {glm::value_ptr(projection), 16});
     program.set("glibra_debugProjectionInverse", {glm::value_ptr(inverse), 16});
     program.set("glibra_debugModelViewProjection", {glm::value_ptr(both), 16});
     program.set("glibra_debugNormalMatrix", {glm::value_ptr(normals), 9});
     program.set("glibra_debugReach", {&reach, 1});
     program.set("glibra_debugSize", size);
-    for (const base::ActiveInput& input : program.resources.inputs)
-        if (input.location >= 0 && !debugAttribute(input.name).empty())
-            gpu::setConstantAttribute(static_cast<GLuint>(input.location), input.type, {0, 0, 0, 1});
     for (const base::ActiveInput& input : program.resources.inputs) {
-        const plan::InputSource* fed =
-            sourceOf(scene_.plan(), draw, scene_.drawer().programOf(draw), input.name);
-        if (input.location < 0 || attributeOf(fed, input.name) != geometry::kColor) continue;
-        const glm::dvec4& color = scene_.plan().drawOf(draw).color;
-        gpu::setConstantAttribute(static_cast<GLuint>(input.location), input.type,
-                                  {color.r, color.g, color.b, color.a});
+        if (input.location < 0) continue;
+        const auto location = static_cast<GLuint>(input.location);
+        const plan::InputSource* fed = sourceOf(scene_.plan(), draw, built, input.name);
+        if (!debugAttribute(input.name).empty())
+            gpu::setConstantAttribute(location, input.type, {0, 0, 0, 1});
+        else if (attributeOf(fed, input.name) == geometry::kColor)
+            gpu::setConstantAttribute(location, input.type,
+                                      {drawn.color.r, drawn.color.g, drawn.color.b, drawn.color.a});
     }
-    program.program.use();
     with.vertices->bind();
 }
 
 void DebugRenderer::beginNumbers(const plan::PlannedDraw& draw, const Request& request, DebugStages stages) {
     const Drawn& with = drawn(draw, request.kind, stages);
-    if (!with.program || !with.vertices) return writeNothing();
+    if (!with.program || !with.vertices) return glDrawBuffer(GL_NONE);
     bind(draw, with, request);
     writeOnly(kDebugOutput);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -200,11 +194,9 @@ void DebugRenderer::beginNumbers(const plan::PlannedDraw& draw, const Request& r
 void DebugRenderer::drawNormals(const plan::PlannedDraw& draw, const Request& request, bool begins) {
     const render::BuiltProgram* built = scene_.drawer().programOf(draw);
     if (!built) return;
-    if (hasGeometryStage(*built)) {
+    if (stageOf(*built, glsl::Stage::geometry) != nullptr) {
         // A geometry stage of ours cannot follow another one. Colours show where the surfaces face.
-        if (begins) beginNumbers(draw, request, DebugStages::flatNormals);
-        if (!begins) restoreState();
-        return;
+        return begins ? beginNumbers(draw, request, DebugStages::flatNormals) : restoreState();
     }
     if (begins) return;
     const Drawn& with = drawn(draw, DebugView::normals, DebugStages::normalLines);
@@ -247,20 +239,15 @@ Diagnostics DebugRenderer::draw(const gpu::Target& picture, const ViewState& vie
         drawer.setDrawHook({});
         return diagnostics;
     }
-    if (!target_ || target_->width() != width_ || target_->height() != height_) {
-        target_.reset();
-        Result<gpu::Target> made =
-            gpu::Target::window(context_.capabilities(), width_, height_, gpu::TexelFormat::rgba32f, 1,
-                                gpu::TexelFormat::depth24_stencil8);
-        if (!made) return std::move(made.diagnostics);
-        target_ = std::move(made.value);
-    }
+    if (Diagnostics problems =
+            fit(target_, context_.capabilities(), width_, height_, gpu::TexelFormat::rgba32f);
+        !target_)
+        return problems;
     ViewState onNothing = view;
     onNothing.background = {0, 0, 0, 0};
     drawer.setDrawHook([&](const plan::PlannedDraw& draw, bool isWindow, bool begins) {
         if (!isWindow) return;
-        if (begins) return beginNumbers(draw, request, DebugStages::numbers);
-        restoreState();
+        begins ? beginNumbers(draw, request, DebugStages::numbers) : restoreState();
     });
     append(diagnostics, scene_.draw(*target_, onNothing, request.time, false));
     drawer.setDrawHook({});
@@ -274,9 +261,7 @@ std::string DebugRenderer::drawPass(std::size_t pass, int width, int height, con
     numbers_ = {};
     const scene::Pass& shown = scene_.scene().frame.passes.at(pass);
     const gpu::TextureSize size = sizeOf(scene_, shown, width, height);
-    const Result<gpu::Target> window =
-        gpu::Target::window(context_.capabilities(), width, height, gpu::TexelFormat::rgba8, 1,
-                            gpu::TexelFormat::depth24_stencil8);
+    const Result<gpu::Target> window = windowTarget(context_.capabilities(), width, height);
     if (!window) return "there is no memory for another picture";
     width_ = size.width;
     height_ = size.height;

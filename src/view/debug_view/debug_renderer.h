@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -66,7 +67,7 @@ class DebugRenderer {
     LiveScene& scene_;
     std::map<std::tuple<DebugView, DebugStages, plan::PlannedProgramIndex, plan::PlannedMeshIndex>, Drawn>
         drawn_;
-    std::map<std::pair<DebugView, plan::PlannedProgramIndex>, bool> told_;
+    std::set<std::pair<DebugView, plan::PlannedProgramIndex>> told_;
     Diagnostics remarks_;
     std::optional<gpu::Target> target_;
     TexelImage numbers_;

@@ -93,7 +93,7 @@ Displayed displayedBy(gpu::Context& context, const render::Content& content, con
         capabilities, gpu::TextureShape::texture2D, gpu::TexelFormat::rgba32f,
         {content.width, content.height, 1}, {std::as_bytes(std::span(texels)), 4, gpu::TexelType::f32});
     const Result<gpu::Renderbuffer> made =
-        gpu::Renderbuffer::color(capabilities, content.width, content.height, gpu::TexelFormat::rgba32f);
+        gpu::Renderbuffer::create(capabilities, content.width, content.height, gpu::TexelFormat::rgba32f);
     if (!source || !made) return {std::nullopt, "there is no memory for another picture"};
     const std::array<gpu::Attachment, 1> colors{&*made};
     const Result<gpu::Framebuffer> target = gpu::Framebuffer::create(colors);

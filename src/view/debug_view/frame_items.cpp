@@ -9,7 +9,7 @@
 
 #include "plan/frame_plan.h"
 #include "plan/texture_binding.h"
-#include "render/probe/gpu_times.h"
+#include "render/gpu_times.h"
 
 namespace glibra::view {
 namespace {
@@ -86,56 +86,43 @@ std::vector<FrameItem> frameItems(const scene::Scene& scene, const plan::FramePl
     using Kind = FrameItem::Kind;
     std::vector<FrameItem> items;
     ItemKeys keys;
+    const auto add = [&](Kind kind, std::size_t node, scene::StepIndex step, const Place& place,
+                         std::string title, std::string program, std::vector<FrameTarget> targets,
+                         std::string key) {
+        items.push_back({kind, node, step, place, std::move(title), std::move(program), std::move(targets),
+                         std::move(key)});
+    };
     for (std::size_t node = 0; node < plan.order.size(); ++node) {
         const scene::NodeIndex& at = plan.order[node];
         const render::NodeName name = render::nameOf(scene, plan, node);
         if (at.kind == scene::NodeIndex::Kind::dispatch) {
             const scene::Dispatch& dispatch = plan.dispatchOf(plan.dispatches[at.index]);
-            items.push_back({Kind::dispatch,
-                             node,
-                             {},
-                             dispatch.place,
-                             name.what,
-                             programName(scene, dispatch.program),
-                             writtenBy(scene, plan, node),
-                             ItemKeys::of("dispatch", dispatch.id)});
+            add(Kind::dispatch, node, {}, dispatch.place, name.what, programName(scene, dispatch.program),
+                writtenBy(scene, plan, node), ItemKeys::of("dispatch", dispatch.id));
             continue;
         }
         if (at.kind == scene::NodeIndex::Kind::clear) {
             const Place& place = plan.clearOf(plan.clears[at.index]).place;
-            items.push_back({Kind::clearObject,
-                             node,
-                             {},
-                             place,
-                             name.what,
-                             "",
-                             writtenBy(scene, plan, node),
-                             keys.of("object", place.line)});
+            add(Kind::clearObject, node, {}, place, name.what, "", writtenBy(scene, plan, node),
+                keys.of("object", place.line));
             continue;
         }
         const plan::PlannedPass& planned = plan.passes[at.index];
         const scene::Pass& pass = plan.passOf(planned);
         const std::vector<FrameTarget> targets = targetsOf(scene, pass);
-        items.push_back({Kind::pass,
-                         node,
-                         {planned.pass, 0},
-                         pass.place,
-                         name.what,
-                         "",
-                         targets,
-                         keys.of("pass", pass.place.line)});
+        add(Kind::pass, node, {planned.pass, 0}, pass.place, name.what, "", targets,
+            keys.of("pass", pass.place.line));
         const std::size_t first = items.size();
         for (const auto& step : planned.steps) {
             if (const auto* drawn = std::get_if<plan::PlannedDraw>(&step)) {
                 const scene::Draw& draw = plan.drawOf(*drawn);
-                items.push_back({Kind::draw, node, drawn->step, draw.place, draw.word,
-                                 programName(scene, draw.program), targets, ItemKeys::of("draw", draw.id)});
+                add(Kind::draw, node, drawn->step, draw.place, draw.word, programName(scene, draw.program),
+                    targets, ItemKeys::of("draw", draw.id));
                 continue;
             }
             const auto& cleared = std::get<plan::PlannedClear>(step);
             const Place& place = plan.clearOf(cleared).place;
-            items.push_back(
-                {Kind::clear, node, cleared.step, place, "Clear", "", targets, keys.of("clear", place.line)});
+            add(Kind::clear, node, cleared.step, place, "Clear", "", targets, keys.of("clear", place.line));
         }
         numberDraws(std::span(items).subspan(first));
     }

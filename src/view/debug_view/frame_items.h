@@ -38,6 +38,8 @@ struct FrameItem {
     int number = 0;  ///< among the draws of its pass with that title and line, from 1; 0: it is the only one
 
     [[nodiscard]] bool isInPass() const { return kind == Kind::draw || kind == Kind::clear; }
+    /// True for what `step` is of.
+    [[nodiscard]] bool hasPass() const { return kind == Kind::pass || isInPass(); }
 };
 
 /// A pixel of what a pass draws into. x and y count from the lower left corner.

@@ -4,11 +4,11 @@
 #include <map>
 #include <utility>
 
-#include "gpu/object/target.h"
 #include "plan/accesses.h"
 #include "view/debug_view/bound_target.h"
 #include "view/debug_view/debug_program.h"
 #include "view/debug_view/texels.h"
+#include "view/scene/window_target.h"
 
 namespace glibra::view {
 namespace {
@@ -36,8 +36,7 @@ class FrameLook {
 
     FrameAnswer run() {
         const Result<gpu::Target> window =
-            gpu::Target::window(context_.capabilities(), question_.width, question_.height,
-                                gpu::TexelFormat::rgba8, 1, gpu::TexelFormat::depth24_stencil8);
+            windowTarget(context_.capabilities(), question_.width, question_.height);
         if (!window) {
             answer_.problem = "there is no memory for another picture";
             return std::move(answer_);
@@ -74,10 +73,7 @@ class FrameLook {
         return scene_.scene().frame.passes.at(item.step.pass);
     }
 
-    static bool hasPass(const FrameItem& item) {
-        return item.kind == FrameItem::Kind::pass || item.isInPass();
-    }
-    bool isOfWindow(const FrameItem& item) const { return hasPass(item) && passOf(item).isWindow; }
+    bool isOfWindow(const FrameItem& item) const { return item.hasPass() && passOf(item).isWindow; }
     bool wantsThumbnail(std::size_t item) {
         if (item >= question_.thumbnails.size() || !question_.thumbnails[item]) return false;
         return ++thumbnails_ <= kMostThumbnails;
@@ -96,7 +92,7 @@ class FrameLook {
 
     /// The layers of the target that the item draws into, or whose shaders write it, all at once; 1: one.
     int layersOf(const FrameItem& item, const FrameTarget& target) const {
-        if (hasPass(item)) return view::layersOf(scene_, passOf(item));
+        if (item.hasPass()) return view::layersOf(scene_, passOf(item));
         const gpu::Texture* texture = target.view.texture ? scene_.texture(target.view.texture) : nullptr;
         if (texture == nullptr || target.view.layer) return 1;
         return texture->layers(target.view.level.value_or(0));
@@ -105,7 +101,7 @@ class FrameLook {
     std::optional<render::Content> read(const FrameItem& item, const FrameTarget& target, int mostSide,
                                         int layer = 0) {
         if (target.kind == FrameTarget::Kind::buffer) return std::nullopt;
-        if (!hasPass(item)) {
+        if (!item.hasPass()) {
             const gpu::Texture* texture = scene_.texture(target.view.texture);
             scene::TextureView view = target.view;
             const int layers = layersOf(item, target);
@@ -125,10 +121,9 @@ class FrameLook {
         answer_.isExecuted[index] = true;
         if (wantsThumbnail(index) && !item.targets.empty()) {
             const FrameTarget& first = item.targets.front();
-            const bool isDepth = first.kind == FrameTarget::Kind::depth;
             const bool isOther = first.kind != FrameTarget::Kind::color;
             if (const auto content = read(item, first, kThumbnailSide))
-                answer_.thumbnails[index] = thumbnailOf(*content, isDepth || isOther || !isByte(first));
+                answer_.thumbnails[index] = thumbnailOf(*content, isOther || !isByte(first));
         }
         if (question_.item != index || item.targets.empty()) return;
         const FrameTarget& wanted = item.targets[std::min(question_.target, item.targets.size() - 1)];
@@ -137,7 +132,7 @@ class FrameLook {
             return;
         }
         answer_.layers = layersOf(item, wanted);
-        if (hasPass(item) && answer_.layers > 1)
+        if (item.hasPass() && answer_.layers > 1)
             answer_.layerName =
                 layerName(scene_, passOf(item), std::min(question_.layer, answer_.layers - 1));
         answer_.content = read(item, wanted, 0, question_.layer);
@@ -151,15 +146,16 @@ class FrameLook {
 
     void drawMask(const plan::PlannedDraw& draw, const FrameItem& item) {
         const render::BuiltProgram* built = scene_.drawer().programOf(draw);
-        if (built == nullptr || storesSomething(draw)) return;
+        // Shaders that store would store twice.
+        if (built == nullptr || plan::writesMemory(scene_.plan().programs[draw.program], draw.textures))
+            return;
         const scene::Pass& pass = passOf(item);
         const gpu::TextureSize size = sizeOf(scene_, pass, question_.width, question_.height);
         const KeptState kept;
         const auto beside = BesideTarget::make(context_.capabilities(), scene_, pass, size, question_.layer);
         const auto program = makeDebugProgram(context_, *built, DebugView::layers, DebugStages::numbers);
         if (!beside || !program) return;
-        program->program.use();
-        program->copyUniforms(*built);
+        program->use(*built);
         beside->clear();
         beside->bind(kDebugOutput);
         glDepthMask(GL_FALSE);
@@ -189,11 +185,6 @@ class FrameLook {
     static void maskOutput(GLboolean red, GLboolean green) {
         glColorMaski(kDebugOutput, red, green, GL_FALSE, GL_FALSE);
         glDisablei(GL_BLEND, kDebugOutput);
-    }
-
-    /// Its shaders would store twice.
-    bool storesSomething(const plan::PlannedDraw& draw) const {
-        return plan::writesMemory(scene_.plan().programs[draw.program], draw.textures);
     }
 
     gpu::Context& context_;

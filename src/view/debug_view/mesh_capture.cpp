@@ -17,11 +17,12 @@
 #include "gpu/object/program.h"
 #include "gpu/object/query.h"
 #include "gpu/object/reflection.h"
-#include "gpu/object/target.h"
 #include "plan/inputs.h"
 #include "render/load/derived_program.h"
 #include "render/load/gl_names.h"
 #include "view/debug_view/bound_target.h"
+#include "view/debug_view/debug_program.h"
+#include "view/scene/window_target.h"
 
 namespace glibra::view {
 namespace {
@@ -64,7 +65,7 @@ Primitives primitivesOf(geometry::Topology topology) {
 /// One program whose outputs are captured.
 struct Wanted {
     MeshStage stage;
-    std::vector<std::pair<GLenum, std::string>> sources;
+    StageTexts sources;
     std::vector<Captured> captured;
     Primitives primitives;
     bool asPoints = false;  ///< each vertex once, in the order of the indices
@@ -126,49 +127,38 @@ std::vector<Captured> outputsOf(const glsl::TranslatedProgram& facts, const glsl
 std::vector<Wanted> wantedOutputs(const render::BuiltProgram& built, const plan::PlannedDraw& draw) {
     const glsl::TranslatedProgram& facts = built.interface.facts;
     std::vector<Wanted> all;
-    std::vector<std::pair<GLenum, std::string>> sources;
-    const bool hasMore = std::any_of(facts.stages.begin(), facts.stages.end(), [](const auto& each) {
-        return each.stage == glsl::Stage::tessEvaluation || each.stage == glsl::Stage::geometry;
-    });
-    for (const glsl::Stage stage :
-         {glsl::Stage::vertex, glsl::Stage::tessControl, glsl::Stage::tessEvaluation, glsl::Stage::geometry})
-        for (const glsl::TranslatedStage& each : facts.stages) {
-            if (each.stage != stage) continue;
-            sources.emplace_back(render::glStage(stage), each.source);
-            if (stage == glsl::Stage::tessControl) continue;
-            Wanted wanted;
-            wanted.sources = sources;
-            wanted.captured = outputsOf(facts, each);
-            wanted.stage.position = 0;
-            wanted.stage.isClip = true;
-            if (stage == glsl::Stage::vertex) {
-                wanted.stage.title = "after the vertex stage";
-                wanted.asPoints = hasMore || primitivesOf(draw.submission.topology).corners == 1;
-                wanted.primitives =
-                    wanted.asPoints ? Primitives{GL_POINTS, 1} : primitivesOf(draw.submission.topology);
-            } else {
-                const bool isGeometry = stage == glsl::Stage::geometry;
-                wanted.stage.title = isGeometry ? "after the geometry stage" : "after tessellation";
-                wanted.primitives =
-                    primitivesOf(isGeometry ? facts.geometryOutput : facts.tessellationOutput);
-            }
-            all.push_back(std::move(wanted));
+    StageTexts sources;
+    for (const glsl::Stage stage : {glsl::Stage::vertex, glsl::Stage::tessControl,
+                                    glsl::Stage::tessEvaluation, glsl::Stage::geometry}) {
+        const glsl::TranslatedStage* translated = stageOf(built, stage);
+        if (translated == nullptr) continue;
+        sources.emplace_back(render::glStage(stage), translated->source);
+        if (stage == glsl::Stage::tessControl) continue;
+        Wanted wanted;
+        wanted.sources = sources;
+        wanted.captured = outputsOf(facts, *translated);
+        wanted.stage.position = 0;
+        wanted.stage.isClip = true;
+        if (stage == glsl::Stage::vertex) {
+            const Primitives drawn = primitivesOf(draw.submission.topology);
+            wanted.stage.title = "after the vertex stage";
+            wanted.asPoints = hasStagesAfterVertices(built) || drawn.corners == 1;
+            wanted.primitives = wanted.asPoints ? Primitives{GL_POINTS, 1} : drawn;
+        } else {
+            const bool isGeometry = stage == glsl::Stage::geometry;
+            wanted.stage.title = isGeometry ? "after the geometry stage" : "after tessellation";
+            wanted.primitives = primitivesOf(isGeometry ? facts.geometryOutput : facts.tessellationOutput);
         }
+        all.push_back(std::move(wanted));
+    }
     return all;
 }
 
 std::optional<gpu::Program> link(const gpu::Capabilities& capabilities, const render::BuiltProgram& built,
                                  const Wanted& wanted) {
-    std::vector<gpu::StageSource> stages;
-    stages.reserve(wanted.sources.size());
-    for (const auto& [stage, text] : wanted.sources) stages.push_back({stage, text});
     std::vector<std::string> names;
     for (const Captured& each : wanted.captured) names.push_back(each.name);
-    return gpu::buildProgram(capabilities, {.stages = stages,
-                                            .vertexInputs = render::inputLocations(built),
-                                            .fragmentOutputs = {},
-                                            .captured = names})
-        .program;
+    return linkStages(capabilities, built, wanted.sources, std::move(names));
 }
 
 std::uint64_t counted(GLenum what, const auto& work) {
@@ -251,9 +241,7 @@ MeshStage capture(const gpu::Capabilities& capabilities, render::FrameDrawer& dr
 std::vector<MeshStage> captureMesh(gpu::Context& context, LiveScene& scene, scene::StepIndex step, int width,
                                    int height, double time) {
     std::vector<MeshStage> stages;
-    const Result<gpu::Target> window =
-        gpu::Target::window(context.capabilities(), width, height, gpu::TexelFormat::rgba8, 1,
-                            gpu::TexelFormat::depth24_stencil8);
+    const Result<gpu::Target> window = windowTarget(context.capabilities(), width, height);
     if (!window) return stages;
     render::FrameDrawer& drawer = scene.drawer();
     scene.drawOutOfSight(true);  // its vertices are wanted also where nothing of it can be seen

@@ -10,19 +10,17 @@
 
 #include "base/raster_state.h"
 #include "gpu/object/query.h"
-#include "gpu/object/target.h"
 #include "plan/accesses.h"
 #include "view/debug_view/bound_target.h"
 #include "view/debug_view/debug_program.h"
+#include "view/scene/window_target.h"
 
 namespace glibra::view {
 namespace {
 
 bool mayDiscard(const render::BuiltProgram& built) {
-    const auto& stages = built.interface.facts.stages;
-    return std::any_of(stages.begin(), stages.end(), [](const glsl::TranslatedStage& each) {
-        return each.stage == glsl::Stage::fragment && each.facts.mayLeaveFragments;
-    });
+    const glsl::TranslatedStage* fragment = stageOf(built, glsl::Stage::fragment);
+    return fragment != nullptr && fragment->facts.mayLeaveFragments;
 }
 
 class PixelWatch {
@@ -38,8 +36,7 @@ class PixelWatch {
         const auto& passes = scene.scene().frame.passes;
         for (std::size_t i = 0; i < items.size(); ++i) {
             const FrameItem& each = items[i];
-            const bool isOfPass = each.isInPass() || each.kind == FrameItem::Kind::pass;
-            if (!isOfPass || !haveSameTargets(pass_, passes.at(each.step.pass))) continue;
+            if (!each.hasPass() || !haveSameTargets(pass_, passes.at(each.step.pass))) continue;
             if (each.kind == FrameItem::Kind::pass)
                 ofNode_[each.node] = i;
             else
@@ -51,17 +48,10 @@ class PixelWatch {
 
     PixelHistory run(int width, int height, double time) {
         size_ = sizeOf(scene_, pass_, width, height);
-        if (pixel_.x < 0 || pixel_.y < 0 || pixel_.x >= size_.width || pixel_.y >= size_.height) {
-            found_.problem = "the pixel lies outside of the target";
-            return std::move(found_);
-        }
-        const Result<gpu::Target> window =
-            gpu::Target::window(context_.capabilities(), width, height, gpu::TexelFormat::rgba8, 1,
-                                gpu::TexelFormat::depth24_stencil8);
-        if (!window) {
-            found_.problem = "there is no memory for another picture";
-            return std::move(found_);
-        }
+        if (pixel_.x < 0 || pixel_.y < 0 || pixel_.x >= size_.width || pixel_.y >= size_.height)
+            return {{}, 0, "the pixel lies outside of the target"};
+        const Result<gpu::Target> window = windowTarget(context_.capabilities(), width, height);
+        if (!window) return {{}, 0, "there is no memory for another picture"};
         render::FrameDrawer& drawer = scene_.drawer();
         render::Frame frame{scene_.view(), width, height, {0, 0, width, height}, time};
         // What the window's passes read is there from the last frame.
@@ -111,21 +101,23 @@ class PixelWatch {
         return now;
     }
 
-    void beginNode(std::size_t node, std::size_t item) {
-        begun_ = node;
-        // A node with draws begins at the first one: what the pass has cleared is there then.
+    /// What the item has done to the pixel, whose fragments do not count.
+    void note(std::size_t item, PixelEvent::Outcome outcome) {
         const PixelState now = state();
-        found_.events.push_back({item, PixelEvent::Outcome::begins, 0, 0, last_.value_or(now), now});
+        found_.events.push_back({item, outcome, 0, 0, last_.value_or(now), now});
         last_ = now;
     }
 
+    void beginNode(std::size_t node, std::size_t item) {
+        begun_ = node;
+        // A node with draws begins at the first one: what the pass has cleared is there then.
+        note(item, PixelEvent::Outcome::begins);
+    }
+
     void takeClears(std::size_t before, std::size_t node) {
-        for (; next_ < before && next_ < items_.size() && items_[next_].node <= node; ++next_) {
-            if (items_[next_].node != node || items_[next_].kind != FrameItem::Kind::clear) continue;
-            const PixelState now = state();
-            found_.events.push_back({next_, PixelEvent::Outcome::clears, 0, 0, last_.value_or(now), now});
-            last_ = now;
-        }
+        for (; next_ < before && next_ < items_.size() && items_[next_].node <= node; ++next_)
+            if (items_[next_].node == node && items_[next_].kind == FrameItem::Kind::clear)
+                note(next_, PixelEvent::Outcome::clears);
     }
 
     [[nodiscard]] bool stores(const plan::PlannedDraw& draw) const {
@@ -147,10 +139,8 @@ class PixelWatch {
         glDisable(GL_DEPTH_TEST);
         glDisable(GL_STENCIL_TEST);
         glDisable(GL_CULL_FACE);
-        if (const DebugProgram* whole = mayDiscard(*built) ? withoutDiscard(*built) : nullptr) {
-            whole->program.use();
-            whole->copyUniforms(*built);
-        }
+        if (const DebugProgram* whole = mayDiscard(*built) ? withoutDiscard(*built) : nullptr)
+            whole->use(*built);
         gpu::Query query(GL_SAMPLES_PASSED);
         query.begin();
         scene_.drawer().submit(draw, true);
@@ -174,10 +164,7 @@ class PixelWatch {
             return counting != nullptr ? countInLayer(draw, built, *counting) : 0;
         }
         const KeptState kept;
-        if (whole != nullptr) {
-            whole->program.use();
-            whole->copyUniforms(built);
-        }
+        if (whole != nullptr) whole->use(built);
         const gpu::Query query(GL_SAMPLES_PASSED);
         query.begin();
         scene_.drawer().submit(draw, true);
@@ -191,8 +178,7 @@ class PixelWatch {
         const KeptState kept;
         const auto beside = BesideTarget::make(context_.capabilities(), scene_, pass_, size_, layer_->layer);
         if (!beside) return 0;
-        program.program.use();
-        program.copyUniforms(built);
+        program.use(built);
         beside->clear();
         beside->bind(kDebugOutput);
         glColorMaski(kDebugOutput, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -314,37 +300,23 @@ class PixelWatch {
 }  // namespace
 
 std::string_view wordsOf(PixelEvent::Outcome outcome) {
-    using Outcome = PixelEvent::Outcome;
-    switch (outcome) {
-        case Outcome::begins:
-            return "the pass begins";
-        case Outcome::clears:
-            return "cleared";
-        case Outcome::passed:
-            return "drawn";
-        case Outcome::depthFails:
-            return "hidden: the depth test fails";
-        case Outcome::stencilFails:
-            return "left out: the stencil test fails";
-        case Outcome::discarded:
-            return "left out: the fragment stage discards it";
-        case Outcome::culled:
-            return "left out: this side of the face is culled";
-        case Outcome::unknown:
-            break;
-    }
-    return "changed; its shaders store to memory, so the tests are not counted";
+    constexpr std::array<std::string_view, 8> kWords{
+        // in the order of the outcomes
+        "the pass begins",
+        "cleared",
+        "drawn",
+        "hidden: the depth test fails",
+        "left out: the stencil test fails",
+        "left out: the fragment stage discards it",
+        "left out: this side of the face is culled",
+        "changed; its shaders store to memory, so the tests are not counted"};
+    return kWords.at(static_cast<std::size_t>(outcome));
 }
 
 PixelHistory pixelHistory(gpu::Context& context, LiveScene& scene, std::span<const FrameItem> items,
                           std::size_t item, int width, int height, double time, const TargetPixel& pixel,
                           int output) {
-    if (item >= items.size() || items[item].kind == FrameItem::Kind::dispatch ||
-        items[item].kind == FrameItem::Kind::clearObject) {
-        PixelHistory none;
-        none.problem = "only passes draw pixels";
-        return none;
-    }
+    if (item >= items.size() || !items[item].hasPass()) return {{}, 0, "only passes draw pixels"};
     return PixelWatch(context, scene, items, item, pixel, output).run(width, height, time);
 }
 

@@ -10,16 +10,18 @@
 #include <utility>
 
 #include "glsl/facts/stage_variables.h"
-#include "gpu/object/query.h"
 #include "gpu/object/uniform.h"
 #include "view/debug_view/bound_target.h"
 #include "view/debug_view/debug_program.h"
+#include "view/scene/pick.h"
+#include "view/scene/window_target.h"
 
 namespace glibra::view {
 namespace {
 
 constexpr int kMostElements = 16;
 constexpr int kNumbersAtOnce = 4;
+using Four = std::array<float, kNumbersAtOnce>;
 constexpr std::string_view kChoice = "glibra_debugChoice";
 constexpr int kOnes = -1;  ///< the choice that writes 1
 constexpr std::string_view kDeclarations =
@@ -108,7 +110,8 @@ class Probe {
     }
 
     void run(ProbedPixel& result) {
-        const plan::PlannedDraw* found = findDraw();
+        const plan::PlannedDraw* found = visibleDraw(scene_, target_, time_, x_, row_);
+        target_.readable().bindForReading();
         if (found == nullptr || !begin(*found, result)) return;
         float depth = 1;
         glReadPixels(x_, row_, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depth);
@@ -141,24 +144,8 @@ class Probe {
         target_.readable().bindForReading();
     }
 
-    /// The last draw whose fragments pass at the pixel; null if there is none.
-    const plan::PlannedDraw* findDraw() {
-        std::vector<std::pair<const plan::PlannedDraw*, gpu::Query>> counted;
-        scene_.drawer().setDrawHook([&](const plan::PlannedDraw& draw, bool isWindow, bool begins) {
-            if (!isWindow) return;
-            if (!begins) return counted.back().second.end();
-            counted.emplace_back(&draw, gpu::Query(GL_SAMPLES_PASSED));
-            counted.back().second.begin();
-        });
-        drawFrame(false);
-        const plan::PlannedDraw* found = nullptr;
-        for (const auto& [draw, query] : counted)
-            if (query.result() > 0) found = draw;
-        return found;
-    }
-
     /// The four numbers of a pass, from a frame in which the found draw also writes them.
-    std::array<float, kNumbersAtOnce> numbersOf(int pass, std::vector<ProbedValue>* uniforms) {
+    Four numbersOf(int pass, std::vector<ProbedValue>* uniforms) {
         scene_.drawer().setDrawHook([&](const plan::PlannedDraw& draw, bool isWindow, bool begins) {
             if (!isWindow || draw.step != step_) return;
             writeOnly(begins ? kDebugOutput : 0);
@@ -170,7 +157,7 @@ class Probe {
             glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
         });
         drawFrame(false);
-        std::array<float, kNumbersAtOnce> numbers{};
+        Four numbers{};
         glReadPixels(x_, row_, 1, 1, GL_RGBA, GL_FLOAT, numbers.data());
         return numbers;
     }
@@ -183,7 +170,7 @@ class Probe {
 
     /// Draws the given draw again and again at its place in the frame, with the depth that is there then.
     void drawGiven(const plan::PlannedDraw& draw, int passes, std::vector<ProbedValue>* uniforms,
-                   std::vector<std::array<float, kNumbersAtOnce>>& all) {
+                   std::vector<Four>& all) {
         const scene::Pass& pass = scene_.scene().frame.passes.at(draw.step.pass);
         const gpu::Capabilities& capabilities = context_.capabilities();
         const render::BuiltProgram& used = *scene_.drawer().programOf(draw);
@@ -247,9 +234,8 @@ class Probe {
         }
     }
 
-    std::vector<std::array<float, kNumbersAtOnce>> numbersOfGiven(int passes,
-                                                                  std::vector<ProbedValue>* uniforms) {
-        std::vector<std::array<float, kNumbersAtOnce>> all(static_cast<std::size_t>(passes));
+    std::vector<Four> numbersOfGiven(int passes, std::vector<ProbedValue>* uniforms) {
+        std::vector<Four> all(static_cast<std::size_t>(passes));
         scene_.drawer().setDrawHook([&](const plan::PlannedDraw& draw, bool, bool begins) {
             if (begins && draw.step == step_) drawGiven(draw, passes, uniforms, all);
         });
@@ -262,12 +248,10 @@ class Probe {
         if (all.empty()) return;
         const std::string choice = choiceOf(all);
         // The stage may write the depth under a condition, so it gets its value first.
-        const bool mayWriteDepth =
-            std::any_of(built_->interface.facts.stages.begin(), built_->interface.facts.stages.end(),
-                        [](const glsl::TranslatedStage& each) {
-                            return each.stage == glsl::Stage::fragment && each.facts.mayWriteDepth;
-                        });
-        const char* before = mayWriteDepth ? "    gl_FragDepth = gl_FragCoord.z;\n" : "";
+        const glsl::TranslatedStage* fragment = stageOf(*built_, glsl::Stage::fragment);
+        const char* before = fragment != nullptr && fragment->facts.mayWriteDepth
+                                 ? "    gl_FragDepth = gl_FragCoord.z;\n"
+                                 : "";
         if (!scene_.observe(*built_, {kDeclarations, before, choice})) {
             if (all.size() == 1) {
                 all.front().value.why = all.front().whyNot;
@@ -278,7 +262,7 @@ class Probe {
         }
         int passes = 0;
         for (const Asked& each : all) passes += each.passes();
-        std::vector<std::array<float, kNumbersAtOnce>> given;
+        std::vector<Four> given;
         if (isGiven_)
             given = numbersOfGiven(passes, uniforms.empty() ? &uniforms : nullptr);
         else
@@ -310,17 +294,15 @@ class Probe {
         for (const char* each : {"x", "y", "z", "w"})
             all[0].numbers.push_back(std::string("gl_FragCoord.") + each);
         const std::size_t builtins = all.size();
-        for (const glsl::TranslatedStage& each : built_->interface.facts.stages) {
-            if (each.stage != glsl::Stage::fragment) continue;
+        if (const glsl::TranslatedStage* fragment = stageOf(*built_, glsl::Stage::fragment)) {
             for (const glsl::StageVariable& variable :
-                 glsl::stageVariables(each, built_->interface.facts.userNames)) {
+                 glsl::stageVariables(*fragment, built_->interface.facts.userNames)) {
                 all.push_back(askedOf(variable));
                 all.back().isOutput = variable.isOutput;
                 all.back().whyNot = variable.isOutput ? kNotRead : "the stage before does not write it";
             }
-            if (!each.facts.mayWriteDepth) continue;
-            all.push_back({{"gl_FragDepth", "float", {}, {}}, {"gl_FragDepth"}, kNotRead});
-            all.back().isOutput = true;
+            if (fragment->facts.mayWriteDepth)
+                all.push_back({{"gl_FragDepth", "float", {}, {}}, {"gl_FragDepth"}, kNotRead, true});
         }
         textures_ = texturesOf(scene_.plan());
         const Textures before = textures_;
@@ -368,8 +350,7 @@ ProbedPixel probePixel(gpu::Context& context, LiveScene& scene, int width, int h
     result.height = height;
     if (x < 0 || y < 0 || x >= width || y >= height) return result;
     const Result<gpu::Target> target =
-        gpu::Target::window(context.capabilities(), width, height, gpu::TexelFormat::rgba32f, 1,
-                            gpu::TexelFormat::depth24_stencil8);
+        windowTarget(context.capabilities(), width, height, gpu::TexelFormat::rgba32f);
     if (target) Probe(context, scene, *target, time, x, height - 1 - y).run(result);
     return result;
 }
@@ -383,8 +364,7 @@ ProbedPixel probeDraw(gpu::Context& context, LiveScene& scene, scene::StepIndex 
     result.height = size.height;
     if (pixel.x < 0 || pixel.y < 0 || pixel.x >= size.width || pixel.y >= size.height) return result;
     const Result<gpu::Target> target =
-        gpu::Target::window(context.capabilities(), width, height, gpu::TexelFormat::rgba32f, 1,
-                            gpu::TexelFormat::depth24_stencil8);
+        windowTarget(context.capabilities(), width, height, gpu::TexelFormat::rgba32f);
     if (target) Probe(context, scene, *target, time, pixel.x, pixel.y).run(result, step, size, pixel.layer);
     return result;
 }

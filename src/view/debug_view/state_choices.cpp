@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <type_traits>
+#include <utility>
 
 #include "glib/modern/statement_table.h"
 
@@ -54,20 +56,21 @@ std::size_t indexOfAll(const Values& targets, const Values2& known, const Same& 
     return isOne ? static_cast<std::size_t>(found - known.begin()) : known.size();
 }
 
+/// A choice whose words are in the order of the member's values.
+template <auto kMember>
+StateChoice memberChoice(std::string_view key, std::vector<std::string_view> words) {
+    return {key, std::move(words),
+            [](const RasterState& state) { return static_cast<std::size_t>(state.*kMember); },
+            [](RasterState& state, std::size_t word) {
+                state.*kMember = static_cast<std::remove_reference_t<decltype(state.*kMember)>>(word);
+            }};
+}
+
 const std::vector<StateChoice>& choices() {
     static const std::vector<StateChoice> all{
-        {"cull",
-         {"off", "back", "front", "both"},
-         [](const RasterState& state) { return static_cast<std::size_t>(state.cull); },
-         [](RasterState& state, std::size_t word) { state.cull = static_cast<base::Cull>(word); }},
-        {"front",
-         {"ccw", "cw"},
-         [](const RasterState& state) { return static_cast<std::size_t>(state.front); },
-         [](RasterState& state, std::size_t word) { state.front = static_cast<base::Winding>(word); }},
-        {"polygon",
-         {"fill", "line", "point"},
-         [](const RasterState& state) { return static_cast<std::size_t>(state.polygon); },
-         [](RasterState& state, std::size_t word) { state.polygon = static_cast<base::PolygonMode>(word); }},
+        memberChoice<&RasterState::cull>("cull", {"off", "back", "front", "both"}),
+        memberChoice<&RasterState::front>("front", {"ccw", "cw"}),
+        memberChoice<&RasterState::polygon>("polygon", {"fill", "line", "point"}),
         {"depth", depthWords(),
          [](const RasterState& state) {
              return state.depthTest ? static_cast<std::size_t>(state.depthFunction) + 1 : std::size_t{0};
@@ -76,14 +79,8 @@ const std::vector<StateChoice>& choices() {
              state.depthTest = word > 0;
              if (word > 0) state.depthFunction = static_cast<base::Comparison>(word - 1);
          }},
-        {"depthwrite",
-         {"off", "on"},
-         [](const RasterState& state) { return static_cast<std::size_t>(state.depthWrite); },
-         [](RasterState& state, std::size_t word) { state.depthWrite = word == 1; }},
-        {"depthclamp",
-         {"off", "on"},
-         [](const RasterState& state) { return static_cast<std::size_t>(state.depthClamp); },
-         [](RasterState& state, std::size_t word) { state.depthClamp = word == 1; }},
+        memberChoice<&RasterState::depthWrite>("depthwrite", {"off", "on"}),
+        memberChoice<&RasterState::depthClamp>("depthclamp", {"off", "on"}),
         {"blend",
          {"off", "alpha", "add", "multiply", "premultiplied"},
          [](const RasterState& state) {

@@ -4,6 +4,7 @@
 #include <glad/gl.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -15,58 +16,9 @@
 namespace glibra::view {
 namespace {
 
-TexelImage readBound(int width, int height) {
-    TexelImage image{width, height, {}};
-    if (glCheckFramebufferStatus(GL_READ_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) return {};
-    image.rgba.resize(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-    glReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, image.rgba.data());
-    return image;
-}
-
-const char* targetWord(scene::TextureTarget target) {
-    switch (target) {
-        case scene::TextureTarget::texture1D:
-            return "1D";
-        case scene::TextureTarget::texture2D:
-            return "2D";
-        case scene::TextureTarget::texture3D:
-            return "3D";
-        case scene::TextureTarget::texture1DArray:
-            return "1D array";
-        case scene::TextureTarget::texture2DArray:
-            return "2D array";
-        case scene::TextureTarget::rectangle:
-            return "rectangle";
-        case scene::TextureTarget::cubeArray:
-            return "cube array";
-        case scene::TextureTarget::cube:
-            break;
-    }
-    return "cube";
-}
-
-}  // namespace
-
-TexelImage colorTexels(const gpu::Target& picture) {
-    picture.readable().bindForReading();
-    return readBound(picture.width(), picture.height());
-}
-
-render::Content contentOf(const gpu::Target& picture, bool isDepth) {
-    render::Content content;
-    content.name = "picture";
-    content.width = picture.width();
-    content.height = picture.height();
-    content.components = isDepth ? 1 : 4;
-    std::vector<float> texels(content.size() * static_cast<std::size_t>(content.components));
-    picture.readable().bindForReading();
-    glReadPixels(0, 0, content.width, content.height, isDepth ? GL_DEPTH_COMPONENT : GL_RGBA, GL_FLOAT,
-                 texels.data());
-    content.values.assign(texels.begin(), texels.end());
-    return content;
-}
-
-namespace {
+/// In the order of scene::TextureTarget.
+constexpr std::array<const char*, 8> kTargetWords{"1D",       "2D",       "3D",         "cube",
+                                                  "1D array", "2D array", "cube array", "rectangle"};
 
 /// The component that an output channel (0 to 2) shows; nothing: it is black.
 std::optional<std::size_t> componentOf(const render::Content& content, Channels channels,
@@ -85,6 +37,29 @@ bool hasInfinity(std::span<const double> texel) {
 }
 
 }  // namespace
+
+TexelImage colorTexels(const gpu::Target& picture) {
+    picture.readable().bindForReading();
+    if (glCheckFramebufferStatus(GL_READ_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) return {};
+    TexelImage image{picture.width(), picture.height(), {}};
+    image.rgba.resize(4 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
+    glReadPixels(0, 0, image.width, image.height, GL_RGBA, GL_FLOAT, image.rgba.data());
+    return image;
+}
+
+render::Content contentOf(const gpu::Target& picture, bool isDepth) {
+    render::Content content;
+    content.name = "picture";
+    content.width = picture.width();
+    content.height = picture.height();
+    content.components = isDepth ? 1 : 4;
+    std::vector<float> texels(content.size() * static_cast<std::size_t>(content.components));
+    picture.readable().bindForReading();
+    glReadPixels(0, 0, content.width, content.height, isDepth ? GL_DEPTH_COMPONENT : GL_RGBA, GL_FLOAT,
+                 texels.data());
+    content.values.assign(texels.begin(), texels.end());
+    return content;
+}
 
 std::vector<std::uint8_t> screenBytes(const render::Content& content, const TexelDisplay& display) {
     const auto width = static_cast<std::size_t>(std::max(1, content.width));
@@ -155,9 +130,9 @@ std::string textureTitle(const scene::Scene& scene, scene::TextureIndex texture)
     } else {
         what = empty ? "target" : "noise";
     }
-    std::string title = of.name.empty()
-                            ? fmt::format("unit {} / {}: {}", of.unit, targetWord(of.target), what)
-                            : fmt::format("{}: {}, {}", of.name, targetWord(of.target), what);
+    const char* target = kTargetWords.at(static_cast<std::size_t>(of.target));
+    std::string title = of.name.empty() ? fmt::format("unit {} / {}: {}", of.unit, target, what)
+                                        : fmt::format("{}: {}, {}", of.name, target, what);
     // Built-in noise textures are not made by a statement, so they have no line.
     if (!std::holds_alternative<scene::NoiseSource>(of.source))
         title += fmt::format(", line {}", of.place.line);

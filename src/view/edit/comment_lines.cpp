@@ -18,27 +18,28 @@ EditedText toggledComments(std::string_view text, const TextRange& selection, st
     const std::size_t end = std::min(text.find('\n', last), size);
 
     constexpr std::size_t kNone = std::string_view::npos;
-    std::vector<std::size_t> firsts;  // of the first letters of lines that are not blank
+    struct Line {
+        std::size_t begin = 0, first = 0;  // its first letter
+    };
+    std::vector<Line> lines;  // that are not blank
     std::size_t column = kNone;
     bool areComments = true;
     for (std::size_t line = begin; line <= end;) {
         const std::size_t lineEnd = std::min(text.find('\n', line), size);
         const std::size_t first = text.find_first_not_of(" \t", line);
         if (first != kNone && first < lineEnd) {
-            firsts.push_back(first);
+            lines.push_back({line, first});
             column = std::min(column, first - line);
             areComments = areComments && text.substr(first).starts_with(marker);
         }
         line = lineEnd + 1;
     }
     EditedText result{std::string(text), selected};
-    if (firsts.empty()) return result;
+    if (lines.empty()) return result;
     const std::string added = std::string(marker) + " ";
     // From the last line to the first, so that earlier offsets stay valid.
-    for (const std::size_t first : std::ranges::reverse_view(firsts)) {
-        const std::size_t lineStart = first == 0 ? 0 : text.rfind('\n', first - 1);
-        const std::size_t start = lineStart == kNone || first == 0 ? 0 : lineStart + 1;
-        const std::size_t at = areComments ? first : start + column;
+    for (const Line& line : std::ranges::reverse_view(lines)) {
+        const std::size_t at = areComments ? line.first : line.begin + column;
         const std::size_t removed =
             !areComments ? 0 : marker.size() + (text.substr(at + marker.size()).starts_with(' ') ? 1 : 0);
         const std::string inserted = areComments ? std::string() : added;

@@ -1,7 +1,11 @@
 #pragma once
-// Starts a program that runs independently of this one, such as an editor.
+// Starts programs: one that runs independently of this one, such as an editor, and this one again.
 
+#include <sys/types.h>
+
+#include <initializer_list>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace glibra::view {
@@ -10,5 +14,9 @@ namespace glibra::view {
 /// this program's terminal, and leaves no zombie process. The first word is searched in PATH. Returns the
 /// reason if it cannot be started, such as "No such file or directory"; empty on success.
 std::string startDetached(const std::vector<std::string>& command);
+
+/// Starts this program again, as a child, with these words. Each pair of descriptors is one of this process
+/// and the number that it has in the child; messages are discarded. Returns -1 if it cannot be started.
+pid_t startAgain(std::vector<std::string> words, std::initializer_list<std::pair<int, int>> descriptors);
 
 }  // namespace glibra::view

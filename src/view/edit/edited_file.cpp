@@ -1,7 +1,5 @@
 #include "view/edit/edited_file.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cstdint>
 #include <optional>
@@ -9,81 +7,52 @@
 #include <system_error>
 #include <utility>
 
+#include "base/utf8.h"
+#include "base/whole_file.h"
 #include "image/file.h"
-#include "view/browse/example_scenes.h"
+#include "view/edit/example_folders.h"
+#include "view/edit/text_search.h"
 
 namespace glibra::view {
 namespace {
 
 constexpr std::uint64_t kLargestFile = 1ULL << 20;
 constexpr std::string_view kMark = "\xEF\xBB\xBF";
-constexpr unsigned kLastLatin = 0xFF;
-constexpr unsigned kLastOfBasicPlane = 0xFFFF;
-
-/// The character that begins at `at`, which moves to the next one. Empty if the bytes are not UTF-8.
-std::optional<unsigned> nextCharacter(std::string_view text, std::size_t& at) {
-    const auto first = static_cast<unsigned char>(text[at]);
-    const std::size_t length = first < 0x80 ? 1 : first < 0xC2 ? 0 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
-    if (length == 0 || first > 0xF4 || at + length > text.size()) return std::nullopt;
-    unsigned character = length == 1 ? first : first & (0xFFU >> (length + 1));
-    for (std::size_t i = 1; i < length; ++i) {
-        const auto next = static_cast<unsigned char>(text[at + i]);
-        if ((next & 0xC0U) != 0x80U) return std::nullopt;
-        character = character << 6U | (next & 0x3FU);
-    }
-    constexpr unsigned kSmallestOfThree = 0x800;
-    if ((length == 3 && character < kSmallestOfThree) || (length == 4 && character <= kLastOfBasicPlane) ||
-        (character >= 0xD800 && character < 0xE000))
-        return std::nullopt;
-    at += length;
-    return character;
-}
+constexpr std::uint32_t kLastLatin = 0xFF;
+constexpr std::uint32_t kLastOfBasicPlane = 0xFFFF;
 
 /// The largest character of the text; empty if the text is not UTF-8.
-std::optional<unsigned> largestCharacter(std::string_view text) {
-    unsigned largest = 0;
-    for (std::size_t at = 0; at < text.size();) {
-        const auto character = nextCharacter(text, at);
-        if (!character) return std::nullopt;
-        largest = std::max(largest, *character);
+std::optional<std::uint32_t> largestCharacter(std::string_view text) {
+    std::uint32_t largest = 0;
+    while (!text.empty()) {
+        const base::Character character = base::firstCharacter(text);
+        if (!character.valid) return std::nullopt;
+        largest = std::max(largest, character.code);
+        text.remove_prefix(character.bytes);
     }
     return largest;
 }
 
 std::string fromLatin(std::string_view bytes) {
     std::string text;
-    for (const char each : bytes) {
-        const auto byte = static_cast<unsigned char>(each);
-        if (byte < 0x80) {
-            text += each;
-        } else {
-            text += static_cast<char>(0xC0U | byte >> 6U);
-            text += static_cast<char>(0x80U | (byte & 0x3FU));
-        }
-    }
+    for (const char each : bytes) base::appendUtf8(text, static_cast<unsigned char>(each));
     return text;
 }
 
 /// Empty if a character is not in Latin-1.
 std::optional<std::string> toLatin(std::string_view text) {
     std::string bytes;
-    for (std::size_t at = 0; at < text.size();) {
-        const auto character = nextCharacter(text, at);
-        if (!character || *character > kLastLatin) return std::nullopt;
-        bytes += static_cast<char>(*character);
+    while (!text.empty()) {
+        const base::Character character = base::firstCharacter(text);
+        if (!character.valid || character.code > kLastLatin) return std::nullopt;
+        bytes += static_cast<char>(character.code);
+        text.remove_prefix(character.bytes);
     }
     return bytes;
 }
 
-std::string replaceEach(std::string_view text, std::string_view from, std::string_view to) {
-    std::string result;
-    for (;;) {
-        const std::size_t found = text.find(from);
-        result += text.substr(0, found);
-        if (found == std::string_view::npos) return result;
-        result += to;
-        text.remove_prefix(found + from.size());
-    }
+std::string replaceEach(std::string_view text, const std::string& from, std::string_view to) {
+    return replaced(text, findAll(text, {from, true}), to);
 }
 
 }  // namespace
@@ -107,7 +76,7 @@ void EditedFile::revert() {
 bool EditedFile::readBytes(std::string& bytes) {
     const auto read = image::readFile(path_, {path_.string(), {}}, kLargestFile);
     if (read) {
-        bytes.assign(reinterpret_cast<const char*>(read->data()), read->size());
+        bytes = base::asText(*read);
         return true;
     }
     // An empty file is valid in an editor.

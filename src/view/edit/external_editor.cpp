@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
 #include <sstream>
 #include <string_view>
 #include <vector>
@@ -15,20 +16,22 @@
 namespace glibra::view {
 namespace {
 
+constexpr const char* kTerminal = "x-terminal-emulator";
 /// Editors that need a terminal.
 constexpr std::array<std::string_view, 10> kTerminalEditors{"vi", "vim", "nvim", "nano", "micro",
                                                             "ne", "joe", "hx",   "kak",  "emacs-nox"};
 
 std::vector<std::string> words(const std::string& text) {
     std::istringstream stream(text);
-    std::vector<std::string> result;
-    for (std::string word; stream >> word;) result.push_back(word);
-    return result;
+    return {std::istream_iterator<std::string>(stream), {}};
+}
+
+std::string editorName(const std::string& program) {
+    return std::filesystem::path(program).filename().string();
 }
 
 /// Adds the file and the line in the form that the editor expects.
-void addPlace(std::vector<std::string>& command, const Place& place) {
-    const std::string editor = std::filesystem::path(command.front()).filename().string();
+void addPlace(std::vector<std::string>& command, const std::string& editor, const Place& place) {
     if (editor == "code" || editor == "codium") {
         command.insert(command.end(),
                        {"--goto", fmt::format("{}:{}:{}", place.file, place.line, place.column)});
@@ -49,21 +52,13 @@ std::string openInEditor(const Place& place) {
     std::vector<std::string> command = words(variable ? variable : "");
     if (command.empty())
         return "no editor is set: set the environment variable EDITOR, for example EDITOR=gedit";
-    const std::string editor = std::filesystem::path(command.front()).filename().string();
-    if (std::find(kTerminalEditors.begin(), kTerminalEditors.end(), editor) != kTerminalEditors.end())
-        command.insert(command.begin(), {"x-terminal-emulator", "-e"});
-    std::vector<std::string> full = command;
-    const bool inTerminal = full.front() == "x-terminal-emulator";
-    if (inTerminal) {
-        std::vector<std::string> inner(full.begin() + 2, full.end());
-        addPlace(inner, place);
-        full.resize(2);
-        full.insert(full.end(), inner.begin(), inner.end());
-    } else {
-        addPlace(full, place);
-    }
-    const std::string failure = startDetached(full);
-    if (!failure.empty()) return fmt::format("cannot start '{}': {}", full.front(), failure);
+    const std::string editor = editorName(command.front());
+    if (std::ranges::find(kTerminalEditors, editor) != kTerminalEditors.end())
+        command.insert(command.begin(), {kTerminal, "-e"});
+    const bool isInTerminal = command.front() == kTerminal && command.size() > 2;
+    addPlace(command, isInTerminal ? editorName(command[2]) : editor, place);
+    const std::string failure = startDetached(command);
+    if (!failure.empty()) return fmt::format("cannot start '{}': {}", command.front(), failure);
     return fmt::format("opened {}:{} with {}", place.file, place.line, editor);
 }
 

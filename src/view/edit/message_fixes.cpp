@@ -50,18 +50,12 @@ std::vector<std::string> filesLike(const fs::path& folder, const fs::path& endin
 
 void addFileFixes(const Diagnostic& message, const fs::path& scene, std::vector<MessageFix>& fixes) {
     const fs::path name = message.subject;
-    const auto stub = std::find_if(kStubs.begin(), kStubs.end(),
-                                   [&](const Stub& each) { return name.extension() == each.ending; });
-    const bool isInside =
-        name.is_relative() &&
-        std::none_of(name.begin(), name.end(), [](const fs::path& each) { return each == ".."; });
+    const auto stub = std::ranges::find(kStubs, name.extension(), &Stub::ending);
+    const bool isInside = name.is_relative() && std::ranges::find(name, fs::path("..")) == name.end();
     if (stub != kStubs.end() && isInside)
-        fixes.push_back({"Create " + name.string(),
-                         fs::path(message.place.file).parent_path() / name,
-                         std::string(stub->text),
-                         0,
-                         {},
-                         {}});
+        fixes.push_back({.label = "Create " + name.string(),
+                         .file = fs::path(message.place.file).parent_path() / name,
+                         .made = std::string(stub->text)});
     std::string other = message.suggestion;
     if (other.empty()) {
         const std::vector<std::string> names = filesLike(scene.parent_path(), name.extension());
@@ -71,12 +65,11 @@ void addFileFixes(const Diagnostic& message, const fs::path& scene, std::vector<
         if (other.empty() && names.size() == 1 && stub != kStubs.end()) other = names.front();
     }
     if (!other.empty())
-        fixes.push_back({"Use '" + other + "'",
-                         message.place.file,
-                         {},
-                         message.place.line,
-                         message.subject,
-                         other.find(' ') == std::string::npos ? other : '"' + other + '"'});
+        fixes.push_back({.label = "Use '" + other + "'",
+                         .file = message.place.file,
+                         .line = message.place.line,
+                         .from = message.subject,
+                         .to = other.find(' ') == std::string::npos ? other : '"' + other + '"'});
 }
 
 /// " uA <0. .5 1.>": a value with a control for the type of the uniform; empty if there is none.
@@ -99,12 +92,11 @@ void addSlider(const Diagnostic& message, const LiveScene& live, std::vector<Mes
         for (const plan::ActiveUniform& uniform : each.interface->uniforms) {
             if (uniform.name != message.subject) continue;
             if (const std::string value = sliderFor(uniform); !value.empty())
-                fixes.push_back({value.find('<') == std::string::npos ? "Add a value" : "Add a slider",
-                                 message.place.file,
-                                 {},
-                                 message.place.line,
-                                 {},
-                                 " " + value});
+                fixes.push_back(
+                    {.label = value.find('<') == std::string::npos ? "Add a value" : "Add a slider",
+                     .file = message.place.file,
+                     .line = message.place.line,
+                     .to = " " + value});
             return;
         }
     }
@@ -149,11 +141,8 @@ std::string withFix(std::string_view text, const MessageFix& fix) {
         if (at == std::string::npos) return std::string(text);
         line.replace(at, fix.from.size() + (quoted != std::string::npos ? 2 : 0), fix.to);
     } else {
-        std::size_t last = std::min(line.find('#'), line.size());
-        while (last > 0 && (line[last - 1] == ' ' || line[last - 1] == '\t' || line[last - 1] == '\\' ||
-                            line[last - 1] == '\r'))
-            --last;
-        line.insert(last, fix.to);
+        const std::string_view statement = std::string_view(line).substr(0, line.find('#'));
+        line.insert(statement.find_last_not_of(" \t\\\r") + 1, fix.to);
     }
     return std::string(text.substr(0, begin)) + line + std::string(text.substr(end));
 }

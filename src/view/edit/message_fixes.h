@@ -15,9 +15,9 @@ namespace glibra::view {
 struct MessageFix {
     std::string label;           ///< of the button: "Create lit.vert", "Use 'lighting.vert'", "Add a slider"
     std::filesystem::path file;  ///< to change or to make
-    std::string made;            ///< the text of a new file; empty: `file` is changed
+    std::string made{};          ///< the text of a new file; empty: `file` is changed
     int line = 0;                ///< that is changed
-    std::string from, to;        ///< a word of the line and what takes its place; without `from`, `to` is
+    std::string from{}, to{};    ///< a word of the line and what takes its place; without `from`, `to` is
                                  ///< added to the statement of the line
 };
 

@@ -8,6 +8,7 @@
 #include <span>
 #include <system_error>
 
+#include "base/whole_file.h"
 #include "image/file.h"
 #include "suite/golden/hash.h"
 
@@ -65,8 +66,7 @@ std::optional<RecoveredText> keptText(const fs::path& folder, const fs::path& fi
     if (!fs::exists(kept, failure)) return std::nullopt;
     const auto bytes = image::readFile(kept, {kept.string(), {}}, kLargestKept);
     if (!bytes) return std::nullopt;
-    const auto* text = reinterpret_cast<const char*>(bytes->data());
-    const nlohmann::json json = nlohmann::json::parse(text, text + bytes->size(), nullptr, false);
+    const nlohmann::json json = nlohmann::json::parse(base::asText(*bytes), nullptr, false);
     if (!json.is_object() || !json.contains("text") || !json["text"].is_string()) return std::nullopt;
     return RecoveredText{json["text"].get<std::string>(), json.contains("when") && json["when"].is_string()
                                                               ? json["when"].get<std::string>()

@@ -9,8 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "base/whole_file.h"
 #include "image/file.h"
-#include "view/browse/example_scenes.h"
+#include "view/edit/example_folders.h"
 
 namespace glibra::view {
 namespace {
@@ -101,13 +102,9 @@ std::string_view trimmed(std::string_view text) {
 
 /// Splits off the first line, with its end. Lines end with LF, CR LF or CR.
 std::string_view takeLine(std::string_view& rest) {
-    std::size_t end = rest.find_first_of("\r\n");
-    if (end == std::string_view::npos)
-        end = rest.size();
-    else
-        end += rest.substr(end, 2) == "\r\n" ? 2 : 1;
-    const std::string_view line = rest.substr(0, end);
-    rest.remove_prefix(end);
+    const std::size_t end = std::min(rest.find_first_of("\r\n"), rest.size());
+    const std::string_view line = rest.substr(0, end + (rest.substr(end, 2) == "\r\n" ? 2 : 1));
+    rest.remove_prefix(line.size());
     return line;
 }
 
@@ -188,7 +185,7 @@ std::string withFiles(std::string_view text, std::span<const ChosenFile> files) 
 }
 
 bool hasChangedValues(std::span<const Knob> knobs) {
-    return std::any_of(knobs.begin(), knobs.end(), [](const Knob& each) { return each.isChanged(); });
+    return std::ranges::any_of(knobs, &Knob::isChanged);
 }
 
 Diagnostics saveValues(const std::filesystem::path& scene, std::span<const Knob> knobs,
@@ -198,8 +195,7 @@ Diagnostics saveValues(const std::filesystem::path& scene, std::span<const Knob>
                          {scene.string(), 1, 1})};
     const auto bytes = image::readFile(scene, {scene.string(), {scene.string(), 1, 1}});
     if (!bytes) return bytes.diagnostics;
-    const Result<std::string> text =
-        withValues(withFiles({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, files), knobs);
+    const Result<std::string> text = withValues(withFiles(base::asText(*bytes), files), knobs);
     if (!text) return text.diagnostics;
     return image::writeFileAtomically(scene, std::as_bytes(std::span(*text)));
 }

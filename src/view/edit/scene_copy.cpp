@@ -1,7 +1,5 @@
 #include "view/edit/scene_copy.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <span>
 #include <system_error>
@@ -60,10 +58,6 @@ bool isFound(const scene::Scene& scene, const fs::path& file, const scene::Searc
     });
 }
 
-Diagnostic cannotWrite(const fs::path& file, const std::string& why) {
-    return diagnose("file-E10", fmt::format("cannot write '{}': {}", file.string(), why));
-}
-
 Result<std::vector<std::byte>> bytesOf(const fs::path& file) {
     std::error_code failure;
     if (fs::is_regular_file(file, failure) && fs::is_empty(file, failure)) return std::vector<std::byte>();
@@ -106,7 +100,7 @@ Diagnostics writeCopy(std::string_view text, const fs::path& target, const std::
         if (fs::exists(each.to, failure)) {
             const Result<std::vector<std::byte>> there = bytesOf(each.to);
             if (there && *there == *content) continue;
-            return {cannotWrite(each.to, "another file has this name; choose an empty folder")};
+            return {image::cannotWrite(each.to, "another file has this name; choose an empty folder")};
         }
         wanted.emplace_back(each.to, std::move(*content));
     }

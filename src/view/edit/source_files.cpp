@@ -1,6 +1,7 @@
 #include "view/edit/source_files.h"
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <string_view>
 
@@ -9,27 +10,12 @@
 namespace glibra::view {
 namespace {
 
-const char* stageWord(glsl::Stage stage) {
-    switch (stage) {
-        case glsl::Stage::vertex:
-            return "vertex";
-        case glsl::Stage::tessControl:
-            return "tessellation control";
-        case glsl::Stage::tessEvaluation:
-            return "tessellation evaluation";
-        case glsl::Stage::geometry:
-            return "geometry";
-        case glsl::Stage::compute:
-            return "compute";
-        case glsl::Stage::fragment:
-            break;
-    }
-    return "fragment";
-}
+/// In the order of glsl::Stage.
+constexpr std::array<const char*, glsl::kStageCount> kStageWords{
+    "vertex", "tessellation control", "tessellation evaluation", "geometry", "fragment", "compute"};
 
 SourceFile* find(std::vector<SourceFile>& files, const std::filesystem::path& path) {
-    const auto found =
-        std::find_if(files.begin(), files.end(), [&](const SourceFile& each) { return each.path == path; });
+    const auto found = std::ranges::find(files, path, &SourceFile::path);
     return found == files.end() ? nullptr : &*found;
 }
 
@@ -40,12 +26,12 @@ std::vector<SourceFile> sourceFiles(const LiveScene& live) {
     std::vector<SourceFile> files{{scene.path, {}, "scene"}};
     std::set<std::filesystem::path> data;
     for (const scene::FileReference& each : scene.files) data.insert(each.path);
-    for (int i = 0; i < glsl::kStageCount; ++i)
+    for (std::size_t i = 0; i < kStageWords.size(); ++i)
         for (const scene::Program& program : scene.programs)
             for (const scene::StageFile& each : program.stages) {
                 const std::filesystem::path& path = scene.files[each.file].path;
                 if (each.stage != static_cast<glsl::Stage>(i) || path.empty()) continue;
-                const std::string role = stageWord(each.stage) + std::string(" shader of ");
+                const std::string role = std::string(kStageWords.at(i)) + " shader of ";
                 SourceFile* known = find(files, path);
                 if (!known)
                     files.push_back({path, {}, role + program.name});

@@ -40,10 +40,7 @@ bool TextHistory::join(const Step& step) {
 void TextHistory::record(std::string_view text) {
     if (text == present_) return;
     const std::size_t shorter = std::min(text.size(), present_.size());
-    auto same = static_cast<std::size_t>(
-        std::mismatch(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(shorter), present_.begin())
-            .first -
-        text.begin());
+    auto same = static_cast<std::size_t>(std::ranges::mismatch(text, present_).in1 - text.begin());
     // The common parts end at whole characters, so that every state is UTF-8.
     const auto cuts = [](std::string_view of, std::size_t at) {
         return at < of.size() && isContinuation(of[at]);

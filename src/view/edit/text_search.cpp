@@ -2,18 +2,14 @@
 
 #include <algorithm>
 
+#include "base/text.h"
+
 namespace glibra::view {
 namespace {
 
-char lower(char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
 bool isOfWord(char c) {
-    const char letter = lower(c);
     // Bytes of non-ASCII letters count as letters.
-    return (letter >= 'a' && letter <= 'z') || (c >= '0' && c <= '9') || c == '_' ||
-           (static_cast<unsigned char>(c) & 0x80U) != 0;
+    return base::isOfName(c) || (static_cast<unsigned char>(c) & 0x80U) != 0;
 }
 
 bool standsAlone(std::string_view text, const TextRange& range) {
@@ -29,7 +25,9 @@ bool standsAlone(std::string_view text, const TextRange& range) {
 std::vector<TextRange> findAll(std::string_view text, const TextSearch& search) {
     std::vector<TextRange> found;
     if (search.words.empty()) return found;
-    const auto isSame = [&](char a, char b) { return search.matchesCase ? a == b : lower(a) == lower(b); };
+    const auto isSame = [&](char a, char b) {
+        return search.matchesCase ? a == b : base::lower(a) == base::lower(b);
+    };
     for (auto at = text.begin();;) {
         at = std::search(at, text.end(), search.words.begin(), search.words.end(), isSame);
         if (at == text.end()) return found;
@@ -42,15 +40,13 @@ std::vector<TextRange> findAll(std::string_view text, const TextSearch& search) 
 }
 
 std::size_t nextFound(const std::vector<TextRange>& found, std::size_t from) {
-    const auto next =
-        std::find_if(found.begin(), found.end(), [&](const TextRange& each) { return each.begin >= from; });
+    const auto next = std::ranges::lower_bound(found, from, {}, &TextRange::begin);
     return next == found.end() && !found.empty() ? 0 : static_cast<std::size_t>(next - found.begin());
 }
 
 std::size_t previousFound(const std::vector<TextRange>& found, std::size_t from) {
     if (found.empty()) return 0;
-    const auto next =
-        std::find_if(found.begin(), found.end(), [&](const TextRange& each) { return each.begin >= from; });
+    const auto next = std::ranges::lower_bound(found, from, {}, &TextRange::begin);
     return static_cast<std::size_t>((next == found.begin() ? found.end() : next) - found.begin()) - 1;
 }
 

@@ -10,11 +10,12 @@
 #include <utility>
 #include <vector>
 
+#include "image/file.h"
 #include "image/format.h"
 #include "image/video/video_file.h"
 #include "image/write.h"
+#include "render/draw/labels.h"
 #include "render/file/job.h"
-#include "render/file/labels.h"
 #include "render/scene_renderer.h"
 #include "view/scene/knobs.h"
 
@@ -32,15 +33,12 @@ struct HardcopyJob::State {
     int written = 0;
     bool failed = false;
 
-    [[nodiscard]] Diagnostic bad(const std::string& why) const {
-        return diagnose("file-E10", fmt::format("cannot write '{}': {}", wanted.file.string(), why));
-    }
     [[nodiscard]] Diagnostic outOfMemory() const {
-        return bad(fmt::format("not enough memory for {} x {} pixels; choose a smaller size", options.width,
-                               options.height));
+        return image::cannotWrite(wanted.file,
+                                  fmt::format("not enough memory for {} x {} pixels; choose a smaller size",
+                                              options.width, options.height));
     }
     Diagnostics begin(gpu::Context& context, const std::filesystem::path& scene);
-    Diagnostics beginFilm();
     Diagnostics drawNext();
     void drawChosenLabels(image::Image& picture) const;
     Diagnostics write(const image::Image& picture);
@@ -51,15 +49,12 @@ Diagnostics HardcopyJob::State::begin(gpu::Context& context, const std::filesyst
     Diagnostics diagnostics = std::move(loaded.diagnostics);
     if (!loaded) return diagnostics;
     renderer = std::move(loaded.value);
-    if (isFilm(wanted)) append(diagnostics, beginFilm());
-    return diagnostics;
-}
-
-Diagnostics HardcopyJob::State::beginFilm() {
+    if (!isFilm(wanted)) return diagnostics;
     Result<image::VideoFile> begun = image::VideoFile::create(wanted.file, options.width, options.height,
                                                               wanted.framesPerSecond, writing.comment);
     film = std::move(begun.value);
-    return std::move(begun.diagnostics);
+    append(diagnostics, std::move(begun.diagnostics));
+    return diagnostics;
 }
 
 Diagnostics HardcopyJob::State::drawNext() {

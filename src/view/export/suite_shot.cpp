@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <span>
 
+#include "base/whole_file.h"
 #include "image/file.h"
 #include "suite/file/shot_name.h"
 #include "suite/file/suite_file.h"
@@ -17,7 +18,7 @@ namespace fs = std::filesystem;
 
 std::string fileText(const fs::path& file) {
     const auto bytes = image::readFile(file, {file.string(), {}});
-    return bytes ? std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size()) : std::string();
+    return bytes ? std::string(base::asText(*bytes)) : std::string();
 }
 
 }  // namespace
@@ -47,14 +48,11 @@ std::string freeShotName(const fs::path& suite, const Session& session) {
     std::string name = suite::nameOfScene(session.path().filename().string());
     const Result<suite::Suite> read = suite::readSuiteText(fileText(suite), suite);
     const auto isTaken = [&](const std::string& wanted) {
-        return read && std::any_of(read->shots.begin(), read->shots.end(),
-                                   [&](const suite::Shot& each) { return each.name == wanted; });
+        return read && std::ranges::find(read->shots, wanted, &suite::Shot::name) != read->shots.end();
     };
-    if (!isTaken(name)) return name;
-    for (int number = 2;; ++number) {
-        std::string numbered = fmt::format("{}-{}", name, number);
-        if (!isTaken(numbered)) return numbered;
-    }
+    const std::string scene = name;
+    for (int number = 2; isTaken(name); ++number) name = fmt::format("{}-{}", scene, number);
+    return name;
 }
 
 }  // namespace glibra::view

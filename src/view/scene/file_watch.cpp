@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <new>
+#include <ranges>
 #include <system_error>
 #include <utility>
 
@@ -81,14 +82,11 @@ void FileWatch::watch(const std::vector<fs::path>& files, const std::set<std::st
         files_.insert(each);
         folders.insert(each.parent_path());
     }
-    for (auto each = folders_.begin(); each != folders_.end();) {
-        if (folders.erase(each->second) != 0) {
-            ++each;
-        } else {
-            ::inotify_rm_watch(inotify_, each->first);
-            each = folders_.erase(each);
-        }
-    }
+    std::erase_if(folders_, [&](const auto& watched) {
+        if (folders.erase(watched.second) != 0) return false;
+        ::inotify_rm_watch(inotify_, watched.first);
+        return true;
+    });
     for (const fs::path& each : folders) {
         const int descriptor = ::inotify_add_watch(inotify_, each.c_str(),
                                                    IN_CLOSE_WRITE | IN_MOVED_TO | IN_DELETE | IN_MOVED_FROM);
@@ -104,8 +102,7 @@ FileWatch::Change FileWatch::takeChanged() {
 void FileWatch::noteSaved(const fs::path& file) {
     removed_.erase(file);
     if (changed_.files.empty()) changed_.saved = std::chrono::steady_clock::now();
-    if (std::find(changed_.files.begin(), changed_.files.end(), file) == changed_.files.end())
-        changed_.files.push_back(file);
+    if (std::ranges::find(changed_.files, file) == changed_.files.end()) changed_.files.push_back(file);
 }
 
 bool FileWatch::reportRemoved() {
@@ -129,9 +126,8 @@ bool FileWatch::reportRemoved() {
 int FileWatch::millisecondsToRemoved() {
     const std::scoped_lock lock(mutex_);
     if (removed_.empty()) return -1;
-    const auto first = std::min_element(removed_.begin(), removed_.end(),
-                                        [](const auto& a, const auto& b) { return a.second < b.second; });
-    const auto left = first->second + kAway - std::chrono::steady_clock::now();
+    const auto first = std::ranges::min(std::views::values(removed_));
+    const auto left = first + kAway - std::chrono::steady_clock::now();
     const auto milliseconds = std::chrono::ceil<std::chrono::milliseconds>(left).count();
     return static_cast<int>(std::clamp<std::int64_t>(milliseconds, 0, kAway.count()));
 }

@@ -18,8 +18,8 @@ std::string exact(double value) {
 
 std::string joined(const std::vector<double>& values, std::size_t count, std::string_view between) {
     std::string text;
-    for (std::size_t i = 0; i < std::min(count, values.size()); ++i)
-        text += (i == 0 ? "" : std::string(between)) + exact(values[i]);
+    for (const double each : std::span(values).first(std::min(count, values.size())))
+        text += (text.empty() ? "" : std::string(between)) + exact(each);
     return text;
 }
 
@@ -85,8 +85,7 @@ std::string labelBegin(const Knob& knob) {
 std::vector<std::string> onlyLabels(std::vector<std::string> labels, std::span<const std::string> only) {
     if (only.empty()) return labels;
     std::erase_if(labels, [&](const std::string& label) {
-        return std::none_of(only.begin(), only.end(),
-                            [&](const std::string& begin) { return label.starts_with(begin); });
+        return std::ranges::none_of(only, [&](const std::string& begin) { return label.starts_with(begin); });
     });
     return labels;
 }

@@ -8,7 +8,7 @@
 
 #include "plan/type_table.h"
 #include "plan/uniform_names.h"
-#include "render/file/labels.h"
+#include "render/draw/labels.h"
 
 namespace glibra::view {
 namespace {
@@ -61,9 +61,7 @@ Knob knobOf(const scene::Scene& scene, const plan::PlannedProgram& planned, cons
 std::vector<const glib::UniformSpec*> countingSpecs(const scene::Program& program) {
     std::vector<const glib::UniformSpec*> specs;
     for (const glib::UniformSpec& each : program.uniforms) {
-        const auto same = std::find_if(specs.begin(), specs.end(), [&](const glib::UniformSpec* known) {
-            return known->tag == each.tag;
-        });
+        const auto same = std::ranges::find(specs, each.tag, &glib::UniformSpec::tag);
         if (same != specs.end())
             *same = &each;
         else
@@ -109,7 +107,6 @@ Knob knobOf(const scene::Variable& variable) {
     knob.tag = variable.name;
     knob.form = variable.form;
     knob.written = variable.written;
-    const bool isRange = variable.form == glib::UniformForm::range;
     const std::span<const double> stated = variable.statedValues();
     knob.initial.assign(stated.begin(), stated.end());
     knob.current = variable.current;
@@ -121,7 +118,7 @@ Knob knobOf(const scene::Variable& variable) {
     knob.declaration = "variable " + variable.name;
     knob.words = variable.words;
     knob.bound = variable.bound;
-    if (isRange) {
+    if (variable.form == glib::UniformForm::range) {
         knob.widget = Widget::slider;
         knob.minimum = variable.least();
         knob.maximum = variable.largest();
@@ -133,8 +130,9 @@ Knob knobOf(const scene::Variable& variable) {
     return knob;
 }
 
-bool hasUniform(const plan::PlannedProgram& program, const std::string& tag) {
-    return !plan::UniformNames(*program.interface).find(tag).empty();
+bool isSameValue(const Knob& a, const Knob& b) {
+    return a.tag == b.tag && a.type.word == b.type.word && a.widget == b.widget && a.form == b.form &&
+           a.minimum == b.minimum && a.maximum == b.maximum && a.initial == b.initial;
 }
 
 }  // namespace
@@ -144,20 +142,36 @@ std::vector<Knob> knobsOf(const scene::Scene& scene, std::span<const plan::Frame
     for (const plan::FramePlan* plan : plans)
         for (const plan::PlannedProgram& each : plan->programs)
             if (hasKnobs(each)) addKnobs(scene, each, knobs);
-    for (Knob& knob : knobs)
-        for (const plan::FramePlan* plan : plans)
-            knob.isShared = knob.isShared || std::any_of(plan->programs.begin(), plan->programs.end(),
-                                                         [&](const plan::PlannedProgram& each) {
-                                                             return each.variant.program &&
-                                                                    each.variant.program != knob.program &&
-                                                                    hasUniform(each, knob.tag);
-                                                         });
-    std::stable_sort(knobs.begin(), knobs.end(),
-                     [](const Knob& a, const Knob& b) { return a.program < b.program; });
+    for (Knob& knob : knobs) {
+        const auto hasTag = [&](const plan::PlannedProgram& each) {
+            return each.variant.program && each.variant.program != knob.program &&
+                   !plan::UniformNames(*each.interface).find(knob.tag).empty();
+        };
+        knob.isShared = std::ranges::any_of(plans, [&](const plan::FramePlan* plan) {
+            return std::any_of(plan->programs.begin(), plan->programs.end(), hasTag);
+        });
+    }
+    std::ranges::stable_sort(knobs, {}, &Knob::program);
     std::vector<Knob> all;
     for (const scene::Variable& each : scene.variables) all.push_back(knobOf(each));
     all.insert(all.end(), std::make_move_iterator(knobs.begin()), std::make_move_iterator(knobs.end()));
     return all;
+}
+
+std::vector<std::vector<std::size_t>> sharedKnobs(std::span<const Knob> knobs) {
+    std::vector<std::vector<std::size_t>> groups;
+    for (std::size_t i = 0; i < knobs.size(); ++i) {
+        if (!knobs[i].program) continue;
+        const auto known = std::find_if(groups.begin(), groups.end(), [&](const auto& group) {
+            return isSameValue(knobs[group.front()], knobs[i]);
+        });
+        if (known == groups.end())
+            groups.push_back({i});
+        else if (knobs[known->back()].program != knobs[i].program)
+            known->push_back(i);
+    }
+    std::erase_if(groups, [](const auto& group) { return group.size() < 2; });
+    return groups;
 }
 
 std::vector<plan::PlannedProgramIndex> apply(const scene::Scene& scene, std::span<const Knob> knobs,
@@ -193,13 +207,10 @@ std::vector<KeptValues::Owner> KeptValues::ownersOf(const scene::Scene& scene) {
 /// Gives the values of programs that have another name now to those names: between two programs that both
 /// scenes have, as many names are gone as are new.
 void KeptValues::rename(const std::vector<Owner>& now) {
-    const auto isIn = [](const std::vector<Owner>& owners, const Owner& owner) {
-        return std::find(owners.begin(), owners.end(), owner) != owners.end();
-    };
-    const auto gapsOf = [&](const std::vector<Owner>& owners, const std::vector<Owner>& others) {
+    const auto gapsOf = [](const std::vector<Owner>& owners, const std::vector<Owner>& others) {
         std::vector<std::vector<Owner>> gaps(1);
         for (const Owner& each : owners) {
-            if (isIn(others, each))
+            if (std::ranges::find(others, each) != others.end())
                 gaps.emplace_back();
             else
                 gaps.back().push_back(each);
@@ -207,15 +218,13 @@ void KeptValues::rename(const std::vector<Owner>& now) {
         return gaps;
     };
     const auto before = gapsOf(owners_, now), after = gapsOf(now, owners_);
-    std::vector<std::pair<Owner, Owner>> renamed;
+    std::map<Owner, Owner> renamed;
     for (std::size_t gap = 0; gap < std::min(before.size(), after.size()); ++gap)
         for (std::size_t i = 0; before[gap].size() == after[gap].size() && i < before[gap].size(); ++i)
-            renamed.emplace_back(before[gap][i], after[gap][i]);
+            renamed.emplace(before[gap][i], after[gap][i]);
     std::map<std::pair<Owner, std::string>, Kept> moved;
     for (auto& [key, kept] : values_) {
-        const auto known =
-            std::find_if(renamed.begin(), renamed.end(),
-                         [&, &owner = key.first](const auto& each) { return each.first == owner; });
+        const auto known = renamed.find(key.first);
         moved.insert_or_assign({known == renamed.end() ? key.first : known->second, key.second},
                                std::move(kept));
     }
@@ -234,11 +243,12 @@ void KeptValues::keep(const scene::Scene& scene, std::span<const Knob> knobs) {
 }
 
 void KeptValues::restore(const scene::Scene& scene, std::span<Knob> knobs) {
-    const std::vector<Owner> owners = ownersOf(scene);
+    std::vector<Owner> owners = ownersOf(scene);
     rename(owners);
-    owners_ = owners;
+    owners_ = std::move(owners);
     for (Knob& each : knobs) {
-        const auto found = values_.find({each.program ? owners[each.program.position()] : Owner(), each.tag});
+        const auto found =
+            values_.find({each.program ? owners_[each.program.position()] : Owner(), each.tag});
         if (found == values_.end()) continue;
         const Kept& kept = found->second;
         if (kept.form == each.form && kept.written == each.written &&

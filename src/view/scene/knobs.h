@@ -48,6 +48,11 @@ struct Knob {
 /// All knobs of these plans of the scene, grouped by program, in the order of the file.
 std::vector<Knob> knobsOf(const scene::Scene& scene, std::span<const plan::FramePlan* const> plans);
 
+/// Values that several programs have in common: one control moves them all. Each entry has the indices of
+/// knobs of different programs that the scene gives the same tag, type, range and value; two at least, in
+/// their order. Variables of the scene are in none.
+std::vector<std::vector<std::size_t>> sharedKnobs(std::span<const Knob> knobs);
+
 /// Writes the knobs' values into a plan. Returns the planned programs that have changed.
 std::vector<plan::PlannedProgramIndex> apply(const scene::Scene& scene, std::span<const Knob> knobs,
                                              plan::FramePlan& plan);

@@ -1,7 +1,5 @@
 #include "view/scene/live_scene.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <new>
 #include <set>
@@ -10,37 +8,14 @@
 
 #include "plan/buffer_table.h"
 #include "plan/loop_rounds.h"
-#include "render/file/labels.h"
+#include "render/consequences.h"
+#include "render/draw/labels.h"
 #include "render/load/open_loops.h"
 #include "view/scene/live_state.h"
-#include "view/scene/step_text.h"
 
 namespace glibra::view {
-/// What decides the content of what lasts, besides values that the window changes.
-std::string LiveScene::State::sourceOfSteps() const {
-    if (!simulation || isSimulationWrong || !source) return {};
-    std::string text = stepText(source->scripts());
-    const auto addFile = [&](scene::FileIndex index) {
-        if (!index) return;
-        const auto time = fileTimes.find(scene.files[index].path);
-        text += fmt::format("{} {}\n", scene.files[index].path.string(),
-                            time == fileTimes.end() ? 0 : time->second.time_since_epoch().count());
-    };
-    for (const scene::Shape& each : scene.shapes) addFile(each.file);
-    for (const plan::FramePlan* each : simulation->plans()) {
-        for (const plan::PlannedProgram& planned : each->programs) {
-            const render::BuiltProgram* built = programs.find(planned.variant);
-            text += fmt::format("program {}\n", built && built->program ? built->program->id() : 0);
-        }
-        for (const scene::TextureIndex texture : each->textures)
-            if (const auto* picture = std::get_if<scene::PictureSource>(&scene.textures[texture].source))
-                for (const scene::FileIndex file : picture->files) addFile(file);
-        for (const scene::BufferIndex buffer : each->buffers) addFile(scene.buffers[buffer].file);
-    }
-    return text;
-}
 
-LiveScene::LiveScene(std::unique_ptr<State> state) : state_(std::move(state)) {}
+LiveScene::LiveScene(std::unique_ptr<LiveState> state) : state_(std::move(state)) {}
 LiveScene::~LiveScene() = default;
 
 LiveScene::Loading LiveScene::load(gpu::Context& context, const std::filesystem::path& path,
@@ -51,7 +26,7 @@ LiveScene::Loading LiveScene::load(gpu::Context& context, const std::filesystem:
         Result<render::InterpretedScene> interpreted = render::interpretFile(path, options, stats);
         loading.diagnostics = std::move(interpreted.diagnostics);
         if (!interpreted) return loading;
-        auto state = std::make_unique<State>(context, options, std::move(*interpreted));
+        auto state = std::make_unique<LiveState>(context, options, std::move(*interpreted));
         // Before the new scene takes programs away.
         const std::string earlierSteps = previous ? previous->state_->sourceOfSteps() : std::string();
         loading.isPreviousLost = previous != nullptr;  // until the new scene is complete
@@ -59,7 +34,7 @@ LiveScene::Loading LiveScene::load(gpu::Context& context, const std::filesystem:
         if (!earlierSteps.empty() && state->sourceOfSteps() == earlierSteps)
             state->simulation->takeOver(*previous->state_->simulation);
         render::applyStrict(loading.diagnostics, false);
-        render::explainRemovedLoops(state->plan, state->programs, loading.diagnostics);
+        render::explainRemovedLoops(state->scene, state->plan, state->programs, loading.diagnostics);
         loading.scene.reset(new LiveScene(std::move(state)));
         loading.isPreviousLost = false;
     } catch (const std::bad_alloc&) {
@@ -95,12 +70,11 @@ bool LiveScene::isAnimated() const {
 }
 
 bool LiveScene::showsEarlierProgram(scene::ProgramIndex program) const {
-    for (const plan::PlannedProgram& each : state_->plan.programs) {
+    return std::ranges::any_of(state_->plan.programs, [&](const plan::PlannedProgram& each) {
         const render::BuiltProgram* built =
             each.variant.program == program ? state_->programs.find(each.variant) : nullptr;
-        if (built != nullptr && built->isLastGood) return true;
-    }
-    return false;
+        return built != nullptr && built->isLastGood;
+    });
 }
 
 std::vector<std::filesystem::path> LiveScene::files() const {
@@ -127,7 +101,7 @@ const render::Stats& LiveScene::drawStats() const {
 }
 
 bool LiveScene::keepTextures(Diagnostics& diagnostics) {
-    State& state = *state_;
+    LiveState& state = *state_;
     if (std::exchange(state.keepsTextures, true) || state.plan.sharing.empty()) return false;
     state.forgetDrawn();
     state.device.beginMoment(state.plan);
@@ -152,7 +126,7 @@ void LiveScene::drawOutOfSight(bool on) {
 }
 
 void LiveScene::setValue(const Knob& knob) {
-    State& state = *state_;
+    LiveState& state = *state_;
     if (!knob.program) {
         state.variables[knob.tag] = knob.current;
         return;
@@ -193,8 +167,7 @@ std::vector<Place> LiveScene::openLoops() {
                 for (Place& place : render::openLoops(
                          stage, isKnown ? glsl::UniformValue(value)
                                         : [](std::string_view) { return std::optional<double>(); }))
-                    if (std::find(places.begin(), places.end(), place) == places.end())
-                        places.push_back(std::move(place));
+                    if (std::ranges::find(places, place) == places.end()) places.push_back(std::move(place));
         }
     return places;
 }
@@ -212,6 +185,32 @@ bool LiveScene::moveTo(int width, int height, double time, Diagnostics& diagnost
     return state_->moveTo(wanted, diagnostics);
 }
 
+bool LiveScene::look(int width, int height, const ViewState& view, double time, Diagnostics& diagnostics) {
+    LiveState& state = *state_;
+    const bool isNew = moveTo(width, height, time, diagnostics);
+    state.placeEye(static_cast<double>(width) / height, diagnostics, state.drawStats);
+    state.lookFrom(view);
+    return isNew;
+}
+
+Diagnostics LiveScene::draw(const gpu::Target& target, const ViewState& view, double time, bool axes) {
+    LiveState& state = *state_;
+    Diagnostics diagnostics;
+    look(target.width(), target.height(), view, time, diagnostics);
+    const render::Tile whole{0, 0, target.width(), target.height()};
+    if (state.simulation && !state.isSimulationWrong) {
+        state.inputs.time = time;
+        append(diagnostics, state.simulation->advance(state.inputs));
+    }
+    append(diagnostics, state.drawFrame(target, time));
+    if (axes) append(diagnostics, state.makeAxes());
+    if (axes && state.axes)
+        state.axes->draw(target, state.scene, state.view, whole, target.width(), target.height());
+    target.resolve();
+    append(diagnostics, state.context.debugLog().takeDiagnostics());
+    return diagnostics;
+}
+
 const render::ViewMatrices& LiveScene::view() const {
     return state_->view;
 }
@@ -223,7 +222,7 @@ render::FrameDrawer& LiveScene::drawer() {
     return *state_->drawer;
 }
 const render::VertexBox* LiveScene::boxOf(const plan::PlannedDraw& draw) {
-    State& state = *state_;
+    LiveState& state = *state_;
     const plan::PlannedMesh& mesh = state.plan.meshes[draw.mesh];
     const plan::ProgramVariant& variant = state.plan.programs[draw.program].variant;
     if (state.programs.placementOf(variant) == glsl::Placement::unknown) return nullptr;
@@ -262,7 +261,7 @@ const base::StorageBlock* LiveScene::blockOf(scene::BufferIndex buffer) const {
 }
 
 void LiveScene::setCamera(const std::string& name) {
-    State& state = *state_;
+    LiveState& state = *state_;
     state.forgetDrawn();
     state.takeTriedBack();
     if (state.ownFrame) {
@@ -275,7 +274,7 @@ void LiveScene::setCamera(const std::string& name) {
 }
 
 void LiveScene::tryStates(TriedStates states) {
-    State& state = *state_;
+    LiveState& state = *state_;
     state.takeTriedBack();
     state.tried = std::move(states);
     state.giveTried();

@@ -2,16 +2,13 @@
 // A scene on the device whose values, matrices and size change while it is shown. When its files change it is
 // loaded again and reuses whatever is still the same. A faulty statement is left out; the rest is drawn.
 
-#include <glibra/draw_id.h>
 #include <glibra/render.h>
 
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
 
-#include "base/raster_state.h"
 #include "glsl/emit/emitted_lines.h"
 #include "glsl/emit/wrapped_main.h"
 #include "gpu/context/context.h"
@@ -19,22 +16,16 @@
 #include "image/image.h"
 #include "plan/frame_plan.h"
 #include "render/draw/frame.h"
-#include "render/draw/vertex_box.h"
+#include "render/load/vertex_box.h"
 #include "render/simulation/simulation.h"
 #include "render/stats.h"
 #include "scene/scene.h"
 #include "view/scene/knobs.h"
+#include "view/scene/tried_state.h"
 
 namespace glibra::view {
 
-/// A draw of the frame that is drawn with another state than the scene says, to try that.
-struct TriedState {
-    std::string word;           ///< the command that draws
-    base::RasterState ofScene;  ///< as the scene says
-    base::RasterState wanted;
-    friend bool operator==(const TriedState&, const TriedState&) = default;
-};
-using TriedStates = std::map<DrawId, TriedState>;
+struct LiveState;
 
 class LiveScene {
   public:
@@ -44,8 +35,7 @@ class LiveScene {
         bool isPreviousLost = false;  ///< memory ran out; `previous` must not be drawn any more
     };
     /// Loads the scene. `previous` is the earlier state of the same scene, or null: unchanged programs,
-    /// meshes
-    /// and textures are moved out of it. If loading succeeds, `previous` must not be drawn any more.
+    /// meshes and textures are moved out of it. If loading succeeds, `previous` must not be drawn any more.
     static Loading load(gpu::Context& context, const std::filesystem::path& path,
                         const RenderOptions& options, LiveScene* previous);
     LiveScene(const LiveScene&) = delete;
@@ -142,9 +132,8 @@ class LiveScene {
     [[nodiscard]] const base::StorageBlock* blockOf(scene::BufferIndex buffer) const;
 
   private:
-    struct State;
-    explicit LiveScene(std::unique_ptr<State> state);
-    std::unique_ptr<State> state_;
+    explicit LiveScene(std::unique_ptr<LiveState> state);
+    std::unique_ptr<LiveState> state_;
 };
 
 }  // namespace glibra::view

@@ -2,9 +2,7 @@
 // What a LiveScene holds (live_scene.h): the scene as it is now, its plan, its simulation and what was drawn
 // last.
 
-#include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -20,7 +18,7 @@
 #include "render/stats.h"
 #include "scene/scene.h"
 #include "view/scene/knobs.h"
-#include "view/scene/live_scene.h"
+#include "view/scene/tried_state.h"
 
 namespace glibra::view {
 
@@ -32,8 +30,8 @@ struct LiveStats {
     render::Stats ofLoading;
 };
 
-struct LiveScene::State : LiveStats, render::Pipeline {
-    State(gpu::Context& usedContext, RenderOptions usedOptions, render::InterpretedScene interpreted)
+struct LiveState : LiveStats, render::Pipeline {
+    LiveState(gpu::Context& usedContext, RenderOptions usedOptions, render::InterpretedScene interpreted)
         : Pipeline(usedContext, std::move(usedOptions), std::move(interpreted), ofLoading, {}) {
         adjustPlan = [this](plan::FramePlan& made) { apply(scene, changedKnobs, made); };
         if (source) cameras = source->cameras();
@@ -64,7 +62,7 @@ struct LiveScene::State : LiveStats, render::Pipeline {
     double mouseX = .5, mouseY = .5;
     bool isMouseDown = false;
 
-    Diagnostics prepare(State* previous);
+    Diagnostics prepare(LiveState* previous);
     Diagnostics makePlan(bool variablesDiffer = false);
     void planAgain();
     [[nodiscard]] std::string sourceOfSteps() const;

@@ -4,6 +4,7 @@
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "gpu/object/target.h"
 #include "view/scene/live_scene.h"
@@ -20,6 +21,14 @@ struct Picked {
     /// known.
     glm::dvec3 centre{0.0}, half{0.0};
 };
+
+/// The draws of the frame's passes into the window, in order; Picked::ordinal is an index into these.
+std::vector<const scene::Draw*> windowDraws(const scene::Scene& scene);
+
+/// The last draw into the window whose fragments pass at the pixel; null if there is none. `row` counts from
+/// the lower edge. Draws the window's passes again, in that pixel alone.
+const plan::PlannedDraw* visibleDraw(LiveScene& scene, const gpu::Target& picture, double time, int x,
+                                     int row);
 
 /// Draws the one pixel again through the scene's own stages, and finds the draw whose fragments are the last
 /// to pass the depth test there. This is exact whatever the shaders discard or move. `picture` holds the

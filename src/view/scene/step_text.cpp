@@ -30,8 +30,10 @@ void add(const Command& command, std::string& text) {
         text += '\n';
         return;
     }
-    text += command.isModern ? written(command) : command.word;
-    if (!command.isModern) {
+    if (command.isModern) {
+        text += written(command);
+    } else {
+        text += command.word;
         for (const Value& each : command.values) text += " " + written(each);
         for (const glib::KeyedValues& each : command.tags) {
             text += " " + each.key;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <system_error>
@@ -10,11 +11,11 @@
 #include <vector>
 
 #include "glib/number.h"
-#include "gpu/object/readback.h"
 #include "image/compare/flip.h"
 #include "image/compare/structure.h"
 #include "image/file.h"
 #include "suite/file/exercise_file.h"
+#include "view/scene/window_target.h"
 
 namespace glibra::view {
 namespace {
@@ -23,11 +24,7 @@ namespace fs = std::filesystem;
 
 std::optional<image::Image> pictureOf(gpu::Context& context, const gpu::Target* target) {
     if (!target) return std::nullopt;
-    Result<std::vector<std::byte>> pixels =
-        gpu::readPixels(context.capabilities(), target->readable(), 0,
-                        {0, 0, target->width(), target->height()}, {4, gpu::TexelType::u8});
-    if (!pixels) return std::nullopt;
-    return image::Image{target->width(), target->height(), 4, image::Component::u8, std::move(*pixels)};
+    return imageOf(context.capabilities(), *target, 4).value;
 }
 
 /// A text in TOML: JSON's strings are such.
@@ -38,9 +35,7 @@ std::string quoted(const std::string& text) {
 }  // namespace
 
 std::string Comparison::open(const fs::path& scene) {
-    own_.reset();
-    picture_.reset();
-    score_.reset();
+    forgetPictures();
     if (other_.open(scene)) return {};
     return fmt::format("'{}' cannot be read", scene.string());
 }
@@ -74,9 +69,8 @@ bool Comparison::follow(const Session& own) {
 }
 
 std::string Comparison::problem() const {
-    for (const Diagnostic& each : other_.diagnostics())
-        if (each.severity == Severity::error) return toString(each);
-    return {};
+    const auto error = std::ranges::find(other_.diagnostics(), Severity::error, &Diagnostic::severity);
+    return error == other_.diagnostics().end() ? std::string() : toString(*error);
 }
 
 std::optional<Comparison::Score> Comparison::score() {

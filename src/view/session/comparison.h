@@ -46,13 +46,17 @@ class Comparison {
     /// Forgets what is on the device, because it is lost; restoreDevice() loads the scene again.
     void releaseDevice() {
         other_.releaseDevice();
-        own_.reset();
-        picture_.reset();
-        score_.reset();
+        forgetPictures();
     }
     void restoreDevice() { other_.restoreDevice(); }
 
   private:
+    void forgetPictures() {
+        own_.reset();
+        picture_.reset();
+        score_.reset();
+    }
+
     gpu::Context& context_;
     Session other_;
     std::optional<image::Image> own_, picture_;

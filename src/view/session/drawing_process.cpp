@@ -1,8 +1,6 @@
 #include "view/session/drawing_process.h"
 
-#include <fcntl.h>
 #include <poll.h>
-#include <spawn.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -16,6 +14,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "view/edit/detached_process.h"
 #include "view/session/drawing_messages.h"
 
 namespace glibra::view {
@@ -45,18 +44,10 @@ bool DrawingProcess::start() {
     memory_ = ::memfd_create("glibra picture", MFD_CLOEXEC);
     if (memory_ < 0 || ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) return false;
     socket_ = ends[0];
-    std::string program = "glibra-view", option = "--draw-for-window";
-    std::array<char*, 3> words{program.data(), option.data(), nullptr};
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, ends[1], kDrawingSocket);
-    posix_spawn_file_actions_adddup2(&actions, memory_, kDrawingMemory);
-    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-    const int failure = posix_spawn(&process_, "/proc/self/exe", &actions, nullptr, words.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
+    process_ = startAgain({"glibra-view", "--draw-for-window"},
+                          {{ends[1], kDrawingSocket}, {memory_, kDrawingMemory}});
     ::close(ends[1]);
-    if (failure != 0) process_ = -1;
-    return failure == 0;
+    return process_ >= 0;
 }
 
 void DrawingProcess::unmap() {
@@ -128,10 +119,9 @@ DrawingProcess::State DrawingProcess::wait(double seconds, double limit) {
                 received_.append(bytes.data(), static_cast<std::size_t>(length));
                 continue;
             }
-            const bool hasDrawn = hasDrawn_;
-            const bool wasLoading = isLoading_;
+            const State why = hasDrawn_ || !isLoading_ ? State::ended : State::missing;
             end();
-            return hasDrawn || !wasLoading ? State::ended : State::missing;
+            return why;
         }
         if (isLate(limit)) {
             end();

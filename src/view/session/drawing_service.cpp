@@ -17,6 +17,7 @@
 
 #include "gpu/context/context.h"
 #include "gpu/object/readback.h"
+#include "view/scene/window_target.h"
 #include "view/session/drawing_messages.h"
 
 namespace glibra::view {
@@ -87,15 +88,11 @@ class Drawing {
         live_->drawer().setWireframe(order.at("wireframe").get<bool>());
         const int width = order.at("width").get<int>(), height = order.at("height").get<int>();
         const int samples = order.at("samples").get<int>();
-        if (!target_ || target_->width() != width || target_->height() != height || samples != samples_) {
-            samples_ = samples;
-            target_.reset();
-            Result<gpu::Target> made =
-                gpu::Target::window(context_.capabilities(), width, height, gpu::TexelFormat::rgba8, samples,
-                                    gpu::TexelFormat::depth24_stencil8);
-            if (!made) return std::move(made.diagnostics);
-            target_ = std::move(made.value);
-        }
+        if (std::exchange(samples_, samples) != samples) target_.reset();
+        if (Diagnostics problems =
+                fit(target_, context_.capabilities(), width, height, gpu::TexelFormat::rgba8, samples);
+            !target_)
+            return problems;
         ::alarm(kLongestDraw);
         sendMessage(kDrawingSocket, R"({"begins":true})");
         append(diagnostics, live_->draw(*target_, viewOf(order.at("view")), order.at("time").get<double>(),

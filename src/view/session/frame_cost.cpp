@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "gpu/object/timer.h"
-#include "render/probe/gpu_times.h"
+#include "render/gpu_times.h"
 
 namespace glibra::view {
 namespace {

@@ -18,7 +18,6 @@ class ObjectTimer {
     explicit ObjectTimer(const gpu::Capabilities& capabilities);
     ObjectTimer(const ObjectTimer&) = delete;
     ObjectTimer& operator=(const ObjectTimer&) = delete;
-    ~ObjectTimer() = default;
 
     /// False if the driver has no timer.
     [[nodiscard]] bool measures() const { return timer_.measures(); }

@@ -4,8 +4,8 @@
 #include <limits>
 #include <utility>
 
+#include "base/whole_file.h"
 #include "image/file.h"
-#include "view/scene/window_draws.h"
 
 namespace glibra::view {
 namespace {
@@ -36,7 +36,7 @@ Session::Session(gpu::Context& context, RenderOptions options)
 std::optional<std::string> Session::textWithFiles() const {
     const auto bytes = image::readFile(path_, {path_.string(), {}});
     if (!bytes) return std::nullopt;
-    return withFiles({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, chosenFiles_);
+    return withFiles(base::asText(*bytes), chosenFiles_);
 }
 
 RenderOptions Session::loadOptions() const {
@@ -51,7 +51,7 @@ RenderOptions Session::loadOptions() const {
 std::string Session::chooseFile(const Place& place, const std::filesystem::path& file) {
     const auto bytes = image::readFile(path_, {path_.string(), {}});
     if (!bytes) return toString(bytes.diagnostics.front());
-    auto chosen = chosenFile({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, place, file);
+    auto chosen = chosenFile(base::asText(*bytes), place, file);
     if (!chosen) return "the scene has changed meanwhile; choose the file again";
     if (chosen->name.find('"') != std::string::npos)
         return "a scene cannot name a file with a quotation mark in its name: " + chosen->name;
@@ -174,11 +174,8 @@ void Session::take(LiveScene::Loading loading, bool sameScene) {
         const auto now = std::find_if(knobs_.begin(), knobs_.end(), [&](const Knob& knob) {
             return knob.title == old->title && knob.tag == old->tag;
         });
-        const auto hasTitle = [](const Knob& here) {
-            return [&here](const Knob& knob) { return knob.title == here.title; };
-        };
-        const bool isRenamed = std::any_of(knobs_.begin(), knobs_.end(), [&](const Knob& knob) {
-            return each.isOf(knob) && std::none_of(before.begin(), before.end(), hasTitle(knob));
+        const bool isRenamed = std::ranges::any_of(knobs_, [&](const Knob& knob) {
+            return each.isOf(knob) && std::ranges::find(before, knob.title, &Knob::title) == before.end();
         });
         if (now != knobs_.end())
             each.program = now->program;
@@ -221,8 +218,8 @@ void Session::nextStep() {
 }
 
 void Session::setClock(const Clock& clock) {
-    isStale_ = isStale_ || (clock.time() != clock_.time() && live_ && live_->isAnimated());
     const bool isOtherTime = clock.time() != clock_.time();
+    isStale_ = isStale_ || (isOtherTime && live_ && live_->isAnimated());
     clock_ = clock;
     if (isOtherTime) moveAnimations();
 }
@@ -265,8 +262,7 @@ std::string Session::onlyOnScreen() const {
 }
 
 bool Session::isChanged() const {
-    return view_ != ViewState{} ||
-           std::any_of(knobs_.begin(), knobs_.end(), [](const Knob& each) { return each.isChanged(); });
+    return view_ != ViewState{} || hasChangedValues(knobs_);
 }
 
 }  // namespace glibra::view

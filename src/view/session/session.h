@@ -81,14 +81,12 @@ class Session {
     [[nodiscard]] const LiveScene& live() const { return *live_; }
     LiveScene& live() { return *live_; }
     /// The diagnostics of the last loading and of the frames since, and those about long loops with the
-    /// current
-    /// values.
+    /// current values.
     [[nodiscard]] const Diagnostics& diagnostics() const { return diagnostics_; }
 
     [[nodiscard]] const std::vector<Knob>& knobs() const { return knobs_; }
     /// Null if there is none. `program` is the title of the knob's program; if it is empty, the first knob
-    /// with
-    /// the tag is returned.
+    /// with the tag is returned.
     [[nodiscard]] const Knob* knob(std::string_view program, std::string_view tag) const;
     /// Sets any finite values, also beyond the knob's limits. If there are fewer values than components, the
     /// other components stay.
@@ -211,9 +209,8 @@ class Session {
     /// like. Draws it first if it is out of date.
     bool canLookInto();
     /// The draws that are drawn with another state than the scene says (LiveScene::tryStates), until the
-    /// scene says another one for them, or another scene is opened.
-    /// They are found again after an edit, and a draw that takes the place of another does not inherit its
-    /// state.
+    /// scene says another one for them, or another scene is opened. They are found again after an edit, and a
+    /// draw that takes the place of another does not inherit its state.
     [[nodiscard]] const TriedStates& triedStates() const { return trials_.states(); }
     void tryState(const scene::Draw& draw, const base::RasterState& state);
     /// The text of a file of the scene, with what was typed in it; empty if it cannot be read.
@@ -249,7 +246,6 @@ class Session {
 
   private:
     void followTrials();
-    void drawTrials();
     void take(LiveScene::Loading loading, bool sameScene);
     void dropScene();
     Diagnostics drawShown();

@@ -16,8 +16,7 @@ void Session::setTexts(std::map<std::filesystem::path, std::string> texts) {
 }
 
 void Session::drawLonger() {
-    const bool wasLate = std::any_of(diagnostics_.begin(), diagnostics_.end(),
-                                     [](const Diagnostic& each) { return each.id == "view-E05"; });
+    const bool wasLate = std::ranges::find(diagnostics_, "view-E05", &Diagnostic::id) != diagnostics_.end();
     if (wasLate) drawLimit_ = kLongDrawLimit;
 }
 
@@ -90,7 +89,7 @@ Session::Elsewhere Session::drawElsewhere() {
     Diagnostics found;
     const ViewState view = shownView();
     if (live_->look(width_, height_, view, clock_.time(), found)) debugRenderer_.reset();
-    for (Diagnostic& each : found) diagnostics_.push_back(std::move(each));
+    append(diagnostics_, std::move(found));
     const bool isSoftware = context_.capabilities().isSoftware;
     const scene::Scene& scene = live_->scene();
     const bool isShown = isSoftware && !drawsItself_ && debugView_ == DebugView::picture &&

@@ -4,7 +4,9 @@
 
 #include <utility>
 
+#include "base/whole_file.h"
 #include "image/file.h"
+#include "view/scene/window_target.h"
 #include "view/session/session.h"
 
 namespace glibra::view {
@@ -25,13 +27,15 @@ ProbedPixel Session::probeDraw(scene::StepIndex step, const TargetPixel& at) {
 std::string Session::readText(const std::filesystem::path& file) const {
     if (const auto typed = options_.texts.find(file); typed != options_.texts.end()) return typed->second;
     const auto bytes = image::readFile(file, {file.string(), {}});
-    return bytes ? std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size()) : std::string();
+    return bytes ? std::string(base::asText(*bytes)) : std::string();
 }
 
 void Session::tryState(const scene::Draw& draw, const base::RasterState& state) {
     if (!live_) return;
     trials_.set(draw, state, [this](const std::filesystem::path& file) { return readText(file); });
-    drawTrials();
+    live_->tryStates(trials_.states());
+    if (debugRenderer_) debugRenderer_->forgetPlan();
+    isStale_ = true;
 }
 
 /// The scene has been read again.
@@ -39,12 +43,6 @@ void Session::followTrials() {
     if (trials_.empty()) return;
     trials_.follow(live_->scene(), [this](const std::filesystem::path& file) { return readText(file); });
     live_->tryStates(trials_.states());
-}
-
-void Session::drawTrials() {
-    live_->tryStates(trials_.states());
-    if (debugRenderer_) debugRenderer_->forgetPlan();
-    isStale_ = true;
 }
 
 std::string Session::numbersOfPass(std::size_t pass, DebugView kind, TexelImage& numbers, int layer) {
@@ -61,13 +59,8 @@ std::string Session::numbersOfPass(std::size_t pass, DebugView kind, TexelImage&
 void Session::keepBefore() {
     if (!target_ || framesDrawn_ == 0) return;
     const int width = target_->width(), height = target_->height();
-    if (!before_ || before_->width() != width || before_->height() != height) {
-        before_.reset();
-        Result<gpu::Target> made =
-            gpu::Target::window(context_.capabilities(), width, height, gpu::TexelFormat::rgba8);
-        if (!made) return;
-        before_ = std::move(made.value);
-    }
+    fit(before_, context_.capabilities(), width, height);
+    if (!before_) return;
     target_->readable().bindForReading();
     before_->bind();
     glDisable(GL_SCISSOR_TEST);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "view/scene/window_target.h"
 #include "view/session/session.h"
 
 namespace glibra::view {
@@ -44,19 +45,16 @@ void Session::keepTextures() {
 }
 
 void Session::setAxes(bool on) {
-    isStale_ = isStale_ || on != axes_;
-    axes_ = on;
+    if (std::exchange(axes_, on) != on) isStale_ = true;
 }
 
 void Session::setWireframe(bool on) {
-    isStale_ = isStale_ || on != wireframe_;
-    wireframe_ = on;
+    if (std::exchange(wireframe_, on) != on) isStale_ = true;
     if (live_) live_->drawer().setWireframe(on);
 }
 
 void Session::setDebugView(DebugView kind) {
-    isStale_ = isStale_ || kind != debugView_;
-    debugView_ = kind;
+    if (std::exchange(debugView_, kind) != kind) isStale_ = true;
 }
 
 void Session::setNormalLength(double length) {
@@ -120,21 +118,11 @@ Diagnostics Session::drawShown() {
     return diagnostics;
 }
 
-/// Makes the target anew if its size or its samples differ. Returns false if there is no memory for it.
+/// Returns false if there is no memory for it.
 bool Session::makeTarget(std::optional<gpu::Target>& target, int samples) {
-    if (target && target->width() == width_ && target->height() == height_ &&
-        (target->samples() > 1) == (samples > 1))
-        return true;
-    target.reset();
-    Result<gpu::Target> made =
-        gpu::Target::window(context_.capabilities(), width_, height_, gpu::TexelFormat::rgba8, samples,
-                            gpu::TexelFormat::depth24_stencil8);
-    if (!made) {
-        append(diagnostics_, std::move(made.diagnostics));
-        return false;
-    }
-    target = std::move(made.value);
-    return true;
+    append(diagnostics_,
+           fit(target, context_.capabilities(), width_, height_, gpu::TexelFormat::rgba8, samples));
+    return target.has_value();
 }
 
 bool Session::drawIfNeeded() {

@@ -50,9 +50,8 @@ void Session::animate(std::size_t knob, bool on) {
 }
 
 bool Session::isAnimated(std::size_t knob) const {
-    return knob < knobs_.size() && std::any_of(
-                                       animations_.begin(), animations_.end(),
-                                       [&](const Animation& each) { return each.isOf(knobs_[knob]); });
+    return knob < knobs_.size() &&
+           std::ranges::any_of(animations_, [&](const Animation& each) { return each.isOf(knobs_[knob]); });
 }
 
 bool Session::undoAnimations() {

@@ -5,7 +5,6 @@
 
 #include "render/draw/view_matrices.h"
 #include "scene/matrices.h"
-#include "view/scene/window_draws.h"
 #include "view/session/session.h"
 
 namespace glibra::view {
@@ -124,8 +123,7 @@ void Session::nextProjection() {
 void Session::setCamera(const std::string& name) {
     if (!live_) return;
     const auto& cameras = live_->cameras();
-    const bool isKnown = std::any_of(cameras.begin(), cameras.end(),
-                                     [&](const scene::NamedCamera& each) { return each.name == name; });
+    const bool isKnown = std::ranges::find(cameras, name, &scene::NamedCamera::name) != cameras.end();
     camera_ = isKnown ? name : "";
     live_->setCamera(camera_);
     isStale_ = true;
@@ -134,10 +132,9 @@ void Session::setCamera(const std::string& name) {
 void Session::nextCamera() {
     if (!live_) return;
     const auto& cameras = live_->cameras();
-    if (camera_.empty()) return setCamera(cameras.empty() ? "" : cameras.front().name);
-    for (std::size_t i = 0; i + 1 < cameras.size(); ++i)
-        if (cameras[i].name == camera_) return setCamera(cameras[i + 1].name);
-    setCamera("");
+    const auto now = std::ranges::find(cameras, camera_, &scene::NamedCamera::name);
+    const auto next = camera_.empty() ? cameras.begin() : now == cameras.end() ? now : now + 1;
+    setCamera(next == cameras.end() ? "" : next->name);
 }
 
 void Session::setMouse(double x, double y, bool isDown) {

@@ -1,5 +1,6 @@
 #include "view/session/state_json.h"
 
+#include <array>
 #include <nlohmann/json.hpp>
 
 namespace glibra::view {
@@ -7,30 +8,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* wordOf(ProjectionMode mode) {
-    switch (mode) {
-        case ProjectionMode::scene:
-            return "scene";
-        case ProjectionMode::perspective:
-            return "perspective";
-        case ProjectionMode::orthographic:
-            break;
-    }
-    return "orthographic";
-}
+// In the orders of their enumerations.
+constexpr std::array kProjections{"scene", "perspective", "orthographic"};
+constexpr std::array kWidgets{"slider", "checkBox", "color", "numbers"};
 
-const char* wordOf(Widget widget) {
-    switch (widget) {
-        case Widget::slider:
-            return "slider";
-        case Widget::checkBox:
-            return "checkBox";
-        case Widget::color:
-            return "color";
-        case Widget::numbers:
-            break;
-    }
-    return "numbers";
+template <class Enum>
+const char* wordIn(Enum value, const auto& words) {
+    return words.at(static_cast<std::size_t>(value));
 }
 
 Json knobsJson(const Session& session) {
@@ -39,7 +23,7 @@ Json knobsJson(const Session& session) {
         const Knob& each = session.knobs()[i];
         knobs.push_back({{"program", each.title},
                          {"tag", each.tag},
-                         {"widget", wordOf(each.widget)},
+                         {"widget", wordIn(each.widget, kWidgets)},
                          {"minimum", each.minimum},
                          {"maximum", each.maximum},
                          {"initial", each.initial},
@@ -57,7 +41,7 @@ Json viewJson(const ViewState& view) {
               {"eye", view.eye},
               {"texture", view.texture},
               {"objects", objects},
-              {"projection", wordOf(view.projection)}};
+              {"projection", wordIn(view.projection, kProjections)}};
     if (view.background) json["background"] = *view.background;
     return json;
 }

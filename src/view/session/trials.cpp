@@ -37,8 +37,7 @@ void Trials::keepTexts(const TextOf& textOf) {
 }
 
 void Trials::set(const scene::Draw& draw, const base::RasterState& state, const TextOf& textOf) {
-    const auto known =
-        std::find_if(trials_.begin(), trials_.end(), [&](const Trial& each) { return each.now == draw.id; });
+    const auto known = std::ranges::find(trials_, draw.id, &Trial::now);
     // A trial has ended if the scene gives its draw another state than it did.
     const bool isTried = known != trials_.end() && known->state.wanted == draw.raster;
     const base::RasterState ofScene = isTried ? known->state.ofScene : draw.raster;

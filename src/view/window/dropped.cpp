@@ -15,19 +15,12 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string showUse(Ui& ui, const FileUse& use, const std::string& name) {
-    switch (use.kind) {
-        case FileUse::Kind::none:
-            return {};
-        case FileUse::Kind::text:
-            showSource(ui, use.place);
-            return {};
-        case FileUse::Kind::texture:
-            ui.wanted.inspected = textureKey(ui.session.live().scene(), use.texture);
-            return {};
-        case FileUse::Kind::data:
-            break;
+    if (use.kind == FileUse::Kind::texture) {
+        ui.wanted.inspected = textureKey(ui.session.live().scene(), use.texture);
+        return {};
     }
     showSource(ui, use.place);
+    if (use.kind == FileUse::Kind::text) return {};
     return fmt::format("{} is used in line {} of this scene", name, use.place.line);
 }
 

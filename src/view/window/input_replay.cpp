@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "view/window/platform/keys.h"
+
 namespace glibra::view {
 
 void InputRecord::addDropped(const std::vector<std::string>& files) {
@@ -20,16 +22,11 @@ void InputRecord::add(FrameInput frame, const std::vector<MousePoint>& way, std:
 
 const FrameInput& InputReplay::next() {
     const FrameInput& frame = frames_[next_++];
-    const auto isDown = [&](int left, int right) {
-        return std::any_of(frame.keys.begin(), frame.keys.end(),
-                           [&](int key) { return key == left || key == right; });
-    };
-    const bool control = isDown(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
-    const bool shift = isDown(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
+    const bool control = isDown(frame, GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
+    const bool shift = isDown(frame, GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
     pressed_.clear();
     for (const int key : frame.keys)
-        if (std::find(keys_.begin(), keys_.end(), key) == keys_.end())
-            pressed_.push_back({key, control, shift});
+        if (std::ranges::find(keys_, key) == keys_.end()) pressed_.push_back({key, control, shift});
     keys_ = frame.keys;
     return frame;
 }

@@ -1,17 +1,14 @@
-#include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "base/standard_files.h"
-#include "base/utf8.h"
 #include "cli/command_line.h"
+#include "cli/commands.h"
 #include "cli/written_files.h"
 #include "view/browse/thumbnail_maker.h"
 #include "view/session/drawing_service.h"
@@ -19,22 +16,9 @@
 
 namespace {
 
-constexpr int kWrongUsage = 2;
-constexpr int kSceneIsWrong = 3;
-constexpr int kNoDriver = 4;
-
-/// The folders in the environment variable GLIBRA_PATH.
-std::vector<std::filesystem::path> libraryRoots() {
-    std::vector<std::filesystem::path> roots;
-    const char* variable = std::getenv("GLIBRA_PATH");
-    std::string_view rest = variable ? variable : "";
-    while (!rest.empty()) {
-        const std::string_view folder = rest.substr(0, rest.find(':'));
-        if (!folder.empty()) roots.emplace_back(folder);
-        rest.remove_prefix(std::min(rest.size(), folder.size() + 1));
-    }
-    return roots;
-}
+using glibra::cli::kNoDriver;
+using glibra::cli::kSceneIsWrong;
+using glibra::cli::kWrongUsage;
 
 /// file-E13 for files that would replace a scene or the recorded input.
 glibra::Diagnostics overwritten(const glibra::view::WindowArguments& arguments) {
@@ -48,8 +32,7 @@ glibra::Diagnostics overwritten(const glibra::view::WindowArguments& arguments) 
 
 int run(glibra::view::WindowArguments& arguments, const std::string& size) {
     if (const glibra::Diagnostics problems = overwritten(arguments); !problems.empty()) {
-        for (const glibra::Diagnostic& each : problems)
-            std::fprintf(stderr, "%s\n", glibra::base::printableText(glibra::toString(each)).c_str());
+        for (const glibra::Diagnostic& each : problems) glibra::cli::printLine(glibra::toString(each));
         return kSceneIsWrong;
     }
     if (!size.empty()) {
@@ -64,10 +47,10 @@ int run(glibra::view::WindowArguments& arguments, const std::string& size) {
             return kWrongUsage;
         }
     }
-    arguments.options.libraryRoots = libraryRoots();
+    arguments.options.libraryRoots = glibra::cli::libraryRoots();
     int status = 0;
     for (const glibra::Diagnostic& each : glibra::view::runWindow(arguments)) {
-        std::fprintf(stderr, "%s\n", glibra::base::printableText(glibra::toString(each)).c_str());
+        glibra::cli::printLine(glibra::toString(each));
         if (each.severity != glibra::Severity::error) continue;
         status = each.id == "view-E02" || each.id == "gpu-E01" ? kNoDriver : kWrongUsage;
     }
@@ -117,7 +100,7 @@ int start(int argc, char** argv) {
     if (samples >= 0) arguments.samples = samples;
     arguments.scenes.assign(scenes.begin(), scenes.end());
     if (!thumbnails.empty())
-        return glibra::view::makeThumbnails(thumbnails, arguments.scenes, libraryRoots());
+        return glibra::view::makeThumbnails(thumbnails, arguments.scenes, glibra::cli::libraryRoots());
     return run(arguments, size);
 }
 
@@ -126,11 +109,7 @@ int start(int argc, char** argv) {
 int main(int argc, char** argv) {
     if (!glibra::base::openStandardFiles()) return kNoDriver;
     try {
-        const int status = start(argc, argv);
-        const std::string problem = glibra::base::endStandardOutput();
-        if (problem.empty()) return status;
-        std::fprintf(stderr, "glibra: error: cannot write to standard output: %s\n", problem.c_str());
-        return std::max(status, kSceneIsWrong);
+        return glibra::cli::endProgram(start(argc, argv));
     } catch (const std::exception& failure) {
         std::fprintf(stderr, "glibra: error: %s\n", failure.what());
         return kNoDriver;

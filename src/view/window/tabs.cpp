@@ -31,7 +31,7 @@ Tabs::Tabs(gpu::Context& context, RenderOptions options, Shared& shared)
 }
 
 std::size_t Tabs::find(const fs::path& scene) const {
-    const auto found = std::find_if(tabs_.begin(), tabs_.end(), [&](const std::unique_ptr<Tab>& each) {
+    const auto found = std::ranges::find_if(tabs_, [&](const std::unique_ptr<Tab>& each) {
         return each->session.hasScene() && whole(each->session.path()) == whole(scene);
     });
     return static_cast<std::size_t>(found - tabs_.begin());
@@ -69,8 +69,7 @@ void Tabs::close(std::size_t tab) {
     tabs_.erase(tabs_.begin() + static_cast<std::ptrdiff_t>(tab));
     if (shown_ > tab) --shown_;
     for (const fs::path& file : gone)
-        if (std::none_of(tabs_.begin(), tabs_.end(),
-                         [&](const std::unique_ptr<Tab>& each) { return uses(*each, file); }))
+        if (std::ranges::none_of(tabs_, [&](const std::unique_ptr<Tab>& each) { return uses(*each, file); }))
             shared_.sources.erase(file);
 }
 
@@ -90,7 +89,7 @@ void Tabs::restoreDevice() {
 
 bool Tabs::uses(const Tab& tab, const fs::path& file) const {
     const std::vector<SourceFile>& files = tab.ui.files;
-    return std::any_of(files.begin(), files.end(), [&](const SourceFile& each) { return each.path == file; });
+    return std::ranges::any_of(files, [&](const SourceFile& each) { return each.path == file; });
 }
 
 std::vector<fs::path> Tabs::unsaved(std::size_t tab) const {
@@ -98,8 +97,8 @@ std::vector<fs::path> Tabs::unsaved(std::size_t tab) const {
     for (const auto& each : shared_.sources) {
         const fs::path& path = each.first;
         if (!each.second.isChanged() || tab >= tabs_.size() || !uses(*tabs_[tab], path)) continue;
-        const auto users = std::count_if(tabs_.begin(), tabs_.end(),
-                                         [&](const std::unique_ptr<Tab>& one) { return uses(*one, path); });
+        const auto users =
+            std::ranges::count_if(tabs_, [&](const std::unique_ptr<Tab>& one) { return uses(*one, path); });
         if (users == 1) files.push_back(path);
     }
     return files;
@@ -134,10 +133,10 @@ void Tabs::markOutdated(const std::vector<fs::path>& files) {
             own.insert(whole(file));
             own.insert(fs::canonical(file, failure));
         }
-        each->isOutdated =
-            each->isOutdated || std::any_of(files.begin(), files.end(), [&](const fs::path& file) {
+        if (std::ranges::any_of(files, [&](const fs::path& file) {
                 return own.contains(file) || missing.contains(file.filename().string());
-            });
+            }))
+            each->isOutdated = true;
     }
 }
 
@@ -164,7 +163,7 @@ void Tabs::updateTitles() {
         TabTitle& title = shared_.tabs[i];
         title.id = tabs_[i]->id;
         title.hasError = hasError(session.diagnostics());
-        title.isUnsaved = std::any_of(shared_.sources.begin(), shared_.sources.end(), [&](const auto& each) {
+        title.isUnsaved = std::ranges::any_of(shared_.sources, [&](const auto& each) {
             return each.second.isChanged() && uses(*tabs_[i], each.first);
         });
     }

@@ -28,10 +28,9 @@ Window::Window(const WindowArguments& arguments, Display& display, gpu::Context&
       isSoftware_(context.capabilities().isSoftware) {
     shared_.settings = readSettings(settingsFile());
     lightTheme_ = shared_.settings.lightTheme;
-    scale_ = scaleOf(display, shared_.settings);
-    shared_.scale = scale_;
-    shared_.settings.scaleSizes(scale_);
-    gui_.emplace(display, scale_, shared_.settings);
+    shared_.scale = scaleOf(display, shared_.settings);
+    shared_.settings.scaleSizes(shared_.scale);
+    gui_.emplace(display, shared_.scale, shared_.settings);
     shared_.samples = arguments.samples;
     if (arguments.options.width > 0)
         shared_.shape = static_cast<double>(arguments.options.width) / arguments.options.height;
@@ -233,7 +232,7 @@ void Window::handleRequests() {
     if (requests.frames || isAny(ui(), &Panel::needsFrames)) framesWanted_ = kFramesAfterEvent;
     if (shared_.settings.lightTheme != lightTheme_) {
         lightTheme_ = shared_.settings.lightTheme;
-        applyTheme(lightTheme_, scale_);
+        applyTheme(lightTheme_, shared_.scale);
         framesWanted_ = kFramesAfterEvent;
     }
 }
@@ -241,10 +240,9 @@ void Window::handleRequests() {
 /// Texts and widgets follow the screen's scale and the user's zoom.
 void Window::followScale() {
     const float wanted = scaleOf(display_, shared_.settings);
-    if (!(wanted > 0) || wanted == scale_) return;
-    gui_->rescale(display_, scale_, wanted, shared_.settings);
-    shared_.settings.scaleSizes(wanted / scale_);
-    scale_ = wanted;
+    if (!(wanted > 0) || wanted == shared_.scale) return;
+    gui_->rescale(display_, shared_.scale, wanted, shared_.settings);
+    shared_.settings.scaleSizes(wanted / shared_.scale);
     shared_.scale = wanted;
     framesWanted_ = kFramesAfterEvent;
 }
@@ -282,8 +280,8 @@ void Window::saveSettings() {
     }
     if (!display_.isFullScreen()) std::tie(kept.windowWidth, kept.windowHeight) = display_.size();
     kept.layout = ImGui::SaveIniSettingsToMemory();
-    kept.layoutScale = scale_;
-    kept.scaleSizes(1 / scale_);
+    kept.layoutScale = shared_.scale;
+    kept.scaleSizes(1 / shared_.scale);
     writeSettings(kept, settingsFile());
 }
 
@@ -315,7 +313,7 @@ void Window::setSize() {
         return display_.setSize(arguments_.options.width + panel, arguments_.options.height);
     const scene::Scene& scene = session().live().scene();
     const auto scaled = [&](int side) {
-        return static_cast<int>(std::lround(static_cast<float>(side) * scale_));
+        return static_cast<int>(std::lround(static_cast<float>(side) * shared_.scale));
     };
     // A small scene's window has room for the panel.
     constexpr int kLeastRoom = 320, kLeastHeight = 560;
@@ -333,12 +331,12 @@ void Window::setSize() {
 /// scene that has caused the reset is not drawn again.
 Diagnostics Window::recover(const base::DeviceLost& lost) {
     shared_.settings.layout = ImGui::SaveIniSettingsToMemory();
-    shared_.settings.layoutScale = scale_;
+    shared_.settings.layoutScale = shared_.scale;
     tabs_.releaseDevice();
     gui_.reset();
     if (Diagnostics problems = display_.renew(); !problems.empty()) return problems;
     if (Diagnostics problems = context_.adoptAgain(&Display::address); !problems.empty()) return problems;
-    gui_.emplace(display_, scale_, shared_.settings);
+    gui_.emplace(display_, shared_.scale, shared_.settings);
     input_ = {};
     tabs_.restoreDevice();
     Session& drawn = tabs_.at(std::min(drawn_, tabs_.count() - 1)).session;

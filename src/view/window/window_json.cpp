@@ -19,7 +19,10 @@ double cpuSeconds() {
     return static_cast<double>(cpu.tv_sec) + static_cast<double>(cpu.tv_nsec) * kSecondsPerNanosecond;
 }
 
-void addLoop(Json& state, const LoopState& loop) {
+}  // namespace
+
+std::string windowJson(const Ui& ui, const LoopState& loop) {
+    Json state = stateOf(ui.session);
     state["window"] = {loop.windowSize.first, loop.windowSize.second};
     state["framesPresented"] = loop.framesPresented;
     state["reloads"] = loop.reloads;
@@ -30,17 +33,6 @@ void addLoop(Json& state, const LoopState& loop) {
     state["swapControl"] = loop.hasSwapControl;
     state["waiting"] = loop.isWaiting;
     state["cpuSeconds"] = cpuSeconds();
-}
-
-void addTabs(Json& state, const Shared& shared) {
-    Json tabs = Json::array();
-    for (const TabTitle& each : shared.tabs)
-        tabs.push_back({{"label", each.label}, {"path", each.path}, {"unsaved", each.isUnsaved}});
-    state["tabs"] = tabs;
-    state["shownTab"] = shared.shownTab;
-}
-
-void addPanels(Json& state, const Ui& ui) {
     state["picture"] = ui.frame.picture;
     state["room"] = ui.frame.room;
     state["scale"] = ui.shared.scale;
@@ -52,17 +44,12 @@ void addPanels(Json& state, const Ui& ui) {
     state["lightTheme"] = ui.settings.lightTheme;
     state["question"] = ui.shared.question.has_value();
     state["takesText"] = ImGui::GetIO().WantTextInput;
-    addTabs(state, ui.shared);
+    state["tabs"] = Json::array();
+    for (const TabTitle& each : ui.shared.tabs)
+        state["tabs"].push_back({{"label", each.label}, {"path", each.path}, {"unsaved", each.isUnsaved}});
+    state["shownTab"] = ui.shared.shownTab;
     for (const PanelUse& each : ui.panels) each.panel->addTo(state, ui);
     state["widgets"] = ui.frame.widgets;
-}
-
-}  // namespace
-
-std::string windowJson(const Ui& ui, const LoopState& loop) {
-    Json state = stateOf(ui.session);
-    addLoop(state, loop);
-    addPanels(state, ui);
     return state.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -34,8 +34,7 @@ inline double secondsSince(RealClock::time_point start) {
 
 /// True for a tab with a panel of which that is true.
 inline bool isAny(const Ui& ui, bool (Panel::*is)() const) {
-    return std::any_of(ui.panels.begin(), ui.panels.end(),
-                       [&](const PanelUse& each) { return (each.panel->*is)(); });
+    return std::ranges::any_of(ui.panels, [&](const PanelUse& each) { return (each.panel->*is)(); });
 }
 
 /// A tab that was closed, as it was.
@@ -107,7 +106,6 @@ class Window {
     bool quits_ = false;       ///< the user has agreed to what is lost
     std::string writtenState_;
     std::size_t drawn_ = 0;  ///< the tab that draws now
-    float scale_ = 1;
     Diagnostics setProblems_;
     /// What a lecture changes, as it was before.
     struct BeforeLecture {

@@ -40,9 +40,8 @@ CodeContext contextOf(const Ui& ui, const EditedFile& file) {
     }
     editor::addProgramNames(context, editor::namesOf(ui.session.live().scene()).programs, file.path(),
                             [&](const std::filesystem::path& path) {
-                                const auto known = ui.shared.sources.find(path);
-                                return known == ui.shared.sources.end() ? std::string()
-                                                                        : known->second.text();
+                                const EditedFile* known = knownSource(ui, path);
+                                return known ? known->text() : std::string();
                             });
     return context;
 }
@@ -61,8 +60,8 @@ void updateWords(CodeAssist& state, const Ui& ui, const EditedFile& file, const 
 bool isWholeWord(const CodeAssist& state, const EditedFile& file) {
     if (state.typed.end > file.text().size()) return false;
     const std::string typed = file.text().substr(state.typed.begin, state.typed.end - state.typed.begin);
-    return std::any_of(state.words.begin(), state.words.end(),
-                       [&](const Completion& each) { return glib::sameWord(each.word, typed); });
+    return std::ranges::any_of(state.words,
+                               [&](const Completion& each) { return glib::sameWord(each.word, typed); });
 }
 
 void accept(CodeAssist& state, EditedFile& file, CodeView& view) {
@@ -95,13 +94,10 @@ bool wordRow(Ui& ui, const CodeAssist& state, std::size_t index, float wordWidth
     return isClicked;
 }
 
-/// Places the next window below the cursor, or above it where there is more room.
-void placeAtCursor(const CodeView& view, float width, float height) {
-    const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    const bool fitsBelow = view.cursorOnScreen.bottom + height <= screen.y;
-    const float top =
-        fitsBelow ? view.cursorOnScreen.bottom : std::max(0.F, view.cursorOnScreen.top - height);
-    ImGui::SetNextWindowPos({std::clamp(view.cursorOnScreen.x, 0.F, std::max(0.F, screen.x - width)), top});
+/// Places the next window at the cursor, whole on the screen from left to right.
+void placeAtCursor(const CodeView& view, float top, float width, float height) {
+    const float most = std::max(0.F, ImGui::GetIO().DisplaySize.x - width);
+    ImGui::SetNextWindowPos({std::clamp(view.cursorOnScreen.x, 0.F, most), top});
     ImGui::SetNextWindowSize({width, height});
 }
 
@@ -122,7 +118,10 @@ void wordList(Ui& ui, CodeAssist& state, EditedFile& file, CodeView& view) {
     const float whatHeight =
         what.empty() ? 0 : ImGui::CalcTextSize(what.c_str(), nullptr, false, inside).y + style.ItemSpacing.y;
     const float height = static_cast<float>(rows) * line + whatHeight + 2 * style.WindowPadding.y;
-    placeAtCursor(view, width, height);
+    // Below the cursor, or above it where there is more room.
+    const CodeView::Corner& cursor = view.cursorOnScreen;
+    const bool fitsBelow = cursor.bottom + height <= ImGui::GetIO().DisplaySize.y;
+    placeAtCursor(view, fitsBelow ? cursor.bottom : std::max(0.F, cursor.top - height), width, height);
     ImGui::PushStyleColor(ImGuiCol_PopupBg, packed(palette().popup));
     ImGui::PushStyleColor(ImGuiCol_WindowBg, packed(palette().popup));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
@@ -136,11 +135,7 @@ void wordList(Ui& ui, CodeAssist& state, EditedFile& file, CodeView& view) {
         for (std::size_t i = first; i < first + rows; ++i)
             if (wordRow(ui, state, i, wordWidth, inside)) clicked = i;
         ImGui::PopStyleVar();
-        if (!what.empty()) {
-            ImGui::PushStyleColor(ImGuiCol_Text, packed(palette().dim));
-            ImGui::TextWrapped("%s", what.c_str());
-            ImGui::PopStyleColor();
-        }
+        if (!what.empty()) wrappedText(palette().dim, what.c_str());
     }
     const bool isHovered = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
     ImGui::End();
@@ -166,14 +161,11 @@ void argumentHint(Ui& ui, const CodeAssist& state, const CodeView& view) {
         const SignatureParts& each = state.hint.signatures[i];
         width = std::max(width, ImGui::CalcTextSize((each.before + each.argument + each.after).c_str()).x);
     }
-    const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    width = std::min(screen.x, width + 2 * style.WindowPadding.x);
+    width = std::min(ImGui::GetIO().DisplaySize.x, width + 2 * style.WindowPadding.x);
     const float height = static_cast<float>(rows) * ImGui::GetTextLineHeight() + 2 * style.WindowPadding.y;
     const float above = view.cursorOnScreen.top - height;
     // Below the line only where there is no room above it; the list of words stands below.
-    ImGui::SetNextWindowPos({std::clamp(view.cursorOnScreen.x, 0.F, std::max(0.F, screen.x - width)),
-                             above >= 0 ? above : view.cursorOnScreen.bottom});
-    ImGui::SetNextWindowSize({width, height});
+    placeAtCursor(view, above >= 0 ? above : view.cursorOnScreen.bottom, width, height);
     ImGui::PushStyleColor(ImGuiCol_PopupBg, packed(palette().popup));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
     constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_Tooltip | ImGuiWindowFlags_NoInputs |
@@ -188,9 +180,7 @@ void argumentHint(Ui& ui, const CodeAssist& state, const CodeView& view) {
             ImGui::TextUnformatted(each.before.c_str());
             if (each.argument.empty()) continue;
             ImGui::SameLine();
-            ImGui::PushStyleColor(ImGuiCol_Text, packed(palette().accent));
-            ImGui::TextUnformatted(each.argument.c_str());
-            ImGui::PopStyleColor();
+            ImGui::TextColored(asVector(palette().accent), "%s", each.argument.c_str());
             ImGui::SameLine();
             ImGui::TextUnformatted(each.after.c_str());
         }
@@ -257,11 +247,7 @@ void hover(Ui& ui, CodeAssist& state, const EditedFile& file, const CodeView& vi
     if (!entry.value.empty()) ui.frame.hoverText += "\nnow: " + entry.value;
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * 32);
-    if (!messages.empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, packed(severityColor(worst)));
-        ImGui::TextWrapped("%s", messages.c_str());
-        ImGui::PopStyleColor();
-    }
+    if (!messages.empty()) wrappedText(severityColor(worst), messages.c_str());
     if (!entry.word.empty()) entryText(entry);
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
@@ -297,8 +283,7 @@ std::string overviewList(Ui& ui, const std::vector<Completion>& words) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
             const Completion& each = words[static_cast<std::size_t>(i)];
             ImGui::PushID(i);
-            if (ImGui::Selectable(each.word.c_str())) clicked = each.word;
-            mark(ui, "reference/word/{}", each.word);
+            if (choice(ui, each.word.c_str(), false, "reference/word/{}", each.word)) clicked = each.word;
             ImGui::PopID();
             ImGui::SameLine(ImGui::GetFontSize() * 16);
             ImGui::TextDisabled("%s", each.type.c_str());
@@ -319,14 +304,12 @@ void assistKeys(CodeAssist& state, EditedFile& file, CodeView& view) {
     if (isKeyPressed(GLFW_KEY_DOWN)) state.chosen = (state.chosen + 1) % count;
     if (isKeyPressed(GLFW_KEY_UP)) state.chosen = (state.chosen + count - 1) % count;
     state.hasMoved = state.hasMoved || isKeyPressed(GLFW_KEY_DOWN) || isKeyPressed(GLFW_KEY_UP);
-    const bool isEnter = isKeyPressed(GLFW_KEY_ENTER) || isKeyPressed(GLFW_KEY_KP_ENTER);
-    if (isEnter && !state.hasMoved && isWholeWord(state, file)) {
+    if (isEnterPressed() && !state.hasMoved && isWholeWord(state, file)) {
         // Who has typed a whole word and goes on wants a new line.
         state.isOpen = view.leavesListKeys = false;
         return;
     }
-    if (isKeyPressed(GLFW_KEY_TAB) || isKeyPressed(GLFW_KEY_ENTER) || isKeyPressed(GLFW_KEY_KP_ENTER))
-        accept(state, file, view);
+    if (isKeyPressed(GLFW_KEY_TAB) || isEnterPressed()) accept(state, file, view);
 }
 
 void assist(Ui& ui, CodeAssist& state, EditedFile& file, CodeView& view, bool isChanged) {
@@ -366,7 +349,7 @@ void referenceWindow(Ui& ui, CodeAssist& state, const EditedFile* file) {
         entryText(state.entry);
         if (!state.overview.empty())
             if (const std::string word = overviewList(ui, state.overview); !word.empty()) {
-                state.word[word.copy(state.word.data(), state.word.size() - 1)] = 0;
+                setField(state.word, word);
                 lookUp(ui, state, file);
             }
     }
@@ -398,7 +381,7 @@ void showReference(const Ui& ui, CodeAssist& state, const ShownText& active, con
         state.language = languageAt(text, cursor, context).language;
         if (!word.empty()) {
             state.entry = referenceAt(text, range.begin, context);
-            state.word[word.copy(state.word.data(), state.word.size() - 1)] = 0;
+            setField(state.word, word);
             state.overview.clear();
             if (!state.entry.word.empty()) return;
         }

@@ -125,7 +125,7 @@ void drawGutter(const CodeLayout& layout, const CodeView& view, std::span<const 
     for (int line = layout.firstLine; line <= layout.lastLine; ++line) {
         const std::string number = std::to_string(line);
         const auto mark =
-            std::find_if(marks.begin(), marks.end(), [&](const CodeMark& each) { return each.line == line; });
+            std::ranges::find_if(marks, [&](const CodeMark& each) { return each.line == line; });
         const ImU32 color = mark != marks.end() ? packed(severityColor(mark->severity))
                             : line == view.line ? syntaxColor(SyntaxKind::plain)
                                                 : packed(palette().dim);
@@ -154,7 +154,7 @@ LineStarts lineStarts(std::string_view text) {
 }
 
 int lineOf(const LineStarts& starts, int byte) {
-    const auto next = std::upper_bound(starts.begin(), starts.end(), static_cast<std::size_t>(byte));
+    const auto next = std::ranges::upper_bound(starts, static_cast<std::size_t>(byte));
     return static_cast<int>(next - starts.begin());
 }
 

@@ -138,9 +138,8 @@ Scroll revealed(Scroll scroll, const CodeLayout& layout, int line, float x, bool
 }
 
 int charactersIn(std::string_view text) {
-    return static_cast<int>(std::count_if(text.begin(), text.end(), [](char each) {
-        return (static_cast<unsigned char>(each) & 0xC0U) != 0x80U;
-    }));
+    return static_cast<int>(std::ranges::count_if(
+        text, [](char each) { return (static_cast<unsigned char>(each) & 0xC0U) != 0x80U; }));
 }
 
 /// The ImGui widget that edits. Its text is transparent, since it has only one colour; drawCode() draws it.

@@ -61,8 +61,8 @@ std::vector<Command> commandsOf(const Ui& ui) {
                                     keys[i].find("Shift+") != std::string_view::npos});
         }
         if (use.row->title == nullptr) continue;
-        const bool hasKey = std::any_of(use.row->keys.begin(), use.row->keys.end(),
-                                        [](const Shortcut& each) { return each.act == toggleOpen; });
+        const bool hasKey =
+            std::ranges::any_of(use.row->keys, [](const Shortcut& each) { return each.act == toggleOpen; });
         if (!hasKey)
             commands.push_back(
                 {fmt::format("Window '{}'", use.row->title), "", use.panel, toggleOpen, false});
@@ -80,7 +80,7 @@ bool holdsWord(std::string_view text, std::string_view word) {
 /// True if it has all words of the search.
 bool matches(const Command& command, std::string_view words) {
     const std::vector<std::string_view> all = split(words, " ");
-    return std::all_of(all.begin(), all.end(), [&](std::string_view each) {
+    return std::ranges::all_of(all, [&](std::string_view each) {
         return holdsWord(command.what, each) || holdsWord(command.keys, each);
     });
 }

@@ -1,21 +1,17 @@
 // The window that shows another scene beside the one of the tab: the solution of an exercise beside a
 // student's own picture.
 
-#include <glad/gl.h>
 #include <imgui.h>
 
 #include <algorithm>
-#include <bit>
-#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
-#include "gpu/object/texture.h"
-#include "view/browse/example_scenes.h"
 #include "view/session/comparison.h"
+#include "view/window/panels/shown_texture.h"
 #include "view/window/panels/ui.h"
 
 namespace glibra::view {
@@ -31,18 +27,10 @@ struct CompareWindow {
     bool needsFrames = false;
 };
 
-void upload(const gpu::Capabilities& capabilities, const image::Image* picture,
-            std::optional<gpu::Texture>& to) {
-    to.reset();
-    if (!picture) return;
-    Result<gpu::Texture> made =
-        gpu::Texture::create(capabilities, gpu::TextureShape::texture2D, gpu::TexelFormat::rgba8,
-                             {picture->width, picture->height, 1}, {picture->data, 4});
-    to = std::move(made.value);
-    if (!to) return;
-    glBindTexture(GL_TEXTURE_2D, to->id());
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+std::optional<gpu::Texture> uploaded(const Ui& ui, const image::Image* picture) {
+    if (!picture) return std::nullopt;
+    return textureOfBytes(ui.context.capabilities(), picture->width, picture->height, picture->data,
+                          GL_LINEAR, GL_LINEAR);
 }
 
 void picture(Ui& ui, const char* title, const char* name, const std::optional<gpu::Texture>& texture,
@@ -50,7 +38,7 @@ void picture(Ui& ui, const char* title, const char* name, const std::optional<gp
     ImGui::BeginGroup();
     ImGui::TextUnformatted(title);
     if (texture)
-        ImGui::Image(std::bit_cast<ImTextureID>(static_cast<std::uintptr_t>(texture->id())), size);
+        ImGui::Image(idOf(*texture), size);
     else
         ImGui::Dummy(size);
     mark(ui, name);
@@ -63,8 +51,10 @@ void sideBySide(Ui& ui, CompareWindow& window) {
     const bool isNew = comparison.follow(ui.session);
     ui.frame.isFollowed = ui.frame.isFollowed || comparison.isDrawing();
     if (isNew) {
-        upload(ui.context.capabilities(), comparison.own(), window.own);
-        upload(ui.context.capabilities(), comparison.other(), window.other);
+        window.own.reset();  // before the new one needs memory
+        window.own = uploaded(ui, comparison.own());
+        window.other.reset();
+        window.other = uploaded(ui, comparison.other());
         window.needsFrames = true;  // the tab's own picture may still be drawn in this frame
     }
     const ImVec2 room = ImGui::GetContentRegionAvail();

@@ -85,19 +85,15 @@ void costPanel(Ui& ui, std::optional<FrameCost>& measured) {
     constexpr double kLeastSeconds = .5;
     // Nothing would end the frames of a shader that does not end.
     ImGui::BeginDisabled(ui.session.isStopped() || ui.session.isDrawing());
-    if (ImGui::Button("Measure"))
+    if (button(ui, "Measure", "cost/measure"))
         measured = measureFrames(ui.session, ui.context.capabilities(), kLeastFrames, kLeastSeconds);
     ImGui::EndDisabled();
-    mark(ui, "cost/measure");
     ImGui::SameLine();
     bool isLive = ui.session.measuresObjects();
-    if (checkBox("On the picture", &isLive)) ui.session.setMeasuresObjects(isLive);
-    mark(ui, "cost/live");
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip(
-            "GPU time of the draws and dispatches of every frame, without clears, panels and the wait for "
-            "the "
-            "screen (F)");
+    if (checkBox(ui, "On the picture", "cost/live", isLive,
+                 "GPU time of the draws and dispatches of every frame, without clears, panels and the wait "
+                 "for the screen (F)"))
+        ui.session.setMeasuresObjects(isLive);
     if (!measured || measured->frames == 0) return;
     const FrameCost& cost = *measured;
     constexpr double kMillisecondsInSecond = 1000;

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "view/scene/window_draws.h"
+#include "view/scene/pick.h"
 #include "view/window/panels/ui.h"
 
 namespace glibra::view {
@@ -26,12 +26,11 @@ const char* helpOf(DebugView kind) {
             return "The rendered picture";
         case DebugView::normals:
             return "Yellow: normals of vertices that only the scene's matrices move. Cyan: the direction "
-                   "that each "
-                   "triangle faces after all stages. With a geometry stage, colours show that direction.";
+                   "that each triangle faces after all stages. With a geometry stage, colours show that "
+                   "direction.";
         case DebugView::coordinates:
             return "Red: s. Green: t. Blue is added outside 0 to 1. After tessellation and geometry stages, "
-                   "this shows "
-                   "what the fragment stage gets as vST.";
+                   "this shows what the fragment stage gets as vST.";
         case DebugView::facing:
             return "Blue: front side. Orange: back side";
         case DebugView::overdraw:
@@ -76,8 +75,7 @@ std::vector<LegendEntry> legendOf(DebugView kind, const ValueRange& range) {
 /// True if the window shows only what a Fill makes of other passes.
 bool isFillAlone(const scene::Scene& scene) {
     const std::vector<const scene::Draw*> draws = windowDraws(scene);
-    return !draws.empty() &&
-           std::all_of(draws.begin(), draws.end(), [](const scene::Draw* each) { return each->isFill; });
+    return !draws.empty() && std::ranges::all_of(draws, [](const scene::Draw* each) { return each->isFill; });
 }
 
 /// The legend on the upper left corner of the picture, as far as it is seen. Returns its text.
@@ -170,23 +168,17 @@ constexpr auto kDebugViewKeys = std::to_array<Shortcut>(
 void debugViewControls(Ui& ui) {
     const DebugView now = ui.session.debugView();
     fieldLabel("Show");
-    const bool isOpen = ImGui::BeginCombo("##show", std::string(nameOf(now)).c_str());
-    mark(ui, "view/show");
+    const bool isOpen = beginCombo(ui, "##show", std::string(nameOf(now)).c_str(), "view/show");
     if (isOpen) {
         for (int i = 0; i < kDebugViewCount; ++i) {
             const auto kind = static_cast<DebugView>(i);
             const std::string name(nameOf(kind));
-            if (ImGui::Selectable(name.c_str(), kind == now)) ui.session.setDebugView(kind);
-            mark(ui, "view/show/" + name);
-            if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", helpOf(kind));
+            if (choice(ui, name.c_str(), kind == now, "view/show/{}", name)) ui.session.setDebugView(kind);
+            tooltip(helpOf(kind));
         }
         ImGui::EndCombo();
     } else if (ImGui::IsItemHovered()) {
-        ImGui::BeginTooltip();
-        ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24);
-        ImGui::TextUnformatted(helpOf(now));
-        ImGui::PopTextWrapPos();
-        ImGui::EndTooltip();
+        wrappedTooltip(helpOf(now), ImGui::GetFontSize() * 24);
     }
     if (now == DebugView::normals) {
         auto length = static_cast<float>(ui.session.normalLength());
@@ -197,13 +189,10 @@ void debugViewControls(Ui& ui) {
     }
     if (now != DebugView::picture && isFillAlone(ui.session.live().scene())) {
         ImGui::TextWrapped("Only a Fill draws into the window. Frame shows this for every pass.");
-        if (ImGui::SmallButton("Frame")) toolWindow(ui, "frame").isOpen = true;
-        mark(ui, "view/showInFrame");
+        if (smallButton(ui, "Frame", "view/showInFrame")) toolWindow(ui, "frame").isOpen = true;
     }
-    checkBox("Probe a pixel", &toolWindow(ui, "probe").isOpen);
-    mark(ui, "view/probe");
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("Click the picture to see the inputs, outputs and uniforms of the fragment (D)");
+    checkBox(ui, "Probe a pixel", "view/probe", toolWindow(ui, "probe").isOpen,
+             "Click the picture to see the inputs, outputs and uniforms of the fragment (D)");
 }
 
 const PanelRow kDebugViewRow{

@@ -2,14 +2,11 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
-#include <fmt/format.h>
-#include <glad/gl.h>
 #include <imgui.h>
 #include <imgui_internal.h>
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -21,13 +18,13 @@
 #include <utility>
 
 #include "glib/text.h"
-#include "gpu/object/texture.h"
 #include "image/read.h"
-#include "view/browse/chapters.h"
 #include "view/browse/example_scenes.h"
 #include "view/browse/thumbnail_maker.h"
 #include "view/browse/thumbnails.h"
+#include "view/edit/example_folders.h"
 #include "view/window/panels/file_menu.h"
+#include "view/window/panels/shown_texture.h"
 #include "view/window/panels/ui.h"
 #include "view/window/platform/keys.h"
 
@@ -120,14 +117,8 @@ void loadPicture(const gpu::Capabilities& capabilities, ExampleBrowser::Tile& ti
         tile.thumbnail = {Thumbnail::State::failed, {}, "the cached picture cannot be read"};
         return;
     }
-    Result<gpu::Texture> made =
-        gpu::Texture::create(capabilities, gpu::TextureShape::texture2D, gpu::TexelFormat::rgba8,
-                             {read->width, read->height, 1}, {read->data, 4});
-    tile.picture = std::move(made.value);
+    tile.picture = textureOfBytes(capabilities, read->width, read->height, read->data, GL_LINEAR, GL_LINEAR);
     if (!tile.picture) return;
-    glBindTexture(GL_TEXTURE_2D, tile.picture->id());
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
@@ -155,8 +146,8 @@ void tile(Ui& ui, ExampleBrowser& browser, ExampleBrowser::Tile& each, bool areC
     const ImVec2 end(at.x + size.x, at.y + size.y);
     if (ImGui::IsRectVisible(at, end)) loadPicture(ui.context.capabilities(), each);
     if (each.picture) {
-        draw.AddImageRounded(std::bit_cast<ImTextureID>(static_cast<std::uintptr_t>(each.picture->id())), at,
-                             end, {0, 0}, {1, 1}, IM_COL32_WHITE, 4 * ui.shared.scale);
+        draw.AddImageRounded(idOf(*each.picture), at, end, {0, 0}, {1, 1}, IM_COL32_WHITE,
+                             4 * ui.shared.scale);
     } else {
         draw.AddRectFilled(at, end, ImGui::GetColorU32(ImGuiCol_FrameBg), 4 * ui.shared.scale);
         const bool isComing = each.thumbnail.state == Thumbnail::State::missing && areComing;
@@ -193,16 +184,14 @@ void chapterChoice(Ui& ui, ExampleBrowser& browser) {
     if (browser.chapters.empty()) return;
     ImGui::SetNextItemWidth(260 * ui.shared.scale);
     const bool isOpen =
-        ImGui::BeginCombo("##chapter", browser.chapter.empty() ? "all chapters" : browser.chapter.c_str(),
-                          ImGuiComboFlags_HeightLarge);
-    mark(ui, "examples/chapter");
+        beginCombo(ui, "##chapter", browser.chapter.empty() ? "all chapters" : browser.chapter.c_str(),
+                   "examples/chapter", ImGuiComboFlags_HeightLarge);
     if (!isOpen) return;
     const std::string before = browser.chapter;
     if (ImGui::Selectable("all chapters", browser.chapter.empty())) browser.chapter.clear();
-    for (const std::string& each : browser.chapters) {
-        if (ImGui::Selectable(each.c_str(), each == browser.chapter)) browser.chapter = each;
-        mark(ui, "examples/chapter/{}", each);
-    }
+    for (const std::string& each : browser.chapters)
+        if (choice(ui, each.c_str(), each == browser.chapter, "examples/chapter/{}", each))
+            browser.chapter = each;
     ImGui::EndCombo();
     if (browser.chapter == before || !browser.maker) return;
     takeFinished(browser);
@@ -212,20 +201,17 @@ void chapterChoice(Ui& ui, ExampleBrowser& browser) {
 /// For those who have no scene yet.
 void newAndOpen(Ui& ui) {
     if (ui.session.hasScene()) return;
-    if (ImGui::Button("New scene...")) askEmptyScene(ui);
-    mark(ui, "examples/new");
+    if (button(ui, "New scene...", "examples/new")) askEmptyScene(ui);
     ImGui::SameLine();
-    if (ImGui::Button("Open...")) openDialog(ui, false);
-    mark(ui, "examples/open");
+    if (button(ui, "Open...", "examples/open")) openDialog(ui, false);
     ImGui::SameLine();
     ImGui::TextDisabled("or begin with an example:");
 }
 
 /// How many scenes are found, and that Enter opens the only one.
 void countLine(ExampleBrowser& browser) {
-    const auto found =
-        std::count_if(browser.tiles.begin(), browser.tiles.end(),
-                      [&](const ExampleBrowser::Tile& each) { return isFound(each.scene, browser); });
+    const auto found = std::ranges::count_if(
+        browser.tiles, [&](const ExampleBrowser::Tile& each) { return isFound(each.scene, browser); });
     browser.found = static_cast<std::size_t>(found);
     if (browser.search[0] == 0 && browser.chapter.empty())
         ImGui::TextDisabled("%zu scenes", browser.tiles.size());
@@ -268,8 +254,8 @@ void chooseByKeys(ExampleBrowser& browser) {
     if (places.empty()) return;
     const int down = (isKeyPressed(GLFW_KEY_DOWN) ? 1 : 0) - (isKeyPressed(GLFW_KEY_UP) ? 1 : 0);
     const int right = (isKeyPressed(GLFW_KEY_RIGHT) ? 1 : 0) - (isKeyPressed(GLFW_KEY_LEFT) ? 1 : 0);
-    const auto now = std::find_if(places.begin(), places.end(),
-                                  [&](const auto& each) { return each.first == browser.chosen; });
+    const auto now =
+        std::ranges::find_if(places, [&](const auto& each) { return each.first == browser.chosen; });
     if (now == places.end()) {
         browser.chosen = down > 0 ? places.front().first : std::string();
         browser.reveals = down > 0;
@@ -305,7 +291,7 @@ void exampleWindow(Ui& ui, ExampleBrowser& browser, bool& isOpen) {
     ImGui::SetNextWindowSize(
         {std::min(screen.x - 40 * ui.shared.scale, 940 * ui.shared.scale), screen.y * .86F},
         ImGuiCond_Appearing);
-    ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Appearing, {.5F, .5F});
+    centreNextWindow(ImGuiCond_Appearing);
     if (ImGui::Begin(kExamplesRow.title, &isOpen, ImGuiWindowFlags_NoCollapse)) {
         if (browser.root.empty()) {
             ImGui::TextWrapped(
@@ -342,15 +328,6 @@ void exampleWindow(Ui& ui, ExampleBrowser& browser, bool& isOpen) {
     ImGui::End();
 }
 
-nlohmann::ordered_json examplesJson(const ExampleBrowser& examples, bool isOpen) {
-    const auto pictures = std::count_if(
-        examples.tiles.begin(), examples.tiles.end(),
-        [](const ExampleBrowser::Tile& each) { return each.thumbnail.state == Thumbnail::State::ready; });
-    return {{"open", isOpen},          {"scenes", examples.tiles.size()},
-            {"found", examples.found}, {"chosen", examples.chosen},
-            {"pictures", pictures},    {"drawing", examples.maker != nullptr}};
-}
-
 class ExampleWindow final : public Panel {
   public:
     void show(Ui& ui) override { exampleWindow(ui, browser_, isOpen); }
@@ -358,7 +335,12 @@ class ExampleWindow final : public Panel {
         return browser_.maker && browser_.maker->hasFinished();
     }
     void addTo(nlohmann::ordered_json& state, const Ui& /*ui*/) const override {
-        state["examples"] = examplesJson(browser_, isOpen);
+        const auto pictures = std::ranges::count_if(browser_.tiles, [](const ExampleBrowser::Tile& each) {
+            return each.thumbnail.state == Thumbnail::State::ready;
+        });
+        state["examples"] = {{"open", isOpen},          {"scenes", browser_.tiles.size()},
+                             {"found", browser_.found}, {"chosen", browser_.chosen},
+                             {"pictures", pictures},    {"drawing", browser_.maker != nullptr}};
     }
     void releaseDevice() override {
         for (ExampleBrowser::Tile& each : browser_.tiles) each.picture.reset();

@@ -39,16 +39,12 @@ FileQuestion::Kind kindOf(const FileDialog& dialog) {
     return dialog.question ? dialog.question->kind : FileQuestion::Kind::open;
 }
 
-void setEntry(FileDialog& dialog, const std::string& text) {
-    dialog.entry[text.copy(dialog.entry.data(), dialog.entry.size() - 1)] = 0;
-}
-
 /// The proposed name of a file to save stays in every folder.
 void showFolder(FileDialog& dialog, const fs::path& folder) {
     dialog.list = listFolder(folder, dialog.question ? dialog.question->endings : ".glib");
     if (kindOf(dialog) == FileQuestion::Kind::folder)
         std::erase_if(dialog.list.entries, [](const FolderEntry& each) { return !each.isFolder; });
-    if (kindOf(dialog) != FileQuestion::Kind::save) setEntry(dialog, "");
+    if (kindOf(dialog) != FileQuestion::Kind::save) setField(dialog.entry, "");
     dialog.existing.clear();
     dialog.problem.clear();
     dialog.focusEntry = true;
@@ -100,7 +96,7 @@ void takeEntry(Ui& ui, FileDialog& dialog, bool isEntered) {
 void folderLink(FileDialog& dialog, const char* label, const fs::path& folder) {
     if (folder.empty()) return;
     if (ImGui::Selectable(label, false, ImGuiSelectableFlags_DontClosePopups)) showFolder(dialog, folder);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", folder.c_str());
+    tooltip(folder.c_str());
 }
 
 void places(Ui& ui, FileDialog& dialog) {
@@ -136,7 +132,7 @@ void folderList(Ui& ui, FileDialog& dialog) {
             else if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
                 taken = path;
             else
-                setEntry(dialog, each.name);
+                setField(dialog.entry, each.name);
         }
         mark(ui, "dialog/entry/" + each.name);
     }
@@ -151,14 +147,13 @@ void folderList(Ui& ui, FileDialog& dialog) {
 bool dialogButtons(Ui& ui, FileDialog& dialog) {
     ImGui::SameLine();
     ImGui::BeginDisabled(dialog.entry[0] == 0 && kindOf(dialog) != FileQuestion::Kind::folder);
-    const char* label = !dialog.existing.empty() ? "Replace" : nullptr;
-    if (!label) label = dialog.question ? dialog.question->button.c_str() : "Open";
-    bool isTaken = ImGui::Button(label);
-    mark(ui, "dialog/open");
+    const char* label = !dialog.existing.empty() ? "Replace"
+                        : dialog.question        ? dialog.question->button.c_str()
+                                                 : "Open";
+    bool isTaken = button(ui, label, "dialog/open");
     if (!dialog.question) {
         ImGui::SameLine();
-        if (ImGui::Button("Open in new tab")) isTaken = dialog.inNewTab = true;
-        mark(ui, "dialog/openInTab");
+        if (button(ui, "Open in new tab", "dialog/openInTab")) isTaken = dialog.inNewTab = true;
     }
     ImGui::EndDisabled();
     return isTaken;
@@ -204,7 +199,7 @@ fs::path usualFolder(const Ui& ui) {
 /// Sets the dialog up for what is wanted.
 void beginDialog(const Ui& ui, FileDialog& dialog) {
     const fs::path wanted = std::exchange(dialog.folder, {});
-    if (dialog.question) setEntry(dialog, dialog.question->entry);
+    if (dialog.question) setField(dialog.entry, dialog.question->entry);
     showFolder(dialog, wanted.empty() ? usualFolder(ui) : wanted);
     ImGui::OpenPopup(kId);
 }
@@ -212,9 +207,7 @@ void beginDialog(const Ui& ui, FileDialog& dialog) {
 /// The sentence above the list: why the entry was refused, that a file exists, or what to choose.
 void hint(Ui& ui, const FileDialog& dialog) {
     if (!dialog.problem.empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, asVector(palette().error));
-        ImGui::TextWrapped("%s", dialog.problem.c_str());
-        ImGui::PopStyleColor();
+        wrappedText(palette().error, dialog.problem.c_str());
         mark(ui, "dialog/problem");
     } else if (!dialog.existing.empty())
         ImGui::TextWrapped("%s exists. Press Replace, or type another name.",
@@ -229,8 +222,8 @@ void fileDialog(Ui& ui, FileDialog& dialog) {
         dialog.question.reset();
         return;
     }
+    centreNextWindow(ImGuiCond_Appearing);
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Appearing, {.5F, .5F});
     ImGui::SetNextWindowSize(
         {std::min(760 * ui.shared.scale, screen.x - 30), std::min(520 * ui.shared.scale, screen.y - 30)},
         ImGuiCond_Appearing);

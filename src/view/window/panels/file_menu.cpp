@@ -1,6 +1,5 @@
 #include "view/window/panels/file_menu.h"
 
-#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -12,16 +11,24 @@
 
 #include "image/file.h"
 #include "view/browse/example_scenes.h"
+#include "view/edit/example_folders.h"
 #include "view/edit/save_values.h"
 #include "view/edit/scene_copy.h"
 #include "view/session/comparison.h"
 #include "view/window/panels/save_scene.h"
 #include "view/window/panels/ui.h"
+#include "view/window/platform/keys.h"
 
 namespace glibra::view {
 namespace {
 
 namespace fs = std::filesystem;
+
+void openMade(Ui& ui, const fs::path& scene) {
+    ui.notice = "made " + scene.string();
+    ui.requests.open = scene;
+    ui.requests.inNewTab = true;
+}
 
 /// Makes a scene from a template, which is an example, and opens it. Returns the problem; empty on success.
 std::string copyTemplate(Ui& ui, const fs::path& from, fs::path target) {
@@ -35,17 +42,14 @@ std::string copyTemplate(Ui& ui, const fs::path& from, fs::path target) {
     const Diagnostics problems =
         writeCopy({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, target, files);
     if (!problems.empty()) return problems.front().text;
-    ui.notice = fmt::format("made {}", target.string());
-    ui.requests.open = target;
-    ui.requests.inNewTab = true;
+    openMade(ui, target);
     return {};
 }
 
 /// A scene to write into. It draws nothing yet, which is no mistake.
 constexpr std::string_view kEmptyScene =
-    "# A new scene.\n\nPerspective 50\nLookAt 0 0 4  0 0 0  0 1 0\n\n# Vertex, Fragment and Program, and "
-    "then "
-    "what they draw:\n\n";
+    "# A new scene.\n\nPerspective 50\nLookAt 0 0 4  0 0 0  0 1 0\n\n"
+    "# Vertex, Fragment and Program, and then what they draw:\n\n";
 
 /// Makes an empty scene and opens it with its source. Returns the problem; empty on success.
 std::string makeEmptyScene(Ui& ui, fs::path target) {
@@ -54,10 +58,8 @@ std::string makeEmptyScene(Ui& ui, fs::path target) {
     if (problems.empty())
         problems = image::writeFileAtomically(target, std::as_bytes(std::span(kEmptyScene)));
     if (!problems.empty()) return problems.front().text;
-    ui.notice = fmt::format("made {}", target.string());
+    openMade(ui, target);
     ui.settings.showSource = true;
-    ui.requests.open = target;
-    ui.requests.inNewTab = true;
     return {};
 }
 
@@ -73,26 +75,20 @@ void newMenu(Ui& ui, std::optional<std::vector<ExampleScene>>& templates) {
     for (const ExampleScene& each : *templates) {
         const std::string label = each.summary.substr(0, each.summary.find(':'));
         if (ImGui::MenuItem((label + "##" + each.name).c_str()))
-            ui.wanted.file =
-                FileRequest{FileQuestion{.kind = FileQuestion::Kind::save,
-                                         .title = "A new scene like " + each.name,
-                                         .button = "Save",
-                                         .hint = "The scene and its shaders are written into this folder.",
-                                         .endings = ".glib",
-                                         .entry = each.name + ".glib",
-                                         .chosen =
-                                             [from = each.file](Ui& chosenIn, const fs::path& target) {
-                                                 return copyTemplate(chosenIn, from, target);
-                                             }},
-                            false, ownFolder(ui)};
+            askForFile(
+                ui,
+                {.kind = FileQuestion::Kind::save,
+                 .title = "A new scene like " + each.name,
+                 .button = "Save",
+                 .hint = "The scene and its shaders are written into this folder.",
+                 .endings = ".glib",
+                 .entry = each.name + ".glib",
+                 .chosen = [from = each.file](
+                               Ui& in, const fs::path& target) { return copyTemplate(in, from, target); }},
+                ownFolder(ui));
         mark(ui, "file/new/" + each.name);
-        if (ImGui::IsItemHovered() && !each.summary.empty()) {
-            ImGui::BeginTooltip();
-            ImGui::PushTextWrapPos(320 * ui.shared.scale);
-            ImGui::TextUnformatted(each.summary.c_str());
-            ImGui::PopTextWrapPos();
-            ImGui::EndTooltip();
-        }
+        if (ImGui::IsItemHovered() && !each.summary.empty())
+            wrappedTooltip(each.summary.c_str(), 320 * ui.shared.scale);
     }
     if (templates->empty()) ImGui::TextDisabled("glibra's own scenes were not found");
 }
@@ -107,19 +103,17 @@ const fs::path& solutionOfShown(const Ui& ui, FileMenu& menu) {
 }
 
 void askCompareWith(Ui& ui) {
-    ui.wanted.file = FileRequest{
-        FileQuestion{.kind = FileQuestion::Kind::open,
-                     .title = "Compare with",
-                     .button = "Compare",
-                     .hint = "Its picture is shown beside that of this scene, with the same values.",
-                     .endings = ".glib",
-                     .entry = "",
-                     .chosen =
-                         [](Ui& chosenIn, const fs::path& scene) {
-                             chosenIn.wanted.compared = scene;
-                             return std::string();
-                         }},
-        false, ui.session.path().parent_path()};
+    askForFile(ui,
+               {.title = "Compare with",
+                .button = "Compare",
+                .hint = "Its picture is shown beside that of this scene, with the same values.",
+                .endings = ".glib",
+                .chosen =
+                    [](Ui& in, const fs::path& scene) {
+                        in.wanted.compared = scene;
+                        return std::string();
+                    }},
+               ui.session.path().parent_path());
 }
 
 /// A menu item with a name for tests.
@@ -132,14 +126,15 @@ bool item(Ui& ui, const char* label, const char* key, const char* name, bool isE
 }  // namespace
 
 void askEmptyScene(Ui& ui) {
-    ui.wanted.file = FileRequest{FileQuestion{.kind = FileQuestion::Kind::save,
-                                              .title = "A new, empty scene",
-                                              .button = "Save",
-                                              .hint = "The scene is written into this folder.",
-                                              .endings = ".glib",
-                                              .entry = "scene.glib",
-                                              .chosen = makeEmptyScene},
-                                 false, ownFolder(ui)};
+    askForFile(ui,
+               {.kind = FileQuestion::Kind::save,
+                .title = "A new, empty scene",
+                .button = "Save",
+                .hint = "The scene is written into this folder.",
+                .endings = ".glib",
+                .entry = "scene.glib",
+                .chosen = makeEmptyScene},
+               ownFolder(ui));
 }
 
 void fileMenu(Ui& ui, FileMenu& menu) {

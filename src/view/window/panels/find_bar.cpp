@@ -1,13 +1,12 @@
 #include "view/window/panels/find_bar.h"
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
 #include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <utility>
 
+#include "base/text.h"
 #include "view/window/panels/ui.h"
 #include "view/window/platform/keys.h"
 
@@ -60,16 +59,14 @@ void replaceOne(FindBar& bar, const EditedFile& file, CodeView& view) {
 void replaceAll(Ui& ui, FindBar& bar, EditedFile& file, CodeView& view) {
     file.history().endStep();
     view.newText = replaced(file.text(), bar.found, bar.by.data());
-    ui.notice = fmt::format("replaced {} match{}", bar.found.size(), bar.found.size() == 1 ? "" : "es");
+    ui.notice = "replaced " + base::counted(bar.found.size(), "match", "matches");
 }
 
 bool toggle(Ui& ui, const char* label, bool& on, const char* name, const char* help) {
     const bool wasOn = on;
     if (wasOn) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
-    const bool isPressed = ImGui::Button(label);
+    const bool isPressed = button(ui, label, name, help);
     if (wasOn) ImGui::PopStyleColor();
-    mark(ui, name);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", help);
     if (isPressed) on = !on;
     ImGui::SameLine();
     return isPressed;
@@ -105,18 +102,12 @@ void findRow(Ui& ui, FindBar& bar, CodeView& view) {
     toggle(ui, "W", bar.wholeWords, "source/find/whole", "Match whole words");
     bool forward = isEntered && !ImGui::GetIO().KeyShift;
     bool backwards = isEntered && ImGui::GetIO().KeyShift;
-    backwards = ImGui::Button("<") || backwards;
-    mark(ui, "source/find/previous");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Previous match (Shift+F3)");
+    backwards = button(ui, "<", "source/find/previous", "Previous match (Shift+F3)") || backwards;
     ImGui::SameLine();
-    forward = ImGui::Button(">") || forward;
-    mark(ui, "source/find/next");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Next match (F3)");
+    forward = button(ui, ">", "source/find/next", "Next match (F3)") || forward;
     ImGui::SameLine();
     if (forward || backwards) stepToMatch(bar, view, backwards);
-    if (ImGui::Button("x")) bar.isOpen = false;
-    mark(ui, "source/find/close");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Close (Esc)");
+    if (button(ui, "x", "source/find/close", "Close (Esc)")) bar.isOpen = false;
     ImGui::SameLine();
     if (bar.found.empty())
         ImGui::TextDisabled(bar.search.words.empty() ? "" : "no match");
@@ -128,12 +119,10 @@ void replaceRow(Ui& ui, FindBar& bar, EditedFile& file, CodeView& view) {
     const bool isEntered =
         findEntry(ui, "replace with", bar.by, false, widthWithout(ui, "ReplaceAll", 2), "source/find/by");
     ImGui::BeginDisabled(bar.found.empty() || !file.whyReadOnly().empty());
-    const bool isPressed = ImGui::Button("Replace");
-    mark(ui, "source/find/replace");
+    const bool isPressed = button(ui, "Replace", "source/find/replace");
     ImGui::SameLine();
-    const bool isAll = ImGui::Button("All");
+    const bool isAll = button(ui, "All", "source/find/all");
     ImGui::EndDisabled();
-    mark(ui, "source/find/all");
     if (bar.found.empty() || !file.whyReadOnly().empty()) return;
     if (isEntered || isPressed) replaceOne(bar, file, view);
     if (isAll) replaceAll(ui, bar, file, view);
@@ -143,8 +132,7 @@ void lineRow(Ui& ui, FindBar& bar, CodeView& view) {
     if (std::exchange(bar.focus, false)) giveKeyboardToNext();
     ImGui::SetNextItemWidth(90 * ui.shared.scale);
     ImGui::InputInt("go to line", &bar.line, 0, 0, ImGuiInputTextFlags_AutoSelectAll);
-    const bool isEntered =
-        ImGui::IsItemDeactivated() && (isKeyPressed(GLFW_KEY_ENTER) || isKeyPressed(GLFW_KEY_KP_ENTER));
+    const bool isEntered = ImGui::IsItemDeactivated() && isEnterPressed();
     markField(ui, "source/line", "go to line");
     if (!isEntered) return;
     view.goTo = std::max(1, bar.line);
@@ -175,8 +163,7 @@ void openFind(FindBar& bar, const ShownText& shown, bool replaces) {
     bar.from = selected.begin;
     if (!view.isActive || selected.begin == selected.end || selected.end > file->text().size()) return;
     const std::string words = file->text().substr(selected.begin, selected.end - selected.begin);
-    if (words.size() < bar.words.size() && words.find('\n') == std::string::npos)
-        bar.words[words.copy(bar.words.data(), bar.words.size() - 1)] = 0;
+    if (words.size() < bar.words.size() && words.find('\n') == std::string::npos) setField(bar.words, words);
 }
 
 void askLine(FindBar& bar, const ShownText& shown) {

@@ -66,15 +66,10 @@ void row(Ui& ui, FrameWindow& window, std::size_t index) {
     const auto time = window.times.milliseconds.find(item.key);
     const bool isTimed = time != window.times.milliseconds.end();
     const float top = screen.y + (height - (isTimed ? 2 : 1) * line) / 2;
-    ImGui::PushStyleColor(ImGuiCol_Text, color);
-    lineOfText(text.c_str(), {left, top}, right);
-    ImGui::PopStyleColor();
-    if (isTimed) {
-        ImGui::PushStyleColor(ImGuiCol_Text, packed(palette().dim));
+    lineOfText(text.c_str(), {left, top}, right, color);
+    if (isTimed)
         lineOfText((millisecondsText(time->second, window.times.decimals) + " ms").c_str(),
-                   {left, top + line}, right);
-        ImGui::PopStyleColor();
-    }
+                   {left, top + line}, right, packed(palette().dim));
     ImGui::PopID();
 }
 
@@ -92,9 +87,9 @@ void measureItems(Ui& ui, FrameWindow& window) {
 }
 
 void timesButton(Ui& ui, FrameWindow& window) {
-    if (ImGui::SmallButton("GPU times") && ui.session.canLookInto()) measureItems(ui, window);
-    mark(ui, "frame/times");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Measure how long each pass, dispatch and draw takes now");
+    const bool isPressed = smallButton(ui, "GPU times", "frame/times",
+                                       "Measure how long each pass, dispatch and draw takes now");
+    if (isPressed && ui.session.canLookInto()) measureItems(ui, window);
     if (!window.times.isEstimate || window.times.milliseconds.empty()) return;
     ImGui::SameLine();
     ImGui::TextDisabled("estimates");
@@ -106,7 +101,7 @@ void chooseByKeys(FrameWindow& window, const std::vector<std::size_t>& rows) {
     const int step = (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_DownArrow)) ? 1 : 0) -
                      (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_UpArrow)) ? 1 : 0);
     if (step == 0 || rows.empty()) return;
-    const auto found = std::find(rows.begin(), rows.end(), window.index().value_or(rows.front()));
+    const auto found = std::ranges::find(rows, window.index().value_or(rows.front()));
     const auto now = static_cast<int>(found == rows.end() ? 0 : found - rows.begin());
     const int next = std::clamp(now + step, 0, static_cast<int>(rows.size()) - 1);
     window.choose(window.items[rows[static_cast<std::size_t>(next)]]);

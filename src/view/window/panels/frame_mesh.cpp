@@ -178,22 +178,21 @@ void vertices(const FrameWindow& window, const MeshStage& stage) {
 }
 
 void askExport(Ui& ui, const MeshStage& stage) {
-    ui.wanted.file =
-        FileRequest{FileQuestion{.kind = FileQuestion::Kind::save,
-                                 .title = "Write the vertices",
-                                 .button = "Write",
-                                 .hint = "A table of comma-separated values: " + stage.title + ".",
-                                 .endings = ".csv",
-                                 .entry = "vertices.csv",
-                                 .chosen =
-                                     [text = csvOf(stage)](Ui& chosenIn, const std::filesystem::path& file) {
-                                         const Diagnostics problems =
-                                             image::writeFileAtomically(file, std::as_bytes(std::span(text)));
-                                         if (!problems.empty()) return problems.front().text;
-                                         chosenIn.notice = "wrote " + file.string();
-                                         return std::string();
-                                     }},
-                    false, ui.session.path().parent_path()};
+    const auto write = [text = csvOf(stage)](Ui& in, const std::filesystem::path& file) {
+        const Diagnostics problems = image::writeFileAtomically(file, std::as_bytes(std::span(text)));
+        if (!problems.empty()) return problems.front().text;
+        in.notice = "wrote " + file.string();
+        return std::string();
+    };
+    askForFile(ui,
+               {.kind = FileQuestion::Kind::save,
+                .title = "Write the vertices",
+                .button = "Write",
+                .hint = "A table of comma-separated values: " + stage.title + ".",
+                .endings = ".csv",
+                .entry = "vertices.csv",
+                .chosen = write},
+               ui.session.path().parent_path());
 }
 
 }  // namespace
@@ -222,8 +221,7 @@ void frameMesh(Ui& ui, FrameWindow& window) {
     if (ImGui::SmallButton("Page >")) window.firstRow += kRowsPerMeshPage;
     ImGui::EndDisabled();
     ImGui::SameLine();
-    if (ImGui::SmallButton("Export...")) askExport(ui, stage);
-    mark(ui, "frame/exportMesh");
+    if (smallButton(ui, "Export...", "frame/exportMesh")) askExport(ui, stage);
     ImGui::SameLine();
     ImGui::Text("%llu vertices%s", static_cast<unsigned long long>(stage.allRows),
                 stage.allRows > stage.rows ? ", not all of them are shown" : "");

@@ -8,7 +8,6 @@
 
 #include "view/window/panels/frame_window.h"
 #include "view/window/panels/ui.h"
-#include "view/window/platform/theme.h"
 
 namespace glibra::view {
 namespace {
@@ -17,10 +16,9 @@ std::string frameOf(const Ui& ui) {
     return fmt::format("{} {}", ui.session.timesLoaded(), ui.session.framesDrawn());
 }
 
-int outputOf(const FrameItem& item, std::size_t target) {
-    if (item.targets.empty()) return 0;
-    const FrameTarget& chosen = item.targets[std::min(target, item.targets.size() - 1)];
-    return chosen.kind == FrameTarget::Kind::color ? chosen.output : 0;
+int outputOf(const FrameWindow& window, const FrameItem& item) {
+    const FrameTarget* chosen = window.targetOf(item);
+    return chosen != nullptr && chosen->kind == FrameTarget::Kind::color ? chosen->output : 0;
 }
 
 /// The clicked pixel, in the layer that is shown.
@@ -36,7 +34,7 @@ std::string textOf(const TargetPixel& pixel) {
 void examine(Ui& ui, FrameWindow& window, std::size_t index) {
     const FrameItem& item = window.items[index];
     const TargetPixel pixel = pixelOf(window);
-    const int output = outputOf(item, window.target);
+    const int output = outputOf(window, item);
     const std::string what = fmt::format(" {} {} {}", item.step.pass, textOf(pixel), output);
     const std::string of = frameOf(ui) + what;
     if (of == window.pixelFor || (ui.session.isMoving() && window.pixelFor.ends_with(what))) return;
@@ -52,23 +50,10 @@ std::string colorText(const PixelState& state) {
     return text;
 }
 
-void swatch(const PixelState& state) {
-    if (state.color.empty()) return;
-    const float side = ImGui::GetTextLineHeight();
-    const auto part = [&](std::size_t i) {
-        return i < state.color.size() ? static_cast<float>(std::clamp(state.color[i], 0.0, 1.0)) : 0.F;
-    };
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + side, at.y + side},
-                                              ImGui::ColorConvertFloat4ToU32({part(0), part(1), part(2), 1}));
-    ImGui::Dummy({side, side});
-    ImGui::SameLine();
-}
-
 /// Without it the columns have more room.
 bool hasStencil(const PixelHistory& history) {
-    return std::any_of(history.events.begin(), history.events.end(),
-                       [](const PixelEvent& each) { return each.after.stencil.value_or(0) != 0; });
+    return std::ranges::any_of(history.events,
+                               [](const PixelEvent& each) { return each.after.stencil.value_or(0) != 0; });
 }
 
 void eventRow(Ui& ui, FrameWindow& window, std::size_t number) {
@@ -94,7 +79,7 @@ void eventRow(Ui& ui, FrameWindow& window, std::size_t number) {
         ImGui::Text("%llu of %llu", static_cast<unsigned long long>(event.passed),
                     static_cast<unsigned long long>(event.fragments));
     ImGui::TableNextColumn();
-    swatch(event.after);
+    if (!event.after.color.empty()) colorSquare(event.after.color);
     ImGui::TextUnformatted(colorText(event.after).c_str());
     ImGui::TableNextColumn();
     if (event.after.depth) ImGui::Text("%.5g", *event.after.depth);
@@ -127,9 +112,7 @@ void values(const char* title, const std::vector<ProbedValue>& all) {
             ImGui::TableNextColumn();
             ImGui::TextDisabled("%s", each.type.c_str());
             ImGui::TableNextColumn();
-            ImGui::PushFont(codeFont());
-            ImGui::TextUnformatted(numbersText(each).c_str());
-            ImGui::PopFont();
+            codeText(numbersText(each));
         }
         ImGui::EndTable();
     }

@@ -85,22 +85,18 @@ void frameTrial(Ui& ui, const FrameWindow& window) {
     const std::string statement = stateStatement(ofScene, draw.raster);
     if (!statement.empty()) {
         ImGui::AlignTextToFramePadding();
-        ImGui::PushFont(codeFont());
-        ImGui::TextUnformatted(statement.c_str());
-        ImGui::PopFont();
+        codeText(statement);
         ImGui::SameLine();
         if (ui.session.live().scene().isModern) {
-            if (ImGui::SmallButton("Copy")) ImGui::SetClipboardText(statement.c_str());
-            mark(ui, "frame/try/copy");
-            if (ImGui::IsItemHovered())
-                ImGui::SetTooltip("Copies the statement, to stand before the command that draws");
+            if (smallButton(ui, "Copy", "frame/try/copy",
+                            "Copies the statement, to stand before the command that draws"))
+                ImGui::SetClipboardText(statement.c_str());
             ImGui::SameLine();
         }
-        if (ImGui::SmallButton("As in the scene")) {
+        if (smallButton(ui, "As in the scene", "frame/try/end")) {
             wanted = ofScene;
             isChosen = true;
         }
-        mark(ui, "frame/try/end");
     }
     // Not before all widgets have read the draw, which is replaced.
     if (isChosen) ui.session.tryState(draw, wanted);

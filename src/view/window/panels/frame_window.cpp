@@ -9,13 +9,13 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <utility>
 
 #include "view/edit/moved_line.h"
+#include "view/window/panels/shown_texture.h"
 #include "view/window/panels/ui.h"
 #include "view/window/panels/value_slider.h"
 
@@ -33,10 +33,6 @@ bool haveOneLine(const FrameItem& a, const FrameItem& b) {
     return a.kind == b.kind && a.place.file == b.place.file && a.place.line == b.place.line;
 }
 
-ImTextureID idOf(const gpu::Texture& texture) {
-    return std::bit_cast<ImTextureID>(static_cast<std::uintptr_t>(texture.id()));
-}
-
 /// Among the items of that kind and line.
 std::size_t placeAmongEqual(std::span<const FrameItem> items, std::size_t item) {
     return static_cast<std::size_t>(
@@ -47,8 +43,7 @@ std::size_t placeAmongEqual(std::span<const FrameItem> items, std::size_t item) 
 /// The key of the item after the scene has been read again; empty if its line is gone.
 std::string followedKey(std::span<const FrameItem> before, const FrameWindow::Texts& texts,
                         const std::string& key, const FrameWindow& now) {
-    const auto found =
-        std::find_if(before.begin(), before.end(), [&](const FrameItem& each) { return each.key == key; });
+    const auto found = std::ranges::find_if(before, [&](const FrameItem& each) { return each.key == key; });
     if (found == before.end()) return "";
     const auto textNow = now.texts.find(found->place.file);
     if (textNow == now.texts.end()) return "";
@@ -94,7 +89,7 @@ void takeThumbnails(Ui& ui, FrameWindow& window) {
     // Those that were not asked for stay.
     for (std::size_t i = 0; i < std::min(made.size(), window.thumbnails.size()); ++i)
         if (!made[i].rgba.empty())
-            window.thumbnails[i] = textureOfBytes(ui, made[i].width, made[i].height, made[i].rgba);
+            window.thumbnails[i] = textureOfTexels(ui, made[i].width, made[i].height, made[i].rgba);
 }
 
 void takeMask(Ui& ui, FrameWindow& window) {
@@ -106,7 +101,7 @@ void takeMask(Ui& ui, FrameWindow& window) {
         {{0, 0, 0, 0}, {60, 120, 255, 110}, {255, 150, 0, 150}}};
     for (std::size_t i = 0; i < mask.pixels.size(); ++i)
         std::copy_n(kColors.at(mask.pixels[i]).begin(), 4, rgba.begin() + static_cast<std::ptrdiff_t>(4 * i));
-    window.overlay = textureOfBytes(ui, mask.width, mask.height, rgba);
+    window.overlay = textureOfTexels(ui, mask.width, mask.height, rgba);
 }
 
 void takeNumbers(Ui& ui, FrameWindow& window) {
@@ -136,7 +131,7 @@ std::vector<bool> missingThumbnails(const FrameWindow& window) {
         if (!each.isInPass()) isHidden = window.isFolded(each.key);
         wanted[i] = !window.asked[i] && !(each.isInPass() && isHidden);
     }
-    return std::find(wanted.begin(), wanted.end(), true) == wanted.end() ? std::vector<bool>() : wanted;
+    return std::ranges::find(wanted, true) == wanted.end() ? std::vector<bool>() : wanted;
 }
 
 /// Draws the frame again if it is another one, or if another item is chosen. While time runs, the list stays
@@ -186,8 +181,7 @@ void watch(Ui& ui, FrameWindow& window) {
 void chooseTarget(Ui& ui, FrameWindow& window, const FrameItem& item) {
     ImGui::SetNextItemWidth(170 * ui.shared.scale);
     const std::size_t now = std::min(window.target, item.targets.size() - 1);
-    const bool isOpen = ImGui::BeginCombo("##target", item.targets[now].name.c_str());
-    mark(ui, "frame/target");
+    const bool isOpen = beginCombo(ui, "##target", item.targets[now].name.c_str(), "frame/target");
     if (isOpen) {
         for (std::size_t i = 0; i < item.targets.size(); ++i) {
             ImGui::PushID(static_cast<int>(i));
@@ -212,14 +206,12 @@ void chooseTarget(Ui& ui, FrameWindow& window, const FrameItem& item) {
     besideIfRoom(190 * ui.shared.scale);
     wordBefore("Show");
     ImGui::SetNextItemWidth(150 * ui.shared.scale);
-    const bool shows = ImGui::BeginCombo("##show", std::string(nameInFrame(window.shows)).c_str());
-    mark(ui, "frame/show");
+    const bool shows = beginCombo(ui, "##show", std::string(nameInFrame(window.shows)).c_str(), "frame/show");
     if (!shows) return;
     for (int i = 0; i < kDebugViewCount; ++i) {
         const auto kind = static_cast<DebugView>(i);
         const std::string name(nameInFrame(kind));
-        if (ImGui::Selectable(name.c_str(), kind == window.shows)) window.shows = kind;
-        mark(ui, "frame/show/{}", name);
+        if (choice(ui, name.c_str(), kind == window.shows, "frame/show/{}", name)) window.shows = kind;
     }
     ImGui::EndCombo();
 }
@@ -229,15 +221,12 @@ void heading(Ui& ui, FrameWindow& window, const FrameItem& item) {
         chooseTarget(ui, window, item);
         besideIfRoom(100 * ui.shared.scale);
     }
-    checkBox("Highlight", &window.highlights);
-    mark(ui, "frame/highlight");
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip(
-            "The pixels of the chosen draw: orange where it passes the tests, blue where something hides it");
+    checkBox(
+        ui, "Highlight", "frame/highlight", window.highlights,
+        "The pixels of the chosen draw: orange where it passes the tests, blue where something hides it");
     if (item.place.line > 0) {
         besideIfRoom(60 * ui.shared.scale);
-        if (ImGui::SmallButton("Source")) showSource(ui, item.place);
-        mark(ui, "frame/source");
+        if (smallButton(ui, "Source", "frame/source")) showSource(ui, item.place);
     }
     std::string text = labelOf(item);
     if (!window.answer.layerName.empty()) text += "   " + window.answer.layerName;
@@ -253,13 +242,11 @@ void target(Ui& ui, FrameWindow& window) {
                                                              : nullptr;
     if (!window.problem.empty() || content == nullptr) {
         ImGui::TextWrapped("%s", window.problem.c_str());
-        if (const FrameItem* item = window.item(); item != nullptr && !item->targets.empty()) {
-            const FrameTarget& shown = item->targets[std::min(window.target, item->targets.size() - 1)];
-            if (shown.kind == FrameTarget::Kind::buffer) {
-                if (ImGui::Button("Show its content")) ui.wanted.inspected = shown.name;
-                mark(ui, "frame/buffer");
-            }
-        }
+        const FrameItem* item = window.item();
+        const FrameTarget* shown = item != nullptr ? window.targetOf(*item) : nullptr;
+        if (shown != nullptr && shown->kind == FrameTarget::Kind::buffer &&
+            button(ui, "Show its content", "frame/buffer"))
+            ui.wanted.inspected = shown->name;
         return;
     }
     const bool isDebug = window.shownNumbers.has_value();
@@ -376,7 +363,7 @@ std::optional<std::size_t> FrameWindow::index() const {
 }
 
 bool FrameWindow::isFolded(const std::string& key) const {
-    return std::find(folded.begin(), folded.end(), key) != folded.end();
+    return std::ranges::find(folded, key) != folded.end();
 }
 
 const FrameItem* FrameWindow::item() const {
@@ -384,12 +371,15 @@ const FrameItem* FrameWindow::item() const {
     return found ? &items[*found] : nullptr;
 }
 
+const FrameTarget* FrameWindow::targetOf(const FrameItem& item) const {
+    return item.targets.empty() ? nullptr : &item.targets[std::min(target, item.targets.size() - 1)];
+}
+
 void FrameWindow::choose(const FrameItem& item) {
     const FrameItem* before = this->item();
     const auto nameOfTarget = [&](const FrameItem* each) {
-        return each == nullptr || each->targets.empty()
-                   ? std::string()
-                   : each->targets[std::min(target, each->targets.size() - 1)].name;
+        const FrameTarget* of = each != nullptr ? targetOf(*each) : nullptr;
+        return of != nullptr ? of->name : std::string();
     };
     const std::string shown = nameOfTarget(before);
     if (before != nullptr && before->step.pass != item.step.pass) {
@@ -399,10 +389,8 @@ void FrameWindow::choose(const FrameItem& item) {
     }
     chosen = item.key;
     // The same target keeps its zoom and range, so that draws can be compared.
-    const bool isColor =
-        !item.targets.empty() &&
-        item.targets[std::min(target, item.targets.size() - 1)].kind == FrameTarget::Kind::color;
-    if (nameOfTarget(&item) != shown) begins = !isColor;
+    const FrameTarget* now = targetOf(item);
+    if (nameOfTarget(&item) != shown) begins = now == nullptr || now->kind != FrameTarget::Kind::color;
 }
 
 const plan::PlannedDraw* plannedDraw(const plan::FramePlan& plan, const FrameItem& item) {

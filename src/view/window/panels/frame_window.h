@@ -72,6 +72,8 @@ struct FrameWindow {
     /// The chosen item; null if there is none.
     [[nodiscard]] const FrameItem* item() const;
     [[nodiscard]] std::optional<std::size_t> index() const;
+    /// The one of the item's targets that is chosen; null if it has none.
+    [[nodiscard]] const FrameTarget* targetOf(const FrameItem& item) const;
     void choose(const FrameItem& item);
 };
 

@@ -18,8 +18,8 @@
 #include <utility>
 
 #include "image/video/video_file.h"
-#include "view/browse/example_scenes.h"
 #include "view/edit/detached_process.h"
+#include "view/edit/example_folders.h"
 #include "view/export/hardcopy.h"
 #include "view/export/hardcopy_job.h"
 #include "view/window/panels/icons.h"
@@ -73,15 +73,11 @@ std::pair<int, int> sizeOf(const Ui& ui, const HardcopyEntries& entries, std::si
     return {scene.width, scene.height};
 }
 
-/// The endings in the menu.
-struct Ending {
-    const char* ending;
-    const char* name;
-};
-constexpr std::array kEndings{Ending{".png", "PNG"},         Ending{".bmp", "BMP"},
-                              Ending{".jpg", "JPEG"},        Ending{".tif", "TIFF"},
-                              Ending{".exr", "EXR, floats"}, Ending{".mp4", "MP4 film"},
-                              Ending{".webm", "WebM film"},  Ending{".gif", "GIF film"}};
+/// The endings in the menu, and what it calls them.
+constexpr std::array kEndings{std::pair{".png", "PNG"},         std::pair{".bmp", "BMP"},
+                              std::pair{".jpg", "JPEG"},        std::pair{".tif", "TIFF"},
+                              std::pair{".exr", "EXR, floats"}, std::pair{".mp4", "MP4 film"},
+                              std::pair{".webm", "WebM film"},  std::pair{".gif", "GIF film"}};
 
 /// The folder of hardcopies: the one that was chosen, else the current one, or the user's own if that must
 /// not be written to.
@@ -114,7 +110,7 @@ Hardcopy wanted(const Ui& ui, const HardcopyEntries& entries) {
 void proposeFile(Ui& ui, HardcopyEntries& entries, const fs::path& file) {
     const bool isHere = file.parent_path() == folderOf(ui.settings);
     entries.proposed = isHere ? file.filename().string() : file.string();
-    entries.file[entries.proposed.copy(entries.file.data(), entries.file.size() - 1)] = 0;
+    setField(entries.file, entries.proposed);
 }
 
 /// Proposes a name for a new scene, and another one if a file has got the proposed name meanwhile.
@@ -138,8 +134,7 @@ void proposeIfNeeded(Ui& ui, HardcopyEntries& entries) {
 }
 
 void endHardcopy(Ui& ui, HardcopyEntries& entries, const Diagnostics& problems, const std::string& message) {
-    const auto error = std::find_if(problems.begin(), problems.end(),
-                                    [](const Diagnostic& each) { return each.severity == Severity::error; });
+    const auto error = std::ranges::find(problems, Severity::error, &Diagnostic::severity);
     entries.failed = error != problems.end();
     entries.message = entries.failed ? toString(*error) : message;
     if (entries.job && !entries.job->filesWritten().empty()) entries.last = firstFile(entries.job->wanted());
@@ -176,8 +171,7 @@ std::string outcome(const HardcopyEntries& entries) {
 void progress(Ui& ui, HardcopyEntries& entries) {
     const int written = entries.job->framesWritten();
     const int frames = entries.job->wanted().frames;
-    const bool isStopped = ImGui::Button("Stop");
-    mark(ui, "hardcopy/stop");
+    const bool isStopped = button(ui, "Stop", "hardcopy/stop");
     ImGui::SameLine();
     ImGui::ProgressBar(static_cast<float>(written) / static_cast<float>(frames), {-1, 0},
                        fmt::format("{} of {}", written, frames).c_str());
@@ -212,40 +206,35 @@ void fileEntry(Ui& ui, HardcopyEntries& entries) {
     mark(ui, "hardcopy/file");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", wanted(ui, entries).file.c_str());
     const std::string ending = fs::path(entries.file.data()).extension().string();
-    const auto known = std::find_if(kEndings.begin(), kEndings.end(),
-                                    [&](const Ending& each) { return ending == each.ending; });
+    const auto* known = std::ranges::find(kEndings, ending, [](const auto& each) { return each.first; });
     fieldLabel("Format");
-    if (ImGui::BeginCombo("##format", known == kEndings.end() ? ending.c_str() : known->name)) {
-        for (const Ending& each : kEndings) {
-            if (ImGui::Selectable(each.name, ending == each.ending)) setEnding(ui, entries, each.ending);
-            mark(ui, "hardcopy/format/{}", each.ending + 1);
-        }
+    if (ImGui::BeginCombo("##format", known == kEndings.end() ? ending.c_str() : known->second)) {
+        for (const auto& [other, name] : kEndings)
+            if (choice(ui, name, ending == other, "hardcopy/format/{}", other + 1))
+                setEnding(ui, entries, other);
         ImGui::EndCombo();
     }
     mark(ui, "hardcopy/format");
     const fs::path folder = folderOf(ui.settings);
-    if (ImGui::Button("Folder...")) {
+    if (button(ui, "Folder...", "hardcopy/folder")) {
         entries.folderBefore = ui.settings.hardcopyFolder;
-        ui.wanted.file = FileRequest{FileQuestion{.kind = FileQuestion::Kind::folder,
-                                                  .title = "The folder of hardcopies",
-                                                  .button = "Use this folder",
-                                                  .hint = {},
-                                                  .endings = {},
-                                                  .entry = {},
-                                                  .chosen =
-                                                      [](Ui& chosenIn, const fs::path& chosen) {
-                                                          std::error_code failure;
-                                                          fs::create_directories(chosen, failure);
-                                                          chosenIn.settings.hardcopyFolder = chosen.string();
-                                                          return std::string();
-                                                      }},
-                                     false, folder};
+        askForFile(ui,
+                   {.kind = FileQuestion::Kind::folder,
+                    .title = "The folder of hardcopies",
+                    .button = "Use this folder",
+                    .chosen =
+                        [](Ui& in, const fs::path& chosen) {
+                            std::error_code failure;
+                            fs::create_directories(chosen, failure);
+                            in.settings.hardcopyFolder = chosen.string();
+                            return std::string();
+                        }},
+                   folder);
     }
-    mark(ui, "hardcopy/folder");
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("%s", folder.c_str());
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", folder.c_str());
+    tooltip(folder.c_str());
 }
 
 void sizeEntry(Ui& ui, HardcopyEntries& entries) {
@@ -258,11 +247,10 @@ void sizeEntry(Ui& ui, HardcopyEntries& entries) {
     };
     fieldLabel("Pixels");
     if (ImGui::BeginCombo("##size", labelOf(static_cast<std::size_t>(entries.preset)).c_str())) {
-        for (std::size_t i = 0; i < kPresets.size(); ++i) {
-            if (ImGui::Selectable(labelOf(i).c_str(), static_cast<int>(i) == entries.preset))
+        for (std::size_t i = 0; i < kPresets.size(); ++i)
+            if (choice(ui, labelOf(i).c_str(), static_cast<int>(i) == entries.preset, "hardcopy/size/{}",
+                       kPresets.at(i).name))
                 entries.preset = static_cast<int>(i);
-            mark(ui, "hardcopy/size/{}", kPresets.at(i).name);
-        }
         ImGui::EndCombo();
     }
     mark(ui, "hardcopy/size");
@@ -285,16 +273,14 @@ void samplesEntry(Ui& ui, HardcopyEntries& entries) {
     if (ImGui::BeginCombo("##smooth", entries.samples ? labelOf(*entries.samples).c_str() : screen.c_str())) {
         if (ImGui::Selectable(screen.c_str(), !entries.samples)) entries.samples.reset();
         mark(ui, "hardcopy/samples/screen");
-        for (int samples = 1; samples <= ui.context.capabilities().maxSamples; samples *= 2) {
-            if (ImGui::Selectable(labelOf(samples).c_str(), entries.samples == samples))
+        for (int samples = 1; samples <= ui.context.capabilities().maxSamples; samples *= 2)
+            if (choice(ui, labelOf(samples).c_str(), entries.samples == samples, "hardcopy/samples/{}",
+                       samples))
                 entries.samples = samples;
-            mark(ui, "hardcopy/samples/{}", samples);
-        }
         ImGui::EndCombo();
     }
     mark(ui, "hardcopy/samples");
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("Samples per pixel, which make edges smooth: `glibra render --samples`");
+    tooltip("Samples per pixel, which make edges smooth: `glibra render --samples`");
 }
 
 void framesEntry(Ui& ui, HardcopyEntries& entries) {
@@ -317,25 +303,23 @@ void labelsEntry(Ui& ui) {
                                   std::pair{LabelCorner::bottomRight, "bottom right"},
                                   std::pair{LabelCorner::topLeft, "top left"},
                                   std::pair{LabelCorner::topRight, "top right"}};
-    const auto chosen = std::find_if(kCorners.begin(), kCorners.end(),
-                                     [&](const auto& each) { return each.first == ui.settings.labelCorner; });
+    const auto* chosen =
+        std::ranges::find(kCorners, ui.settings.labelCorner, [](const auto& each) { return each.first; });
     const char* label = !ui.shared.showLabels ? "none" : chosen == kCorners.end() ? "" : chosen->second;
     fieldLabel("Labels");
     if (ImGui::BeginCombo("##corner", label)) {
         if (ImGui::Selectable("none", !ui.shared.showLabels)) ui.shared.showLabels = false;
         mark(ui, "hardcopy/labels/none");
-        for (const auto& [corner, name] : kCorners) {
-            if (ImGui::Selectable(name, ui.shared.showLabels && corner == ui.settings.labelCorner)) {
+        for (const auto& [corner, name] : kCorners)
+            if (choice(ui, name, ui.shared.showLabels && corner == ui.settings.labelCorner,
+                       "hardcopy/labels/{}", name)) {
                 ui.shared.showLabels = true;
                 ui.settings.labelCorner = corner;
             }
-            mark(ui, "hardcopy/labels/{}", name);
-        }
         ImGui::EndCombo();
     }
     mark(ui, "hardcopy/labels");
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("The values over the picture, on the screen and in the file (L)");
+    tooltip("The values over the picture, on the screen and in the file (L)");
     if (!ui.shared.showLabels) return;
     fieldLabel("");
     labelChoice(ui, "##labelled", "hardcopy/labelChoice", -1);
@@ -345,27 +329,21 @@ void labelsEntry(Ui& ui) {
 void replaceDialog(Ui& ui, HardcopyEntries& entries) {
     constexpr const char* kTitle = "Replace the file?";
     if (std::exchange(entries.asks, false)) ImGui::OpenPopup(kTitle);
-    const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {.5F, .5F});
-    if (!ImGui::BeginPopupModal(kTitle, nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove))
-        return;
+    if (!beginModal(kTitle)) return;
     const Hardcopy next = wanted(ui, entries);
     const fs::path other = freeName(next);
     ImGui::Text("%s exists.", firstFile(next).filename().c_str());
     ImGui::Spacing();
-    bool isDone = ImGui::Button("Replace");
-    mark(ui, "hardcopy/replace");
+    bool isDone = button(ui, "Replace", "hardcopy/replace");
     if (isDone) beginHardcopy(ui, entries, next);
     ImGui::SameLine();
-    if (ImGui::Button(("Write " + other.filename().string()).c_str())) {
+    if (button(ui, ("Write " + other.filename().string()).c_str(), "hardcopy/other")) {
         proposeFile(ui, entries, other);
         beginHardcopy(ui, entries, wanted(ui, entries));
         isDone = true;
     }
-    mark(ui, "hardcopy/other");
     ImGui::SameLine();
-    if (ImGui::Button("Cancel") || isKeyPressed(GLFW_KEY_ESCAPE)) isDone = true;
-    mark(ui, "hardcopy/cancel");
+    if (button(ui, "Cancel", "hardcopy/cancel") || isKeyPressed(GLFW_KEY_ESCAPE)) isDone = true;
     if (isDone) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }
@@ -374,10 +352,9 @@ void replaceDialog(Ui& ui, HardcopyEntries& entries) {
 void showLast(Ui& ui, HardcopyEntries& entries) {
     if (entries.failed || entries.last.empty()) return;
     continueRowForButton("Show the file");
-    if (ImGui::Button("Show the file"))
+    if (button(ui, "Show the file", "hardcopy/show"))
         if (const std::string why = startDetached({"xdg-open", entries.last.string()}); !why.empty())
             ui.notice = {"cannot start 'xdg-open': " + why, true};
-    mark(ui, "hardcopy/show");
 }
 
 /// Begins a hardcopy with the entries, to the next name that is free.
@@ -414,17 +391,14 @@ void hardcopyPanel(Ui& ui, HardcopyEntries& entries) {
     if (entries.job) return progress(ui, entries);
     const Hardcopy next = wanted(ui, entries);
     ImGui::BeginDisabled(entries.file[0] == 0);
-    if (ImGui::Button("Write")) {
+    if (button(ui, "Write", "hardcopy/write", "Write the file. H writes at once, to a name that is free.")) {
         entries.asks = replacesFile(next);
         if (!entries.asks) beginHardcopy(ui, entries, next);
     }
     ImGui::EndDisabled();
-    mark(ui, "hardcopy/write");
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("Write the file. H writes at once, to a name that is free.");
     ImGui::SameLine();
-    if (ImGui::Button("Copy command")) ImGui::SetClipboardText(renderCommand(ui.session, next).c_str());
-    mark(ui, "hardcopy/copy");
+    if (button(ui, "Copy command", "hardcopy/copy"))
+        ImGui::SetClipboardText(renderCommand(ui.session, next).c_str());
     showLast(ui, entries);
 }
 

@@ -114,7 +114,7 @@ void helpWindow(Ui& ui, bool& isOpen) {
     ImGui::SetNextWindowSize(
         {std::min(screen.x, columns * kColumnWidth * ui.shared.scale), std::min(screen.y, height)},
         ImGuiCond_Always);
-    ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Appearing, {.5F, .5F});
+    centreNextWindow(ImGuiCond_Appearing);
     if (ImGui::Begin(
             kHelpRow.title, &isOpen,
             ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "view/window/panels/ui.h"
+
 namespace glibra::view {
 namespace {
 
@@ -60,11 +62,6 @@ float toolWidth(const char* word, bool isShort) {
     const ImGuiStyle& style = ImGui::GetStyle();
     if (isShort) return ImGui::GetFrameHeight();
     return ImGui::GetFontSize() + style.ItemInnerSpacing.x + textWidth(word) + 2 * style.FramePadding.x;
-}
-
-void tooltip(const char* text) {
-    if (text != nullptr && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
-        ImGui::SetTooltip("%s", text);
 }
 
 }  // namespace
@@ -130,7 +127,7 @@ bool iconButton(Icon icon, const char* id, const char* help, bool isOn) {
     ImGui::PushID(id);
     const bool isPressed = ImGui::Button("##icon", {side, side});
     ImGui::PopID();
-    tooltip(help);
+    tooltip(help, ImGuiHoveredFlags_AllowWhenDisabled);
     const float inner = std::round(ImGui::GetFontSize() * .85F);
     const float margin = std::round((side - inner) / 2);
     const ImU32 color = isOn ? ImGui::GetColorU32(ImGuiCol_CheckMark) : ImGui::GetColorU32(ImGuiCol_Text);
@@ -146,7 +143,7 @@ bool toolButton(Icon icon, const char* word, const char* help, bool isShort) {
     ImGui::PushID(word);
     const bool isPressed = ImGui::Button("##tool", {toolWidth(word, false), 0});
     ImGui::PopID();
-    tooltip(help);
+    tooltip(help, ImGuiHoveredFlags_AllowWhenDisabled);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImU32 color = ImGui::GetColorU32(ImGuiCol_Text);
     const ImVec2 inside(at.x + style.FramePadding.x, at.y + style.FramePadding.y);

@@ -46,14 +46,13 @@ void headTable(const Inspector& inspector) {
 void pages(Ui& ui, Inspector& inspector) {
     const std::uint64_t elements = inspector.table.elements;
     ImGui::BeginDisabled(inspector.firstRow == 0);
-    if (ImGui::Button("< Page")) inspector.firstRow -= std::min(inspector.firstRow, kRowsPerPage);
+    if (button(ui, "< Page", "inspector/pageBack"))
+        inspector.firstRow -= std::min(inspector.firstRow, kRowsPerPage);
     ImGui::EndDisabled();
-    mark(ui, "inspector/pageBack");
     ImGui::SameLine();
     ImGui::BeginDisabled(inspector.firstRow + kRowsPerPage >= elements);
-    if (ImGui::Button("Page >")) inspector.firstRow += kRowsPerPage;
+    if (button(ui, "Page >", "inspector/pageForward")) inspector.firstRow += kRowsPerPage;
     ImGui::EndDisabled();
-    mark(ui, "inspector/pageForward");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(110 * ui.shared.scale);
     ImGui::InputScalar("first", ImGuiDataType_U64, &inspector.firstRow);
@@ -86,19 +85,19 @@ std::string exportBuffer(Ui& ui, const std::string& name, bool isPrevious,
 
 /// Asks for the file of a table with all elements.
 void askExport(Ui& ui, const Inspector& inspector) {
-    ui.wanted.file =
-        FileRequest{FileQuestion{.kind = FileQuestion::Kind::save,
-                                 .title = "Write the buffer " + inspector.chosen,
-                                 .button = "Write",
-                                 .hint = ".csv is text, .npy an array of NumPy.",
-                                 .endings = ".csv .npy",
-                                 .entry = inspector.chosen + ".csv",
-                                 .chosen =
-                                     [name = inspector.chosen, isPrevious = inspector.isPrevious](
-                                         Ui& chosenIn, const std::filesystem::path& file) {
-                                         return exportBuffer(chosenIn, name, isPrevious, file);
-                                     }},
-                    false, ui.session.path().parent_path()};
+    const auto write = [name = inspector.chosen, isPrevious = inspector.isPrevious](
+                           Ui& in, const std::filesystem::path& file) {
+        return exportBuffer(in, name, isPrevious, file);
+    };
+    askForFile(ui,
+               {.kind = FileQuestion::Kind::save,
+                .title = "Write the buffer " + inspector.chosen,
+                .button = "Write",
+                .hint = ".csv is text, .npy an array of NumPy.",
+                .endings = ".csv .npy",
+                .entry = inspector.chosen + ".csv",
+                .chosen = write},
+               ui.session.path().parent_path());
 }
 
 }  // namespace
@@ -125,8 +124,7 @@ void readBuffer(const Ui& ui, Inspector& inspector, scene::BufferIndex index) {
 }
 
 void bufferTable(Ui& ui, Inspector& inspector) {
-    if (ImGui::Button("Export...")) askExport(ui, inspector);
-    mark(ui, "inspector/export");
+    if (button(ui, "Export...", "inspector/export")) askExport(ui, inspector);
     headTable(inspector);
     if (inspector.table.elements == 0) return;
     pages(ui, inspector);

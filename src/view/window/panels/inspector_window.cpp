@@ -41,15 +41,14 @@ Chosen chosenOf(Ui& ui, Inspector& inspector) {
     return {};
 }
 
-std::string bufferTitle(const Ui& ui, scene::BufferIndex index) {
-    const scene::Buffer& buffer = ui.session.live().scene().buffers[index];
-    const plan::BufferLayout& layout = *ui.session.live().buffers().layout(index);
-    return fmt::format("{}: buffer, {} bytes, line {}", buffer.name, layout.bytes, buffer.place.line);
-}
-
 std::string titleOf(const Ui& ui, const Chosen& chosen) {
-    if (chosen.buffer) return bufferTitle(ui, chosen.buffer);
-    if (chosen.texture) return textureTitle(ui.session.live().scene(), chosen.texture);
+    const LiveScene& live = ui.session.live();
+    if (chosen.buffer) {
+        const scene::Buffer& buffer = live.scene().buffers[chosen.buffer];
+        return fmt::format("{}: buffer, {} bytes, line {}", buffer.name,
+                           live.buffers().layout(chosen.buffer)->bytes, buffer.place.line);
+    }
+    if (chosen.texture) return textureTitle(live.scene(), chosen.texture);
     return chosen.isDepth ? "picture: depth" : "picture: colour";
 }
 
@@ -67,8 +66,8 @@ bool needsRange(const LiveScene& live, const Chosen& chosen) {
 Chosen choose(Ui& ui, Inspector& inspector) {
     Chosen chosen = chosenOf(ui, inspector);
     ImGui::SetNextItemWidth(-1);
-    const bool isOpen = ImGui::BeginCombo("##what", titleOf(ui, chosen).c_str(), ImGuiComboFlags_HeightLarge);
-    mark(ui, "inspector/what");
+    const bool isOpen =
+        beginCombo(ui, "##what", titleOf(ui, chosen).c_str(), "inspector/what", ImGuiComboFlags_HeightLarge);
     if (!isOpen) return chosen;
     const auto item = [&](const std::string& key, const Chosen& each) {
         ImGui::PushID(key.c_str());
@@ -97,8 +96,7 @@ Chosen choose(Ui& ui, Inspector& inspector) {
 /// Which level, layer and copy of the object is shown.
 void part(Ui& ui, Inspector& inspector, const Chosen& chosen) {
     if (hasHistory(ui.session.live().scene(), chosen)) {
-        checkBox("previous copy (.prev)", &inspector.isPrevious);
-        mark(ui, "inspector/previous");
+        checkBox(ui, "previous copy (.prev)", "inspector/previous", inspector.isPrevious);
     }
     if (!chosen.texture) return;
     const gpu::Texture* texture = ui.session.live().completed(chosen.texture, inspector.isPrevious);

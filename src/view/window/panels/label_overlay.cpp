@@ -1,17 +1,15 @@
 #include "view/window/panels/label_overlay.h"
 
-#include <glad/gl.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <utility>
 
 #include "image/image.h"
-#include "render/file/labels.h"
+#include "render/draw/labels.h"
+#include "view/window/panels/shown_texture.h"
 #include "view/window/panels/ui.h"
 
 namespace glibra::view {
@@ -24,14 +22,8 @@ void updateTexture(const gpu::Capabilities& capabilities, const render::LabelBlo
     image::Image picture{block.width, block.height, 4, image::Component::u8, {}};
     picture.data.resize(picture.rowBytes() * static_cast<std::size_t>(picture.height));
     render::drawLabels(picture, block, 0, 0);
-    Result<gpu::Texture> made =
-        gpu::Texture::create(capabilities, gpu::TextureShape::texture2D, gpu::TexelFormat::rgba8,
-                             {block.width, block.height, 1}, {picture.data, 4});
-    overlay = {block.lines, block.scale, std::move(made.value)};
-    if (!overlay.texture) return;
-    glBindTexture(GL_TEXTURE_2D, overlay.texture->id());
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    overlay = {block.lines, block.scale,
+               textureOfBytes(capabilities, block.width, block.height, picture.data, GL_NEAREST, GL_NEAREST)};
 }
 
 /// Finds the values to label; none in `only`: all. Returns false if there are none.
@@ -56,17 +48,13 @@ void labelChoice(Ui& ui, const char* id, const char* name, float width) {
                                   std::pair{LabelChoice::changed, "changed"},
                                   std::pair{LabelChoice::chosen, "chosen"}};
     ImGui::SetNextItemWidth(width);
-    const bool isOpen =
-        ImGui::BeginCombo(id, kChoices.at(static_cast<std::size_t>(ui.settings.labelChoice)).second);
-    mark(ui, name);
-    if (isOpen) {
-        for (const auto& [choice, words] : kChoices) {
-            if (ImGui::Selectable(words, choice == ui.settings.labelChoice)) ui.settings.labelChoice = choice;
-            mark(ui, "{}/{}", name, words);
-        }
+    if (beginCombo(ui, id, kChoices.at(static_cast<std::size_t>(ui.settings.labelChoice)).second, name)) {
+        for (const auto& [which, words] : kChoices)
+            if (choice(ui, words, which == ui.settings.labelChoice, "{}/{}", name, words))
+                ui.settings.labelChoice = which;
         ImGui::EndCombo();
-    } else if (ImGui::IsItemHovered()) {
-        ImGui::SetTooltip(
+    } else {
+        tooltip(
             "Which values are labelled: all, those that differ from the scene's,\n"
             "or those that 'Label on the picture' in the menu of a value chooses");
     }
@@ -96,8 +84,7 @@ void labelOverlay(Ui& ui, LabelOverlay& overlay) {
                                            static_cast<float>(block.width) / pixels));
     const ImVec2 end(at.x + static_cast<float>(block.width) / pixels,
                      at.y + static_cast<float>(block.height) / pixels);
-    ImGui::GetBackgroundDrawList()->AddImage(
-        std::bit_cast<ImTextureID>(static_cast<std::uintptr_t>(overlay.texture->id())), at, end);
+    ImGui::GetBackgroundDrawList()->AddImage(idOf(*overlay.texture), at, end);
 }
 
 }  // namespace glibra::view

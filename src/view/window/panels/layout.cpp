@@ -57,9 +57,7 @@ void sections(Ui& ui) {
     ImGui::EndChild();
     if (ui.notice.text.empty()) return;
     ImGui::Separator();
-    if (ui.notice.isError) ImGui::PushStyleColor(ImGuiCol_Text, asVector(palette().error));
-    ImGui::TextWrapped("%s", ui.notice.text.c_str());
-    if (ui.notice.isError) ImGui::PopStyleColor();
+    wrappedText(ui.notice.isError ? palette().error : palette().text, ui.notice.text.c_str());
     mark(ui, "notice");
 }
 

@@ -26,11 +26,6 @@ struct MessageBox {
     std::uint64_t asked = 0;  ///< Session::timesLoaded() when the user was asked for a file last
 };
 
-/// The endings of the files that a statement may read: any picture or raw texture, or a model.
-const char* endingsFor(const scene::MissingFile& missing) {
-    return !missing.isModel ? ".png .bmp .jpg .jpeg .tif .tiff .exr .hdr .tga .gif .webp .ppm .tex" : ".obj";
-}
-
 /// The messages are shown again after a reload only if they have changed, so that edits are not interrupted.
 void showMessages(Ui& ui, MessageBox& box) {
     constexpr const char* kTitle = "Message";
@@ -43,11 +38,9 @@ void showMessages(Ui& ui, MessageBox& box) {
     }
     if (!box.isShown) return;
     if (!ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
-    const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {.5F, .5F});
-    if (!ImGui::BeginPopupModal(kTitle, nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove))
-        return;
-    ImGui::PushTextWrapPos(std::min(420 * ui.shared.scale, screen.x - 60 * ui.shared.scale));
+    if (!beginModal(kTitle)) return;
+    ImGui::PushTextWrapPos(
+        std::min(420 * ui.shared.scale, ImGui::GetIO().DisplaySize.x - 60 * ui.shared.scale));
     for (const std::string& each : box.texts) ImGui::TextUnformatted(each.c_str());
     ImGui::PopTextWrapPos();
     ImGui::Spacing();
@@ -72,24 +65,21 @@ void askForMissingFile(Ui& ui, MessageBox& box) {
     const std::vector<scene::MissingFile>& all = ui.session.live().scene().missingFiles;
     if (all.empty()) return;
     const scene::MissingFile& missing = all.front();
-    ui.wanted.file = FileRequest{
-        FileQuestion{.kind = FileQuestion::Kind::open,
-                     .title = fmt::format("A file for {} in line {}", missing.word, missing.place.line),
-                     .button = "Use",
-                     .hint = fmt::format(
-                         "Line {} of {} does not name a file. 'Save values' writes your choice into the "
-                         "scene.",
-                         missing.place.line, ui.session.path().filename().string()),
-                     .endings = endingsFor(missing),
-                     .entry = {},
-                     .chosen =
-                         [place = missing.place](Ui& chosenIn, const std::filesystem::path& file) {
-                             std::string problem = chosenIn.session.chooseFile(place, file);
-                             chosenIn.requests.reload = problem.empty();
-                             return problem;
-                         }},
-        false,
-        {}};
+    // Any picture or raw texture, or a model.
+    const char* endings =
+        missing.isModel ? ".obj" : ".png .bmp .jpg .jpeg .tif .tiff .exr .hdr .tga .gif .webp .ppm .tex";
+    askForFile(ui,
+               {.title = fmt::format("A file for {} in line {}", missing.word, missing.place.line),
+                .button = "Use",
+                .hint = fmt::format(
+                    "Line {} of {} does not name a file. 'Save values' writes your choice into the scene.",
+                    missing.place.line, ui.session.path().filename().string()),
+                .endings = endings,
+                .chosen = [place = missing.place](Ui& in, const std::filesystem::path& file) {
+                    std::string problem = in.session.chooseFile(place, file);
+                    in.requests.reload = problem.empty();
+                    return problem;
+                }});
 }
 
 class MessageBoxPanel final : public Panel {

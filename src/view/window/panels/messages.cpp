@@ -13,8 +13,9 @@
 #include <string>
 #include <system_error>
 
+#include "base/text.h"
 #include "image/file.h"
-#include "view/browse/example_scenes.h"
+#include "view/edit/example_folders.h"
 #include "view/edit/external_editor.h"
 #include "view/edit/message_fixes.h"
 #include "view/edit/source_lines.h"
@@ -36,7 +37,7 @@ bool isListed(const Diagnostic& each, bool isVerboseOpen) {
 std::ptrdiff_t countOf(const Ui& ui, Severity severity) {
     const Diagnostics& all = ui.session.diagnostics();
     const bool isVerboseOpen = toolWindow(ui, "verbose").isOpen;
-    return std::count_if(all.begin(), all.end(), [&](const Diagnostic& each) {
+    return std::ranges::count_if(all, [&](const Diagnostic& each) {
         return each.severity == severity && isListed(each, isVerboseOpen);
     });
 }
@@ -105,10 +106,7 @@ void apply(Ui& ui, const MessageFix& fix) {
     } else {
         EditedFile& file = ui.shared.sources.try_emplace(fix.file, fix.file).first->second;
         const bool wasChanged = file.isChanged();
-        file.text() = withFix(file.text(), fix);
-        file.history().endStep();
-        file.history().record(file.text());
-        file.history().endStep();
+        replaceText(file, withFix(file.text(), fix));
         if (!wasChanged) saveSource(ui, fix.file);
     }
     showSource(ui, {fix.file.string(), std::max(1, fix.line), 1});
@@ -127,20 +125,11 @@ void fixes(Ui& ui, const Diagnostic& each, const std::string& name) {
         mark(ui, "{}/fix/{}", name, index++);
     }
     if (const std::string& searched = known->second.searched; !searched.empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, packed(palette().dim));
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const float width = ImGui::GetContentRegionAvail().x;
         ImGui::Dummy({width, ImGui::GetTextLineHeight()});
-        const bool isHovered = ImGui::IsItemHovered();
-        lineOfText(searched.c_str(), at, at.x + width);
-        ImGui::PopStyleColor();
-        if (isHovered) {
-            ImGui::BeginTooltip();
-            ImGui::PushTextWrapPos(ImGui::GetFontSize() * 32);
-            ImGui::TextUnformatted(searched.c_str());
-            ImGui::PopTextWrapPos();
-            ImGui::EndTooltip();
-        }
+        lineOfText(searched.c_str(), at, at.x + width, packed(palette().dim));
+        if (ImGui::IsItemHovered()) wrappedTooltip(searched.c_str(), ImGui::GetFontSize() * 32);
     }
     if (chosen) apply(ui, *chosen);
 }
@@ -149,7 +138,7 @@ void fixes(Ui& ui, const Diagnostic& each, const std::string& name) {
 bool messageLine(Ui& ui, const Diagnostic& each, const std::string& text, int index,
                  const std::string& name) {
     const bool isOpen = ui.fixes.opened == index;
-    ImGui::PushStyleColor(ImGuiCol_Text, packed(severityColor(each.severity)));
+    const Color& color = severityColor(each.severity);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
     const float height =
@@ -159,12 +148,11 @@ bool messageLine(Ui& ui, const Diagnostic& each, const std::string& text, int in
     if (isOpen) {
         const ImVec2 after = ImGui::GetCursorScreenPos();
         ImGui::SetCursorScreenPos(at);
-        ImGui::TextWrapped("%s", text.c_str());
+        wrappedText(color, text.c_str());
         ImGui::SetCursorScreenPos(after);
     } else {
-        lineOfText(text.c_str(), at, at.x + width);
+        lineOfText(text.c_str(), at, at.x + width, packed(color));
     }
-    ImGui::PopStyleColor();
     if (isClicked) ui.fixes.opened = index;
     return isClicked;
 }
@@ -202,17 +190,14 @@ void detailed(Ui& ui, const Diagnostic& each, int index) {
         if (isError) translatedLines(ui, each.place, name);
         if (each.severity != Severity::note) {
             if (ui.session.hasScene()) {
-                if (ImGui::SmallButton("Show")) showSource(ui, each.place);
-                mark(ui, name + "/show");
+                if (smallButton(ui, "Show", name + "/show")) showSource(ui, each.place);
                 ImGui::SameLine();
             }
-            if (ImGui::SmallButton("Edit")) ui.notice = openInEditor(each.place);
-            mark(ui, name + "/edit");
+            if (smallButton(ui, "Edit", name + "/edit")) ui.notice = openInEditor(each.place);
             ImGui::SameLine();
         }
     }
-    if (ImGui::SmallButton("Copy")) ImGui::SetClipboardText(toString(each).c_str());
-    mark(ui, name + "/copy");
+    if (smallButton(ui, "Copy", name + "/copy")) ImGui::SetClipboardText(toString(each).c_str());
     ImGui::PopID();
 }
 
@@ -226,7 +211,7 @@ void inOrder(Ui& ui, Show&& show) {
             if (each.severity == severity && isListed(each, isVerboseOpen)) show(each, index++);
 }
 
-/// The section, while no source is shown.
+/// The section, while no source is shown. Each tab opens and closes its own.
 struct MessageSection {
     std::ptrdiff_t lastErrors = 0;
     bool isOpen = false;
@@ -239,14 +224,13 @@ void messagesPanel(Ui& ui, MessageSection& shown) {
     const auto warnings = countOf(ui, Severity::warning);
     const auto notes = countOf(ui, Severity::note);
     if (errors + warnings + notes == 0) return;
-    const auto counted = [](auto number, const char* word) {
-        return fmt::format("{} {}{}", number, word, number == 1 ? "" : "s");
+    const auto counted = [](std::ptrdiff_t number, const char* word) {
+        return base::counted(static_cast<std::size_t>(number), word);
     };
     const std::string title = errors + warnings == 0
                                   ? fmt::format("Messages ({})###messages", counted(notes, "note"))
                                   : fmt::format("Messages ({}, {})###messages", counted(errors, "error"),
                                                 counted(warnings, "warning"));
-    // Each tab opens and closes its own section.
     if (errors > 0 && shown.lastErrors == 0) shown.isOpen = true;
     shown.lastErrors = errors;
     ImGui::SetNextItemOpen(shown.isOpen);
@@ -262,8 +246,7 @@ void messagesPanel(Ui& ui, MessageSection& shown) {
 void errorBanner(Ui& ui, std::string& banner) {
     banner.clear();
     const Diagnostics& all = ui.session.diagnostics();
-    const auto first = std::find_if(all.begin(), all.end(),
-                                    [](const Diagnostic& each) { return each.severity == Severity::error; });
+    const auto first = std::ranges::find(all, Severity::error, &Diagnostic::severity);
     if (first == all.end()) return;
     std::string text = first->text;
     if (!first->place.file.empty())
@@ -292,11 +275,7 @@ void errorBanner(Ui& ui, std::string& banner) {
         mark(ui, "banner");
         if (ImGui::IsItemHovered()) {
             ui.frame.hoverText = text;
-            ImGui::BeginTooltip();
-            ImGui::PushTextWrapPos(ImGui::GetFontSize() * 32);
-            ImGui::TextUnformatted(text.c_str());
-            ImGui::PopTextWrapPos();
-            ImGui::EndTooltip();
+            wrappedTooltip(text.c_str(), ImGui::GetFontSize() * 32);
         }
         if (isClicked && !first->place.file.empty() && ui.session.hasScene()) showSource(ui, first->place);
         ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -306,9 +285,7 @@ void errorBanner(Ui& ui, std::string& banner) {
         const float moreLeft = more.empty() ? right : right - ImGui::CalcTextSize(more.c_str()).x;
         const ImU32 color = packed(palette().bannerText);
         draw.AddText({moreLeft, top}, color, more.c_str());
-        ImGui::PushStyleColor(ImGuiCol_Text, color);
-        lineOfText(text.c_str(), {left + pad, top}, more.empty() ? right : moreLeft - pad);
-        ImGui::PopStyleColor();
+        lineOfText(text.c_str(), {left + pad, top}, more.empty() ? right : moreLeft - pad, color);
     }
     ImGui::End();
     ImGui::PopStyleColor();

@@ -3,16 +3,15 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
-#include <glad/gl.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <span>
 
+#include "view/window/panels/shown_texture.h"
 #include "view/window/panels/ui.h"
 #include "view/window/panels/value_slider.h"
 #include "view/window/platform/theme.h"
@@ -25,16 +24,12 @@ constexpr float kPanelWidth = 300;
 
 template <std::size_t N, class Enumerator>
 void noiseMenu(Ui& ui, const char* label, const std::array<const char*, N>& words, Enumerator& value) {
-    if (!ImGui::BeginCombo(label, words.at(static_cast<std::size_t>(value)))) {
-        markField(ui, fmt::format("noise/{}", label), label);
-        return;
-    }
+    const bool isOpen = ImGui::BeginCombo(label, words.at(static_cast<std::size_t>(value)));
     markField(ui, fmt::format("noise/{}", label), label);
-    for (std::size_t i = 0; i < N; ++i) {
-        if (ImGui::Selectable(words.at(i), static_cast<std::size_t>(value) == i))
+    if (!isOpen) return;
+    for (std::size_t i = 0; i < N; ++i)
+        if (choice(ui, words.at(i), static_cast<std::size_t>(value) == i, "noise/{}/{}", label, words.at(i)))
             value = static_cast<Enumerator>(i);
-        mark(ui, "noise/{}/{}", label, words.at(i));
-    }
     ImGui::EndCombo();
 }
 
@@ -57,16 +52,13 @@ void functionControls(Ui& ui, NoiseState& window) {
     countSlider(ui, "Octaves", 1, noise::kMostGraphOctaves, options.octaves);
     if (countSlider(ui, "Points", 2, kMostShownPoints, options.cells)) {
         const auto isGone = [&](const auto& each) { return each.first >= options.cells; };
-        std::erase_if(options.heights, isGone);
-        std::erase_if(options.gradients, isGone);
-        std::erase_if(options.curvatures, isGone);
+        for (auto* each : {&options.heights, &options.gradients, &options.curvatures})
+            std::erase_if(*each, isGone);
         window.chosen = std::min(window.chosen, options.cells - 1);
     }
-    checkBox("Turbulence", &options.turbulence);
-    mark(ui, "noise/Turbulence");
+    checkBox(ui, "Turbulence", "noise/Turbulence", options.turbulence);
     ImGui::SameLine();
-    if (ImGui::Button("New random numbers")) ++options.seed;
-    mark(ui, "noise/Seed");
+    if (button(ui, "New random numbers", "noise/Seed")) ++options.seed;
 }
 
 void pointSlider(Ui& ui, int point, const char* label, double value, double limit,
@@ -89,19 +81,12 @@ void pointControls(Ui& ui, NoiseState& window) {
     constexpr double kMostCurved = 40;
     pointSlider(ui, window.chosen, "Curvature", point.curvature, kMostCurved, options.curvatures);
     ImGui::EndDisabled();
-    if (ImGui::Button("Reset point")) {
-        options.heights.erase(window.chosen);
-        options.gradients.erase(window.chosen);
-        options.curvatures.erase(window.chosen);
-    }
-    mark(ui, "noise/ResetPoint");
+    if (button(ui, "Reset point", "noise/ResetPoint"))
+        for (auto* each : {&options.heights, &options.gradients, &options.curvatures})
+            each->erase(window.chosen);
     ImGui::SameLine();
-    if (ImGui::Button("Reset all")) {
-        options.heights.clear();
-        options.gradients.clear();
-        options.curvatures.clear();
-    }
-    mark(ui, "noise/ResetAll");
+    if (button(ui, "Reset all", "noise/ResetAll"))
+        for (auto* each : {&options.heights, &options.gradients, &options.curvatures}) each->clear();
 }
 
 void writeNoiseFile(NoiseState& window, int dimensions) {
@@ -128,20 +113,16 @@ void fileControls(Ui& ui, NoiseState& window) {
         window.noise.height = std::clamp(size[1], 1, 16384);
     }
     markField(ui, "noise/Size", "Size");
-    if (ImGui::Button("Write graph")) writeNoiseFile(window, 1);
-    mark(ui, "noise/WriteGraph");
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("The file name ends in .png, .svg, or .tex for a raw one-dimensional texture");
+    if (button(ui, "Write graph", "noise/WriteGraph",
+               "The file name ends in .png, .svg, or .tex for a raw one-dimensional texture"))
+        writeNoiseFile(window, 1);
     ImGui::SameLine();
-    if (ImGui::Button("Write picture")) writeNoiseFile(window, 2);
-    mark(ui, "noise/WritePicture");
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("The file name ends in .png, or .tex for a raw two-dimensional texture");
-    if (ImGui::Button("Copy command"))
+    if (button(ui, "Write picture", "noise/WritePicture",
+               "The file name ends in .png, or .tex for a raw two-dimensional texture"))
+        writeNoiseFile(window, 2);
+    if (button(ui, "Copy command", "noise/Copy",
+               "Copy the command line that writes the same file as the last button"))
         ImGui::SetClipboardText(noise::noiseCommand(window.noise, window.file.data()).c_str());
-    mark(ui, "noise/Copy");
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("Copy the command line that writes the same file as the last button");
     if (window.failed)
         ImGui::TextColored(asVector(palette().error), "%s", window.message.c_str());
     else
@@ -155,22 +136,15 @@ void noisePicture(Ui& ui, NoiseState& window, float side) {
     if (!window.picture || window.drawn != plane || window.drawnColors != window.noise.colors) {
         const std::vector<std::uint8_t> pixels =
             noise::noisePixels(plane, window.noise.colors, kPictureSide, kPictureSide);
-        Result<gpu::Texture> made = gpu::Texture::create(
-            ui.context.capabilities(), gpu::TextureShape::texture2D, gpu::TexelFormat::rgba8,
-            {kPictureSide, kPictureSide, 1}, {std::as_bytes(std::span(pixels)), 3});
-        window.picture = std::move(made.value);
+        window.picture = textureOfBytes(ui.context.capabilities(), kPictureSide, kPictureSide,
+                                        std::as_bytes(std::span(pixels)), GL_LINEAR, GL_LINEAR, 3);
         window.drawn = plane;
         window.drawnColors = window.noise.colors;
-        if (window.picture) {
-            glBindTexture(GL_TEXTURE_2D, window.picture->id());
-            glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-            glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-        }
     }
     if (!window.picture) return;
-    ImGui::Image(std::bit_cast<ImTextureID>(static_cast<std::uintptr_t>(window.picture->id())), {side, side});
+    ImGui::Image(idOf(*window.picture), {side, side});
     mark(ui, "noise/picture");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Two-dimensional noise; its lower edge is the graph");
+    tooltip("Two-dimensional noise; its lower edge is the graph");
 }
 
 void noiseWindow(Ui& ui, NoiseState& window, bool& isOpen) {

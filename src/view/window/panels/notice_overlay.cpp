@@ -36,9 +36,8 @@ class NoticeOverlay final : public Panel {
                              ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoInputs |
                              ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing)) {
             ImGui::PushTextWrapPos(std::max(100.F, room[0] + room[2] - left - 4 * gap));
-            if (ui.notice.isError) ImGui::PushStyleColor(ImGuiCol_Text, asVector(palette().error));
-            ImGui::TextUnformatted(text_.c_str());
-            if (ui.notice.isError) ImGui::PopStyleColor();
+            ImGui::TextColored(asVector(ui.notice.isError ? palette().error : palette().text), "%s",
+                               text_.c_str());
             ImGui::PopTextWrapPos();
             markWindow(ui, "notice/overlay");
         }

@@ -12,7 +12,7 @@
 
 #include "render/draw/view_matrices.h"
 #include "view/edit/source_lines.h"
-#include "view/scene/window_draws.h"
+#include "view/scene/pick.h"
 #include "view/session/wheel.h"
 #include "view/window/panels/label_overlay.h"
 #include "view/window/panels/ui.h"

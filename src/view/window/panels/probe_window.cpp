@@ -15,7 +15,6 @@
 
 #include "view/debug_view/pixel_probe.h"
 #include "view/window/panels/ui.h"
-#include "view/window/platform/theme.h"
 
 namespace glibra::view {
 namespace {
@@ -43,25 +42,6 @@ std::string pixelText(const ProbedPixel& pixel) {
     return text;
 }
 
-void valueSwatch(const ProbedValue& value) {
-    const float side = ImGui::GetTextLineHeight();
-    const auto part = [&](std::size_t i) {
-        return static_cast<float>(std::clamp(value.numbers[i], 0.0, 1.0));
-    };
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + side, at.y + side},
-                                              ImGui::ColorConvertFloat4ToU32({part(0), part(1), part(2), 1}));
-    ImGui::Dummy({side, side});
-    ImGui::SameLine();
-}
-
-/// The rows of a matrix below each other.
-void matrixRows(const std::string& text) {
-    ImGui::PushFont(codeFont());
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopFont();
-}
-
 void table(Ui& ui, const char* title, const std::vector<ProbedValue>& values, bool areColors) {
     if (values.empty() || !ImGui::CollapsingHeader(title, ImGuiTreeNodeFlags_DefaultOpen)) return;
     if (!ImGui::BeginTable(title, 3, ImGuiTableFlags_RowBg)) return;
@@ -83,25 +63,22 @@ void table(Ui& ui, const char* title, const std::vector<ProbedValue>& values, bo
         ImGui::TextDisabled("%s", each.type.c_str());
         mark(ui, "probe/type/{}", each.name);
         ImGui::TableNextColumn();
-        if (areColors && each.numbers.size() >= 3 && each.numbers.size() <= 4) valueSwatch(each);
+        if (areColors && each.numbers.size() >= 3 && each.numbers.size() <= 4) colorSquare(each.numbers);
         if (each.numbers.empty())
             ImGui::TextDisabled("%s", each.why.c_str());
         else if (const std::string text = numbersText(each); text.find('\n') == std::string::npos)
             ImGui::TextWrapped("%s", text.c_str());
         else
-            matrixRows(text);
+            codeText(text);  // a matrix: its rows below each other
     }
     ImGui::EndTable();
 }
 
-/// A ring around the pixel.
-void ring(const Ui& ui, const ProbedPixel& pixel) {
+void ringProbed(const Ui& ui, const ProbedPixel& pixel) {
     const float perPixel = ui.frame.picture[2] / static_cast<float>(std::max(1, ui.session.width()));
     const ImVec2 at(ui.frame.picture[0] + (static_cast<float>(pixel.x) + .5F) * perPixel,
                     ui.frame.picture[1] + (static_cast<float>(pixel.y) + .5F) * perPixel);
-    ImDrawList& draw = *ImGui::GetBackgroundDrawList();
-    draw.AddCircle(at, 6 * ui.shared.scale, IM_COL32_BLACK, 0, 3 * ui.shared.scale);
-    draw.AddCircle(at, 6 * ui.shared.scale, IM_COL32_WHITE, 0, 1.5F * ui.shared.scale);
+    ring(ui, *ImGui::GetBackgroundDrawList(), at, 6 * ui.shared.scale);
 }
 
 /// Whenever the window appears it lies over the lower part of the panel, so that it covers no pixel. Without
@@ -134,12 +111,11 @@ void probeContent(Ui& ui, const Probe& probe) {
                 pixel.program.empty() ? "" : ", program ", pixel.program.c_str());
     if (pixel.draw.file == 0) {
         ImGui::SameLine();
-        if (ImGui::SmallButton("Show")) showSource(ui, {ui.session.path().string(), pixel.draw.line, 1});
-        mark(ui, "probe/show");
+        if (smallButton(ui, "Show", "probe/show"))
+            showSource(ui, {ui.session.path().string(), pixel.draw.line, 1});
     }
     ImGui::SameLine();
-    if (ImGui::SmallButton("Copy")) ImGui::SetClipboardText(pixelText(pixel).c_str());
-    mark(ui, "probe/copy");
+    if (smallButton(ui, "Copy", "probe/copy")) ImGui::SetClipboardText(pixelText(pixel).c_str());
     ImGui::BeginChild("values");
     table(ui, "Outputs", pixel.outputs, true);
     table(ui, "Inputs", pixel.inputs, false);
@@ -170,7 +146,7 @@ void probeWindow(Ui& ui, Probe& probe, bool& isOpen) {
                 "does.");
     }
     ImGui::End();
-    if (probe.pixel) ring(ui, *probe.pixel);
+    if (probe.pixel) ringProbed(ui, *probe.pixel);
 }
 
 nlohmann::ordered_json probeJson(const Probe& probe, bool isOpen) {

@@ -28,7 +28,7 @@ std::filesystem::path recentScenes(Ui& ui, std::size_t most, const std::string& 
             markPlace(ui, name + "/gone/" + std::to_string(i));
         else
             mark(ui, "{}/{}", name, i);
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", file.c_str());
+        tooltip(file.c_str());
         if (isNarrow)
             ImGui::Indent();
         else
@@ -42,7 +42,7 @@ std::filesystem::path recentScenes(Ui& ui, std::size_t most, const std::string& 
             besideIfRoom(ImGui::CalcTextSize("Remove").x + 2 * ImGui::GetStyle().FramePadding.x);
             if (ImGui::SmallButton("Remove")) removed = i;
             mark(ui, "{}/remove/{}", name, i);
-            if (ImGui::IsItemHovered()) ImGui::SetTooltip("Takes it out of this list");
+            tooltip("Takes it out of this list");
         }
         if (isNarrow) ImGui::Unindent();
         ImGui::PopID();

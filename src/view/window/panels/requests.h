@@ -32,14 +32,14 @@ struct Requests {
 struct FileQuestion {
     enum class Kind { open, save, folder };
     Kind kind = Kind::open;
-    std::string title;
-    std::string button;   ///< the button that ends the dialog: "Save"
-    std::string hint;     ///< a sentence above the list; may be empty
-    std::string endings;  ///< of the files that are listed, ".png .bmp"; empty: all files
-    std::string entry;    ///< the proposed name
+    std::string title{};
+    std::string button{};   ///< the button that ends the dialog: "Save"
+    std::string hint{};     ///< a sentence above the list; may be empty
+    std::string endings{};  ///< of the files that are listed, ".png .bmp"; empty: all files
+    std::string entry{};    ///< the proposed name
     /// Gets the chosen path. A file that is saved may exist only if the user has agreed to replace it.
     /// Returns the problem, with which the dialog stays open; empty on success.
-    std::function<std::string(Ui&, const std::filesystem::path&)> chosen;
+    std::function<std::string(Ui&, const std::filesystem::path&)> chosen{};
 };
 
 /// The file dialog is to open.

@@ -1,15 +1,14 @@
 #include "view/window/panels/save_scene.h"
 
-#include <fmt/format.h>
-
 #include <cstdlib>
 #include <string>
 #include <system_error>
 #include <utility>
 #include <vector>
 
+#include "base/text.h"
 #include "image/file.h"
-#include "view/browse/example_scenes.h"
+#include "view/edit/example_folders.h"
 #include "view/edit/save_values.h"
 #include "view/edit/scene_copy.h"
 #include "view/session/comparison.h"
@@ -22,9 +21,9 @@ namespace fs = std::filesystem;
 
 /// The text of the session's scene as it would be saved: with unsaved edits, or else with the values.
 Result<std::string> textToSave(const Ui& ui) {
-    const auto edited = ui.shared.sources.find(ui.session.path());
-    if (edited != ui.shared.sources.end() && edited->second.isChanged()) return edited->second.text();
     const fs::path& path = ui.session.path();
+    if (const EditedFile* edited = knownSource(ui, path); edited && edited->isChanged())
+        return edited->text();
     const auto bytes = image::readFile(path, {path.string(), {path.string(), 1, 1}});
     if (!bytes) return bytes.diagnostics;
     return withValues(
@@ -47,10 +46,8 @@ std::string save(Ui& ui, fs::path target) {
         if (problems.empty()) problems = copyExercise(session.path(), target);
     }
     if (!problems.empty()) return problems.front().text;
-    ui.notice = fmt::format("saved {}", target.string());
-    if (!files.empty())
-        ui.notice.text +=
-            fmt::format(" and {} file{} that it reads", files.size(), files.size() == 1 ? "" : "s");
+    ui.notice = "saved " + target.string();
+    if (!files.empty()) ui.notice.text += " and " + base::counted(files.size(), "file") + " that it reads";
     ui.requests.open = target;
     ui.requests.inNewTab = true;
     return {};
@@ -85,19 +82,18 @@ void saveSceneAs(Ui& ui) {
     if (!ui.session.hasScene()) return;
     const bool isCopy = isExample(ui.session.path());
     const std::string name = ui.session.path().filename().string();
-    ui.wanted.file = FileRequest{
-        FileQuestion{
-            .kind = FileQuestion::Kind::save,
-            .title = (isCopy ? "Save a copy of " : "Save as: ") + name,
-            .button = "Save",
-            .hint = isCopy
-                        ? "Examples stay as they are. The copy gets your values, and the shaders and other "
-                          "files of the scene are copied into its folder."
+    askForFile(
+        ui,
+        {.kind = FileQuestion::Kind::save,
+         .title = (isCopy ? "Save a copy of " : "Save as: ") + name,
+         .button = "Save",
+         .hint = isCopy ? "Examples stay as they are. The copy gets your values, and the shaders and "
+                          "other files of the scene are copied into its folder."
                         : "The scene with its values. Files that it would not find there are copied, too.",
-            .endings = ".glib",
-            .entry = name,
-            .chosen = [](Ui& chosenIn, const fs::path& target) { return save(chosenIn, target); }},
-        false, ownFolder(ui)};
+         .endings = ".glib",
+         .entry = name,
+         .chosen = save},
+        ownFolder(ui));
 }
 
 }  // namespace glibra::view

@@ -1,10 +1,12 @@
 // The section with the keys that the scene declares, as buttons.
 
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include "glib/text.h"
 #include "view/window/panels/shortcuts.h"
 #include "view/window/panels/ui.h"
+#include "view/window/platform/theme.h"
 
 namespace glibra::view {
 namespace {
@@ -22,11 +24,8 @@ void keysPanel(Ui& ui) {
         ImGui::TextUnformatted(effectOf(keys[i]).c_str());
         for (const PanelRow* row : panelRows())
             for (const Shortcut& each : row->keys)
-                if (glib::sameWord(takenKey(ui, each), keys[i].key)) {
-                    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
-                    ImGui::TextWrapped("Shift+%s: %s", each.keys, each.what);
-                    ImGui::PopStyleColor();
-                }
+                if (glib::sameWord(takenKey(ui, each), keys[i].key))
+                    wrappedText(palette().dim, fmt::format("Shift+{}: {}", each.keys, each.what).c_str());
     }
 }
 

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "glib/text.h"
 #include "view/window/panels/tab_stops.h"
 #include "view/window/panels/ui.h"
 #include "view/window/platform/keys.h"
@@ -39,12 +38,10 @@ void holdKeys(Ui& ui) {
     const std::vector<scene::KeyBinding>& keys = sceneKeys(ui);
     const auto isHeld = [](const scene::KeyBinding& each) { return each.isHeld; };
     const ImGuiIO& io = ImGui::GetIO();
-    if (io.KeyCtrl || io.KeyShift || std::none_of(keys.begin(), keys.end(), isHeld)) return;
+    if (io.KeyCtrl || io.KeyShift || std::ranges::none_of(keys, isHeld)) return;
     for (const auto& [first, last] : kNamedKeys)
-        for (int key = first; key <= last; ++key) {
-            if (!isKeyDown(key)) continue;
-            holdKey(ui, keyName(key));
-        }
+        for (int key = first; key <= last; ++key)
+            if (isKeyDown(key)) holdKey(ui, keyName(key));
 }
 
 void press(Ui& ui, const Display::KeyPress& key, bool isTyping) {
@@ -64,10 +61,7 @@ const std::vector<scene::KeyBinding>& sceneKeys(const Ui& ui) {
 std::string takenKey(const Ui& ui, const Shortcut& shortcut) {
     if (shortcut.control || shortcut.whileTyping) return {};
     std::string name = keyName(shortcut.key);
-    const bool isTaken =
-        std::any_of(sceneKeys(ui).begin(), sceneKeys(ui).end(),
-                    [&](const scene::KeyBinding& each) { return glib::sameWord(each.key, name); });
-    return isTaken ? name : std::string();
+    return isUsedByScene(ui, name) ? name : std::string();
 }
 
 std::string effectOf(const scene::KeyBinding& key) {
@@ -85,8 +79,8 @@ void holdKey(Ui& ui, const std::string& key) {
 
 void shortcuts(Ui& ui) {
     const std::vector<Display::KeyPress> pressed = std::exchange(ui.frame.pressed, {});
-    const bool areBlocked = std::any_of(ui.panels.begin(), ui.panels.end(),
-                                        [](const PanelUse& each) { return each.panel->blocksKeys(); });
+    const bool areBlocked =
+        std::ranges::any_of(ui.panels, [](const PanelUse& each) { return each.panel->blocksKeys(); });
     if (ui.shared.question || areBlocked) return;
     const bool isTyping = ImGui::GetIO().WantTextInput;
     if (!isTyping) holdKeys(ui);

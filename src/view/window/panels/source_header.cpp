@@ -8,7 +8,7 @@
 #include <string>
 #include <system_error>
 
-#include "view/browse/example_scenes.h"
+#include "view/edit/example_folders.h"
 #include "view/edit/external_editor.h"
 #include "view/window/panels/icons.h"
 #include "view/window/panels/save_scene.h"
@@ -20,10 +20,9 @@ namespace glibra::view {
 namespace {
 
 bool fileHasError(const Ui& ui, const std::filesystem::path& file) {
-    return std::any_of(ui.session.diagnostics().begin(), ui.session.diagnostics().end(),
-                       [&](const Diagnostic& each) {
-                           return each.severity == Severity::error && isSame(each.place.file, file);
-                       });
+    return std::ranges::any_of(ui.session.diagnostics(), [&](const Diagnostic& each) {
+        return each.severity == Severity::error && isSame(each.place.file, file);
+    });
 }
 
 }  // namespace
@@ -37,8 +36,8 @@ bool isSame(const std::filesystem::path& a, const std::filesystem::path& b) {
 void fileTabs(Ui& ui, SourceState& panel) {
     if (!ImGui::BeginTabBar("files", ImGuiTabBarFlags_FittingPolicyScroll)) return;
     for (const SourceFile& each : ui.files) {
-        const auto known = ui.shared.sources.find(each.path);
-        const bool isChanged = known != ui.shared.sources.end() && known->second.isChanged();
+        const EditedFile* known = knownSource(ui, each.path);
+        const bool isChanged = known && known->isChanged();
         const bool isWrong = fileHasError(ui, each.path);
         ImGuiTabItemFlags flags = isChanged ? ImGuiTabItemFlags_UnsavedDocument : 0;
         if (panel.follow && each.path == panel.chosen) flags |= ImGuiTabItemFlags_SetSelected;
@@ -62,14 +61,12 @@ void conflict(Ui& ui, EditedFile& file, CodeView& view) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextColored(asVector(palette().warning), "Another program has changed this file.");
     ImGui::SameLine();
-    if (ImGui::Button("Keep mine")) file.keepMine();
-    mark(ui, "source/keepMine");
+    if (button(ui, "Keep mine", "source/keepMine")) file.keepMine();
     ImGui::SameLine();
-    if (ImGui::Button("Load theirs")) {
+    if (button(ui, "Load theirs", "source/takeDisk")) {
         file.takeDisk();
         ++view.generation;
     }
-    mark(ui, "source/takeDisk");
 }
 
 void recovered(Ui& ui, EditedFile& file, CodeView& view) {
@@ -77,23 +74,23 @@ void recovered(Ui& ui, EditedFile& file, CodeView& view) {
     if (found == ui.shared.recovered.end()) return;
     const std::string words =
         fmt::format("A text of {} was not saved when the window ended.", found->second.when);
-    ImGui::PushStyleColor(ImGuiCol_Text, packed(palette().warning));
-    ImGui::TextWrapped("%s", words.c_str());
-    ImGui::PopStyleColor();
-    const bool takes = ImGui::Button("Restore");
-    mark(ui, "source/restore");
+    wrappedText(palette().warning, words.c_str());
+    const bool takes = button(ui, "Restore", "source/restore");
     ImGui::SameLine();
-    const bool leaves = ImGui::Button("Discard it");
-    mark(ui, "source/discard");
+    const bool leaves = button(ui, "Discard it", "source/discard");
     if (takes) {
-        file.text() = std::move(found->second.text);
-        file.history().endStep();
-        file.history().record(file.text());
-        file.history().endStep();
+        replaceText(file, std::move(found->second.text));
         ++view.generation;
     }
     if (leaves) forgetText(recoveryFolder(), file.path());
     if (takes || leaves) ui.shared.recovered.erase(found);
+}
+
+void replaceText(EditedFile& file, std::string text) {
+    file.text() = std::move(text);
+    file.history().endStep();
+    file.history().record(file.text());
+    file.history().endStep();
 }
 
 std::string savedNotice(const std::filesystem::path& file) {
@@ -101,17 +98,16 @@ std::string savedNotice(const std::filesystem::path& file) {
 }
 
 void saveSource(Ui& ui, const std::filesystem::path& chosen) {
-    const auto found = ui.shared.sources.find(chosen);
-    if (found == ui.shared.sources.end() || !found->second.isChanged()) return;
-    const std::string name = chosen.filename().string();
-    const Diagnostics problems = found->second.save();
-    if (!problems.empty())
+    EditedFile* file = knownSource(ui, chosen);
+    if (!file || !file->isChanged()) return;
+    if (const Diagnostics problems = file->save(); !problems.empty()) {
         ui.notice = problems.front();
-    else if (found->second.hasConflict())
-        ui.notice = {name + " was not saved: another program has changed it", true};
-    else
+    } else if (file->hasConflict()) {
+        ui.notice = {chosen.filename().string() + " was not saved: another program has changed it", true};
+    } else {
         ui.notice = savedNotice(chosen);
-    if (problems.empty() && !found->second.hasConflict()) ui.requests.saved = chosen;
+        ui.requests.saved = chosen;
+    }
 }
 
 const char* nameOfPlace(SourcePlace place) {
@@ -136,7 +132,7 @@ void placeMenu(Ui& ui) {
     continueRowForButton(kLabel);
     if (ImGui::Button(kLabel)) ImGui::OpenPopup("place");
     mark(ui, "source/place");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Beside, below or over the picture (Ctrl+Shift+E)");
+    tooltip("Beside, below or over the picture (Ctrl+Shift+E)");
     if (!ImGui::BeginPopup("place")) return;
     for (const SourcePlace each :
          {SourcePlace::automatic, SourcePlace::beside, SourcePlace::below, SourcePlace::over}) {
@@ -151,33 +147,25 @@ void placeMenu(Ui& ui) {
 
 void sourceButtons(Ui& ui, const SourceState& panel, EditedFile& file, CodeView& view) {
     if (isExample(ui.session.path())) {
-        if (ImGui::Button("Save a copy...")) saveSceneAs(ui);
-        mark(ui, "source/copy");
+        if (button(ui, "Save a copy...", "source/copy")) saveSceneAs(ui);
         continueRowForButton("Save");
     }
     ImGui::BeginDisabled(!file.isChanged());
-    if (ImGui::Button("Save")) saveSource(ui, panel.chosen);
-    mark(ui, "source/save");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Save the file and update the picture (Ctrl+S)");
+    if (button(ui, "Save", "source/save", "Save the file and update the picture (Ctrl+S)"))
+        saveSource(ui, panel.chosen);
     continueRowForButton("Revert");
-    if (ImGui::Button("Revert")) {
+    if (button(ui, "Revert", "source/revert")) {
         file.revert();
         ++view.generation;
     }
     ImGui::EndDisabled();
-    mark(ui, "source/revert");
     continueRowForButton("Open in editor");
-    if (ImGui::Button("Open in editor"))
+    if (button(ui, "Open in editor", "source/editor",
+               "Open the file at this line in your own editor, which the variable EDITOR names"))
         ui.notice = openInEditor({file.path().string(), view.line, view.column});
-    mark(ui, "source/editor");
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("Open the file at this line in your own editor, which the variable EDITOR names");
     continueRowForCheck("Live");
-    checkBox("Live", &ui.settings.compilesWhileTyping);
-    mark(ui, "source/live");
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip(
-            "Update the picture while you type. Files are still written only when you save them");
+    checkBox(ui, "Live", "source/live", ui.settings.compilesWhileTyping,
+             "Update the picture while you type. Files are still written only when you save them");
     placeMenu(ui);
     std::array<char, 192> state{};  // in every frame, so without the heap
     if (file.whyReadOnly().empty())
@@ -198,9 +186,7 @@ void sourceButtons(Ui& ui, const SourceState& panel, EditedFile& file, CodeView&
         ui.frame.hoverText = state.data();
         ImGui::SetTooltip("%s", state.data());
     }
-    ImGui::PushStyleColor(ImGuiCol_Text, packed(palette().dim));
-    lineOfText(state.data(), {at.x, at.y + ImGui::GetStyle().FramePadding.y}, right);
-    ImGui::PopStyleColor();
+    lineOfText(state.data(), {at.x, at.y + ImGui::GetStyle().FramePadding.y}, right, packed(palette().dim));
 }
 
 }  // namespace glibra::view

@@ -23,6 +23,8 @@ void sourceButtons(Ui& ui, const SourceState& panel, EditedFile& file, CodeView&
 void conflict(Ui& ui, EditedFile& file, CodeView& view);
 /// What to do with a text that an earlier run of the window has kept.
 void recovered(Ui& ui, EditedFile& file, CodeView& view);
+/// Replaces the whole text, which is one step of undo.
+void replaceText(EditedFile& file, std::string text);
 /// What the status line says after a file was saved.
 std::string savedNotice(const std::filesystem::path& file);
 /// Saves the file that is shown.

@@ -41,18 +41,18 @@ void refresh(Ui& ui, SourceState& panel) {
         for (auto& [path, file] : ui.shared.sources)
             if (file.lookAtDisk() && !file.hasConflict()) ++panel.views[path].generation;
         for (const SourceFile& old : ui.files) {
-            const auto kept = ui.shared.sources.find(old.path);
-            const bool isThere = std::any_of(files.begin(), files.end(),
-                                             [&](const SourceFile& each) { return each.path == old.path; });
-            if (!isThere && kept != ui.shared.sources.end() && kept->second.isChanged())
+            const EditedFile* kept = knownSource(ui, old.path);
+            const bool isThere =
+                std::ranges::any_of(files, [&](const SourceFile& each) { return each.path == old.path; });
+            if (!isThere && kept && kept->isChanged())
                 files.push_back({old.path, old.label,
-                                 kept->second.isGone() ? "removed from the disk; Save writes it again"
-                                                       : "no longer used by the scene"});
+                                 kept->isGone() ? "removed from the disk; Save writes it again"
+                                                : "no longer used by the scene"});
         }
         ui.files = std::move(files);
     }
     const auto isChosen = [&](const SourceFile& each) { return each.path == panel.chosen; };
-    if (std::none_of(ui.files.begin(), ui.files.end(), isChosen)) {
+    if (std::ranges::none_of(ui.files, isChosen)) {
         panel.chosen = ui.files.front().path;  // the scene, which names the others
         panel.follow = true;
     }
@@ -96,7 +96,7 @@ void sourceContent(Ui& ui, SourceState& panel) {
     for (const Diagnostic& each : ui.session.diagnostics())
         if (each.severity != Severity::note && isSame(each.place.file, file.path()))
             marks.push_back({each.place.line, each.place.column, each.severity, each.text});
-    std::stable_sort(marks.begin(), marks.end(), [](const CodeMark& a, const CodeMark& b) {
+    std::ranges::stable_sort(marks, [](const CodeMark& a, const CodeMark& b) {
         return a.line != b.line ? a.line < b.line : a.severity > b.severity;
     });
     const std::size_t messages = ui.session.diagnostics().size();
@@ -138,25 +138,24 @@ void sourceContent(Ui& ui, SourceState& panel) {
 void compileWhileTyping(Ui& ui, SourceState& panel) {
     constexpr double kPause = .15;  // seconds
     std::map<std::filesystem::path, std::string> wanted;
-    for (const SourceFile& each : ui.files) {
-        const auto known = ui.shared.sources.find(each.path);
-        if (ui.settings.compilesWhileTyping && known != ui.shared.sources.end() && known->second.isChanged())
-            wanted.emplace(each.path, known->second.text());
-    }
+    if (ui.settings.compilesWhileTyping)
+        for (const SourceFile& each : ui.files)
+            if (const EditedFile* known = knownSource(ui, each.path); known && known->isChanged())
+                wanted.emplace(each.path, known->text());
     const auto& compiled = ui.session.texts();
     if (wanted == compiled) return;
     const auto isInEffect = [&](const std::filesystem::path& path, const std::string& text) {
-        const auto known = ui.shared.sources.find(path);
-        return known != ui.shared.sources.end() && known->second.text() == text;
+        const EditedFile* known = knownSource(ui, path);
+        return known && known->text() == text;
     };
     // Files that were saved have the compiled text already.
-    const bool wereSaved = std::all_of(wanted.begin(), wanted.end(),
-                                       [&](const auto& each) {
-                                           const auto same = compiled.find(each.first);
-                                           return same != compiled.end() && same->second == each.second;
-                                       }) &&
-                           std::all_of(compiled.begin(), compiled.end(),
-                                       [&](const auto& each) { return isInEffect(each.first, each.second); });
+    const bool wereSaved =
+        std::ranges::all_of(wanted,
+                            [&](const auto& each) {
+                                const auto same = compiled.find(each.first);
+                                return same != compiled.end() && same->second == each.second;
+                            }) &&
+        std::ranges::all_of(compiled, [&](const auto& each) { return isInEffect(each.first, each.second); });
     if (wereSaved) return ui.session.setTexts(std::move(wanted));
     const double now = ImGui::GetTime();
     if (wanted != panel.typedTexts) {
@@ -284,10 +283,7 @@ class SourcePanel final : public Panel {
     void redo(Ui& ui) { undoTyping(active(ui), true); }
 
   private:
-    EditedFile* chosen(Ui& ui) const {
-        const auto found = ui.shared.sources.find(state_.chosen);
-        return found == ui.shared.sources.end() ? nullptr : &found->second;
-    }
+    EditedFile* chosen(Ui& ui) const { return knownSource(ui, state_.chosen); }
     ShownText shown(Ui& ui) {
         EditedFile* file = state_.shown.file.empty() ? nullptr : chosen(ui);
         return file ? ShownText{file, &state_.views[state_.chosen]} : ShownText{};

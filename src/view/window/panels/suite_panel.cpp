@@ -7,9 +7,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <string_view>
 
-#include "view/browse/example_scenes.h"
+#include "view/edit/example_folders.h"
 #include "view/export/suite_shot.h"
 #include "view/window/panels/icons.h"
 #include "view/window/panels/save_scene.h"
@@ -27,11 +26,6 @@ struct SuiteEntries {
     bool failed = false;
 };
 
-template <std::size_t size>
-void put(std::array<char, size>& field, std::string_view text) {
-    field[text.copy(field.data(), size - 1)] = 0;
-}
-
 /// Proposes a suite in the scene's folder, or in one of the user's if the scene is an example, and a name
 /// that the suite does not have yet.
 void proposeShot(const Ui& ui, SuiteEntries& entries) {
@@ -39,8 +33,8 @@ void proposeShot(const Ui& ui, SuiteEntries& entries) {
     if (entries.scene == session.path()) return;
     entries.scene = session.path();
     entries.message.clear();
-    put(entries.file, (ownFolder(ui) / "pictures.toml").string());
-    put(entries.name, freeShotName(entries.file.data(), session));
+    setField(entries.file, (ownFolder(ui) / "pictures.toml").string());
+    setField(entries.name, freeShotName(entries.file.data(), session));
 }
 
 void addShot(const Session& session, SuiteEntries& entries) {
@@ -55,7 +49,7 @@ void addShot(const Session& session, SuiteEntries& entries) {
                                         name, file.filename().string());
     if (const std::string without = session.onlyOnScreen(); !entries.failed && !without.empty())
         entries.message += "; the shot is without " + without;
-    if (!entries.failed) put(entries.name, freeShotName(file, session));
+    if (!entries.failed) setField(entries.name, freeShotName(file, session));
 }
 
 void suitePanel(Ui& ui, SuiteEntries& entries) {
@@ -78,11 +72,10 @@ void suitePanel(Ui& ui, SuiteEntries& entries) {
         ImGui::SetTooltip("Add the current values, time, view and size (%d x %d) as a shot",
                           ui.session.width(), ui.session.height());
     continueRowForButton("Copy as TOML");
-    if (ImGui::Button("Copy as TOML"))
+    if (button(ui, "Copy as TOML", "suite/copy"))
         ImGui::SetClipboardText(shotText(ui.session, entries.name.data(),
                                          std::filesystem::path(entries.file.data()).parent_path())
                                     .c_str());
-    mark(ui, "suite/copy");
     if (!entries.message.empty()) ImGui::TextWrapped("%s", entries.message.c_str());
 }
 

@@ -4,8 +4,8 @@
 #include <glibra/diagnostic.h>
 #include <imgui.h>
 
-#include "view/edit/code_palette.h"
 #include "view/edit/syntax.h"
+#include "view/style/palette.h"
 
 namespace glibra::view {
 

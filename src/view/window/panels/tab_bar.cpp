@@ -22,7 +22,7 @@ float roomForNames(const Ui& ui, float width) {
     const float beside = 2 * style.FramePadding.x + style.ItemInnerSpacing.x * 2 + ImGui::GetFontSize() + 2;
     std::vector<float> names;
     for (const TabTitle& each : ui.shared.tabs) names.push_back(ImGui::CalcTextSize(each.label.c_str()).x);
-    std::sort(names.begin(), names.end());
+    std::ranges::sort(names);
     float left = width - ImGui::GetFrameHeight() * 2 - beside * static_cast<float>(names.size());
     for (std::size_t i = 0; i < names.size(); ++i) {
         const float share = left / static_cast<float>(names.size() - i);

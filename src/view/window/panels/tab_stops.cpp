@@ -18,11 +18,7 @@ namespace {
 using Stops = std::vector<TabStop>;
 
 Stops::const_iterator stopOf(const Stops& stops, unsigned id) {
-    return std::find_if(stops.begin(), stops.end(), [&](const TabStop& each) { return each.id == id; });
-}
-
-unsigned thisWindow() {
-    return ImGui::GetCurrentContext()->CurrentWindow->RootWindow->ID;
+    return std::ranges::find_if(stops, [&](const TabStop& each) { return each.id == id; });
 }
 
 void addStop(Ui& ui, TabStop stop) {
@@ -41,12 +37,11 @@ Stops::const_iterator firstStop(const Ui& ui, const Stops& stops) {
     const ImGuiWindow* front = ImGui::GetCurrentContext()->NavWindow;
     if (front != nullptr) front = front->RootWindow;
     const bool isTool =
-        front != nullptr && std::any_of(ui.panels.begin(), ui.panels.end(), [&](const PanelUse& each) {
+        front != nullptr && std::ranges::any_of(ui.panels, [&](const PanelUse& each) {
             return each.row->title && each.panel->isOpen && std::string_view(front->Name) == each.row->title;
         });
-    const auto first = std::find_if(stops.begin(), stops.end(), [&](const TabStop& each) {
-        return isTool ? each.window == front->ID : each.isValue;
-    });
+    const auto first = std::ranges::find_if(
+        stops, [&](const TabStop& each) { return isTool ? each.window == front->ID : each.isValue; });
     return first == stops.end() ? stops.begin() : first;
 }
 
@@ -69,7 +64,7 @@ void goToStop(Ui& ui, bool back, bool toNextWindow) {
     // A text field that has the keyboard counts as focused, however it got it.
     auto now = context.ActiveId != 0 ? stopOf(stops, context.ActiveId) : stops.end();
     if (now == stops.end() && context.ActiveIdWindow != nullptr && ImGui::GetIO().WantTextInput)
-        now = std::find_if(stops.begin(), stops.end(), [&](const TabStop& each) {
+        now = std::ranges::find_if(stops, [&](const TabStop& each) {
             return each.window == context.ActiveIdWindow->RootWindow->ID;
         });
     if (now == stops.end()) now = stopOf(stops, ui.sliders.focused);
@@ -87,11 +82,15 @@ void goToStop(Ui& ui, bool back, bool toNextWindow) {
 
 }  // namespace
 
-bool isUsedByScene(const Ui& ui, const char* key) {
+unsigned thisWindow() {
+    return ImGui::GetCurrentContext()->CurrentWindow->RootWindow->ID;
+}
+
+bool isUsedByScene(const Ui& ui, std::string_view key) {
     if (!ui.session.hasScene()) return false;
     const auto& keys = ui.session.live().scene().keys;
-    return std::any_of(keys.begin(), keys.end(),
-                       [&](const scene::KeyBinding& each) { return glib::sameWord(each.key, key); });
+    return std::ranges::any_of(keys,
+                               [&](const scene::KeyBinding& each) { return glib::sameWord(each.key, key); });
 }
 
 void tabStop(Ui& ui) {
@@ -122,8 +121,7 @@ void beginStops(Ui& ui) {
     sliders.wantsMenu =
         isKeyPressed(GLFW_KEY_MENU, false) || (io.KeyShift && isKeyPressed(GLFW_KEY_F10, false));
     if (now->isValue) return;
-    const bool isEnter = (isKeyPressed(GLFW_KEY_ENTER, false) || isKeyPressed(GLFW_KEY_KP_ENTER, false)) &&
-                         !isUsedByScene(ui, "enter");
+    const bool isEnter = isEnterPressed(false) && !isUsedByScene(ui, "enter");
     if (!isEnter && !isSpace) return;
     sliders.activated = now->id;
     activateItem(now->id, now->isEntry);

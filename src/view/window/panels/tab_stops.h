@@ -2,6 +2,8 @@
 // The keyboard alone reaches every widget: Tab and Shift+Tab go from one to the next, F6 to the next window,
 // Enter and the space bar do what a click does. In menus, lists and dialogs the arrow keys choose.
 
+#include <string_view>
+
 #include "view/window/panels/ui.h"
 
 namespace glibra::view {
@@ -14,7 +16,9 @@ bool tabStop(Ui& ui, unsigned id);
 void beginStops(Ui& ui);
 /// True if the space bar activates the stop that has the keyboard.
 bool takesSpace(const Ui& ui);
-/// True if that key of GLFW belongs to a Key statement of the scene of that name.
-bool isUsedByScene(const Ui& ui, const char* key);
+/// True if a Key statement of the scene names that key.
+bool isUsedByScene(const Ui& ui, std::string_view key);
+/// The number of the window that the next widget belongs to (TabStop::window).
+unsigned thisWindow();
 
 }  // namespace glibra::view

@@ -1,15 +1,14 @@
 #include "view/window/panels/texel_view.h"
 
 #include <fmt/format.h>
-#include <glad/gl.h>
 #include <imgui.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <span>
 #include <tuple>
 
+#include "view/window/panels/shown_texture.h"
 #include "view/window/panels/ui.h"
 #include "view/window/panels/value_slider.h"
 #include "view/window/platform/theme.h"
@@ -38,20 +37,16 @@ void displaySettings(Ui& ui, TexelView& view, std::string_view name) {
     };
     bound("black", "low", view.display.low);
     bound("white", "high", view.display.high);
-    if (ImGui::Button("Fit range")) view.wantsRange = true;
-    mark(ui, named(name, "fitRange"));
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("Black is the least value of the shown channels, white the largest");
+    if (button(ui, "Fit range", named(name, "fitRange"),
+               "Black is the least value of the shown channels, white the largest"))
+        view.wantsRange = true;
     ImGui::SameLine();
-    if (ImGui::Button("0..1")) view.display.low = 0, view.display.high = 1;
-    mark(ui, named(name, "unitRange"));
+    if (button(ui, "0..1", named(name, "unitRange"))) view.display.low = 0, view.display.high = 1;
     ImGui::PopItemWidth();
     besideIfRoom(ImGui::GetFrameHeight() + ImGui::CalcTextSize("GLSL").x +
                  2 * ImGui::GetStyle().ItemSpacing.x);
-    checkBox("GLSL", &view.asksForExpression);
-    mark(ui, named(name, "glsl"));
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("Show what an expression of GLSL makes of each texel, such as color.rgb * 10");
+    checkBox(ui, "GLSL", named(name, "glsl"), view.asksForExpression,
+             "Show what an expression of GLSL makes of each texel, such as color.rgb * 10");
 }
 
 /// The expression that the texels are shown by. It is computed when its text or the content has changed.
@@ -71,9 +66,7 @@ void display(Ui& ui, TexelView& view, const render::Content& content, std::strin
         view.shown.reset();
     }
     if (view.displayed.problem.empty()) return;
-    ImGui::PushStyleColor(ImGuiCol_Text, asVector(palette().error));
-    ImGui::TextWrapped("%s", view.displayed.problem.c_str());
-    ImGui::PopStyleColor();
+    wrappedText(palette().error, view.displayed.problem.c_str());
     markPlace(ui, named(name, "expressionProblem"));
 }
 
@@ -114,11 +107,9 @@ bool panImage(TexelView& view) {
 }
 
 void sizeSettings(Ui& ui, TexelView& view, const render::Content& content, std::string_view name) {
-    if (ImGui::Button("Fit")) view.fits = true;
-    mark(ui, named(name, "fit"));
+    if (button(ui, "Fit", named(name, "fit"))) view.fits = true;
     ImGui::SameLine();
-    if (ImGui::Button("1:1")) view.fits = false, view.zoom = 1;
-    mark(ui, named(name, "actualSize"));
+    if (button(ui, "1:1", named(name, "actualSize"))) view.fits = false, view.zoom = 1;
     ImGui::SameLine();
     wordBefore("zoom");
     ImGui::SetNextItemWidth(110 * ui.shared.scale);
@@ -139,13 +130,11 @@ void sizeSettings(Ui& ui, TexelView& view, const render::Content& content, std::
                            bad.infinite);
 }
 
-void ring(const Ui& ui, const TexelView& view, const render::Content& content, const ImVec2& at) {
+void ringMarked(const Ui& ui, const TexelView& view, const render::Content& content, const ImVec2& at) {
     const ImVec2 middle(
         at.x + (static_cast<float>(view.marked->first) + .5F) * view.zoom,
         at.y + (static_cast<float>(content.height - 1 - view.marked->second) + .5F) * view.zoom);
-    const float radius = std::max(6 * ui.shared.scale, view.zoom);
-    ImGui::GetWindowDrawList()->AddCircle(middle, radius, IM_COL32_BLACK, 0, 3 * ui.shared.scale);
-    ImGui::GetWindowDrawList()->AddCircle(middle, radius, IM_COL32_WHITE, 0, 1.5F * ui.shared.scale);
+    ring(ui, *ImGui::GetWindowDrawList(), middle, std::max(6 * ui.shared.scale, view.zoom));
 }
 
 void upload(Ui& ui, TexelView& view, const TexelSource& source, const render::Content& content) {
@@ -153,8 +142,8 @@ void upload(Ui& ui, TexelView& view, const TexelSource& source, const render::Co
         std::tie(view.display.low, view.display.high) = rangeOf(content, view.display.channels);
     if (view.shown && view.shownDisplay == view.display) return;
     view.shown =
-        textureOfBytes(ui, content.width, content.height,
-                       source.colors != nullptr ? *source.colors : screenBytes(content, view.display));
+        textureOfTexels(ui, content.width, content.height,
+                        source.colors != nullptr ? *source.colors : screenBytes(content, view.display));
     view.shownDisplay = view.display;
 }
 
@@ -169,21 +158,14 @@ void TexelView::begin(bool withOwnRange) {
 }
 
 void drawTexture(const gpu::Texture& texture, const std::array<float, 4>& at) {
-    ImGui::GetWindowDrawList()->AddImage(
-        std::bit_cast<ImTextureID>(static_cast<std::uintptr_t>(texture.id())), {at[0], at[1]},
-        {at[0] + at[2], at[1] + at[3]}, {0, 1}, {1, 0});
+    ImGui::GetWindowDrawList()->AddImage(idOf(texture), {at[0], at[1]}, {at[0] + at[2], at[1] + at[3]},
+                                         {0, 1}, {1, 0});
 }
 
-std::optional<gpu::Texture> textureOfBytes(Ui& ui, int width, int height,
-                                           const std::vector<std::uint8_t>& rgba) {
-    Result<gpu::Texture> made =
-        gpu::Texture::create(ui.context.capabilities(), gpu::TextureShape::texture2D, gpu::TexelFormat::rgba8,
-                             {width, height, 1}, {std::as_bytes(std::span(rgba)), 4});
-    if (!made) return std::nullopt;
-    glBindTexture(GL_TEXTURE_2D, made->id());
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    return std::move(made.value);
+std::optional<gpu::Texture> textureOfTexels(const Ui& ui, int width, int height,
+                                            std::span<const std::uint8_t> rgba) {
+    return textureOfBytes(ui.context.capabilities(), width, height, std::as_bytes(rgba), GL_LINEAR,
+                          GL_NEAREST);
 }
 
 void texelView(Ui& ui, TexelView& view, const TexelSource& source, std::string_view name) {
@@ -213,7 +195,7 @@ void texelView(Ui& ui, TexelView& view, const TexelSource& source, std::string_v
     mark(ui, named(name, "image"));
     drawTexture(*view.shown, {at.x, at.y, size.x, size.y});
     if (source.overlay != nullptr) drawTexture(*source.overlay, {at.x, at.y, size.x, size.y});
-    if (view.marked) ring(ui, view, content, at);
+    if (view.marked) ringMarked(ui, view, content, at);
     view.hovered.clear();
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const int x = std::clamp(static_cast<int>((mouse.x - at.x) / view.zoom), 0, content.width - 1);

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -65,7 +66,7 @@ void drawTexture(const gpu::Texture& texture, const std::array<float, 4>& at);
 
 /// Opaque or transparent RGBA bytes, bottom row first, as a texture that is magnified without filtering;
 /// nothing without memory.
-std::optional<gpu::Texture> textureOfBytes(Ui& ui, int width, int height,
-                                           const std::vector<std::uint8_t>& rgba);
+std::optional<gpu::Texture> textureOfTexels(const Ui& ui, int width, int height,
+                                            std::span<const std::uint8_t> rgba);
 
 }  // namespace glibra::view

@@ -36,12 +36,9 @@ bool stepControls(Ui& ui) {
 void withoutTime(Ui& ui) {
     ImGui::TextDisabled("This scene does not use time.");
     mark(ui, "time/none");
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("No shader reads Timer, and no expression reads time, frame or tick");
+    tooltip("No shader reads Timer, and no expression reads time, frame or tick");
     if (ui.session.live().scene().once.empty()) return;
-    if (ImGui::Button("Restart")) ui.session.restart();
-    mark(ui, "time/restart");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("What Once has made begins anew");
+    if (button(ui, "Restart", "time/restart", "What Once has made begins anew")) ui.session.restart();
 }
 
 void timePanel(Ui& ui) {

@@ -31,8 +31,8 @@ bool wasOpen(const Ui& ui, std::string_view name, bool isOpenAtFirst) {
 }  // namespace
 
 Panel& toolWindow(const Ui& ui, std::string_view name) {
-    const auto found = std::find_if(ui.panels.begin(), ui.panels.end(),
-                                    [&](const PanelUse& each) { return each.row->name == name; });
+    const auto found =
+        std::ranges::find_if(ui.panels, [&](const PanelUse& each) { return each.row->name == name; });
     assert(found != ui.panels.end());
     return *found->panel;
 }
@@ -71,6 +71,38 @@ void markWindow(Ui& ui, std::string_view name) {
     const ImVec2 at = ImGui::GetWindowPos();
     const ImVec2 size = ImGui::GetWindowSize();
     ui.frame.widgets[std::string(name)] = {at.x, at.y, size.x, size.y};
+}
+
+bool button(Ui& ui, const char* label, std::string_view name, const char* help) {
+    const bool isPressed = ImGui::Button(label);
+    mark(ui, name);
+    tooltip(help);
+    return isPressed;
+}
+
+bool smallButton(Ui& ui, const char* label, std::string_view name, const char* help) {
+    const bool isPressed = ImGui::SmallButton(label);
+    mark(ui, name);
+    tooltip(help);
+    return isPressed;
+}
+
+bool beginCombo(Ui& ui, const char* id, const char* shown, std::string_view name, ImGuiComboFlags flags) {
+    const bool isOpen = ImGui::BeginCombo(id, shown, flags);
+    mark(ui, name);
+    return isOpen;
+}
+
+void tooltip(const char* text, ImGuiHoveredFlags flags) {
+    if (text != nullptr && ImGui::IsItemHovered(flags)) ImGui::SetTooltip("%s", text);
+}
+
+void wrappedTooltip(const char* text, float width) {
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(width);
+    ImGui::TextUnformatted(text);
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
 }
 
 bool section(Ui& ui, const char* title, std::string_view name, bool isOpenAtFirst) {
@@ -125,6 +157,12 @@ bool checkBox(const char* label, bool* isOn) {
     const Outlined outlined;
     return ImGui::Checkbox(label, isOn);
 }
+bool checkBox(Ui& ui, const char* label, std::string_view name, bool& isOn, const char* help) {
+    const bool isChanged = checkBox(label, &isOn);
+    mark(ui, name);
+    tooltip(help);
+    return isChanged;
+}
 bool radioButton(const char* label, bool isOn) {
     const Outlined outlined;
     return ImGui::RadioButton(label, isOn);
@@ -156,13 +194,59 @@ std::string shortened(const std::string& text, float width) {
     return text.substr(0, 1);
 }
 
-bool lineOfText(const char* text, const ImVec2& at, float right) {
+void lineOfText(const char* text, const ImVec2& at, float right, ImU32 color) {
     const ImVec2 size = ImGui::CalcTextSize(text);
     // Underscores may stand a little below the height of the text.
     const float below = std::ceil(ImGui::GetFontSize() * .2F);
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
     ImGui::RenderTextEllipsis(ImGui::GetWindowDrawList(), at, {right, at.y + size.y + below}, right, right,
                               text, nullptr, &size);
-    return at.x + size.x <= right;
+    ImGui::PopStyleColor();
+}
+
+void wrappedText(const Color& color, const char* text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, asVector(color));
+    ImGui::TextWrapped("%s", text);
+    ImGui::PopStyleColor();
+}
+
+void codeText(const std::string& text) {
+    ImGui::PushFont(codeFont());
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopFont();
+}
+
+void colorSquare(std::span<const double> numbers) {
+    const float side = ImGui::GetTextLineHeight();
+    const auto part = [&](std::size_t i) {
+        return i < numbers.size() ? static_cast<float>(std::clamp(numbers[i], 0.0, 1.0)) : 0.F;
+    };
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + side, at.y + side},
+                                              ImGui::ColorConvertFloat4ToU32({part(0), part(1), part(2), 1}));
+    ImGui::Dummy({side, side});
+    ImGui::SameLine();
+}
+
+void ring(const Ui& ui, ImDrawList& list, const ImVec2& middle, float radius) {
+    list.AddCircle(middle, radius, IM_COL32_BLACK, 0, 3 * ui.shared.scale);
+    list.AddCircle(middle, radius, IM_COL32_WHITE, 0, 1.5F * ui.shared.scale);
+}
+
+void centreNextWindow(ImGuiCond when) {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, when, {.5F, .5F});
+}
+
+bool beginModal(const char* title) {
+    centreNextWindow(ImGuiCond_Always);
+    return ImGui::BeginPopupModal(title, nullptr,
+                                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove);
+}
+
+EditedFile* knownSource(const Ui& ui, const std::filesystem::path& file) {
+    const auto found = ui.shared.sources.find(file);
+    return found == ui.shared.sources.end() ? nullptr : &found->second;
 }
 
 void placeFloating(const Ui& ui, float left, float top, float width, float height) {
@@ -184,6 +268,10 @@ void showSource(Ui& ui, const Place& place) {
 
 void openDialog(Ui& ui, bool inNewTab) {
     ui.wanted.file = FileRequest{std::nullopt, inNewTab, {}};
+}
+
+void askForFile(Ui& ui, FileQuestion question, std::filesystem::path folder) {
+    ui.wanted.file = FileRequest{std::move(question), false, std::move(folder)};
 }
 
 }  // namespace glibra::view

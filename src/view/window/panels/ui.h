@@ -7,9 +7,12 @@
 #include <imgui.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -20,6 +23,7 @@
 #include "view/edit/source_files.h"
 #include "view/session/history.h"
 #include "view/session/session.h"
+#include "view/style/palette.h"
 #include "view/window/panels/panel_table.h"
 #include "view/window/panels/requests.h"
 #include "view/window/panels/shared.h"
@@ -109,6 +113,29 @@ void mark(Ui& ui, fmt::format_string<Arguments...> format, Arguments&&... argume
     if (ui.shared.marksWidgets) markPlace(ui, fmt::format(format, std::forward<Arguments>(arguments)...));
 }
 
+/// Those of ImGui, marked with that name. `help`: the tooltip; null: none.
+bool button(Ui& ui, const char* label, std::string_view name, const char* help = nullptr);
+bool smallButton(Ui& ui, const char* label, std::string_view name, const char* help = nullptr);
+bool beginCombo(Ui& ui, const char* id, const char* shown, std::string_view name, ImGuiComboFlags flags = 0);
+/// The same with an outline that is seen on the panel also when they are off. The two without a name leave
+/// the mark to the caller.
+bool checkBox(Ui& ui, const char* label, std::string_view name, bool& isOn, const char* help = nullptr);
+bool checkBox(const char* label, bool* isOn);
+bool radioButton(const char* label, bool isOn);
+/// An entry of a list or menu, with the name for mark(). Returns true if it was clicked.
+template <class... Arguments>
+bool choice(Ui& ui, const char* words, bool isChosen, fmt::format_string<Arguments...> format,
+            Arguments&&... arguments) {
+    const bool isClicked = ImGui::Selectable(words, isChosen);
+    mark(ui, format, std::forward<Arguments>(arguments)...);
+    return isClicked;
+}
+/// Explains the last widget while the mouse is over it. Null: there is nothing to explain.
+void tooltip(const char* text, ImGuiHoveredFlags flags = 0);
+/// A tooltip whose lines are wrapped at that width. The caller has asked whether the mouse is over the
+/// widget.
+void wrappedTooltip(const char* text, float width);
+
 /// The heading of a section. Returns true if the section is open; the settings remember that under its name,
 /// which is also the name for mark(). The visible title may be followed by "###" and an id.
 bool section(Ui& ui, const char* title, std::string_view name, bool isOpenAtFirst);
@@ -117,10 +144,6 @@ bool group(Ui& ui, const char* title, std::string_view name);
 
 /// Draws a label in a column that all fields of the panel share; the next field takes the rest of the row.
 void fieldLabel(const char* label);
-
-/// Those of ImGui, with an outline that is seen on the panel also when they are off.
-bool checkBox(const char* label, bool* isOn);
-bool radioButton(const char* label, bool isOn);
 
 /// A word before the next field, in the same row.
 void wordBefore(const char* word);
@@ -133,12 +156,37 @@ void placeFloating(const Ui& ui, float left, float top, float width, float heigh
 /// The text with two points in its middle, if it is wider than that.
 std::string shortened(const std::string& text, float width);
 /// Draws a line of text up to the screen coordinate `right`, where it ends with an ellipsis if it does not
-/// fit. Returns true if it fits.
-bool lineOfText(const char* text, const ImVec2& at, float right);
+/// fit.
+void lineOfText(const char* text, const ImVec2& at, float right, ImU32 color);
+/// ImGui::TextWrapped() in that colour.
+void wrappedText(const Color& color, const char* text);
+/// Text in the font of code.
+void codeText(const std::string& text);
+/// A square in the colour of these numbers, before the next item of the row; missing ones are 0.
+void colorSquare(std::span<const double> numbers);
+/// A ring around a pixel, which is seen on all colours.
+void ring(const Ui& ui, ImDrawList& list, const ImVec2& middle, float radius);
+
+/// Places the next window in the middle of the screen.
+void centreNextWindow(ImGuiCond when);
+/// Begins a dialog in the middle of the screen, as large as its content, that blocks all else. False: it is
+/// not open; otherwise the caller ends it by ImGui::EndPopup().
+bool beginModal(const char* title);
+
+/// Puts text into a field of ImGui, as far as it has room.
+template <std::size_t size>
+void setField(std::array<char, size>& field, std::string_view text) {
+    field[text.copy(field.data(), size - 1)] = 0;
+}
+
+/// The text of a file that a source panel has shown; null for other files.
+EditedFile* knownSource(const Ui& ui, const std::filesystem::path& file);
 
 /// Opens the source panel at that place.
 void showSource(Ui& ui, const Place& place);
 /// Opens the file dialog for a scene to open.
 void openDialog(Ui& ui, bool inNewTab);
+/// Opens the file dialog for something else. `folder`: where it begins; empty: the scene's folder.
+void askForFile(Ui& ui, FileQuestion question, std::filesystem::path folder = {});
 
 }  // namespace glibra::view

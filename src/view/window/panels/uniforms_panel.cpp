@@ -12,9 +12,11 @@
 #include <utility>
 #include <vector>
 
+#include "base/text.h"
 #include "glib/text.h"
 #include "view/export/hardcopy.h"
-#include "view/scene/shared_knobs.h"
+#include "view/scene/knobs.h"
+#include "view/window/panels/icons.h"
 #include "view/window/panels/label_overlay.h"
 #include "view/window/panels/save_scene.h"
 #include "view/window/panels/ui.h"
@@ -41,8 +43,8 @@ void rows(Ui& ui, const IsShown& isShown) {
 /// Says why there are no values.
 void withoutValues(Ui& ui) {
     const scene::Scene& scene = ui.session.live().scene();
-    const bool sets = std::any_of(scene.programs.begin(), scene.programs.end(),
-                                  [](const scene::Program& each) { return !each.uniforms.empty(); });
+    const bool sets = std::ranges::any_of(scene.programs,
+                                          [](const scene::Program& each) { return !each.uniforms.empty(); });
     const bool isWrong = hasError(ui.session.diagnostics());
     const char* text = "The scene sets no values.";
     if (sets && isWrong)
@@ -51,18 +53,14 @@ void withoutValues(Ui& ui) {
         text = "No program uses a value that its Program line sets.";
     else if (isWrong)
         text = "The scene has errors, so its values are not known.";
-    ImGui::PushStyleColor(ImGuiCol_Text, asVector(palette().dim));
-    ImGui::TextWrapped("%s", text);
-    ImGui::PopStyleColor();
+    wrappedText(palette().dim, text);
     mark(ui, "uniforms/none: {}", text);
 }
 
 /// Which values are labelled on the picture.
 void labelControls(Ui& ui) {
     continueRowForCheck("Labels");
-    checkBox("Labels", &ui.shared.showLabels);
-    mark(ui, "uniforms/labels");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Show the values over the picture (L)");
+    checkBox(ui, "Labels", "uniforms/labels", ui.shared.showLabels, "Show the values over the picture (L)");
     if (!ui.shared.showLabels) return;
     constexpr const char* kLongest = "changed";
     const float width =
@@ -83,19 +81,15 @@ class ValuesPanel final : public Panel {
             for (const auto& group : shared_)
                 for (const std::size_t each : group) isShared_[each] = true;
         }
-        if (ImGui::Button("Reset all")) ui.session.resetValues();
-        mark(ui, "uniforms/reset");
+        if (button(ui, "Reset all", "uniforms/reset")) ui.session.resetValues();
         continueRowForButton("Copy values");
-        if (ImGui::Button("Copy values")) ImGui::SetClipboardText(setArguments(ui.session).c_str());
-        mark(ui, "uniforms/copyValues");
-        if (ImGui::IsItemHovered())
-            ImGui::SetTooltip(
-                "Copy the changed values as arguments for `glibra render`: --set NAME=VALUE ...");
+        if (button(ui, "Copy values", "uniforms/copyValues",
+                   "Copy the changed values as arguments for `glibra render`: --set NAME=VALUE ..."))
+            ImGui::SetClipboardText(setArguments(ui.session).c_str());
         continueRowForButton("Save values");
-        if (ImGui::Button("Save values")) saveScene(ui);
-        mark(ui, "scene/save");
-        if (ImGui::IsItemHovered())
-            ImGui::SetTooltip("Write the current values into the Program lines of the .glib file");
+        if (button(ui, "Save values", "scene/save",
+                   "Write the current values into the Program lines of the .glib file"))
+            saveScene(ui);
         labelControls(ui);
         filterEntry(ui);
         allGroups(ui);
@@ -187,8 +181,7 @@ class ValuesPanel final : public Panel {
 
     void sharedFold(Ui& ui, const Knob& first, std::size_t count) {
         const std::vector<Knob>& knobs = ui.session.knobs();
-        const std::string title =
-            fmt::format("{} shared value{} alone###alone", count, count == 1 ? "" : "s");
+        const std::string title = base::counted(count, "shared value") + " alone###alone";
         const bool isUnfolded = ImGui::TreeNodeEx(
             title.c_str(), ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen);
         mark(ui, "shared/{}", first.title);

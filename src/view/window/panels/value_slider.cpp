@@ -46,6 +46,9 @@ struct Track {
 void dragThumb(Ui& ui, const Track& track, const SliderScale& scale, bool begins, double& value) {
     const ImGuiIO& io = ImGui::GetIO();
     SliderDrag& drag = ui.sliders.drag;
+    const auto moved = [&] {
+        return (io.MousePos.x - drag.mouse) / track.length() * (drag.isFine ? kFine : 1);
+    };
     if (begins) {
         const double now = scale.positionOf(value);
         const bool isOnThumb = std::abs(io.MousePos.x - track.centreAt(now)) <= track.thumb;
@@ -53,17 +56,14 @@ void dragThumb(Ui& ui, const Track& track, const SliderScale& scale, bool begins
         drag = {io.MousePos.x, from, io.KeyShift};
         if (isOnThumb || io.KeyShift) return;
     } else if (io.KeyShift != drag.isFine) {
-        drag.position = std::clamp(
-            drag.position + (io.MousePos.x - drag.mouse) / track.length() * (drag.isFine ? kFine : 1), 0.0,
-            1.0);
+        drag.position = std::clamp(drag.position + moved(), 0.0, 1.0);
         drag.mouse = io.MousePos.x;
         drag.isFine = io.KeyShift;
         return;
     } else if (io.MouseDelta.x == 0) {
         return;
     }
-    const double moved = (io.MousePos.x - drag.mouse) / track.length() * (drag.isFine ? kFine : 1);
-    value = scale.valueAt(drag.position + moved, drag.isFine);
+    value = scale.valueAt(drag.position + moved(), drag.isFine);
 }
 
 void drawTexts(const Track& track, const SliderScale& scale, double value, double position,
@@ -143,8 +143,7 @@ SliderUse valueSlider(Ui& ui, const char* id, const SliderScale& scale, double& 
     const Track track{low, {low.x + size.x, low.y + size.y}, thumb};
     const unsigned itemId = ImGui::GetID(id);
     const bool isDisabled = (ImGui::GetCurrentContext()->CurrentItemFlags & ImGuiItemFlags_Disabled) != 0;
-    const unsigned window = ImGui::GetCurrentContext()->CurrentWindow->RootWindow->ID;
-    if (!isDisabled) ui.sliders.drawn.push_back({itemId, window, true, false});
+    if (!isDisabled) ui.sliders.drawn.push_back({itemId, thisWindow(), true, false});
     const double before = value;
     SliderUse use;
     use.isActivated = ImGui::IsItemActivated();
@@ -174,9 +173,8 @@ bool sliderEntry(Ui& ui, const char* id, double& value) {
         ui.sliders.typed = value;
         giveKeyboardToNext();
     }
-    const unsigned window = ImGui::GetCurrentContext()->CurrentWindow->RootWindow->ID;
-    ui.sliders.drawn.push_back(
-        {ImGui::GetID(id), window, true, false});  // keeps the keyboard for the slider that comes back
+    // Keeps the keyboard for the slider that comes back.
+    ui.sliders.drawn.push_back({ImGui::GetID(id), thisWindow(), true, false});
     ImGui::InputDouble("##entry", &ui.sliders.typed, 0, 0, "%.9g",
                        ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_CharsScientific);
     // The value changes when the user has finished typing, not with each digit.
@@ -224,10 +222,9 @@ void beginSliders(Ui& ui) {
     const bool isElsewhere = ui.shared.question || !ImGui::GetCurrentContext()->OpenPopupStack.empty();
     const unsigned before = ui.sliders.focused;
     beginStops(ui);
-    const bool isValue =
-        std::any_of(ui.sliders.drawn.begin(), ui.sliders.drawn.end(), [&](const TabStop& each) {
-            return each.isValue && each.id == before && before == ui.sliders.focused;
-        });
+    const bool isValue = std::ranges::any_of(ui.sliders.drawn, [&](const TabStop& each) {
+        return each.isValue && each.id == before && before == ui.sliders.focused;
+    });
     if (isValue && !io.WantTextInput && !io.KeyCtrl && !io.KeyAlt && !isElsewhere) {
         const double fine = io.KeyShift ? kFine : 1;
         const auto move = [&](int key, const char* name, double by) {
@@ -241,15 +238,14 @@ void beginSliders(Ui& ui) {
         move(GLFW_KEY_PAGE_DOWN, "pagedown", -kPage);
         if (isKeyPressed(GLFW_KEY_HOME)) ui.sliders.end = false;
         if (isKeyPressed(GLFW_KEY_END)) ui.sliders.end = true;
-        const bool isEnter = isKeyPressed(GLFW_KEY_ENTER, false) || isKeyPressed(GLFW_KEY_KP_ENTER, false);
-        ui.sliders.isTyped = isEnter && !isUsedByScene(ui, "enter");
+        ui.sliders.isTyped = isEnterPressed(false) && !isUsedByScene(ui, "enter");
     }
     ui.sliders.drawn.clear();
 }
 
 void endSliders(Ui& ui) {
-    const bool isGone = std::none_of(ui.sliders.drawn.begin(), ui.sliders.drawn.end(),
-                                     [&](const TabStop& each) { return each.id == ui.sliders.focused; });
+    const bool isGone = std::ranges::none_of(
+        ui.sliders.drawn, [&](const TabStop& each) { return each.id == ui.sliders.focused; });
     if (isGone && ui.sliders.typing.empty() && ImGui::GetCurrentContext()->OpenPopupStack.empty())
         ui.sliders.focused = 0;
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ui.sliders.wasClicked) ui.sliders.focused = 0;

@@ -27,8 +27,7 @@ void verboseWindow(Ui& ui, bool& isOpen) {
     placeFloating(ui, 30, 60, 620, 420);
     if (ImGui::Begin(kVerboseRow.title, &isOpen, ImGuiWindowFlags_NoCollapse)) {
         const std::string text = ui.session.hasScene() ? verboseText(ui.session) : std::string();
-        if (ImGui::Button("Copy")) ImGui::SetClipboardText(text.c_str());
-        mark(ui, "verbose/copy");
+        if (button(ui, "Copy", "verbose/copy")) ImGui::SetClipboardText(text.c_str());
         ImGui::BeginChild("text", {0, 0}, true, ImGuiWindowFlags_HorizontalScrollbar);
         ImGui::PushFont(codeFont());
         ImGui::TextUnformatted(text.c_str(), text.c_str() + text.size());

@@ -36,7 +36,7 @@ void modes(Ui& ui) {
         if (each.mode != TransformMode::scene) continueRowForCheck(each.label);
         if (radioButton(each.label, ui.mode == each.mode)) ui.mode = each.mode;
         mark(ui, "mode/{}", each.label);
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", each.help);
+        tooltip(each.help);
     }
 }
 
@@ -81,11 +81,9 @@ void numbers(Ui& ui) {
     changed = dragNumbers(ui, "Rotate", &now.degrees.x, 3, .5F) || changed;
     changed = dragNumbers(ui, "Scale", &now.scale, 1, .01F) || changed;
     if (changed && now.scale > 0) ui.session.setTransform(ui.mode, render::asNumbers(matrixOf(now)));
-    if (ImGui::Button("Reset this")) ui.session.setTransform(ui.mode, kIdentity);
-    mark(ui, "transform/resetThis");
+    if (button(ui, "Reset this", "transform/resetThis")) ui.session.setTransform(ui.mode, kIdentity);
     continueRowForButton("Reset all transforms");
-    if (ImGui::Button("Reset all transforms")) ui.session.resetTransforms();
-    mark(ui, "transform/reset");
+    if (button(ui, "Reset all transforms", "transform/reset")) ui.session.resetTransforms();
 }
 
 /// A menu of the scene's cameras.
@@ -96,15 +94,15 @@ void cameras(Ui& ui) {
         return name.empty() ? "as in the scene" : name.c_str();
     };
     fieldLabel("Camera");
-    const bool isOpen = ImGui::BeginCombo("##camera", labelOf(ui.session.camera()));
-    mark(ui, "view/camera");
+    const bool isOpen = beginCombo(ui, "##camera", labelOf(ui.session.camera()), "view/camera");
     if (!isOpen) return;
     const auto item = [&](const std::string& name) {
-        if (ImGui::Selectable(labelOf(name), name == ui.session.camera())) ui.session.setCamera(name);
-        mark(ui, "view/camera/{}", name.empty() ? "scene" : name);
+        if (choice(ui, labelOf(name), name == ui.session.camera(), "view/camera/{}",
+                   name.empty() ? "scene" : name))
+            ui.session.setCamera(name);
     };
     item("");
-    for (const auto& each : ui.session.live().cameras()) item(std::string(each.name));
+    for (const auto& each : cameras) item(std::string(each.name));
     ImGui::EndCombo();
 }
 
@@ -116,7 +114,7 @@ void toolWindows(Ui& ui) {
         if (!std::exchange(isFirst, false)) continueRowForCheck(each.row->checkBox);
         checkBox(each.row->checkBox, &each.panel->isOpen);
         mark(ui, "view/{}", each.row->name);
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", each.row->help);
+        tooltip(each.row->help);
     }
 }
 
@@ -136,8 +134,7 @@ void ownBackground(Ui& ui) {
     ViewState view = ui.session.view();
     bool own = view.background.has_value();
     continueRowForCheck("Background");
-    bool isChanged = checkBox("Background", &own);
-    mark(ui, "view/ownBackground");
+    bool isChanged = checkBox(ui, "Background", "view/ownBackground", own);
     if (isChanged && own)
         view.background = {0, 0, 0, 1};
     else if (isChanged)
@@ -156,12 +153,10 @@ void ownBackground(Ui& ui) {
 
 void drawnParts(Ui& ui) {
     bool axes = ui.session.axes();
-    if (checkBox("Axes", &axes)) ui.session.setAxes(axes);
-    mark(ui, "view/axes");
+    if (checkBox(ui, "Axes", "view/axes", axes)) ui.session.setAxes(axes);
     continueRowForCheck("Wireframe");
     bool wireframe = ui.session.wireframe();
-    if (checkBox("Wireframe", &wireframe)) ui.session.setWireframe(wireframe);
-    mark(ui, "view/wireframe");
+    if (checkBox(ui, "Wireframe", "view/wireframe", wireframe)) ui.session.setWireframe(wireframe);
     ownBackground(ui);
 }
 
@@ -171,16 +166,15 @@ void screen(Ui& ui) {
         {{PictureShape::scene, "as in the scene"}, {PictureShape::fill, "fill the window"}}};
     const bool isFilled = ui.settings.pictureShape == PictureShape::fill;
     fieldLabel("Shape");
-    const bool showsShapes = ImGui::BeginCombo("##shape", kShapes[isFilled ? 1 : 0].second);
-    mark(ui, "view/shape");
+    const bool showsShapes = beginCombo(ui, "##shape", kShapes[isFilled ? 1 : 0].second, "view/shape");
     if (showsShapes) {
-        for (const auto& [shape, words] : kShapes) {
-            if (ImGui::Selectable(words, shape == ui.settings.pictureShape)) ui.settings.pictureShape = shape;
-            mark(ui, shape == PictureShape::fill ? "view/shape/fill" : "view/shape/scene");
-        }
+        for (const auto& [shape, words] : kShapes)
+            if (choice(ui, words, shape == ui.settings.pictureShape, "view/shape/{}",
+                       shape == PictureShape::fill ? "fill" : "scene"))
+                ui.settings.pictureShape = shape;
         ImGui::EndCombo();
-    } else if (ImGui::IsItemHovered()) {
-        ImGui::SetTooltip(
+    } else {
+        tooltip(
             "As in the scene: the picture keeps the shape of the scene's window, with margins.\n"
             "Fill the window: the scene fits in by the smaller side. Nothing is cropped.");
     }
@@ -191,22 +185,18 @@ void screen(Ui& ui) {
     for (const auto& [count, words] : kChoices)
         if (count == samples) now = words;
     fieldLabel("Smooth");
-    const bool isOpen = ImGui::BeginCombo("##smooth", now);
-    mark(ui, "view/samples");
+    const bool isOpen = beginCombo(ui, "##smooth", now, "view/samples");
     if (isOpen) {
-        for (const auto& [count, words] : kChoices) {
-            if (ImGui::Selectable(words, count == samples)) {
+        for (const auto& [count, words] : kChoices)
+            if (choice(ui, words, count == samples, "view/samples/{}", count)) {
                 ui.settings.samples = count;
                 ui.shared.samples.reset();
             }
-            mark(ui, "view/samples/{}", count);
-        }
         ImGui::EndCombo();
-    } else if (ImGui::IsItemHovered()) {
-        ImGui::SetTooltip(
+    } else {
+        tooltip(
             "Smooth edges on the screen, where the driver can; hardcopies are as smooth, unless their "
-            "section "
-            "says otherwise");
+            "section says otherwise");
     }
 }
 

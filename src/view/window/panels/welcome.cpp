@@ -23,14 +23,11 @@ void welcome(Ui& ui) {
                                         ImGuiWindowFlags_NoBringToFrontOnFocus |
                                         ImGuiWindowFlags_NoFocusOnAppearing;
     if (ImGui::Begin("##welcome", nullptr, kFlags)) {
-        if (ImGui::Button("New scene...")) askEmptyScene(ui);
-        mark(ui, "welcome/new");
+        if (button(ui, "New scene...", "welcome/new")) askEmptyScene(ui);
         ImGui::SameLine();
-        if (ImGui::Button("Open...")) openDialog(ui, false);
-        mark(ui, "welcome/open");
+        if (button(ui, "Open...", "welcome/open")) openDialog(ui, false);
         ImGui::SameLine();
-        if (ImGui::Button("Examples")) toolWindow(ui, "examples").isOpen = true;
-        mark(ui, "welcome/examples");
+        if (button(ui, "Examples", "welcome/examples")) toolWindow(ui, "examples").isOpen = true;
         constexpr std::size_t kMost = 8;
         if (!ui.settings.recent.empty()) ImGui::TextDisabled("Recent scenes");
         const std::filesystem::path chosen = recentScenes(ui, kMost, "welcome/recent", false);

@@ -48,8 +48,7 @@ bool closeToolWindow(const Ui& ui) {
 }
 
 bool close(Ui& ui, Closing what) {
-    return std::any_of(ui.panels.begin(), ui.panels.end(),
-                       [&](const PanelUse& each) { return each.panel->close(ui, what); });
+    return std::ranges::any_of(ui.panels, [&](const PanelUse& each) { return each.panel->close(ui, what); });
 }
 
 /// Closes what is in front: a popup, a list of words or the reference, a tool window, the search bar. Without

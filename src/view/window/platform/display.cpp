@@ -152,13 +152,6 @@ Display::Display(Display&& other) noexcept
       events_(std::move(other.events_)),
       title_(std::move(other.title_)),
       before_(other.before_) {}
-Display& Display::operator=(Display&& other) noexcept {
-    std::swap(window_, other.window_);
-    std::swap(events_, other.events_);
-    std::swap(title_, other.title_);
-    std::swap(before_, other.before_);
-    return *this;
-}
 Display::~Display() {
     if (!window_) return;
     glfwDestroyWindow(window_);
@@ -292,8 +285,8 @@ double Display::refreshRate() const {
 bool Display::hasSwapControl() {
     constexpr std::array<const char*, 3> kExtensions{"GLX_EXT_swap_control", "GLX_MESA_swap_control",
                                                      "GLX_SGI_swap_control"};
-    return std::any_of(kExtensions.begin(), kExtensions.end(),
-                       [](const char* each) { return glfwExtensionSupported(each) == GLFW_TRUE; });
+    return std::ranges::any_of(kExtensions,
+                               [](const char* each) { return glfwExtensionSupported(each) == GLFW_TRUE; });
 }
 
 void Display::present() {

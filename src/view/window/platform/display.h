@@ -26,7 +26,7 @@ class Display {
     /// Opens a window of that size in screen coordinates. Fails with view-E02.
     static Result<Display> open(int width, int height, const std::string& title);
     Display(Display&&) noexcept;
-    Display& operator=(Display&&) noexcept;
+    Display& operator=(Display&&) = delete;
     ~Display();
 
     [[nodiscard]] GLFWwindow* handle() const { return window_; }

@@ -69,7 +69,7 @@ InputQueue::Frame InputQueue::next() {
             continue;
         }
         // A key must be up for one frame before it can be pressed again.
-        if (event.isDown && std::find(released.begin(), released.end(), event.code) != released.end()) break;
+        if (event.isDown && std::ranges::find(released, event.code) != released.end()) break;
         const bool control = isEitherDown(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
         const bool edits =
             event.isDown && !isModifier(event.code) &&

@@ -14,12 +14,14 @@ void readNumber(const nlohmann::json& json, const char* key, T& value) {
     if (found != json.end() && found->is_number()) value = found->get<T>();
 }
 
+bool isPair(const nlohmann::json& json) {
+    return json.is_array() && json.size() == 2 && json[0].is_number() && json[1].is_number();
+}
+
 template <class T>
 std::optional<std::pair<T, T>> readPair(const nlohmann::json& json, const char* key) {
     const auto found = json.find(key);
-    const bool isPair = found != json.end() && found->is_array() && found->size() == 2 &&
-                        (*found)[0].is_number() && (*found)[1].is_number();
-    if (!isPair) return std::nullopt;
+    if (found == json.end() || !isPair(*found)) return std::nullopt;
     return std::pair((*found)[0].get<T>(), (*found)[1].get<T>());
 }
 
@@ -46,8 +48,7 @@ std::vector<MousePoint> readPoints(const nlohmann::json& json, const char* key) 
     const auto found = json.find(key);
     if (found == json.end() || !found->is_array()) return points;
     for (const nlohmann::json& each : *found)
-        if (each.is_array() && each.size() == 2 && each[0].is_number() && each[1].is_number())
-            points.push_back({each[0].get<double>(), each[1].get<double>()});
+        if (isPair(each)) points.push_back({each[0].get<double>(), each[1].get<double>()});
     return points;
 }
 

@@ -17,11 +17,6 @@ namespace {
 
 constexpr unsigned kButtons = 3;
 
-bool isDown(const FrameInput& input, int left, int right) {
-    return std::any_of(input.keys.begin(), input.keys.end(),
-                       [&](int key) { return key == left || key == right; });
-}
-
 /// ImGui keeps in mind that keys made the last active item so, also when it is none any more, and takes the
 /// next click for a key: it then marks nothing below the mouse, and a menu in a menu closes below the click.
 void tellOfMouse(const FrameInput& input) {
@@ -39,6 +34,10 @@ void giveText(const std::string& text) {
 
 }  // namespace
 
+bool isDown(const FrameInput& input, int left, int right) {
+    return std::ranges::any_of(input.keys, [&](int key) { return key == left || key == right; });
+}
+
 FrameInput inputOf(const InputQueue& queue, const InputQueue::Frame& frame) {
     FrameInput input;
     input.mouseX = frame.mouse ? static_cast<float>(frame.mouse->x) : -FLT_MAX;
@@ -53,6 +52,10 @@ FrameInput inputOf(const InputQueue& queue, const InputQueue::Frame& frame) {
         input.text += bytes.data();
     }
     return input;
+}
+
+bool isEnterPressed(bool repeats) {
+    return isKeyPressed(GLFW_KEY_ENTER, repeats) || isKeyPressed(GLFW_KEY_KP_ENTER, repeats);
 }
 
 void activateItem(unsigned id, bool prefersInput) {

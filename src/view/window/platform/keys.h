@@ -14,11 +14,17 @@ namespace glibra::view {
 /// The input of a frame as ImGui gets it and as it is recorded. `way` stays empty.
 FrameInput inputOf(const InputQueue& queue, const InputQueue::Frame& frame);
 
+/// True if one of these keys is down in that input.
+bool isDown(const FrameInput& input, int left, int right);
+
 /// Gives ImGui the input of its next frame; call it before ImGui::NewFrame() and after the backend's.
 void giveToImGui(const FrameInput& input);
 
 /// True if the key is pressed in this frame, or, if `repeats`, held so long that it is pressed again.
 bool isKeyPressed(int key, bool repeats = true);
+
+/// The same for Enter, also that of the number pad.
+bool isEnterPressed(bool repeats = true);
 
 /// True if the key is down in this frame.
 bool isKeyDown(int key);

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 namespace glibra::view {
 namespace {
@@ -91,51 +92,34 @@ void applyTheme(bool light, float scale) {
         ImGui::StyleColorsLight(&style);
     else
         ImGui::StyleColorsDark(&style);
-    const std::pair<int, Color> colors[] = {{ImGuiCol_Text, p.text},
-                                            {ImGuiCol_TextDisabled, p.dim},
-                                            {ImGuiCol_WindowBg, p.panel},
-                                            {ImGuiCol_PopupBg, p.popup},
-                                            {ImGuiCol_MenuBarBg, p.section},
-                                            {ImGuiCol_Border, p.border},
-                                            {ImGuiCol_FrameBg, p.frame},
-                                            {ImGuiCol_FrameBgHovered, p.frameHovered},
-                                            {ImGuiCol_FrameBgActive, p.frameActive},
-                                            {ImGuiCol_TitleBg, p.section},
-                                            {ImGuiCol_TitleBgActive, p.section},
-                                            {ImGuiCol_TitleBgCollapsed, p.section},
-                                            {ImGuiCol_ScrollbarBg, p.panel},
-                                            {ImGuiCol_ScrollbarGrab, p.button},
-                                            {ImGuiCol_ScrollbarGrabHovered, p.buttonHovered},
-                                            {ImGuiCol_ScrollbarGrabActive, p.buttonActive},
-                                            {ImGuiCol_CheckMark, p.accent},
-                                            {ImGuiCol_SliderGrab, p.accent},
-                                            {ImGuiCol_SliderGrabActive, p.accent},
-                                            {ImGuiCol_Button, p.button},
-                                            {ImGuiCol_ButtonHovered, p.buttonHovered},
-                                            {ImGuiCol_ButtonActive, p.buttonActive},
-                                            {ImGuiCol_Header, p.section},
-                                            {ImGuiCol_HeaderHovered, p.sectionHovered},
-                                            {ImGuiCol_HeaderActive, p.sectionActive},
-                                            {ImGuiCol_Separator, p.border},
-                                            {ImGuiCol_SeparatorHovered, p.accent},
-                                            {ImGuiCol_SeparatorActive, p.accent},
-                                            {ImGuiCol_ResizeGrip, p.button},
-                                            {ImGuiCol_ResizeGripHovered, p.accent},
-                                            {ImGuiCol_ResizeGripActive, p.accent},
-                                            {ImGuiCol_Tab, p.panel},
-                                            {ImGuiCol_TabHovered, p.buttonHovered},
-                                            {ImGuiCol_TabActive, p.button},
-                                            {ImGuiCol_TabUnfocused, p.panel},
-                                            {ImGuiCol_TabUnfocusedActive, p.button},
-                                            {ImGuiCol_PlotLines, p.accent},
-                                            {ImGuiCol_PlotHistogram, p.fill},
-                                            {ImGuiCol_PlotHistogramHovered, p.fill},
-                                            {ImGuiCol_TableHeaderBg, p.section},
-                                            {ImGuiCol_TableBorderStrong, p.border},
-                                            {ImGuiCol_TableBorderLight, p.border},
-                                            {ImGuiCol_TextSelectedBg, p.selection},
-                                            {ImGuiCol_NavHighlight, p.accent}};
-    for (const auto& [index, color] : colors) style.Colors[index] = asVector(color);
+    const std::pair<Color, std::vector<ImGuiCol>> uses[] = {
+        {p.text, {ImGuiCol_Text}},
+        {p.dim, {ImGuiCol_TextDisabled}},
+        {p.panel, {ImGuiCol_WindowBg, ImGuiCol_ScrollbarBg, ImGuiCol_Tab, ImGuiCol_TabUnfocused}},
+        {p.popup, {ImGuiCol_PopupBg}},
+        {p.section,
+         {ImGuiCol_MenuBarBg, ImGuiCol_TitleBg, ImGuiCol_TitleBgActive, ImGuiCol_TitleBgCollapsed,
+          ImGuiCol_Header, ImGuiCol_TableHeaderBg}},
+        {p.border,
+         {ImGuiCol_Border, ImGuiCol_Separator, ImGuiCol_TableBorderStrong, ImGuiCol_TableBorderLight}},
+        {p.frame, {ImGuiCol_FrameBg}},
+        {p.frameHovered, {ImGuiCol_FrameBgHovered}},
+        {p.frameActive, {ImGuiCol_FrameBgActive}},
+        {p.button,
+         {ImGuiCol_ScrollbarGrab, ImGuiCol_Button, ImGuiCol_ResizeGrip, ImGuiCol_TabActive,
+          ImGuiCol_TabUnfocusedActive}},
+        {p.buttonHovered, {ImGuiCol_ScrollbarGrabHovered, ImGuiCol_ButtonHovered, ImGuiCol_TabHovered}},
+        {p.buttonActive, {ImGuiCol_ScrollbarGrabActive, ImGuiCol_ButtonActive}},
+        {p.accent,
+         {ImGuiCol_CheckMark, ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive, ImGuiCol_SeparatorHovered,
+          ImGuiCol_SeparatorActive, ImGuiCol_ResizeGripHovered, ImGuiCol_ResizeGripActive, ImGuiCol_PlotLines,
+          ImGuiCol_NavHighlight}},
+        {p.sectionHovered, {ImGuiCol_HeaderHovered}},
+        {p.sectionActive, {ImGuiCol_HeaderActive}},
+        {p.fill, {ImGuiCol_PlotHistogram, ImGuiCol_PlotHistogramHovered}},
+        {p.selection, {ImGuiCol_TextSelectedBg}}};
+    for (const auto& [color, elements] : uses)
+        for (const ImGuiCol each : elements) style.Colors[each] = asVector(color);
     // Behind a dialog everything is darker, in both themes.
     style.Colors[ImGuiCol_ModalWindowDimBg] = ImVec4(0, 0, 0, light ? .3F : .55F);
     style.WindowPadding = {2 * kSpace, 2 * kSpace};

@@ -1,0 +1,421 @@
+// From the text of a scene to its commands.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
+#include <optional>
+#include <set>
+#include <string>
+#include <unordered_set>
+#include <utility>
+
+#include "glib/command_table.h"
+#include "glib/limits.h"
+#include "glib/message_log.h"
+#include "glib/modern/blocks.h"
+#include "glib/modern/grammar.h"
+#include "glib/modern/items.h"
+#include "glib/modern/match.h"
+#include "glib/modern/pieces.h"
+#include "glib/modern/statement_table.h"
+#include "glib/number.h"
+#include "glib/parse/arguments.h"
+#include "glib/parse/continuation_advice.h"
+#include "glib/parse/statement.h"
+#include "glib/parse/uniforms.h"
+#include "glib/script.h"
+#include "glib/text.h"
+
+namespace glibra::glib {
+namespace {
+
+bool belongsToList(CommandId id) {
+    return id == CommandId::glVertex || id == CommandId::glNormal || id == CommandId::glColor ||
+           id == CommandId::glTexCoord || id == CommandId::glEnd;
+}
+
+class Parser {
+  public:
+    Parser(std::string_view text, bool isModern, MessageLog& log)
+        : text_(text), reader_(text, isModern, log), log_(log), blocks_(log), isModern_(isModern) {}
+
+    /// True if the scene has a modern statement, and a line that would mean something else if that were
+    /// known.
+    [[nodiscard]] bool hasToReadAgain() const {
+        return isModern_ && (reader_.wasAmbiguous() || wouldDiffer_);
+    }
+    [[nodiscard]] bool isModern() const { return isModern_; }
+
+    /// Fills the commands of the script, and what its faulty statements lack and would declare.
+    void parse(Script& script) {
+        std::size_t statements = 0;
+        while (const std::optional<Statement> statement = reader_.next()) {
+            if (++statements > kMostStatements) {
+                log_.report("glib-E15", fmt::format("more than {} statements", groupedText(kMostStatements)),
+                            statement->word.position);
+                break;
+            }
+            if (continuation_.isSkipped(*statement)) continue;
+            if (statement->modern) {
+                keepModern(*statement, *statement->modern);
+            } else if (!statement->row) {
+                reportUnknown(*statement);
+            } else if (!statement->refused) {
+                keep(*statement);
+            }
+            continuation_.follow(*statement);
+        }
+        blocks_.finish(commands_);
+        for (const Command& each : commands_)
+            if (declares(each.id)) lostNames_.erase(nameOfObject(each));
+        script.commands = std::move(commands_);
+        script.lostNames = std::move(lostNames_);
+        script.withoutFile = std::move(withoutFile_);
+    }
+
+  private:
+    void reportUnknown(const Statement& statement) {
+        const Token& word = statement.word;
+        if (continuation_.report(statement, log_)) return;
+        constexpr std::string_view kEnd = "End";
+        if (word.kind == TokenKind::word && sameWord(word.text.substr(0, kEnd.size()), kEnd)) {
+            const StatementRow* stage = modernFormOf(word.text.substr(kEnd.size()));
+            if (!stage) stage = findStatement(word.text.substr(kEnd.size()));
+            if (stage && stage->syntax.find("inline") != std::string_view::npos)
+                return log_.report("glib-E21", fmt::format("{} without '{} inline'", word.text, stage->name),
+                                   word.position);
+        }
+        const bool suggests = word.kind == TokenKind::word && !log_.isFull();
+        const std::string_view nearest = suggests ? nearestCommand(word.text) : std::string_view();
+        std::string text = "unknown command " + inQuotes(word.text);
+        if (const std::string key = stateKeyNamed(word); !key.empty())
+            text += fmt::format("; write 'State {}'", key);
+        else if (!nearest.empty())
+            text += fmt::format("; did you mean '{}'?", nearest);
+        log_.report("glib-E01", std::move(text), word.position);
+    }
+
+    /// The key of State that has the name of an unknown command: Blend, Cull, DepthWrite. Empty for other
+    /// words.
+    static std::string stateKeyNamed(const Token& word) {
+        for (const std::string& key : syntaxOf(*statementOf(CommandId::state)).keys)
+            if (word.kind == TokenKind::word && key.size() == word.text.size() && sameWord(key, word.text))
+                return key;
+        return {};
+    }
+
+    static Command start(const Statement& statement, CommandId id) {
+        Command command;
+        command.id = id;
+        command.word = statement.word.text;
+        command.position = command.textPosition = statement.word.position;
+        command.begin = statement.word.begin;
+        command.end = statement.end;
+        return command;
+    }
+
+    void keep(const Statement& statement) {
+        const StatementRow* form = statementOf(statement.row->id);
+        if (statement.row->form == ArgumentForm::program && isModernProgram(statement))
+            return keepModern(statement, *form);
+        if (statement.row->form == ArgumentForm::program && keepSubscripts(statement, *form)) return;
+        if (statement.row->form == ArgumentForm::program) noteName(statement);
+        Command command = start(statement, statement.row->id);
+        const std::size_t errors = log_.errorCount();
+        if (form && !statement.faulty) blocks_.checkPlace(*form, command);
+        if (!refusesNames(statement)) read(statement, command);
+        if (log_.errorCount() > errors) continuation_.advise(text_, statement, log_);
+        const bool faulty = statement.faulty || log_.errorCount() > errors || losesStage(command.id);
+        if (command.id == CommandId::fragment) fragmentFile_ = command.text;
+        isModern_ = isModern_ || command.isEvaluatedLater;
+        if (command.lacksFile) withoutFile_.push_back(command);
+        if (leavesOut(command.id, faulty) || faulty) return;
+        commands_.push_back(std::move(command));
+    }
+
+    /// True if the tags are read by the rules of modern statements: after the first declaration of a name,
+    /// if a value is an expression, and in a modern scene if a tag has a subscript or a value is malformed.
+    bool isModernProgram(const Statement& statement) {
+        if (declaresNames_ || std::ranges::any_of(statement.arguments, [](const Token& token) {
+                return token.kind == TokenKind::expression;
+            }))
+            return true;
+        if (!hasSubscriptedTag(statement.arguments) && !hasMalformedValue(statement.arguments)) return false;
+        if (!isModern_) wouldDiffer_ = true;
+        return isModern_;
+    }
+
+    /// Keeps the program of a classic scene whose tags have subscripts, if the rules of modern statements can
+    /// read it. False if there is no such tag, or the statement has something else that they refuse.
+    bool keepSubscripts(const Statement& statement, const StatementRow& form) {
+        if (isModern_ || statement.faulty || !hasSubscriptedTag(statement.arguments)) return false;
+        MessageLog unused{""};
+        Command command = start(statement, form.id);
+        command.isModern = true;
+        readStatement(form, text_, statement.arguments,
+                      {[](std::string_view) { return false; }, [](std::string_view) { return false; }},
+                      command, unused);
+        if (unused.errorCount() > 0 || command.values.empty()) return false;
+        takeUniforms(command, true);
+        if (!command.tags.empty() || ++programs_ > kMostPrograms) return false;
+        setText(command);
+        command.values.clear();
+        command.isModern = false;
+        noteName(statement);
+        if (!losesStage(form.id)) commands_.push_back(std::move(command));
+        return true;
+    }
+
+    void keepModern(const Statement& statement, const StatementRow& row) {
+        isModern_ = true;
+        if (declares(row.id)) noteName(statement);
+        Command command = start(statement, row.id);
+        command.isModern = true;
+        command.body = statement.body;
+        command.bodyPosition = statement.bodyPosition;
+        const std::size_t errors = log_.errorCount();
+        if (!statement.faulty && !lacksParentheses(statement, row))
+            readStatement(row, text_, statement.arguments,
+                          {[this](std::string_view name) { return names_.contains(std::string(name)); },
+                           [this](std::string_view name) { return mayBeDeclared(name); }},
+                          command, log_);
+        const bool isRead = !statement.faulty && log_.errorCount() == errors;
+        if (!isRead) continuation_.advise(text_, statement, log_);
+        if (isRead) blocks_.checkPlace(row, command);
+        finishModern(row, command);
+        const bool hasStages = !losesStage(row.id);
+        const bool faulty = statement.faulty || log_.errorCount() > errors || !hasStages;
+        if (row.id == CommandId::compute || (statement.faulty && statement.row != nullptr &&
+                                             row.syntax.find("inline") != std::string_view::npos))
+            isStageLost_ = faulty;
+        if (!faulty)
+            commands_.push_back(std::move(command));
+        else if (row.id == CommandId::program && hasStages)
+            keepWithoutTags(statement);
+        blocks_.follow(row, statement.word.position, faulty, commands_);
+    }
+
+    /// A program whose tags are faulty takes its shaders all the same: the next program does not inherit
+    /// them.
+    void keepWithoutTags(const Statement& statement) {
+        if (statement.arguments.empty() || programs_ > kMostPrograms) return;
+        const Token& name = statement.arguments.front();
+        if (!isIdentifier(name.text)) return;
+        Command program = start(statement, CommandId::program);
+        program.isModern = true;
+        program.text = name.text;
+        program.textPosition = name.position;
+        commands_.push_back(std::move(program));
+    }
+
+    bool mayBeDeclared(std::string_view name) const {
+        return hasInclude_ || name == "window" || name == "eye" || names_.contains(std::string(name)) ||
+               lostNames_.contains(name);
+    }
+
+    static bool declares(CommandId id) {
+        if (id == CommandId::program || id == CommandId::group) return true;
+        const StatementRow* row = statementOf(id);
+        return row != nullptr && row->declaresName;
+    }
+
+    static std::string nameOfObject(const Command& command) {
+        if (!command.isModern) return command.text;
+        if (command.values.empty()) return {};
+        const Value& name = command.values.front();
+        return headOf(name);
+    }
+
+    /// Keeps the name that the statement declares even if it is faulty.
+    void noteName(const Statement& statement) {
+        if (statement.arguments.empty()) return;
+        const std::string_view first = statement.arguments.front().text;
+        const std::string name(first.substr(0, first.find('[')));
+        if (!name.empty()) lostNames_.insert(name);
+    }
+
+    /// Keeps the names that the statement declares, and moves what a classic member of Command can hold
+    /// there.
+    void finishModern(const StatementRow& row, Command& command) {
+        if (row.id == CommandId::include) hasInclude_ = true;
+        if (row.declaresName || row.id == CommandId::include) declaresNames_ = true;
+        if (row.id == CommandId::group)  // parameters may stand for textures and buffers
+            for (const KeyedValues& each : command.tags) names_.insert(each.key);
+        if (row.declaresName && !command.values.empty()) names_.insert(nameOfObject(command));
+        if (row.id == CommandId::repeat)
+            if (const KeyedValues* counter = command.key("as")) names_.insert(counter->values.front().text);
+        if (row.id == CommandId::compute && !command.values.empty()) setText(command);
+        if (row.id != CommandId::program) return;
+        if (++programs_ > kMostPrograms)
+            log_.report("glib-E15", fmt::format("more than {} programs", kMostPrograms), command.position);
+        if (!command.values.empty()) setText(command);
+        takeUniforms(command);
+    }
+
+    /// True for the program of a shader that is not closed, and of a faulty Compute statement, which would be
+    /// a program that draws.
+    bool losesStage(CommandId id) { return id == CommandId::program && std::exchange(isStageLost_, false); }
+
+    static void setText(Command& command) {
+        command.text = command.values.front().text;
+        command.textPosition = command.values.front().position;
+    }
+
+    /// True inside a vertex list whose glBegin is faulty. Its vertices are skipped, since they would only
+    /// repeat the error.
+    bool leavesOut(CommandId id, bool faulty) {
+        if (id == CommandId::glBegin) inFaultyList_ = faulty;
+        const bool result = inFaultyList_ && belongsToList(id);
+        if (id == CommandId::glEnd) inFaultyList_ = false;
+        return result;
+    }
+
+    void read(const Statement& statement, Command& command) {
+        switch (statement.row->form) {
+            case ArgumentForm::numbers:
+                return readNumbers(statement, command, log_);
+            case ArgumentForm::file:
+                return readFile(statement, command, log_);
+            case ArgumentForm::cubeMap:
+                return readCubeMap(statement, command, log_);
+            case ArgumentForm::units:
+                return readUnits(statement, command, log_);
+            case ArgumentForm::texture:
+                return readTexture(statement, command, log_);
+            case ArgumentForm::topology:
+                return readTopology(statement, command, log_);
+            case ArgumentForm::switchWord:
+                return readSwitch(statement, command, log_);
+            case ArgumentForm::pointGroups:
+                if (!refusesExpressions(statement)) readPointGroups(statement, command, log_);
+                return;
+            case ArgumentForm::message:
+                command.text = statement.message;
+                command.textPosition = statement.messagePosition;
+                return;
+            case ArgumentForm::program:
+                break;
+        }
+        if (++programs_ <= kMostPrograms) return readProgram(statement, fragmentFile_, command, log_);
+        log_.report("glib-E15", fmt::format("more than {} programs", kMostPrograms), command.position);
+    }
+
+    /// Reports glib-E19 for a declared name or an expression without parentheses among the numbers of a
+    /// classic command, which would count as 0 or be cut. Classic scenes keep such expressions.
+    bool refusesNames(const Statement& statement) {
+        if (statement.row->form != ArgumentForm::numbers) return false;
+        if (lacksClosing(statement)) return true;
+        for (const Token& token : statement.arguments) {
+            const std::string_view head = token.text.substr(0, token.text.find('.'));
+            const bool isName = token.kind == TokenKind::word && names_.contains(std::string(head));
+            const bool isFormula = (token.kind == TokenKind::word || token.kind == TokenKind::number) &&
+                                   (looksLikeExpression(token.text) ||
+                                    looksLikeExpression(expressionAt(text_, statement.arguments, token)));
+            if (isFormula && !isModern_) wouldDiffer_ = true;
+            if (!isName && !(isFormula && isModern_)) continue;
+            const std::string_view whole = expressionAt(text_, statement.arguments, token);
+            log_.report("glib-E19",
+                        fmt::format("{}: expected a number, found {}; write ({}) for its value",
+                                    statement.row->name(), inQuotes(whole), whole),
+                        token.position);
+            return true;
+        }
+        return false;
+    }
+
+    /// Reports glib-E20 for a parenthesis before a word that is not closed; classic scenes close it.
+    bool lacksClosing(const Statement& statement) {
+        const auto& tokens = statement.arguments;
+        const auto open = std::ranges::find_if(tokens, [](const Token& token) { return token.text == "("; });
+        if (open == tokens.end() || open->kind != TokenKind::open) return false;
+        const auto end = std::find_if(open, tokens.end(),
+                                      [](const Token& token) { return token.kind == TokenKind::close; });
+        const bool hasWord =
+            std::any_of(open, tokens.end(), [](const Token& token) { return token.kind == TokenKind::word; });
+        if (end != tokens.end() || !hasWord) return false;
+        if (!isModern_) wouldDiffer_ = true;
+        if (!isModern_) return false;
+        log_.report("glib-E20", fmt::format("{}: '(' is not closed on this line", statement.row->name()),
+                    open->position);
+        return true;
+    }
+
+    /// Reports glib-E19 for a condition that begins without a parenthesis.
+    bool lacksParentheses(const Statement& statement, const StatementRow& row) {
+        if (row.id != CommandId::when || statement.arguments.empty()) return false;
+        const Token& first = statement.arguments.front();
+        if (first.kind != TokenKind::word || first.truth()) return false;
+        log_.report(
+            "glib-E19",
+            fmt::format("{}: expected a condition in parentheses, found {}", row.name, inQuotes(first.text)),
+            first.position);
+        return true;
+    }
+
+    /// Reports glib-E24 for an expression in a command that takes none.
+    bool refusesExpressions(const Statement& statement) {
+        for (const Token& token : statement.arguments) {
+            if (token.kind != TokenKind::expression) continue;
+            log_.report(
+                "glib-E24",
+                fmt::format("{}: an expression cannot stand here; use glVertex", statement.row->name()),
+                token.position);
+            return true;
+        }
+        return false;
+    }
+
+    std::string_view text_;
+    StatementReader reader_;
+    MessageLog& log_;
+    BlockStack blocks_;
+    ContinuationAdvice continuation_;
+    bool isModern_ = false;
+    bool wouldDiffer_ = false;               ///< something so far would mean something else in a modern scene
+    std::unordered_set<std::string> names_;  ///< of textures, buffers, samplers, cameras and variables
+    std::vector<Command> withoutFile_;
+    std::set<std::string, std::less<>> lostNames_;  ///< that statements so far would declare
+    bool declaresNames_ = false;
+    bool hasInclude_ = false;
+    std::vector<Command> commands_;
+    std::string fragmentFile_;  ///< the name in the last Fragment statement
+    std::size_t programs_ = 0;
+    bool inFaultyList_ = false;
+    bool isStageLost_ = false;
+};
+
+/// Reads the commands. Returns true if the scene has modern statements.
+bool read(std::string_view text, Script& script, MessageLog& log) {
+    const MessageLog empty = log;
+    Parser parser(text, false, log);
+    parser.parse(script);
+    if (!parser.hasToReadAgain()) return parser.isModern();
+    log = empty;
+    Parser(text, true, log).parse(script);
+    return true;
+}
+
+}  // namespace
+
+Script parse(std::string_view text, std::string path) {
+    Script script;
+    MessageLog log(path);
+    script.path = std::move(path);
+    try {
+        if (text.size() > kLargestFile)
+            log.report("glib-E15",
+                       fmt::format("scene of {} bytes; the limit is {}", groupedText(text.size()),
+                                   groupedText(kLargestFile)),
+                       {});
+        else
+            script.isModern = read(text, script, log);
+    } catch (const std::exception& problem) {
+        script.commands.clear();
+        log.report("glib-E15", fmt::format("the scene cannot be read: {}", problem.what()), {});
+    }
+    script.diagnostics = log.take();
+    return script;
+}
+
+}  // namespace glibra::glib

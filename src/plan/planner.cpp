@@ -1,0 +1,317 @@
+#include "plan/planner.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "plan/accesses.h"
+#include "plan/draw_remarks.h"
+#include "plan/fragment_outputs.h"
+#include "plan/inputs.h"
+#include "plan/needs.h"
+#include "plan/planned_programs.h"
+#include "plan/reported_names.h"
+#include "plan/skip_list.h"
+#include "plan/submission.h"
+#include "plan/texture_binding.h"
+#include "plan/texture_uses.h"
+#include "plan/uniform_names.h"
+#include "scene/primitives.h"
+
+namespace glibra::plan {
+namespace {
+
+class FramePlanner {
+  public:
+    FramePlanner(const scene::Scene& scene, const scene::NodeList& nodes, const PlanQuestions& questions,
+                 const PlanOptions& options)
+        : scene_(scene),
+          nodes_(nodes),
+          questions_(questions),
+          options_(options),
+          programs_(scene, questions, options, plan_),
+          meshOfShape_(scene.shapes.size()),
+          reads_(scene.shapes.size()) {}
+
+    FramePlan plan() && {
+        plan_.nodes = &nodes_;
+        const Needs needs = this->needs();
+        for (const scene::NodeIndex& node : nodes_.order) planNode(node, needs);
+        if (options_.everything) planUndrawnPrograms();
+        for (const scene::TextureIndex each : scene_.textures.indices())
+            if (needs.textures[each]) plan_.textures.push_back(each);
+        for (const scene::BufferIndex each : scene_.buffers.indices())
+            if (needs.buffers.size() > each.position() && needs.buffers[each]) plan_.buffers.push_back(each);
+        listAttributes();
+        if (scene_.isModern) plan_.accesses = accessesOf(scene_, plan_, options_.everything);
+        if (options_.reportsNames) {
+            const FramePlan* own = &plan_;
+            for (const Diagnostic& each : reportNames(scene_, {&own, 1}, options_.overrides))
+                remarks_.report(each);
+        }
+        if (scene_.isModern) {
+            findBeginnings(scene_, plan_);
+            if (options_.shareTargets && !options_.everything)
+                plan_.sharing = sharedTargets(scene_, plan_, options_.roots);
+        }
+        if (!options_.everything) plan_.skipped = listSkipped(scene_, needs, plan_);
+        return std::move(plan_);
+    }
+
+  private:
+    Needs needs() {
+        NeedQuestions questions;
+        questions.usesOf = [this](const scene::Draw& draw, const scene::Pass& pass) {
+            return programs_.usesOf(draw, pass);
+        };
+        questions.mayWriteImages = questions_.mayWriteImages;
+        if (!options_.everything) questions.outOfSight = questions_.outOfSight;
+        if (!scene_.isModern) return findNeeds(scene_, nodes_, questions, options_.everything);
+        questions.usesOfDispatch = [this](const scene::Dispatch& dispatch) {
+            return programs_.usesOf(dispatch);
+        };
+        return findLiveNeeds(scene_, nodes_, questions, options_.roots, options_.everything);
+    }
+
+    void planNode(const scene::NodeIndex& node, const Needs& needs) {
+        switch (node.kind) {
+            case scene::NodeIndex::Kind::pass:
+                if (needs.passes[node.index]) planPass(node.index, needs.steps[node.index]);
+                break;
+            case scene::NodeIndex::Kind::dispatch:
+                reportLackOfCompute(nodes_.dispatches[node.index]);
+                if (needs.dispatches[node.index])
+                    planDispatch(node.index);
+                else
+                    reportWithoutEffect(nodes_.dispatches[node.index]);
+                break;
+            case scene::NodeIndex::Kind::clear:
+                if (!needs.clears[node.index]) break;
+                plan_.order.push_back({node.kind, plan_.clears.size()});
+                plan_.clears.push_back({node.index});
+                break;
+        }
+    }
+
+    void reportLackOfCompute(const scene::Dispatch& dispatch) {
+        if (options_.lacksCompute.empty() || std::exchange(reportedCompute_, true)) return;
+        remarks_.report(
+            diagnose("memory-E01", "Dispatch needs a driver with " + options_.lacksCompute, dispatch.place));
+    }
+
+    /// A dispatch that writes nothing is skipped, which may be due to a mistake in its program.
+    void reportWithoutEffect(const scene::Dispatch& dispatch) {
+        if (!options_.lacksCompute.empty()) return;
+        const std::vector<ObjectUse> uses = programs_.usesOf(dispatch);
+        const PlannedProgramIndex program = programs_.of(dispatch);
+        if (std::ranges::none_of(uses, &ObjectUse::writes)) announce(program);
+        for (const Diagnostic& each : programs_.state(program).diagnostics)
+            if (each.id == "glib-E16") remarks_.report(each);  // a key of the statement, misspelt
+    }
+
+    void planDispatch(std::size_t index) {
+        const scene::Dispatch& dispatch = nodes_.dispatches[index];
+        const PlannedProgramIndex program = programs_.of(dispatch);
+        announce(program);
+        if (!programs_[program].interface->usable) return;
+        Diagnostics problems = programs_.state(program).badBindings;
+        append(problems, unitProblems(program, "Dispatch", dispatch.place));
+        for (const Diagnostic& each : problems) remarks_.report(each);
+        if (hasError(problems)) return;
+        const std::vector<TextureUse>& uses = programs_.texturesOf(dispatch, program);
+        remarks_.emptySlots(dispatch.place, program, uses);
+        remarks_.hazards("Dispatch", dispatch.place, program, uses);
+        plan_.order.push_back({scene::NodeIndex::Kind::dispatch, plan_.dispatches.size()});
+        plan_.dispatches.push_back({index, program, uses});
+    }
+
+    void planPass(std::size_t index, const std::vector<StepNeed>& needs) {
+        const scene::Pass& pass = nodes_.passes[index];
+        PlannedPass result;
+        result.pass = index;
+        for (std::size_t step = 0; step < pass.steps.size(); ++step) {
+            if (needs[step] != StepNeed::needed) continue;
+            if (std::holds_alternative<scene::Clear>(pass.steps[step]))
+                result.steps.emplace_back(PlannedClear{{index, step}});
+            else
+                planDraw({index, step}, result);
+        }
+        plan_.order.push_back({scene::NodeIndex::Kind::pass, plan_.passes.size()});
+        plan_.passes.push_back(std::move(result));
+    }
+
+    void planDraw(scene::StepIndex step, PlannedPass& result) {
+        const scene::Pass& pass = nodes_.passes[step.pass];
+        const scene::Draw& draw = nodes_.draw(step);
+        const PlannedProgramIndex index = programs_.of(draw, pass);
+        const ProgramInterface& interface = *programs_[index].interface;
+        const scene::Program* program = programs_.declared(programs_[index].variant.program);
+        announce(index);
+        remarks_.missingStage(draw, interface);
+
+        if (!interface.usable) return planUnusable(step, index, result);
+        const Result<Submission> submission = submissionOf(scene_, draw, program, interface);
+        Diagnostics problems = submission.diagnostics;
+        append(problems, unitProblems(index, draw.word, draw.place));
+        append(problems, programs_.state(index).badBindings);
+        const std::vector<TextureUse>& uses = programs_.texturesOf(draw, index);
+        append(problems, feedback(draw, pass, index, uses));
+        append(problems, outputProblems(scene_, draw, pass, interface));
+        for (const Diagnostic& each : problems) remarks_.report(each);
+        if (!submission || hasError(problems)) return;
+
+        remarks_.ofDraw(draw, index, program, *submission, uses);
+        const std::bitset<base::kRasterTargets> unwritten =
+            targetsWithoutOutput(scene_, draw, pass, interface);
+        if (unwritten.any()) remarks_.unwritten(draw, pass, index, unwritten);
+        remarks_.layers(draw, pass, index);
+        const PlannedInputsIndex inputs = programs_.inputsOf(draw, index);
+        result.steps.emplace_back(PlannedDraw{step, index, meshOf(draw, index, inputs, submission->topology),
+                                              *submission, uses, inputs, unwritten});
+    }
+
+    /// The program has no usable stages, so a window shows the shape in one colour. It cannot show patches
+    /// that way.
+    void planUnusable(scene::StepIndex step, PlannedProgramIndex index, PlannedPass& result) {
+        const scene::Draw& draw = nodes_.draw(step);
+        const geometry::Topology topology = topologyOf(scene_.shapes[draw.shape]);
+        if (topology == geometry::Topology::patches) return;
+        result.steps.emplace_back(
+            PlannedDraw{step, index, meshOf(draw, index, {}, topology), {topology, 0}, {}, {}});
+    }
+
+    /// State::unitProblems at a statement.
+    Diagnostics unitProblems(PlannedProgramIndex program, const std::string& word, const Place& place) {
+        Diagnostics problems = programs_.state(program).unitProblems;
+        for (Diagnostic& each : problems) {
+            each.place = place;
+            each.text = word + ": " + each.text;
+        }
+        return problems;
+    }
+
+    void announce(PlannedProgramIndex program) {
+        if (std::exchange(programs_.state(program).isAnnounced, true)) return;
+        for (const Diagnostic& each : programs_.state(program).diagnostics) remarks_.report(each);
+    }
+
+    /// Returns draw-E01 if a sampler reads a part of a texture that its own pass draws into.
+    Diagnostics feedback(const scene::Draw& draw, const scene::Pass& pass, PlannedProgramIndex program,
+                         const std::vector<TextureUse>& uses) {
+        Diagnostics errors;
+        std::set<std::pair<scene::TextureIndex, int>> seen;
+        for (std::size_t i = 0; i < uses.size(); ++i) {
+            if (uses[i].isImage || !uses[i].view.texture || !drawsInto(pass, uses[i])) continue;
+            const scene::Texture& texture = scene_.textures[uses[i].view.texture];
+            const int unit = texture.name.empty() ? programs_.state(program).units.at(i).binding.unit : 0;
+            if (!seen.emplace(uses[i].view.texture, unit).second) continue;
+            const std::string text =
+                texture.name.empty()
+                    ? fmt::format("{} samples unit {} while rendering into it (RenderToTexture on line {})",
+                                  draw.word, unit, pass.place.line)
+                    : fmt::format(
+                          "{} samples {} while drawing into it (line {}); {}", draw.word,
+                          nameOf(scene_, uses[i].view), pass.place.line,
+                          pass.targets.empty() && !pass.isWindow
+                              ? "use a program here that does not read it: depth alone needs only a vertex "
+                                "stage"
+                              : fmt::format(
+                                    "read another part, or declare '{0}' with history and read '{0}.prev'",
+                                    texture.name));
+            errors.push_back(diagnose("draw-E01", text, draw.place));
+        }
+        return errors;
+    }
+
+    [[nodiscard]] bool drawsInto(const scene::Pass& pass, const TextureUse& use) const {
+        for (std::size_t i = 0; i < pass.targets.size(); ++i) {
+            const scene::TargetPart part = i < pass.parts.size() ? pass.parts[i] : scene::TargetPart{};
+            if (readsPart(scene_, use,
+                          {.texture = pass.targets[i], .level = part.level, .layer = part.layer}))
+                return true;
+        }
+        return pass.depth && readsPart(scene_, use, *pass.depth);
+    }
+
+    /// Returns the mesh of the draw's shape and records the attributes that this program reads.
+    PlannedMeshIndex meshOf(const scene::Draw& draw, PlannedProgramIndex program, PlannedInputsIndex inputs,
+                            geometry::Topology submitted) {
+        const std::optional<geometry::Topology> adjacency =
+            addedAdjacency(scene_.shapes[draw.shape], submitted);
+        PlannedMeshIndex& mesh =
+            adjacency ? adjacentMeshes_[{draw.shape, *adjacency}] : meshOfShape_[draw.shape];
+        if (!mesh || !options_.shareMeshes) mesh = plan_.meshes.add({draw.shape, {}, adjacency});
+        if (inputs)
+            for (const InputSource& each : plan_.inputs[inputs].sources)
+                if (const auto* name = std::get_if<std::string>(&each.from)) reads_[draw.shape].insert(*name);
+        // A window shows the draws of an unusable program in one colour, so it needs their positions.
+        if (!programs_[program].interface->usable)
+            reads_[draw.shape].insert(std::string(geometry::kPosition));
+        return mesh;
+    }
+
+    void listAttributes() {
+        for (PlannedMesh& mesh : plan_.meshes) {
+            for (std::string& name : attributesOf(scene_.shapes[mesh.shape]))
+                if (options_.everything || reads_[mesh.shape].contains(name))
+                    mesh.attributes.push_back(std::move(name));
+        }
+    }
+
+    static std::set<scene::ProgramIndex> programsOf(const scene::NodeList& nodes) {
+        std::set<scene::ProgramIndex> programs;
+        for (const scene::Dispatch& each : nodes.dispatches) programs.insert(each.program);
+        nodes.visitDraws([&](const scene::Draw& draw, const auto&) { programs.insert(draw.program); });
+        return programs;
+    }
+
+    /// `glibra check` also compiles programs without draws.
+    void planUndrawnPrograms() {
+        if (&nodes_ != &scene_.frame) return;
+        std::set<scene::ProgramIndex> drawn = programsOf(scene_.frame);
+        for (const scene::OnceBlock& each : scene_.once) drawn.merge(programsOf(each.nodes));
+        for (const scene::StepBlock& each : scene_.steps) drawn.merge(programsOf(each.nodes));
+        for (const scene::ProgramIndex i : scene_.programs.indices()) {
+            const scene::Program& program = scene_.programs[i];
+            const bool isFullScreen = scene_.isModern && isWithoutVertexStage(program);
+            const bool isCompute = program.hasStage(glsl::Stage::compute) && options_.lacksCompute.empty();
+            const bool isDrawable = program.hasStage(glsl::Stage::fragment) &&
+                                    (program.hasStage(glsl::Stage::vertex) || isFullScreen);
+            if (drawn.contains(i) || !(isDrawable || isCompute)) continue;
+            // What a draw would set is not known.
+            const PlannedProgramIndex undrawn = programs_.of(ProgramVariant{i, false, 1, isFullScreen});
+            if (scene_.isModern)
+                std::erase_if(programs_.state(undrawn).diagnostics, [](const Diagnostic& each) {
+                    return each.id == "glib-W37" || each.id == "memory-E02" ||
+                           (each.id == "glsl-W11" && each.subject == "vST");  // Fill gives it
+                });
+            announce(undrawn);
+        }
+    }
+
+    const scene::Scene& scene_;
+    const scene::NodeList& nodes_;
+    const PlanQuestions& questions_;
+    const PlanOptions& options_;
+    FramePlan plan_;
+    PlannedPrograms programs_;
+    scene::List<PlannedMeshIndex, scene::Shape> meshOfShape_;
+    std::map<std::pair<scene::ShapeIndex, geometry::Topology>, PlannedMeshIndex> adjacentMeshes_;
+    scene::List<std::set<std::string>, scene::Shape> reads_;  ///< attributes that some program reads
+    bool reportedCompute_ = false;
+    DrawRemarks remarks_{scene_, programs_, plan_};
+};
+
+}  // namespace
+
+FramePlan planFrame(const scene::Scene& scene, const scene::NodeList& nodes, const PlanQuestions& questions,
+                    const PlanOptions& options) {
+    return FramePlanner(scene, nodes, questions, options).plan();
+}
+
+}  // namespace glibra::plan

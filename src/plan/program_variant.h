@@ -1,0 +1,35 @@
+#pragma once
+// Which GL program a draw needs, before any is compiled.
+
+#include <compare>
+
+#include "scene/scene.h"
+
+namespace glibra::plan {
+
+/// The same Program statement may need several GL programs: flat or smooth colours, one or several colour
+/// targets, its own vertex stage or a supplied one.
+struct ProgramVariant {
+    scene::ProgramIndex program{};  ///< none: the built-in program
+    bool flatColors = false;
+    int colorTargets = 1;
+    bool isFullScreen = false;      ///< a vertex stage that covers the whole target may be supplied
+    bool inPieces = false;          ///< a compute program that runs in several dispatches
+    bool isFill = false;            ///< Program::isLeftOutByFill: these stages are left out
+    bool suppliesFragment = false;  ///< a fragment stage is missing and needed
+    friend auto operator<=>(const ProgramVariant&, const ProgramVariant&) = default;
+};
+
+/// The program that draws it in this pass: its own, or the built-in program if its own lacks a stage.
+ProgramVariant variantOf(const scene::Scene& scene, const scene::Draw& draw, const scene::Pass& pass);
+
+/// True if the program has a fragment stage and no other. It gets a vertex stage: one that covers the whole
+/// target where a modern scene draws vertices without data or `FullScreen`, otherwise that of the fixed
+/// pipeline.
+bool isWithoutVertexStage(const scene::Program& program, bool isFill = false);
+
+/// True if the built-in program is used: the draw has no program, or the program has no vertex stage and
+/// cannot get one (language, 2.2).
+bool usesBuiltin(const scene::Scene& scene, const scene::Draw& draw);
+
+}  // namespace glibra::plan

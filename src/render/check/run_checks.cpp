@@ -1,0 +1,177 @@
+#include "render/check/run_checks.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "gpu/object/query.h"
+#include "gpu/object/readback.h"
+#include "render/check/answers.h"
+#include "render/check/nan_search.h"
+#include "render/check/object_content.h"
+#include "render/check/open_checks.h"
+#include "render/consequences.h"
+#include "render/scene_state.h"
+
+namespace glibra::render {
+namespace {
+
+Content windowContent(const SceneState& state, std::vector<std::byte> pixels) {
+    Content content{"window", state.width, state.height, 1, 4, state.options.floatPixels ? 0 : 1.0 / 255, {}};
+    content.values.resize(content.size() * 4);
+    const std::size_t row = static_cast<std::size_t>(state.width) * 4;
+    const auto* floats = reinterpret_cast<const float*>(pixels.data());
+    for (std::size_t y = 0; y < static_cast<std::size_t>(state.height); ++y)  // the top row comes first
+        std::copy_n(floats + y * row, row,
+                    content.values.begin() +
+                        static_cast<std::ptrdiff_t>((static_cast<std::size_t>(state.height) - 1 - y) * row));
+    return content;
+}
+
+Result<Content> readWindow(SceneState& state) {
+    if (state.tiles.size() > 1)
+        return diagnose("check-E02", "a picture that is drawn in tiles cannot be checked",
+                        {state.scene.path, 1, 1});
+    auto pixels = gpu::readPixels(state.context.capabilities(), state.window->readable(), 0,
+                                  {0, 0, state.width, state.height}, {4, gpu::TexelType::f32});
+    if (!pixels) return std::move(pixels.diagnostics);
+    return windowContent(state, std::move(*pixels));
+}
+
+bool hasMessage(const Diagnostics& all, const Diagnostic& one) {
+    return std::ranges::any_of(all, [&](const Diagnostic& each) {
+        return each.id == one.id && each.text == one.text && each.place == one.place;
+    });
+}
+
+Diagnostics printedBy(SceneState& state) {
+    Diagnostics notes;
+    for (const scene::Print& each : state.scene.prints) {
+        const Result<Content> content = contentOf(state.scene, state.device, each.buffer);
+        append(notes, content ? printedElements(each, *content) : Diagnostics(content.diagnostics));
+    }
+    return notes;
+}
+
+/// Draws the picture of `moment` and answers the checks that ask for it. What drawing reports comes first.
+Diagnostics answerAt(SceneState& state, double moment, OpenChecks& open, Stats& stats) {
+    const auto isCounted = [](const scene::Check& each) {
+        return each.kind == scene::Check::Kind::primitives || each.kind == scene::Check::Kind::samples;
+    };
+    // What Once and Step draw is not counted, so they run before.
+    if (std::ranges::any_of(state.scene.checks, isCounted))
+        if (Result<image::Image> before = state.draw(moment, stats); !before)
+            return std::move(before.diagnostics);
+    state.forgetDrawn();  // all nodes count
+    // Parts of draws would count again.
+    const double share = state.drawer->timeShare();
+    if (std::ranges::any_of(state.scene.checks, isCounted)) state.drawer->setTimeShare(0);
+    const gpu::Query primitives(GL_PRIMITIVES_GENERATED), samples(GL_SAMPLES_PASSED);
+    primitives.begin();
+    samples.begin();
+    Result<image::Image> picture = state.draw(moment, stats);
+    samples.end();
+    primitives.end();
+    if (state.drawer) state.drawer->setTimeShare(share);
+    if (!picture) return std::move(picture.diagnostics);
+    CheckQuestions questions;
+    questions.primitives = [&] { return primitives.result(); };
+    questions.samples = [&] { return samples.result(); };
+    std::optional<Content> window;
+    questions.contentOf = [&](const std::optional<scene::ObjectView>& object) -> Result<Content> {
+        if (object) return contentOf(state.scene, state.device, *object);
+        if (window) return *window;
+        Result<Content> read = readWindow(state);
+        if (read) window = *read;
+        return read;
+    };
+    questions.condition = [&](const scene::Check& check) {
+        return scene::answerCondition(check, [&](const std::string& name) {
+            for (const scene::BufferIndex each : state.scene.buffers.indices()) {
+                if (state.scene.buffers[each].name != name) continue;
+                Result<Content> content = contentOf(state.scene, state.device, scene::BufferView{each});
+                if (content) return std::move(content->values);
+            }
+            return std::vector<double>();
+        });
+    };
+    Diagnostics wrong = std::move(picture.diagnostics);
+    if (moment == open.time()) append(wrong, printedBy(state));
+    for (const scene::Check& each : open.take(moment, state.scene.checks))
+        if (std::optional<Diagnostic> found = answer(each, questions)) wrong.push_back(std::move(*found));
+    return wrong;
+}
+
+/// The checks of a scene that cannot be drawn; empty if it cannot be read.
+std::vector<scene::Check> checksOf(const std::filesystem::path& path, const RenderOptions& options) {
+    Stats stats;
+    Result<InterpretedScene> interpreted = interpretFile(path, options, stats);
+    if (!interpreted) return {};
+    if (!interpreted->source || options.time == interpreted->inputs.time)
+        return std::move(interpreted->scene.checks);
+    interpreted->inputs.time = options.time;
+    return interpreted->source->at(interpreted->inputs).checks;
+}
+
+}  // namespace
+
+Diagnostics printed(SceneRenderer& renderer) {
+    return printedBy(renderer.state());
+}
+
+bool hasChecks(const scene::Scene& scene) {
+    return !scene.checks.empty() || std::ranges::any_of(scene.idleChecks, [](const scene::IdleCheck& each) {
+        return each.seconds.has_value();
+    });
+}
+
+Diagnostics answerChecks(SceneRenderer& renderer, double time, Diagnostics& reported, Stats& stats) {
+    SceneState& state = renderer.state();
+    Diagnostics found = state.moveTo(time, stats);
+    applyStrict(found, state.options.strict);
+    OpenChecks open(state.scene, time);
+    if (!state.isStopped(found))
+        for (const double each : open.times()) append(found, answerAt(state, each, open, stats));
+    Diagnostics wrong;
+    const auto sort = [&](Diagnostics diagnostics) {
+        for (Diagnostic& each : diagnostics) {
+            if (each.severity == Severity::error && each.id.starts_with("check-"))
+                wrong.push_back(std::move(each));
+            else if (!hasMessage(reported, each))
+                reported.push_back(std::move(each));
+        }
+    };
+    Diagnostics idle = reportIdle(open.idle());
+    applyStrict(idle, state.options.strict);
+    append(found, std::move(idle));
+    sort(std::move(found));
+    Diagnostics unexplained = std::exchange(reported, {});
+    sort(open.isAnswered() ? withoutExpected(open.all(), std::move(unexplained))
+                           : withoutPicture(open.unanswered(), std::move(unexplained)));
+    return wrong;
+}
+
+Diagnostics answerWithoutPicture(const std::filesystem::path& path, const RenderOptions& options,
+                                 Diagnostics reported) {
+    return withoutPicture(checksOf(path, options), std::move(reported));
+}
+
+Diagnostics runChecks(gpu::Context& context, const std::filesystem::path& path, const RenderOptions& options,
+                      Diagnostics known) {
+    Stats stats;
+    RenderOptions checked = options;
+    checked.checks = true;
+    Result<SceneRenderer> renderer = SceneRenderer::load(context, path, checked, stats);
+    Diagnostics reported = std::move(known);
+    for (Diagnostic& each : renderer.diagnostics)
+        if (!hasMessage(reported, each)) reported.push_back(std::move(each));
+    if (!renderer) return answerWithoutPicture(path, options, std::move(reported));
+    Diagnostics wrong = answerChecks(*renderer, options.time, reported, stats);
+    append(reported, std::move(wrong));
+    if (options.checkNan)
+        if (Result<NanSearch> search = NanSearch::load(context, path, options))
+            append(reported, search->at(options.time));
+    return reported;
+}
+
+}  // namespace glibra::render

@@ -1,0 +1,30 @@
+#pragma once
+// glibra check: prepares everything and draws nothing.
+
+#include <glibra/render.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "gpu/context/context.h"
+
+namespace glibra::render {
+
+/// A shader as the driver gets it.
+struct TranslatedShader {
+    std::string name;  ///< "3-Dots.frag": number of the program in its scene, its name, the stage
+    std::string source;
+};
+
+/// The result of glibra check.
+struct CheckResult {
+    Diagnostics diagnostics;
+    std::vector<TranslatedShader> shaders;
+};
+
+/// Resolves and reads every file, and compiles and links every program. Draws nothing and skips nothing.
+CheckResult checkScene(gpu::Context& context, const std::filesystem::path& scene,
+                       const RenderOptions& options);
+
+}  // namespace glibra::render

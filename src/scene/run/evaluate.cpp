@@ -1,0 +1,306 @@
+#include "scene/run/evaluate.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "glib/number.h"
+#include "glib/text.h"
+#include "scene/run/camera_use.h"
+#include "scene/run/counts.h"
+#include "scene/run/depends.h"
+#include "scene/run/scope.h"
+
+namespace glibra::scene {
+namespace {
+
+/// Sets the names whose values depend on where the expression stands.
+void supply(Interpreter& in, expression::Depends depends) {
+    using expression::Depends;
+    Environment& names = in.names();
+    if (any(depends & Depends::model)) names.set("model", {&in.state.model[0][0], 16});
+    if (any(depends & Depends::window)) {
+        const std::array window{
+            static_cast<double>(in.inputs.width > 0 ? in.inputs.width : in.scene.width),
+            static_cast<double>(in.inputs.height > 0 ? in.inputs.height : in.scene.height)};
+        names.set("window", window);
+        names.setNumber("aspect", window[0] / window[1]);
+    }
+    if (!any(depends & Depends::camera)) return;
+    const SceneCamera seen = currentCamera(in);
+    const CameraValues now = valuesOf(seen, currentAspect(in));
+    names.setCamera("camera", now);
+    setPrevious(in, "camera", seen.name, now);
+    const CameraName eye{"eye", 0};
+    if (findCamera(in, eye) != nullptr) return;
+    const CameraValues classic = valuesOf(classicCamera(in), windowAspect(in));
+    names.setCamera("eye", classic);
+    setPrevious(in, "eye", eye, classic);
+}
+
+/// True for the fields of a camera that change with the shape of the target.
+bool readsShape(std::string_view path) {
+    constexpr std::array<std::string_view, 4> kFields{".projection", ".viewProjection", ".shadow", ".aspect"};
+    return std::ranges::any_of(kFields, [&](std::string_view field) { return path.ends_with(field); });
+}
+
+/// What the value can change with, through variables too. Remembers which variables a block reads.
+expression::Depends dependsOf(Interpreter& in, const expression::Expression& expression) {
+    expression::Depends depends = expression.depends();
+    for (const expression::Use& each : expression.uses()) {
+        if (each.path.starts_with("eye.")) in.modern.usesEye = true;
+        const expression::Depends now = in.names().dependsOf(each.symbol.slot);
+        depends = depends | now;
+        using expression::Depends;
+        if (any(now &
+                (Depends::variable | Depends::camera | Depends::texture | Depends::buffer | Depends::window)))
+            noteRead(in, each.path, each.symbol.slot, expression.origin());
+    }
+    return depends;
+}
+
+/// For an expression with an unknown name: where a Let below sets it. Empty if none does.
+std::string whereSet(const Interpreter& in, const Value& value, std::span<const NotedNames::Note> notes) {
+    const auto unknown = std::ranges::find_if(
+        notes, [](const auto& each) { return !each.count && each.path.find('.') == std::string::npos; });
+    if (unknown == notes.end()) return {};
+    for (const Command& each : in.script->commands) {
+        if (each.id != CommandId::let || each.values.empty() || each.position.line <= value.position.line)
+            continue;
+        const Value& target = each.values.front();
+        if (headOf(target) == unknown->path)
+            return fmt::format("; line {} sets it, which is below", each.position.line);
+    }
+    return {};
+}
+
+ReadExpression& readExpression(Interpreter& in, const Value& value, const expression::Wanted& wanted) {
+    const Environment& environment = in.names();
+    MadeOfNames<ReadExpression>& readSoFar = in.shared->computed.expressions[writtenAt(in, value)];
+    if (ReadExpression* known = readSoFar.find(environment)) return *known;
+    const bool isWord = value.kind == Value::Kind::word;
+    const Place origin = in.script->place(isWord ? value.position : glib::placeIn(value, 0));
+    const NotedNames names(environment);
+    auto parsed = expression::parse(value.text, origin, names, wanted);
+    std::vector<NotedNames::Note> notes = names.take();
+    ReadExpression made;
+    if (parsed) {
+        for (const expression::Use& each : parsed->uses()) {
+            if (each.path.find(".prev.") != std::string::npos) in.shared->seen.readsPrevious = true;
+            if (!readsShape(each.path)) continue;
+            made.readsShape = true;
+            if (!each.path.starts_with("camera.")) in.shared->seen.readsShapes = true;
+        }
+        made.expression = std::move(*parsed);
+    } else {
+        parsed.problem.message.text += whereSet(in, value, notes);
+        in.report(parsed.problem.message);
+    }
+    return readSoFar.add(environment, std::move(notes), std::move(made));
+}
+
+/// True if the expression reads what a faulty statement would have declared.
+bool readsLostName(const Interpreter& in, std::string_view text) {
+    if (in.modern.lostNames.empty()) return false;
+    for (std::size_t at = 0; at < text.size();) {
+        std::size_t end = at;
+        while (end < text.size() && glib::isOfName(text[end])) ++end;
+        if (end > at && in.modern.lostNames.contains(text.substr(at, end - at))) return true;
+        at = end + 1;
+    }
+    return false;
+}
+
+/// Reads an expression, sets the names that it reads, and notes what it depends on. Null if it is wrong.
+ReadExpression* supplied(Interpreter& in, const Value& value, const expression::Wanted& wanted) {
+    if (readsLostName(in, value.text)) return nullptr;
+    ReadExpression& read = readExpression(in, value, wanted);
+    if (!read.expression) return nullptr;
+    supply(in, read.expression->depends());
+    addDepends(in, dependsOf(in, *read.expression));
+    return &read;
+}
+
+}  // namespace
+
+WrittenAt writtenAt(const Interpreter& in, const Value& value) {
+    return {in.script, value.position.line, value.position.column, value.kind};
+}
+
+std::optional<expression::Value> evaluate(Interpreter& in, const Value& value,
+                                          const expression::Wanted& wanted) {
+    if (ReadExpression* const read = supplied(in, value, wanted)) {
+        if (read->readsShape) addDepends(in, expression::Depends::window);
+        const auto result = read->expression->evaluate(in.names());
+        if (result) return *result;
+        if (!in.shared->seen.isTrial && !std::exchange(read->isProblemReported, true))
+            in.report(result.problem.message);
+    }
+    ++in.problems;
+    return std::nullopt;
+}
+
+bool supplyNames(Interpreter& in, const Value& value, const expression::Wanted& wanted) {
+    return supplied(in, value, wanted) != nullptr;
+}
+
+std::optional<double> numberOf(Interpreter& in, const Value& value) {
+    using Kind = Value::Kind;
+    if (value.kind == Kind::number || value.kind == Kind::truth) return value.number;
+    if (value.kind != Kind::expression) return std::nullopt;
+    static constexpr expression::Type kTypes[] = {expression::Type::number(), expression::Type::boolean()};
+    const auto result = evaluate(in, value, {.types = kTypes});
+    return result ? std::optional(result->number()) : std::nullopt;
+}
+
+std::optional<bool> truthOf(Interpreter& in, const Value& value) {
+    const std::optional<double> number = numberOf(in, value);
+    return number ? std::optional(*number != 0) : std::nullopt;
+}
+
+std::optional<std::size_t> wordOf(Interpreter& in, const Value& value,
+                                  std::span<const std::string_view> words) {
+    if (value.kind == Value::Kind::expression) {
+        static constexpr expression::Type kTypes[] = {expression::Type::word()};
+        const auto result = evaluate(in, value, {.types = kTypes, .words = words});
+        return result ? std::optional(result->word()) : std::nullopt;
+    }
+    const auto found =
+        std::ranges::find_if(words, [&](std::string_view each) { return glib::sameWord(each, value.text); });
+    return found != words.end() ? std::optional(static_cast<std::size_t>(found - words.begin()))
+                                : std::nullopt;
+}
+
+std::optional<double> numberIn(Interpreter& in, const Value& value, std::string_view what, double least,
+                               double most) {
+    const auto number = numberOf(in, value);
+    if (!number || (*number >= least && *number <= most)) return number;
+    return in.reportAt(value, "glib-E26",
+                       fmt::format("{} {} is not between {} and {}", what, glib::numberText(*number),
+                                   glib::numberText(least), glib::numberText(most)));
+}
+
+std::optional<int> integerIn(Interpreter& in, const Value& value, std::string_view what, int least,
+                             int most) {
+    const auto number = numberOf(in, value);
+    if (!number) return std::nullopt;
+    const double whole = std::trunc(*number) + 0.0;  // never -0
+    if (whole >= least && whole <= most) return static_cast<int>(whole);
+    return in.reportAt(value, "glib-E26",
+                       fmt::format("{} {} is not between {} and {}", what, glib::numberText(whole),
+                                   glib::groupedText(least), glib::groupedText(most)));
+}
+
+std::optional<std::vector<double>> numbersOf(Interpreter& in, std::span<const Value> values) {
+    std::vector<double> numbers;
+    for (const Value& each : values) {
+        if (each.kind == Value::Kind::expression) {
+            const auto result = evaluate(in, each);
+            if (!result) return std::nullopt;
+            numbers.insert(numbers.end(), result->all().begin(), result->all().end());
+        } else if (!each.items.empty()) {
+            const auto inner = numbersOf(in, each.items);
+            if (!inner) return std::nullopt;
+            numbers.insert(numbers.end(), inner->begin(), inner->end());
+        } else {
+            numbers.push_back(each.number);
+        }
+    }
+    return numbers;
+}
+
+std::optional<std::vector<glib::EvaluatedNumber>> evaluatedNumbers(Interpreter& in,
+                                                                   std::span<const Value> values) {
+    std::vector<glib::EvaluatedNumber> numbers;
+    for (const Value& each : values) {
+        const auto own = numbersOf(in, {&each, 1});
+        if (!own) return std::nullopt;
+        for (const double number : *own)
+            numbers.push_back({number, each.position, each.kind != Value::Kind::expression});
+    }
+    return numbers;
+}
+
+bool fillNumbers(Interpreter& in, const glib::CommandRow& row, std::span<const glib::EvaluatedNumber> numbers,
+                 Command& command) {
+    glib::MessageLog log(in.script->path);
+    glib::evaluateNumbers(row, command, numbers, log);
+    const bool isRight = log.errorCount() == 0;
+    for (Diagnostic& each : log.take()) in.report(std::move(each));
+    return isRight;
+}
+
+std::optional<std::vector<double>> numbersOf(Interpreter& in, std::span<const Value> values,
+                                             std::size_t count, std::string_view what) {
+    auto numbers = numbersOf(in, values);
+    if (!numbers || numbers->size() == count) return numbers;
+    const glib::Position position = values.empty() ? glib::Position{} : values.front().position;
+    in.report(diagnose("glib-E26",
+                       fmt::format("{} needs {} number{}; the values here have {}", what, count,
+                                   count == 1 ? "" : "s", numbers->size()),
+                       in.script->place(position)));
+    return std::nullopt;
+}
+
+std::optional<expression::Value> constantOf(Interpreter& in, std::span<const Value> values) {
+    using Kind = Value::Kind;
+    if (values.size() == 1 && (values[0].kind == Kind::expression || values[0].kind == Kind::word))
+        return evaluate(in, values[0]);
+    const auto numbers = numbersOf(in, values);
+    if (!numbers || numbers->empty()) return std::nullopt;
+    expression::Value value;
+    if (numbers->size() > 4)
+        return in.reportAt(
+            values.front(), "glib-E26",
+            fmt::format("{} numbers are not a value here; write an expression", numbers->size()));
+    value.type = values[0].kind == Value::Kind::truth ? expression::Type::boolean()
+                                                      : expression::Type::vector(numbers->size());
+    std::copy(numbers->begin(), numbers->end(), value.components.begin());
+    return value;
+}
+
+std::optional<std::vector<double>> listOf(Interpreter& in, const Value& list) {
+    if (list.count.empty()) return numbersOf(in, {&list, 1});
+    const auto count = integerIn(in, list.count.front(), "the number of elements", 1, kMostVariableElements);
+    if (!count || !countElements(in, list, *count)) return std::nullopt;
+    constexpr double kMostComponents = 16.0 * kMostVariableElements;
+    return elementsOf(in, list, list.items, *count, kMostComponents);
+}
+
+expression::Symbol counterSymbol() {
+    expression::Symbol symbol;
+    symbol.depends = expression::Depends::counter;
+    return symbol;
+}
+
+std::optional<std::vector<double>> elementsOf(Interpreter& in, const Value& owner,
+                                              std::span<const Value> element, int count, double most) {
+    const InnerNames inner(in);
+    Environment& names = in.names();
+    const Environment::Slot counter = names.bind("i", counterSymbol());
+    std::optional<std::vector<double>> all(std::in_place);
+    for (double i = 0; i < count && all; ++i) {
+        names.setNumber(counter, i);
+        const auto numbers = numbersOf(in, element);
+        if (!numbers) {
+            all.reset();
+        } else if (static_cast<double>(numbers->size()) * count > most) {
+            in.reportAt(
+                owner, "glib-E15",
+                fmt::format("{} elements of {} numbers; the limit is {} numbers", glib::groupedText(count),
+                            numbers->size(), glib::groupedText(static_cast<long long>(most))));
+            all.reset();
+        } else {
+            all->insert(all->end(), numbers->begin(), numbers->end());
+        }
+    }
+    return all;
+}
+
+}  // namespace glibra::scene

@@ -1,0 +1,69 @@
+#pragma once
+// Private to this room: the values of the arguments of modern statements.
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "expression/expression.h"
+#include "glib/parse/arguments.h"
+#include "glib/script.h"
+#include "scene/run/state.h"
+
+namespace glibra::scene {
+
+WrittenAt writtenAt(const Interpreter&, const Value& value);
+
+/// Evaluates an expression where it stands. Nothing with the problem reported, once for each expression.
+std::optional<expression::Value> evaluate(Interpreter&, const Value& value,
+                                          const expression::Wanted& wanted = {});
+
+/// Gives the names that an expression reads their values where it stands, and notes what they depend on.
+/// False with the reason reported if the expression is wrong.
+bool supplyNames(Interpreter&, const Value& value, const expression::Wanted& wanted);
+
+/// One number; an expression must be a number.
+std::optional<double> numberOf(Interpreter&, const Value& value);
+/// A condition: `true`, a number other than 0, or an expression that is a boolean or a number.
+std::optional<bool> truthOf(Interpreter&, const Value& value);
+
+/// The index of a word among `words`: a word as written, or an expression whose value is one of them.
+std::optional<std::size_t> wordOf(Interpreter&, const Value& value, std::span<const std::string_view> words);
+/// A number from `least` to `most`, cut toward zero if it is an integer. Nothing with glib-E26 reported:
+/// "Step: the rate 0 is not between 1e-06 and 1,000,000".
+std::optional<double> numberIn(Interpreter&, const Value& value, std::string_view what, double least,
+                               double most);
+std::optional<int> integerIn(Interpreter&, const Value& value, std::string_view what, int least, int most);
+
+/// The numbers of several values in order. A vector or matrix gives as many as it has components. Nothing if
+/// an expression has no value. The values must not be words or texts.
+std::optional<std::vector<double>> numbersOf(Interpreter&, std::span<const Value> values);
+
+/// The same with the place of each number.
+std::optional<std::vector<glib::EvaluatedNumber>> evaluatedNumbers(Interpreter&,
+                                                                   std::span<const Value> values);
+/// Fills the numbers of a classic command by its row. False with the reason reported.
+bool fillNumbers(Interpreter&, const glib::CommandRow& row, std::span<const glib::EvaluatedNumber> numbers,
+                 Command& command);
+
+/// What numbersOf() gives, if these are `count` numbers. Reports glib-E26 for fewer or more.
+std::optional<std::vector<double>> numbersOf(Interpreter&, std::span<const Value> values, std::size_t count,
+                                             std::string_view what);
+
+/// The value of a parameter or variable: an expression, the name of a variable, or one to four numbers.
+/// Nothing with the reason reported.
+std::optional<expression::Value> constantOf(Interpreter&, std::span<const Value> values);
+/// Elements of a list or array variable.
+inline constexpr int kMostVariableElements = 65'536;
+/// The numbers of a list, where `[6 of (...)]` counts `i`. Nothing with the reason reported.
+std::optional<std::vector<double>> listOf(Interpreter&, const Value& list);
+/// What expressions know of a name that counts.
+expression::Symbol counterSymbol();
+/// The values of `element` for i from 0 to count - 1, one after the other. `owner` is the value that they
+/// stand in. Nothing with the reason reported, which is glib-E15 if they are more than `most` numbers.
+std::optional<std::vector<double>> elementsOf(Interpreter&, const Value& owner,
+                                              std::span<const Value> element, int count, double most);
+
+}  // namespace glibra::scene
