@@ -16,7 +16,6 @@ SOURCE = Path(__file__).resolve().parent.parent / "src"
 
 # What only tests use, and why it stands in src.
 FOR_TESTS = {
-    "expression/name_table.h": {"addSceneNames", "addCamera"},  # the names that a scene gives, without a scene
     "view/style/palette.h": {"tinted"},  # what the drawing of ImGui does with a tint, to measure contrasts
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // Letters, words and counts in texts: ASCII only, in any locale.
 
+#include <concepts>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -54,12 +55,30 @@ inline std::string inQuotes(std::string_view text) {
     return result;
 }
 
-/// Returns "1 number", "2 numbers"; with `several`, "1 vertex", "2 vertices".
-inline std::string counted(std::size_t count, std::string_view one, std::string_view several = {}) {
-    std::string text = std::to_string(count) + " ";
-    if (count == 1 || several.empty()) text += one;
-    if (count == 1) return text;
-    return several.empty() ? text + "s" : text.append(several);
+/// Returns a whole number with commas between thousands: "8,388,608".
+std::string groupedText(std::integral auto number) {
+    std::string text = std::to_string(number);
+    const std::size_t first = text.front() == '-' ? 1 : 0;
+    for (std::size_t at = text.size(); at > first + 3;) text.insert(at -= 3, 1, ',');
+    return text;
+}
+
+namespace detail {
+inline std::string withNoun(std::string number, std::string_view one, std::string_view several) {
+    const bool isOne = number == "1";
+    number.append(" ").append(isOne || several.empty() ? one : several);
+    return !isOne && several.empty() ? number + "s" : number;
+}
+}  // namespace detail
+
+/// Returns "1 byte", "4096 bytes"; with `several`, "1 vertex", "2 vertices".
+std::string counted(std::integral auto count, std::string_view one, std::string_view several = {}) {
+    return detail::withNoun(std::to_string(count), one, several);
+}
+
+/// The same with commas between thousands: "4,096 bytes".
+std::string countedInGroups(std::integral auto count, std::string_view one, std::string_view several = {}) {
+    return detail::withNoun(groupedText(count), one, several);
 }
 
 }  // namespace glibra::base

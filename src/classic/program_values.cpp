@@ -12,6 +12,7 @@
 
 #include "base/matrices.h"
 #include "base/suggest.h"
+#include "base/text.h"
 #include "gpu/format/value_type.h"
 
 namespace glibra::classic {
@@ -259,8 +260,8 @@ void ProgramValues::set(std::string_view name, std::span<const double> values) {
     } else if (given == 3 && needed == 4) {
         upload(*slot, std::array{values[0], values[1], values[2], 1.0});
     } else {
-        once(name, fmt::format("SetUniform: '{}' is a {} and was given {} number{}", name, slot->type.word,
-                               given, given == 1 ? "" : "s"));
+        once(name, fmt::format("SetUniform: '{}' is a {} and was given {}", name, slot->type.word,
+                               base::counted(given, "number")));
     }
 }
 
@@ -315,8 +316,8 @@ void ProgramValues::setInput(std::string_view name, std::span<const double> valu
     const base::ValueType type = gpu::valueType(input->type);
     const auto given = static_cast<int>(values.size());
     if (type.columns > 1 || (given != type.rows && !(given == 3 && type.rows == 4))) {
-        once(name, fmt::format("SetAttribute: '{}' is a {} and was given {} number{}", name, type.word, given,
-                               given == 1 ? "" : "s"));
+        once(name, fmt::format("SetAttribute: '{}' is a {} and was given {}", name, type.word,
+                               base::counted(given, "number")));
         return;
     }
     if (!takes(type, name, "SetAttribute", values)) return;

@@ -14,6 +14,7 @@
 
 #include "base/escape_xml.h"
 #include "base/page_template.h"
+#include "base/text.h"
 #include "base/utf8.h"
 #include "classroom/csv_record.h"
 #include "classroom/grades.h"
@@ -21,7 +22,6 @@
 #include "classroom/student_page.h"
 #include "embedded/class_page.h"
 #include "embedded/report_page.h"
-#include "glib/text.h"
 #include "suite/report/plain_page.h"
 #include "suite/results/figures.h"
 #include "suite/write_below.h"
@@ -69,7 +69,7 @@ std::string factsHtml(const Classroom& room, const Entry& entry) {
         html += fmt::format("<div class=\"command\"><code>{}</code></div>", escapeXml(entry.reproduce));
     if (html.empty()) return html;
     return fmt::format("<details><summary>{}, {}</summary>{}</details>",
-                       glib::counted(entry.programs.size(), "program"), glib::counted(own.size(), "uniform"),
+                       base::counted(entry.programs.size(), "program"), base::counted(own.size(), "uniform"),
                        html);
 }
 
@@ -154,7 +154,7 @@ std::string pairHtml(const Classroom& room, const SimilarPair& pair, SourceLines
         fmt::format("<details class=\"similar\"><summary>{} of {}, {} of {} <small>{}{}</small></summary>",
                     percentText(pair.ofA), nameHtml(a.submission.name), percentText(pair.ofB),
                     nameHtml(b.submission.name), passages.size() > kMostPassages ? "more than " : "",
-                    glib::counted(tokens, "equal token"));
+                    base::counted(tokens, "equal token"));
     html += fmt::format("<p>{} and {}</p>", link(room, pair.a), link(room, pair.b));
     MarkedLines ofA, ofB;
     for (std::size_t i = 0; i < std::min(passages.size(), kMostPassages); ++i) {

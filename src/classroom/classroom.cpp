@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "glib/text.h"
+#include "base/text.h"
 
 namespace glibra::classroom {
 
@@ -105,7 +105,7 @@ std::optional<Nearest> nearestOf(const Classroom& classroom, std::size_t entry) 
 }
 
 std::string summary(const Classroom& classroom) {
-    std::string text = glib::counted(classroom.entries.size(), "submission") + ": ";
+    std::string text = base::counted(classroom.entries.size(), "submission") + ": ";
     bool first = true;
     for (const char* state : {"drawn", "nothing", "failed", "crashed", "timed-out", "no-scene"}) {
         const auto count = std::ranges::count_if(classroom.entries,

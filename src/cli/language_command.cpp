@@ -19,7 +19,7 @@
 #include "cli/language_page.h"
 #include "editor/grammar.h"
 #include "expression/functions.h"
-#include "expression/name_table.h"
+#include "expression/known_names.h"
 #include "glib/command_table.h"
 #include "glib/diagnostic_catalogue.h"
 #include "glib/modern/statement_table.h"

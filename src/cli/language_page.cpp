@@ -11,8 +11,9 @@
 #include <span>
 #include <vector>
 
+#include "base/text.h"
 #include "expression/functions.h"
-#include "expression/name_table.h"
+#include "expression/known_names.h"
 #include "glib/command_table.h"
 #include "glib/diagnostic_catalogue.h"
 #include "glib/number.h"
@@ -49,7 +50,7 @@ std::string numberCell(double value) {
     constexpr double kExact = 1e15;
     if (value == static_cast<double>(static_cast<long long>(std::clamp(value, -kExact, kExact))) &&
         value >= 10'000)
-        return glib::groupedText(static_cast<long long>(value));
+        return base::groupedText(static_cast<long long>(value));
     return glib::numberText(value);
 }
 
@@ -139,7 +140,7 @@ std::string primitiveSection() {
         for (const geometry::Attribute& each : mesh->attributes)
             if (each.name != geometry::kPosition) attributes.push_back(each.name);
         text += fmt::format("| `{}` | {} | {} | {} |\n", row.name(), geometry::wordsOf(mesh->topology),
-                            glib::groupedText(static_cast<long long>(mesh->vertexCount())),
+                            base::groupedText(static_cast<long long>(mesh->vertexCount())),
                             attributes.empty() ? "none" : joined(attributes));
     }
     return text;

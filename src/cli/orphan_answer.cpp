@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <string>
 
+#include "base/text.h"
 #include "cli/commands.h"
-#include "glib/text.h"
 #include "suite/golden/orphans.h"
 
 namespace glibra::cli {
@@ -25,7 +25,7 @@ int answerOrphans(const std::vector<suite::Suite>& suites, const fs::path& golde
         const std::size_t count = orphans.size();
         const std::size_t shown = prune ? count : std::min(count, kMostNames);
         std::string text =
-            fmt::format("{} of no shot of '{}' {}", glib::counted(count, "golden"), each.name,
+            fmt::format("{} of no shot of '{}' {}", base::counted(count, "golden"), each.name,
                         prune ? (count == 1 ? "was removed:" : "were removed:") : "(--prune removes them):");
         for (std::size_t i = 0; i < shown; ++i) text += " " + orphans[i].string();
         if (count > shown) text += fmt::format(" and {} more", count - shown);

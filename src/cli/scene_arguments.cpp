@@ -10,8 +10,8 @@
 #include <system_error>
 #include <utility>
 
+#include "base/text.h"
 #include "glib/limits.h"
-#include "glib/number.h"
 #include "glib/text.h"
 #include "suite/file/glob.h"
 
@@ -32,7 +32,7 @@ Diagnostics readStandardInput(std::string& to) {
         if (to.size() > glib::kLargestFile)
             return {diagnose("glib-E15",
                              fmt::format("the scene has more than {} bytes",
-                                         glib::groupedText(static_cast<long long>(glib::kLargestFile))),
+                                         base::groupedText(static_cast<long long>(glib::kLargestFile))),
                              place)};
     }
 }

@@ -10,6 +10,7 @@
 #include <thread>
 #include <utility>
 
+#include "base/text.h"
 #include "base/utf8.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
@@ -24,7 +25,6 @@
 #include "cli/test_results.h"
 #include "cli/untrusted.h"
 #include "cli/written_files.h"
-#include "glib/text.h"
 #include "image/file.h"
 #include "render/file/job.h"
 #include "suite/golden/golden_store.h"
@@ -274,7 +274,7 @@ int test(const TestArguments& arguments) {
     }
     if (const std::size_t count = record->droppedCount(); count > 0)
         printLine(fmt::format("{} of the earlier run {} drawn again: what the picture depends on has changed",
-                              glib::counted(count, "shot"), count == 1 ? "is" : "are"));
+                              base::counted(count, "shot"), count == 1 ? "is" : "are"));
 
     const bool terminal = ::isatty(STDERR_FILENO) == 1;
     SuiteProgress progress(open.size(), terminal);

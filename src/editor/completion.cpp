@@ -9,7 +9,7 @@
 #include "editor/declared_names.h"
 #include "editor/glsl_reference.h"
 #include "expression/functions.h"
-#include "expression/name_table.h"
+#include "expression/known_names.h"
 #include "glib/command_table.h"
 #include "glib/modern/statement_table.h"
 #include "glib/text.h"

@@ -11,7 +11,7 @@
 
 #include "base/texel_format.h"
 #include "expression/functions.h"
-#include "expression/name_table.h"
+#include "expression/known_names.h"
 #include "glib/command_table.h"
 #include "glib/modern/statement_table.h"
 #include "glib/text.h"

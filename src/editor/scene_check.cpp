@@ -10,10 +10,10 @@
 #include <utility>
 
 #include "base/contained_call.h"
+#include "base/text.h"
 #include "editor/declared_names.h"
 #include "editor/error_directives.h"
 #include "glib/limits.h"
-#include "glib/number.h"
 #include "glsl/translate.h"
 #include "plan/frame_plan.h"
 #include "render/consequences.h"
@@ -206,7 +206,7 @@ SceneCheck checkScene(const std::filesystem::path& scene, const RenderOptions& o
         check.diagnostics.push_back(
             diagnose("glib-E15",
                      fmt::format("the scene has more than {} bytes",
-                                 glib::groupedText(static_cast<long long>(glib::kLargestFile))),
+                                 base::groupedText(static_cast<long long>(glib::kLargestFile))),
                      {scene.string(), 1, 1}));
         return check;
     }

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "base/text.h"
 #include "glib/text.h"
 
 namespace glibra::gallery {
@@ -54,7 +55,7 @@ void connect(Gallery& gallery) {
 
 std::string summary(const Gallery& gallery) {
     const auto drawn = static_cast<std::size_t>(std::ranges::count_if(gallery.scenes, isDrawn));
-    std::string text = fmt::format("{}: {} drawn", glib::counted(gallery.scenes.size(), "scene"), drawn);
+    std::string text = fmt::format("{}: {} drawn", base::counted(gallery.scenes.size(), "scene"), drawn);
     if (drawn < gallery.scenes.size()) text += fmt::format(", {} not", gallery.scenes.size() - drawn);
     return text;
 }

@@ -10,6 +10,7 @@
 
 #include "base/escape_xml.h"
 #include "base/page_template.h"
+#include "base/text.h"
 #include "base/utf8.h"
 #include "classroom/page_parts.h"
 #include "embedded/gallery_page.h"
@@ -82,7 +83,7 @@ std::string listPage(const Gallery& gallery, const Sections& sections, bool hasC
         {"title", escapeXml(printableText(gallery.title))},
         {"headline", nameHtml(gallery.title)},
         {"pages", pages},
-        {"count", glib::counted(gallery.scenes.size(), "scene")},
+        {"count", base::counted(gallery.scenes.size(), "scene")},
         {"partsTitle", isChapters ? "Chapters" : "Topics"},
         {"parts", parts},
         {"content", content},

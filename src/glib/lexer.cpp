@@ -6,6 +6,7 @@
 #include <array>
 #include <utility>
 
+#include "base/text.h"
 #include "glib/limits.h"
 #include "glib/number.h"
 #include "glib/text.h"
@@ -54,11 +55,11 @@ class LineReader {
 
     Line read() {
         if (line_.range.end - line_.range.begin > kLongestLine) {
-            log_.report(
-                "glib-E15",
-                fmt::format("line of {} bytes; the limit is {}",
-                            groupedText(line_.range.end - line_.range.begin), groupedText(kLongestLine)),
-                position(at_));
+            log_.report("glib-E15",
+                        fmt::format("line of {} bytes; the limit is {}",
+                                    base::groupedText(line_.range.end - line_.range.begin),
+                                    base::groupedText(kLongestLine)),
+                        position(at_));
             line_.faulty = line_.tooLong = true;
             return std::move(line_);
         }

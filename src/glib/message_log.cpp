@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "glib/text.h"
+#include "base/text.h"
 
 namespace glibra::glib {
 
@@ -46,9 +46,9 @@ Diagnostics MessageLog::take() {
         keptErrors_ = 1;
     }
     if (count_ > counted_) {
-        std::string text = fmt::format("{} not shown", counted(count_ - counted_, "more message"));
+        std::string text = fmt::format("{} not shown", base::counted(count_ - counted_, "more message"));
         const std::size_t cutErrors = errors_ - keptErrors_;
-        if (cutErrors > 0) text += fmt::format(", {} of them", counted(cutErrors, "error"));
+        if (cutErrors > 0) text += fmt::format(", {} of them", base::counted(cutErrors, "error"));
         const Place last = kept_.back().place;
         kept_.push_back({Severity::note, "", std::move(text), last});
     }

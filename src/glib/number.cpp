@@ -102,11 +102,4 @@ std::string numberText(double value) {
     return problem == std::errc() ? std::string(text.data(), end) : std::string("?");
 }
 
-std::string groupedText(long long value) {
-    std::string text = std::to_string(value);
-    const std::size_t first = value < 0 ? 1 : 0;
-    for (std::size_t at = text.size(); at > first + 3;) text.insert(at -= 3, 1, ',');
-    return text;
-}
-
 }  // namespace glibra::glib

@@ -2,7 +2,6 @@
 // Numbers as scenes write them (language, 1.5): `5`, `5.`, `.2`, `-.25`, `1e-3`, with or without further text
 // after them.
 
-#include <concepts>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -29,12 +28,5 @@ bool isCompleteNumber(std::string_view token);
 
 /// Returns the shortest decimal text that reads back as the same double: "0.1", "3", "1e+30".
 std::string numberText(double value);
-
-/// Returns a whole number with commas between thousands: "8,388,608".
-std::string groupedText(long long value);
-template <std::integral T>
-std::string groupedText(T value) {
-    return groupedText(static_cast<long long>(value));
-}
 
 }  // namespace glibra::glib

@@ -9,7 +9,6 @@
 namespace glibra::glib {
 
 using base::beginsName;
-using base::counted;
 using base::inQuotes;
 using base::isDigit;
 using base::isLetter;

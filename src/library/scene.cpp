@@ -9,7 +9,7 @@
 
 #include "base/device_lost.h"
 #include "base/suggest.h"
-#include "glib/text.h"
+#include "base/text.h"
 #include "gpu/object/readback.h"
 #include "image/image.h"
 #include "library/renderer_state.h"
@@ -45,7 +45,7 @@ std::string typeOf(const view::Knob& knob) {
 /// What is wrong with these numbers for the value; empty if nothing is.
 std::string whyNot(const view::Knob& knob, std::span<const double> values) {
     if (values.size() != knob.initial.size())
-        return fmt::format("'{}' takes {}, found {}", knob.tag, glib::counted(knob.initial.size(), "number"),
+        return fmt::format("'{}' takes {}, found {}", knob.tag, base::counted(knob.initial.size(), "number"),
                            values.size());
     for (const double each : values) {
         if (!std::isfinite(each)) return fmt::format("'{}': {} is not a finite number", knob.tag, each);
@@ -340,11 +340,10 @@ Result<Picture> Scene::State::textureNamed(std::string_view name) {
     const bool isCube = texture.target == scene::TextureTarget::cube;
     const std::optional<int> layers = scene::layersOf(texture, view->level.value_or(0));
     if (layers && view->layer.value_or(0) >= *layers)
-        return diagnose(
-            "library-E02",
-            fmt::format("'{}': '{}' has {}", name, texture.name,
-                        glib::counted(static_cast<std::size_t>(*layers), isCube ? "face" : "layer")),
-            {path.string(), 1, 1});
+        return diagnose("library-E02",
+                        fmt::format("'{}': '{}' has {}", name, texture.name,
+                                    base::counted(*layers, isCube ? "face" : "layer")),
+                        {path.string(), 1, 1});
     if (device.live->texture(view->texture) != nullptr) return pictureIn(device.live->imageOf(*view));
     RenderOptions wanted = options;
     wanted.set = settings();

@@ -12,8 +12,8 @@
 
 #include "base/number.h"
 #include "base/suggest.h"
+#include "base/text.h"
 #include "glib/number.h"
-#include "plan/count_text.h"
 
 namespace glibra::plan {
 namespace {
@@ -104,7 +104,7 @@ class LayoutFinder {
                      const std::string& what) {
         fail(index, "memory-E04",
              fmt::format("buffer '{}' has {}, but {} needs {}", scene_.buffers[index].name,
-                         countedText(bytes, "byte"), what, grouped(pattern.least)));
+                         base::countedInGroups(bytes, "byte"), what, base::groupedText(pattern.least)));
     }
 
     /// The numbers of one element of the declared type; 0 if no type is declared or known.
@@ -180,18 +180,19 @@ class LayoutFinder {
             written = buffer.count ? count * ofType : buffer.file ? written : buffer.values.size();
         layout.bytes = std::max(layout.pattern.bytes(layout.elements), fileBytes);
         if (layout.bytes > mostBytes_)
-            return fail(index, "memory-E04",
-                        fmt::format("buffer '{}' needs {}; the limit is {}", buffer.name,
-                                    countedText(layout.bytes, "byte"), grouped(mostBytes_)));
-        if (written < layout.pattern.numbers(layout.elements))
             return fail(
                 index, "memory-E04",
-                fmt::format("buffer '{}' has {}, but {} needs {}", buffer.name,
-                            countedText(written, "number"), from, layout.pattern.numbers(layout.elements)));
+                fmt::format("buffer '{}' needs {}; the limit is {}", buffer.name,
+                            base::countedInGroups(layout.bytes, "byte"), base::groupedText(mostBytes_)));
+        if (written < layout.pattern.numbers(layout.elements))
+            return fail(index, "memory-E04",
+                        fmt::format("buffer '{}' has {}, but {} needs {}", buffer.name,
+                                    base::countedInGroups(written, "number"), from,
+                                    layout.pattern.numbers(layout.elements)));
         if (buffer.values.size() > layout.pattern.numbers(layout.elements))
             return fail(index, "memory-E04",
                         fmt::format("buffer '{}' has {}, but {} has room for {}", buffer.name,
-                                    countedText(buffer.values.size(), "value"), from,
+                                    base::countedInGroups(buffer.values.size(), "value"), from,
                                     layout.pattern.numbers(layout.elements)));
         if (buffer.file && fileBytes < layout.pattern.least)
             return reportSmall(index, fileBytes, layout.pattern, from);
@@ -200,7 +201,7 @@ class LayoutFinder {
             return fail(
                 index, "memory-E04",
                 fmt::format("buffer '{}': an element has {}, but the expression gives {}", buffer.name,
-                            countedText(wanted, "number"), buffer.values.size() / count));
+                            base::countedInGroups(wanted, "number"), buffer.values.size() / count));
         checkValues(buffer, layout.pattern);
         checkType(buffer, layout);
         layouts_.emplace(index, std::move(layout));

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "glib/number.h"
+#include "base/text.h"
 
 namespace glibra::plan {
 namespace {
@@ -52,10 +52,10 @@ Diagnostics reportLostVertices(const PlannedProgram& program, const Measure& mea
         return {diagnose("glsl-W27",
                          fmt::format("max_vertices is {}, but the stage emits {} vertices, of which the last "
                                      "{} lost; write max_vertices = {}",
-                                     facts.maxVertices, glib::groupedText(count),
+                                     facts.maxVertices, base::groupedText(count),
                                      count - facts.maxVertices == 1
                                          ? std::string("one is")
-                                         : glib::groupedText(count - facts.maxVertices) + " are",
+                                         : base::groupedText(count - facts.maxVertices) + " are",
                                      count),
                          facts.maxVerticesPlace)};
     }
@@ -88,8 +88,8 @@ Diagnostics reportLongLoops(const PlannedProgram& program, const std::function<i
             fmt::format(
                 "{} up to {} rounds, but the driver ends a shader's loops after {}; the picture may be "
                 "wrong",
-                what, glib::groupedText(static_cast<long long>(most <= allowed ? all : most)),
-                glib::groupedText(allowed)),
+                what, base::groupedText(static_cast<long long>(most <= allowed ? all : most)),
+                base::groupedText(allowed)),
             longest->place));
     }
     return diagnostics;

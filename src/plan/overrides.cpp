@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "base/text.h"
 #include "glib/number.h"
 #include "glib/text.h"
 #include "plan/uniform_names.h"
@@ -156,7 +157,7 @@ Diagnostic misfit(std::string_view name, std::span<const double> values, std::si
     std::string text;
     for (const double each : values) text += (text.empty() ? "" : ",") + glib::numberText(each);
     return diagnose("glib-W15", fmt::format("--set {0}={1}: {2}; '{0}' takes {3}, so it keeps its own", name,
-                                            text, glib::counted(values.size(), "value"), components));
+                                            text, base::counted(values.size(), "value"), components));
 }
 
 }  // namespace glibra::plan

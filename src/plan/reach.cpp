@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "plan/count_text.h"
+#include "base/text.h"
 #include "plan/memory_pattern.h"
 #include "scene/texture_parts.h"
 
@@ -138,17 +138,19 @@ class ReachCheck {
                 const std::string subscript =
                     each.number.empty() ? std::to_string(each.constant) : each.number;
                 const std::string way =
-                    each.number.empty()
-                        ? fmt::format("declare '{}' with {} elements or more", buffer.name, grouped(wanted))
+                    each.number.empty() ? fmt::format("declare '{}' with {} elements or more", buffer.name,
+                                                      base::groupedText(wanted))
                     : word == "Dispatch"
                         ? fmt::format("write 'over {}', compare with {}.length(), or declare {} elements",
-                                      buffer.name, each.array, grouped(wanted))
-                        : fmt::format("declare '{}' with {} elements", buffer.name, grouped(wanted));
-                report("memory-W05",
-                       fmt::format("{}: {}[{}] (line {}) goes up to element {}, but buffer '{}' has {}; {}",
-                                   word, each.array, subscript, each.place.line, grouped(wanted - 1),
-                                   buffer.name, countedText(layout->elements, "element"), way),
-                       place);
+                                      buffer.name, each.array, base::groupedText(wanted))
+                        : fmt::format("declare '{}' with {} elements", buffer.name,
+                                      base::groupedText(wanted));
+                report(
+                    "memory-W05",
+                    fmt::format("{}: {}[{}] (line {}) goes up to element {}, but buffer '{}' has {}; {}",
+                                word, each.array, subscript, each.place.line, base::groupedText(wanted - 1),
+                                buffer.name, base::countedInGroups(layout->elements, "element"), way),
+                    place);
             }
     }
 
@@ -174,8 +176,8 @@ class ReachCheck {
                     fmt::format("Dispatch: there is one group along {}, so only {} of the {} texels of "
                                 "'{}' along {} are reached; write 'over {}' or the number of groups "
                                 "along {}",
-                                kAxes[axis], grouped(reached), grouped(size->at(axis)), name, kAxes[axis],
-                                name, kAxes[axis]),
+                                kAxes[axis], base::groupedText(reached), base::groupedText(size->at(axis)),
+                                name, kAxes[axis], name, kAxes[axis]),
                     dispatch.place);
             }
         }
@@ -227,18 +229,19 @@ std::optional<Diagnostic> countsProblem(const scene::Scene& scene, const scene::
     const std::uint64_t bytes = (from.word + counts) * sizeof(std::uint32_t);
     const std::string where = from.word == 0 ? "" : fmt::format(" from word {} on", from.word);
     if (layout->bytes < bytes)
-        return diagnose("memory-E12",
-                        fmt::format("{}: buffer '{}' has {}, but {}{} need{} {}", word, name,
-                                    countedText(layout->bytes, "byte"), countedText(counts, "count"), where,
-                                    counts == 1 ? "s" : "", bytes),
-                        place);
+        return diagnose(
+            "memory-E12",
+            fmt::format("{}: buffer '{}' has {}, but {}{} need{} {}", word, name,
+                        base::countedInGroups(layout->bytes, "byte"), base::countedInGroups(counts, "count"),
+                        where, counts == 1 ? "s" : "", bytes),
+            place);
     for (std::uint64_t i = 0; i < counts; ++i) {
         const auto number = numberAtByte(*layout, (from.word + i) * sizeof(std::uint32_t));
         if (number && (number->kind == NumberKind::unsignedInteger || number->kind == NumberKind::integer))
             continue;
         const std::string lack =
             from.word == 0
-                ? fmt::format("does not begin with {} of type uint", countedText(counts, "number"))
+                ? fmt::format("does not begin with {} of type uint", base::countedInGroups(counts, "number"))
                 : fmt::format("has no {} of type uint{}", counts == 1 ? "number" : "numbers", where);
         return diagnose("memory-E12",
                         fmt::format("{}: buffer '{}' {} ({} decides)", word, name, lack, layout->from),

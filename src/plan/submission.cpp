@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 
+#include "base/text.h"
 #include "geometry/shapes/clouds.h"
 #include "glib/command_table.h"
 #include "glib/modern/statement_table.h"
@@ -79,8 +80,8 @@ Diagnostics patchProblems(const scene::Shape& shape, const scene::Draw& draw, co
     const bool isSized = topologyOf(shape) == Topology::patches && !isList;
     return {diagnose(
         "draw-W17",
-        fmt::format("{}: a patch has {} {}, but the {} ({}:{}){}", draw.word, patchVertices,
-                    patchVertices == 1 ? "vertex" : "vertices", reads,
+        fmt::format("{}: a patch has {}, but the {} ({}:{}){}", draw.word,
+                    base::counted(patchVertices, "vertex", "vertices"), reads,
                     facts.patchReadPlace.file.substr(facts.patchReadPlace.file.find_last_of("/\\") + 1),
                     facts.patchReadPlace.line,
                     isSized ? fmt::format("; write 'NumPatchVertices {}'", facts.patchVerticesRead)

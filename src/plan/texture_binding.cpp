@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "base/text.h"
 #include "plan/uniform_names.h"
 #include "scene/texture_parts.h"
 
@@ -130,10 +131,10 @@ std::optional<Diagnostic> missingPart(const scene::Scene& scene, const BoundText
     };
     if (const auto levels = scene::levelsOf(texture);
         bound.view.level && levels && *bound.view.level >= *levels)
-        return say(fmt::format("'{}' has {} level{}", texture.name, *levels, *levels == 1 ? "" : "s"));
+        return say(fmt::format("'{}' has {}", texture.name, base::counted(*levels, "level")));
     const int layers = scene::layersOf(texture, bound.view.level.value_or(0)).value_or(0);
     if (bound.view.layer && layers > 0 && *bound.view.layer >= layers)
-        return say(fmt::format("'{}' has {} layer{}", texture.name, layers, layers == 1 ? "" : "s"));
+        return say(fmt::format("'{}' has {}", texture.name, base::counted(layers, "layer")));
     if (bound.view.isPrevious && !texture.hasHistory)
         return say(fmt::format("'{}' is declared without history", texture.name));
     return std::nullopt;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/suggest.h"
+#include "base/text.h"
 #include "plan/uniform_names.h"
 
 namespace glibra::plan {
@@ -75,8 +76,7 @@ std::string subscriptProblem(const TagPart& part, std::string_view path, const D
     if (part.subscripts.size() > sizes.size()) return fmt::format("; '{}' is no array", part.name);
     for (std::size_t i = 0; i < part.subscripts.size(); ++i)
         if (part.subscripts[i] && sizes[i] > 0 && *part.subscripts[i] >= sizes[i])
-            return fmt::format("; '{}' has {} {}", part.name, sizes[i],
-                               sizes[i] == 1 ? "element" : "elements");
+            return fmt::format("; '{}' has {}", part.name, base::counted(sizes[i], "element"));
     if (goesOn && part.subscripts.size() < sizes.size())
         return fmt::format("; '{}' is an array, so write '{}[0].'", part.name, path);
     return {};

@@ -9,7 +9,7 @@
 #include <set>
 #include <utility>
 
-#include "expression/name_table.h"
+#include "expression/known_names.h"
 #include "plan/uniform_members.h"
 
 namespace glibra::plan {

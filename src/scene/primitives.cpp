@@ -9,13 +9,13 @@
 #include <utility>
 #include <vector>
 
+#include "base/text.h"
 #include "geometry/obj/obj_mesh.h"
 #include "geometry/obj/obj_model.h"
 #include "geometry/obj/shapefile.h"
 #include "geometry/shapes/primitive.h"
 #include "glib/command_table.h"
 #include "glib/modern/statement_table.h"
-#include "glib/number.h"
 #include "image/file.h"
 #include "scene/file_lookup.h"
 
@@ -82,7 +82,7 @@ Result<Mesh> readModel(const Shape& shape, const FileReference& file, const std:
         diagnostics.push_back(diagnose(
             "glib-E15",
             fmt::format("{} '{}' needs {} vertices; the limit is {}", glib::nameOf(shape.command), file.name,
-                        glib::groupedText(mesh->vertexCount()), glib::groupedText(kMostCommandVertices)),
+                        base::groupedText(mesh->vertexCount()), base::groupedText(kMostCommandVertices)),
             file.place));
         return diagnostics;
     }

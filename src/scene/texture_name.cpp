@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/suggest.h"
-#include "glib/text.h"
+#include "base/text.h"
 #include "scene/texture_parts.h"
 
 namespace glibra::scene {
@@ -78,12 +78,12 @@ Result<TextureView> textureNamed(const Scene& scene, std::string_view text) {
         const int cubes = layersOf(texture, 0).value_or(0) / 6;
         if (!layer || !face || *layer >= cubes || *face > 5)
             return bad(fmt::format("'{0}' has {1}; write {0}.layer(0).face(0), with a face from 0 to 5", name,
-                                   glib::counted(static_cast<std::size_t>(cubes), "layer")));
+                                   base::counted(cubes, "layer")));
         view.layer = 6 * *layer + *face;
     }
     const auto levels = levelsOf(texture);
     if (view.level && levels && *view.level >= *levels)
-        return bad(fmt::format("'{}' has {} level{}", name, *levels, *levels == 1 ? "" : "s"));
+        return bad(fmt::format("'{}' has {}", name, base::counted(*levels, "level")));
     if (view.isPrevious && !texture.hasHistory)
         return bad(fmt::format("'{}' is declared without history", name));
     return view;

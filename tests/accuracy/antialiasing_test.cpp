@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <numeric>
-#include <stdexcept>
 
 #include "bench/core/fit.h"
 #include "bench/draw/offscreen.h"
@@ -10,8 +9,9 @@
 #include "bench/reference/coverage.h"
 #include "bench/reference/pixel_filter.h"
 #include "bench/subjects/subjects.h"
+#include "samples.h"
 
-namespace glibra::bench {
+namespace glibra::bench::test {
 namespace {
 
 TEST(Coverage, ATriangleThatCoversHalfASquareOfPixelsHasHalfItsArea) {
@@ -59,25 +59,7 @@ TEST(PixelFilter, BoxIsTheMeanOfAPixelsSamplesAndTentReachesTheNeighbours) {
     EXPECT_DOUBLE_EQ(tent[4], .375 * .375);
 }
 
-class Antialiasing : public testing::Test {
-  protected:
-    static void SetUpTestSuite() {
-        Bench bench({.quick = true});
-        Result<std::vector<Figure>> measured = measureAntialiasing(bench);
-        ASSERT_TRUE(measured) << toString(measured.diagnostics.front());
-        figures = std::move(*measured);
-        isSoftware = (*bench.context())->capabilities().isSoftware;
-    }
-    static const Curve& curve(std::string_view figure, std::string_view name) {
-        for (const Figure& each : figures)
-            if (each.name == figure)
-                for (const Curve& found : each.curves)
-                    if (found.name == name) return found;
-        throw std::out_of_range(std::string(name));
-    }
-    static inline std::vector<Figure> figures;
-    static inline bool isSoftware = false;
-};
+using Antialiasing = FiguresOf<measureAntialiasing>;
 
 TEST_F(Antialiasing, ErrorOnEdgesFallsAsTheGridsDistanceTimesItsRoot) {
     // The error of the area of an edge on a regular grid of n x n samples is between 1/n (parallel) and
@@ -89,6 +71,10 @@ TEST_F(Antialiasing, ErrorOnEdgesFallsAsTheGridsDistanceTimesItsRoot) {
 }
 
 TEST_F(Antialiasing, MultisamplingHelpsEdgesAndNothingElse) {
+    Bench bench({.quick = true});
+    Result<gpu::Context*> context = bench.context();
+    ASSERT_TRUE(context);
+    const bool isSoftware = (*context)->capabilities().isSoftware;
     for (const Figure& each : figures) {
         const Curve& multi = each.curves.front();
         if (multi.points.size() < 2) GTEST_SKIP() << "this driver has one sample only";
@@ -147,4 +133,4 @@ TEST_F(Antialiasing, ManySamplesAgreeWithTheExactIntegrals) {
 }
 
 }  // namespace
-}  // namespace glibra::bench
+}  // namespace glibra::bench::test

@@ -6,30 +6,12 @@
 #include "bench/draw/depth_target.h"
 #include "bench/reference/depth_kinds.h"
 #include "bench/subjects/subjects.h"
+#include "samples.h"
 
-namespace glibra::bench {
+namespace glibra::bench::test {
 namespace {
 
-class Depth : public testing::Test {
-  protected:
-    static void SetUpTestSuite() {
-        Bench bench({.quick = true});
-        Result<std::vector<Figure>> measured = measureDepth(bench);
-        ASSERT_TRUE(measured) << toString(measured.diagnostics.front());
-        figures = std::move(*measured);
-    }
-    static const Figure& figure(std::string_view name) {
-        for (const Figure& each : figures)
-            if (each.name == name) return each;
-        throw std::out_of_range(std::string(name));
-    }
-    static const Curve* curve(const Figure& in, std::string_view name) {
-        for (const Curve& each : in.curves)
-            if (each.name == name) return &each;
-        return nullptr;
-    }
-    static inline std::vector<Figure> figures;
-};
+using Depth = FiguresOf<measureDepth>;
 
 /// The depth as stored in a buffer with `bits` bits.
 double kept(double z, double near, double far, int bits) {
@@ -57,7 +39,7 @@ TEST_F(Depth, OneStepInTheoryIsWhereTheRoundedDepthChangesForSure) {
 TEST_F(Depth, EveryKindResolvesGapsAsInTheory) {
     for (const char* name : {"gap-by-range", "gap-by-distance"})
         for (const Curve& measured : figure(name).curves) {
-            const Curve* theory = curve(figure(name), "theory: " + measured.name);
+            const Curve* theory = findCurve(figure(name), "theory: " + measured.name);
             if (!theory) continue;
             for (std::size_t i = 0; i < measured.points.size(); ++i) {
                 const double expected = theory->points[i].error;
@@ -71,13 +53,11 @@ TEST_F(Depth, EveryKindResolvesGapsAsInTheory) {
 
 TEST_F(Depth, FixedPointGapsGrowWithTheSquareOfTheDistance) {
     // The error is a share of the distance, which reduces the order by one.
-    const Curve* curveOf16 = curve(figure("gap-by-distance"), "16 bit");
-    ASSERT_TRUE(curveOf16);
-    EXPECT_NEAR(fittedOrder(*curveOf16), 1, .1);
+    EXPECT_NEAR(fittedOrder(curve("gap-by-distance", "16 bit")), 1, .1);
 }
 
 TEST_F(Depth, ReversedFloatsFromZeroToOneHoldAtAnyRange) {
-    const Curve* reversed = curve(figure("gap-by-range"), "32 bit float, reversed, 0..1");
+    const Curve* reversed = findCurve(figure("gap-by-range"), "32 bit float, reversed, 0..1");
     if (!reversed) GTEST_SKIP() << "this driver has no glClipControl";
     for (const Point& point : reversed->points) EXPECT_LT(point.error, 5e-7) << point.label;
 }
@@ -110,4 +90,4 @@ TEST_F(Depth, TheStateOfTheContextIsAsBefore) {
 }
 
 }  // namespace
-}  // namespace glibra::bench
+}  // namespace glibra::bench::test

@@ -9,8 +9,9 @@
 #include "bench/core/fit.h"
 #include "bench/reference/analytic_lighting.h"
 #include "bench/subjects/subjects.h"
+#include "samples.h"
 
-namespace glibra::bench {
+namespace glibra::bench::test {
 namespace {
 
 /// The torus as a polynomial: 0 on the surface, positive outside.
@@ -74,22 +75,7 @@ TEST(AnalyticHighlights, AreCosinesOfTheAngleAndOfTwiceIt) {
     EXPECT_NEAR(intensity(Highlight::reflection, {0, 0, 1}, light, 32), 1, 1e-12);
 }
 
-const Figure& figureOf(const std::vector<Figure>& figures, std::string_view name) {
-    for (const Figure& each : figures)
-        if (each.name == name) return each;
-    throw std::runtime_error("no figure " + std::string(name));
-}
-
-class MeasuredLighting : public testing::Test {
-  protected:
-    void SetUp() override {
-        Bench bench({.quick = true});
-        Result<std::vector<Figure>> measured = measureLighting(bench);
-        ASSERT_TRUE(measured);
-        figures = std::move(*measured);
-    }
-    std::vector<Figure> figures;
-};
+using MeasuredLighting = FiguresOf<measureLighting>;
 
 TEST_F(MeasuredLighting, ConvergesToTheAnalyticSurface) {
     for (const char* name : {"sphere", "torus"}) {
@@ -124,4 +110,4 @@ TEST_F(MeasuredLighting, FindsThatFourTimesTheExponentMatchesTheReflection) {
 }
 
 }  // namespace
-}  // namespace glibra::bench
+}  // namespace glibra::bench::test

@@ -1,13 +1,13 @@
 #include <gtest/gtest.h>
 
 #include <numeric>
-#include <stdexcept>
 
 #include "bench/core/fit.h"
 #include "bench/reference/test_card.h"
 #include "bench/subjects/subjects.h"
+#include "samples.h"
 
-namespace glibra::bench {
+namespace glibra::bench::test {
 namespace {
 
 TEST(TestCard, LevelsKeepTheMeanAndEndInOneTexel) {
@@ -30,34 +30,18 @@ TEST(TestCard, BilinearIsTheTexelAtItsCentreAndTheMeanBetweenFour) {
     EXPECT_DOUBLE_EQ(bilinear(texels, 2, {-.5, .5}), 20. / 255);
 }
 
-class Minification : public testing::Test {
+class Minification : public FiguresOf<measureMinification> {
   protected:
-    static void SetUpTestSuite() {
-        Bench bench({.quick = true});
-        Result<std::vector<Figure>> measured = measureMinification(bench);
-        ASSERT_TRUE(measured) << toString(measured.diagnostics.front());
-        figures = std::move(*measured);
+    static double error(std::string_view in, std::string_view name) {
+        return curve(in, name).points.back().error;
     }
-    static const Curve* find(std::string_view figure, std::string_view name) {
-        for (const Figure& each : figures)
-            if (each.name == figure)
-                for (const Curve& found : each.curves)
-                    if (found.name == name) return &found;
-        return nullptr;
-    }
-    static double error(std::string_view figure, std::string_view curve) {
-        const Curve* found = find(figure, curve);
-        if (!found) throw std::out_of_range(std::string(curve));
-        return found->points.back().error;
-    }
-    static inline std::vector<Figure> figures;
 };
 
 TEST_F(Minification, EachFilterOfThePlaneIsBetterThanTheCheaperOne) {
     EXPECT_LT(error("plane", "linear"), .8 * error("plane", "nearest"));
     EXPECT_LT(error("plane", "mipmaps, bilinear"), .8 * error("plane", "linear"));
     EXPECT_LT(error("plane", "mipmaps, trilinear"), error("plane", "mipmaps, bilinear"));
-    if (find("plane", "anisotropic")) {
+    if (findCurve(figure("plane"), "anisotropic")) {
         EXPECT_LT(error("plane", "anisotropic"), .8 * error("plane", "mipmaps, trilinear"));
     }
 }
@@ -65,18 +49,18 @@ TEST_F(Minification, EachFilterOfThePlaneIsBetterThanTheCheaperOne) {
 TEST_F(Minification, SupersamplingComesCloseToTheReferenceAtFirstOrderOrBetter) {
     for (const char* name : {"supersampling, linear", "supersampling, trilinear"}) {
         // The setting is the number of texels, which grows with the square of the samples along an axis.
-        EXPECT_LT(fittedOrder(*find("plane", name)), -.5) << name;
+        EXPECT_LT(fittedOrder(curve("plane", name)), -.5) << name;
         EXPECT_LT(error("plane", name), 4) << name;
     }
 }
 
 TEST_F(Minification, TheFilterOfTheDriverIsThatOfDouble) {
     // Hardware stores 8 bits of the weights: half a step for each of two axes.
-    EXPECT_LT(find("arithmetic", "the driver as glibra sets it up")->points.front().error, 1.1);
+    EXPECT_LT(curve("arithmetic", "the driver as glibra sets it up").points.front().error, 1.1);
 }
 
 TEST_F(Minification, BytesFilteredInBytesAreAStepOff) {
-    const Curve* bytes = find("arithmetic", "filtered in bytes");
+    const Curve* bytes = findCurve(figure("arithmetic"), "filtered in bytes");
     if (!bytes) GTEST_SKIP() << "this driver has one way of filtering";
     for (const Point& point : bytes->points) {
         EXPECT_GT(point.error, .3) << point.label;
@@ -86,10 +70,10 @@ TEST_F(Minification, BytesFilteredInBytesAreAStepOff) {
 }
 
 TEST_F(Minification, FromTheFrontLinearIsRightAtOneTexelPerPixelAndMipmapsBeyond) {
-    EXPECT_LT(find("front", "linear")->points.front().error, 5);
+    EXPECT_LT(curve("front", "linear").points.front().error, 5);
     EXPECT_GT(error("front", "linear"), 3 * error("front", "mipmaps, bilinear"));
     EXPECT_GT(error("front", "nearest"), error("front", "linear"));
 }
 
 }  // namespace
-}  // namespace glibra::bench
+}  // namespace glibra::bench::test

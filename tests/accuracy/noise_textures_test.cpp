@@ -2,15 +2,15 @@
 
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 #include "bench/core/fit.h"
 #include "bench/draw/byte_filter.h"
 #include "bench/draw/noise_shaders.h"
 #include "bench/draw/noise_volume.h"
 #include "bench/subjects/subjects.h"
+#include "samples.h"
 
-namespace glibra::bench {
+namespace glibra::bench::test {
 namespace {
 
 TEST(ByteFilter, PointsSurviveARoundTrip) {
@@ -55,27 +55,7 @@ TEST(NoiseVolume, TheSequenceFillsEveryEighthOfTheCubeAlike) {
     for (const int each : count) EXPECT_NEAR(each, 100, 12);
 }
 
-class Noise : public testing::Test {
-  protected:
-    static void SetUpTestSuite() {
-        Bench bench({.quick = true});
-        Result<std::vector<Figure>> measured = measureNoise(bench);
-        ASSERT_TRUE(measured) << toString(measured.diagnostics.front());
-        figures = std::move(*measured);
-    }
-    static const Curve* find(std::string_view figure, std::string_view name) {
-        for (const Figure& each : figures)
-            if (each.name == figure)
-                for (const Curve& found : each.curves)
-                    if (found.name == name) return &found;
-        return nullptr;
-    }
-    static const Curve& curve(std::string_view figure, std::string_view name) {
-        if (const Curve* found = find(figure, name)) return *found;
-        throw std::out_of_range(std::string(name));
-    }
-    static inline std::vector<Figure> figures;
-};
+using Noise = FiguresOf<measureNoise>;
 
 TEST_F(Noise, InterpolationOfASmoothOctaveIsOfSecondOrder) {
     EXPECT_NEAR(fittedOrder(curve("octaves", "4 cells per period")), -2, .1);
@@ -112,7 +92,7 @@ TEST_F(Noise, TheShadersFilterAndTheDriversAgree) {
 }
 
 TEST_F(Noise, BytesFilteredInBytesAreWorse) {
-    const Curve* bytes = find("drawn", "driver's filter in bytes, 8 bit, cut off");
+    const Curve* bytes = findCurve(figure("drawn"), "driver's filter in bytes, 8 bit, cut off");
     if (!bytes) GTEST_SKIP() << "this driver has one way of filtering";
     EXPECT_GT(bytes->points.back().error,
               curve("drawn", "driver's filter, 8 bit, cut off").points.back().error);
@@ -151,4 +131,4 @@ TEST_F(Noise, APixelIsWhatTheTableGivesThere) {
 }
 
 }  // namespace
-}  // namespace glibra::bench
+}  // namespace glibra::bench::test

@@ -18,14 +18,7 @@
 namespace glibra::bench::test {
 namespace {
 
-class Primitives : public testing::Test {
-  protected:
-    static void SetUpTestSuite() { figures = quickFigures(measurePrimitives); }
-    static void TearDownTestSuite() { figures.clear(); }
-    static std::vector<Figure> figures;
-};
-
-std::vector<Figure> Primitives::figures;
+using Primitives = FiguresOf<measurePrimitives>;
 
 TEST_F(Primitives, AreSound) {
     expectSound(figures);
@@ -34,50 +27,48 @@ TEST_F(Primitives, AreSound) {
 
 TEST_F(Primitives, PositionsConvergeWithTheSquareOfTheSlices) {
     for (const char* name : {"position", "outline", "volume"})
-        for (const Curve& curve : figureOf(figures, name).curves)
+        for (const Curve& curve : figure(name).curves)
             EXPECT_NEAR(fittedOrder(curve, 16), -2, .1) << name << ", " << curve.name;
-    EXPECT_NEAR(fittedOrder(curveOf(figureOf(figures, "drawn"), "sphere"), 8), -2, .1);
-    EXPECT_NEAR(fittedOrder(curveOf(figureOf(figures, "teapot-position"), "grid on every patch")), -2, .2);
+    EXPECT_NEAR(fittedOrder(curve("drawn", "sphere"), 8), -2, .1);
+    EXPECT_NEAR(fittedOrder(curve("teapot-position", "grid on every patch")), -2, .2);
 }
 
 TEST_F(Primitives, CylinderIsOffByTheSagittaOfItsSlices) {
-    for (const Point& point : curveOf(figureOf(figures, "position"), "cylinder").points)
+    for (const Point& point : curve("position", "cylinder").points)
         EXPECT_NEAR(point.error, 1 - std::cos(std::numbers::pi / point.setting), 1e-6) << point.label;
-    for (const Point& point : curveOf(figureOf(figures, "volume"), "cylinder").points) {
+    for (const Point& point : curve("volume", "cylinder").points) {
         const double angle = 2 * std::numbers::pi / point.setting;
         EXPECT_NEAR(point.error, 1 - std::sin(angle) / angle, 1e-6) << point.label;
     }
 }
 
 TEST_F(Primitives, NormalsOfASphereAreTheRadiusAndThoseOfFlatTrianglesAreNot) {
-    const Figure& normal = figureOf(figures, "normal");
+    const Figure& normal = figure("normal");
     for (const Point& point : curveOf(normal, "sphere").points) EXPECT_LT(point.error, 1e-4);
     EXPECT_NEAR(fittedOrder(curveOf(normal, "sphere, flat triangles")), -1, .1);
     EXPECT_NEAR(fittedOrder(curveOf(normal, "cone")), -1, .05) << "at the apex a slice has one normal";
 }
 
 TEST_F(Primitives, TooFewStacksStopTheSphere) {
-    const Curve& stopped = curveOf(figureOf(figures, "balance"), "8 stacks");
+    const Curve& stopped = curve("balance", "8 stacks");
     EXPECT_GT(fittedOrder(stopped, 32), -.3);
     // The sagitta of half a stack of 22.5 degrees, for any number of slices.
     EXPECT_NEAR(stopped.points.back().error, 1 - std::cos(std::numbers::pi / 16), 2e-3);
 }
 
 TEST_F(Primitives, ShippedTeapotIsWhatAGridOfSixteenCellsWouldBe) {
-    const Figure& figure = figureOf(figures, "teapot-position");
-    const Curve& grid = curveOf(figure, "grid on every patch");
+    const Curve& grid = curve("teapot-position", "grid on every patch");
     const double eight = grid.points.back().error;
     ASSERT_EQ(grid.points.back().setting, 8);
-    EXPECT_NEAR(curveOf(figure, "the teapot of scenes").points[0].error, eight / 4, .1 * eight / 4);
+    EXPECT_NEAR(curve("teapot-position", "the teapot of scenes").points[0].error, eight / 4, .1 * eight / 4);
 }
 
 TEST_F(Primitives, SoccerBallAndTeapotImproveWithTheSquareOfTheirCells) {
-    for (const auto& [figure, tolerance] :
+    for (const auto& [in, tolerance] :
          {std::pair("ball-position", .1), {"cut-volume", .1}, {"cut-outline", .5}})
-        for (const Curve& curve : figureOf(figures, figure).curves)
-            EXPECT_NEAR(fittedOrder(curve, 2), -2, tolerance) << figure << ", " << curve.name;
-    for (const Point& point : curveOf(figureOf(figures, "ball-normal"), "soccer ball").points)
-        EXPECT_LT(point.error, 1e-4);
+        for (const Curve& curve : figure(in).curves)
+            EXPECT_NEAR(fittedOrder(curve, 2), -2, tolerance) << in << ", " << curve.name;
+    for (const Point& point : curve("ball-normal", "soccer ball").points) EXPECT_LT(point.error, 1e-4);
 }
 
 TEST(MeshError, SeesADisplacedVertex) {

@@ -14,14 +14,7 @@
 namespace glibra::bench::test {
 namespace {
 
-class Transforms : public testing::Test {
-  protected:
-    static void SetUpTestSuite() { figures = quickFigures(measureTransforms); }
-    static void TearDownTestSuite() { figures.clear(); }
-    static std::vector<Figure> figures;
-};
-
-std::vector<Figure> Transforms::figures;
+using Transforms = FiguresOf<measureTransforms>;
 
 TEST_F(Transforms, AreSound) {
     expectSound(figures);
@@ -29,19 +22,17 @@ TEST_F(Transforms, AreSound) {
 }
 
 TEST_F(Transforms, FloatMatricesLoseADigitForEachDecadeOfDistance) {
-    const Figure& figure = figureOf(figures, "distance");
-    EXPECT_NEAR(fittedOrder(curveOf(figure, "CPU, float matrices"), 100), 1, .1);
-    EXPECT_NEAR(fittedOrder(curveOf(figure, "shader, model then view"), 100), 1, .1);
+    EXPECT_NEAR(fittedOrder(curve("distance", "CPU, float matrices"), 100), 1, .1);
+    EXPECT_NEAR(fittedOrder(curve("distance", "shader, model then view"), 100), 1, .1);
     for (const char* name :
          {"CPU, product in double, rounded once", "shader, product in double, rounded once"})
-        for (const Point& point : curveOf(figure, name).points)
+        for (const Point& point : curve("distance", name).points)
             EXPECT_LT(point.error, 2e-6) << name << ", " << point.label;
 }
 
 TEST_F(Transforms, DoubleIsNineDigitsBetterThanFloat) {
     for (const char* name : {"distance", "size"}) {
-        const Figure& figure = figureOf(figures, name);
-        const Curve &single = curveOf(figure, "CPU, float matrices"), &twice = curveOf(figure, "CPU, double");
+        const Curve &single = curve(name, "CPU, float matrices"), &twice = curve(name, "CPU, double");
         for (std::size_t i = 0; i < single.points.size(); ++i) {
             // 2^-24 against 2^-53, within one or two orders of magnitude, depending on the roundings.
             const double ratio = single.points[i].error / twice.points[i].error;
@@ -49,13 +40,11 @@ TEST_F(Transforms, DoubleIsNineDigitsBetterThanFloat) {
             EXPECT_LT(ratio, 1e11) << name << ", " << single.points[i].label;
         }
     }
-    for (const Point& point : curveOf(figureOf(figures, "distance"), "shader, double").points)
-        EXPECT_LT(point.error, 1e-7);
+    for (const Point& point : curve("distance", "shader, double").points) EXPECT_LT(point.error, 1e-7);
 }
 
 TEST_F(Transforms, ChainsDriftAndOneAngleDoesNot) {
-    const Figure& figure = figureOf(figures, "chain");
-    const auto last = [&](const char* name) { return curveOf(figure, name).points.back().error; };
+    const auto last = [](const char* name) { return curve("chain", name).points.back().error; };
     EXPECT_GT(last("float matrices multiplied"), 1e-5);
     EXPECT_LT(last("angle in double, matrix rounded once"), 6e-8) << "half a unit in the last place of 1";
     EXPECT_LT(last("double matrices multiplied"), 1e-11);
@@ -63,8 +52,7 @@ TEST_F(Transforms, ChainsDriftAndOneAngleDoesNot) {
 }
 
 TEST_F(Transforms, OnlyTheModelMatrixItselfIsWrongForNormals) {
-    const Figure& figure = figureOf(figures, "normal-matrix");
-    for (const Curve& curve : figure.curves) {
+    for (const Curve& curve : figure("normal-matrix").curves) {
         EXPECT_LT(curve.points.front().error, 1e-4) << curve.name << ": a rotation alone is right either way";
         if (curve.name == "the model matrix itself")
             EXPECT_GT(curve.points.back().error, 45);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,6 +32,7 @@ inline std::vector<Figure> quickFigures(Result<std::vector<Figure>> (*measure)(B
     Bench bench({.quick = true});
     Result<std::vector<Figure>> figures = measure(bench);
     for (const Diagnostic& each : figures.diagnostics) ADD_FAILURE() << toString(each);
+    EXPECT_TRUE(figures);
     return figures ? std::move(*figures) : std::vector<Figure>();
 }
 
@@ -40,11 +42,28 @@ inline const Figure& figureOf(const std::vector<Figure>& figures, std::string_vi
     return *found;
 }
 
-inline const Curve& curveOf(const Figure& figure, std::string_view name) {
+/// Null if there is none, for what not every driver has.
+inline const Curve* findCurve(const Figure& figure, std::string_view name) {
     const auto found = std::ranges::find(figure.curves, name, &Curve::name);
-    if (found == figure.curves.end()) throw std::out_of_range("no curve " + std::string(name));
-    return *found;
+    return found == figure.curves.end() ? nullptr : &*found;
 }
+inline const Curve& curveOf(const Figure& figure, std::string_view name) {
+    if (const Curve* found = findCurve(figure, name)) return *found;
+    throw std::out_of_range("no curve " + std::string(name));
+}
+
+/// Tests of the figures of a subject, which is measured once, in a quick run.
+template <auto measure>
+class FiguresOf : public testing::Test {
+  protected:
+    static void SetUpTestSuite() { figures = quickFigures(measure); }
+    static void TearDownTestSuite() { figures.clear(); }
+    static const Figure& figure(std::string_view name) { return figureOf(figures, name); }
+    static const Curve& curve(std::string_view in, std::string_view name) {
+        return curveOf(figure(in), name);
+    }
+    static inline std::vector<Figure> figures;
+};
 
 /// Checks that names are unique, texts are not empty, errors are measurable and not negative, and labels of a
 /// curve are unique.

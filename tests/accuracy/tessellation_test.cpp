@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <stdexcept>
 
 #include "bench/core/fit.h"
 #include "bench/draw/tessellator.h"
 #include "bench/reference/pn_triangle.h"
 #include "bench/subjects/subjects.h"
+#include "samples.h"
 
-namespace glibra::bench {
+namespace glibra::bench::test {
 namespace {
 
 constexpr std::array<glm::dvec3, 3> kCorners{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
@@ -37,21 +37,7 @@ TEST(PnTriangle, AFlatTriangleGivesHeightsAsDistances) {
     EXPECT_NEAR(PnTriangle(corners, normals).distance({.5, .7, .25}, {.4, .3, .3}), .25, 1e-12);
 }
 
-class Tessellation : public testing::Test {
-  protected:
-    static void SetUpTestSuite() {
-        Bench bench({.quick = true});
-        Result<std::vector<Figure>> measured = measureTessellation(bench);
-        ASSERT_TRUE(measured) << toString(measured.diagnostics.front());
-        figures = std::move(*measured);
-    }
-    static const Figure& figure(std::string_view name) {
-        for (const Figure& each : figures)
-            if (each.name == name) return each;
-        throw std::out_of_range(std::string(name));
-    }
-    static inline std::vector<Figure> figures;
-};
+using Tessellation = FiguresOf<measureTessellation>;
 
 TEST_F(Tessellation, DistancesFallWithTheSquareOfTheLevelInEverySpacing) {
     for (const char* name : {"bezier-largest", "bezier-mean", "sphere-largest", "sphere-mean",
@@ -107,4 +93,4 @@ TEST_F(Tessellation, TheSpacingsDivideAsTheirNamesSay) {
 }
 
 }  // namespace
-}  // namespace glibra::bench
+}  // namespace glibra::bench::test

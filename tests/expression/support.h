@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "expression/expression.h"
-#include "expression/name_table.h"
+#include "table_of_names.h"
 
 namespace glibra::expression::test {
 

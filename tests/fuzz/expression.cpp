@@ -4,15 +4,16 @@
 #include <array>
 #include <cmath>
 
+#include "../expression/table_of_names.h"
 #include "check.h"
 #include "expression/expression.h"
 #include "expression/functions.h"
-#include "expression/name_table.h"
 #include "text_mutator.h"
 
 namespace {
 
 using namespace glibra::expression;
+using glibra::expression::test::NameTable;
 using glibra::fuzz::check;
 
 constexpr std::array<std::string_view, 3> kWords{"front", "back", "off"};

@@ -68,17 +68,8 @@ TEST(Capsule, ItsDeviationBoundsTheDistanceFromTheSurface) {
         for (const int stacks : {1, 3, 9}) {
             const std::vector<double> numbers{.7, 1.5, double(slices), double(stacks)};
             const Mesh mesh = kCapsuleRow.make(numbers);
-            double inside = 0;
-            forEachTriangle(mesh, [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-                for (int i = 0; i <= 8; ++i)
-                    for (int j = 0; i + j <= 8; ++j) {
-                        const glm::dvec3 p =
-                            (positionAt(mesh, a) * double(i) + positionAt(mesh, b) * double(j) +
-                             positionAt(mesh, c) * double(8 - i - j)) /
-                            8.;
-                        inside = std::max(inside, -distance(p, .7, 1.5));
-                    }
-            });
+            const double inside =
+                largestOnTriangles(mesh, [](const glm::dvec3& p) { return -distance(p, .7, 1.5); });
             const double bound = kCapsuleRow.deviation(numbers, Fidelity::shape);
             EXPECT_LE(inside, bound + 1e-6) << slices << ' ' << stacks;
             EXPECT_GE(inside, .5 * bound) << slices << ' ' << stacks;

@@ -2,9 +2,6 @@
 
 #include "geometry/shapes/half_sphere.h"
 
-#include <algorithm>
-#include <numbers>
-
 #include "mesh_checks.h"
 
 namespace glibra::geometry {
@@ -57,17 +54,8 @@ TEST(HalfSphere, ItsDeviationBoundsTheDistanceFromTheSurface) {
             Mesh mesh = kHalfSphereRow.make(numbers);
             // The dome alone: the disk is flat.
             mesh.indices.resize(mesh.indices.size() - 3 * static_cast<std::size_t>(slices));
-            double inside = 0;
-            forEachTriangle(mesh, [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-                for (int i = 0; i <= 8; ++i)
-                    for (int j = 0; i + j <= 8; ++j) {
-                        const glm::dvec3 p =
-                            (positionAt(mesh, a) * double(i) + positionAt(mesh, b) * double(j) +
-                             positionAt(mesh, c) * double(8 - i - j)) /
-                            8.;
-                        inside = std::max(inside, 1.5 - glm::length(p));
-                    }
-            });
+            const double inside =
+                largestOnTriangles(mesh, [](const glm::dvec3& p) { return 1.5 - glm::length(p); });
             const double bound = kHalfSphereRow.deviation(numbers, Fidelity::shape);
             EXPECT_LE(inside, bound + 1e-6) << slices << ' ' << stacks;
             EXPECT_GE(inside, .5 * bound) << slices << ' ' << stacks;

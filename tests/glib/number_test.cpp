@@ -108,14 +108,6 @@ TEST(Number, TextReadsBack) {
     EXPECT_EQ(numberText(.1), "0.1");
 }
 
-TEST(Number, GroupedTextHasCommasBetweenThousands) {
-    EXPECT_EQ(groupedText(0), "0");
-    EXPECT_EQ(groupedText(999), "999");
-    EXPECT_EQ(groupedText(1000), "1,000");
-    EXPECT_EQ(groupedText(81017999), "81,017,999");
-    EXPECT_EQ(groupedText(-100000), "-100,000");
-}
-
 TEST(NumberToken, RestAfterAPrefixIsIgnoredWithAWarning) {
     EXPECT_EQ(numbersOf("Translate 0.1. 1.5f 0,01"), (std::vector<double>{.1, 1.5, 0}));
     EXPECT_EQ(idsOf("Translate 0.1. 1.5f 0,01"), (Ids{"glib-W04", "glib-W04", "glib-W04"}));

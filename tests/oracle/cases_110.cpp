@@ -10,6 +10,12 @@ constexpr const char* kColorFragment = R"glsl(
 void main() { gl_FragColor = gl_Color; }
 )glsl";
 
+/// A vertex stage for quads that show textures.
+constexpr const char* kShowVertex = R"glsl(
+varying vec2 vST;
+void main() { vST = gl_MultiTexCoord0.st; gl_Position = ftransform(); }
+)glsl";
+
 }  // namespace
 
 std::vector<Case> casesOf110() {
@@ -195,11 +201,7 @@ void main() {
 )glsl"},
          .before = "Texture2D 5 64 64\nTexture2D 6 64 64\n",
          .draws = "RenderToTexture 5 6\nRotate 35 1 2 0\nTorus 1.1 .5 24 36\nRenderToTexture\n",
-         .show = {.vertex = R"glsl(
-varying vec2 vST;
-void main() { vST = gl_MultiTexCoord0.st; gl_Position = ftransform(); }
-)glsl",
-                  .fragment = R"glsl(
+         .show = {.vertex = kShowVertex, .fragment = R"glsl(
 varying vec2 vST;
 uniform sampler2D uFirst, uSecond;
 void main() { gl_FragColor = vST.s + vST.t > 1. ? texture2D(uFirst, vST) : texture2D(uSecond, vST.ts).bgra; }
@@ -216,11 +218,7 @@ void main() {
 )glsl"},
          .before = "Texture2D 5 64 64\nTexture2D 6 64 64 RGBA16F\n",
          .draws = "RenderToTexture 5 6\nRotate 35 1 2 0\nTorus 1.1 .5 24 36\nRenderToTexture\n",
-         .show = {.vertex = R"glsl(
-varying vec2 vST;
-void main() { vST = gl_MultiTexCoord0.st; gl_Position = ftransform(); }
-)glsl",
-                  .fragment = R"glsl(
+         .show = {.vertex = kShowVertex, .fragment = R"glsl(
 varying vec2 vST;
 uniform sampler2D uFirst, uSecond;
 void main() { gl_FragColor = vec4(texture2D(uFirst, vST).rg, texture2D(uSecond, vST).bg).xyzw; }

@@ -59,33 +59,24 @@ struct BoundKind {
 };
 
 std::vector<BoundKind> boundKinds() {
+    const std::string vertex = R"(Vertex inline
+#version 330 core
+in vec3 position;
+uniform mat4 mvp, uToShadow;
+out vec4 vShadow;
+void main() {{
+    vShadow = uToShadow * vec4(position, 1.);
+    gl_Position = mvp * vec4(position, 1.);
+}}
+EndVertex
+)";
     const std::string shadow = R"(WindowSize 400 400
 Camera eye LookAt 0 4 5  0 0 0  0 1 0  Perspective 50 .1 50
 Camera light LookAt 3 5 2  0 0 0  0 1 0  Perspective 50 1 15  aspect 1
 {0}
 Texture2D shadow ({1}) ({1}) depth32f
-Vertex inline
-#version 330 core
-in vec3 position;
-uniform mat4 mvp, uToShadow;
-out vec4 vShadow;
-void main() {{
-    vShadow = uToShadow * vec4(position, 1.);
-    gl_Position = mvp * vec4(position, 1.);
-}}
-EndVertex
-Program Depth
-Vertex inline
-#version 330 core
-in vec3 position;
-uniform mat4 mvp, uToShadow;
-out vec4 vShadow;
-void main() {{
-    vShadow = uToShadow * vec4(position, 1.);
-    gl_Position = mvp * vec4(position, 1.);
-}}
-EndVertex
-Fragment inline
+)" + vertex + "Program Depth\n" +
+                               vertex + R"(Fragment inline
 #version 330 core
 in vec4 vShadow;
 uniform sampler2DShadow uShadow;

@@ -37,15 +37,16 @@ void main() { fColor = vec4((vST.x < .5 ? texture(uA, vST) : texture(uB, vST)).r
 EndFragment
 Program Both
 )";
-/// `Flat` draws with uColor.
-constexpr const char* kFlatProgram = R"(
+const std::string kPlacedVertex = R"(
 Vertex inline
 #version 430 core
 uniform mat4 mvp_matrix;
 in vec3 vertPos;
 void main() { gl_Position = mvp_matrix * vec4(vertPos, 1.); }
 EndVertex
-Fragment inline
+)";
+/// `Flat` draws with uColor.
+const std::string kFlatProgram = kPlacedVertex + R"(Fragment inline
 #version 430 core
 uniform vec4 uColor;
 out vec4 fColor;
@@ -353,13 +354,8 @@ TEST_F(KeptFrames, ADrawSetsNothingThatIsSet) {
 Texture2D a 8 8 rgba8 nearest
 Texture2D b 8 8 rgba8 mipmap generate
 Buffer Shades float [.25 .5]
-Vertex inline
-#version 430 core
-uniform mat4 mvp_matrix;
-in vec3 vertPos;
-void main() { gl_Position = mvp_matrix * vec4(vertPos, 1.); }
-EndVertex
-Fragment inline
+)" + kPlacedVertex +
+              R"(Fragment inline
 #version 430 core
 uniform sampler2D uA, uB;
 uniform Tint { vec4 tint; };

@@ -7,32 +7,12 @@
 
 #include "image/read.h"
 #include "image/video/video_file.h"
-#include "render/draw/view_matrices.h"
 #include "scene_folder.h"
 
 namespace glibra::test {
 namespace {
 
 using view::Session;
-
-/// Changes everything that a window can change.
-void change(Session& session) {
-    session.setValue(knobIndex(session, "uAd"), {.31});
-    session.setValue(knobIndex(session, "uDotColor"), {.2, .7, .1});
-    session.drag(view::TransformMode::eye, {view::Gesture::rotate, {37, 21}, {300, 200}});
-    session.drag(view::TransformMode::scene, {view::Gesture::pan, {13, -5}, {300, 200}});
-    session.pickAt(session.width() / 2, session.height() / 2);
-    ASSERT_TRUE(session.picked());
-    session.drag(view::TransformMode::object, {view::Gesture::scale, {3, 9}, {300, 200}});
-    ViewState view = session.view();
-    view.projection = ProjectionMode::orthographic;
-    view.background = {.1, .2, .3, 1};
-    session.setView(view);
-    session.setAxes(true);
-    view::Clock clock = session.clock();
-    clock.setTime(1.375);
-    session.setClock(clock);
-}
 
 /// The pixels without the alpha channel that readers add.
 std::vector<std::byte> rgb(const image::Image& image) {
@@ -56,7 +36,7 @@ class ChangedScene : public testing::Test {
         EXPECT_TRUE(session.open(GLIBRA_SOURCE_DIR "/glib/patterns/ovalnoise.glib"));
         session.resize(300, 200);
         session.drawIfNeeded();
-        change(session);
+        changeOvalNoise(session, 150, 100);
         session.drawIfNeeded();
     }
     SceneFolder folder{""};

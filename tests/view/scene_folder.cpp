@@ -67,6 +67,24 @@ std::size_t knobIndex(const view::Session& session, std::string_view tag) {
     return 0;
 }
 
+void changeOvalNoise(view::Session& session, int x, int y) {
+    session.setValue(knobIndex(session, "uAd"), {.31});
+    session.setValue(knobIndex(session, "uDotColor"), {.2, .7, .1});
+    session.drag(view::TransformMode::eye, {view::Gesture::rotate, {37, 21}, {300, 200}});
+    session.drag(view::TransformMode::scene, {view::Gesture::pan, {13, -5}, {300, 200}});
+    session.pickAt(x, y);
+    ASSERT_TRUE(session.picked());
+    session.drag(view::TransformMode::object, {view::Gesture::scale, {3, 9}, {300, 200}});
+    ViewState view = session.view();
+    view.projection = ProjectionMode::orthographic;
+    view.background = {.1, .2, .3, 1};
+    session.setView(view);
+    session.setAxes(true);
+    view::Clock clock = session.clock();
+    clock.setTime(1.375);
+    session.setClock(clock);
+}
+
 std::string text(const Diagnostics& diagnostics) {
     std::string all;
     for (const Diagnostic& each : diagnostics) all += toString(each) + "\n";

@@ -46,6 +46,9 @@ std::vector<std::byte> pixelsOf(const view::Session& session);
 /// The index of the knob with that tag; fails the test if there is none.
 std::size_t knobIndex(const view::Session& session, std::string_view tag);
 
+/// Changes all that a window of 300 x 200 pixels with ovalnoise.glib can change; picks the object at (x, y).
+void changeOvalNoise(view::Session& session, int x, int y);
+
 std::string text(const Diagnostics& diagnostics);
 
 /// A vertex shader that only applies the matrices and passes texture coordinates.

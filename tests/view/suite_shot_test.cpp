@@ -1,6 +1,5 @@
 #include "view/export/suite_shot.h"
 
-#include "render/draw/view_matrices.h"
 #include "render/scene_renderer.h"
 #include "scene_folder.h"
 #include "suite/file/suite_file.h"
@@ -30,21 +29,7 @@ TEST(SuiteShot, GivesThePixelsOfTheScreen) {
     Session session(context(), {});
     ASSERT_TRUE(session.open(GLIBRA_SOURCE_DIR "/glib/patterns/ovalnoise.glib"));
     session.resize(300, 200);
-    session.setValue(knobIndex(session, "uAd"), {.31});
-    session.setValue(knobIndex(session, "uDotColor"), {.2, .7, .1});
-    session.drag(view::TransformMode::eye, {view::Gesture::rotate, {37, 21}, {300, 200}});
-    session.drag(view::TransformMode::scene, {view::Gesture::pan, {13, -5}, {300, 200}});
-    session.pickAt(150, 110);
-    ASSERT_TRUE(session.picked());
-    session.drag(view::TransformMode::object, {view::Gesture::scale, {3, 9}, {300, 200}});
-    ViewState view = session.view();
-    view.projection = ProjectionMode::orthographic;
-    view.background = {.1, .2, .3, 1};
-    session.setView(view);
-    session.setAxes(true);
-    view::Clock clock = session.clock();
-    clock.setTime(1.375);
-    session.setClock(clock);
+    changeOvalNoise(session, 150, 110);
     session.drawIfNeeded();
     const Diagnostics problems = view::appendShot(folder / "s.toml", "turned", session);
     ASSERT_TRUE(problems.empty()) << text(problems);

@@ -11,6 +11,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <utility>
 
+#include "base/text.h"
 #include "bench/core/exact.h"
 #include "bench/core/fit.h"
 #include "bench/draw/offscreen.h"
@@ -127,7 +128,7 @@ vec4 value() {
 
 Point chainPoint(int count, double error, const Timing& time, double bytes) {
     return {.setting = static_cast<double>(count),
-            .label = fmt::format("{} rotation{}", count, count == 1 ? "" : "s"),
+            .label = base::counted(count, "rotation"),
             .error = error,
             .time = time,
             .memory = bytes};

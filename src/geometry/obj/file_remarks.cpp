@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/text.h"
+
 namespace glibra::geometry {
 namespace {
 constexpr std::size_t kMostOfAKind = 100;
@@ -21,12 +23,6 @@ std::string shown(std::string_view text) {
 
 std::string_view fileName(std::string_view path) {
     return path.substr(path.find_last_of("/\\") + 1);
-}
-
-std::string grouped(unsigned long long number) {
-    std::string digits = std::to_string(number);
-    for (std::size_t i = digits.size(); i > 3; i -= 3) digits.insert(i - 3, 1, ',');
-    return digits;
 }
 
 void FileRemarks::warn(std::string_view id, std::string_view text, int line, int column) {
@@ -51,20 +47,21 @@ void FileRemarks::ignored(std::string_view word, int line, int column) {
 Diagnostics FileRemarks::finish() && {
     for (const auto& [word, where] : ignored_)
         warnings_.push_back(diagnose("file-W04",
-                                     fmt::format("{} '{}' {} ignored", grouped(where.count), shown(word),
-                                                 where.count == 1 ? "line" : "lines"),
+                                     fmt::format("{} '{}' {} ignored", base::groupedText(where.count),
+                                                 shown(word), where.count == 1 ? "line" : "lines"),
                                      place(where.line, where.column)));
     std::ranges::stable_sort(warnings_, [](const Diagnostic& a, const Diagnostic& b) {
         return std::pair(a.place.line, a.place.column) < std::pair(b.place.line, b.place.column);
     });
     if (otherIgnored_ > 0)
-        warnings_.push_back(diagnose("file-W04",
-                                     fmt::format("{} lines with other words ignored", grouped(otherIgnored_)),
-                                     place(1, 1)));
+        warnings_.push_back(diagnose(
+            "file-W04", fmt::format("{} lines with other words ignored", base::groupedText(otherIgnored_)),
+            place(1, 1)));
     for (const auto& [id, count] : warningCounts_)
         if (count > kMostOfAKind)
-            warnings_.push_back(diagnose(
-                id, fmt::format("{} more of this kind", grouped(count - kMostOfAKind)), place(1, 1)));
+            warnings_.push_back(
+                diagnose(id, fmt::format("{} more of this kind", base::groupedText(count - kMostOfAKind)),
+                         place(1, 1)));
     return std::move(warnings_);
 }
 

@@ -16,9 +16,6 @@ std::string shown(std::string_view text);
 /// Returns the last part of a path.
 std::string_view fileName(std::string_view path);
 
-/// Returns the number with commas: 1,234,567.
-std::string grouped(unsigned long long number);
-
 class FileRemarks {
   public:
     explicit FileRemarks(std::string path) : path_(std::move(path)) {}

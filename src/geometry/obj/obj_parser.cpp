@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/text.h"
 #include "geometry/obj/concave_faces.h"
 #include "geometry/obj/file_remarks.h"
 #include "geometry/obj/obj_model.h"
@@ -86,7 +87,7 @@ Result<ObjModel> ObjReader::read() {
             if (!readStatement(scanner_.token(), line, column))
                 return std::move(*this).failed(
                     "file-E09", fmt::format("has too many {}; the limit is {} triangles", tooMany_,
-                                            grouped(kMostTriangles)));
+                                            base::groupedText(kMostTriangles)));
         }
         scanner_.nextLine();
     }
@@ -157,8 +158,7 @@ bool ObjReader::readTriple(std::vector<Triple>& triples, std::string_view word, 
     while (numbers < 3 && readNumber(triple[static_cast<std::size_t>(numbers)])) ++numbers;
     if (numbers < least)
         remarks_.warn("file-W06",
-                      fmt::format("'{}' with {} {}, missing ones are 0", word, numbers,
-                                  numbers == 1 ? "number" : "numbers"),
+                      fmt::format("'{}' with {}, missing ones are 0", word, base::counted(numbers, "number")),
                       line, column);
     triples.push_back(triple);
     return true;
@@ -217,8 +217,7 @@ bool ObjReader::readSequence(Sequences& to, int line, int column) {
         }
     }
     const std::size_t count = to.corners.size() - first;
-    if (fault.empty() && count < to.least)
-        fault = fmt::format("only {} {}", count, count == 1 ? "corner" : "corners");
+    if (fault.empty() && count < to.least) fault = "only " + base::counted(count, "corner");
     if (!fault.empty()) {
         to.corners.resize(first);
         remarks_.warn("file-W05", fmt::format("{} dropped: {}", to.name, fault), line, column);
@@ -361,11 +360,11 @@ Result<ObjModel> parseObj(std::string_view text, std::string path, ObjElements w
         model = ObjReader(text, path, wanted).read();
     if (!model) return model;
     if (const std::size_t uncut = splitConcaveFaces(*model); uncut > 0)
-        model.diagnostics.push_back(diagnose(
-            "file-W17",
-            fmt::format("{} concave {} of many corners drawn as {} from the first corner", grouped(uncut),
-                        uncut == 1 ? "face" : "faces", uncut == 1 ? "a fan" : "fans"),
-            {path, 1, 1}));
+        model.diagnostics.push_back(
+            diagnose("file-W17",
+                     fmt::format("{} of many corners drawn as {} from the first corner",
+                                 base::countedInGroups(uncut, "concave face"), uncut == 1 ? "a fan" : "fans"),
+                     {path, 1, 1}));
     return model;
 }
 

@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/text.h"
 #include "geometry/obj/file_remarks.h"
 #include "geometry/obj/obj_model.h"
 
@@ -102,13 +103,13 @@ std::string ShapeReader::read() {
     if (!file_.holds(0, kHeaderLength) || file_.big(0) != 9994) return "is not a shapefile";
     const std::uint64_t length = 2 * std::uint64_t{file_.big(24)};
     if (length < kHeaderLength || !file_.holds(0, length))
-        return fmt::format("its header gives the length as {} bytes", grouped(length));
+        return fmt::format("its header gives the length as {} bytes", base::groupedText(length));
     std::uint64_t at = kHeaderLength;
     for (std::uint64_t number = 1; at < length; ++number) {
         if (at + kRecordHeaderLength + 4 > length) return fmt::format("the data end in record {}", number);
         const std::uint64_t content = 2 * std::uint64_t{file_.big(static_cast<std::size_t>(at) + 4)};
         if (content < 4 || content > length - at - kRecordHeaderLength)
-            return fmt::format("record {} gives its length as {} bytes", number, grouped(content));
+            return fmt::format("record {} gives its length as {} bytes", number, base::groupedText(content));
         const std::string fault = readRecord(file_.part(static_cast<std::size_t>(at + kRecordHeaderLength),
                                                         static_cast<std::size_t>(content)));
         if (!fault.empty()) return fmt::format("record {} {}", number, fault);
@@ -151,7 +152,7 @@ std::string ShapeReader::readPoints(const Bytes& record, const ShapeType& type) 
     const std::uint64_t pointsAt = partsAt + 4 * parts;
     const std::uint64_t zAt = pointsAt + 16 * count + kRangeLength;
     if (!record.holds(pointsAt, 16 * count) || (type.hasZ && !record.holds(zAt, 8 * count)))
-        return fmt::format("is too short for its {} points", grouped(count));
+        return fmt::format("is too short for its {} points", base::groupedText(count));
 
     // Each segment adds two points.
     hasTooManyPoints_ = points_.size() + count > 2 * kMostTriangles;
@@ -218,13 +219,12 @@ Result<Mesh> parseShp(std::span<const std::byte> bytes, std::string path) {
     ShapeReader reader(bytes);
     if (const std::string fault = reader.read(); !fault.empty()) return failure("file-E04", fault);
     if (reader.passesLimit())
-        return failure("file-E09", fmt::format("more than {} segments or points", grouped(kMostTriangles)));
+        return failure("file-E09",
+                       fmt::format("more than {} segments or points", base::groupedText(kMostTriangles)));
     Diagnostics remarks;
     if (const std::size_t skipped = reader.multipatches(); skipped > 0)
-        remarks.push_back(diagnose(
-            "file-W11",
-            fmt::format("{} multipatch {} skipped", grouped(skipped), skipped == 1 ? "shape" : "shapes"),
-            place));
+        remarks.push_back(
+            diagnose("file-W11", base::countedInGroups(skipped, "multipatch shape") + " skipped", place));
     return {std::move(reader).mesh(), std::move(remarks)};
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/text.h"
 #include "glib/bracket_group.h"
 #include "glib/limits.h"
 #include "glib/number.h"
@@ -48,7 +49,7 @@ class PieceReader {
         const Token& token = tokens_[at_++];
         if (++values_ > kMostValues)
             return refuse("glib-E15",
-                          fmt::format("more than {} values in a statement", groupedText(kMostValues)),
+                          fmt::format("more than {} values in a statement", base::groupedText(kMostValues)),
                           token.position);
         switch (token.kind) {
             case TokenKind::number:
@@ -88,15 +89,16 @@ class PieceReader {
 
     std::optional<Value> readExpression(const Token& token) {
         if (token.text.size() > kLongestExpression)
-            return refuse("glib-E15",
-                          fmt::format("expression of {} bytes; the limit is {}",
-                                      groupedText(token.text.size()), groupedText(kLongestExpression)),
-                          token.position);
-        if (const std::size_t depth = depthOf(token.text) + 1; depth > kDeepestParentheses)
             return refuse(
                 "glib-E15",
-                fmt::format("parentheses {} deep; the limit is {}", groupedText(depth), kDeepestParentheses),
+                fmt::format("expression of {} bytes; the limit is {}", base::groupedText(token.text.size()),
+                            base::groupedText(kLongestExpression)),
                 token.position);
+        if (const std::size_t depth = depthOf(token.text) + 1; depth > kDeepestParentheses)
+            return refuse("glib-E15",
+                          fmt::format("parentheses {} deep; the limit is {}", base::groupedText(depth),
+                                      kDeepestParentheses),
+                          token.position);
         if (token.text.find_first_not_of(" \t") == std::string_view::npos)
             return refuse("glib-E20", "an expression is missing between '(' and ')'", token.position);
         return valueOf(token, Value::Kind::expression);

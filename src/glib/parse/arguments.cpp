@@ -9,19 +9,20 @@
 #include <optional>
 #include <utility>
 
+#include "base/text.h"
 #include "glib/bracket_group.h"
 #include "glib/limits.h"
 #include "glib/modern/read_values.h"
 #include "glib/number.h"
-#include "glib/text.h"
 
 namespace glibra::glib {
 namespace {
 
 std::string grouped(double value) {
     constexpr double kExact = 1e15;
-    return std::abs(value) < kExact && value == std::trunc(value) ? groupedText(static_cast<long long>(value))
-                                                                  : numberText(value);
+    return std::abs(value) < kExact && value == std::trunc(value)
+               ? base::groupedText(static_cast<long long>(value))
+               : numberText(value);
 }
 
 /// A number that has been read and is being checked by the rule of its argument.
@@ -127,7 +128,8 @@ double applyRule(const Candidate& c, MessageLog& log) {
 }
 
 void reportSurplusOf(std::string_view command, std::size_t count, Position first, MessageLog& log) {
-    log.report("glib-W07", fmt::format("{}: {} ignored", command, counted(count, "surplus argument")), first);
+    log.report("glib-W07", fmt::format("{}: {} ignored", command, base::counted(count, "surplus argument")),
+               first);
 }
 
 /// Cuts a number where an integer is wanted, and applies the rule.
@@ -162,7 +164,7 @@ void reportFiller(const CommandRow& row, const Command& command, MessageLog& log
     const Argument& missing = row.arguments[given];
     if (!missing.filler || (given == 0 && missing.byDefault)) return;
     log.report("glib-W06",
-               fmt::format("{}: {}, missing ones are {}", row.name(), counted(given, "number"),
+               fmt::format("{}: {}, missing ones are {}", row.name(), base::counted(given, "number"),
                            numberText(*missing.filler)),
                command.position);
 }
@@ -176,7 +178,7 @@ void reportMissing(const CommandRow& row, const Command& command, MessageLog& lo
     log.report(
         "glib-E04",
         fmt::format("{} needs {}{}, found {}", row.name(), needed < row.arguments.size() ? "at least " : "",
-                    counted(needed, "number"), command.givenNumbers),
+                    base::counted(needed, "number"), command.givenNumbers),
         command.position, {{Expectation::Kind::number, "a number"}});
 }
 
@@ -254,7 +256,8 @@ void finishNumbers(const CommandRow& row, Command& command, std::span<const Posi
 /// Keeps numbers and expressions as they are written.
 void keepForLater(std::span<const Token> tokens, Command& command, MessageLog& log) {
     if (tokens.size() > kMostValues) {
-        log.report("glib-E15", fmt::format("more than {} values in a statement", groupedText(kMostValues)),
+        log.report("glib-E15",
+                   fmt::format("more than {} values in a statement", base::groupedText(kMostValues)),
                    command.position);
         return;
     }

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "base/text.h"
 #include "glib/number.h"
 #include "glib/parse/arguments.h"
 
@@ -30,10 +31,10 @@ void checkPerspective(const Command& command, std::span<const Position> places, 
 void checkOrtho(Command& command, std::span<const Position> places, MessageLog& log) {
     static constexpr std::array<bool, 7> kIncomplete = {false, true, true, true, false, true, false};
     if (kIncomplete.at(command.givenNumbers))
-        log.report("glib-W06",
-                   fmt::format("Ortho: {} number{}, the rest are defaults", command.givenNumbers,
-                               command.givenNumbers == 1 ? "" : "s"),
-                   command.position);
+        log.report(
+            "glib-W06",
+            fmt::format("Ortho: {}, the rest are defaults", base::counted(command.givenNumbers, "number")),
+            command.position);
     static constexpr std::array<const char*, 2> kSides = {"left and right", "bottom and top"};
     for (std::size_t axis = 0; axis < kSides.size(); ++axis) {
         double& low = command.numbers[2 * axis];

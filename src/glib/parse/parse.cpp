@@ -10,6 +10,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "base/text.h"
 #include "glib/command_table.h"
 #include "glib/limits.h"
 #include "glib/message_log.h"
@@ -19,7 +20,6 @@
 #include "glib/modern/match.h"
 #include "glib/modern/pieces.h"
 #include "glib/modern/statement_table.h"
-#include "glib/number.h"
 #include "glib/parse/arguments.h"
 #include "glib/parse/continuation_advice.h"
 #include "glib/parse/statement.h"
@@ -52,7 +52,8 @@ class Parser {
         std::size_t statements = 0;
         while (const std::optional<Statement> statement = reader_.next()) {
             if (++statements > kMostStatements) {
-                log_.report("glib-E15", fmt::format("more than {} statements", groupedText(kMostStatements)),
+                log_.report("glib-E15",
+                            fmt::format("more than {} statements", base::groupedText(kMostStatements)),
                             statement->word.position);
                 break;
             }
@@ -405,8 +406,8 @@ Script parse(std::string_view text, std::string path) {
     try {
         if (text.size() > kLargestFile)
             log.report("glib-E15",
-                       fmt::format("scene of {} bytes; the limit is {}", groupedText(text.size()),
-                                   groupedText(kLargestFile)),
+                       fmt::format("scene of {} bytes; the limit is {}", base::groupedText(text.size()),
+                                   base::groupedText(kLargestFile)),
                        {});
         else
             script.isModern = read(text, script, log);

@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
+#include "base/text.h"
 #include "glib/bracket_group.h"
 #include "glib/limits.h"
 #include "glib/parse/arguments.h"
-#include "glib/text.h"
 
 namespace glibra::glib {
 namespace {
@@ -51,10 +51,10 @@ class GroupReader {
             points.values.push_back(readNumber(tokens_[i], log_).value);
         const std::size_t count = group.last - group.first;
         if (count > kMost)
-            log_.report(
-                "glib-W07",
-                fmt::format("{}: {} ignored", command_.word, counted(count - kMost, "surplus argument")),
-                tokens_[group.first + kMost].position);
+            log_.report("glib-W07",
+                        fmt::format("{}: {} ignored", command_.word,
+                                    base::counted(count - kMost, "surplus argument")),
+                        tokens_[group.first + kMost].position);
         add(std::move(points));
     }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "base/suggest.h"
+#include "base/text.h"
 #include "glib/limits.h"
 #include "glib/number.h"
 #include "glib/parse/arguments.h"
@@ -39,8 +40,8 @@ void checkTextureBytes(const Command& command, const TextureFormat& format, Mess
     if (bytes > kLargestTexture)
         log.report("glib-E15",
                    fmt::format("{} needs {} bytes; the limit is {}", command.word,
-                               groupedText(static_cast<long long>(bytes)),
-                               groupedText(static_cast<long long>(kLargestTexture))),
+                               base::groupedText(static_cast<long long>(bytes)),
+                               base::groupedText(static_cast<long long>(kLargestTexture))),
                    command.position);
 }
 
@@ -54,7 +55,7 @@ void readSizes(const Statement& statement, std::span<const Token> tokens, std::s
         command.lacksFile = true;
         log.report("glib-E04",
                    fmt::format("{} needs a file name or {} after the unit, found {}", row.name(),
-                               counted(least, "size"), sizes),
+                               base::counted(least, "size"), sizes),
                    command.position);
         return;
     }
@@ -85,10 +86,10 @@ void readCubeMap(const Statement& statement, Command& command, MessageLog& log) 
     const std::vector<Token> tokens = plainArguments(statement, log);
     const std::size_t files = tokens.empty() ? 0 : tokens.size() - 1;
     if (files < kCubeFaces) {
-        log.report(
-            "glib-E04",
-            fmt::format("CubeMap needs a unit and {} files, found {}", kCubeFaces, counted(files, "file")),
-            command.position);
+        log.report("glib-E04",
+                   fmt::format("CubeMap needs a unit and {} files, found {}", kCubeFaces,
+                               base::counted(files, "file")),
+                   command.position);
         return;
     }
     command.numbers.push_back(readArgument(row.arguments.front(), 0, tokens.front(), row.name(), log));

@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "base/text.h"
 #include "glib/bracket_group.h"
 #include "glib/limits.h"
 #include "glib/number.h"
@@ -133,7 +134,7 @@ class ProgramReader {
         if (count > kMostBracketValues) {
             log_.report("glib-E15",
                         fmt::format("{}: {} values in brackets; the limit is {}", spec.tag,
-                                    groupedText(count), groupedText(kMostBracketValues)),
+                                    base::groupedText(count), base::groupedText(kMostBracketValues)),
                         bracket.position);
             return false;
         }
@@ -164,9 +165,10 @@ class ProgramReader {
     void reportCount(const UniformSpec& spec, std::span<const std::string> written) {
         const std::size_t count = spec.values.size();
         const auto report = [&](std::string_view brackets, const std::string& reading) {
-            log_.report("glib-W15",
-                        fmt::format("{}: {} in {}; {}", spec.tag, counted(count, "value"), brackets, reading),
-                        spec.valuePosition);
+            log_.report(
+                "glib-W15",
+                fmt::format("{}: {} in {}; {}", spec.tag, base::counted(count, "value"), brackets, reading),
+                spec.valuePosition);
         };
         if (spec.form == UniformForm::range) {
             if (count == 1)

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "base/text.h"
 #include "image/bytes.h"
 #include "image/compare/alike.h"
 #include "image/compare/flip.h"
@@ -18,8 +19,7 @@ namespace {
 
 /// "1 pixel differs", "2 pixels in row 7 differ".
 std::string differ(std::uint64_t pixels, std::string_view which = "") {
-    return fmt::format("{} {}{} {}", pixels, pixels == 1 ? "pixel" : "pixels", which,
-                       pixels == 1 ? "differs" : "differ");
+    return fmt::format("{}{} {}", base::counted(pixels, "pixel"), which, pixels == 1 ? "differs" : "differ");
 }
 
 /// A difference in 255ths with its place.

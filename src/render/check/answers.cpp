@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "glib/text.h"
+#include "base/text.h"
 
 namespace glibra::render {
 namespace {
@@ -208,7 +208,7 @@ class Answerer {
         if (differing.count() == 1)
             return wrong(fmt::format("{} as value {}", shownNumber(check_.wanted[wrongAt]), wrongAt),
                          shownNumber(found[wrongAt]));
-        return wrong(glib::counted(found.size(), "value"),
+        return wrong(base::counted(found.size(), "value"),
                      fmt::format("{} that differ: {}", differing.count(), differing.text()));
     }
 
@@ -292,7 +292,7 @@ class Answerer {
         if (wantsSame == (differing.count() == 0)) return std::nullopt;
         return wantsSame ? wrong("the same content" + withinText(),
                                  fmt::format("{}, by up to {}: {}",
-                                             glib::counted(differing.count(), "differing value"),
+                                             base::counted(differing.count(), "differing value"),
                                              shownNumber(largest), differing.text()))
                          : wrong("different content", "the same" + withinText());
     }
@@ -325,7 +325,7 @@ Diagnostics printedElements(const scene::Print& print, const Content& content) {
     const std::uint64_t all = content.size();
     if (print.first >= all && print.count > 0)
         return {diagnose("check-N02",
-                         fmt::format("Print {}: it has {}", print.name, glib::counted(all, "element")),
+                         fmt::format("Print {}: it has {}", print.name, base::counted(all, "element")),
                          print.place)};
     const std::uint64_t count =
         std::min(print.count > 0 ? print.count : all, all - std::min(print.first, all));

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "base/text.h"
-#include "glib/number.h"
 #include "render/consequences.h"
 #include "scene/texture_parts.h"
 
@@ -159,7 +158,7 @@ std::string describeFound(const Found& found, const scene::Draw& draw, const sce
 
 std::string describeLost(const LostPrimitives& lost, const scene::Draw& draw) {
     return fmt::format("{}: gl_Position is NaN or infinite in {} of {} {}, which {} lost", draw.word,
-                       glib::groupedText(lost.lost), glib::groupedText(lost.all), lost.kind,
+                       base::groupedText(lost.lost), base::groupedText(lost.all), lost.kind,
                        lost.lost == 1 ? "is" : "are");
 }
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "glib/number.h"
+#include "base/text.h"
 
 namespace glibra::render {
 
@@ -22,9 +22,9 @@ Result<std::array<unsigned, 3>> checkedGroups(const GroupCounts& groups, const g
         if (groups[axis] > most)
             return diagnose("memory-E06",
                             fmt::format("Dispatch: {} groups along {}; this driver allows {}",
-                                        glib::groupedText(static_cast<long long>(
+                                        base::groupedText(static_cast<long long>(
                                             std::min<std::uint64_t>(groups[axis], std::uint64_t{1} << 62))),
-                                        kAxes[axis], glib::groupedText(most)),
+                                        kAxes[axis], base::groupedText(most)),
                             place);
         checked[axis] = static_cast<unsigned>(groups[axis]);
     }
@@ -38,7 +38,7 @@ Result<std::array<unsigned, 3>> checkedGroups(const GroupCounts& groups, const g
         {diagnose("draw-W18",
                   fmt::format("Dispatch: {} groups in all; this driver counts at most {}, and may not run "
                               "the others; dispatch fewer groups, or divide them with tiles",
-                              glib::groupedText(all), glib::groupedText(kMostOfSoftware)),
+                              base::groupedText(all), base::groupedText(kMostOfSoftware)),
                   place)}};
 }
 

@@ -9,7 +9,7 @@
 #include <span>
 #include <utility>
 
-#include "glib/number.h"
+#include "base/text.h"
 #include "gpu/object/compute.h"
 #include "plan/accesses.h"
 #include "render/draw/frame.h"
@@ -167,7 +167,7 @@ Diagnostics FrameDrawer::checkCounts(const scene::Draw& draw) const {
             diagnostics.push_back(
                 diagnose("memory-E06",
                          fmt::format("{} from a buffer: {} {}; the limit is {}", word,
-                                     glib::groupedText(count), things, glib::groupedText(most)),
+                                     base::groupedText(count), things, base::groupedText(most)),
                          draw.place));
         return count;
     };
@@ -179,7 +179,7 @@ Diagnostics FrameDrawer::checkCounts(const scene::Draw& draw) const {
         diagnostics.push_back(
             diagnose("memory-E15",
                      fmt::format("Vertices from a buffer: {} indices are more than the {} elements of '{}'",
-                                 glib::groupedText(count), glib::groupedText(indices->count),
+                                 base::groupedText(count), base::groupedText(indices->count),
                                  device_.nameOfIndices(draw)),
                      draw.place));
     return diagnostics;

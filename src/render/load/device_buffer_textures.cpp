@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "glib/number.h"
+#include "base/text.h"
 #include "plan/uniform_names.h"
 #include "render/load/device_buffers.h"
 
@@ -36,8 +36,8 @@ Diagnostics DeviceBuffers::checkTexels(const plan::FramePlan& plan) const {
             problems.push_back(
                 diagnose("memory-E04",
                          fmt::format("buffer '{}' has {} texels for {} '{}'; this driver allows {}",
-                                     declared.name, glib::groupedText(texels), uniform.type.word,
-                                     uniform.name, glib::groupedText(most)),
+                                     declared.name, base::groupedText(texels), uniform.type.word,
+                                     uniform.name, base::groupedText(most)),
                          declared.place));
         }
     };

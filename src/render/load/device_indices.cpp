@@ -8,6 +8,7 @@
 #include <set>
 
 #include "base/suggest.h"
+#include "base/text.h"
 #include "glib/number.h"
 #include "plan/accesses.h"
 #include "plan/buffer_table.h"
@@ -59,8 +60,8 @@ std::optional<std::string> DeviceScene::elementsProblem(const plan::FramePlan& p
         const std::uint64_t needed = each.isPerInstance ? instances : vertices;
         if (!of || needed <= of->count) continue;
         return fmt::format("{}: {} {} are more than the {} elements of '{}'", draw.word,
-                           glib::groupedText(needed), each.isPerInstance ? "instances" : "vertices",
-                           glib::groupedText(of->count),
+                           base::groupedText(needed), each.isPerInstance ? "instances" : "vertices",
+                           base::groupedText(of->count),
                            scene_.buffers[std::get<scene::BufferView>(each.from).buffer].name);
     }
     return std::nullopt;
@@ -139,7 +140,7 @@ std::optional<std::string> DeviceScene::indexProblem(const plan::FramePlan& plan
         draw.drawsAllIndices || numbers.empty() ? std::uint64_t{0} : static_cast<std::uint64_t>(numbers[0]);
     if (given > layout.elements)
         return fmt::format("{}: {} indices are more than the {} of buffer '{}'", draw.word,
-                           glib::groupedText(given), glib::groupedText(layout.elements), name);
+                           base::groupedText(given), base::groupedText(layout.elements), name);
     if (layout.elements == 0)
         return fmt::format("{}: buffer '{}' is empty, so it has no indices", draw.word, name);
     if (!isAsDeclared || !planned.inputs) return std::nullopt;
@@ -157,8 +158,8 @@ std::optional<std::string> DeviceScene::indexProblem(const plan::FramePlan& plan
     const auto beyond = firstIndexFrom(draw.indices.buffer, count, *vertices, restarts);
     if (!beyond) return std::nullopt;
     return fmt::format("{}: element {} of '{}' is vertex {}, but '{}' has {} elements", draw.word,
-                       glib::groupedText(beyond->element), name, glib::numberText(beyond->vertex),
-                       scene_.buffers[shortest].name, glib::groupedText(*vertices));
+                       base::groupedText(beyond->element), name, glib::numberText(beyond->vertex),
+                       scene_.buffers[shortest].name, base::groupedText(*vertices));
 }
 
 std::optional<DeviceScene::IndexAt> DeviceScene::firstIndexFrom(scene::BufferIndex buffer,

@@ -21,8 +21,7 @@ std::optional<Diagnostic> problemOf(const scene::Texture& texture, const std::st
                         fmt::format("{} does not exist: {} (line {})", name, why, texture.place.line), place);
     };
     const auto has = [&](int count, const char* things) {
-        return say(
-            fmt::format("'{}' has {}", texture.name, base::counted(static_cast<std::size_t>(count), things)));
+        return say(fmt::format("'{}' has {}", texture.name, base::counted(count, things)));
     };
     const int level = part.level.value_or(0);
     if (level >= made.levels()) return has(made.levels(), "level");

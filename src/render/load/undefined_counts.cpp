@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "glib/number.h"
+#include "base/text.h"
 #include "render/load/programs.h"
 
 namespace glibra::render {
@@ -21,7 +21,7 @@ constexpr std::size_t kNumbersPerSite = 3;
 Diagnostic reportOf(const glsl::UndefinedSite& site, std::int32_t count, std::int32_t first,
                     std::int32_t limit) {
     using Kind = glsl::UndefinedSite::Kind;
-    const std::string times = count == 1 ? "once" : glib::groupedText(count) + " times";
+    const std::string times = count == 1 ? "once" : base::groupedText(count) + " times";
     switch (site.kind) {
         case Kind::subscript:
             return diagnose("glsl-W29",

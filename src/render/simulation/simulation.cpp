@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "glib/number.h"
+#include "base/text.h"
 #include "plan/accesses.h"
 #include "render/draw/view_matrices.h"
 #include "render/simulation/block_checks.h"
@@ -286,7 +286,7 @@ Diagnostics Simulation::advance(const scene::FrameInputs& inputs) {
         diagnostics.push_back(diagnose(
             "memory-E08",
             fmt::format("the picture at {} s needs {} steps; the limit is {} (--steps N allows more)",
-                        inputs.time, glib::groupedText(steps), glib::groupedText(mostSteps_)),
+                        inputs.time, base::groupedText(steps), base::groupedText(mostSteps_)),
             steps_[static_cast<std::size_t>(slowest - to.begin())]->place));
         return diagnostics;
     }

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <utility>
 
+#include "base/text.h"
 #include "geometry/shapes/primitive.h"
-#include "glib/number.h"
 #include "scene/classic/classic.h"
 #include "scene/primitives.h"
 #include "scene/run/camera_use.h"
@@ -132,7 +132,7 @@ bool countVertices(Interpreter& in, const Command& command, std::uint64_t vertic
     const auto refuse = [&](std::string_view what, std::uint64_t needed, std::uint64_t limit) {
         in.reportAt(command, "glib-E15",
                     fmt::format("{} {} {} vertices; the limit is {}", textOf(command), what,
-                                glib::groupedText(needed), glib::groupedText(limit)));
+                                base::groupedText(needed), base::groupedText(limit)));
         return false;
     };
     if (vertices > kMostCommandVertices) return refuse("needs", vertices, kMostCommandVertices);

@@ -5,7 +5,7 @@
 #include <array>
 #include <string_view>
 
-#include "glib/number.h"
+#include "base/text.h"
 #include "scene/classic/classic.h"
 #include "scene/primitives.h"
 
@@ -78,7 +78,7 @@ void doGlVertex(Interpreter& in, const Command& command) {
         if (!list.isFull)
             in.reportAt(command, "glib-E15",
                         fmt::format("glBegin: a list holds at most {} vertices",
-                                    glib::groupedText(kMostListVertices)));
+                                    base::groupedText(kMostListVertices)));
         list.isFull = true;
         return;
     }
@@ -121,8 +121,8 @@ void doGlEnd(Interpreter& in, const Command& command) {
     }
     if (made.dropped > 0)
         in.reportAt(command, "glib-W33",
-                    fmt::format("glEnd: {} {} of an incomplete {} ignored", made.dropped,
-                                made.dropped == 1 ? "vertex" : "vertices", primitive));
+                    fmt::format("glEnd: {} of an incomplete {} ignored",
+                                base::counted(made.dropped, "vertex", "vertices"), primitive));
     AttributeSet outer;
     if (in.state.local.attributes) outer = in.scene.attributeSets[in.state.local.attributes];
     for (const auto& [name, extra] : list.extras) {

@@ -6,8 +6,8 @@
 #include <array>
 #include <string_view>
 
+#include "base/text.h"
 #include "glib/command_table.h"
-#include "glib/number.h"
 #include "glib/text.h"
 #include "scene/classic/classic.h"
 #include "scene/run/statements.h"
@@ -97,7 +97,7 @@ bool chargeTexels(Interpreter& in, const Command& command, std::uint64_t bytes) 
     if (all > kAllTextures) {
         in.reportAt(command, "glib-E15",
                     fmt::format("{}: all textures need {} bytes; the limit is {}", textOf(command),
-                                glib::groupedText(all), glib::groupedText(kAllTextures)));
+                                base::groupedText(all), base::groupedText(kAllTextures)));
         return false;
     }
     in.counts.textureBytes = all;

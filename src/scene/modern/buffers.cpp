@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/text.h"
 #include "glib/number.h"
 #include "glib/text.h"
 #include "scene/classic/classic.h"
@@ -176,7 +177,7 @@ void doBuffer(Interpreter& in, const Command& command) {
         if (!(whole >= 1 && whole <= kMostBufferElements)) {
             refuse(in, whole > kMostBufferElements ? "glib-E15" : "glib-E26", command, parts.size->position,
                    fmt::format("the count {} is not between 1 and {}", glib::numberText(whole),
-                               glib::groupedText(static_cast<long long>(kMostBufferElements))));
+                               base::groupedText(static_cast<long long>(kMostBufferElements))));
             return;
         }
         buffer.count = static_cast<std::uint64_t>(whole);
@@ -191,7 +192,7 @@ void doBuffer(Interpreter& in, const Command& command) {
     if (numbers * kBytes > kLargestBuffer) {
         refuse(in, "glib-E15", command, command.position,
                fmt::format("'{}' needs {} bytes; the limit is {}", buffer.name,
-                           glib::groupedText(numbers * kBytes), glib::groupedText(kLargestBuffer)));
+                           base::groupedText(numbers * kBytes), base::groupedText(kLargestBuffer)));
         return;
     }
     if (!chargeTexels(in, command, numbers * kBytes * (buffer.hasHistory ? 2 : 1))) return;
@@ -226,7 +227,7 @@ std::optional<std::array<std::uint64_t, 3>> groupCounts(Interpreter& in, const C
         if (!(whole >= 1 && whole <= kMostGroups))
             return refuse(in, "glib-E26", command, values.front().position,
                           fmt::format("the count {} is not between 1 and {}", glib::numberText(whole),
-                                      glib::groupedText(static_cast<long long>(kMostGroups))));
+                                      base::groupedText(static_cast<long long>(kMostGroups))));
         counts.at(i) = static_cast<std::uint64_t>(whole);
     }
     return counts;

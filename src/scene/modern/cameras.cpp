@@ -10,7 +10,7 @@
 #include "base/matrices.h"
 #include "base/suggest.h"
 #include "base/text.h"
-#include "expression/name_table.h"
+#include "expression/known_names.h"
 #include "scene/camera.h"
 #include "scene/matrices.h"
 #include "scene/modern/modern.h"

@@ -9,7 +9,6 @@
 #include "base/suggest.h"
 #include "geometry/list_mesh.h"
 #include "glib/command_table.h"
-#include "glib/number.h"
 #include "glib/text.h"
 #include "scene/classic/classic.h"
 #include "scene/count_limits.h"

@@ -115,14 +115,12 @@ class TargetReader {
                    false;
         if (layers != targets.layers)
             return refuse(value, fmt::format("'{}' has {}, '{}' has {}; all must have as many", first_,
-                                             base::counted(static_cast<std::size_t>(targets.layers), "layer"),
-                                             value.text, layers)),
+                                             base::counted(targets.layers, "layer"), value.text, layers)),
                    false;
         if (texture.samples != targets.samples)
             return refuse(value,
                           fmt::format("'{}' has {}, '{}' has {}; all must have as many", first_,
-                                      base::counted(static_cast<std::size_t>(targets.samples), "sample"),
-                                      value.text, texture.samples)),
+                                      base::counted(targets.samples, "sample"), value.text, texture.samples)),
                    false;
         return true;
     }

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "base/text.h"
 #include "glib/number.h"
 #include "glib/text.h"
 #include "scene/modern/modern.h"
@@ -94,7 +95,7 @@ void doRepeat(Interpreter& in, const Command& command) {
     if (rounds > static_cast<double>(kMostStatements)) {
         in.reportAt(command, "glib-E28",
                     fmt::format("Repeat: {} rounds; the limit is {}", glib::numberText(rounds),
-                                glib::groupedText(kMostStatements)));
+                                base::groupedText(kMostStatements)));
         return;
     }
     if (rounds < 1) in.modern.untaken.push_back({in.script, index + 1, command.partner});

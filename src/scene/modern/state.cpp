@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "glib/modern/statement_table.h"
-#include "glib/number.h"
 #include "scene/modern/modern.h"
 #include "scene/run/evaluate.h"
 #include "scene/run/scope.h"

@@ -15,7 +15,6 @@
 #include "base/suggest.h"
 #include "glib/limits.h"
 #include "glib/modern/statement_table.h"
-#include "glib/number.h"
 #include "glib/text.h"
 #include "image/file.h"
 #include "scene/modern/modern.h"

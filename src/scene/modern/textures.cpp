@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/suggest.h"
+#include "base/text.h"
 #include "glib/modern/statement_table.h"
 #include "glib/number.h"
 #include "glib/text.h"
@@ -91,7 +92,7 @@ std::optional<EmptySource> emptySourceOfForm(Interpreter& in, const Command& com
         if (!(size >= 1 && size <= most))
             return refuse(in, size > most ? "glib-E15" : "glib-E26", command, sizes.front().position,
                           fmt::format("the size {} is not between 1 and {}", glib::numberText(size),
-                                      glib::groupedText(most)));
+                                      base::groupedText(most)));
         *(form.countsLayers(i) ? &source.depth : targets[i]) = static_cast<int>(size);
     }
     if (form.target == TextureTarget::cube) source.height = source.width;
@@ -224,7 +225,7 @@ std::optional<Texture> pictureOf(Interpreter& in, const Command& command, const 
         if (files.size() > kLargestSide3)
             return refuse(
                 in, "glib-E15", command, files[kLargestSide3].position,
-                fmt::format("{} pictures; the limit is {}", files.size(), glib::groupedText(kLargestSide3)));
+                fmt::format("{} pictures; the limit is {}", files.size(), base::groupedText(kLargestSide3)));
         PictureSource source;
         for (const Value& each : files) source.files.push_back(fileOf(in, each.text, in.place(each)));
         texture.source = std::move(source);
@@ -293,8 +294,8 @@ void doNamedTexture(Interpreter& in, const Command& command) {
         const std::uint64_t bytes = bytesOf(texture);
         if (bytes > kLargestTexture) {
             refuse(in, "glib-E15", command, command.values[1].position,
-                   fmt::format("'{}' needs {} bytes; the limit is {}", name, glib::groupedText(bytes),
-                               glib::groupedText(kLargestTexture)));
+                   fmt::format("'{}' needs {} bytes; the limit is {}", name, base::groupedText(bytes),
+                               base::groupedText(kLargestTexture)));
             return;
         }
         if (!chargeTexels(in, command, bytes * (texture.hasHistory ? 2 : 1))) return;

@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-#include "glib/number.h"
+#include "base/text.h"
 
 namespace glibra::scene {
 namespace {
@@ -17,7 +17,7 @@ constexpr std::size_t kMostElements = 10'000'000;
 bool stop(Interpreter& in, const Place& place, std::string_view what, std::size_t most) {
     if (!std::exchange(in.counts.isFull, true))
         in.report(diagnose(
-            "glib-E28", fmt::format("the frame has more than {} {}", glib::groupedText(most), what), place));
+            "glib-E28", fmt::format("the frame has more than {} {}", base::groupedText(most), what), place));
     return false;
 }
 

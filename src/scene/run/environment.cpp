@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "expression/name_table.h"
+#include "expression/known_names.h"
 
 namespace glibra::scene {
 namespace {

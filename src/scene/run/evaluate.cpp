@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/text.h"
 #include "glib/number.h"
 #include "glib/text.h"
 #include "scene/run/camera_use.h"
@@ -194,7 +195,7 @@ std::optional<int> integerIn(Interpreter& in, const Value& value, std::string_vi
     if (whole >= least && whole <= most) return static_cast<int>(whole);
     return in.reportAt(value, "glib-E26",
                        fmt::format("{} {} is not between {} and {}", what, glib::numberText(whole),
-                                   glib::groupedText(least), glib::groupedText(most)));
+                                   base::groupedText(least), base::groupedText(most)));
 }
 
 std::optional<std::vector<double>> numbersOf(Interpreter& in, std::span<const Value> values) {
@@ -242,8 +243,8 @@ std::optional<std::vector<double>> numbersOf(Interpreter& in, std::span<const Va
     if (!numbers || numbers->size() == count) return numbers;
     const glib::Position position = values.empty() ? glib::Position{} : values.front().position;
     in.report(diagnose("glib-E26",
-                       fmt::format("{} needs {} number{}; the values here have {}", what, count,
-                                   count == 1 ? "" : "s", numbers->size()),
+                       fmt::format("{} needs {}; the values here have {}", what,
+                                   base::counted(count, "number"), numbers->size()),
                        in.script->place(position)));
     return std::nullopt;
 }
@@ -293,8 +294,8 @@ std::optional<std::vector<double>> elementsOf(Interpreter& in, const Value& owne
         } else if (static_cast<double>(numbers->size()) * count > most) {
             in.reportAt(
                 owner, "glib-E15",
-                fmt::format("{} elements of {} numbers; the limit is {} numbers", glib::groupedText(count),
-                            numbers->size(), glib::groupedText(static_cast<long long>(most))));
+                fmt::format("{} elements of {} numbers; the limit is {} numbers", base::groupedText(count),
+                            numbers->size(), base::groupedText(static_cast<long long>(most))));
             all.reset();
         } else {
             all->insert(all->end(), numbers->begin(), numbers->end());

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "base/suggest.h"
-#include "expression/name_table.h"
+#include "expression/known_names.h"
 #include "scene/run/depends.h"
 #include "scene/run/evaluate.h"
 #include "scene/texture_parts.h"

@@ -6,7 +6,7 @@
 #include <system_error>
 
 #include "base/suggest.h"
-#include "glib/number.h"
+#include "base/text.h"
 #include "glib/text.h"
 #include "scene/file_lookup.h"
 #include "scene/folder_listings.h"
@@ -75,7 +75,7 @@ class ScriptFinder {
                 fmt::format("{}: {} has too much to search; the limits are {} files and {} folders "
                             "below each other",
                             key, glib::inQuotes(pattern.text),
-                            glib::groupedText(static_cast<long long>(kMostSearched)), kDeepestSearch),
+                            base::groupedText(static_cast<long long>(kMostSearched)), kDeepestSearch),
                 pattern.place);
         } else if (files->empty()) {
             fitsNothing(key, pattern);

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/text.h"
 #include "base/whole_file.h"
 #include "glib/diagnostic_catalogue.h"
 #include "glib/number.h"
@@ -143,7 +144,7 @@ class SuiteBuilder {
         reader_.report(
             "suite-E11",
             fmt::format("{} scripts, {} sweep values and {} times are too many shots; a suite has at most {}",
-                        scripts, each, shot.times.size(), glib::groupedText(kMostShots)),
+                        scripts, each, shot.times.size(), base::groupedText(kMostShots)),
             shot.sweeps.empty() ? shot.shot.place : shot.sweeps.front().place);
         return false;
     }
@@ -248,7 +249,7 @@ Result<Suite> readFolder(const fs::path& folder) {
     if (!scenes || scenes->size() > kMostShots)
         return diagnose("suite-E11",
                         fmt::format("the folder is too large for a suite; that has at most {} scenes",
-                                    glib::groupedText(kMostShots)),
+                                    base::groupedText(kMostShots)),
                         place);
     if (scenes->empty()) return diagnose("suite-E14", "there is no .glib file in the folder", place);
     Diagnostics problems;

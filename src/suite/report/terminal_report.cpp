@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include "base/text.h"
 #include "base/utf8.h"
-#include "glib/text.h"
 #include "image/read.h"
 #include "suite/report/small_heat_map.h"
 #include "suite/results/figures.h"
@@ -60,7 +60,7 @@ class Text {
         constexpr std::size_t kMost = 10;
         for (std::size_t i = 0; i < std::min(all.size(), kMost); ++i)
             line(base::printableText(toString(*all[i].warning)) +
-                 painted(fmt::format(" in {}, as {}/{}", glib::counted(all[i].shots, "shot"),
+                 painted(fmt::format(" in {}, as {}/{}", base::counted(all[i].shots, "shot"),
                                      base::printableText(all[i].first->suite),
                                      base::printableText(all[i].first->shot)),
                          kGrey));
@@ -140,7 +140,7 @@ std::string toText(const RunResult& run, const TextOptions& options) {
     if (changed > 0)
         summary +=
             fmt::format(" ({} differ in bits from an earlier run on this driver and processor)", changed);
-    summary += fmt::format("; {} in {}", glib::counted(run.shots.size(), "shot"), readableTime(run.seconds));
+    summary += fmt::format("; {} in {}", base::counted(run.shots.size(), "shot"), readableTime(run.seconds));
     if (!run.driver.empty()) summary += ", " + base::printableText(run.driver);
     if (!run.shard.empty()) summary += ", shard " + base::printableText(run.shard);
     text.line(text.painted(summary, failures > 0 || !shortfall(run).empty() ? kRed : kGreen));

@@ -224,13 +224,10 @@ void messagesPanel(Ui& ui, MessageSection& shown) {
     const auto warnings = countOf(ui, Severity::warning);
     const auto notes = countOf(ui, Severity::note);
     if (errors + warnings + notes == 0) return;
-    const auto counted = [](std::ptrdiff_t number, const char* word) {
-        return base::counted(static_cast<std::size_t>(number), word);
-    };
-    const std::string title = errors + warnings == 0
-                                  ? fmt::format("Messages ({})###messages", counted(notes, "note"))
-                                  : fmt::format("Messages ({}, {})###messages", counted(errors, "error"),
-                                                counted(warnings, "warning"));
+    const std::string title =
+        errors + warnings == 0 ? fmt::format("Messages ({})###messages", base::counted(notes, "note"))
+                               : fmt::format("Messages ({}, {})###messages", base::counted(errors, "error"),
+                                             base::counted(warnings, "warning"));
     if (errors > 0 && shown.lastErrors == 0) shown.isOpen = true;
     shown.lastErrors = errors;
     ImGui::SetNextItemOpen(shown.isOpen);
