@@ -153,7 +153,8 @@ class Safety(ScenesTest):
         window.wait(lambda s: s["shownTab"] == 1)
         window.settle()
         window.drag_widget("uniform/Plain/uBlue", 0.25, 0.8)
-        value = window.wait_knob("uBlue", lambda v: 0.7 < v[0])["knobs"][0]["current"]
+        window.wait_knob("uBlue", lambda v: 0.7 < v[0])
+        value = window.settle()["knobs"][0]["current"]  # not one of the steps of the drag
         window.key("ctrl+w")
         window.wait(lambda s: s["question"] and "question/discard" in s["widgets"])
         window.settle()

@@ -293,7 +293,8 @@ class Tabs(ScenesTest):
     def test_each_keeps_its_own_values_and_view(self):
         window = self.open_two()
         window.drag_widget("uniform/Plain/uBlue", 0.25, 0.8)
-        two = window.wait_knob("uBlue", lambda v: 0.7 < v[0])
+        window.wait_knob("uBlue", lambda v: 0.7 < v[0])
+        two = window.settle()  # not one of the steps of the drag
         window.key("a")
         window.wait(lambda s: s["axes"])
         window.click("tab/0", across=0.3)
