@@ -63,8 +63,8 @@ std::vector<std::string> FolderListings::namesWithoutCase(const fs::path& folder
 std::vector<std::string> nearestFiles(std::string_view name, std::span<const fs::path> folders,
                                       FolderListings& listings) {
     constexpr std::size_t kMostNames = 3;
-    constexpr std::size_t kLongestName = 255;
-    if (name.empty() || name.size() > kLongestName) return {};
+    constexpr std::size_t kLongestEntry = 255;
+    if (name.empty() || name.size() > kLongestEntry) return {};
 
     struct Candidate {
         std::size_t distance;
