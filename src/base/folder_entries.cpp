@@ -1,11 +1,8 @@
 #include "base/folder_entries.h"
 
 namespace glibra::base {
-namespace {
 
 namespace fs = std::filesystem;
-
-}  // namespace
 
 std::vector<fs::directory_entry> entriesOf(const fs::path& folder, std::error_code& failure) {
     std::vector<fs::directory_entry> entries;

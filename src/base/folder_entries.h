@@ -7,11 +7,11 @@
 
 namespace glibra::base {
 
-/// The entries of a folder, in no order. After a failure, which `failure` then has, those that were found
-/// before it. Does not throw for a folder: a loop over a directory_iterator throws when its increment fails.
+/// Returns the entries of a folder, in no order. If the folder cannot be read to its end, returns those that
+/// were found, and `failure` says why. A plain loop over a directory_iterator throws then.
 std::vector<std::filesystem::directory_entry> entriesOf(const std::filesystem::path& folder,
                                                         std::error_code& failure);
-/// The same where a failure does not matter.
+/// The same, without the reason of a failure.
 std::vector<std::filesystem::directory_entry> entriesOf(const std::filesystem::path& folder);
 
 }  // namespace glibra::base

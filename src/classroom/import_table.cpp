@@ -47,12 +47,12 @@ struct BookForm {
 };
 
 const BookForm& formOf(GradeBook book) {
-    static constexpr BookForm kForms[] = {
-        {},
-        {{"identifier", "grade"}, "grade", "feedback comments", "maximum grade", kMoodleHead},
-        {{"student", "id"}, "", "", "", kCanvasHead},
-        {{"sid", "total score"}, "total score", "comments", "max points", kGradescopeHead}};
-    return kForms[static_cast<std::size_t>(book)];
+    static constexpr std::array<BookForm, 4> kForms{
+        {{},
+         {{"identifier", "grade"}, "grade", "feedback comments", "maximum grade", kMoodleHead},
+         {{"student", "id"}, "", "", "", kCanvasHead},
+         {{"sid", "total score"}, "total score", "comments", "max points", kGradescopeHead}}};
+    return kForms.at(static_cast<std::size_t>(book));
 }
 
 /// The platform's own table with the grades in it.

@@ -5,31 +5,13 @@
 #include <algorithm>
 #include <string>
 #include <string_view>
-#include <system_error>
 
 #include "scene/file_lookup.h"
 #include "suite/options/option_words.h"
 
 namespace glibra::cli {
-namespace {
 
 namespace fs = std::filesystem;
-
-bool isLibrary(const fs::path& folder) {
-    std::error_code failure;
-    return fs::is_directory(folder / "glib", failure) && fs::is_directory(folder / "shaders", failure);
-}
-
-}  // namespace
-
-fs::path ownLibrary() {
-    std::error_code failure;
-    const fs::path program = fs::read_symlink("/proc/self/exe", failure);
-    for (fs::path folder = program.parent_path(); folder.has_relative_path(); folder = folder.parent_path())
-        for (const fs::path& each : {folder, folder / "share/glibra"})
-            if (isLibrary(each)) return each;
-    return {};
-}
 
 Diagnostics libraryHint(const fs::path& scene, const Diagnostics& diagnostics, const fs::path& library) {
     // glsl-E01 has a subject only if a file is not found by #include.

@@ -5,15 +5,13 @@
 
 #include <filesystem>
 
-namespace glibra::cli {
+#include "base/own_library.h"
 
-/// The library of this program: the nearest folder above it that has `glib` and `shaders`, or whose
-/// `share/glibra` has them, so that an installation may be moved. Empty if there is none.
-std::filesystem::path ownLibrary();
+namespace glibra::cli {
 
 /// A note for the first of the missing files (file-E01) of a scene that the library has, with the --library
 /// that finds it. Nothing if the library has none of them, or is searched already.
 Diagnostics libraryHint(const std::filesystem::path& scene, const Diagnostics& diagnostics,
-                        const std::filesystem::path& library = ownLibrary());
+                        const std::filesystem::path& library = base::ownLibrary());
 
 }  // namespace glibra::cli

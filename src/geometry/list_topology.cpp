@@ -1,7 +1,6 @@
 #include "geometry/list_topology.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <numeric>
 #include <utility>
@@ -10,25 +9,6 @@
 
 namespace glibra::geometry {
 namespace {
-
-/// In the order of ListTopology.
-constexpr std::array<std::string_view, 15> kWords{
-    "points",
-    "lines",
-    "line_strip",
-    "line_loop",
-    "triangles",
-    "triangle_strip",
-    "triangle_fan",
-    "polygon",
-    "quads",
-    "quad_strip",
-    "lines_adjacency",
-    "line_strip_adjacency",
-    "triangles_adjacency",
-    "triangle_strip_adjacency",
-    "patches",
-};
 
 using Indices = std::vector<std::uint32_t>;
 
@@ -55,9 +35,9 @@ std::optional<ListTopology> listTopology(std::string_view word) {
     const std::string plain = base::lower(word.substr(0, 64));
     std::string_view bare = plain;
     if (bare.starts_with("gl_")) bare.remove_prefix(3);
-    const auto* const found = std::ranges::find(kWords, bare);
-    if (found == kWords.end()) return std::nullopt;
-    return static_cast<ListTopology>(found - kWords.begin());
+    const auto* const found = std::ranges::find(kListTopologyWords, bare);
+    if (found == kListTopologyWords.end()) return std::nullopt;
+    return static_cast<ListTopology>(found - kListTopologyWords.begin());
 }
 
 Topology meshTopology(ListTopology topology) {

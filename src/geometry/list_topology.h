@@ -1,6 +1,7 @@
 #pragma once
 // The topologies of glBegin, and how they split a list of vertices into separate primitives.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -29,6 +30,13 @@ enum class ListTopology {
     triangleStripAdjacency,
     patches
 };
+
+/// Their words in scenes, in this order.
+inline constexpr auto kListTopologyWords = std::to_array<std::string_view>(
+    {"points", "lines", "line_strip", "line_loop", "triangles", "triangle_strip", "triangle_fan", "polygon",
+     "quads", "quad_strip", "lines_adjacency", "line_strip_adjacency", "triangles_adjacency",
+     "triangle_strip_adjacency", "patches"});
+static_assert(kListTopologyWords.size() == static_cast<std::size_t>(ListTopology::patches) + 1);
 
 /// Returns the topology with that name, for example `triangle_strip`, with or without the prefix `gl_`, in
 /// any case; nothing for other words.

@@ -20,7 +20,7 @@ enum class Topology { points, lines, linesAdjacency, triangles, trianglesAdjacen
 constexpr std::string_view wordsOf(Topology topology) {
     constexpr std::array<std::string_view, 6> kWords{
         "points", "lines", "lines with adjacency", "triangles", "triangles with adjacency", "patches"};
-    return kWords[static_cast<std::size_t>(topology)];
+    return kWords.at(static_cast<std::size_t>(topology));
 }
 
 /// Names of the attributes. A mesh holds only those that vary over it. A missing colour reads as the current
@@ -64,7 +64,7 @@ struct Mesh {
 /// The number of indices that one primitive takes.
 constexpr int verticesPerPrimitive(Topology topology, int patchVertices = 0) {
     constexpr std::array<int, 5> kCounts{1, 2, 4, 3, 6};
-    return topology == Topology::patches ? patchVertices : kCounts[static_cast<std::size_t>(topology)];
+    return topology == Topology::patches ? patchVertices : kCounts.at(static_cast<std::size_t>(topology));
 }
 
 }  // namespace glibra::geometry

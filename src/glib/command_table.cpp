@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "geometry/list_topology.h"
 #include "geometry/shapes/primitive.h"
 #include "glib/limits.h"
 #include "glib/text.h"
@@ -125,21 +126,6 @@ constexpr Argument kMessage[] = {textual("text", ArgumentType::text, true)};
 
 // ---- Words.
 
-constexpr std::string_view kListTopologies[] = {"points",
-                                                "lines",
-                                                "line_strip",
-                                                "line_loop",
-                                                "triangles",
-                                                "triangle_strip",
-                                                "triangle_fan",
-                                                "polygon",
-                                                "quads",
-                                                "quad_strip",
-                                                "lines_adjacency",
-                                                "line_strip_adjacency",
-                                                "triangles_adjacency",
-                                                "triangle_strip_adjacency",
-                                                "patches"};
 constexpr std::string_view kInputTopologies[] = {"points", "lines", "lines_adjacency", "triangles",
                                                  "triangles_adjacency"};
 constexpr std::string_view kOutputTopologies[] = {"points", "line_strip", "triangle_strip"};
@@ -202,7 +188,7 @@ constexpr CommandRow kRowsAfter[] = {
      .arguments = kTopology,
      .summary = "starts a list of vertices",
      .form = Form::topology,
-     .words = kListTopologies},
+     .words = geometry::kListTopologyWords},
     {Id::glVertex, {"glVertex"}, kGlVertex, "a vertex of the list"},
     {Id::glNormal, {"glNormal"}, kGlNormal, "normal of the following vertices"},
     {Id::glColor, {"glColor"}, kGlColor, "colour of the following vertices"},

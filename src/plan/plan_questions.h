@@ -1,5 +1,6 @@
 #pragma once
-// What planFrame() (planner.h) is told about the picture and the driver, and what it asks while it plans.
+// The inputs of planFrame() (planner.h): options, limits of the driver, and the questions that it asks while
+// it plans.
 
 #include <functional>
 #include <string>

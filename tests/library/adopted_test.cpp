@@ -17,7 +17,7 @@ namespace {
 
 using Bytes = std::vector<std::byte>;
 
-/// Two squares, one behind the other, with a texture of 3 x 3 texels.
+/// A scene of two squares, one behind the other. They show a texture of 3 x 3 texels.
 constexpr const char* kCovered =
     "WindowSize 33 17\nBackground .1 .2 .3\nTexture2D photo photo.tex\nVertex covered.vert\n"
     "Fragment covered.frag\nProgram Covered\nQuadXY -.5 .6\nQuadXY .5 .9\n";

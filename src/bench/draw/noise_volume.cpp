@@ -1,6 +1,7 @@
 #include "bench/draw/noise_volume.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <glm/gtc/packing.hpp>
@@ -16,14 +17,14 @@ struct FormatRow {
     gpu::TexelFormat texels;
 };
 /// In the order of NoiseFormat.
-constexpr FormatRow kFormatRows[] = {{"8 bit, cut off", gpu::TexelFormat::rgba8},
-                                     {"8 bit, rounded", gpu::TexelFormat::rgba8},
-                                     {"16 bit", gpu::TexelFormat::rgba16},
-                                     {"half float", gpu::TexelFormat::rgba16f},
-                                     {"float", gpu::TexelFormat::rgba32f}};
+constexpr std::array<FormatRow, 5> kFormatRows{{{"8 bit, cut off", gpu::TexelFormat::rgba8},
+                                                {"8 bit, rounded", gpu::TexelFormat::rgba8},
+                                                {"16 bit", gpu::TexelFormat::rgba16},
+                                                {"half float", gpu::TexelFormat::rgba16f},
+                                                {"float", gpu::TexelFormat::rgba32f}}};
 
 const FormatRow& formatRow(NoiseFormat format) {
-    return kFormatRows[static_cast<std::size_t>(format)];
+    return kFormatRows.at(static_cast<std::size_t>(format));
 }
 
 float kept(float value, NoiseFormat format) {

@@ -1,6 +1,7 @@
 #include "bench/reference/pixel_filter.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -13,11 +14,11 @@ struct FilterRow {
     double radius;
 };
 /// In the order of PixelFilter.
-constexpr FilterRow kFilterRows[] = {
-    {"box", .5}, {"tent", 1}, {"Gaussian", 1.5}, {"Mitchell", 2}, {"Lanczos 2", 2}};
+constexpr std::array<FilterRow, 5> kFilterRows{
+    {{"box", .5}, {"tent", 1}, {"Gaussian", 1.5}, {"Mitchell", 2}, {"Lanczos 2", 2}}};
 
 const FilterRow& filterRow(PixelFilter filter) {
-    return kFilterRows[static_cast<std::size_t>(filter)];
+    return kFilterRows.at(static_cast<std::size_t>(filter));
 }
 
 double sinc(double x) {

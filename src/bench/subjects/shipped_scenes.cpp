@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
-#include <optional>
 #include <sstream>
 #include <string_view>
 #include <system_error>
+
+#include "base/own_library.h"
 
 namespace glibra::bench {
 namespace {
@@ -29,37 +30,26 @@ const std::vector<Finest>& finestLevels() {
     return table;
 }
 
-bool isLibrary(const fs::path& folder) {
-    std::error_code failure;
-    return fs::is_directory(folder / "glib", failure) && fs::is_directory(folder / "shaders", failure);
-}
-
-std::optional<fs::path> libraryAbove(fs::path folder) {
-    for (;; folder = folder.parent_path()) {
-        if (isLibrary(folder)) return folder;
-        if (folder == folder.parent_path()) return std::nullopt;
-    }
-}
-
-std::optional<fs::path> library() {
+/// Empty if there is none.
+fs::path library() {
     if (const char* variable = std::getenv("GLIBRA_PATH")) {
         std::istringstream folders(variable);
         for (std::string each; std::getline(folders, each, ':');)
-            if (!each.empty() && isLibrary(each)) return each;
+            if (!each.empty() && base::isLibrary(each)) return each;
     }
     std::error_code failure;
-    if (auto found = libraryAbove(fs::current_path(failure))) return found;
-    return libraryAbove(fs::read_symlink("/proc/self/exe", failure).parent_path());
+    if (fs::path found = base::libraryAbove(fs::current_path(failure)); !found.empty()) return found;
+    return base::ownLibrary();
 }
 
 }  // namespace
 
 Result<std::vector<ShippedScene>> shippedScenes() {
-    const std::optional<fs::path> root = library();
+    const fs::path root = library();
     std::vector<ShippedScene> scenes;
     std::error_code failure;
-    if (root)
-        for (fs::recursive_directory_iterator at(*root / "glib", failure), end; at != end;
+    if (!root.empty())
+        for (fs::recursive_directory_iterator at(root / "glib", failure), end; at != end;
              at.increment(failure)) {
             if (failure) break;
             const fs::path& path = at->path();

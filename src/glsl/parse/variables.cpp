@@ -45,7 +45,7 @@ std::string headOf(const Variable& variable) {
     if (variable.sample) add("sample");
     if (variable.patch) add("patch");
     for (const std::string& each : variable.memory) add(each);
-    add(kStorageWords[static_cast<std::size_t>(variable.storage)]);
+    add(kStorageWords.at(static_cast<std::size_t>(variable.storage)));
     add(variable.precision);
     add(variable.type);
     return text + bracketed(variable.typeSizes);

@@ -8,14 +8,10 @@
 
 namespace glibra::view {
 
-/// The folder with the examples: the first one that contains both `glib` and `shaders`. Searched are `roots`,
-/// then the folders above the program, then those above the scene, and `share/glibra` in each of them. Empty
-/// if there is none.
+/// The folder with the examples: the first of `roots` that is a library, or else the nearest library above
+/// the program, or else above the scene (base/own_library.h). Empty if there is none.
 std::filesystem::path exampleRoot(const std::vector<std::filesystem::path>& roots,
                                   const std::filesystem::path& scene, const std::filesystem::path& program);
-
-/// The file of the running program.
-std::filesystem::path programFile();
 
 /// True for the scenes, shaders, textures and models that ship with the running program, and for any other
 /// file in their folders, whether it exists or not. They are not written to.

@@ -17,6 +17,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/own_library.h"
 #include "glib/text.h"
 #include "image/read.h"
 #include "view/browse/example_scenes.h"
@@ -87,7 +88,7 @@ void listExamples(const Session& session, ExampleBrowser& browser) {
     browser.isListed = true;
     browser.maker.reset();
     browser.tiles.clear();
-    browser.root = exampleRoot(session.renderOptions().libraryRoots, session.path(), programFile());
+    browser.root = exampleRoot(session.renderOptions().libraryRoots, session.path(), base::programFile());
     if (browser.root.empty()) return;
     const std::filesystem::path cache = thumbnailFolder();
     std::vector<ExampleScene> scenes = exampleScenes(browser.root);

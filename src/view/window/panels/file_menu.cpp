@@ -9,6 +9,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/own_library.h"
 #include "image/file.h"
 #include "view/browse/example_scenes.h"
 #include "view/edit/example_folders.h"
@@ -66,7 +67,7 @@ std::string makeEmptyScene(Ui& ui, fs::path target) {
 /// The templates are the scenes in the folder "start" of the examples.
 void newMenu(Ui& ui, std::optional<std::vector<ExampleScene>>& templates) {
     if (!templates) {
-        const fs::path root = exampleRoot({}, {}, programFile());
+        const fs::path root = exampleRoot({}, {}, base::programFile());
         templates = root.empty() ? std::vector<ExampleScene>() : exampleScenes(root);
         std::erase_if(*templates, [](const ExampleScene& each) { return each.topic != "start"; });
     }

@@ -1,0 +1,21 @@
+#pragma once
+// The scenes, shaders, textures and models that ship with this program.
+
+#include <filesystem>
+
+namespace glibra::base {
+
+/// The file of the running program; empty if the system does not tell it.
+std::filesystem::path programFile();
+
+/// True if the folder has `glib` and `shaders`, as the library that ships with glibra has.
+bool isLibrary(const std::filesystem::path& folder);
+
+/// The nearest library: the folder (empty: the current one), its `share/glibra` (an installation, which may
+/// be moved), or the same of a folder above it. Empty if there is none.
+std::filesystem::path libraryAbove(std::filesystem::path folder);
+
+/// The library of the running program. Empty if there is none.
+std::filesystem::path ownLibrary();
+
+}  // namespace glibra::base
