@@ -13,16 +13,12 @@
 #include <string>
 #include <vector>
 
+#include "support.h"
+
 namespace glibra {
 namespace {
 
 using Files = std::map<std::string, std::string>;
-
-Renderer openedForMemory() {
-    Result<Renderer> renderer = Renderer::open();
-    EXPECT_TRUE(renderer) << renderer.message();
-    return std::move(*renderer);
-}
 
 std::vector<int> drawnPixel(Scene& scene) {
     const Result<Picture> picture = scene.draw();
@@ -64,7 +60,7 @@ Files classicFiles() {
 }
 
 TEST(SceneInMemory, NeedsNoFileOfTheDisk) {
-    Renderer renderer = openedForMemory();
+    Renderer renderer = tests::opened();
     for (const char* name : {"scene.glib", "no/such/folder/scene.glib", "./scene.glib"}) {
         Result<Scene> scene = renderer.loadText(kClassic, name, classicFiles());
         ASSERT_TRUE(scene) << scene.message();
@@ -75,7 +71,7 @@ TEST(SceneInMemory, NeedsNoFileOfTheDisk) {
 }
 
 TEST(SceneInMemory, HasOtherPicturesUnderTheSameNames) {
-    Renderer renderer = openedForMemory();
+    Renderer renderer = tests::opened();
     Result<Scene> first = renderer.loadText(kClassic, "scene.glib", classicFiles());
     Files files = classicFiles();
     files["pictures/photo.ppm"].replace(files["pictures/photo.ppm"].size() - 6, 3, "\xff\x33\xff");
@@ -101,7 +97,7 @@ TEST(SceneInMemory, IsReadThroughAFunction) {
         {"photo.tex", bytesOf<std::int32_t>({2, 2}) + std::string(16, '\xff')},
         {"numbers.bin", bytesOf<float>({0, 0, 0, 0, 0, .2F, 0, 0})}};
     std::set<std::string> asked;
-    Renderer renderer = openedForMemory();
+    Renderer renderer = tests::opened();
     Result<Scene> scene = renderer.loadText(
         kModern, "made/scene.glib", [&](const std::filesystem::path& path) -> std::optional<std::string> {
             if (path.parent_path() != "made") return std::nullopt;
@@ -131,7 +127,7 @@ TEST(SceneInMemory, IsFoundByLoadAndRenderToo) {
             const auto found = files.find(path.lexically_relative("mem"));
             return found == files.end() ? std::nullopt : std::optional(found->second);
         });
-    Renderer renderer = openedForMemory();
+    Renderer renderer = tests::opened();
     Result<Scene> scene = renderer.load("mem/scene.glib", options);
     ASSERT_TRUE(scene) << scene.message();
     EXPECT_EQ(drawnPixel(*scene), (std::vector<int>{0, 0, 153}));
@@ -146,7 +142,7 @@ TEST(SceneInMemory, ReportsMistakesWithTheirPlaces) {
         Files files = classicFiles();
         files.erase(name);
         if (content) files[name] = *content;
-        Renderer renderer = openedForMemory();
+        Renderer renderer = tests::opened();
         const Result<Scene> scene = renderer.loadText(kClassic, "scene.glib", files);
         EXPECT_FALSE(scene) << name;
         return scene.message();

@@ -46,6 +46,34 @@ std::string textsOf(const Diagnostics& diagnostics) {
     return texts;
 }
 
+Interpretation scriptOf(std::string_view text, const std::filesystem::path& path) {
+    glib::Script script = glib::parse(text, path.string());
+    EXPECT_EQ(textsOf(script.diagnostics), "");
+    return {std::move(script), {}};
+}
+
+Scene sceneAt(Interpretation& script, double time) {
+    FrameInputs inputs;
+    inputs.time = time;
+    return script.at(inputs);
+}
+
+glm::dvec3 placeOf(const Draw& draw) {
+    return glm::dvec3(draw.modelView[3]);
+}
+
+const glib::UniformSpec* uniformOf(const Scene& scene, const Draw& draw, std::string_view tag) {
+    if (!draw.uniforms) return nullptr;
+    for (const glib::UniformSpec& each : scene.uniformSets[draw.uniforms].values)
+        if (each.tag == tag) return &each;
+    return nullptr;
+}
+
+std::vector<double> uniformValues(const Scene& scene, const Draw& draw, std::string_view tag) {
+    const glib::UniformSpec* found = uniformOf(scene, draw, tag);
+    return found != nullptr ? found->values : std::vector<double>();
+}
+
 TemporaryFolder::TemporaryFolder() {
     std::string pattern = (std::filesystem::temp_directory_path() / "glibra-scene-XXXXXX").string();
     if (mkdtemp(pattern.data()) != nullptr) path_ = pattern;
