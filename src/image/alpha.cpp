@@ -34,6 +34,16 @@ void divideColors(Image& image) {
 }
 
 template <class Value>
+void turnColorsOver(Image& image) {
+    for (std::size_t at = 0; at + 4 * sizeof(Value) <= image.data.size(); at += 4 * sizeof(Value))
+        for (std::size_t c = 0; c < 3; ++c) {
+            std::byte* const component = image.data.data() + at + c * sizeof(Value);
+            const auto turned = static_cast<Value>(kOpaque<Value> - valueAt<Value>(component, 0));
+            std::memcpy(component, &turned, sizeof turned);
+        }
+}
+
+template <class Value>
 bool hasOtherThanOpaque(const Image& image) {
     const auto components = static_cast<std::size_t>(image.components);
     const std::size_t count = image.data.size() / sizeof(Value);
@@ -47,6 +57,11 @@ bool hasOtherThanOpaque(const Image& image) {
 void unassociateAlpha(Image& image) {
     if (image.components != 4) return;
     withZeroOf(image.type, [&](auto zero) { divideColors<decltype(zero)>(image); });
+}
+
+void invertColors(Image& image) {
+    if (image.components != 4) return;
+    withZeroOf(image.type, [&](auto zero) { turnColorsOver<decltype(zero)>(image); });
 }
 
 bool isTransparent(const Image& image) {

@@ -1,6 +1,7 @@
 #pragma once
-// Pictures that libraries of others decode. What a library is known to get wrong, or to reserve before it has
-// judged, is read here from the header first.
+// Pictures that libraries of others decode. A library hands over pixels that are not the picture for some
+// kinds of samples, and its next version for others: only kinds whose pixels a test has compared with the
+// content of the file or with another decoder are given to it. The headers are read here first.
 
 #include <glibra/result.h>
 
@@ -15,7 +16,7 @@ namespace glibra::image {
 
 /// Reads a picture of any format that the image module has. TIFF is turned upright, and colours that were
 /// multiplied by alpha are divided by it, except in EXR. file-W15 if EXIF data that are ignored turn a JPEG.
-/// Errors: those of readByModule.
+/// Errors: file-E04 for kinds that no test has compared; those of readByModule.
 Result<Image> decodeForeign(Format format, std::span<const std::byte> file, const std::filesystem::path& path,
                             const FileLabel& label, const ReadOptions& options);
 

@@ -34,6 +34,8 @@ JpegFacts jpegFacts(ByteSpan jpeg) {
         const ByteSpan content = jpeg.subspan(at + 4, length - 2);
         const bool isFrame = marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
         if (isFrame && length >= kLeastFrame) {
+            facts.frame = marker;
+            facts.bits = octetAt(content, 0);
             facts.height = big16(content, 1);
             facts.width = big16(content, 3);
             facts.components = octetAt(content, 5);

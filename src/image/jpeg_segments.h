@@ -17,7 +17,10 @@ std::vector<std::byte> withoutMetadata(std::span<const std::byte> jpeg);
 /// What the header of a JPEG file says.
 struct JpegFacts {
     std::uint32_t width = 0, height = 0, components = 0;  ///< 0 if the file has no frame
-    unsigned orientation = 1;                             ///< of the EXIF data, 1 to 8; 1: upright
+    std::uint32_t frame =
+        0;  ///< the marker's second byte: c0 and c1 sequential, c2 progressive, others are rare
+    std::uint32_t bits = 0;    ///< per component
+    unsigned orientation = 1;  ///< of the EXIF data, 1 to 8; 1: upright
 };
 JpegFacts jpegFacts(std::span<const std::byte> jpeg);
 

@@ -70,6 +70,11 @@ def make(folder):
         "order2.tif": ["-define", "tiff:fill-order=lsb", "-compress", "LZW"],
         "order3.tif": ["-define", "tiff:fill-order=lsb", "-compress", "None"],
         "order4.tif": ["-define", "tiff:fill-order=lsb", "-monochrome", "-compress", "Group4"], "jpeg.tif": ["-compress", "JPEG"],
+        "ycc.tif": ["-colorspace", "YCbCr"], "fax3.tif": ["-monochrome", "-compress", "Fax"],
+        "plain.jpg": ["-sampling-factor", "1x1"], "progressive.jpg": ["-interlace", "JPEG"], "grey.jpg": ["-colorspace", "gray"],
+        "inks.jpg": ["-colorspace", "CMYK"], "plain.psd": ["-compress", "RLE"], "flat.psd": ["-compress", "None"],
+        "grey.psd": ["-colorspace", "gray", "-compress", "RLE"], "deep.psd": ["-depth", "16", "-compress", "RLE"],
+        "grey.avif": ["-colorspace", "gray"], "grey.heic": ["-colorspace", "gray"],
         "rle8.bmp": ["-colors", "20", "-compress", "RLE"], "old.bmp": ["-define", "bmp:format=bmp2"],
         "associated.tif": ["-define", "tiff:alpha=associated"],  # the last: ImageMagick 7 keeps it for the pictures after it
     }.items():

@@ -90,6 +90,19 @@ inline std::vector<int> pixelAt(const Image& image, int x, int y) {
     return values;
 }
 
+/// A component of all pixels as a number: bytes and 16 bits stand for 0..1.
+inline double componentAt(const Image& image, std::size_t index) {
+    if (image.type == Component::u8) return std::to_integer<int>(image.data[index]) / 255.;
+    if (image.type == Component::u16) {
+        std::uint16_t value = 0;
+        std::memcpy(&value, image.data.data() + 2 * index, 2);
+        return value / 65535.;
+    }
+    float value = 0;
+    std::memcpy(&value, image.data.data() + 4 * index, 4);
+    return static_cast<double>(value);
+}
+
 using Rgba = std::vector<int>;
 
 /// The module that was built; GLIBRA_TEST_MODULE_DIR names a packaged one to test instead.

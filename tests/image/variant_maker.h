@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support.h"
@@ -28,5 +29,15 @@ std::vector<Variant> hdrVariants();
 std::vector<Variant> gifVariants();
 /// DDS: masks, bit counts, numbered formats.
 std::vector<Variant> ddsVariants();
+/// TIFF: what samples mean, their bits, types and number, planes, orders of bytes.
+std::vector<Variant> tiffVariants();
+/// Photoshop: modes, depths, channels, packings.
+std::vector<Variant> photoshopVariants();
+/// ICO: depths, masks.
+std::vector<Variant> iconVariants();
+/// DDS files of random blocks, of which only another decoder knows the pixels: names and files.
+std::vector<std::pair<std::string, std::vector<std::byte>>> blockFiles();
+/// True for those whose numbers have a sign.
+bool isSignedBlocks(const std::string& name);
 
 }  // namespace glibra::image::testing

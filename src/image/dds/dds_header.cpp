@@ -84,18 +84,54 @@ constexpr std::array kDdsKinds{
     DdsKind{115, 0, 16, {{{8, 4}, {4, 4}, {0, 4}, {12, 4}}}, DdsNumber::fraction},
 };
 
-/// Bytes of a compressed block by its name or its DXGI_FORMAT; 0 if it is none.
-std::uint32_t blockBytesOf(std::string_view name) {
-    for (const std::string_view each : {"DXT1", "ATI1", "BC4U", "BC4S"})
-        if (name == each) return 8;
-    for (const std::string_view each : {"DXT2", "DXT3", "DXT4", "DXT5", "ATI2", "BC5U", "BC5S", "RXGB"})
-        if (name == each) return 16;
-    return 0;
-}
-std::uint32_t blockBytesOf(std::uint32_t dxgi) {
-    if ((dxgi >= 70 && dxgi <= 72) || (dxgi >= 79 && dxgi <= 81)) return 8;
-    if ((dxgi >= 73 && dxgi <= 78) || (dxgi >= 82 && dxgi <= 84) || (dxgi >= 94 && dxgi <= 99)) return 16;
-    return 0;
+/// A kind of compressed blocks: its name, or the DXGI_FORMATs from `first` to `last`: without a type, sRGB
+/// and plain, which hold the same bytes.
+struct DdsBlockKind {
+    std::string_view name;  ///< empty: none
+    std::uint32_t first, last;
+    std::uint32_t bytes, parts;
+    std::uint32_t dxgi = 0;  ///< 0: of parts
+    bool isSigned = false, premultiplied = false;
+};
+
+constexpr std::array kDdsBlockKinds{
+    DdsBlockKind{.name = "DXT1", .first = 70, .last = 72, .bytes = 8, .parts = 0, .dxgi = kDxgiBc1},
+    DdsBlockKind{.name = "DXT3", .first = 73, .last = 75, .bytes = 16, .parts = 0, .dxgi = kDxgiBc2},
+    DdsBlockKind{.name = "DXT5", .first = 76, .last = 78, .bytes = 16, .parts = 0, .dxgi = kDxgiBc3},
+    DdsBlockKind{.name = "DXT2",
+                 .first = 0,
+                 .last = 0,
+                 .bytes = 16,
+                 .parts = 0,
+                 .dxgi = kDxgiBc2,
+                 .premultiplied = true},
+    DdsBlockKind{.name = "DXT4",
+                 .first = 0,
+                 .last = 0,
+                 .bytes = 16,
+                 .parts = 0,
+                 .dxgi = kDxgiBc3,
+                 .premultiplied = true},
+    DdsBlockKind{.name = "BC4U", .first = 79, .last = 80, .bytes = 8, .parts = 1},
+    DdsBlockKind{.name = "ATI1", .first = 0, .last = 0, .bytes = 8, .parts = 1},
+    DdsBlockKind{.name = "BC4S", .first = 81, .last = 81, .bytes = 8, .parts = 1, .isSigned = true},
+    DdsBlockKind{.name = "BC5U", .first = 82, .last = 83, .bytes = 16, .parts = 2},
+    DdsBlockKind{.name = "ATI2", .first = 0, .last = 0, .bytes = 16, .parts = 2},
+    DdsBlockKind{.name = "BC5S", .first = 84, .last = 84, .bytes = 16, .parts = 2, .isSigned = true},
+    DdsBlockKind{.name = "", .first = 94, .last = 95, .bytes = 16, .parts = 0, .dxgi = kDxgiBc6},
+    DdsBlockKind{.name = "", .first = 97, .last = 99, .bytes = 16, .parts = 0, .dxgi = kDxgiBc7},
+};
+
+template <class Is>
+bool takeBlocks(const Is& is, DdsHeader& header) {
+    const auto* const kind = std::find_if(kDdsBlockKinds.begin(), kDdsBlockKinds.end(), is);
+    if (kind == kDdsBlockKinds.end()) return false;
+    header.blockBytes = kind->bytes;
+    header.blockParts = kind->parts;
+    header.blockDxgi = kind->dxgi;
+    header.premultiplied |= kind->premultiplied;
+    if (kind->isSigned) header.number = DdsNumber::signedFraction;
+    return true;
 }
 
 /// False unless the bits of a mask are adjacent.
@@ -149,11 +185,11 @@ std::string readPixelKind(ByteSpan file, DdsHeader& header) {
     const std::uint32_t number = little32(file, 84);
     const std::string_view name(reinterpret_cast<const char*>(file.data()) + 84, 4);
     if (name != "DX10") {
-        header.blockBytes = blockBytesOf(name);
+        if (takeBlocks([&](const DdsBlockKind& each) { return each.name == name; }, header)) return {};
         const auto* const kind = std::find_if(kDdsKinds.begin(), kDdsKinds.end(), [&](const DdsKind& each) {
             return each.d3d != 0 && each.d3d == number;
         });
-        if (header.blockBytes > 0 || takeKind(kind, header)) return {};
+        if (takeKind(kind, header)) return {};
         return fmt::format("unknown DDS pixels, kind {}", number);
     }
     header.dataOffset = kDdsHeader + kDdsExtension;
@@ -162,11 +198,13 @@ std::string readPixelKind(ByteSpan file, DdsHeader& header) {
     constexpr std::uint32_t kVolume = 4, kPremultiplied = 2;
     if (dimension == kVolume) return "it is a volume";
     header.premultiplied = (little32(file, kDdsHeader + 16) & 7U) == kPremultiplied;
-    header.blockBytes = blockBytesOf(dxgi);
+    if (dxgi != 0 &&
+        takeBlocks([&](const DdsBlockKind& each) { return each.first <= dxgi && dxgi <= each.last; }, header))
+        return {};
     const auto* const kind = std::find_if(kDdsKinds.begin(), kDdsKinds.end(), [&](const DdsKind& each) {
         return each.dxgi != 0 && each.dxgi == dxgi;
     });
-    if (header.blockBytes > 0 || takeKind(kind, header)) return {};
+    if (takeKind(kind, header)) return {};
     return fmt::format("unknown DDS pixels, DXGI format {}", dxgi);
 }
 

@@ -11,6 +11,10 @@
 
 namespace glibra::image {
 
+/// DXGI_FORMATs of blocks that the image module reads.
+inline constexpr std::uint32_t kDxgiBc1 = 71, kDxgiBc2 = 74, kDxgiBc3 = 77, kDxgiBc6 = 95,
+                               kDxgiBc6Signed = 96, kDxgiBc7 = 98;
+
 /// What the bits of a component mean.
 enum class DdsNumber {
     fraction,        ///< 0..1
@@ -27,9 +31,12 @@ struct DdsBits {
 
 struct DdsHeader {
     std::uint32_t width = 0, height = 0;
-    std::uint64_t rowBytes = 0;     ///< of the pixels, or of a row of blocks of 4 x 4 pixels
-    std::uint32_t pixelBits = 0;    ///< 0: blocks of 4 x 4 pixels
-    std::uint32_t blockBytes = 0;   ///< of such a block
+    std::uint64_t rowBytes = 0;    ///< of the pixels, or of a row of blocks of 4 x 4 pixels
+    std::uint32_t pixelBits = 0;   ///< 0: blocks of 4 x 4 pixels
+    std::uint32_t blockBytes = 0;  ///< of such a block
+    std::uint32_t blockParts =
+        0;  ///< components that lie in parts of 8 bytes (BC4: 1, BC5: 2); 0: of other kinds
+    std::uint32_t blockDxgi = 0;    ///< of other kinds: their DXGI_FORMAT, one for each way to read blocks
     std::array<DdsBits, 4> bits{};  ///< red, green, blue, alpha
     DdsNumber number = DdsNumber::fraction;
     bool isGrey = false;         ///< the first component stands for red, green and blue

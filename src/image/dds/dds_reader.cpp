@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <string_view>
 #include <type_traits>
 
 #include "image/alpha.h"
@@ -98,25 +99,89 @@ void readDdsPixels(ByteSpan data, const DdsHeader& header, Image& image) {
         }
 }
 
+/// One component of a block of 4 x 4 pixels, row by row: BC4 (Microsoft, "Texture Block Compression in
+/// Direct3D 11"). 0..1, or -1..1 with a sign.
+std::array<double, 16> componentBlock(ByteSpan block, bool isSigned) {
+    const auto endOf = [&](std::size_t at) {
+        const int value =
+            isSigned ? std::max(-127, int{std::bit_cast<std::int8_t>(block[at])}) : int{octetAt(block, at)};
+        return value / (isSigned ? 127. : 255.);
+    };
+    std::array<double, 8> values{endOf(0), endOf(1)};
+    const bool hasEight = values[0] > values[1];
+    const int steps = hasEight ? 7 : 5;
+    for (int i = 1; i < steps; ++i)
+        values.at(static_cast<std::size_t>(i + 1)) = ((steps - i) * values[0] + i * values[1]) / steps;
+    if (!hasEight) {
+        values[6] = isSigned ? -1 : 0;
+        values[7] = 1;
+    }
+    std::uint64_t indices = 0;
+    for (std::size_t i = 8; i-- > 2;) indices = indices << 8U | octetAt(block, i);
+    std::array<double, 16> pixels{};
+    for (std::size_t i = 0; i < pixels.size(); ++i) pixels.at(i) = values.at(indices >> (3 * i) & 7U);
+    return pixels;
+}
+
+/// Blocks whose components lie in parts of 8 bytes.
+template <class Value>
+void readBlockParts(ByteSpan data, const DdsHeader& header, Image& image) {
+    constexpr bool isWhole = std::is_integral_v<Value>;
+    constexpr std::size_t kSide = 4, kPart = 8;
+    constexpr double most = isWhole ? std::numeric_limits<Value>::max() : 1;
+    for (std::size_t top = 0; top < header.height; top += kSide)
+        for (std::size_t left = 0; left < header.width; left += kSide) {
+            const ByteSpan block = data.subspan(top / kSide * static_cast<std::size_t>(header.rowBytes) +
+                                                left / kSide * header.blockBytes);
+            std::array<std::array<double, 16>, 2> parts{};
+            for (std::size_t c = 0; c < header.blockParts; ++c)
+                parts.at(c) = componentBlock(block.subspan(c * kPart, kPart),
+                                             header.number == DdsNumber::signedFraction);
+            if (header.blockParts == 1) parts[1] = parts[0];
+            for (std::size_t i = 0; i < parts[0].size(); ++i) {
+                const std::size_t x = left + i % kSide, y = top + i / kSide;
+                if (x >= header.width || y >= header.height) continue;
+                const double blue = header.blockParts == 1 ? parts[0].at(i) : 0;
+                std::array<Value, 4> pixel{};
+                const std::array<double, 4> values{parts[0].at(i), parts[1].at(i), blue, 1};
+                for (std::size_t c = 0; c < 4; ++c)
+                    pixel.at(c) =
+                        static_cast<Value>(isWhole ? std::round(values.at(c) * most) : values.at(c));
+                std::memcpy(image.data.data() + (y * header.width + x) * sizeof pixel, pixel.data(),
+                            sizeof pixel);
+            }
+        }
+}
+
+/// BC1 to BC3 by their names, others by their number, so that the module sees each in one form.
 DdsBlocks onlyBlocks(ByteSpan file, const DdsHeader& header, std::size_t length) {
+    constexpr std::size_t kHeader = 128, kExtension = 20;
+    const std::uint32_t dxgi = header.blockDxgi;
+    const std::string_view name = dxgi == kDxgiBc1   ? "DXT1"
+                                  : dxgi == kDxgiBc2 ? "DXT3"
+                                  : dxgi == kDxgiBc3 ? "DXT5"
+                                                     : "DX10";
+    const bool isNumbered = name == "DX10";
     DdsBlocks blocks;
     blocks.premultiplied = header.premultiplied;
-    const auto head = file.first(header.dataOffset);
-    const auto data = file.subspan(header.dataOffset, length);
-    blocks.file.assign(head.begin(), head.end());
+    blocks.file.assign(file.begin(), file.begin() + kHeader);
+    blocks.file.resize(kHeader + (isNumbered ? kExtension : 0));
     const auto put = [&](std::size_t at, std::uint32_t value) {
         for (unsigned i = 0; i < 4; ++i)
             blocks.file[at + i] = static_cast<std::byte>(value >> (8 * i) & 255U);
     };
-    constexpr std::uint32_t kPlainFlags = 0x1007, kTexture = 0x1000, kTexture2D = 3;
+    constexpr std::uint32_t kPlainFlags = 0x1007, kFourCc = 4, kTexture = 0x1000, kTexture2D = 3;
     put(8, kPlainFlags);
     for (const std::size_t each : {20U, 24U, 28U, 112U}) put(each, 0);  // length, depth, levels, faces
+    put(80, kFourCc);
+    std::memcpy(blocks.file.data() + 84, name.data(), name.size());
     put(108, kTexture);
-    if (header.dataOffset > 128) {
-        put(132, kTexture2D);
-        put(136, 0);
-        put(140, 1);
+    if (isNumbered) {
+        put(kHeader, dxgi);
+        put(kHeader + 4, kTexture2D);
+        put(kHeader + 12, 1);
     }
+    const auto data = file.subspan(header.dataOffset, length);
     blocks.file.insert(blocks.file.end(), data.begin(), data.end());
     return blocks;
 }
@@ -128,7 +193,8 @@ Result<DdsContent> decodeDds(ByteSpan file, const FileLabel& label, const Limits
     if (!read) return read.diagnostics;
     const DdsHeader& header = *read;
     const bool isPacked = header.blockBytes > 0;
-    const Component type = isPacked ? Component::u8 : typeOfPixels(header);
+    const bool isForModule = isPacked && header.blockParts == 0;
+    const Component type = isForModule ? Component::u8 : typeOfPixels(header);
     if (auto tooLarge = checkSize(header.width, header.height, 4 * bytesOf(type), limits, label))
         return *std::move(tooLarge);
     const ByteSpan data = file.subspan(header.dataOffset);
@@ -140,12 +206,17 @@ Result<DdsContent> decodeDds(ByteSpan file, const FileLabel& label, const Limits
         return endsEarly(label, data.size() / header.rowBytes * (isPacked ? 4 : 1), header.height);
 
     DdsContent content;
-    if (isPacked) {
+    if (isForModule) {
         content.blocks = onlyBlocks(file, header, static_cast<std::size_t>(header.rowBytes * rows));
         return content;
     }
     content.image = blankImage(header.width, header.height, type);
-    withZeroOf(type, [&](auto zero) { readDdsPixels<decltype(zero)>(data, header, *content.image); });
+    withZeroOf(type, [&](auto zero) {
+        if (isPacked)
+            readBlockParts<decltype(zero)>(data, header, *content.image);
+        else
+            readDdsPixels<decltype(zero)>(data, header, *content.image);
+    });
     if (header.premultiplied) unassociateAlpha(*content.image);
     return content;
 }

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "image/bytes.h"
 
@@ -24,6 +26,11 @@ class TiffBytes {
         return value;
     }
 
+    /// Where the lowest byte of a number lies.
+    [[nodiscard]] std::size_t lowestByte(std::uint64_t at, std::size_t bytes) const {
+        return static_cast<std::size_t>(at) + (big_ ? bytes - 1 : 0);
+    }
+
   private:
     ByteSpan file_;
     bool big_;
@@ -35,18 +42,32 @@ struct TiffEntry {
     std::size_t valueBytes = 4;
 };
 
-/// The first number of a value; nothing if it is not a whole number.
-std::optional<std::uint64_t> firstOf(const TiffBytes& bytes, const TiffEntry& entry) {
-    constexpr std::uint64_t kByte = 1, kShort = 3, kLong = 4, kLong8 = 16;
-    const std::size_t size = entry.type == kByte ? 1 : entry.type == kShort ? 2 : entry.type == kLong ? 4 : 8;
-    if (entry.count == 0 || (size == 8 && entry.type != kLong8)) return std::nullopt;
-    if (entry.count <= entry.valueBytes / size) return bytes.number(entry.valueAt, size);
+enum : std::uint64_t { kByte = 1, kShort = 3, kLong = 4, kLong8 = 16 };
+
+/// Bytes of a number of a value.
+std::size_t sizeOf(const TiffEntry& entry) {
+    return entry.type == kByte ? 1 : entry.type == kShort ? 2 : entry.type == kLong ? 4 : 8;
+}
+
+/// A number of a value; nothing if it is not a whole number.
+std::optional<std::uint64_t> numberOf(const TiffBytes& bytes, const TiffEntry& entry, std::uint64_t index) {
+    const std::size_t size = sizeOf(entry);
+    if (index >= entry.count || (size == 8 && entry.type != kLong8)) return std::nullopt;
+    if (entry.count <= entry.valueBytes / size) return bytes.number(entry.valueAt + index * size, size);
     const auto place = bytes.number(entry.valueAt, entry.valueBytes);
-    return place ? bytes.number(*place, size) : std::nullopt;
+    return place ? bytes.number(*place + index * size, size) : std::nullopt;
+}
+
+/// True unless the first numbers of a value differ from `first`.
+bool areAll(const TiffBytes& bytes, const TiffEntry& entry, std::uint64_t first) {
+    constexpr std::uint64_t kMostCompared = 64;
+    for (std::uint64_t i = 1; i < std::min(entry.count, kMostCompared); ++i)
+        if (numberOf(bytes, entry, i) != first) return false;
+    return true;
 }
 
 void take(const TiffBytes& bytes, const TiffEntry& entry, TiffHeader& header) {
-    const auto value = firstOf(bytes, entry);
+    const auto value = numberOf(bytes, entry, 0);
     if (!value) return;
     switch (entry.tag) {
         case 256:
@@ -58,6 +79,7 @@ void take(const TiffBytes& bytes, const TiffEntry& entry, TiffHeader& header) {
         case 258:
             header.bits = *value;
             header.hasBits = true;
+            header.isUniform &= areAll(bytes, entry, *value);
             break;
         case 259:
             header.compression = *value;
@@ -67,12 +89,16 @@ void take(const TiffBytes& bytes, const TiffEntry& entry, TiffHeader& header) {
             break;
         case 262:
             header.photometric = *value;
+            header.photometricAt = bytes.lowestByte(entry.valueAt, sizeOf(entry));
             break;
         case 274:
             if (*value >= 1 && *value <= 8) header.orientation = static_cast<unsigned>(*value);
             break;
         case 277:
             header.samples = *value;
+            break;
+        case 317:
+            header.predictor = *value;
             break;
         case 322:
             header.tileWidth = *value;
@@ -82,6 +108,10 @@ void take(const TiffBytes& bytes, const TiffEntry& entry, TiffHeader& header) {
             break;
         case 338:
             header.associatedAlpha = *value == 1;
+            break;
+        case 339:
+            header.sampleFormat = *value == 4 ? 1 : *value;  // 4: without a meaning
+            header.isUniform &= areAll(bytes, entry, *value);
             break;
         default:
             break;
@@ -107,29 +137,85 @@ bool readDirectory(const TiffBytes& bytes, TiffHeader& header) {
     return true;
 }
 
-/// What OpenImageIO gives wrong pixels for. Empty if there is nothing of it.
-std::string misreadBy(const TiffHeader& header) {
-    enum : std::uint64_t { whiteIsZero = 0, blackIsZero = 1, palette = 3, inks = 5, yCbCr = 6 };
-    if (header.photometric == 4 || header.photometric > yCbCr)
-        return fmt::format("its colours, kind {}, cannot be read; save it as RGB", header.photometric);
+enum : std::uint64_t { whiteIsZero = 0, blackIsZero = 1, rgb = 2, palette = 3, inks = 5, yCbCr = 6 };
+enum : std::uint64_t { plainNumbers = 1, signedNumbers = 2, floatingNumbers = 3 };
+
+/// Samples of the same meaning and format, whose pixels tests have compared.
+struct TiffSamples {
+    std::uint64_t photometric, format;
+    std::uint64_t fewest, most;  ///< per pixel
+    std::array<std::uint64_t, 10> bits;
+};
+
+constexpr std::array kComparedSamples{
+    TiffSamples{whiteIsZero, plainNumbers, 1, 1, {1, 2, 4, 6, 8, 10, 12, 14, 16, 32}},
+    TiffSamples{blackIsZero, plainNumbers, 1, 1, {1, 2, 4, 6, 8, 10, 12, 14, 16, 32}},
+    TiffSamples{blackIsZero, plainNumbers, 2, 2, {1, 2, 4, 8, 16, 32}},
+    TiffSamples{rgb, plainNumbers, 3, 4, {1, 2, 4, 6, 8, 10, 12, 14, 16, 32}},
+    TiffSamples{inks, plainNumbers, 4, 4, {8, 16}},
+    TiffSamples{palette, plainNumbers, 1, 1, {1, 2, 4, 8}},
+    TiffSamples{yCbCr, plainNumbers, 3, 3, {8}},
+    TiffSamples{blackIsZero, signedNumbers, 1, 1, {8, 16, 32}},
+    TiffSamples{rgb, signedNumbers, 3, 3, {8, 16, 32}},
+    TiffSamples{blackIsZero, floatingNumbers, 1, 2, {16, 32}},
+    TiffSamples{rgb, floatingNumbers, 3, 4, {16, 32}},
+};
+
+constexpr std::uint64_t kDeflate = 8, kOldDeflate = 32946;
+/// Of the samples: none, three kinds of fax, LZW, JPEG, Deflate and PackBits.
+constexpr std::array<std::uint64_t, 9> kComparedCompressions{1, 2, 3, 4, 5, 7, kDeflate, kOldDeflate, 32773};
+
+template <class Values>
+bool holds(const Values& values, std::uint64_t value) {
+    return std::find(values.begin(), values.end(), value) != values.end();
+}
+
+std::string_view meaningOf(std::uint64_t photometric) {
+    constexpr std::array<std::string_view, 9> kMeanings{
+        "grey with 0 as white", "grey",  "RGB", "indices of a palette", "a mask", "inks", "YCbCr",
+        "of an unknown kind",   "CIELab"};
+    return photometric < kMeanings.size() ? kMeanings.at(static_cast<std::size_t>(photometric))
+                                          : kMeanings[7];
+}
+
+/// Empty, or why the samples are not handed to OpenImageIO.
+std::string notCompared(const TiffHeader& header) {
+    if (!holds(kComparedCompressions, header.compression))
+        return fmt::format("compression {} is not read; save it with LZW", header.compression);
     // OpenImageIO unpacks Deflate by itself, and forgets the order of the bits.
-    constexpr std::uint64_t kDeflate = 8, kOldDeflate = 32946;
-    if (header.fillOrder == 2 && (header.compression == kDeflate || header.compression == kOldDeflate))
+    if (header.fillOrder != 1 && (header.compression == kDeflate || header.compression == kOldDeflate))
         return "its bits stand in reverse order, which cannot be read with Deflate; save it with LZW";
-    const bool odd = header.bits > 8 && header.bits < 16;
-    const bool isWrong = (header.photometric == whiteIsZero && header.samples > 1) ||
-                         (header.photometric == blackIsZero && header.samples == 2 && odd) ||
-                         (header.photometric == palette && header.samples != 1) ||
-                         (header.photometric == inks && header.samples != 4);
-    if (!isWrong) return {};
-    return fmt::format("{} samples of colours of kind {} cannot be read; save it as RGB", header.samples,
-                       header.photometric);
+    const bool isFloating = header.sampleFormat == floatingNumbers;
+    const bool isPredicted = header.predictor == 1 ||
+                             (isFloating ? header.predictor == 3 : header.predictor == 2 && header.bits >= 8);
+    const bool isCompared =
+        header.isUniform && isPredicted &&
+        std::any_of(kComparedSamples.begin(), kComparedSamples.end(), [&](const TiffSamples& each) {
+            return each.photometric == header.photometric && each.format == header.sampleFormat &&
+                   header.samples >= each.fewest && header.samples <= each.most && header.bits > 0 &&
+                   holds(each.bits, header.bits);
+        });
+    if (isCompared) return {};
+    const std::string_view numbers = isFloating                             ? "floating-point "
+                                     : header.sampleFormat == signedNumbers ? "signed "
+                                     : header.sampleFormat == plainNumbers  ? ""
+                                                                            : "complex ";
+    return fmt::format(
+        "{}samples of {} bits, {} per pixel ({}), are not read; save it as RGB or grey of 8 or 16 bits, "
+        "or as 32-bit floating-point numbers",
+        numbers, header.bits, header.samples, meaningOf(header.photometric));
 }
 
 }  // namespace
 
+std::vector<std::byte> withBlackAsZero(ByteSpan file, const TiffHeader& header) {
+    std::vector<std::byte> changed(file.begin(), file.end());
+    changed.at(header.photometricAt) = std::byte{blackIsZero};
+    return changed;
+}
+
 std::vector<std::byte> withBitsPerSample(ByteSpan file) {
-    constexpr std::uint64_t kEntry = 12, kTag = 258, kShort = 3;
+    constexpr std::uint64_t kEntry = 12, kTag = 258;
     const TiffBytes bytes(file);
     const auto place = bytes.number(4, 4);
     const auto count = place && bytes.number(2, 2) == 42 ? bytes.number(*place, 2) : std::nullopt;
@@ -182,7 +268,7 @@ Result<TiffHeader> readTiffHeader(ByteSpan file, const FileLabel& label, const L
     constexpr std::uint64_t kMostBits = 64, kMostSamples = 64;
     if (header.bits < 1 || header.bits > kMostBits || header.samples < 1 || header.samples > kMostSamples)
         return damaged(label, fmt::format("{} samples of {} bits are not read", header.samples, header.bits));
-    if (const std::string problem = misreadBy(header); !problem.empty()) return damaged(label, problem);
+    if (const std::string problem = notCompared(header); !problem.empty()) return damaged(label, problem);
     const std::uint64_t component = header.bits <= 8 ? 1 : header.bits <= 16 ? 2 : 4;
     if (auto refused = checkPacked(header.width, header.height, 4 * component, file.size(), limits, label))
         return *std::move(refused);
