@@ -13,7 +13,8 @@
 namespace glibra {
 
 /// The differences that pass, as in suites (docs/suites.md). The defaults pass what differs between drivers
-/// and between processors, which nobody sees.
+/// and between processors, which nobody sees. With a number that is not finite, below 0 or above the range of
+/// the value nothing is the same (library-E01).
 struct Tolerance {
     double largest = 3;            ///< 255ths of the range by which any component may differ
     double fraction = 0.0003;      ///< share of the pixels that may differ by more
@@ -29,16 +30,18 @@ struct Tolerance {
 
 struct Comparison {
     bool same = false;
-    std::string reason;                         ///< one sentence with the figure that decided and its limit
-    std::uint64_t differingPixels = 0;          ///< pixels that differ at all
-    double largest = 0;                         ///< difference of a component, 255ths of the range
-    int x = 0, y = 0;                           ///< where, from the top left
+    std::string reason;                 ///< one sentence with the figure that decided and its limit
+    std::uint64_t differingPixels = 0;  ///< pixels that differ at all
+    double largest = 0;  ///< difference of a component, 255ths of the range; of wide whole numbers in ones
+    int x = 0, y = 0;    ///< where, from the top left
     double rootMeanSquare = 0;                  ///< 255ths
     std::optional<double> flip{}, structure{};  ///< if the tolerance asks for them or they decided
     Diagnostics diagnostics;  ///< why a file could not be read; then `same` is false and `reason` says it
 };
 
-/// Compares a picture with the expected one. Files are of any format that glibra reads.
+/// Compares a picture with the expected one. Files are of any format that glibra reads. Whole numbers of 32
+/// bits or with a sign are the same if they differ by at most `absolute`; nothing else of the tolerance
+/// counts for them.
 [[nodiscard]] GLIBRA_API Comparison compare(const Picture& got, const Picture& expected,
                                             const Tolerance& tolerance = {});
 [[nodiscard]] GLIBRA_API Comparison compare(const std::filesystem::path& got,

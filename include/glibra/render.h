@@ -125,17 +125,20 @@ struct RenderOptions {
 };
 
 /// Pixels, top row first, tightly packed: 3 (opaque) or 4 components, bytes or 32-bit floats. Textures may
-/// also have 1 or 2 components, and 16-bit numbers (two bytes each).
+/// also have 1 or 2 components, and whole numbers of 16 and 32 bits. Whole numbers of 8 and 16 bits without a
+/// sign stand for 0..1 where pictures are saved and compared; others stand for themselves.
 struct Picture {
     int width = 0;
     int height = 0;
     int components = 3;
     bool isFloat = false;
-    int bits = 8;  ///< of a component: 8, 16 or 32 (floats)
+    bool isSigned = false;  ///< whole numbers with a sign, as of textures r8i and rgba32i
+    int bits = 8;           ///< of a component: 8, 16 or 32; of floats 32
     std::vector<std::byte> data{};
 
     /// Writes a file of the format that its name says: .png, .exr, .jpg, .tif and others. A file of that name
-    /// is replaced when the new one is complete.
+    /// is replaced when the new one is complete. Whole numbers with a sign or of 32 bits are written as
+    /// floats, by .exr and .pfm; library-E06 for other formats, and for a number that no float has.
     GLIBRA_API Result<void> save(const std::filesystem::path& file) const;
 };
 
@@ -148,10 +151,12 @@ struct CurrentContext {
 };
 
 /// A GL context and the parts that pictures share. Use it, and the scenes that it loads, on the thread that
-/// opened it: calls from another one return gpu-E08. open() and each call make the renderer's own context
-/// current and leave it so; a calling program that draws itself makes its own current again. Several
-/// renderers may exist, on one thread or on several; those of different threads must use the same driver,
-/// else open() returns gpu-E01.
+/// opened it: calls from another one return gpu-E08. So does every call, open() too, in a process that was
+/// forked after a renderer was opened; what it inherits may be destroyed there. Calls of a renderer that has
+/// been moved from return library-E05. open() and each call make the renderer's own context current and leave
+/// it so; a calling program that draws itself makes its own current again. Several renderers may exist, on
+/// one thread or on several; those of different threads must use the same driver, else open() returns
+/// gpu-E01.
 class GLIBRA_API Renderer {
   public:
     /// Opens a context. The error names each way that was tried.
@@ -165,7 +170,7 @@ class GLIBRA_API Renderer {
     static CurrentContext current();
 
     /// Reads and draws one scene file; library-E01 for options that no picture can have, such as `set` and
-    /// `wantedObjects` with values or names that the scene does not take. Errors in the scene
+    /// `wantedObjects` with values or names that the scene does not take as they are. Errors in the scene
     /// are diagnostics with file, line and column. To draw a scene more than once, load() it.
     Result<Picture> render(const std::filesystem::path& scene, const RenderOptions& options = {});
 

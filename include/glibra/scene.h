@@ -29,9 +29,12 @@ namespace glibra {
 struct Value {
     std::string name;     ///< "uShininess", "lights[1].color"
     std::string program;  ///< the program that has the uniform; empty: a variable of the scene
-    std::string type;     ///< GLSL's word: "float", "vec3", "int", "bool", "mat4"; of a variable likewise
-    std::vector<double>
-        value;  ///< all components of the first array element, then of the next; matrices by columns
+    int programLine =
+        0;             ///< of its Program statement, for names as "24:uShininess"; 0: a variable of the scene
+    std::string type;  ///< GLSL's word: "float", "vec3", "int", "bool", "mat4"; of a variable likewise
+    /// All components of the first array element, then of the next; matrices by columns. Arrays have the
+    /// length that their declaration gives them.
+    std::vector<double> value;
     std::vector<double> initial;      ///< as the scene has it
     bool hasRange = false;            ///< the scene states one, as <0 .5 1>
     double minimum = 0, maximum = 1;  ///< of the range. Values outside of it can be set
@@ -51,12 +54,18 @@ struct DrawOptions {
 
 /// The content of a buffer of the scene.
 struct BufferContent {
-    /// Numbers of one member of the head or of an element, one after the other.
+    /// The numbers of one member of the head or of an element; matrices by columns. Each column has another
+    /// name.
     struct Column {
-        std::string name;        ///< "position"; empty if no program names it
-        std::string type;        ///< of its numbers: "float", "int", "uint", "bool", "double"
-        std::size_t offset = 0;  ///< bytes from the begin of the head or of the element
+        std::string name;        ///< "position"
+        std::string type;        ///< of its numbers: "float", "int", "uint", "bool" (of 4 bytes), "double"
+        std::size_t offset = 0;  ///< of the first number: bytes from the begin of the head or of the element
         std::size_t count = 1;   ///< numbers
+        std::size_t stride =
+            0;  ///< bytes from a number to the next; 0: they are unequal, as in a padded matrix
+        /// Of each number: bytes from the begin of the head or of the element. The columns of a mat3 are 16
+        /// bytes apart, and the numbers of a row_major matrix do not follow each other.
+        std::vector<std::size_t> offsets;
     };
     std::vector<std::byte> bytes;  ///< all of it, as on the device
     std::vector<Column> head;      ///< members before the array
@@ -64,6 +73,11 @@ struct BufferContent {
     std::size_t headBytes = 0;     ///< where the array begins
     std::size_t stride = 0;        ///< bytes from element to element; 0: there is no array
     std::uint64_t elements = 0;    ///< of the array
+
+    /// The numbers of a column of `columns`, in the element of that number; of a column of `head` with
+    /// `isOfHead`. Empty for an element that there is not.
+    [[nodiscard]] GLIBRA_API std::vector<double> numbers(const Column& column, std::uint64_t element = 0,
+                                                         bool isOfHead = false) const;
 
     /// The element of that number as a T, which must have the layout of an element (std430).
     template <class T>
@@ -76,7 +90,7 @@ struct BufferContent {
 };
 
 /// A loaded scene. Use it on the thread of its Renderer, which it keeps alive; it may be destroyed on any
-/// thread. What has been moved from can only be destroyed and assigned to.
+/// thread, and in a forked process. Calls of a scene that has been moved from return library-E05.
 class GLIBRA_API Scene {
   public:
     Scene(Scene&&) noexcept;
@@ -84,18 +98,22 @@ class GLIBRA_API Scene {
     ~Scene();
 
     /// Draws the picture at a time. The first picture of a size makes what it is drawn into; all others cost
-    /// drawing and reading. Errors: library-E01 for wrong options, gpu-E08 on a wrong thread, gpu-E06 or E07
-    /// after a reset of the device (the next call opens a new context and reads the scene again), and those
-    /// of drawing.
+    /// drawing and reading. Errors: library-E01 for wrong options, gpu-E08 on a wrong thread and in a process
+    /// that was forked after a renderer was opened, gpu-E06 or E07 after a reset of the device (the next call
+    /// opens a new context and reads the scene again), and those of drawing.
     Result<Picture> draw(const DrawOptions& options = {});
 
-    /// All values that can be set, in the order of the scene. None on a wrong thread and after a reset of the
-    /// device, which draw() and set() report.
+    /// All values that can be set, in the order of the scene. None where problems() says why.
     [[nodiscard]] std::vector<Value> values() const;
+    /// Why calls cannot be answered here and now: gpu-E08 on a wrong thread or in a forked process,
+    /// library-E05, and what prevents reading the scene again after a reset of the device. Otherwise empty.
+    [[nodiscard]] Diagnostics problems() const;
     /// Sets a value for the pictures that follow, in all programs that have it. "Glaze.uShininess" and, by
     /// the line of its Program statement, "24:uShininess" name that of one program. A text is a word of a
     /// choice, or numbers separated by commas or blanks. Errors: library-E02 if there is no such value, with
-    /// the nearest name; library-E03 for numbers that do not fit its type.
+    /// the nearest name; library-E03 for numbers that do not fit its type: another count of them, fractions
+    /// for an int, what is beyond the least or the largest number of an int, uint or float, and what is not
+    /// finite.
     Result<void> set(std::string_view name, double value);
     Result<void> set(std::string_view name, int value);
     Result<void> set(std::string_view name, bool value);
@@ -110,11 +128,14 @@ class GLIBRA_API Scene {
 
     /// "window": the last picture, in floats. Otherwise a texture or a part of one, as "shadow",
     /// "glow.level(2)", "sky.face(0)", "slices.layer(3)", after the last picture, top row first, in the
-    /// components and the type that lose least. Errors: library-E04 if nothing has been drawn, library-E02
+    /// components of its format and the type that loses nothing: integers of its bits, 8 or 16 bits for 0..1,
+    /// otherwise floats. Errors: library-E04 if nothing has been drawn, library-E02
     /// for a texture or a part that there is not, draw-E10 for one that has no picture, such as all layers of
     /// an array at once.
     Result<Picture> target(std::string_view name);
-    /// The content of a buffer after the last picture. Error library-E02 if there is no such buffer.
+    /// The content of a buffer after the last picture, also of one that the picture does not show: the scene
+    /// is then drawn once more. Errors: library-E04 if nothing has been drawn, library-E02 if there is no
+    /// such buffer, and those of drawing.
     Result<BufferContent> buffer(std::string_view name);
 
     /// What was reported when the scene was read.
@@ -123,7 +144,8 @@ class GLIBRA_API Scene {
     [[nodiscard]] std::vector<std::filesystem::path> files() const;
     /// Counts of all pictures since loading, as "frames" and "draws".
     [[nodiscard]] std::map<std::string, std::uint64_t> stats() const;
-    /// Reads the scene and its files again. Values that were set stay. After an error the scene is as it was.
+    /// Reads the scene and its files again, those of a relative path in the folder that was the current one
+    /// when it was loaded. Values that were set stay. After an error the scene is as it was.
     Result<void> reload();
 
   private:

@@ -44,11 +44,16 @@ GLint Gl::number(GLenum name) const {
 }
 
 const Gl* glOfThread(const char* who) {
+    if (gpu::isForked()) {
+        complainOf(who, gpu::forkedText());
+        return nullptr;
+    }
     const auto current = gpu::currentContext();
     if (!current) {
         complainOf(who, "no OpenGL context is current on this thread; make the one of your window current");
         return nullptr;
     }
+    gpu::noteDriver();
     // EGL and GLX give functions for all contexts. What differs is what a context can do.
     const auto number = reinterpret_cast<PFNGLGETINTEGERVPROC>(current->address("glGetIntegerv"));
     GLint major = 0;

@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include "gpu/context/fork.h"
+
 namespace glibra::classic {
 
 // X(name without gl)
@@ -40,8 +42,9 @@ struct Gl {
     [[nodiscard]] GLint number(GLenum name) const;
 };
 
-/// The functions of the context that is current on this thread. Null if there is none of OpenGL 4.1 or later;
-/// `who` is then told so on standard error. The functions stay until the process ends.
+/// The functions of the context that is current on this thread. Null if there is none of OpenGL 4.1 or later,
+/// or the process was forked after its parent had used a driver; `who` is then told so on standard error. The
+/// functions stay until the process ends.
 const Gl* glOfThread(const char* who);
 
 /// One line on standard error: "glibra: WHO: TEXT".
@@ -54,7 +57,10 @@ class Owner {
     /// Finds the functions; false, with a message, if no context is current.
     bool open(const char* who);
     [[nodiscard]] const Gl* gl() const { return gl_; }
-    [[nodiscard]] bool isCurrent() const { return gl_ != nullptr && gl_->currentHandle() == context_; }
+    /// False in a forked process, where nothing of the context can be used.
+    [[nodiscard]] bool isCurrent() const {
+        return gl_ != nullptr && !gpu::isForked() && gl_->currentHandle() == context_;
+    }
     [[nodiscard]] void* context() const { return context_; }
 
   private:

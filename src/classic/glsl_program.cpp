@@ -233,9 +233,11 @@ void GLSLProgram::State::report() const {
 }
 
 bool GLSLProgram::State::isUsable(const char* call) {
-    if (values) return true;
+    if (values && !gpu::isForked()) return true;
     if (!std::exchange(toldInvalid, true))
-        complainOf("GLSLProgram", fmt::format("{} without a valid program has no effect", call));
+        complainOf("GLSLProgram", gpu::isForked()
+                                      ? gpu::forkedText()
+                                      : fmt::format("{} without a valid program has no effect", call));
     return false;
 }
 
@@ -328,8 +330,7 @@ void GLSLProgram::SetUniform(const char* name, const Matrix4& value) {
 }
 
 void GLSLProgram::Use() {
-    if (!state_->values) {
-        state_->isUsable("Use");
+    if (!state_->isUsable("Use")) {
         if (state_->owner.isCurrent()) state_->owner.gl()->UseProgram(0);
         return;
     }
@@ -338,7 +339,8 @@ void GLSLProgram::Use() {
 }
 
 void GLSLProgram::UseFixedFunction() {
-    const Gl* gl = state_->owner.gl() != nullptr ? state_->owner.gl() : glOfThread("GLSLProgram");
+    const bool isKnown = state_->owner.gl() != nullptr && !gpu::isForked();
+    const Gl* gl = isKnown ? state_->owner.gl() : glOfThread("GLSLProgram");
     if (gl != nullptr) gl->UseProgram(0);
 }
 

@@ -6,8 +6,10 @@
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 #include <glm/vec4.hpp>
+#include <utility>
 
 #include "base/matrices.h"
+#include "classic/label.h"
 
 namespace glibra::classic {
 namespace {
@@ -225,15 +227,20 @@ Matrix4& Matrix4::operator-=(const Matrix4& b) {
     return *this;
 }
 
-void Matrix4::Print(const char* label, std::FILE* file) const {
-    std::fprintf(file, "%s:\n", label);
+const Matrix4& Matrix4::Print(const char* label, std::FILE* file) const {
+    std::fprintf(file, "%s\n", labelled(label).c_str());
     for (const auto& row : m_)
         std::fprintf(file, "  %12.6g %12.6g %12.6g %12.6g\n", static_cast<double>(row[0]),
                      static_cast<double>(row[1]), static_cast<double>(row[2]), static_cast<double>(row[3]));
+    return *this;
+}
+Matrix4& Matrix4::Print(const char* label, std::FILE* file) {
+    std::as_const(*this).Print(label, file);
+    return *this;
 }
 
 void Vec3::Print(const char* label, std::FILE* file) const {
-    std::fprintf(file, "%s: ( %g, %g, %g )\n", label, wide(x), wide(y), wide(z));
+    std::fprintf(file, "%s ( %g, %g, %g )\n", labelled(label).c_str(), wide(x), wide(y), wide(z));
 }
 
 }  // namespace glibra::classic

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "classic/label.h"
 #include "classic/vertex_array_state.h"
 
 namespace glibra::classic {
@@ -164,9 +165,13 @@ std::size_t VertexArray::NumUnique() const {
     return state_->collapsedVertices().count;
 }
 
+void VertexArray::Print(std::FILE* file) const {
+    Print("", file);
+}
 void VertexArray::Print(const char* label, std::FILE* file) const {
     const Collapsed& all = state_->collapsedVertices();
-    std::string text = fmt::format("{}: {} vertices, {} unique\n", label, state_->given.count(), all.count);
+    std::string text =
+        fmt::format("{} {} vertices, {} unique\n", labelled(label), state_->given.count(), all.count);
     for (std::size_t i = 0; i < all.count; ++i) {
         text += fmt::format("{:6}:", i);
         for (const VertexColumn& column : all.columns) {

@@ -21,7 +21,7 @@ bool VertexArray::State::prepare(const char* call) {
         return false;
     }
     if (given.count() == 0) return false;
-    if (array != 0) return true;
+    if (array != 0 && !gpu::isForked()) return true;
     if (!owner.open("VertexArray")) return false;
     const Gl& gl = *owner.gl();
     gl.GenVertexArrays(1, &array);

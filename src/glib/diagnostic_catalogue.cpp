@@ -312,6 +312,8 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"library-E02", "the scene has no value 'uShinines'; did you mean 'uShininess'?"},
     {"library-E03", "'uColor' takes 3 numbers, found 1"},
     {"library-E04", "no picture has been drawn yet"},
+    {"library-E05", "the scene or renderer was moved into another object, which has it now"},
+    {"library-E06", "whole numbers of 32 bits are written by .exr and .pfm, not by .png"},
     // Suites
     {"suite-E01",
      "not TOML: value: expected digit, saw '.'; a number needs a digit before its point, as 0.5"},

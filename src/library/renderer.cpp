@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
-#include <list>
 #include <mutex>
 #include <string_view>
 #include <utility>
@@ -15,6 +14,7 @@
 
 #include "base/device_lost.h"
 #include "gpu/context/current.h"
+#include "gpu/context/fork.h"
 #include "gpu/state/neutral_state.h"
 #include "library/renderer_state.h"
 #include "render/check/nan_search.h"
@@ -24,7 +24,12 @@
 namespace glibra {
 namespace {
 
+Diagnostic forked() {
+    return diagnose("gpu-E08", gpu::forkedText());
+}
+
 Result<gpu::Context> openFor(Driver driver) {
+    if (gpu::isForked()) return forked();
     gpu::ContextOptions options;
     options.driver = driver;
     return gpu::openContext(options);
@@ -44,6 +49,9 @@ Diagnostics problemsOf(const RenderOptions& options) {
         !(options.maxError >= kLeastMaxError && options.maxError <= kLargestMaxError))
         wrong(fmt::format("maxError: {} is not between {:g} and {:g} pixels", options.maxError,
                           kLeastMaxError, kLargestMaxError));
+    if (!std::isfinite(options.lastTime))
+        wrong(fmt::format("lastTime: {} is not a finite number of seconds", options.lastTime));
+    append(found, glibra::problemsOf(options.viewState));
     return found;
 }
 
@@ -109,6 +117,17 @@ RenderOptions withOrder(RenderOptions options) {
     return options;
 }
 
+/// What a scene does not take of `set` as it is, which the command line warns of, is an error of the caller.
+void refuseSettings(Result<Picture>& drawn) {
+    static constexpr std::array kOfValues{"glib-W15", "glib-W20", "glib-W23", "glib-W27"};
+    for (Diagnostic& each : drawn.diagnostics)
+        if (each.place.file.empty() && std::ranges::find(kOfValues, each.id) != kOfValues.end()) {
+            each.severity = Severity::error;
+            each.id.clear();  // identified() gives it the library's
+            drawn.value.reset();
+        }
+}
+
 /// The renderer whose context the calls of this thread used last.
 thread_local const void* lastOfThread = nullptr;
 
@@ -116,6 +135,21 @@ thread_local const void* lastOfThread = nullptr;
 
 Diagnostic wrongOption(std::string text) {
     return diagnose("library-E01", std::move(text));
+}
+
+Diagnostic movedFrom() {
+    return diagnose("library-E05", "the scene or renderer was moved into another object, which has it now");
+}
+
+Diagnostics problemsOf(const ViewState& view) {
+    const auto areFinite = [](const auto& numbers) {
+        return std::ranges::all_of(numbers, [](double each) { return std::isfinite(each); });
+    };
+    bool isFinite = areFinite(view.scene) && areFinite(view.eye) && areFinite(view.texture) &&
+                    (!view.background || areFinite(*view.background));
+    for (const ViewState::Object& each : view.objects) isFinite = isFinite && areFinite(each.matrix);
+    if (isFinite) return {};
+    return {wrongOption("the view has a number that is not finite")};
 }
 
 Diagnostics outOfRange(std::initializer_list<OptionRange> options) {
@@ -148,6 +182,7 @@ Result<Renderer> Renderer::open(Driver driver) {
 }
 
 Result<Renderer> Renderer::open(const CurrentContext& current) {
+    if (gpu::isForked()) return forked();
     if (!current.loader)
         return diagnose("gpu-E01", "no usable OpenGL driver: no context is current on this thread");
     Result<gpu::Context> context = gpu::adopt(current.loader);
@@ -159,11 +194,13 @@ Result<Renderer> Renderer::open(const CurrentContext& current) {
 }
 
 CurrentContext Renderer::current() {
+    if (gpu::isForked()) return {};
     if (const auto found = gpu::currentContext()) return {found->address};
     return {};
 }
 
 Diagnostics Renderer::State::begin() {
+    if (gpu::isForked()) return {forked()};
     if (std::this_thread::get_id() != thread)
         return {
             diagnose("gpu-E08", "the renderer was opened on another thread; use it and its scenes there")};
@@ -197,14 +234,11 @@ Renderer::State::State(Driver asked, gpu::Context opened) : driver(asked), conte
 
 Renderer::State::~State() {
     if (lastOfThread == this) lastOfThread = nullptr;
-    if (!context || makeCurrent()) return;
+    if (!context || (!gpu::isForked() && makeCurrent())) return;
     // The context is current on the thread that opened it, where nothing ends it any more, or that thread's
-    // driver is gone, or an adopted context is not current: what is on the device cannot be released from
-    // here.
-    static std::mutex guard;
-    static auto* const kept = new std::list<std::pair<std::vector<OnDevice>, gpu::Context>>;  // to the end
-    const std::lock_guard<std::mutex> lock(guard);
-    kept->emplace_back(std::move(left), std::move(*context));
+    // driver is gone, or it is the parent's, or an adopted context is not current: what is on the device
+    // cannot be released from here.
+    gpu::keepForever(std::pair(std::move(left), std::move(*context)));
 }
 
 bool Renderer::State::makeCurrent() {
@@ -232,6 +266,8 @@ void Renderer::State::lose() {
 }
 
 void Renderer::State::leave(Scene::State& scene) {
+    if (gpu::isForked())
+        return gpu::keepForever(std::move(scene.device));  // the mutex may be locked for ever
     OnDevice last;
     {
         const std::lock_guard<std::mutex> lock(mutex);
@@ -246,10 +282,12 @@ void Renderer::State::leave(Scene::State& scene) {
 }
 
 Result<Picture> Renderer::render(const std::filesystem::path& scene, const RenderOptions& options) {
+    if (!state_) return movedFrom();
     if (Diagnostics problems = problemsOf(options); !problems.empty()) return problems;
     try {
         if (Diagnostics problems = state_->begin(); !problems.empty()) return problems;
         Result<Picture> drawn = state_->render(scene, withOrder(options));
+        refuseSettings(drawn);
         drawn.diagnostics = identified(std::move(drawn.diagnostics), "library-E01", scene);
         return drawn;
     } catch (const base::DeviceLost& lost) {
@@ -273,6 +311,7 @@ Result<Picture> Renderer::State::render(const std::filesystem::path& scene, cons
 }
 
 Result<Scene> Renderer::load(const std::filesystem::path& scene, const RenderOptions& options) {
+    if (!state_) return movedFrom();
     if (Diagnostics problems = problemsOfLoading(options); !problems.empty()) return problems;
     try {
         if (Diagnostics problems = state_->begin(); !problems.empty()) return problems;

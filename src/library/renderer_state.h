@@ -12,6 +12,7 @@
 #include <thread>
 #include <vector>
 
+#include "base/device_lost.h"
 #include "gpu/context/context.h"
 #include "gpu/object/target.h"
 #include "view/scene/live_scene.h"
@@ -44,10 +45,10 @@ struct GLIBRA_INSIDE Renderer::State {
     State& operator=(const State&) = delete;
     ~State();
 
-    /// gpu-E08 on another thread than the one that opened the context. Opens a new context after a reset, and
-    /// makes the context current if another one is, such as that of another renderer. gpu-E01 while an
-    /// adopted context is not current; else it has the state that drawing begins with, whatever the calling
-    /// program has set.
+    /// gpu-E08 on another thread than the one that opened the context, and in a forked process. Opens a new
+    /// context after a reset, and makes the context current if another one is, such as that of another
+    /// renderer. gpu-E01 while an adopted context is not current; else it has the state that drawing begins
+    /// with, whatever the calling program has set.
     Diagnostics begin();
     /// After a reset: all that is on the device goes, then the context.
     void lose();
@@ -68,9 +69,11 @@ struct GLIBRA_INSIDE Renderer::State {
     bool makeCurrent();
 };
 
+/// library-E05.
+Diagnostic movedFrom();
+
 struct GLIBRA_INSIDE Scene::State {
-    State(std::shared_ptr<Renderer::State> on, std::filesystem::path file, RenderOptions from)
-        : renderer(std::move(on)), path(std::move(file)), options(std::move(from)) {}
+    State(std::shared_ptr<Renderer::State> on, std::filesystem::path file, RenderOptions from);
     State(const State&) = delete;
     State& operator=(const State&) = delete;
     ~State() { renderer->leave(*this); }
@@ -79,9 +82,9 @@ struct GLIBRA_INSIDE Scene::State {
     Result<void> load();
     /// What every call begins with: the thread, and the scene on the device.
     Diagnostics begin();
-    /// Runs `work`, which may find that the device was reset.
+    /// Runs `work`, which may find that the device was reset. Null: library-E05.
     template <class T, class Work>
-    Result<T> guarded(const Work& work);
+    static Result<T> guarded(State* scene, const Work& work);
     Result<Picture> draw(const DrawOptions& options);
     /// What was drawn last.
     [[nodiscard]] Result<Picture> readWindow(int components, bool isFloat) const;
@@ -91,9 +94,14 @@ struct GLIBRA_INSIDE Scene::State {
     /// NAME=VALUE for all that has been set.
     [[nodiscard]] std::vector<std::string> settings() const;
     Result<Picture> textureNamed(std::string_view name);
+    Result<BufferContent> bufferNamed(std::string_view name);
+    template <class T, class Use>
+    Result<T> drawnFor(std::string_view name, const Use& use);
+    void keepFolder();
 
     std::shared_ptr<Renderer::State> renderer;  ///< outlives what is on its device
     std::filesystem::path path;
+    std::filesystem::path folder;  ///< the current one when the scene was loaded
     RenderOptions options;
     OnDevice device;
     Diagnostics diagnostics;
@@ -104,8 +112,22 @@ struct GLIBRA_INSIDE Scene::State {
     bool isDrawn = false;
 };
 
+template <class T, class Work>
+Result<T> Scene::State::guarded(State* scene, const Work& work) {
+    if (scene == nullptr) return movedFrom();
+    try {
+        if (Diagnostics problems = scene->begin(); !problems.empty()) return problems;
+        return work();
+    } catch (const base::DeviceLost& lost) {
+        scene->renderer->lose();
+        return base::diagnosticOf(lost, scene->path.string());
+    }
+}
+
 /// library-E01.
 Diagnostic wrongOption(std::string text);
+/// library-E01 for numbers that are not finite.
+Diagnostics problemsOf(const ViewState& view);
 
 struct OptionRange {
     const char* name;
@@ -117,8 +139,9 @@ Diagnostics outOfRange(std::initializer_list<OptionRange> options);
 /// Gives errors without an id this one, and the scene as their place if they have none.
 Diagnostics identified(Diagnostics messages, const std::string& id, const std::filesystem::path& scene);
 
-/// The picture of an image in memory, and the image of a picture.
+/// The picture of an image in memory, and the image of a picture whose numbers images have: floats, or of 8
+/// and 16 bits without a sign.
 Picture pictureOf(image::Image image);
-image::Image imageOf(const Picture& picture);
+image::Image imageOf(Picture picture);
 
 }  // namespace glibra

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <system_error>
 #include <utility>
 
 #include "base/device_lost.h"
@@ -16,6 +18,7 @@
 #include "plan/buffer_table.h"
 #include "render/check/run_checks.h"
 #include "render/consequences.h"
+#include "render/load/buffer_content.h"
 #include "render/load/device_scene.h"
 #include "render/scene_renderer.h"
 #include "scene/texture_name.h"
@@ -31,51 +34,57 @@ Diagnostics problemsOf(const DrawOptions& options) {
                                     {"samples", options.samples, suite::kMostSamples}});
     if (!std::isfinite(options.time))
         found.push_back(wrongOption(fmt::format("time: {} is not a finite number of seconds", options.time)));
+    append(found, problemsOf(options.view));
     return found;
 }
 
-std::string typeOf(const view::Knob& knob) {
-    if (!knob.words.empty()) return "choice";
-    if (!knob.type.word.empty()) return knob.type.word;
-    const std::size_t count = knob.initial.size();
-    if (knob.type.base == plan::BaseType::boolean) return "bool";
-    return count == 1 ? "float" : fmt::format("vec{}", count);
-}
-
-/// What is wrong with these numbers for the value; empty if nothing is.
-std::string whyNot(const view::Knob& knob, std::span<const double> values) {
-    if (values.size() != knob.initial.size())
-        return fmt::format("'{}' takes {}, found {}", knob.tag, base::counted(knob.initial.size(), "number"),
-                           values.size());
-    for (const double each : values) {
-        if (!std::isfinite(each)) return fmt::format("'{}': {} is not a finite number", knob.tag, each);
-        if (!knob.words.empty() &&
-            (each < 0 || each >= static_cast<double>(knob.words.size()) || each != std::floor(each)))
-            return fmt::format("'{}': {} is not the number of a word, 0 to {}", knob.tag, each,
-                               knob.words.size() - 1);
-        if (knob.isInteger() && each != std::floor(each))
-            return fmt::format("'{}' takes whole numbers, found {}", knob.tag, each);
-        if (knob.type.base == plan::BaseType::boolean && each != 0 && each != 1)
-            return fmt::format("'{}' is true (1) or false (0), found {}", knob.tag, each);
-    }
-    return {};
-}
-
-/// A column of the library's table; the kinds of its numbers are those of the memory.
-BufferContent::Column columnOf(const plan::BufferColumn& from, const std::vector<plan::MemoryNumber>& kinds) {
+BufferContent::Column columnOf(const plan::BufferField& from) {
     BufferContent::Column to;
     to.name = from.name;
-    to.count = from.count;
-    if (from.first >= kinds.size()) return to;
-    const plan::MemoryNumber& first = kinds[from.first];
-    to.offset = static_cast<std::size_t>(first.offset);
-    to.type = plan::wordOf(first.kind);
+    to.type = plan::wordOf(from.numbers.front().kind);
+    to.count = from.numbers.size();
+    for (const plan::MemoryNumber& each : from.numbers)
+        to.offsets.push_back(static_cast<std::size_t>(each.offset));
+    to.offset = to.offsets.front();
+    to.stride = to.count > 1 ? to.offsets[1] - to.offset : plan::sizeOf(from.numbers.front().kind);
+    for (std::size_t i = 0; i < to.count; ++i)
+        if (to.offsets[i] != to.offset + i * to.stride) to.stride = 0;
     return to;
 }
 
-Result<Picture> pictureIn(Result<image::Image> image) {
-    if (!image) return std::move(image.diagnostics);
-    return pictureOf(std::move(*image));
+BufferContent contentOf(render::BufferContent from) {
+    BufferContent to;
+    const plan::MemoryPattern& pattern = from.layout.pattern;
+    for (const plan::BufferField& each : plan::fieldsOf(from.table, pattern))
+        (each.isOfElement ? to.columns : to.head).push_back(columnOf(each));
+    to.bytes = std::move(from.bytes);
+    to.headBytes = static_cast<std::size_t>(pattern.elementsAt);
+    to.stride = static_cast<std::size_t>(pattern.stride);
+    to.elements = from.layout.elements;
+    return to;
+}
+
+Result<Picture> pictureIn(Result<render::TexelNumbers> numbers) {
+    using enum gpu::TexelType;
+    if (!numbers) return std::move(numbers.diagnostics);
+    Picture picture;
+    picture.width = numbers->width;
+    picture.height = numbers->height;
+    picture.components = numbers->components;
+    picture.isFloat = numbers->type == f32;
+    picture.isSigned = numbers->type == i8 || numbers->type == i16 || numbers->type == i32;
+    picture.bits = static_cast<int>(8 * gpu::bytesOf(numbers->type));
+    picture.data = std::move(numbers->data);
+    return picture;
+}
+
+Diagnostic nothingDrawn() {
+    return diagnose("library-E04", "no picture has been drawn yet");
+}
+
+/// The path as it was meant in that folder.
+void moveInto(const std::filesystem::path& folder, std::filesystem::path& path) {
+    if (!path.empty() && path.is_relative()) path = (folder / path).lexically_normal();
 }
 
 }  // namespace
@@ -85,7 +94,28 @@ Scene::Scene(Scene&&) noexcept = default;
 Scene& Scene::operator=(Scene&&) noexcept = default;
 Scene::~Scene() = default;
 
+Scene::State::State(std::shared_ptr<Renderer::State> on, std::filesystem::path file, RenderOptions from)
+    : renderer(std::move(on)), path(std::move(file)), options(std::move(from)) {
+    std::error_code failed;
+    folder = std::filesystem::current_path(failed);
+}
+
+/// Relative paths are those of the folder in which the scene was loaded. What is in memory stays.
+void Scene::State::keepFolder() {
+    std::error_code failed;
+    if (options.reader || folder.empty() || std::filesystem::current_path(failed) == folder) return;
+    moveInto(folder, path);
+    moveInto(folder, options.within);
+    for (std::filesystem::path& each : options.libraryRoots) moveInto(folder, each);
+    for (auto& [file, content] : std::exchange(options.texts, {})) {
+        std::filesystem::path known = file;
+        moveInto(folder, known);
+        options.texts.emplace(std::move(known), std::move(content));
+    }
+}
+
 Result<void> Scene::State::load() {
+    keepFolder();
     // Nothing moves from the scene as it is into one that may turn out to be faulty.
     view::LiveScene::Loading loading = view::LiveScene::load(*renderer->context, path, options, nullptr);
     render::applyStrict(loading.diagnostics, options.strict);
@@ -99,7 +129,7 @@ Result<void> Scene::State::load() {
     device.live->keepTextures(diagnostics);
     isDrawn = false;
     for (const view::Knob& each : std::exchange(changed, {})) {
-        const std::vector<view::Knob> now = device.live->knobs();
+        const std::vector<view::Knob> now = knobs();
         const auto same = std::find_if(now.begin(), now.end(), [&](const view::Knob& one) {
             return one.tag == each.tag && one.title == each.title &&
                    one.initial.size() == each.current.size();
@@ -129,15 +159,8 @@ Diagnostics Scene::State::begin() {
     return loaded ? Diagnostics() : std::move(loaded.diagnostics);
 }
 
-template <class T, class Work>
-Result<T> Scene::State::guarded(const Work& work) {
-    try {
-        if (Diagnostics problems = begin(); !problems.empty()) return problems;
-        return work();
-    } catch (const base::DeviceLost& lost) {
-        renderer->lose();
-        return base::diagnosticOf(lost, path.string());
-    }
+Diagnostics Scene::problems() const {
+    return State::guarded<void>(state_.get(), []() -> Result<void> { return {}; }).diagnostics;
 }
 
 Result<const gpu::Target*> Scene::State::targetFor(const DrawOptions& wanted) {
@@ -197,131 +220,13 @@ Result<Picture> Scene::State::readWindow(int components, bool isFloat) const {
 
 Result<Picture> Scene::draw(const DrawOptions& options) {
     if (Diagnostics problems = problemsOf(options); !problems.empty()) return problems;
-    return state_->guarded<Picture>([&] { return state_->draw(options); });
-}
-
-/// With the values that have been set.
-std::vector<view::Knob> Scene::State::knobs() const {
-    std::vector<view::Knob> all = device.live->knobs();
-    for (view::Knob& each : all)
-        for (const view::Knob& set : changed)
-            if (each.tag == set.tag && each.program == set.program) {
-                each.current = set.current;
-                each.initial = set.initial;  // a plan knows only the present value
-            }
-    return all;
-}
-
-std::vector<std::string> Scene::State::settings() const {
-    std::vector<std::string> all;
-    for (const view::Knob& each : changed)
-        all.push_back(view::setArgument(device.live->scene(), each, device.live->knobs()));
-    return all;
-}
-
-std::vector<Value> Scene::values() const {
-    Result<std::vector<view::Knob>> knobs = state_->guarded<std::vector<view::Knob>>(
-        [&]() -> Result<std::vector<view::Knob>> { return state_->knobs(); });
-    if (!knobs) return {};
-    std::vector<Value> values;
-    for (const view::Knob& knob : *knobs) {
-        Value& to = values.emplace_back();
-        to.name = knob.tag;
-        if (knob.program) to.program = state_->device.live->scene().programs[knob.program].name;
-        to.type = typeOf(knob);
-        to.value = knob.current;
-        to.initial = knob.initial;
-        to.hasRange = knob.form == glib::UniformForm::range;
-        to.minimum = knob.minimum;
-        to.maximum = knob.maximum;
-        to.words = knob.words;
-        to.place = knob.place;
-    }
-    return values;
-}
-
-Result<void> Scene::State::set(std::string_view name, std::span<const double> values, std::string_view text) {
-    // A text is read as the command line reads it, which knows lines, programs, words and numbers.
-    std::string_view tag = name;
-    std::string program;
-    if (const std::size_t colon = name.find(':'); colon != std::string_view::npos) {
-        program = name.substr(0, colon);
-        tag = name.substr(colon + 1);
-    }
-    const scene::Scene& scene = device.live->scene();
-    std::vector<view::Knob> all = knobs();
-    const auto isMeant = [&](const view::Knob& knob) {
-        if (knob.tag == tag && program.empty()) return true;
-        if (!knob.program) return false;
-        const scene::Program& of = scene.programs[knob.program];
-        if (knob.tag == tag && (of.name == program || std::to_string(of.place.line) == program)) return true;
-        return program.empty() && tag == of.name + "." + knob.tag;
-    };
-    std::vector<view::Knob> meant;
-    std::ranges::copy_if(all, std::back_inserter(meant), isMeant);
-    if (meant.empty()) {
-        std::vector<std::string_view> names;
-        for (const view::Knob& each : all) names.push_back(each.tag);
-        return diagnose("library-E02",
-                        fmt::format("the scene has no value '{}'{}", name, base::suggestion(name, names)),
-                        {path.string(), 1, 1});
-    }
-    std::vector<double> read(values.begin(), values.end());
-    if (values.empty()) {
-        const auto& words = meant.front().words;
-        if (const auto word = std::ranges::find(words, text); word != words.end()) {
-            read = {static_cast<double>(word - words.begin())};
-        } else {
-            Result<plan::Override> parsed =
-                plan::parseOverride(fmt::format("{}={}", meant.front().tag, text));
-            if (!parsed || !parsed->word.empty())
-                return diagnose("library-E03",
-                                words.empty() ? fmt::format("'{}': expected numbers, found '{}'", tag, text)
-                                              : fmt::format("'{}': expected one of {}, found '{}'", tag,
-                                                            fmt::join(words, ", "), text),
-                                {path.string(), 1, 1});
-            read = parsed->values;
-        }
-    }
-    for (const view::Knob& each : meant)
-        if (const std::string why = whyNot(each, read); !why.empty())
-            return diagnose("library-E03", why, each.place);
-    for (view::Knob& each : meant) {
-        each.current = read;
-        device.live->setValue(each);
-        std::erase_if(changed, [&](const view::Knob& one) {
-            return one.tag == each.tag && one.program == each.program;
-        });
-        changed.push_back(std::move(each));
-    }
-    return {};
-}
-
-Result<void> Scene::set(std::string_view name, double value) {
-    return set(name, std::span<const double>(&value, 1));
-}
-Result<void> Scene::set(std::string_view name, int value) {
-    return set(name, static_cast<double>(value));
-}
-Result<void> Scene::set(std::string_view name, bool value) {
-    return set(name, value ? 1. : 0.);
-}
-Result<void> Scene::set(std::string_view name, std::initializer_list<double> values) {
-    return set(name, std::span<const double>(values.begin(), values.size()));
-}
-
-Result<void> Scene::set(std::string_view name, std::span<const double> values) {
-    if (values.empty()) return diagnose("library-E03", fmt::format("'{}': no numbers", name));
-    return state_->guarded<void>([&] { return state_->set(name, values, {}); });
-}
-
-Result<void> Scene::set(std::string_view name, std::string_view text) {
-    return state_->guarded<void>([&] { return state_->set(name, {}, text); });
+    return State::guarded<Picture>(state_.get(), [&] { return state_->draw(options); });
 }
 
 Diagnostics Scene::check(double time) {
     if (!std::isfinite(time)) return {wrongOption("time: not a finite number of seconds")};
-    Result<void> answered = state_->guarded<void>([&]() -> Result<void> {
+    Result<void> answered = State::guarded<void>(state_.get(), [&]() -> Result<void> {
+        state_->keepFolder();
         RenderOptions options = state_->options;
         options.time = time;
         options.set = state_->settings();
@@ -330,6 +235,26 @@ Diagnostics Scene::check(double time) {
     std::erase_if(answered.diagnostics,
                   [](const Diagnostic& each) { return each.severity != Severity::error; });
     return std::move(answered.diagnostics);
+}
+
+/// Draws the last picture once more with an object that it does not need, and gives that to `use`.
+template <class T, class Use>
+Result<T> Scene::State::drawnFor(std::string_view name, const Use& use) {
+    keepFolder();
+    RenderOptions wanted = options;
+    wanted.set = settings();
+    wanted.width = device.window->width;
+    wanted.height = device.window->height;
+    wanted.samples = device.window->samples;
+    wanted.viewState = drawnView;
+    wanted.wantedObjects = {std::string(name)};
+    render::Stats stats;
+    Result<render::SceneRenderer> loaded =
+        render::SceneRenderer::load(*renderer->context, path, wanted, stats);
+    if (!loaded) return std::move(loaded.diagnostics);
+    Result<image::Image> drawn = loaded->draw(drawnTime, stats);
+    if (!drawn) return std::move(drawn.diagnostics);
+    return use(*loaded);
 }
 
 /// A texture that the picture does not need is drawn for this.
@@ -344,72 +269,75 @@ Result<Picture> Scene::State::textureNamed(std::string_view name) {
                         fmt::format("'{}': '{}' has {}", name, texture.name,
                                     base::counted(*layers, isCube ? "face" : "layer")),
                         {path.string(), 1, 1});
-    if (device.live->texture(view->texture) != nullptr) return pictureIn(device.live->imageOf(*view));
-    RenderOptions wanted = options;
-    wanted.set = settings();
-    wanted.width = device.window->width;
-    wanted.height = device.window->height;
-    wanted.samples = device.window->samples;
-    wanted.viewState = drawnView;
-    wanted.wantedObjects = {std::string(name)};
-    render::Stats stats;
-    Result<render::SceneRenderer> loaded =
-        render::SceneRenderer::load(*renderer->context, path, wanted, stats);
-    if (!loaded) return std::move(loaded.diagnostics);
-    Result<image::Image> drawn = loaded->draw(drawnTime, stats);
-    if (!drawn) return std::move(drawn.diagnostics);
-    return pictureIn(loaded->textureImage(*view));
+    if (device.live->texture(view->texture) != nullptr) return pictureIn(device.live->numbersOf(*view));
+    return drawnFor<Picture>(
+        name, [&](render::SceneRenderer& drawn) { return pictureIn(drawn.textureNumbers(*view)); });
 }
 
 Result<Picture> Scene::target(std::string_view name) {
-    return state_->guarded<Picture>([&]() -> Result<Picture> {
-        if (!state_->isDrawn) return diagnose("library-E04", "no picture has been drawn yet");
+    return State::guarded<Picture>(state_.get(), [&]() -> Result<Picture> {
+        if (!state_->isDrawn) return nothingDrawn();
         return name == "window" ? state_->readWindow(4, true) : state_->textureNamed(name);
     });
 }
 
+Result<BufferContent> Scene::State::bufferNamed(std::string_view name) {
+    const scene::Scene& scene = device.live->scene();
+    std::vector<std::string_view> names;
+    for (const scene::BufferIndex index : scene.buffers.indices()) {
+        names.push_back(scene.buffers[index].name);
+        if (scene.buffers[index].name != name) continue;
+        const gpu::Buffer* buffer = device.live->buffers().buffer({index});
+        const plan::BufferLayout* layout = device.live->buffers().layout(index);
+        const auto given = [](Result<render::BufferContent> content) -> Result<BufferContent> {
+            if (!content) return std::move(content.diagnostics);
+            return contentOf(std::move(*content));
+        };
+        if (buffer == nullptr || layout == nullptr)
+            return drawnFor<BufferContent>(
+                name, [&](render::SceneRenderer& drawn) { return given(drawn.bufferContent({index})); });
+        return given(render::contentOf(*layout, device.live->blockOf(index), *buffer));
+    }
+    return diagnose("library-E02",
+                    fmt::format("the scene has no buffer '{}'{}", name, base::suggestion(name, names)),
+                    {path.string(), 1, 1});
+}
+
 Result<BufferContent> Scene::buffer(std::string_view name) {
-    return state_->guarded<BufferContent>([&]() -> Result<BufferContent> {
-        const scene::Scene& scene = state_->device.live->scene();
-        std::vector<std::string_view> names;
-        for (const scene::BufferIndex index : scene.buffers.indices()) {
-            names.push_back(scene.buffers[index].name);
-            if (scene.buffers[index].name != name) continue;
-            const gpu::Buffer* buffer = state_->device.live->buffers().buffer({index});
-            const plan::BufferLayout* layout = state_->device.live->buffers().layout(index);
-            if (buffer == nullptr || layout == nullptr)
-                return diagnose("library-E04", fmt::format("buffer '{}' is not used by the picture", name),
-                                scene.buffers[index].place);
-            BufferContent content;
-            content.bytes.resize(static_cast<std::size_t>(layout->bytes));
-            buffer->read(0, content.bytes);
-            const plan::BufferTable table = plan::tableOf(*layout, state_->device.live->blockOf(index),
-                                                          std::numeric_limits<std::size_t>::max());
-            for (const plan::BufferColumn& each : table.head)
-                content.head.push_back(columnOf(each, layout->pattern.head));
-            for (const plan::BufferColumn& each : table.columns)
-                content.columns.push_back(columnOf(each, layout->pattern.element));
-            content.headBytes = static_cast<std::size_t>(layout->pattern.elementsAt);
-            content.stride = static_cast<std::size_t>(layout->pattern.stride);
-            content.elements = layout->elements;
-            return content;
-        }
-        return diagnose("library-E02",
-                        fmt::format("the scene has no buffer '{}'{}", name, base::suggestion(name, names)),
-                        {state_->path.string(), 1, 1});
+    return State::guarded<BufferContent>(state_.get(), [&]() -> Result<BufferContent> {
+        if (!state_->isDrawn) return nothingDrawn();
+        return state_->bufferNamed(name);
     });
 }
 
+std::vector<double> BufferContent::numbers(const Column& column, std::uint64_t element, bool isOfHead) const {
+    using enum plan::NumberKind;
+    if (!isOfHead && element >= elements) return {};
+    const std::size_t from = isOfHead ? 0 : headBytes + static_cast<std::size_t>(element) * stride;
+    std::vector<double> all;
+    for (const std::size_t each : column.offsets) {
+        plan::MemoryNumber number{from + each, floating};
+        for (const plan::NumberKind kind : {doublePrecision, integer, unsignedInteger, boolean})
+            if (column.type == plan::wordOf(kind)) number.kind = kind;
+        if (number.offset + plan::sizeOf(number.kind) > bytes.size()) return {};
+        all.push_back(plan::readNumber(number, bytes));
+    }
+    return all;
+}
+
 const Diagnostics& Scene::diagnostics() const {
-    return state_->diagnostics;
+    static const Diagnostics kMovedFrom{movedFrom()};
+    return state_ ? state_->diagnostics : kMovedFrom;
 }
 
 std::vector<std::filesystem::path> Scene::files() const {
+    if (!state_) return {};
     return state_->device.live ? state_->device.live->files()
                                : std::vector<std::filesystem::path>{state_->path};
 }
 
 std::map<std::string, std::uint64_t> Scene::stats() const {
+    if (!state_) return {};
     std::map<std::string, std::uint64_t> counts{{"frames", state_->frames}};
     if (state_->device.live)
         for (const render::Stats::Count& each : state_->device.live->drawStats().counts)
@@ -418,7 +346,7 @@ std::map<std::string, std::uint64_t> Scene::stats() const {
 }
 
 Result<void> Scene::reload() {
-    return state_->guarded<void>([&] { return state_->load(); });
+    return State::guarded<void>(state_.get(), [&] { return state_->load(); });
 }
 
 }  // namespace glibra

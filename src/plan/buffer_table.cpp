@@ -111,6 +111,26 @@ BufferTable tableOf(const BufferLayout& layout, const base::StorageBlock* block,
     return table;
 }
 
+std::vector<BufferField> fieldsOf(const BufferTable& table, const MemoryPattern& pattern) {
+    std::vector<BufferField> fields;
+    std::map<std::string, int> known;
+    const auto add = [&](const std::vector<BufferColumn>& columns, const std::vector<MemoryNumber>& numbers,
+                         bool isOfElement) {
+        for (const BufferColumn& column : columns)
+            for (std::size_t i = column.first; i < column.first + column.count;) {
+                BufferField& field = fields.emplace_back(BufferField{column.name, {}, isOfElement});
+                const NumberKind kind = numbers[i].kind;
+                while (i < column.first + column.count && numbers[i].kind == kind)
+                    field.numbers.push_back(numbers[i++]);
+                if (const int before = known[field.name]++; before > 0)
+                    field.name += fmt::format(" {}", before + 1);
+            }
+    };
+    add(table.head, pattern.head, false);
+    add(table.columns, pattern.element, true);
+    return fields;
+}
+
 std::string cellText(std::span<const MemoryNumber> kinds, std::span<const double> values) {
     std::string text;
     for (std::size_t i = 0; i < std::min(kinds.size(), values.size()); ++i) {

@@ -33,6 +33,16 @@ struct BufferTable {
     std::uint64_t elements = 0;
 };
 
+/// A member, or those of its numbers that are of one kind.
+struct BufferField {
+    std::string name;                   ///< another one for each field
+    std::vector<MemoryNumber> numbers;  ///< with offsets from the element, or from the begin of the buffer
+    bool isOfElement = false;
+};
+
+/// The fields of the head, then those of an element: what files and programs read of a buffer.
+std::vector<BufferField> fieldsOf(const BufferTable& table, const MemoryPattern& pattern);
+
 /// `block`: the members through which a program sees the buffer; without them (null) the columns have no
 /// names of members. An element has at most `most` columns; the last one takes what is left.
 BufferTable tableOf(const BufferLayout& layout, const base::StorageBlock* block, std::size_t most);

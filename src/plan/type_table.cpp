@@ -147,7 +147,7 @@ class ValueReader {
     /// Sets the first `wanted` of the given values; missing ones are 0.
     void setList(std::size_t wanted, bool countMatters) {
         const std::size_t given = given_.values.size();
-        const std::size_t declared = array_ ? std::max(wanted, declared_ * components()) : wanted;
+        const std::size_t declared = array_ ? declared_ * components() : wanted;
         if (countMatters && given < declared)  // whatever the driver calls active
             warnCount(fmt::format("{} takes {}, so the rest is 0", typeName_, declared));
         if (countMatters && given > declared)
@@ -335,7 +335,8 @@ class ValueReader {
 
     void readArray() {
         if (given_.form == UniformForm::list && type_.base != BaseType::other) {
-            setList(elements_ * components(), true);
+            // The driver takes what it keeps of it.
+            setList((type_.isOpaque() ? elements_ : declared_) * components(), true);
             if (type_.isOpaque()) checkUnits();
             return;
         }

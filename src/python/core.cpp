@@ -7,6 +7,7 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <utility>
@@ -44,29 +45,26 @@ void taken(Result<void> result) {
 py::array arrayOf(Picture picture) {
     auto* pixels = new std::vector<std::byte>(std::move(picture.data));
     const py::capsule owner(pixels, [](void* all) { delete static_cast<std::vector<std::byte>*>(all); });
-    const py::dtype type = picture.isFloat      ? py::dtype::of<float>()
-                           : picture.bits == 16 ? py::dtype::of<std::uint16_t>()
-                                                : py::dtype::of<std::uint8_t>();
+    const char* kind = picture.isFloat ? "f" : picture.isSigned ? "i" : "u";
+    const auto type = py::dtype::from_args(py::str(kind + std::to_string(picture.bits / 8)));
     const std::vector<py::ssize_t> shape{picture.height, picture.width, picture.components};
     return py::array(type, shape, pixels->data(), owner);
 }
 
 Picture pictureOf(const py::array& from) {
-    const bool isFloat = from.dtype().kind() == 'f';
-    const bool isWide = from.dtype().kind() == 'u' && from.itemsize() == 2;
+    const char kind = from.dtype().kind();
     if (from.ndim() != 2 && from.ndim() != 3)
         throw py::value_error("a picture is an array of rows, columns and components");
-    if (!isFloat && !(from.dtype().kind() == 'u' && from.itemsize() <= 2))
-        throw py::value_error("the numbers of a picture are uint8, uint16 or float32");
-    const py::array all =
-        isFloat  ? py::array(py::array_t < float, py::array::c_style | py::array::forcecast > (from))
-        : isWide ? py::array(py::array_t < std::uint16_t, py::array::c_style | py::array::forcecast > (from))
-                 : py::array(py::array_t < std::uint8_t, py::array::c_style | py::array::forcecast > (from));
+    if (kind != 'f' && !((kind == 'u' || kind == 'i') && from.itemsize() <= 4))
+        throw py::value_error("the numbers of a picture are float32, or whole ones of 8, 16 or 32 bits");
+    const std::string type = kind == 'f' ? "f4" : kind + std::to_string(from.itemsize());
+    const py::array all = py::module_::import("numpy").attr("ascontiguousarray")(from, type);
     Picture picture;
     picture.height = static_cast<int>(all.shape(0));
     picture.width = static_cast<int>(all.shape(1));
     picture.components = all.ndim() == 3 ? static_cast<int>(all.shape(2)) : 1;
-    picture.isFloat = isFloat;
+    picture.isFloat = kind == 'f';
+    picture.isSigned = kind == 'i';
     picture.bits = static_cast<int>(8 * all.itemsize());
     const auto* bytes = static_cast<const std::byte*>(all.data());
     picture.data.assign(bytes, bytes + all.nbytes());
@@ -74,42 +72,46 @@ Picture pictureOf(const py::array& from) {
 }
 
 py::dtype typeOf(const BufferContent::Column& column) {
-    const char* name = column.type == "double" ? "f8"
-                       : column.type == "int"  ? "i4"
-                       : column.type == "uint" ? "u4"
-                                               : "f4";
-    if (column.type == "bool") name = "u4";
+    const char* name = column.type == "double"  ? "f8"
+                       : column.type == "int"   ? "i4"
+                       : column.type == "float" ? "f4"
+                                                : "u4";
     return py::dtype::from_args(py::str(name));
 }
 
-/// A structured array with a record for each element; of a buffer without an array, one record of its
-/// members.
-py::array arrayOf(const BufferContent& content) {
-    const bool hasArray = content.stride > 0;
-    const std::vector<BufferContent::Column>& columns = hasArray ? content.columns : content.head;
-    py::list names, formats, offsets;
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-        const BufferContent::Column& each = columns[i];
-        names.append(each.name.empty() ? "f" + std::to_string(i) : each.name);
+/// A structured array with a record for each element, or one record with the members before the array. The
+/// numbers of a field follow each other, however they lie on the device.
+py::array arrayOf(const BufferContent& content, bool isOfHead) {
+    const std::vector<BufferContent::Column>& columns = isOfHead ? content.head : content.columns;
+    py::list fields;
+    for (const BufferContent::Column& each : columns) {
+        const py::object type = typeOf(each);
         if (each.count == 1)
-            formats.append(typeOf(each));
+            fields.append(py::make_tuple(each.name, type));
         else
-            formats.append(py::make_tuple(typeOf(each), py::make_tuple(each.count)));
-        offsets.append(each.offset);
+            fields.append(py::make_tuple(each.name, type, py::make_tuple(each.count)));
     }
-    const std::size_t size = hasArray ? content.stride : content.bytes.size();
-    const std::size_t count = hasArray ? static_cast<std::size_t>(content.elements) : 1;
-    py::dict description;
-    description["names"] = names;
-    description["formats"] = formats;
-    description["offsets"] = offsets;
-    description["itemsize"] = size;
-    const py::dtype type = py::dtype::from_args(description);
-    py::array to(type, std::vector<py::ssize_t>{static_cast<py::ssize_t>(count)});
-    const std::size_t from = hasArray ? content.headBytes : 0;
-    const std::size_t bytes =
-        std::min(count * size, content.bytes.size() - std::min(from, content.bytes.size()));
-    std::memcpy(to.mutable_data(), content.bytes.data() + from, bytes);
+    const auto count = isOfHead ? std::uint64_t{1} : content.elements;
+    py::array to(py::dtype::from_args(fields), std::vector<py::ssize_t>{static_cast<py::ssize_t>(count)});
+    const auto bytes = static_cast<std::size_t>(to.nbytes());
+    auto* at = static_cast<std::byte*>(to.mutable_data());
+    const std::byte* const end = at + bytes;
+    const auto copy = [&](std::size_t from, std::size_t size) {
+        if (from + size <= content.bytes.size() && at + size <= end)
+            std::memcpy(at, content.bytes.data() + from, size);
+        at += size;
+    };
+    for (std::uint64_t element = 0; element < count; ++element) {
+        const std::size_t from =
+            isOfHead ? 0 : content.headBytes + static_cast<std::size_t>(element) * content.stride;
+        for (const BufferContent::Column& each : columns) {
+            const std::size_t size = each.type == "double" ? sizeof(double) : sizeof(float);
+            if (each.stride == size)
+                copy(from + each.offset, size * each.count);
+            else
+                for (const std::size_t offset : each.offsets) copy(from + offset, size);
+        }
+    }
     return to;
 }
 
@@ -119,15 +121,38 @@ py::list listOf(const Diagnostics& diagnostics) {
     return all;
 }
 
-DrawOptions optionsOf(int width, int height, double time, int samples, bool alpha, bool floats) {
+/// library-E01 for a whole number that no option has.
+int intOf(const char* name, const py::object& value) {
+    const py::object whole = py::reinterpret_steal<py::object>(PyNumber_Index(value.ptr()));
+    if (!whole) throw py::error_already_set();
+    int isBeyond = 0;
+    const long long number = PyLong_AsLongLongAndOverflow(whole.ptr(), &isBeyond);
+    if (isBeyond != 0 || number != static_cast<int>(number))
+        throw Failure{
+            {glibra::diagnose("library-E01", std::string(name) + ": " + std::string(py::str(whole)) +
+                                                 " is not a number of pixels or samples")}};
+    return static_cast<int>(number);
+}
+
+DrawOptions optionsOf(const py::object& width, const py::object& height, double time,
+                      const py::object& samples, bool alpha, bool floats, const std::vector<double>& eye) {
     DrawOptions options;
-    options.width = width;
-    options.height = height;
+    if (eye.size() == options.view.eye.size()) std::copy(eye.begin(), eye.end(), options.view.eye.begin());
+    options.width = intOf("width", width);
+    options.height = intOf("height", height);
     options.time = time;
-    options.samples = samples;
+    options.samples = intOf("samples", samples);
     options.alpha = alpha;
     options.floatPixels = floats;
     return options;
+}
+
+glibra::RenderOptions loadOptionsOf(const py::dict& from) {
+    glibra::RenderOptions to;
+    to.within = from["within"].cast<std::filesystem::path>();
+    to.libraryRoots = from["library"].cast<std::vector<std::filesystem::path>>();
+    to.strict = from["strict"].cast<bool>();
+    return to;
 }
 
 }  // namespace
@@ -135,61 +160,133 @@ DrawOptions optionsOf(int width, int height, double time, int samples, bool alph
 PYBIND11_MODULE(_core, module) {
     module.attr("__version__") = GLIBRA_VERSION_STRING;
 
-    py::class_<Diagnostic>(module, "Diagnostic")
-        .def_readonly("id", &Diagnostic::id)
+    py::class_<Diagnostic>(module, "Diagnostic",
+                           "A message: str() of it is the line that the command line prints.")
+        .def_readonly("id", &Diagnostic::id, "its id in the catalogue, as 'glib-W04'")
         .def_readonly("text", &Diagnostic::text)
-        .def_property_readonly("severity", [](const Diagnostic& each) { return glibra::name(each.severity); })
+        .def_property_readonly(
+            "severity", [](const Diagnostic& each) { return glibra::name(each.severity); },
+            "'error', 'warning' or 'note'")
         .def_property_readonly("file", [](const Diagnostic& each) { return each.place.file; })
         .def_property_readonly("line", [](const Diagnostic& each) { return each.place.line; })
         .def_property_readonly("column", [](const Diagnostic& each) { return each.place.column; })
+        .def_readonly("subject", &Diagnostic::subject, "the name that the text is about, or ''")
+        .def_readonly("suggestion", &Diagnostic::suggestion,
+                      "the name that the text proposes in its place, or ''")
         .def("__str__", [](const Diagnostic& each) { return toString(each); })
-        .def("__repr__", [](const Diagnostic& each) { return "<" + toString(each) + ">"; });
+        .def("__repr__", [](const Diagnostic& each) { return "<" + toString(each) + ">"; })
+        .def("__eq__",
+             [](const Diagnostic& one, const py::object& other) {
+                 return py::isinstance<Diagnostic>(other) &&
+                        toString(one) == toString(other.cast<Diagnostic>());
+             })
+        .def("__hash__", [](const Diagnostic& each) { return py::hash(py::str(toString(each))); })
+        .def(py::pickle(
+            [](const Diagnostic& each) {
+                return py::make_tuple(static_cast<int>(each.severity), each.id, each.text, each.place.file,
+                                      each.place.line, each.place.column, each.subject, each.suggestion);
+            },
+            [](const py::tuple& from) {
+                return Diagnostic{static_cast<glibra::Severity>(from[0].cast<int>()),
+                                  from[1].cast<std::string>(),
+                                  from[2].cast<std::string>(),
+                                  {from[3].cast<std::string>(), from[4].cast<int>(), from[5].cast<int>()},
+                                  from[6].cast<std::string>(),
+                                  from[7].cast<std::string>()};
+            }));
 
     // The translator may run until the interpreter ends, and nothing may be released after that.
-    static const py::handle error = PyErr_NewExceptionWithDoc(
-        "glibra.SceneError", "What prevented a picture; `diagnostics` are the single messages.",
-        PyExc_RuntimeError, nullptr);
-    module.attr("SceneError") = error;
+    static py::handle error;
+    module.def("use_error", [](const py::object& type) { error = py::object(type).release(); });
     py::register_exception_translator([](std::exception_ptr thrown) {
         try {
             if (thrown) std::rethrow_exception(thrown);
         } catch (const Failure& failure) {
-            const py::object value = error(toString(failure.diagnostics));
-            value.attr("diagnostics") = listOf(failure.diagnostics);
+            const py::object value = error(toString(failure.diagnostics), listOf(failure.diagnostics));
             PyErr_SetObject(error.ptr(), value.ptr());
         }
     });
 
-    py::class_<Value>(module, "Value")
+    py::class_<Value>(module, "Value", "A value of a scene that can be set.")
         .def_readonly("name", &Value::name)
-        .def_readonly("program", &Value::program)
-        .def_readonly("type", &Value::type)
-        .def_readonly("value", &Value::value)
-        .def_readonly("initial", &Value::initial)
-        .def_readonly("words", &Value::words)
-        .def_property_readonly("range",
-                               [](const Value& each) -> py::object {
-                                   if (!each.hasRange) return py::none();
-                                   return py::make_tuple(each.minimum, each.maximum);
-                               })
-        .def("__repr__", [](const Value& each) {
-            std::string text = "<" + each.type + " " + each.name;
-            for (const double one : each.value) text += " " + std::string(py::str(py::float_(one)));
-            return text + ">";
-        });
+        .def_readonly("program", &Value::program,
+                      "the program that has the uniform; '': a variable of the scene")
+        .def_readonly("program_line", &Value::programLine, "the line of its Program statement; 0: a variable")
+        .def_readonly("type", &Value::type, "GLSL's word: 'float', 'vec3'; of an array, that of an element")
+        .def_readonly("value", &Value::value, "its numbers, of one for a scalar")
+        .def_readonly("initial", &Value::initial, "the numbers in the scene")
+        .def_readonly("words", &Value::words, "of a choice; the value counts them from 0")
+        .def_property_readonly("file", [](const Value& each) { return each.place.file; })
+        .def_property_readonly("line", [](const Value& each) { return each.place.line; })
+        .def_property_readonly("column", [](const Value& each) { return each.place.column; })
+        .def_property_readonly(
+            "range",
+            [](const Value& each) -> py::object {
+                if (!each.hasRange) return py::none();
+                return py::make_tuple(each.minimum, each.maximum);
+            },
+            "the least and the largest number of its slider, or None")
+        .def("__repr__",
+             [](const Value& each) {
+                 std::string text = "<" + each.type + " " + each.name;
+                 for (const double one : each.value) text += " " + std::string(py::str(py::float_(one)));
+                 return text + ">";
+             })
+        .def(py::pickle(
+            [](const Value& each) {
+                return py::make_tuple(each.name, each.program, each.programLine, each.type, each.value,
+                                      each.initial, each.hasRange, each.minimum, each.maximum, each.words,
+                                      each.place.file, each.place.line, each.place.column);
+            },
+            [](const py::tuple& from) {
+                Value to;
+                to.name = from[0].cast<std::string>();
+                to.program = from[1].cast<std::string>();
+                to.programLine = from[2].cast<int>();
+                to.type = from[3].cast<std::string>();
+                to.value = from[4].cast<std::vector<double>>();
+                to.initial = from[5].cast<std::vector<double>>();
+                to.hasRange = from[6].cast<bool>();
+                to.minimum = from[7].cast<double>();
+                to.maximum = from[8].cast<double>();
+                to.words = from[9].cast<std::vector<std::string>>();
+                to.place = {from[10].cast<std::string>(), from[11].cast<int>(), from[12].cast<int>()};
+                return to;
+            }));
 
-    py::class_<Comparison>(module, "Comparison")
+    py::class_<Comparison>(module, "Comparison", "How two pictures differ; true if they are the same.")
         .def_readonly("same", &Comparison::same)
-        .def_readonly("reason", &Comparison::reason)
+        .def_readonly("reason", &Comparison::reason, "the figure that decided, and its limit")
         .def_readonly("differing_pixels", &Comparison::differingPixels)
-        .def_readonly("largest", &Comparison::largest)
-        .def_readonly("root_mean_square", &Comparison::rootMeanSquare)
+        .def_readonly("largest", &Comparison::largest, "of a component, in 255ths of the range")
+        .def_readonly("x", &Comparison::x, "where, from the left")
+        .def_readonly("y", &Comparison::y, "where, from the top")
+        .def_readonly("root_mean_square", &Comparison::rootMeanSquare, "in 255ths of the range")
         .def_readonly("flip", &Comparison::flip)
         .def_readonly("structure", &Comparison::structure)
         .def("__bool__", [](const Comparison& each) { return each.same; })
-        .def("__repr__", [](const Comparison& each) {
-            return std::string("<") + (each.same ? "same: " : "different: ") + each.reason + ">";
-        });
+        .def("__repr__",
+             [](const Comparison& each) {
+                 return std::string("<") + (each.same ? "same: " : "different: ") + each.reason + ">";
+             })
+        .def(py::pickle(
+            [](const Comparison& each) {
+                return py::make_tuple(each.same, each.reason, each.differingPixels, each.largest, each.x,
+                                      each.y, each.rootMeanSquare, each.flip, each.structure);
+            },
+            [](const py::tuple& from) {
+                Comparison to;
+                to.same = from[0].cast<bool>();
+                to.reason = from[1].cast<std::string>();
+                to.differingPixels = from[2].cast<std::uint64_t>();
+                to.largest = from[3].cast<double>();
+                to.x = from[4].cast<int>();
+                to.y = from[5].cast<int>();
+                to.rootMeanSquare = from[6].cast<double>();
+                to.flip = from[7].cast<std::optional<double>>();
+                to.structure = from[8].cast<std::optional<double>>();
+                return to;
+            }));
 
     py::class_<glibra::Renderer>(module, "Renderer")
         .def(py::init([](const std::string& driver) {
@@ -198,36 +295,53 @@ PYBIND11_MODULE(_core, module) {
                  return taken(glibra::Renderer::open(*which));
              }),
              py::arg("driver") = "auto")
-        .def("load", [](glibra::Renderer& renderer,
-                        const std::filesystem::path& path) { return taken(renderer.load(path)); })
+        .def("load",
+             [](glibra::Renderer& renderer, const std::filesystem::path& path, const py::dict& options) {
+                 return taken(renderer.load(path, loadOptionsOf(options)));
+             })
         .def("load_text", [](glibra::Renderer& renderer, const std::string& text, const std::string& name,
-                             const std::map<std::string, std::string>& files) {
-            return taken(renderer.loadText(text, name, files));
+                             const std::map<std::string, std::string>& files, const py::dict& options) {
+            return taken(renderer.loadText(text, name, files, loadOptionsOf(options)));
         });
 
     py::class_<glibra::Scene>(module, "Scene")
         .def("draw",
-             [](glibra::Scene& scene, int width, int height, double time, int samples, bool alpha,
-                bool floats) {
+             [](glibra::Scene& scene, const py::object& width, const py::object& height, double time,
+                const py::object& samples, bool alpha, bool floats, const std::vector<double>& eye) {
+                 const DrawOptions options = optionsOf(width, height, time, samples, alpha, floats, eye);
                  Result<Picture> picture;
                  {
                      const py::gil_scoped_release others;
-                     picture = scene.draw(optionsOf(width, height, time, samples, alpha, floats));
+                     picture = scene.draw(options);
                  }
-                 return arrayOf(taken(std::move(picture)));
+                 Diagnostics remarks = picture ? picture.diagnostics : Diagnostics();
+                 return py::make_tuple(arrayOf(taken(std::move(picture))), listOf(remarks));
              })
-        .def("values", &glibra::Scene::values)
+        .def("values",
+             [](const glibra::Scene& scene) {
+                 std::vector<Value> values = scene.values();
+                 if (values.empty())
+                     if (Diagnostics problems = scene.problems(); !problems.empty()) throw Failure{problems};
+                 return values;
+             })
         .def("set", [](glibra::Scene& scene, const std::string& name,
                        const std::string& text) { taken(scene.set(name, text)); })
         .def("set_numbers",
              [](glibra::Scene& scene, const std::string& name, const std::vector<double>& numbers) {
                  taken(scene.set(name, std::span<const double>(numbers)));
              })
-        .def("check", [](glibra::Scene& scene, double time) { return listOf(scene.check(time)); })
+        .def("check",
+             [](glibra::Scene& scene, double time) {
+                 if (Diagnostics problems = scene.problems(); !problems.empty()) throw Failure{problems};
+                 return listOf(scene.check(time));
+             })
         .def("target",
              [](glibra::Scene& scene, const std::string& name) { return arrayOf(taken(scene.target(name))); })
         .def("buffer",
-             [](glibra::Scene& scene, const std::string& name) { return arrayOf(taken(scene.buffer(name))); })
+             [](glibra::Scene& scene, const std::string& name, bool isOfHead) {
+                 const BufferContent content = taken(scene.buffer(name));
+                 return arrayOf(content, isOfHead || content.stride == 0);
+             })
         .def("diagnostics", [](const glibra::Scene& scene) { return listOf(scene.diagnostics()); })
         .def("files", &glibra::Scene::files)
         .def("stats", &glibra::Scene::stats)

@@ -248,11 +248,7 @@ Result<BufferContent> SceneRenderer::bufferContent(const scene::BufferView& view
     std::optional<base::StorageBlock> block;
     for (const plan::FramePlan* each : state_->plans())
         if (!block) block = plan::blockOf(*each, view.buffer);
-    BufferContent content{*layout, {}, std::vector<std::byte>(buffer->size())};
-    content.table =
-        plan::tableOf(*layout, block ? &*block : nullptr, std::numeric_limits<std::size_t>::max());
-    buffer->read(0, content.bytes);
-    return content;
+    return contentOf(*layout, block ? &*block : nullptr, *buffer);
 }
 
 }  // namespace glibra::render

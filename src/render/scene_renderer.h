@@ -87,6 +87,10 @@ class SceneRenderer {
     Result<image::Image> textureImage(const scene::TextureView& view) {
         return state_->device.textures().imageOf(view);
     }
+    /// The same as DeviceTextures::numbersOf gives it.
+    Result<TexelNumbers> textureNumbers(const scene::TextureView& view) {
+        return state_->device.textures().numbersOf(view);
+    }
 
     /// The content of a buffer after the last picture, with the members that the first program which uses it
     /// declares. The buffer must be among options.wantedObjects or seen in the picture. Waits for the device.

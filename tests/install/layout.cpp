@@ -99,6 +99,7 @@ int main() {
     MEMBER(Picture, height);
     MEMBER(Picture, components);
     MEMBER(Picture, isFloat);
+    MEMBER(Picture, isSigned);
     MEMBER(Picture, bits);
     MEMBER(Picture, data);
     TYPE(CurrentContext);
@@ -106,6 +107,7 @@ int main() {
     TYPE(Value);
     MEMBER(Value, name);
     MEMBER(Value, program);
+    MEMBER(Value, programLine);
     MEMBER(Value, type);
     MEMBER(Value, value);
     MEMBER(Value, initial);
@@ -127,6 +129,8 @@ int main() {
     MEMBER(BufferContent::Column, type);
     MEMBER(BufferContent::Column, offset);
     MEMBER(BufferContent::Column, count);
+    MEMBER(BufferContent::Column, stride);
+    MEMBER(BufferContent::Column, offsets);
     TYPE(BufferContent);
     MEMBER(BufferContent, bytes);
     MEMBER(BufferContent, head);

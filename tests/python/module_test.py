@@ -1,14 +1,18 @@
 """The Python package as its users use it: scenes as objects, arrays, notebooks, pytest. Run by CTest with the package of the
 build tree on PYTHONPATH."""
+import itertools
 import os
 import pathlib
+import pickle
 import re
 import shutil
 import subprocess
 import sys
 import tempfile
 import threading
+import types
 import unittest
+import unittest.mock
 
 import numpy
 
@@ -50,6 +54,18 @@ class Drawing(unittest.TestCase):
         self.assertLess(abs(floats * 255 - picture).max(), 2)  # bytes are blended as bytes
         with self.assertRaises(ValueError):
             scene.draw(dtype="int32")
+
+    def test_moves_the_camera(self):
+        scene = glibra.Scene(TEAPOT)
+        before = scene.draw(64, 48)
+        self.assertTrue(numpy.array_equal(before, scene.draw(64, 48, eye=numpy.identity(4))))
+        half_turn = numpy.diag([-1, -1, 1, 1])  # about the line of sight
+        self.assertTrue(glibra.compare(scene.draw(64, 48, eye=half_turn)[::-1, ::-1].copy(), before, flip=.2))
+        self.assertFalse(glibra.compare(scene.draw(64, 48, eye=half_turn), before))
+        with self.assertRaises(ValueError):
+            scene.draw(64, 48, eye=[1, 2, 3])
+        with self.assertRaisesRegex(glibra.SceneError, "library-E01"):
+            scene.draw(64, 48, eye=numpy.full((4, 4), numpy.nan))
 
     def test_is_the_picture_of_the_program(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -161,11 +177,308 @@ class Drawing(unittest.TestCase):
                 messages.append(str(error))
             messages.append(square().draw().tolist())  # a thread has scenes of its own
 
+        def read():
+            for each in (lambda: scene.uLevel, lambda: scene.values, lambda: scene["uLevel"]):
+                with self.assertRaisesRegex(glibra.SceneError, "gpu-E08"):
+                    each()
+
         thread = threading.Thread(target=draw)
         thread.start()
         thread.join()
+        reading = threading.Thread(target=read)
+        with unittest.mock.patch("threading.excepthook") as failed:
+            reading.start()
+            reading.join()
+        failed.assert_not_called()
         self.assertIn("another thread", messages[0])
         self.assertEqual(messages[1], square().draw().tolist())
+
+
+class Values(unittest.TestCase):
+    def test_beyond_their_type_are_refused(self):
+        fragment = ("#version 330\nuniform int uI; uniform uint uU; uniform float uF; uniform ivec2 uV; out vec4 color;\n"
+                    "void main() { color = vec4(float(uI) + float(uU) + uF + float(uV.x + uV.y)); }\n")
+        scene = glibra.Scene(text="Vertex square.vert\nFragment f.frag\nProgram P uI 1 uU 1 uF 1 uV [1 2]\nQuadXY 0 10\n",
+                             files={"square.vert": FILES["square.vert"], "f.frag": fragment})
+        for name, value in [("uI", 2**31), ("uI", -2**31 - 1), ("uI", 10**20), ("uI", 10**400), ("uI", numpy.int64(2**40)),
+                            ("uI", numpy.uint32(2**32 - 1)), ("uI", "3000000000"), ("uU", -1), ("uU", 2**32), ("uU", numpy.int8(-1)),
+                            ("uF", 1e300), ("uF", -10**39), ("uF", numpy.float64(1e39)), ("uF", float("nan")), ("uV", [1, 2**31]),
+                            ("uV", numpy.array([1, 2**40])), ("uV", [1, 10**400]), ("P.uI", 2**31)]:
+            with self.assertRaisesRegex(glibra.SceneError, "library-E03", msg=f"{name} {value}"):
+                scene[name] = value
+        self.assertEqual((scene.uI, scene.uU, scene.uF, scene.uV), (1, 1, 1, (1, 2)))
+        for name, value in [("uI", 2**31 - 1), ("uI", numpy.int16(-5)), ("uU", numpy.uint32(2**32 - 1)), ("uF", numpy.float32(.5)),
+                            ("uF", numpy.bool_(True)), ("uV", numpy.array([1, 2], numpy.uint8))]:
+            scene[name] = value
+            self.assertTrue(numpy.array_equal(scene[name], value), name)
+        for value in None, 1j, [1j, 2], ["a", "b"], {}, numpy.array([1j, 2]):
+            with self.assertRaisesRegex(TypeError, "takes a number", msg=repr(value)):
+                scene.uV = value
+        for width in 2**31, 10**30, 70000, -1:
+            with self.assertRaisesRegex(glibra.SceneError, "library-E01"):
+                scene.draw(width, 5)
+        with self.assertRaises(TypeError):
+            scene.draw(5.5, 5)
+
+    def test_with_the_name_of_a_method_are_set_or_an_error(self):
+        names = "target", "draw", "film", "check", "reload", "stats", "values", "_own", "buffer", "_scene", "__doc__"
+        fragment = ("#version 330\n" + "".join(f"uniform float {each};" for each in names[:8]) + "\nout vec4 color;\n"
+                    f"void main() {{ color = vec4(vec3({' + '.join(names[:8])}), 1); }}\n")
+        scene = glibra.Scene(text="WindowSize 4 4\nVertex square.vert\nFragment f.frag\nProgram P "
+                             + " ".join(f"{each} 0" for each in names[:8]) + "\nQuadXY 0 10\n",
+                             files={"square.vert": FILES["square.vert"], "f.frag": fragment})
+        for name in names:
+            if name == "_own":
+                continue
+            with self.assertRaisesRegex(AttributeError, name):
+                setattr(scene, name, .25)
+        scene._own = .2
+        self.assertEqual(scene._own, .2)
+        scene["target"] = .2
+        self.assertEqual(scene["target"], .2)
+        self.assertEqual(scene.draw()[0, 0].tolist(), [102, 102, 102])
+        with self.assertRaisesRegex(glibra.SceneError, "library-E02"):
+            scene._other = 1
+        with self.assertRaises(AttributeError):
+            scene._other
+        with self.assertRaises(AttributeError):
+            scene.draw = 3
+        self.assertEqual(sorted(scene), sorted(names[:8]))
+        self.assertIn("_own", scene)
+        self.assertNotIn("_other", scene)
+
+        class Derived(glibra.Scene):
+            note = None
+
+        derived = Derived(text=SQUARE, files=FILES)
+        derived.note = 5
+        self.assertEqual(derived.note, 5)
+
+    def test_of_arrays_have_the_declared_length(self):
+        fragment = ("#version 330\nuniform float uA[4]; uniform mat2 uM[2]; out vec4 color;\n"
+                    "void main() { color = vec4(vec3(uA[2] + uM[0][0].x), 1); }\n")
+        scene = glibra.Scene(text="WindowSize 4 4\nVertex square.vert\nFragment a.frag\nProgram P uA [0 0 0 0]\nQuadXY 0 10\n",
+                             files={"square.vert": FILES["square.vert"], "a.frag": fragment})
+        scene.uA = numpy.array([0, 0, .2, 9])
+        self.assertEqual(scene.uA, (0, 0, .2, 9))
+        scene["uA[3]"] = 4
+        self.assertEqual(scene["uA[3]"], 4)
+        scene["uM[0]"] = [(0, 2), (3, 4)]  # which the scene does not set; rows first
+        self.assertEqual(scene["uM[0]"], (0, 3, 2, 4))
+        self.assertEqual(scene.uM, (0, 3, 2, 4, 0, 0, 0, 0))
+        self.assertEqual(scene.draw()[0, 0].tolist(), [51, 51, 51])
+        with self.assertRaises(KeyError):
+            scene["uA[4]"]
+
+
+class Processes(unittest.TestCase):
+    def test_that_are_forked_are_refused(self):
+        code = """
+import os, pickle, signal, sys
+import numpy, glibra
+scene = glibra.Scene(%r)
+if %r: scene.draw(16, 12)
+def child(work):
+    reading, writing = os.pipe()
+    process = os.fork()
+    if process == 0:
+        signal.alarm(30)
+        try: text = str(work())
+        except BaseException as error: text = type(error).__name__ + ": " + str(error)
+        os.write(writing, text.encode())
+        sys.exit(0)  # with all that ends then
+    os.close(writing)
+    text = os.fdopen(reading, "rb").read().decode()
+    print(os.waitpid(process, 0)[1], text.splitlines()[0], flush=True)
+def assign(): scene.uShininess = 5
+for work in (lambda: scene.draw(16, 12), lambda: glibra.Scene(%r).draw(16, 12), lambda: scene.uShininess, assign,
+             lambda: scene.values, lambda: scene.target(), lambda: scene.reload(), lambda: scene.check()):
+    child(work)
+child(lambda: glibra.compare(numpy.zeros((2, 2, 3), "uint8"), numpy.zeros((2, 2, 3), "uint8")))
+print(scene.draw(16, 12).shape)
+"""
+        for is_drawn in False, True:
+            ran = subprocess.run([sys.executable, "-c", code % (str(TEAPOT), is_drawn, str(TEAPOT))], capture_output=True,
+                                 text=True, timeout=300)
+            self.assertEqual(ran.returncode, 0, ran.stderr)
+            lines = ran.stdout.splitlines()
+            for line in lines[:8]:
+                self.assertRegex(line, r"^0 SceneError: .*forked.*\[gpu-E08\]")
+            self.assertEqual(lines[8:], ["0 <same: equal>", "(12, 16, 3)"])
+
+    def test_of_pools_give_pictures_or_errors(self):
+        code = """
+import multiprocessing, sys
+import glibra
+def mean(time): return float(glibra.Scene(%r).draw(16, 12, time=time).mean())
+if __name__ == "__main__":
+    own = mean(0)
+    for method in "spawn", "forkserver", "fork":
+        with multiprocessing.get_context(method).Pool(2) as pool:
+            try: print(method, pool.map(mean, [0, 0]) == [own, own], flush=True)
+            except glibra.SceneError as error: print(method, error.diagnostics[0].id)
+"""
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder, "pools.py")
+            file.write_text(code % str(TEAPOT))
+            ran = subprocess.run([sys.executable, str(file)], capture_output=True, text=True, timeout=300)
+        self.assertEqual(ran.stdout.split("\n")[:3], ["spawn True", "forkserver True", "fork gpu-E08"], ran.stderr)
+
+    def test_exchange_what_is_no_scene(self):
+        scene = square()
+        values = pickle.loads(pickle.dumps(scene.values))
+        self.assertEqual([repr(each) for each in values], [repr(each) for each in scene.values])
+        self.assertEqual([(each.range, each.words, each.program_line, each.line) for each in values],
+                         [(each.range, each.words, each.program_line, each.line) for each in scene.values])
+        found = glibra.compare(scene.draw(), scene.draw() // 2)
+        again = pickle.loads(pickle.dumps(found))
+        self.assertEqual((repr(again), again.x, again.y, again.largest, bool(again)),
+                         (repr(found), found.x, found.y, found.largest, False))
+        try:
+            glibra.Scene(text="Sphere 1\nSpere 1\n", name="mine.glib")
+            self.fail("a wrong scene")
+        except glibra.SceneError as error:
+            again = pickle.loads(pickle.dumps(error))
+            self.assertEqual(str(again), str(error))
+            self.assertEqual(again.diagnostics, error.diagnostics)
+            self.assertEqual((again.diagnostics[0].line, again.diagnostics[0].id), (2, "glib-E01"))
+
+
+class Contents(unittest.TestCase):
+    def test_of_buffers_are_the_numbers_of_the_shader(self):
+        def written(declarations, block, statements, layout="std430"):
+            scene = glibra.Scene(text=f"WindowSize 4 4\nBuffer all 2\nCompute inline\n#version 430\nlayout(local_size_x = 1) in;\n"
+                                 f"{declarations}\nlayout({layout}) buffer all {{ {block} }};\nvoid main() {{ uint i = "
+                                 f"gl_GlobalInvocationID.x; {statements} }}\nEndCompute\nProgram Write\nDispatch Write 2 1 1\n")
+            scene.draw()
+            return scene
+
+        for layout in "std430", "std140", "std430, row_major", "std140, row_major":
+            for columns, rows in itertools.product((2, 3, 4), (2, 3, 4)):
+                for kind in "mat", "dmat":
+                    numbers = [each + 1. for each in range(columns * rows)]
+                    records = written(f"struct E {{ float a; {kind}{columns}x{rows} m; float z; }};", "E e[];",
+                                      f"e[i].m = {kind}{columns}x{rows}({', '.join(map(str, numbers))}); e[i].z = 7;",
+                                      layout).buffer("all")
+                    which = f"{kind}{columns}x{rows} {layout}"
+                    self.assertEqual(records["m"][1].tolist(), numbers, which)
+                    self.assertEqual(records["z"].tolist(), [7, 7], which)
+                    self.assertEqual(records["m"].dtype, "f4" if kind == "mat" else "f8")
+        records = written("struct E { mat3 q[2]; bvec2 b; uint u; };", "E e[];",
+                          "e[i].q[0] = mat3(1, 2, 3, 4, 5, 6, 7, 8, 9); e[i].q[1] = 2. * e[i].q[0]; e[i].b = bvec2(true, false); "
+                          "e[i].u = 4000000000u;").buffer("all")
+        self.assertEqual(records["q[1]"][0].tolist(), [2, 4, 6, 8, 10, 12, 14, 16, 18])
+        self.assertEqual((records["b"][0].tolist(), int(records["u"][1])), ([1, 0], 4000000000))
+        scene = written("", "uint count; mat3 turn; float e[];", "count = 3u; turn = mat3(2.); e[i] = float(i);")
+        head = scene.buffer("all", head=True)
+        self.assertEqual((int(head["count"][0]), head["turn"][0].tolist()), (3, [2, 0, 0, 0, 2, 0, 0, 0, 2]))
+        self.assertEqual(scene.buffer("all")["e"].tolist(), [0, 1])
+
+    def test_of_textures_have_the_numbers_of_their_format(self):
+        for format, output, numbers, kind in [("r32ui", "uvec4", "16777217u, 0u, 0u, 0u", "uint32"),
+                                              ("rg32i", "ivec4", "-2147483647, 16777217, 0, 0", "int32"),
+                                              ("rgba16i", "ivec4", "-32768, 1, 2, 3", "int16"), ("r8i", "ivec4", "-128, 0, 0, 0", "int8"),
+                                              ("rg8ui", "uvec4", "255u, 1u, 0u, 0u", "uint8"), ("r16ui", "uvec4", "65535u, 0u, 0u, 0u", "uint16"),
+                                              ("rg16", "vec4", "1, 0, 0, 0", "uint16"), ("rg8", "vec4", "1, 0, 0, 0", "uint8"),
+                                              ("rg16f", "vec4", "1, 0, 0, 0", "float32")]:
+            scene = glibra.Scene(text=f"WindowSize 4 4\nTexture2D made 3 2 {format}\nPass made\nVertex square.vert\nFragment inline\n"
+                                 f"#version 430\nout {output} color;\nvoid main() {{ color = {output}({numbers}); }}\nEndFragment\n"
+                                 "Program Fill\nQuadXY 0 10\nEndPass\nPass window clear {.5 .5 .5}\nEndPass\n", files={"square.vert": FILES["square.vert"]})
+            scene.draw()
+            texture = scene.target("made")
+            components = {"r": 1, "rg": 2, "rgba": 4}[format.rstrip("fiu0123456789")]
+            self.assertEqual((texture.shape, texture.dtype), ((2, 3, components), kind), format)
+            expected = [int(each.strip(" u")) for each in numbers.split(",")][:components]
+            scale = {"rg16": 65535, "rg8": 255}.get(format, 1)
+            self.assertEqual(texture[1, 2].tolist(), [each * scale for each in expected], format)
+            self.assertTrue(glibra.compare(texture, texture.copy(), exact=True))
+            if kind in ("int32", "uint32"):
+                self.assertFalse(glibra.compare(texture, texture - numpy.ones((), kind)))
+                with self.assertRaisesRegex(glibra.SceneError, "library-E06"):
+                    glibra.save(texture, "none.png")
+
+    def test_in_memory_have_paths_and_bytes(self):
+        scene = glibra.Scene(text=SQUARE, name=pathlib.Path("square.glib"),
+                             files={pathlib.Path("square.vert"): bytearray(FILES["square.vert"].encode()),
+                                    "square.frag": memoryview(FILES["square.frag"].encode())})
+        self.assertEqual(scene.draw()[0, 0].tolist(), [51, 102, 153])
+        with self.assertRaisesRegex(TypeError, "the content of 'square.vert' is a text or bytes, found int"):
+            glibra.Scene(text=SQUARE, files={"square.vert": 5})
+        with self.assertRaises(TypeError):
+            glibra.Scene(TEAPOT, files=FILES)
+
+    def test_outside_of_a_folder_are_refused(self):
+        with tempfile.TemporaryDirectory() as folder, tempfile.TemporaryDirectory() as elsewhere:
+            glibra.save(numpy.full((2, 2, 3), 200, "uint8"), os.path.join(elsewhere, "secret.png"))
+            text = (f'WindowSize 8 6\nTexture2D 5 "{elsewhere}/secret.png"\nVertex square.vert\nFragment photo.frag\n'
+                    "Program Photo uPhoto 5\nQuadXY 0 10\n")
+            files = dict(FILES, **{"photo.frag": "#version 330\nuniform sampler2D uPhoto;\nout vec4 color;\n"
+                                   "void main() { color = texture(uPhoto, vec2(.5)); }\n"})
+            name = os.path.join(folder, "a.glib")
+            self.assertEqual(glibra.Scene(text=text, name=name, files=files).draw()[0, 0].tolist(), [200, 200, 200])
+            with self.assertRaisesRegex(glibra.SceneError, "file-E12"):
+                glibra.Scene(text=text, name=name, files=files, within=folder).draw()
+
+    def test_report_the_messages_of_a_picture(self):
+        scene = square()
+        self.assertEqual(scene.warnings, [])
+        scene.draw()
+        self.assertEqual([each.id for each in scene.warnings], ["draw-N01"])
+
+
+class Control:
+    """A widget as ipywidgets has them: it limits its value and calls those who observe it."""
+
+    def __init__(self, **given):
+        self.__dict__.update(given)
+        self.calls = []
+        if "min" in given:
+            self.value = min(max(given.get("value", given["min"]), given["min"]), given["max"])
+
+    def observe(self, call, names):
+        self.calls.append(call)
+
+    def move(self, value):
+        self.value = value
+        for call in self.calls:
+            call({"new": value})
+
+
+class Widgets(unittest.TestCase):
+    def shown(self, scene):
+        module = types.ModuleType("ipywidgets")
+        for kind in "FloatSlider", "IntSlider", "Dropdown", "Checkbox", "Image":
+            setattr(module, kind, type(kind, (Control,), {}))
+        module.HBox = module.VBox = list
+        with unittest.mock.patch.dict(sys.modules, ipywidgets=module):
+            picture, controls = scene.interact(8, 8)
+        return picture, {each.description: each for each in controls}
+
+    def test_leave_the_scene_as_it_is(self):
+        fragment = "#version 330\nout vec4 c; uniform float uF; uniform int uI; void main() { c = vec4(uF * .1 + float(uI) * .01); }\n"
+        for text in ("Program P uF <0 1 2> uI <0 3 209>\nQuadXY 0 1\nProgram Q uF <0 9 10> uI <0 1 2>\nQuadXY .1 .5\n",
+                     "Program P uF <0 5 2> uI <0 -4 3>\nQuadXY 0 1\n", "Program P uF <0 .001 2> uI 1\nQuadXY 0 1\n",
+                     "Program P uF <0 .5 2> uI 1\nQuadXY 0 1\nProgram P uF <0 1.5 2> uI 1\nQuadXY .1 .5\n"):
+            scene = glibra.Scene(text="WindowSize 8 8\nVertex square.vert\nFragment f.frag\n" + text,
+                                 files={"square.vert": FILES["square.vert"], "f.frag": fragment})
+            before, values = scene.draw(), [each.value for each in scene.values]
+            picture, controls = self.shown(scene)
+            self.assertEqual([each.value for each in scene.values], values)
+            self.assertTrue(numpy.array_equal(before, scene.draw()))
+            self.assertEqual(len(controls), 1 + sum(each.range is not None for each in scene.values))
+            for each in [each for each in scene.values if each.range]:
+                control = next(control for name, control in controls.items() if control.value == each.value[0] and name != "time"
+                               and name.endswith(each.name))
+                moved = 1 if each.type == "int" else 1.25
+                control.move(moved)
+                now = next(now for now in scene.values if (now.program_line, now.name) == (each.program_line, each.name))
+                self.assertEqual(now.value, [moved])
+                self.assertEqual(type(control).__name__, "IntSlider" if each.type == "int" else "FloatSlider")
+                if each.type == "int":
+                    self.assertEqual((control.step, int(control.step)), (int(control.step), control.step))
+                control.move(each.value[0])
+            self.assertEqual([each.value for each in scene.values], values)
+            self.assertEqual(picture.value[:4], b"\x89PNG")
 
 
 class Pictures(unittest.TestCase):
@@ -185,6 +498,10 @@ class Pictures(unittest.TestCase):
             self.assertTrue(glibra.compare(one[::-1].copy(), file))
         with self.assertRaises(glibra.SceneError):
             glibra.compare("no.png", "such.png")
+        for wrong in (dict(relative=float("nan")), dict(absolute=float("inf")), dict(largest=-1), dict(flip=float("nan")),
+                      dict(structure=float("inf")), dict(fraction=float("nan")), dict(bias=float("nan")), dict(cluster=-1)):
+            with self.assertRaisesRegex(glibra.SceneError, "library-E01", msg=str(wrong)):
+                glibra.compare(one, one, **wrong)
         floats = scene.draw(dtype="float32")
         near = floats * numpy.float32(1.01)
         self.assertFalse(glibra.compare(near, floats))
@@ -209,10 +526,13 @@ class Pages(unittest.TestCase):
             for page in "README.md", "docs/python.md":
                 blocks = re.findall(r"```python\n(import.*?)```", (SOURCE / page).read_text(), re.DOTALL)
                 self.assertTrue(blocks, page)
-                for block in blocks:
-                    ran = subprocess.run([sys.executable, "-c", block], cwd=folder, capture_output=True, text=True)
+                for number, block in enumerate(blocks):
+                    pathlib.Path(folder, f"block{number}.py").write_text(block)
+                    ran = subprocess.run([sys.executable, f"block{number}.py"], cwd=folder, capture_output=True, text=True,
+                                         timeout=120)
                     self.assertEqual(ran.returncode, 0, page + ran.stderr)
-            self.assertIn("same", ran.stdout)
+                    if (page, number) == ("docs/python.md", 0):
+                        self.assertIn("same", ran.stdout)
 
 
 class Pytest(unittest.TestCase):
@@ -255,6 +575,57 @@ class Pytest(unittest.TestCase):
             self.assertIn("test_it.py::test_n[a/b] and test_it.py::test_n[a b] have the same golden picture", made.stdout)
             goldens = sorted(each.name for each in (folder / "golden").iterdir())
             self.assertEqual(goldens, ["test_n_a_b_.png", "test_teapot-2.png", "test_teapot.png"])
+
+    TWO = "import numpy\ndef test_a(golden): golden.check_picture(numpy.full((4, 4, 3), 200, 'uint8'))\n" \
+          "def test_same(golden): golden.check_picture(numpy.zeros((4, 4, 3), 'uint8'))\n"
+
+    def differing(self, folder):
+        """Two folders with a test that differs from its golden picture and one that does not."""
+        for each in "a", "b":
+            (folder / each / "golden").mkdir(parents=True)
+            for name in "test_a", "test_same":
+                glibra.save(numpy.zeros((4, 4, 3), "uint8"), folder / each / f"golden/{name}.png")
+            (folder / each / f"test_{each}.py").write_text(self.TWO)
+
+    def test_reports_what_other_processes_found(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            self.differing(folder)
+            # As pytest-xdist does: the tests run in processes with `workerinput`, and this one runs none.
+            (folder / "conftest.py").write_text(
+                "import os, subprocess, sys, pytest\n"
+                "@pytest.hookimpl(tryfirst=True)\n"
+                "def pytest_configure(config):\n"
+                "    if 'WORKER' in os.environ: config.workerinput = {}\n"
+                "def pytest_runtestloop(session):\n"
+                "    if 'WORKER' in os.environ: return None\n"
+                "    workers = [subprocess.Popen([sys.executable, '-m', 'pytest', '-q', each, '--glibra-report', 'report'],\n"
+                "                                env=dict(os.environ, WORKER=each)) for each in ('a', 'b')]\n"
+                "    session.testsfailed = sum(each.wait() for each in workers)\n"
+                "    return True\n")
+            for _ in range(2):  # the second time over the first report
+                ran = self.run_pytest(folder, "--glibra-report", "report")
+                self.assertEqual(ran.returncode, 1, ran.stdout + ran.stderr)
+                page = (folder / "report/index.html").read_text()
+                self.assertEqual(page.count("<section>"), 2, page)
+                for each in "a/test_a.py::test_a", "b/test_b.py::test_a", "test_a.got.png", "test_a (2).got.png":
+                    self.assertIn(each, page)
+                self.assertNotIn("test_same", page)
+                self.assertEqual(sorted(each.name for each in (folder / "report").iterdir()),
+                                 ["index.html", "test_a (2).expected.png", "test_a (2).got.png", "test_a.expected.png",
+                                  "test_a.got.png"])
+
+    def test_reports_what_the_workers_of_xdist_found(self):
+        try:
+            import xdist
+        except ImportError:
+            self.skipTest("there is no pytest-xdist")
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            self.differing(folder)
+            ran = self.run_pytest(folder, "-n", "2", "--glibra-report", "report")
+            self.assertEqual(ran.returncode, 1, ran.stdout + ran.stderr)
+            self.assertEqual((folder / "report/index.html").read_text().count("<section>"), 2)
 
     def test_reports_tests_of_one_name_in_two_folders(self):
         with tempfile.TemporaryDirectory() as name:

@@ -37,6 +37,7 @@ class GLIBRA_API GLSLProgram {
     /// True, the default: shaders may use the names of gstap.h without declaring them, and old dialects.
     /// False: they are compiled as core GLSL.
     void SetGstap(bool isOn);
+    void SetGstab(bool isOn) { SetGstap(isOn); }  ///< as the book's list of methods spells it
     /// What a geometry shader without layout qualifiers takes and makes: GL_TRIANGLES, GL_LINE_STRIP, ...
     void SetInputTopology(unsigned int topology);
     void SetOutputTopology(unsigned int topology);

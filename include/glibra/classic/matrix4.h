@@ -84,8 +84,10 @@ class GLIBRA_API Matrix4 {
     friend Matrix4 operator-(Matrix4 a, float s) { return a -= s; }
     friend Matrix4 operator-(Matrix4 a) { return a *= -1; }
 
-    /// Writes the label and four rows.
-    void Print(const char* label = "", std::FILE* file = stderr) const;
+    /// Writes the label, with a colon unless it ends with one or with an equals sign, and four rows; returns
+    /// this matrix.
+    const Matrix4& Print(const char* label = "", std::FILE* file = stderr) const;
+    Matrix4& Print(const char* label = "", std::FILE* file = stderr);
 
   private:
     struct Elements {

@@ -106,6 +106,7 @@ class GLIBRA_API VertexArray {
     [[nodiscard]] std::size_t NumUnique() const;    ///< after they were collapsed
     /// Writes all unique vertices with their attributes, and the indices of each list.
     void Print(const char* label = "", std::FILE* file = stderr) const;
+    void Print(std::FILE* file) const;
 
   private:
     void Begin(unsigned int topology);

@@ -16,6 +16,7 @@
 #include "gpu/context/backend.h"
 #include "gpu/context/call_counter.h"
 #include "gpu/context/current.h"
+#include "gpu/context/fork.h"
 #include "gpu/context/reset.h"
 
 namespace glibra::gpu {
@@ -86,6 +87,13 @@ struct Table {
 };
 Table table;
 
+/// GL_VERSION of the current context.
+std::string versionOf(Backend& backend) {
+    const auto string = reinterpret_cast<PFNGLGETSTRINGPROC>(backend.address("glGetString"));
+    const GLubyte* words = string != nullptr ? string(GL_VERSION) : nullptr;
+    return words != nullptr ? reinterpret_cast<const char*>(words) : "no context";
+}
+
 /// What tells the driver of the current context from others. Drivers below one dispatching library share the
 /// addresses of functions, but not the words.
 std::string identityOf(Backend& backend) {
@@ -112,7 +120,7 @@ std::string loadFunctions(Backend& backend, DebugLog& log) {
         const bool isLoaded = gladLoadGLUserPtr(address, &backend) != 0 && GLAD_GL_VERSION_4_1 != 0;
         if (!isCounting()) gladUninstallGLDebug();  // glad installs its wrappers by itself
         table.driver = isLoaded ? driver : std::string();
-        if (!isLoaded) return "no OpenGL 4.1";
+        if (!isLoaded) return "no OpenGL 4.1" + (driver.empty() ? "" : "; it is " + versionOf(backend));
     }
     watchDevice(log.places());
     return {};
@@ -128,6 +136,7 @@ std::string adviceFor(Driver driver) {
 }  // namespace
 
 Context::State::State() {
+    noteDriver();
     const std::lock_guard<std::mutex> lock(table.mutex);
     table.contexts.push_back(thread);
 }

@@ -14,21 +14,6 @@
 namespace glibra::gpu {
 namespace {
 
-/// Reverses the order of the rows.
-void flipRows(std::span<std::byte> pixels, std::size_t rowBytes) {
-    if (rowBytes == 0) return;
-    std::vector<std::byte> kept(rowBytes);
-    const std::size_t rows = pixels.size() / rowBytes;
-    for (std::size_t low = 0, high = rows; low + 1 < high; ++low) {
-        --high;
-        std::byte* lower = pixels.data() + low * rowBytes;
-        std::byte* upper = pixels.data() + high * rowBytes;
-        std::memcpy(kept.data(), lower, rowBytes);
-        std::memcpy(lower, upper, rowBytes);
-        std::memcpy(upper, kept.data(), rowBytes);
-    }
-}
-
 /// Reads RGB bytes as RGBA, the drivers' own format, and packs them here. Mesa converts to three components
 /// pixel by pixel, which takes five times as long. Reads parts of bounded size, from the top.
 void readRgb(const PixelRectangle& rectangle, bool topFirst, std::span<std::byte> pixels) {
@@ -65,6 +50,20 @@ void dropFourth(std::span<const std::byte> rgba, std::byte* to) {
             std::memcpy(to + sizeof first, &last, sizeof last);
         }
     for (; from < end; from += 4, to += 3) std::memcpy(to, from, 3);
+}
+
+void flipRows(std::span<std::byte> pixels, std::size_t rowBytes) {
+    if (rowBytes == 0) return;
+    std::vector<std::byte> kept(rowBytes);
+    const std::size_t rows = pixels.size() / rowBytes;
+    for (std::size_t low = 0, high = rows; low + 1 < high; ++low) {
+        --high;
+        std::byte* lower = pixels.data() + low * rowBytes;
+        std::byte* upper = pixels.data() + high * rowBytes;
+        std::memcpy(kept.data(), lower, rowBytes);
+        std::memcpy(lower, upper, rowBytes);
+        std::memcpy(upper, kept.data(), rowBytes);
+    }
 }
 
 std::size_t byteCount(const PixelRectangle& rectangle, const PixelLayout& layout) {

@@ -27,6 +27,9 @@ struct PixelLayout {
 /// Copies the first three of the four bytes of every pixel.
 void dropFourth(std::span<const std::byte> rgba, std::byte* to);
 
+/// Reverses the order of the rows.
+void flipRows(std::span<std::byte> pixels, std::size_t rowBytes);
+
 /// The bytes of such a rectangle with tightly packed rows.
 std::size_t byteCount(const PixelRectangle& rectangle, const PixelLayout& layout);
 

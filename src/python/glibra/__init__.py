@@ -5,11 +5,10 @@
     scene.uShininess = 20
     picture = scene.draw(320, 240, time=2.5)      # numpy uint8, (240, 320, 3)
 
-A scene belongs to the thread that made it.
+A scene belongs to the thread that made it, and to its process: a process that is forked after a scene was loaded cannot draw.
 """
 import base64
 import math
-import numbers
 import os
 import re
 import subprocess
@@ -19,9 +18,25 @@ import threading
 import numpy
 
 from . import _core
-from ._core import Comparison, Diagnostic, SceneError, Value, __version__
+from ._core import Comparison, Diagnostic, Value, __version__
 
 __all__ = ["Comparison", "Diagnostic", "Scene", "SceneError", "Value", "compare", "save", "__version__"]
+
+
+class SceneError(RuntimeError):
+    """What prevented a picture; ``diagnostics`` are the single messages."""
+
+    def __init__(self, message="", diagnostics=()):
+        super().__init__(message)
+        self.diagnostics = list(diagnostics)
+
+    def __reduce__(self):
+        return type(self), (str(self), self.diagnostics)
+
+
+for _public in SceneError, Comparison, Diagnostic, Value:
+    _public.__module__ = __name__
+_core.use_error(SceneError)
 
 _thread = threading.local()
 
@@ -43,7 +58,8 @@ def _png_of(picture):
 
 
 def save(picture, file):
-    """Writes an array as a picture file: .png, .exr, .jpg and others, by the name."""
+    """Writes an array as a picture file: .png, .exr, .jpg and others, by the name. Whole numbers with a sign or of 32 bits
+    become floats, in .exr and .pfm."""
     _core.save(numpy.asarray(picture), os.fspath(file))
 
 
@@ -51,10 +67,41 @@ def compare(got, expected, *, largest=3.0, fraction=0.0003, cluster=8, line=16, 
             relative=1e-4, absolute=1e-6, exact=False):
     """Compares two pictures, arrays or names of files, as golden-image tests do. The result is true if they are the same
     within the tolerance; `reason` says which figure decided. ``relative`` and ``absolute`` are for float pictures, in place
-    of ``largest``."""
+    of ``largest``; whole numbers with a sign or of 32 bits may differ by ``absolute`` alone."""
     as_picture = lambda one: one if isinstance(one, numpy.ndarray) else os.fspath(one)
     return _core.compare(as_picture(got), as_picture(expected), largest, fraction, cluster, line, bias, flip, structure,
                          relative, absolute, exact)
+
+
+def _float(number):
+    """A number as a float: infinite, which no value takes, if it is a whole number beyond all floats."""
+    try:
+        return float(number)
+    except OverflowError:
+        return math.inf if number > 0 else -math.inf
+
+
+def _array_of(value, name):
+    """The numbers of a value as an array of floats; a single number has no dimension."""
+    array = numpy.asarray(value)
+    try:
+        if array.dtype == object:
+            return numpy.array([_float(each) for each in array.flat], dtype=float).reshape(array.shape)
+        if array.dtype.kind in "biuf":
+            return array.astype(float)
+    except TypeError:
+        pass
+    raise TypeError(f"'{name}' takes a number, a text, a sequence or an array of numbers, found {value!r}")
+
+
+def _content_of(file, content):
+    """The content of a file in memory, as a text or bytes."""
+    if isinstance(content, (str, bytes)):
+        return content
+    try:
+        return bytes(memoryview(content))
+    except TypeError:
+        raise TypeError(f"the content of '{file}' is a text or bytes, found {type(content).__name__}") from None
 
 
 def _shape_of(type):
@@ -66,18 +113,46 @@ def _shape_of(type):
     return (int(vector[1]),) if vector else ()
 
 
-def _numbers_of(array, declared):
+def _numbers_of(array, declared, element):
     """The numbers of an array in the order of OpenGL: one element after the other, matrices by columns. A flat array has
-    this order already."""
+    this order already. ``element``: the value is that of one element."""
     if array.ndim < 2:
         return array.ravel().tolist()
     one = _shape_of(declared.type)
-    whole = (len(declared.value) // math.prod(one), *one)
+    whole = (1 if element is not None else len(declared.value) // math.prod(one), *one)
     if array.shape != whole and (1, *array.shape) != whole:
         expected = whole[1:] if whole[0] == 1 and one else whole
-        raise ValueError(f"'{declared.name}' is an array of shape {expected} or {len(declared.value)} numbers, "
+        raise ValueError(f"'{declared.name}' is an array of shape {expected} or {math.prod(whole)} numbers, "
                          f"found an array of shape {array.shape}")
     return (array.swapaxes(-1, -2) if len(one) == 2 else array).ravel().tolist()
+
+
+def _subscripted(name):
+    """The name and the number of "uColors[1]"; a name that no value has without a subscript."""
+    found = re.fullmatch(r"(.+)\[(\d+)\]", name)
+    return (found[1], int(found[2])) if found else (None, None)
+
+
+def _has(value, element):
+    return element is None or (element + 1) * math.prod(_shape_of(value.type)) <= len(value.value)
+
+
+def _control_of(value, label, widgets):
+    """The widget that shows a value as it is; None if it has none. A slider reaches to a value outside of its range."""
+    if len(value.value) != 1:
+        return None
+    now = value.value[0]
+    if value.words:
+        return widgets.Dropdown(options=value.words, value=value.words[int(now)], description=label)
+    if value.type == "bool":
+        return widgets.Checkbox(value=now != 0, description=label)
+    if value.range is None:
+        return None
+    low, high = min(value.range[0], now), max(value.range[1], now)
+    if value.type in ("int", "uint"):
+        low, high = math.ceil(low), math.floor(high)
+        return widgets.IntSlider(value=int(now), min=low, max=high, step=max(1, round((high - low) / 200)), description=label)
+    return widgets.FloatSlider(value=now, min=low, max=high, step=(high - low) / 200 or 1, description=label)
 
 
 class Scene:
@@ -85,23 +160,41 @@ class Scene:
     ``scene.method = "linear"``. Names that are no Python names, or are those of methods: ``scene["lights[0].color"] = ...``.
     """
 
-    def __init__(self, path=None, *, text=None, name="scene.glib", files=None):
-        """Reads a scene file, or with ``text`` a scene in memory; ``files`` are the contents of the files
-        that it reads, by their names, as texts or bytes."""
+    def __init__(self, path=None, *, text=None, name="scene.glib", files=None, within="", library=(), strict=False):
+        """Reads a scene file, or with ``text`` a scene in memory; ``files`` are then the contents of the files that it reads,
+        by their names, as texts or bytes. With ``within``, it may read only files below that folder and the ``library``
+        folders, which are searched besides its own. With ``strict``, warnings are errors."""
         if (path is None) == (text is None):
             raise TypeError("Scene takes a path or a text")
-        made = (_renderer().load(os.fspath(path)) if text is None
-                else _renderer().load_text(text, name, dict(files or {})))
+        if text is None and files:
+            raise TypeError("files are those of a text; a scene of a path reads its own")
+        options = {"within": os.fspath(within), "library": [os.fspath(each) for each in library], "strict": strict}
+        contents = {os.fspath(file): _content_of(file, content) for file, content in (files or {}).items()}
+        made = (_renderer().load(os.fspath(path), options) if text is None
+                else _renderer().load_text(text, os.fspath(name), contents, options))
         object.__setattr__(self, "_scene", made)
         object.__setattr__(self, "_names", {each.name for each in made.values()})
+        object.__setattr__(self, "_warnings", [])
 
-    def draw(self, width=0, height=0, *, time=0.0, samples=0, alpha=False, dtype="uint8"):
+    def draw(self, width=0, height=0, *, time=0.0, samples=0, alpha=False, dtype="uint8", eye=None):
         """The picture at a time in seconds: an array of height x width x 3 (4 with ``alpha``) numbers, top row first; uint8,
-        or float32, which is not limited to 0..1. A size of 0 is the scene's."""
+        or float32, which is not limited to 0..1. A size of 0 is the scene's. ``eye`` moves the camera: a 4 x 4 matrix, rows
+        first, that is multiplied from the left to the scene's model-view matrices."""
         kind = numpy.dtype(dtype)
         if kind not in (numpy.dtype("uint8"), numpy.dtype("float32")):
             raise ValueError("dtype is uint8 or float32")
-        return self._scene.draw(width, height, time, samples, alpha, kind == numpy.dtype("float32"))
+        turned = numpy.identity(4) if eye is None else numpy.asarray(eye, dtype=float)
+        if turned.shape != (4, 4):
+            raise ValueError(f"eye is a matrix of shape (4, 4), found {turned.shape}")
+        picture, warnings = self._scene.draw(width, height, time, samples, alpha, kind == numpy.dtype("float32"),
+                                             turned.T.ravel().tolist())
+        object.__setattr__(self, "_warnings", warnings)
+        return picture
+
+    @property
+    def warnings(self):
+        """What was reported of the last picture: warnings and notes."""
+        return self._warnings
 
     @property
     def values(self):
@@ -109,36 +202,47 @@ class Scene:
         return self._scene.values()
 
     def _declared(self, name):
-        """The value "uKd", of the first program that has it, or "Glaze.uKd"; None if there is none."""
-        name = re.sub(r"^\d+:", "", name).replace(":", ".")  # 12:uKd is that of the program in line 12
-        for each in self._scene.values():
-            if name in (each.name, f"{each.program}.{each.name}"):
-                return each
-        return None
+        """The value "uKd", of the first program that has it, "Glaze.uKd", or "12:uKd", of the program in line 12, and None;
+        for "uColors[1]" the number of the element. None if there is none."""
+        values = self._scene.values()
+        for plain, element in (name, None), _subscripted(name):
+            for each in values:
+                owners = "", f"{each.program}.", f"{each.program}:", f"{each.program_line}:"
+                if plain in [owner + each.name for owner in owners] and _has(each, element):
+                    return each, element
+        return None, None
+
+    def __contains__(self, name):
+        return self._declared(name)[0] is not None
+
+    def __iter__(self):
+        """The names of its values."""
+        return iter(dict.fromkeys(each.name for each in self._scene.values()))
 
     def __getitem__(self, name):
-        found = self._declared(name)
+        found, element = self._declared(name)
         if found is None:
             raise KeyError(name)
         if found.words:
             return found.words[int(found.value[0])]
-        if found.type == "bool" and len(found.value) == 1:
-            return found.value[0] != 0
-        return found.value[0] if len(found.value) == 1 else tuple(found.value)
+        size = math.prod(_shape_of(found.type))
+        numbers = found.value if element is None else found.value[element * size:(element + 1) * size]
+        if found.type == "bool" and len(numbers) == 1:
+            return numbers[0] != 0
+        return numbers[0] if len(numbers) == 1 else tuple(numbers)
 
     def __setitem__(self, name, value):
         if isinstance(value, str):
-            self._scene.set(name, value)
-        elif isinstance(value, numbers.Number):  # bool too
-            self._scene.set_numbers(name, [float(value)])
-        else:
-            array = numpy.asarray(value, dtype=float)
-            declared = self._declared(name)
-            # An unknown name is reported by set_numbers.
-            self._scene.set_numbers(name, _numbers_of(array, declared) if declared else array.ravel().tolist())
+            return self._scene.set(name, value)
+        array = _array_of(value, name)
+        declared, element = self._declared(name) if array.ndim > 1 else (None, None)
+        # An unknown name is reported by set_numbers.
+        numbers = _numbers_of(array, declared, element) if declared else array.ravel().tolist()
+        self._scene.set_numbers(name, numbers)
 
     def __getattr__(self, name):
-        if name.startswith("_"):
+        # Without "_names" this is an object that is being copied.
+        if name.startswith("_") and name not in self.__dict__.get("_names", ()):
             raise AttributeError(name)
         try:
             return self[name]
@@ -146,7 +250,9 @@ class Scene:
             raise AttributeError(f"the scene has no value '{name}'") from None
 
     def __setattr__(self, name, value):
-        if name.startswith("_") or hasattr(type(self), name):
+        if hasattr(Scene, name) or name in self.__dict__:
+            raise AttributeError(f"'{name}' is what glibra.Scene has itself; a value of that name is scene[{name!r}]")
+        if hasattr(type(self), name):  # of a class that is derived from this one
             object.__setattr__(self, name, value)
         else:
             self[name] = value
@@ -154,13 +260,15 @@ class Scene:
     def __dir__(self):
         return sorted(set(super().__dir__()) | {each for each in self._names if each.isidentifier()})
 
-    def buffer(self, name):
-        """The content of a buffer after the last picture: a structured array with a record for each element."""
-        return self._scene.buffer(name)
+    def buffer(self, name, *, head=False):
+        """The content of a buffer after the last picture: a structured array with a record for each element. A matrix is its
+        numbers by columns. With ``head``, one record of the members before the array, which is also what a buffer without an
+        array has."""
+        return self._scene.buffer(name, head)
 
     def target(self, name="window"):
-        """A texture or a part of one after the last picture, as "shadow" or "glow.level(2)"; "window" is the picture in
-        floats."""
+        """A texture or a part of one after the last picture, as "shadow" or "glow.level(2)": rows x columns x components of
+        its format, integers as the integers of its bits. "window" is the picture in floats."""
         return self._scene.target(name)
 
     def check(self, time=0.0):
@@ -170,6 +278,7 @@ class Scene:
     def reload(self):
         """Reads the files again. Values that were set stay."""
         self._scene.reload()
+        object.__setattr__(self, "_names", {each.name for each in self._scene.values()})
 
     @property
     def diagnostics(self):
@@ -178,10 +287,12 @@ class Scene:
 
     @property
     def files(self):
+        """Every file that was read for it, the scene first."""
         return self._scene.files()
 
     @property
     def stats(self):
+        """Counts of all pictures since loading, as "frames" and "draws"."""
         return self._scene.stats()
 
     def __repr__(self):
@@ -191,32 +302,38 @@ class Scene:
         return _png_of(self.draw())
 
     def interact(self, width=0, height=0):
-        """In a notebook: the picture with a slider for every value that has a range (needs ipywidgets)."""
+        """In a notebook: the picture with a slider for every value that has a range (needs ipywidgets). The scene changes when
+        a slider is moved."""
         import ipywidgets
-        controls = {"time": ipywidgets.FloatSlider(min=0, max=10, step=.05, description="time")}
-        for each in self.values:
-            if each.words:
-                controls[each.name] = ipywidgets.Dropdown(options=each.words, value=each.words[int(each.value[0])],
-                                                          description=each.name)
-            elif each.type == "bool":
-                controls[each.name] = ipywidgets.Checkbox(value=each.value[0] != 0, description=each.name)
-            elif each.range and len(each.value) == 1:
-                low, high = each.range
-                controls[each.name] = ipywidgets.FloatSlider(value=each.value[0], min=low, max=high, step=(high - low) / 200,
-                                                             description=each.name)
-
+        time = ipywidgets.FloatSlider(min=0, max=10, step=.05, description="time")
         picture = ipywidgets.Image(format="png")
+        controls = [time]
 
         def redraw(_=None):
-            for name, control in controls.items():
-                if name != "time":
-                    self[name] = control.value
-            picture.value = _png_of(self.draw(width, height, time=controls["time"].value))
+            picture.value = _png_of(self.draw(width, height, time=time.value))
 
-        for control in controls.values():
-            control.observe(redraw, names="value")
+        def show(value, label):
+            control = _control_of(value, label, ipywidgets)
+            if control is None:
+                return
+            name = f"{value.program_line}:{value.name}" if value.program_line else value.name
+
+            def change(change):
+                self[name] = change["new"]
+                redraw()
+
+            control.observe(change, names="value")
+            controls.append(control)
+
+        time.observe(redraw, names="value")
+        values = self.values
+        names = [each.name for each in values]
+        owned = [f"{each.program}.{each.name}" for each in values]
+        for value, own in zip(values, owned):
+            show(value, value.name if names.count(value.name) == 1 else own if owned.count(own) == 1
+                 else f"{value.program_line}:{value.name}")
         redraw()
-        return ipywidgets.HBox([picture, ipywidgets.VBox(list(controls.values()))])
+        return ipywidgets.HBox([picture, ipywidgets.VBox(controls)])
 
     def film(self, seconds=4.0, *, rate=25, width=0, height=0):
         """In a notebook: a film of the scene (needs ffmpeg). Returns an object that shows itself as a video."""
@@ -226,11 +343,17 @@ class Scene:
             file = os.path.join(folder, "film.mp4")
             command = ["ffmpeg", "-v", "error", "-f", "rawvideo", "-pix_fmt", "rgb24", "-s", f"{columns}x{rows}", "-r",
                        str(rate), "-i", "-", "-pix_fmt", "yuv420p", "-movflags", "faststart", file]
-            writer = subprocess.Popen(command, stdin=subprocess.PIPE)
-            for frame in range(round(seconds * rate)):
-                picture = self.draw(width, height, time=frame / rate)
-                writer.stdin.write(picture[:rows, :columns].tobytes())
-            writer.stdin.close()
+            try:
+                writer = subprocess.Popen(command, stdin=subprocess.PIPE)
+            except FileNotFoundError:
+                raise RuntimeError("film() needs the program ffmpeg, which is not installed") from None
+            try:
+                for frame in range(round(seconds * rate)):
+                    picture = self.draw(width, height, time=frame / rate)
+                    writer.stdin.write(picture[:rows, :columns].tobytes())
+                writer.stdin.close()
+            except BrokenPipeError:
+                pass  # it has ended, and says why
             if writer.wait() != 0:
                 raise RuntimeError("ffmpeg cannot write the film")
             with open(file, "rb") as film:

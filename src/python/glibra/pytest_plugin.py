@@ -7,7 +7,8 @@ compares the picture with ``golden/TEST.png`` beside the test. ``--glibra-update
 ``--glibra-report FOLDER`` writes a page with the pictures that differ.
 """
 import html
-import os
+import itertools
+import json
 import pathlib
 import re
 
@@ -74,15 +75,22 @@ class Golden:
             return
         folder = pathlib.Path(folder)
         folder.mkdir(parents=True, exist_ok=True)
-        differences = self._request.config.stash.setdefault(_DIFFERENCES, [])
-        taken = {each for each, _ in differences}  # tests of other folders may have the same names
-        name = next(each for each in (name, *(f"{name} ({i})" for i in range(2, len(taken) + 3))) if each not in taken)
-        glibra.save(picture, folder / f"{name}.got.png")
-        (folder / f"{name}.expected.png").write_bytes(golden.read_bytes())
-        differences.append((name, found.reason))
+        # Tests of other folders may have the same names, and tests run in several processes (pytest-xdist): a name belongs to
+        # the test that makes its record.
+        note = json.dumps({"test": self._request.node.nodeid, "count": self._count, "reason": found.reason})
+        for number in itertools.count(1):
+            free = name.replace("/", "_") + (f" ({number})" if number > 1 else "")
+            try:
+                with open(folder / (free + _RECORD), "x", encoding="utf-8") as record:
+                    record.write(note)
+                break
+            except FileExistsError:
+                continue
+        glibra.save(picture, folder / f"{free}.got.png")
+        (folder / f"{free}.expected.png").write_bytes(golden.read_bytes())
 
 
-_DIFFERENCES = pytest.StashKey()
+_RECORD = ".difference.json"  # of a picture that differs, until the page is written
 _OWNERS = pytest.StashKey()  # of golden pictures, those that are named by tests: the node of the first test
 
 
@@ -91,16 +99,34 @@ def golden(request):
     return Golden(request)
 
 
+def _report_of(config):
+    """The folder of the report; None in the worker processes of pytest-xdist, which only add to it."""
+    folder = config.getoption("--glibra-report")
+    return pathlib.Path(folder) if folder and not hasattr(config, "workerinput") else None
+
+
+def pytest_configure(config):
+    folder = _report_of(config)
+    for left in folder.glob("*" + _RECORD) if folder else ():  # by a run that was ended
+        left.unlink()
+
+
 def pytest_sessionfinish(session):
-    folder = session.config.getoption("--glibra-report")
+    folder = _report_of(session.config)
     if not folder:
         return
-    os.makedirs(folder, exist_ok=True)
+    folder.mkdir(parents=True, exist_ok=True)
+    differences = []
+    for file in folder.glob("*" + _RECORD):
+        record = json.loads(file.read_text(encoding="utf-8"))
+        differences.append((record["test"], record["count"], file.name[:-len(_RECORD)], record["reason"]))
+        file.unlink()
     rows = "".join(
-        f'<section><h2>{html.escape(name)}</h2><p>{html.escape(reason)}</p><img src="{html.escape(name)}.expected.png" '
-        f'alt="expected"><img src="{html.escape(name)}.got.png" alt="got"></section>'
-        for name, reason in session.config.stash.get(_DIFFERENCES, []))
+        f'<section><h2>{html.escape(name)}</h2><p>{html.escape(test)}: {html.escape(reason)}</p>'
+        f'<img src="{html.escape(name)}.expected.png" alt="expected">'
+        f'<img src="{html.escape(name)}.got.png" alt="got"></section>'
+        for test, _, name, reason in sorted(differences))
     page = ('<!doctype html><meta charset="utf-8"><title>Pictures that differ</title>'
             "<style>body{font:16px sans-serif;margin:2em}img{margin-right:1em;image-rendering:pixelated}</style>"
             f"<h1>Pictures that differ: expected, got</h1>{rows or '<p>None.</p>'}")
-    pathlib.Path(folder, "index.html").write_text(page, encoding="utf-8")
+    (folder / "index.html").write_text(page, encoding="utf-8")

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <cstring>
 #include <iterator>
-#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,38 +16,9 @@
 namespace glibra::render {
 namespace {
 
+using plan::BufferField;
 using plan::MemoryNumber;
 using plan::NumberKind;
-
-/// A member, or some numbers of one that are of one kind.
-struct Field {
-    std::string name;
-    std::vector<MemoryNumber> numbers;  ///< counted from the element, or from the buffer
-    bool isOfElement = false;
-};
-
-void addFields(std::vector<Field>& fields, const std::vector<plan::BufferColumn>& columns,
-               const std::vector<MemoryNumber>& numbers, bool isOfElement) {
-    for (const plan::BufferColumn& column : columns)
-        for (std::size_t i = column.first; i < column.first + column.count;) {
-            Field field{column.name, {}, isOfElement};
-            const NumberKind kind = numbers[i].kind;
-            while (i < column.first + column.count && numbers[i].kind == kind)
-                field.numbers.push_back(numbers[i++]);
-            fields.push_back(std::move(field));
-        }
-}
-
-/// The fields of a record, each with a name of its own.
-std::vector<Field> fieldsOf(const BufferContent& content) {
-    std::vector<Field> fields;
-    addFields(fields, content.table.head, content.layout.pattern.head, false);
-    addFields(fields, content.table.columns, content.layout.pattern.element, true);
-    std::map<std::string, int> known;
-    for (Field& each : fields)
-        if (const int before = known[each.name]++; before > 0) each.name += fmt::format(" {}", before + 1);
-    return fields;
-}
 
 /// The numbers of a record, by field.
 class Records {
@@ -58,7 +28,7 @@ class Records {
 
     [[nodiscard]] std::uint64_t count() const { return count_; }
     /// The number as it lies in memory; of the record, where it is not part of the head.
-    [[nodiscard]] std::span<const std::byte> bytesOf(const Field& field, MemoryNumber number,
+    [[nodiscard]] std::span<const std::byte> bytesOf(const BufferField& field, MemoryNumber number,
                                                      std::uint64_t record) const {
         const plan::MemoryPattern& pattern = content_.layout.pattern;
         const std::uint64_t from = field.isOfElement ? pattern.elementsAt + record * pattern.stride : 0;
@@ -93,11 +63,11 @@ void addText(fmt::memory_buffer& text, NumberKind kind, std::span<const std::byt
     }
 }
 
-std::string csvOf(const std::vector<Field>& fields, const Records& records) {
+std::string csvOf(const std::vector<BufferField>& fields, const Records& records) {
     fmt::memory_buffer text;
     const auto end = std::back_inserter(text);
     bool isFirst = true;
-    for (const Field& each : fields)
+    for (const BufferField& each : fields)
         for (std::size_t i = 0; i < each.numbers.size(); ++i) {
             constexpr std::string_view kNames = "xyzw";
             const std::size_t count = each.numbers.size();
@@ -110,7 +80,7 @@ std::string csvOf(const std::vector<Field>& fields, const Records& records) {
     text.push_back('\n');
     for (std::uint64_t record = 0; record < records.count(); ++record) {
         isFirst = true;
-        for (const Field& each : fields)
+        for (const BufferField& each : fields)
             for (const MemoryNumber& number : each.numbers) {
                 if (!isFirst) text.push_back(',');
                 isFirst = false;
@@ -140,9 +110,9 @@ std::string numpyType(NumberKind kind) {
     return "|b1";
 }
 
-std::string npyOf(const std::vector<Field>& fields, const Records& records) {
+std::string npyOf(const std::vector<BufferField>& fields, const Records& records) {
     std::string types;
-    for (const Field& each : fields) {
+    for (const BufferField& each : fields) {
         std::string name;
         for (const char c : each.name) name += c == '\'' || c == '\\' ? std::string{'\\', c} : std::string{c};
         const std::string shape = each.numbers.size() > 1 ? fmt::format(", ({},)", each.numbers.size()) : "";
@@ -161,7 +131,7 @@ std::string npyOf(const std::vector<Field>& fields, const Records& records) {
     for (std::size_t i = 0; i < before - 8; ++i) file += static_cast<char>(header.size() >> 8 * i & 0xffU);
     file += header;
     for (std::uint64_t record = 0; record < records.count(); ++record)
-        for (const Field& each : fields)
+        for (const BufferField& each : fields)
             for (const MemoryNumber& number : each.numbers) {
                 const std::span<const std::byte> bytes = records.bytesOf(each, number, record);
                 if (number.kind == NumberKind::boolean)
@@ -186,7 +156,7 @@ bool isTableFile(const std::filesystem::path& file) {
 Diagnostics writeBuffer(const BufferContent& content, const std::filesystem::path& file,
                         image::NamedBy named) {
     if (!isTableFile(file)) return {image::cannotWrite(file, "buffers are written as .csv or .npy")};
-    const std::vector<Field> fields = fieldsOf(content);
+    const std::vector<BufferField> fields = plan::fieldsOf(content.table, content.layout.pattern);
     const Records records(content);
     const std::string text = suffixOf(file) == ".csv" ? csvOf(fields, records) : npyOf(fields, records);
     return image::writeFileAtomically(file, std::as_bytes(std::span(text)), named);

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "gpu/object/buffer.h"
 #include "plan/buffer_table.h"
 #include "plan/buffers.h"
 
@@ -14,5 +15,9 @@ struct BufferContent {
     plan::BufferTable table;
     std::vector<std::byte> bytes;
 };
+
+/// Reads it from the device, and waits for that. `block`: as of plan::tableOf.
+BufferContent contentOf(const plan::BufferLayout& layout, const base::StorageBlock* block,
+                        const gpu::Buffer& buffer);
 
 }  // namespace glibra::render

@@ -30,6 +30,14 @@
 
 namespace glibra::render {
 
+/// Numbers of texels, top row first, tightly packed.
+struct TexelNumbers {
+    int width = 0, height = 0;
+    int components = 4;
+    gpu::TexelType type = gpu::TexelType::f32;
+    std::vector<std::byte> data;
+};
+
 class DeviceTextures {
   public:
     /// `shared` and `sharesTextures`: as of DeviceScene.
@@ -64,6 +72,9 @@ class DeviceTextures {
     const gpu::Texture* completed(const scene::TextureView& view);
     /// SceneRenderer::textureImage.
     Result<image::Image> imageOf(const scene::TextureView& view);
+    /// The same texels in the components of the texture's format and in the type that loses nothing: bytes
+    /// and 16 bits of normalised numbers, integers of their own size, and floats of all else.
+    Result<TexelNumbers> numbersOf(const scene::TextureView& view);
 
     /// The copies of a texture with history change their places: what was current is the previous one.
     void exchange(scene::TextureIndex texture);
@@ -126,6 +137,8 @@ class DeviceTextures {
     [[nodiscard]] Copies* copiesOf(scene::TextureIndex texture) {
         return const_cast<Copies*>(std::as_const(*this).copiesOf(texture));
     }
+    /// One layer of one level; draw-E10 if there is no such part, or several.
+    Result<TexelNumbers> read(const scene::TextureView& view, int components, gpu::TexelType type);
     /// `isFilled`: gpu::TextureLayout::isFilled, of empty textures.
     Diagnostics make(scene::TextureIndex index, bool isFilled = true);
     /// True if the texture of a unit has been made as the scene states it now. One that another moment had in

@@ -3,35 +3,30 @@
 #include <fmt/format.h>
 #include <glibra/diagnostic.h>
 
+#include <cstdint>
 #include <cstring>
 #include <utility>
 
-#include "image/texel_block.h"
+#include "gpu/object/readback.h"
 #include "plan/texture_binding.h"
 #include "render/load/device_textures.h"
 
 namespace glibra::render {
 namespace {
 
-/// The components and type of a picture of texels of that format, and the type in which GL gives them.
-struct PictureLayout {
-    int components = 4;
-    image::Component type = image::Component::f32;
-    gpu::TexelType texels = gpu::TexelType::f32;
-};
-PictureLayout layoutOf(gpu::TexelFormat format) {
-    const base::TexelFormatRow& row = base::rowOf(format);
-    PictureLayout layout;
-    // Pictures of two components would be grey and alpha.
-    layout.components = hasDepth(format) ? 1 : row.components == 2 ? 3 : row.components;
-    if (row.kind == base::TexelClass::normalized) {
-        const bool isBytes = row.bits == 8;
-        layout.type = isBytes ? image::Component::u8 : image::Component::u16;
-        layout.texels = isBytes ? gpu::TexelType::u8 : gpu::TexelType::u16;
+/// The type of numbers that keeps the texels of a format as they are; floats for those of other steps.
+gpu::TexelType typeOf(const base::TexelFormatRow& row) {
+    using enum gpu::TexelType;
+    switch (row.kind) {
+        case base::TexelClass::normalized:
+            return row.bits == 8 ? u8 : u16;
+        case base::TexelClass::integer:
+            return row.bits == 8 ? i8 : row.bits == 16 ? i16 : i32;
+        case base::TexelClass::unsignedInteger:
+            return row.bits == 8 ? u8 : row.bits == 16 ? u16 : u32;
+        default:
+            return f32;
     }
-    if (row.kind == base::TexelClass::integer) layout.texels = gpu::TexelType::i32;
-    if (row.kind == base::TexelClass::unsignedInteger) layout.texels = gpu::TexelType::u32;
-    return layout;
 }
 
 template <class Integer>
@@ -46,7 +41,36 @@ void toFloats(std::vector<std::byte>& numbers) {
 
 }  // namespace
 
+Result<TexelNumbers> DeviceTextures::numbersOf(const scene::TextureView& view) {
+    const gpu::Texture* made = completed(view);
+    if (made == nullptr) return read(view, 4, gpu::TexelType::f32);  // reports why
+    const base::TexelFormatRow& row = base::rowOf(made->format());
+    return read(view, hasDepth(made->format()) ? 1 : row.components, typeOf(row));
+}
+
 Result<image::Image> DeviceTextures::imageOf(const scene::TextureView& view) {
+    const gpu::Texture* made = completed(view);
+    const base::TexelFormatRow& row =
+        base::rowOf(made != nullptr ? made->format() : gpu::TexelFormat::rgba32f);
+    // Pictures of two components would be grey and alpha. Integers are no shares of a largest one, as the
+    // numbers of pictures are.
+    const int components = hasDepth(row.format) ? 1 : row.components == 2 ? 3 : row.components;
+    const gpu::TexelType type = row.kind == base::TexelClass::integer           ? gpu::TexelType::i32
+                                : row.kind == base::TexelClass::unsignedInteger ? gpu::TexelType::u32
+                                                                                : typeOf(row);
+    Result<TexelNumbers> numbers = read(view, components, type);
+    if (!numbers) return std::move(numbers.diagnostics);
+    image::Image image{numbers->width, numbers->height, components, image::Component::f32,
+                       std::move(numbers->data)};
+    if (type == gpu::TexelType::u8) image.type = image::Component::u8;
+    if (type == gpu::TexelType::u16) image.type = image::Component::u16;
+    if (type == gpu::TexelType::i32) toFloats<std::int32_t>(image.data);
+    if (type == gpu::TexelType::u32) toFloats<std::uint32_t>(image.data);
+    return image;
+}
+
+Result<TexelNumbers> DeviceTextures::read(const scene::TextureView& view, int components,
+                                          gpu::TexelType type) {
     const std::string name = plan::nameOf(scene_, view);
     const auto bad = [&](const std::string& why) {
         return diagnose("draw-E10", fmt::format("{} cannot be saved: {}", name, why),
@@ -67,23 +91,17 @@ Result<image::Image> DeviceTextures::imageOf(const scene::TextureView& view) {
                                                                              : ".layer"));
     if (view.layer.value_or(0) >= layers) return bad(fmt::format("it has {} layers", layers));
 
-    const PictureLayout layout = layoutOf(made->format());
-    Result<std::vector<std::byte>> texels = made->read(level, layout.components, layout.texels);
+    Result<std::vector<std::byte>> texels = made->read(level, components, type);
     if (!texels) return std::move(texels.diagnostics);
-    if (layout.texels == gpu::TexelType::i32) toFloats<std::int32_t>(*texels);
-    if (layout.texels == gpu::TexelType::u32) toFloats<std::uint32_t>(*texels);
     const gpu::TextureSize size = gpu::sizeOfLevel(made->shape(), made->size(), level);
-    image::TexelBlock block;
-    block.width = size.width;
-    block.height = size.height;
-    block.components = layout.components;
-    block.type = layout.type;
+    TexelNumbers numbers{size.width, size.height, components, type, {}};
     const std::size_t bytes = texels->size() / static_cast<std::size_t>(layers);
     const auto first = texels->begin() +
                        static_cast<std::ptrdiff_t>(bytes * static_cast<std::size_t>(view.layer.value_or(0)));
-    block.data.assign(first, first + static_cast<std::ptrdiff_t>(bytes));
-    if (!gpu::isCube(made->shape())) image::flipRows(block);
-    return image::Image{block.width, block.height, block.components, block.type, std::move(block.data)};
+    numbers.data.assign(first, first + static_cast<std::ptrdiff_t>(bytes));
+    if (!gpu::isCube(made->shape()))
+        gpu::flipRows(numbers.data, bytes / static_cast<std::size_t>(size.height));
+    return numbers;
 }
 
 }  // namespace glibra::render

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "plan/declared_uniform.h"
 #include "plan/type_table.h"
 #include "plan/uniform_names.h"
 #include "render/draw/labels.h"
@@ -100,6 +101,70 @@ void addKnobs(const scene::Scene& scene, const plan::PlannedProgram& planned, st
         });
 }
 
+plan::UniformBinding* bindingOf(plan::PlannedProgram& planned, plan::UniformIndex uniform) {
+    const auto found = std::ranges::find(planned.values, uniform, &plan::UniformBinding::uniform);
+    return found == planned.values.end() ? nullptr : &*found;
+}
+
+/// True for a uniform that takes a value and has none.
+bool isUnset(const plan::PlannedProgram& planned, plan::UniformIndex index) {
+    const plan::ActiveUniform& uniform = at(planned.interface->uniforms, index);
+    return std::ranges::find(planned.values, index, &plan::UniformBinding::uniform) == planned.values.end() &&
+           !uniform.type.isOpaque() && uniform.type.base != plan::BaseType::other && uniform.block < 0 &&
+           !plan::isInternalName(uniform.name) && plan::suppliedBy(uniform) == nullptr &&
+           !plan::hasInitializer(*planned.interface, uniform) &&
+           plan::functionsOf(*planned.interface, uniform) == nullptr;
+}
+
+/// The control of a uniform that is not set.
+Knob unsetKnob(const scene::Scene& scene, const plan::PlannedProgram& planned,
+               const plan::ActiveUniform& uniform) {
+    Knob knob;
+    knob.program = planned.variant.program;
+    knob.title = render::titleOf(scene, knob.program);
+    knob.tag = uniform.name;
+    knob.type = uniform.type;
+    knob.isUnset = true;
+    const int elements =
+        std::max({uniform.arraySize, plan::declaredElements(*planned.interface, uniform), 1});
+    knob.initial.assign(static_cast<std::size_t>(elements * uniform.type.components()), 0);
+    knob.current = knob.initial;
+    knob.form = knob.initial.size() == 1 ? glib::UniformForm::number : glib::UniformForm::list;
+    knob.place = scene.programs[knob.program].place;
+    knob.declaration = uniform.type.word + " " + uniform.name;
+    return knob;
+}
+
+/// True if the knob's value is another one for the program now, which may have had none.
+bool giveUnset(const Knob& knob, plan::PlannedProgram& planned) {
+    bool isChanged = false;
+    const plan::UniformNames names(*planned.interface);
+    for (const plan::NamedUniform& named : names.find(knob.tag)) {
+        plan::UniformBinding* binding = bindingOf(planned, named.uniform);
+        if (binding == nullptr) {
+            planned.values.push_back({named.uniform, 0, plan::Literal{knob.current}});
+            isChanged = true;
+        } else if (auto* literal = std::get_if<plan::Literal>(&binding->value)) {
+            isChanged = isChanged || literal->values != knob.current;
+            literal->values = knob.current;
+        }
+    }
+    return isChanged;
+}
+
+/// Knob::isShared.
+void noteShared(std::vector<Knob>& knobs, std::span<const plan::FramePlan* const> plans) {
+    for (Knob& knob : knobs) {
+        const auto hasTag = [&](const plan::PlannedProgram& each) {
+            return each.variant.program && each.variant.program != knob.program &&
+                   !plan::UniformNames(*each.interface).find(knob.tag).empty();
+        };
+        knob.isShared = std::ranges::any_of(plans, [&](const plan::FramePlan* plan) {
+            return std::any_of(plan->programs.begin(), plan->programs.end(), hasTag);
+        });
+    }
+}
+
 /// The control of a variable.
 Knob knobOf(const scene::Variable& variable) {
     Knob knob;
@@ -142,20 +207,30 @@ std::vector<Knob> knobsOf(const scene::Scene& scene, std::span<const plan::Frame
     for (const plan::FramePlan* plan : plans)
         for (const plan::PlannedProgram& each : plan->programs)
             if (hasKnobs(each)) addKnobs(scene, each, knobs);
-    for (Knob& knob : knobs) {
-        const auto hasTag = [&](const plan::PlannedProgram& each) {
-            return each.variant.program && each.variant.program != knob.program &&
-                   !plan::UniformNames(*each.interface).find(knob.tag).empty();
-        };
-        knob.isShared = std::ranges::any_of(plans, [&](const plan::FramePlan* plan) {
-            return std::any_of(plan->programs.begin(), plan->programs.end(), hasTag);
-        });
-    }
+    noteShared(knobs, plans);
     std::ranges::stable_sort(knobs, {}, &Knob::program);
     std::vector<Knob> all;
     for (const scene::Variable& each : scene.variables) all.push_back(knobOf(each));
     all.insert(all.end(), std::make_move_iterator(knobs.begin()), std::make_move_iterator(knobs.end()));
     return all;
+}
+
+std::vector<Knob> unsetKnobs(const scene::Scene& scene, std::span<const plan::FramePlan* const> plans) {
+    std::vector<Knob> knobs;
+    for (const plan::FramePlan* plan : plans)
+        for (const plan::PlannedProgram& each : plan->programs) {
+            if (!hasKnobs(each)) continue;
+            for (std::size_t i = 0; i < each.interface->uniforms.size(); ++i) {
+                const plan::ActiveUniform& uniform = each.interface->uniforms[i];
+                const bool isKnown = std::any_of(knobs.begin(), knobs.end(), [&](const Knob& known) {
+                    return known.program == each.variant.program && known.tag == uniform.name;
+                });
+                if (!isKnown && isUnset(each, plan::UniformIndex(i)))
+                    knobs.push_back(unsetKnob(scene, each, uniform));
+            }
+        }
+    noteShared(knobs, plans);
+    return knobs;
 }
 
 std::vector<std::vector<std::size_t>> sharedKnobs(std::span<const Knob> knobs) {
@@ -192,6 +267,9 @@ std::vector<plan::PlannedProgramIndex> apply(const scene::Scene& scene, std::spa
                                literal.values = each.current;
                            }
                        });
+        for (const Knob& each : knobs)
+            if (each.isUnset && each.program == planned.variant.program)
+                isChanged = giveUnset(each, planned) || isChanged;
         if (isChanged) changed.push_back(i);
     }
     return changed;

@@ -34,6 +34,7 @@ struct Knob {
     std::vector<double> current;      ///< same order and size as `initial`
     Place place;                      ///< of the value in the scene
     bool isShared = false;  ///< another program has a uniform of this name, whether the scene sets it or not
+    bool isUnset = false;   ///< nothing of the scene sets it, so that it is 0; only unsetKnobs() has these
     std::string declaration;  ///< type and name for the tooltip: "vec3 uColor"
 
     std::vector<std::string> words;  ///< of a variable that is a choice; the value counts them from 0
@@ -47,6 +48,9 @@ struct Knob {
 
 /// All knobs of these plans of the scene, grouped by program, in the order of the file.
 std::vector<Knob> knobsOf(const scene::Scene& scene, std::span<const plan::FramePlan* const> plans);
+
+/// The same of uniforms that nothing sets: neither the scene nor an initializer, glibra or a buffer.
+std::vector<Knob> unsetKnobs(const scene::Scene& scene, std::span<const plan::FramePlan* const> plans);
 
 /// Values that several programs have in common: one control moves them all. Each entry has the indices of
 /// knobs of different programs that the scene gives the same tag, type, range and value; two at least, in

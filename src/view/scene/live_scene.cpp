@@ -52,6 +52,9 @@ const plan::FramePlan& LiveScene::plan() const {
 std::vector<Knob> LiveScene::knobs() const {
     return knobsOf(state_->scene, state_->plans());
 }
+std::vector<Knob> LiveScene::unsetKnobs() const {
+    return view::unsetKnobs(state_->scene, state_->plans());
+}
 
 std::vector<std::string> LiveScene::labels(std::span<const std::string> only) const {
     return onlyLabels(render::labelsOf(state_->scene, state_->plans()), only);
@@ -243,8 +246,8 @@ const gpu::Texture* LiveScene::texture(scene::TextureIndex index) const {
 const gpu::Texture* LiveScene::completed(scene::TextureIndex index, bool isPrevious) {
     return state_->device.textures().completed({.texture = index, .isPrevious = isPrevious});
 }
-Result<image::Image> LiveScene::imageOf(const scene::TextureView& view) {
-    return state_->device.textures().imageOf(view);
+Result<render::TexelNumbers> LiveScene::numbersOf(const scene::TextureView& view) {
+    return state_->device.textures().numbersOf(view);
 }
 const render::DeviceScene& LiveScene::device() const {
     return state_->device;

@@ -45,6 +45,8 @@ class LiveScene {
     [[nodiscard]] const scene::Scene& scene() const;
     [[nodiscard]] const plan::FramePlan& plan() const;
     [[nodiscard]] std::vector<Knob> knobs() const;
+    /// Knobs of uniforms that nothing sets, until setValue() does so.
+    [[nodiscard]] std::vector<Knob> unsetKnobs() const;
     /// The current values as text, see render::labelsOf and onlyLabels.
     [[nodiscard]] std::vector<std::string> labels(std::span<const std::string> only = {}) const;
     /// True if a program that draws something reads Timer.
@@ -123,8 +125,8 @@ class LiveScene {
     /// What samplers read of the texture: with its samples resolved and its mipmaps made. Null if it is not
     /// on the device. `isPrevious`: the other copy of a texture with history.
     const gpu::Texture* completed(scene::TextureIndex index, bool isPrevious);
-    /// SceneRenderer::textureImage.
-    Result<image::Image> imageOf(const scene::TextureView& view);
+    /// DeviceTextures::numbersOf.
+    Result<render::TexelNumbers> numbersOf(const scene::TextureView& view);
     [[nodiscard]] const render::DeviceBuffers& buffers() const;
     [[nodiscard]] const render::DeviceScene& device() const;
     /// The block through which a program uses the buffer, as a storage block; null if none does. Valid until
