@@ -384,7 +384,7 @@ class Chooser {
             say("draw-N03", *stated.draw,
                 fmt::format("{} with {}{} is up to {} off; {}{}", stated.what, stated.with,
                             isFixed ? "" : ", as the scene states,", pixelText(stated.pixels),
-                            isFixed ? stated.fixedBy + ", so nothing is chosen"
+                            isFixed ? stated.fixedBy + ", so nothing finer is chosen"
                                     : "use --override-counts to choose finer ones",
                             others(stated_.others)));
         }

@@ -32,8 +32,11 @@ class Reference {
         return made;
     }
 
-    /// The largest error in pixels with these values. That of the finest surface is included: the error falls
-    /// with the square of the level, so it is a third of the difference that halving the levels makes.
+    /// The error of the finest surface, in pixels: the error falls with the square of the level, so it is a
+    /// third of the difference that halving the levels makes.
+    [[nodiscard]] double own() const { return own_; }
+
+    /// The largest error in pixels with these values; that of the finest surface is included.
     [[nodiscard]] std::optional<double> error(std::span<const LevelValue> values) const {
         const std::optional<double> found = difference({values});
         return found ? std::optional(*found + own_) : std::nullopt;
@@ -140,6 +143,13 @@ void chooseFor(const scene::Scene& scene, const plan::PlannedProgram& planned,
                                         glib::UniformForm::number,
                                         {value},
                                         programOf(scene, planned)});
+        // More does not help where other levels than those of the uniforms are too low.
+        const bool areHighest = std::ranges::none_of(
+            levels.uniforms, [&](const LevelUniform& each) { return each.most < request.mostLevel; });
+        if (areHighest && reference->own() <= request.maxError) {
+            miss.isStated = true;
+            miss.fixedBy = "no uniform of the Program line decides its other levels alone";
+        }
     } else if (levels.uniforms.empty()) {
         why = areSet ? "the levels of --set" : "the levels that its program has";
         miss.with = why;
