@@ -6,9 +6,9 @@
 // where the samples show them, for noise compared with the function that the texture samples. For meshes it
 // is proved if the program's text shows that it places vertices by the model-view-projection alone
 // (glsl::Placement). Everything else that programs compute at the vertices or from their normals is measured
-// on small pictures. Two things are not covered: where two surfaces intersect at a flat angle, the
-// intersection moves further than the surfaces do; and tessellation stages may compute other values than
-// places. Passes into a texture are judged in its texels.
+// on small pictures, and tessellated patches are captured. Two things are not covered: where two surfaces
+// intersect at a flat angle, the intersection moves further than the surfaces do; and tessellation stages may
+// compute other values than places. Passes into a texture are judged in its texels.
 
 #include <functional>
 #include <glm/mat4x4.hpp>
@@ -38,6 +38,14 @@ struct LevelValue {
     double value = 0;
 };
 
+/// The levels of tessellated patches: those of the scene, with values in place of its own.
+struct Levels {
+    std::span<const LevelValue> values{};
+    /// Above 0: the level of all patches in place of what the program computes, except for the number of
+    /// isolines.
+    double all = 0;
+};
+
 struct Choice;
 
 struct Request {
@@ -54,10 +62,9 @@ struct Request {
     std::function<std::optional<ContourShifts>(const Choice& from, const Choice& to)> contourShift{};
     int mostLevel = 64;                           ///< the driver's limit for tessellation levels
     std::span<const plan::Override> overrides{};  ///< values that must not be replaced
-    /// Returns the tessellated patches of the draw at Scene::passes[pass].steps[step] with these values in
-    /// place of the scene's; the same patches at every call. Without it levels are kept.
-    std::function<std::optional<std::vector<Patch>>(std::size_t pass, std::size_t step,
-                                                    std::span<const LevelValue> values)>
+    /// Returns the tessellated patches of the draw at Scene::passes[pass].steps[step]; the same patches at
+    /// every call, without vertices if they are culled. Without it levels are kept.
+    std::function<std::optional<std::vector<Patch>>(std::size_t pass, std::size_t step, const Levels& levels)>
         patches{};
 };
 
@@ -73,7 +80,9 @@ struct Choice {
     std::vector<plan::Override> levels;  ///< values of uniforms that decide tessellation levels
     int samples = 1;  ///< as many as the bound needs, up to the driver's limit; 1 if they are not free
     std::vector<Decision> decisions;
-    Diagnostics diagnostics;  ///< draw-W07: the bound cannot be kept; draw-N03: stated numbers do not keep it
+    /// draw-W07: the bound cannot be kept; draw-N03: stated numbers do not keep it; draw-N05: no bound is
+    /// known.
+    Diagnostics diagnostics;
 };
 
 /// Chooses for everything in the plan, which must belong to the scene. Draws of one shape share a mesh,

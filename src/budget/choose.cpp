@@ -18,6 +18,7 @@
 #include "budget/program_facts.h"
 #include "budget/sampling_model.h"
 #include "budget/vertex_values.h"
+#include "plan/accesses.h"
 #include "scene/primitives.h"
 #include "scene/texture_parts.h"
 #include "scene/view.h"
@@ -128,8 +129,10 @@ class Chooser {
         if (!pass.isWindow)
             if (const auto target = scene::targetSize(scene_, pass)) size = {(*target)[0], (*target)[1]};
         for (const auto& each : planned.steps)
-            if (const auto* draw = std::get_if<plan::PlannedDraw>(&each))
+            if (const auto* draw = std::get_if<plan::PlannedDraw>(&each)) {
+                if (pass.isWindow) noteEdges(*draw);
                 lookAt(*draw, {draw->step.pass, draw->step.step, &plan_.drawOf(*draw)}, aspect, size);
+            }
     }
 
     void lookAt(const plan::PlannedDraw& planned, Need need, double aspect, const glm::dvec2& size) {
@@ -152,7 +155,10 @@ class Chooser {
             return decide(draw, "kept: its program shows individual triangles");
         if (facts.worksOnPrimitives)
             return decide(draw, "kept: its tessellation or geometry stage works on individual triangles");
-        if (!scale) return decide(draw, "kept: reaches behind the eye, so no bound is known");
+        if (!scale) {
+            unknown_.push_back({&draw, "it reaches behind the eye"});
+            return decide(draw, "kept: reaches behind the eye, so no bound is known");
+        }
 
         need.scale = *scale;
         need.allowed = *scale > 0 ? request_.maxError / *scale : kAny;
@@ -166,7 +172,11 @@ class Chooser {
             const CountArgument& count = model->counts[i];
             const int asGiven = static_cast<int>(numbers[count.index]);
             isFree[i] = request_.overrideCounts || count.isFixed || count.index >= draw.givenNumbers;
-            least[i] = facts.isBuiltin ? 1 : count.smooth == kAsGiven ? asGiven : count.smooth;
+            // Straight lines need no vertices between their ends, if pictures show that nothing else does.
+            const bool isStraight = count.smooth == kAsGiven && request_.contourShift && *scale > 0;
+            least[i] = facts.isBuiltin || isStraight ? 1 : count.smooth == kAsGiven ? asGiven : count.smooth;
+            if (!facts.isBuiltin && isStraight && !need.isMoved && isFree[i] && asGiven > 1)
+                need.isMeasured = true;
             if (facts.magnifiesNormals && count.smooth != kAsGiven) least[i] *= kMirror;
             if (need.isMoved) least[i] = std::max(least[i], asGiven);
         }
@@ -211,8 +221,8 @@ class Chooser {
         for (Drawn& each : drawn_)
             if (each.need.isMeasured) {
                 const Need& need = each.need;
-                vertices.draws.push_back({need.pass, need.step, each.model, each.numbers, each.isFree,
-                                          need.program, each.fidelity, need.scale});
+                vertices.draws.push_back({need.pass, need.step, each.model, each.numbers, each.before,
+                                          each.isFree, need.program, each.fidelity, need.scale});
                 measured.push_back(&each);
             }
         if (measured.empty()) return;
@@ -225,12 +235,22 @@ class Chooser {
             return request_.contourShift(coarse, fine);
         };
         const std::optional<VertexValues> found = vertexValues(vertices);
-        if (!found) return;
+        if (!found) {
+            for (Drawn* each : measured) keepStraight(*each);
+            return;
+        }
         for (std::size_t i = 0; i < measured.size(); ++i) {
             measured[i]->numbers = found->numbers[i];
             for (const VertexResult& each : found->programs)
                 if (each.program == measured[i]->need.program) measured[i]->vertices = each.error;
         }
+    }
+
+    /// Nothing is known of what the program shows along straight lines.
+    static void keepStraight(Drawn& drawn) {
+        for (const CountArgument& each : drawn.model->usedCounts())
+            if (each.smooth == kAsGiven)
+                drawn.numbers[each.index] = std::max(drawn.numbers[each.index], drawn.before[each.index]);
     }
 
     void conclude(const Drawn& drawn) {
@@ -239,6 +259,7 @@ class Chooser {
         const bool isChanged = drawn.numbers != drawn.before;
         const std::string counts = countsText(model, drawn.numbers);
         if (isChanged) choice_.shapes.push_back({need.pass, need.step, drawn.numbers});
+        if (need.isMoved && need.scale > 0) unknown_.push_back({need.draw, "its program moves the vertices"});
         const double pixels = model.deviation(drawn.numbers, drawn.fidelity) * need.scale;
         const std::string kept = drawn.isAllStated() ? " as the scene states" : " kept";
         decide(*need.draw,
@@ -260,6 +281,12 @@ class Chooser {
                changeText(drawn.vertices->pixels, drawn.vertices->colored);
     }
 
+    void noteEdges(const plan::PlannedDraw& planned) {
+        const auto edges = plan::paintedEdges(plan_.programs[planned.program], planned.textures);
+        paintsEdges_ = paintsEdges_ || edges == plan::PaintedEdges::shown;
+        if (edges == plan::PaintedEdges::perPixel) perPixel_.push_back(&plan_.drawOf(planned));
+    }
+
     void noteNoise(const plan::PlannedDraw& planned, const std::optional<double>& scale, double height) {
         for (const plan::TextureUse& each : planned.textures) {
             if (!each.view.texture ||
@@ -275,6 +302,7 @@ class Chooser {
         ChosenLevels chosen = budget::chooseLevels(scene_, plan_, tessellated_, request_);
         choice_.levels = std::move(chosen.overrides);
         take(std::move(chosen.decisions), std::move(chosen.misses));
+        std::ranges::move(chosen.unknown, std::back_inserter(unknown_));
     }
 
     void chooseNoise() {
@@ -296,8 +324,24 @@ class Chooser {
         const double pixels = edgeError(choice_.samples);
         choice_.decisions.push_back(
             {"samples",
-             fmt::format("{} per pixel: edges at most {} off", choice_.samples, pixelText(pixels)),
+             fmt::format("{} per pixel: edges at most {} off{}", choice_.samples, pixelText(pixels),
+                         paintsEdges_ && choice_.samples > 1
+                             ? "; fragment stages that may paint edges run for each sample"
+                             : ""),
              {scene_.path, 1, 1}});
+        const double once = edgeError(1);
+        for (const scene::Draw* each : perPixel_)
+            decide(*each, fmt::format("its fragment stage writes memory, so it runs once per pixel: edges "
+                                      "that it paints at most {} off",
+                                      pixelText(once)));
+        if (!perPixel_.empty() && once > request_.maxError)
+            choice_.diagnostics.push_back(diagnose(
+                "draw-W07",
+                fmt::format("edges that the fragment stage of {} paints may be {} off, because it writes "
+                            "memory and so runs once per pixel; the bound is {}{}",
+                            perPixel_.front()->word, pixelText(once), pixelText(request_.maxError),
+                            others(static_cast<int>(perPixel_.size()) - 1)),
+                perPixel_.front()->place));
         if (pixels > request_.maxError)
             choice_.diagnostics.push_back(diagnose(
                 "draw-W07",
@@ -307,10 +351,11 @@ class Chooser {
                 {scene_.path, 1, 1}));
     }
 
+    static std::string others(int count) {
+        return count > 0 ? fmt::format("; the same holds for {} more", count) : std::string();
+    }
+
     void report() {
-        const auto others = [](int count) {
-            return count > 0 ? fmt::format("; the same holds for {} more", count) : std::string();
-        };
         const auto say = [&](const char* id, const scene::Draw& draw, std::string text) {
             choice_.diagnostics.push_back(diagnose(id, std::move(text), draw.place));
         };
@@ -334,12 +379,19 @@ class Chooser {
                     "states, are {}; use --override-counts to choose finer ones{}",
                     worst.draw->word, worst.counts, changeText(worst.error.pixels, worst.error.colored),
                     others(worst.others)));
-        if (stated.draw != nullptr)
+        if (stated.draw != nullptr) {
+            const bool isFixed = !stated.fixedBy.empty();
             say("draw-N03", *stated.draw,
-                fmt::format(
-                    "{} with {}, as the scene states, is up to {} off; use --override-counts to choose "
-                    "finer ones{}",
-                    stated.what, stated.with, pixelText(stated.pixels), others(stated_.others)));
+                fmt::format("{} with {}{} is up to {} off; {}{}", stated.what, stated.with,
+                            isFixed ? "" : ", as the scene states,", pixelText(stated.pixels),
+                            isFixed ? stated.fixedBy + ", so nothing finer is chosen"
+                                    : "use --override-counts to choose finer ones",
+                            others(stated_.others)));
+        }
+        if (!unknown_.empty())
+            say("draw-N05", *unknown_.front().draw,
+                fmt::format("no bound is known for {}: {}{}", unknown_.front().draw->word,
+                            unknown_.front().why, others(static_cast<int>(unknown_.size()) - 1)));
     }
 
     const scene::Scene& scene_;
@@ -349,6 +401,9 @@ class Chooser {
     std::map<plan::PlannedProgramIndex, std::vector<TessellatedDraw>> tessellated_;
     std::map<scene::TextureIndex, NoiseUse> noise_;
     std::vector<Drawn> drawn_;
+    std::vector<Unknown> unknown_;
+    bool paintsEdges_ = false;
+    std::vector<const scene::Draw*> perPixel_;  ///< that may paint edges
     Worst beyond_, stated_;
     WorstVertices beyondVertices_, statedVertices_;
     Choice choice_;

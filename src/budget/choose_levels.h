@@ -21,6 +21,7 @@ struct ChosenLevels {
     std::vector<plan::Override> overrides;  ///< values of uniforms that decide levels
     std::vector<Decision> decisions;
     std::vector<Miss> misses;
+    std::vector<Unknown> unknown;
 };
 
 /// `draws` is indexed like FramePlan::programs; all draws of one program have the same levels.

@@ -64,8 +64,13 @@ class Values {
 }  // namespace
 
 ContourShifts::ContourShifts(const image::Image& from, const image::Image& to, double pixel) : pixel_(pixel) {
+    add(from, to);
+}
+
+void ContourShifts::add(const image::Image& from, const image::Image& to) {
     const Values before(from), after(to);
-    pixels_ = static_cast<double>(before.width() * before.height());
+    Compared& compared = moments_.emplace_back();
+    compared.pixels = static_cast<double>(before.width() * before.height());
     for (std::size_t top = 0; top < before.height(); top += kSide)
         for (std::size_t left = 0; left < before.width(); left += kSide) {
             double changes = 0, gradients = 0, largest = 0;
@@ -82,32 +87,38 @@ ContourShifts::ContourShifts(const image::Image& from, const image::Image& to, d
                     }
                     largest = std::max(largest, static_cast<double>(here));
                     if (here > 0 && before.isSmooth(x, y, kSmooth) && after.isSmooth(x, y, kSmooth))
-                        smoothChanges_.push_back({here, slope});
+                        compared.smoothChanges.push_back({here, slope});
                 }
             constexpr double kMost = kSide;  // larger shifts are not measured
             const double shift = changes < kMost * gradients ? changes / gradients : kMost;
-            if (largest > 0) squares_.push_back({pixel * shift, largest});
+            if (largest > 0) compared.squares.push_back({pixel_ * shift, largest});
         }
 }
 
 double ContourShifts::ofChangesAbove(double change) const {
-    std::vector<double> shifts;
-    for (const Square& each : squares_)
-        if (each.largestChange > change) shifts.push_back(each.shift);
-    if (shifts.empty()) return 0;
-    const auto rank = shifts.begin() + static_cast<std::ptrdiff_t>((shifts.size() - 1) * 98 / 100);
-    std::nth_element(shifts.begin(), rank, shifts.end());
-    return *rank;
+    double largest = 0;
+    for (const Compared& moment : moments_) {
+        std::vector<double> shifts;
+        for (const Square& each : moment.squares)
+            if (each.largestChange > change) shifts.push_back(each.shift);
+        if (shifts.empty()) continue;
+        const auto rank = shifts.begin() + static_cast<std::ptrdiff_t>((shifts.size() - 1) * 98 / 100);
+        std::nth_element(shifts.begin(), rank, shifts.end());
+        largest = std::max(largest, *rank);
+    }
+    return largest;
 }
 
 double ContourShifts::shareOfSmoothChangesAbove(double change, double shift) const {
-    return static_cast<double>(std::ranges::count_if(smoothChanges_,
-                                                     [&](const SmoothChange& each) {
-                                                         return static_cast<double>(each.change) >
-                                                                change + static_cast<double>(each.gradient) *
-                                                                             shift / pixel_;
-                                                     })) /
-           pixels_;
+    double largest = 0;
+    for (const Compared& moment : moments_) {
+        const auto count = std::ranges::count_if(moment.smoothChanges, [&](const SmoothChange& each) {
+            return static_cast<double>(each.change) >
+                   change + static_cast<double>(each.gradient) * shift / pixel_;
+        });
+        largest = std::max(largest, static_cast<double>(count) / moment.pixels);
+    }
+    return largest;
 }
 
 }  // namespace glibra::budget

@@ -16,6 +16,8 @@ class ContourShifts {
     /// Both pictures have the same size and are RGB or RGBA, bytes or floats. Values are limited to 0..1; NaN
     /// is 0. Shifts are given in units in which a pixel of these pictures has the size `pixel`.
     ContourShifts(const image::Image& from, const image::Image& to, double pixel = 1);
+    /// Takes two more pictures of the same scene at another moment: each function gives the larger number.
+    void add(const image::Image& from, const image::Image& to);
 
     /// The shift that 98 of 100 squares do not exceed, among the squares in which some value changes by more
     /// than `change`, 0..1; 0 if there are none.
@@ -34,13 +36,16 @@ class ContourShifts {
     struct Square {
         double shift = 0, largestChange = 0;
     };
-    double pixel_;
-    std::vector<Square> squares_;
     struct SmoothChange {
         float change = 0, gradient = 0;
     };
-    std::vector<SmoothChange> smoothChanges_;  ///< only changes above 0
-    double pixels_ = 0;                        ///< number of pixels of the picture
+    struct Compared {
+        std::vector<Square> squares;
+        std::vector<SmoothChange> smoothChanges;  ///< only changes above 0
+        double pixels = 0;                        ///< number of pixels of the picture
+    };
+    double pixel_;
+    std::vector<Compared> moments_;
 };
 
 }  // namespace glibra::budget

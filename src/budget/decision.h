@@ -22,6 +22,14 @@ struct Miss {
     std::string what;       ///< as Decision::what
     std::string with;       ///< "44 slices, 22 stacks", "uOuter 64, uInner 64", "64 texels per side"
     bool isStated = false;  ///< the scene states it
+    /// Why nothing finer can be chosen, although it is stated; empty: --override-counts chooses it.
+    std::string fixedBy{};
+};
+
+/// What has no bound.
+struct Unknown {
+    const scene::Draw* draw = nullptr;
+    std::string why;  ///< "its program moves the vertices"
 };
 
 }  // namespace glibra::budget

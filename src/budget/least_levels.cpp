@@ -18,29 +18,25 @@ std::vector<LevelValue> scaled(const LevelsRequest& request, double factor) {
 }  // namespace
 
 std::optional<LeastLevels> leastLevels(const LevelsRequest& request) {
-    double lowest = 1e9, highest = 0;
-    for (const LevelUniform& each : request.uniforms) {
-        lowest = std::min(lowest, each.least / each.value);
-        highest = std::max(highest, each.most / each.value);
-    }
-    const std::vector<LevelValue> finest = scaled(request, highest);
-    const std::optional<double> rest = request.error(scaled(request, highest / 2), finest);
-    if (!rest) return std::nullopt;
-    const double own = *rest / 3;
     const auto measure = [&](const std::vector<LevelValue>& values) -> std::optional<LeastLevels> {
-        const std::optional<double> pixels = request.error(values, finest);
+        const std::optional<double> pixels = request.error(values);
         if (!pixels) return std::nullopt;
-        return LeastLevels{values, *pixels + own, *pixels + own <= request.maxError};
+        return LeastLevels{values, *pixels, *pixels <= request.maxError};
     };
     if (!request.isFree) {
         std::vector<LevelValue> stated;
         for (const LevelUniform& each : request.uniforms) stated.push_back({each.uniform, each.value});
         return measure(stated);
     }
+    double lowest = 1e9, highest = 0;
+    for (const LevelUniform& each : request.uniforms) {
+        lowest = std::min(lowest, each.least / each.value);
+        highest = std::max(highest, each.most / each.value);
+    }
     std::optional<LeastLevels> best = measure(scaled(request, lowest));
     if (!best || best->isKept) return best;
-    best = LeastLevels{finest, own, own <= request.maxError};
-    if (!best->isKept) return best;
+    best = measure(scaled(request, highest));
+    if (!best || !best->isKept) return best;
     for (double tooLow = lowest, enough = highest; enough > 1.02 * tooLow;) {
         const double middle = std::sqrt(tooLow * enough);
         std::optional<LeastLevels> found = measure(scaled(request, middle));

@@ -15,10 +15,8 @@ struct LevelsRequest {
     std::vector<LevelUniform> uniforms;
     bool isFree = false;  ///< they may be chosen; otherwise only their error is measured
     double maxError = 0;  ///< pixels
-    /// Returns the largest patchError in pixels of all patches that the uniforms affect, from the first
-    /// values to the second.
-    std::function<std::optional<double>(std::span<const LevelValue> coarse, std::span<const LevelValue> fine)>
-        error;
+    /// Returns the largest error in pixels of all patches that the uniforms affect, with these values.
+    std::function<std::optional<double>(std::span<const LevelValue> values)> error;
 };
 
 struct LeastLevels {
@@ -27,10 +25,8 @@ struct LeastLevels {
     bool isKept = false;  ///< pixels <= maxError
 };
 
-/// The uniforms keep their proportions as far as their ranges allow. The reference is the surface with the
-/// highest values that the ranges allow. Its own error is included: the error falls with the square of the
-/// level, so it is a third of the difference that halving the levels makes. Returns nothing if the error
-/// cannot be measured.
+/// The uniforms keep their proportions as far as their ranges allow. Returns nothing if the error cannot be
+/// measured.
 std::optional<LeastLevels> leastLevels(const LevelsRequest& request);
 
 }  // namespace glibra::budget

@@ -65,6 +65,9 @@ class Refinement {
             if (programs.contains(draw.program)) {
                 coarse = more(draw, draw.numbers, factor, true);
                 fine = more(draw, coarse, kFiner, false);
+                for (const CountArgument& each : draw.model->usedCounts())
+                    if (each.smooth == kAsGiven)
+                        fine[each.index] = std::max(fine[each.index], draw.before[each.index]);
                 if (!isSmallEnough(draw, fine)) return std::nullopt;
                 shapes = std::max(shapes, draw.scale * draw.model->deviation(coarse, draw.fidelity));
             }

@@ -18,6 +18,7 @@ struct VertexDraw {
     std::size_t pass = 0, step = 0;  ///< indices into Scene::passes and Pass::steps
     const SurfaceModel* model = nullptr;
     std::vector<double> numbers;  ///< complete
+    std::vector<double> before;   ///< those of the scene, or the defaults
     std::array<bool, 2> isFree{};
     plan::PlannedProgramIndex program{};
     Fidelity fidelity = Fidelity::shape;
@@ -53,10 +54,11 @@ struct VertexValues {
 
 /// Raises the free counts of a program's draws by one factor until contours are within the bound and all but
 /// one of 1000 pixels have their colour. The error falls with the square of the counts, so the difference to
-/// a picture with half as many again is five ninths of it. Errors below a tenth of a pixel of the small
-/// pictures are not detected. The search ends early, with isKept false, if meshes would become larger than
-/// kMostBudgetVertices or if finer ones do not help. If no count of a program is free, only its error is
-/// measured. Returns nothing if pictures cannot be drawn.
+/// a picture with half as many again is five ninths of it. Counts along straight lines are compared with at
+/// least those of the scene, because a program may show what repeats along them. Errors below a tenth of a
+/// pixel of the small pictures are not detected. The search ends early, with isKept false, if meshes would
+/// become larger than kMostBudgetVertices or if finer ones do not help. If no count of a program is free,
+/// only its error is measured. Returns nothing if pictures cannot be drawn.
 std::optional<VertexValues> vertexValues(const VertexRequest& request);
 
 }  // namespace glibra::budget

@@ -156,6 +156,7 @@ constexpr CatalogueRow kCatalogueRows[] = {
      "finer ones"},
     {"draw-N04",
      "Program 'Dots' stands after everything that is drawn, so nothing uses it; move it before the shapes"},
+    {"draw-N05", "no bound is known for Sphere: its program moves the vertices"},
     // Buffers, compute and steps
     {"memory-E01", "Dispatch needs a driver with OpenGL 4.3; this one has 4.1"},
     {"memory-E02",
@@ -382,6 +383,7 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"bench-E01", "unknown subject 'primitve'; did you mean 'primitives'?"},
     {"bench-E02", "this is not a run of glibra bench; --against takes its bench.json"},
     {"bench-E03", "--sweep 'steps': expected a name and its values, as steps=[8,16,32]"},
+    {"bench-E04", "subject 'budget' ended by signal 11 (Segmentation fault)"},
     // The window
     {"view-E01", "the value of 'uKd' is no longer at this place; reload the scene"},
     {"view-E02",

@@ -247,6 +247,14 @@ bool writesMemory(const PlannedProgram& program, const std::vector<TextureUse>& 
                                [&](const BlockUse& each) { return blockUseOf(program, each).writes; });
 }
 
+PaintedEdges paintedEdges(const PlannedProgram& program, const std::vector<TextureUse>& textures) {
+    const auto& stages = program.interface->facts.stages;
+    if (std::ranges::none_of(stages,
+                             [](const glsl::TranslatedStage& each) { return each.facts.mayPaintEdges; }))
+        return PaintedEdges::none;
+    return writesMemory(program, textures) ? PaintedEdges::perPixel : PaintedEdges::shown;
+}
+
 bool writesMemory(const glsl::TranslatedProgram& program) {
     return std::ranges::any_of(program.stages,
                                [](const glsl::TranslatedStage& each) { return each.facts.writesMemory; });

@@ -52,6 +52,14 @@ bool readsCamera(const PlannedProgram& program);
 /// True if the shaders of the program may write to an image, a storage block or an atomic counter.
 bool writesMemory(const PlannedProgram& program, const std::vector<TextureUse>& textures);
 
+/// How the samples of a pixel see the edges that a fragment stage paints or cuts.
+enum class PaintedEdges {
+    none,      ///< it only passes on what lies between the vertices
+    shown,     ///< they are where they are if the stage runs for each sample
+    perPixel,  ///< the stage has to run once per pixel, because it writes memory
+};
+PaintedEdges paintedEdges(const PlannedProgram& program, const std::vector<TextureUse>& textures);
+
 /// True if a stage of a translated program may write to an image, a storage block or an atomic counter.
 bool writesMemory(const glsl::TranslatedProgram& program);
 

@@ -23,7 +23,9 @@ Diagnostics SceneState::moveTo(double time, Stats& stats) {
     if (isOther) {
         lookFrom(options.viewState);
         isMoving = true;
-        append(diagnostics, preparePlan(planOptions(false), stats));
+        Result<plan::PlanOptions> asked = planOptions(false);
+        if (asked && choose) append(asked.diagnostics, choose(*this, *asked, stats));
+        append(diagnostics, preparePlan(std::move(asked), stats));
         if (isStopped(diagnostics)) return diagnostics;
     }
     if (simulation) append(diagnostics, simulation->advance(inputs));

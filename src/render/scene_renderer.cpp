@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <utility>
 
 #include "budget/budget.h"
 #include "gpu/object/readback.h"
@@ -14,6 +15,7 @@
 #include "render/probe/bound_probe.h"
 #include "render/probe/patch_probe.h"
 #include "render/probe/picture_probe.h"
+#include "render/probe/probe_options.h"
 
 namespace glibra::render {
 namespace {
@@ -33,48 +35,61 @@ Result<std::unique_ptr<SceneState>> chooseValues(std::unique_ptr<SceneState> sta
     return made;
 }
 
-/// Chooses counts for what a first plan needs. The scene is then planned again with the chosen shapes.
+/// Chooses counts for what a first plan of the scene needs, as it is at the moment of `state`. It is then
+/// planned again with the chosen shapes.
 Diagnostics chooseCounts(SceneState& state, plan::PlanOptions& planOptions, Stats& stats) {
     scene::Scene& scene = state.scene;
     RenderOptions& options = state.options;
-    // A picture of another moment would need other counts.
-    if (state.changesWithTime) {
-        stats.decisions.push_back(
-            {"scene", "counts, samples and noise kept: it changes with time", {scene.path, 1, 1}});
-        return {};
-    }
     const plan::FramePlan first = state.planList(scene.frame, planOptions);
     if (hasError(first.diagnostics)) return {};
     const StageTimer timer(stats, "budget");
     const gpu::Capabilities& driver = state.context.capabilities();
-    const ViewMatrices& view = state.view;
-    const PictureProbe pictures{state.context, scene, options, state.width, state.height, view, state.parts};
-    PatchProbe probe(state.context, scene, options, state.width, state.height);
-    budget::Choice choice =
-        budget::choose(scene, first,
-                       {.maxError = options.maxError,
-                        .overrideCounts = options.overrideCounts,
-                        .width = state.width,
-                        .height = state.height,
-                        .areSamplesFree = options.samples == 0,
-                        .mostSamples = driver.maxSamples,
-                        .clipFromModel =
-                            [&](const scene::Draw& draw, double aspect) {
-                                return view.projection(draw.projection, aspect) * view.modelView(draw);
-                            },
-                        .contourShift = [&](const budget::Choice& from,
-                                            const budget::Choice& to) { return pictures.shift(from, to); },
-                        .mostLevel = driver.maxTessellationLevel,
-                        .overrides = planOptions.overrides,
-                        .patches = [&](std::size_t pass, std::size_t step,
-                                       auto values) { return probe.patches(pass, step, values); }});
-    if (options.samples == 0) options.samples = choice.samples;
+    const std::vector<double> moments =
+        state.changesWithTime ? std::vector{state.inputs.time} : momentsOf(options);
+    const PictureProbe pictures{state, moments};
+    PatchProbe probe(state, moments);
+    budget::Choice choice = budget::choose(
+        scene, first,
+        {.maxError = options.maxError,
+         .overrideCounts = options.overrideCounts,
+         .width = state.width,
+         .height = state.height,
+         .areSamplesFree = state.areSamplesChosen,
+         .mostSamples = driver.maxSamples,
+         .clipFromModel =
+             [&](const scene::Draw& draw, double aspect) {
+                 return state.view.projection(draw.projection, aspect) * state.view.modelView(draw);
+             },
+         .contourShift = [&](const budget::Choice& from,
+                             const budget::Choice& to) { return pictures.shift(from, to); },
+         .mostLevel = driver.maxTessellationLevel,
+         .overrides = planOptions.overrides,
+         .patches = [&](std::size_t pass, std::size_t step,
+                        const budget::Levels& levels) { return probe.patches(pass, step, levels); }});
+    if (state.areSamplesChosen) options.samples = choice.samples;
     for (const scene::ShapeIndex shape : budget::apply(choice, scene)) state.device.meshes().forget(shape);
     planOptions.overrides.insert(planOptions.overrides.end(), choice.levels.begin(), choice.levels.end());
+    if (state.isMoving) return std::move(choice.diagnostics);  // decisions are those of the first picture
     stats.decisions.insert(stats.decisions.end(), choice.decisions.begin(), choice.decisions.end());
-    std::ranges::stable_sort(stats.decisions, {},
-                             [](const budget::Decision& each) { return each.place.line; });
+    if (state.changesWithTime && options.lastTime > options.time)
+        stats.decisions.push_back(
+            {"scene",
+             "it changes with time: each picture has its own choice; that of the first:",
+             {scene.path, 1, 1}});
+    std::ranges::stable_sort(stats.decisions, {}, [](const budget::Decision& each) {
+        return std::pair(each.place.line, each.what != "scene");
+    });
     return std::move(choice.diagnostics);
+}
+
+/// Interprets a scene that changes with time for its first picture, so that choices are made for that.
+Diagnostics goToFirst(SceneState& state, Stats& stats) {
+    Diagnostics diagnostics;
+    scene::FrameInputs first = state.inputs;
+    first.time = state.options.time;
+    if (state.changesWithTime && state.interpret(first, diagnostics, stats))
+        state.lookFrom(state.options.viewState);
+    return diagnostics;
 }
 
 }  // namespace
@@ -171,9 +186,14 @@ Result<SceneRenderer> SceneRenderer::finish(Result<std::unique_ptr<SceneState>> 
         if (!chosen) return diagnostics;
         state = std::move(*chosen);
     }
+    const bool isBounded = state->options.maxError > 0;
+    if (isBounded) append(diagnostics, goToFirst(*state, stats));
     Result<plan::PlanOptions> planOptions = state->planOptions(false);
-    if (planOptions && state->options.maxError > 0)
+    if (planOptions && isBounded) {
+        state->areSamplesChosen = state->options.samples == 0;
         append(planOptions.diagnostics, chooseCounts(*state, *planOptions, stats));
+        state->choose = chooseCounts;
+    }
     append(diagnostics, state->preparePlan(std::move(planOptions), stats));
     if (!state->makeReady(diagnostics, stats)) return diagnostics;
     return {SceneRenderer(std::move(state)), std::move(diagnostics)};

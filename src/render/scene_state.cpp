@@ -221,6 +221,7 @@ void SceneState::makePictureDrawer(Stats& stats) {
     makeDrawer(stats);
     if (options.skip && tiles.size() > 1) drawer->cullToTile(options.samples);
     if (options.skip && !options.floatPixels) drawer->skipOpaqueBlending();
+    if (areSamplesChosen && options.samples > 1) drawer->shadeSamples();
     if (gpuTimes) gpuTimes->watch(*drawer, scene, plan);
 }
 

@@ -5,6 +5,7 @@
 #include <glibra/render.h>
 
 #include <deque>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -55,6 +56,10 @@ struct SceneState : Pipeline {
     bool isMoving = false;         ///< the plan is made for another moment than the first
     bool isStateful = false;       ///< SceneRenderer::remembersFrames()
     GpuTimes* gpuTimes = nullptr;  ///< SceneRenderer::measureGpu()
+    /// Chooses counts for a scene that has been interpreted for another moment, before it is planned with
+    /// these options. May be empty.
+    std::function<Diagnostics(SceneState& state, plan::PlanOptions& planOptions, Stats& stats)> choose;
+    bool areSamplesChosen = false;  ///< by options.maxError
 
     /// True if nothing can be drawn because of an error. With options.incomplete errors of single things are
     /// noted in isIncomplete instead.

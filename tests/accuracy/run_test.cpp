@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <functional>
 #include <limits>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -15,6 +17,7 @@
 #include "bench/core/front.h"
 #include "bench/core/recommendation.h"
 #include "bench/report/log_axis.h"
+#include "bench/report/separate_run.h"
 #include "bench/subjects/subjects.h"
 #include "samples.h"
 
@@ -96,14 +99,71 @@ TEST(Recommendation, SaysWhatToUseAndWhatTheEndsOfTheFrontGive) {
     EXPECT_EQ(recommendation(figure), "");
 }
 
-TEST(Recommendation, IsTheCurveOfMostSettingsWhereTheseAreDifficulties) {
+/// A figure whose settings are difficulties.
+Figure byDifficulty(std::vector<Curve> curves) {
     Figure figure;
     figure.settingName = "distance";
     figure.alternatives = Alternatives::setting;
-    figure.curves = {{"a", {pointAt(1, .1), pointAt(2, .1), pointAt(3, .3)}},
-                     {"b", {pointAt(1, .2), pointAt(2, .2), pointAt(3, .1)}}};
+    figure.curves = std::move(curves);
     markFront(figure);
-    EXPECT_EQ(recommendation(figure), "In short: use a, the best choice for 2 of 3 settings of distance");
+    return figure;
+}
+
+TEST(Recommendation, IsTheSmallestMeanProductWhereSettingsAreDifficulties) {
+    // A million times more accurate where it is difficult, for 1.7 times the time everywhere.
+    const Figure figure = byDifficulty(
+        {{"textbook", {timedPoint(1, 1e-7, 1), timedPoint(2, 1e-3, 1), timedPoint(3, 1, 1)}},
+         {"stable", {timedPoint(1, 1e-7, 1.7), timedPoint(2, 1e-6, 1.7), timedPoint(3, 1e-6, 1.7)}}});
+    EXPECT_EQ(recommendation(figure),
+              "In short: use stable, the best choice over all settings of distance together, and for 2 of 3 "
+              "alone");
+    EXPECT_EQ(recommendation(byDifficulty(
+                  {{"a", {pointAt(1, .1), pointAt(2, .1)}}, {"b", {pointAt(1, .3), pointAt(2, .9)}}})),
+              "In short: use a, for every distance");
+}
+
+TEST(Recommendation, IsTheSameWhenTimesVary) {
+    const auto sentence = [](double noise) {
+        Figure figure =
+            byDifficulty({{"fast", {timedPoint(1, .02, 1), timedPoint(2, .02, 1)}},
+                          {"fine", {timedPoint(1, .01, 2 * noise), timedPoint(2, .01, 2 * noise)}}});
+        return recommendation(figure);
+    };
+    for (const double noise : {.8, .95, 1., 1.05, 1.2}) EXPECT_EQ(sentence(noise), sentence(1)) << noise;
+    EXPECT_EQ(sentence(1), "In short: use fine, for every distance");
+}
+
+TEST(Recommendation, IsNothingThatIsWrong) {
+    Figure figure = byDifficulty({{"cheap", {timedPoint(1, .001, .01), timedPoint(2, .3, .01)}},
+                                  {"right", {timedPoint(1, .001, 9), timedPoint(2, .001, 9)}}});
+    EXPECT_NE(recommendation(figure).find("use cheap"), std::string::npos);
+    figure.countsWrong = true;
+    EXPECT_NE(recommendation(figure).find("use right"), std::string::npos) << recommendation(figure);
+
+    Figure angles;
+    angles.errorUnit = "degrees";
+    angles.curves = {{"grid", {timedPoint(1, 106, 1), timedPoint(2, 90, 2)}}};
+    markFront(angles);
+    EXPECT_EQ(recommendation(angles), "");
+    angles.curves[0].points.push_back(timedPoint(3, .5, 500));
+    angles.curves[0].points.push_back(timedPoint(4, .1, 5000));
+    EXPECT_NE(recommendation(angles).find("use grid (3)"), std::string::npos) << recommendation(angles);
+}
+
+TEST(Recommendation, IsNothingThatAScenesCannotUse) {
+    Figure figure = byDifficulty({{"on the processor", {timedPoint(1, 1e-9, .1), timedPoint(2, 1e-9, .1)}},
+                                  {"shader", {timedPoint(1, .1, 1), timedPoint(2, .1, 1)}},
+                                  {"slow shader", {timedPoint(1, .1, 9), timedPoint(2, .1, 9)}}});
+    EXPECT_NE(recommendation(figure).find("use on the processor"), std::string::npos);
+    figure.curves[0].isForScenes = false;
+    EXPECT_EQ(recommendation(figure), "In short: use shader, for every distance");
+}
+
+TEST(Recommendation, AnErrorOfNothingIsNoReasonToPayForIt) {
+    Figure figure;
+    figure.curves = {{"a", {timedPoint(1, .01, 1), timedPoint(2, 0, 1000)}}};
+    markFront(figure);
+    EXPECT_NE(recommendation(figure).find("use a (1)"), std::string::npos) << recommendation(figure);
 }
 
 TEST(Front, HoldsNoTheory) {
@@ -238,13 +298,48 @@ Result<std::vector<Figure>> works(Bench& /*bench*/) {
     return std::vector<Figure>{figure};
 }
 
+Result<std::vector<Figure>> crashes(Bench& /*bench*/) {
+    std::raise(SIGSEGV);
+    return std::vector<Figure>{};
+}
+Result<std::vector<Figure>> throws(Bench& /*bench*/) {
+    throw std::runtime_error("no memory for that");
+}
+
+/// Needs a process into which no earlier test has loaded a driver: --gtest_filter='ApartFromTheStart.*'
+TEST(ApartFromTheStart, ASubjectThatCrashesIsReportedAndTheOthersAreMeasured) {
+    const std::vector<Subject> table{
+        {"one", "One", works}, {"bad", "Bad", crashes}, {"worse", "Worse", throws}, {"last", "Last", works}};
+    std::vector<const Subject*> chosen;
+    for (const Subject& each : table) chosen.push_back(&each);
+    std::vector<std::size_t> known;
+    const Report report =
+        run(chosen, {.quick = true},
+            {.measured = [&](const Report& soFar) { known.push_back(soFar.subjects.size()); }});
+    EXPECT_EQ(known, (std::vector<std::size_t>{1, 2, 3, 4})) << "each result is given at once";
+    ASSERT_EQ(report.subjects.size(), 4U);
+    for (const std::size_t good : {0U, 3U}) {
+        ASSERT_EQ(report.subjects[good].figures.size(), 1U);
+        EXPECT_EQ(report.subjects[good].figures[0].curves[0].points[0].error, .5);
+        EXPECT_TRUE(report.subjects[good].figures[0].curves[0].points[0].isOnFront);
+        EXPECT_TRUE(report.subjects[good].diagnostics.empty());
+    }
+    ASSERT_EQ(report.subjects[1].diagnostics.size(), 1U);
+    EXPECT_EQ(toString(report.subjects[1].diagnostics[0]),
+              "error: subject 'bad' ended by signal 11 (Segmentation fault) [bench-E04]");
+    ASSERT_EQ(report.subjects[2].diagnostics.size(), 1U);
+    EXPECT_EQ(report.subjects[2].diagnostics[0].text, "subject 'worse' failed: no memory for that");
+    EXPECT_FALSE(report.machine.processor.empty());
+}
+
 TEST(Run, ContinuesAfterASubjectThatFails) {
     const std::vector<Subject> table{{"bad", "Bad", fails}, {"good", "Good", works}};
     const std::vector<const Subject*> chosen{&table[0], &table[1]};
     std::vector<std::string> started;
-    const Report report = run(chosen, {.quick = true}, [&](const Subject& subject, std::size_t, std::size_t) {
-        started.emplace_back(subject.name);
-    });
+    const Report report =
+        run(chosen, {.quick = true}, {.begins = [&](const Subject& subject, std::size_t, std::size_t) {
+                started.emplace_back(subject.name);
+            }});
     EXPECT_EQ(started, (std::vector<std::string>{"bad", "good"}));
     ASSERT_EQ(report.subjects.size(), 2U);
     EXPECT_TRUE(hasError(report.subjects[0].diagnostics));

@@ -15,9 +15,8 @@ LevelsRequest levelsRequest(double pixels, double maxError) {
     made.uniforms = {{.uniform = plan::UniformIndex(3), .value = 8, .least = 1, .most = 64}};
     made.isFree = true;
     made.maxError = maxError;
-    made.error = [pixels](std::span<const LevelValue> coarse,
-                          std::span<const LevelValue> fine) -> std::optional<double> {
-        return pixels * (std::pow(coarse[0].value, -2) - std::pow(fine[0].value, -2));
+    made.error = [pixels](std::span<const LevelValue> values) -> std::optional<double> {
+        return pixels / std::pow(values[0].value, 2);
     };
     return made;
 }
@@ -45,7 +44,6 @@ TEST(LeastLevels, AreTheMostWhereNothingIsEnough) {
     ASSERT_TRUE(found);
     EXPECT_EQ(found->values[0].value, 64);
     EXPECT_FALSE(found->isKept);
-    // The error of the highest level itself, estimated from half of that level.
     EXPECT_NEAR(found->pixels, 10'000. / 64 / 64, 1e-9);
 }
 
@@ -71,7 +69,7 @@ TEST(LeastLevels, KeepTheirProportionsAsFarAsTheirRangesGo) {
 
 TEST(LeastLevels, AreNoneWhereNothingCanBeMeasured) {
     LevelsRequest blind = levelsRequest(100, .25);
-    blind.error = [](auto, auto) { return std::optional<double>(); };
+    blind.error = [](auto) { return std::optional<double>(); };
     EXPECT_FALSE(leastLevels(blind));
 }
 

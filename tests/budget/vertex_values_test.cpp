@@ -44,6 +44,7 @@ VertexDraw sphere(std::size_t program, double slices, bool isFree = true) {
             .step = program,
             .model = surfaceModel(glib::commandOf("Sphere")),
             .numbers = {1, slices, slices / 2},
+            .before = {1, slices, slices / 2},
             .isFree = {isFree, isFree},
             .program = plan::PlannedProgramIndex(program),
             .fidelity = Fidelity::shape,

@@ -30,6 +30,23 @@ TEST(StageFacts, ConstructorsAndNormalizeAreNoFunctions) {
     EXPECT_TRUE(callsFunctions("#define SQUARE(x) pow(x, 2.)\nvD = SQUARE(aVertex.x);"));
 }
 
+TEST(StageFacts, AFragmentStageThatOnlyAddsPaintsNoEdges) {
+    const auto paints = [](const std::string& statement) {
+        return factsOf(Stage::fragment, "#version 330\nin vec4 vA, vB;\nout vec4 fColor;\nvoid main() {\n" +
+                                            statement + "\n}\n")
+            .mayPaintEdges;
+    };
+    EXPECT_FALSE(paints("fColor = vec4(1.);"));
+    EXPECT_FALSE(paints("vec3 c = vA.rgb + vB.rgb; fColor = vec4(c, 1.);"));
+    for (const char* each :
+         {"fColor = step(.5, vA);", "fColor = 1e4 * vA;", "fColor = vA; fColor *= 1e4;",
+          "fColor = vA / 1e-4;", "if (vA.x > .5) discard; fColor = vB;", "fColor = vA.x > .5 ? vA : vB;",
+          "fColor = vec4(int(vA.x));", "fColor = fract(vA);", "fColor = vec4(vA.x == vB.x);"})
+        EXPECT_TRUE(paints(each)) << each;
+    EXPECT_FALSE(
+        factsOf(Stage::vertex, "void main() { gl_Position = step(.5, ftransform()); }").mayPaintEdges);
+}
+
 TEST(StageFacts, ColoursAreClampedByAFunction) {
     const TranslatedProgram translated = translateStages(
         {{Stage::vertex,

@@ -43,6 +43,13 @@ TEST(LevelUniforms, MayGoThroughLocalVariables) {
               "uA");
 }
 
+TEST(LevelUniforms, MayReachLevelsInALoop) {
+    EXPECT_EQ(levels("for (int i = 0; i < 4; ++i) gl_TessLevelOuter[i] = uA;\n"
+                     "for (int i = 0; i < 2; ++i) {\n    gl_TessLevelInner[i] = max(uB, 1.);\n}"),
+              "uAuB");
+    EXPECT_EQ(levels("for (int i = 0; i < 4; ++i) { gl_TessLevelOuter[i] = uA; tcColor[i].x = uA; }"), "");
+}
+
 TEST(LevelUniforms, ReachNothingElse) {
     for (const char* text :
          {"gl_TessLevelOuter[0] = uA; tcColor[gl_InvocationID] = vec4(uA);",

@@ -14,8 +14,12 @@
 #include <map>
 #include <random>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "render/scene_renderer.h"
 #include "scene_text.h"
+#include "skip_runs.h"
 
 namespace glibra::test {
 namespace {
@@ -215,6 +219,108 @@ TEST(Budget, TakesTheLowestTessellationLevelThatKeepsTheBound) {
     EXPECT_FALSE(isLike(20));
 }
 
+/// The parabola's patch in another form: what its vertex stage places, its control stage (or none) and the
+/// statements that draw it.
+struct CurveForm {
+    const char* name;
+    std::string draws;
+    std::string place = "vec4(0.)";
+    std::string levels = "gl_TessLevelOuter[0] = 1.;\n    gl_TessLevelOuter[1] = uPieces;\n";
+    std::string curvature = "1.";
+};
+
+Result<Picture> drawForm(const CurveForm& form, RenderOptions options) {
+    std::map<std::string, std::string> files = kCurve;
+    files["a.vert"] = "#version 400\nout float vBend;\nvoid main() { gl_Position = " + form.place +
+                      "; vBend = " + form.curvature + "; }\n";
+    files["a.tcs"] =
+        "#version 400\nlayout(vertices = 2) out;\nuniform float uPieces;\nin float vBend[];\n"
+        "out float tcBend[];\n"
+        "void set(float level) { gl_TessLevelOuter[0] = 1.; gl_TessLevelOuter[1] = level; }\nvoid main() {\n"
+        "    tcBend[gl_InvocationID] = vBend[gl_InvocationID];\n    " +
+        form.levels + "}\n";
+    const std::string bend = form.levels.empty() ? "vBend" : "tcBend";
+    files["a.tes"] =
+        "#version 400\nlayout(isolines, equal_spacing) in;\nuniform mat4 uModelViewProjectionMatrix;\n"
+        "in float " +
+        bend +
+        "[];\nvoid main() {\n    float t = 2. * gl_TessCoord.x - 1.;\n"
+        "    gl_Position = uModelViewProjectionMatrix * vec4(t, " +
+        bend + "[0] * t * t, 0., 1.);\n}\n";
+    const bool isSet = form.levels.find("uPieces") != std::string::npos;
+    const std::string text =
+        std::string("Background 0\nOrtho -1.2 1.2 -.4 1.4\nLookAt 0 0 4 0 0 0 0 1 0\nVertex a.vert\n") +
+        (form.levels.empty() ? "" : "TessControl a.tcs\n") +
+        "TessEvaluation a.tes\nFragment a.frag\nProgram P" + (isSet ? " uPieces <1 4 60>" : "") +
+        "\nNumPatchVertices 2\n" + form.draws;
+    return tryPicture(text, files, std::move(options));
+}
+
+// A parabola of 2 x 1 units with 4 pieces is 200 / 4^2 = 12.5 pixels from its chords, however its patch is
+// drawn.
+TEST(Budget, MeasuresPatchesInEveryFormInWhichTheyAreDrawn) {
+    const std::string last = "gl_InstanceID == 2 ? 1. : 0.";
+    const std::vector<CurveForm> forms{
+        {"list", "glBegin patches\nglVertex 0 0 0\nglVertex 1 0 0\nglEnd\n", "aVertex"},
+        {"in order", "Vertices patches 2\n"},
+        {"by indices", "Buffer idx uint [0 1]\nVertices patches indices idx\n"},
+        {"some of the indices", "Buffer idx uint [0 1 5 6]\nVertices patches 2 indices idx\n"},
+        {"number in a buffer", "Buffer n uint [2]\nVertices patches from n\n"},
+        {"the last instance", "Instances 3\nVertices patches 2\n", "vec4(0.)", CurveForm{}.levels, last},
+        {"the last instance by indices", "Buffer idx uint [0 1]\nInstances 3\nVertices patches indices idx\n",
+         "vec4(0.)", CurveForm{}.levels, last},
+        {"instances in a buffer", "Buffer k uint [3]\nInstances from k\nVertices patches 2\n", "vec4(0.)",
+         CurveForm{}.levels, last},
+        {"levels in a loop", "Vertices patches 2\n", "vec4(0.)",
+         "gl_TessLevelOuter[0] = 1.;\n    for (int i = 1; i < 2; ++i) gl_TessLevelOuter[i] = uPieces;\n"},
+        {"one of many", "Vertices patches 600\n", "vec4(0.)", CurveForm{}.levels,
+         "gl_VertexID / 2 == 203 ? 1. : 0."},
+    };
+    for (const CurveForm& form : forms) {
+        RenderOptions options = bounded(.25);
+        const Result<Picture> stated = drawForm(form, options);
+        ASSERT_TRUE(stated) << form.name << text(stated.diagnostics);
+        EXPECT_NE(text(stated.diagnostics).find("uPieces 4, as the scene states, is up to 12.5 px off"),
+                  std::string::npos)
+            << form.name << text(stated.diagnostics);
+        options.overrideCounts = true;
+        const Result<Picture> chosen = drawForm(form, options);
+        ASSERT_TRUE(chosen) << form.name;
+        EXPECT_FALSE(has(chosen.diagnostics, "draw-N03")) << form.name << text(chosen.diagnostics);
+        EXPECT_EQ(pixelsBesideTheParabola(*chosen, .25), 0) << form.name;
+    }
+}
+
+TEST(Budget, MeasuresLevelsHoweverTheyAreWritten) {
+    const std::vector<CurveForm> forms{
+        {"constants", "", "", "gl_TessLevelOuter[0] = 1.; gl_TessLevelOuter[1] = 4.;\n"},
+        {"a function", "", "", "set(uPieces);\n"},
+        {"a loop", "", "", "for (int i = 0; i < 2; ++i) gl_TessLevelOuter[i] = i == 0 ? 1. : uPieces;\n"},
+        {"behind a barrier", "", "", "barrier();\n    if (gl_InvocationID == 0) set(4.);\n"},
+        {"by a statement", "TessLevels 1 4 1 1 1 1\n", "", ""},
+    };
+    for (CurveForm form : forms) {
+        form.place = "vec4(0.)";
+        form.draws += "Vertices patches 2\n";
+        for (const bool overrides : {false, true}) {
+            RenderOptions options = bounded(.25);
+            options.overrideCounts = overrides;
+            const Result<Picture> seen = drawForm(form, options);
+            ASSERT_TRUE(seen) << form.name << text(seen.diagnostics);
+            EXPECT_TRUE(has(seen.diagnostics, "draw-N03")) << form.name << text(seen.diagnostics);
+            EXPECT_NE(text(seen.diagnostics).find("12.5 px off"), std::string::npos)
+                << form.name << text(seen.diagnostics);
+        }
+    }
+}
+
+TEST(Budget, SaysWhereTessellationCannotBeMeasured) {
+    const CurveForm form{"", "Vertices patches 2\n", "vec4(0.)",
+                         "barrier();\n    if (gl_InvocationID > 0) return;\n    set(4.);\n"};
+    EXPECT_TRUE(has(drawForm(form, bounded(.25)).diagnostics, "draw-N05"));
+    EXPECT_FALSE(has(drawForm(form, bounded(0)).diagnostics, "draw-N05"));
+}
+
 TEST(Budget, LevelsOfTheCommandLineStay) {
     RenderOptions options = bounded(.25), plain = bounded(0);
     options.overrideCounts = true;
@@ -229,6 +335,141 @@ TEST(Budget, SaysWhichStatedLevelsAreTooLow) {
     EXPECT_TRUE(has(seen.diagnostics, "draw-N03"));
     EXPECT_NE(text(seen.diagnostics).find("uPieces 3"), std::string::npos) << text(seen.diagnostics);
     EXPECT_FALSE(has(tryPicture(curve("40"), kCurve, bounded(.25)).diagnostics, "draw-N03"));
+}
+
+/// A torus that turns and comes nearer with time.
+std::string movingTorus(const std::string& time) {
+    return "Background 0\nPerspective 40\nLookAt 0 .8 5 0 0 0 0 1 0\nColor 1 1 1\n"
+           "Translate 0 0 " +
+           time + "\nRotate (30 * " + time + ") 0 1 0\nTorus .8 .3 6 8\n";
+}
+
+TEST(Budget, ASceneThatMovesIsChosenForEachPicture) {
+    RenderOptions options = bounded(.25);
+    const std::string moving = movingTorus("(time)");
+    for (const double time : {0., 1.5, 2.5}) {
+        const std::string still = movingTorus("(" + std::to_string(time) + ")");
+        options.time = time;
+        options.overrideCounts = false;
+        const Result<Picture> stated = tryPicture(moving, {}, options);
+        ASSERT_TRUE(stated) << text(stated.diagnostics);
+        EXPECT_TRUE(has(stated.diagnostics, "draw-N03")) << time;
+        options.overrideCounts = true;
+        const Result<Picture> chosen = tryPicture(moving, {}, options);
+        ASSERT_TRUE(chosen) << text(chosen.diagnostics);
+        EXPECT_FALSE(has(chosen.diagnostics, "draw-N03")) << time;
+        EXPECT_EQ(chosen->data, picture(still, {}, options).data) << time;
+        EXPECT_NE(chosen->data, stated->data) << time;
+    }
+}
+
+TEST(Budget, EachFrameOfAFilmIsThePictureOfItsTime) {
+    const SceneFolder folder(movingTorus("(time)"), {});
+    RenderOptions options = bounded(.25);
+    options.overrideCounts = true;
+    RenderOptions film = options;
+    film.lastTime = 3;
+    render::Stats stats;
+    Result<render::SceneRenderer> renderer =
+        render::SceneRenderer::load(sharedContext(), folder / "scene.glib", film, stats);
+    ASSERT_TRUE(renderer) << text(renderer.diagnostics);
+    for (const double time : {0., 1.5, 3., 1.5}) {
+        const Result<image::Image> frame = renderer->draw(time, stats);
+        ASSERT_TRUE(frame) << text(frame.diagnostics);
+        options.time = time;
+        render::Stats alone;
+        Result<render::SceneRenderer> one =
+            render::SceneRenderer::load(sharedContext(), folder / "scene.glib", options, alone);
+        ASSERT_TRUE(one);
+        EXPECT_EQ(frame->data, one->draw(time, alone)->data) << time;
+    }
+}
+
+/// A rectangle over the whole picture, whose fragment stage has this main; `vX` is in pixels.
+Result<Picture> painted(const std::string& main, const std::string& more, RenderOptions options) {
+    return tryPicture("Background 0\nOrtho 0 100 -10 10 -1 1\nVertex a.vert\nFragment a.frag\n" + more +
+                          "Program P\nTranslate 50 0 0\nQuadXY 0 100\n",
+                      {{"a.vert",
+                        "#version 330 core\nout float vX;\nvoid main() {\n    vX = aVertex.x + 50.;\n"
+                        "    gl_Position = uModelViewProjectionMatrix * aVertex;\n}\n"},
+                       {"a.frag", "#version 430 core\nin float vX;\nout vec4 fColor;\n" + main}},
+                      std::move(options));
+}
+
+RenderOptions stripOptions(double maxError) {
+    RenderOptions options;
+    options.width = 100;
+    options.height = 20;
+    options.maxError = maxError;
+    return options;
+}
+
+/// Where the edge of a picture lies that is black on its left, in pixels.
+double edgeOf(const Picture& picture) {
+    double white = 0;
+    for (int x = 0; x < picture.width; ++x) white += pixel(picture, x, 10)[0] / 255.;
+    return picture.width - white;
+}
+
+TEST(Budget, EdgesThatAFragmentStagePaintsOrCutsLieWithinTheBound) {
+    for (const char* main : {"void main() { fColor = vec4(vec3(step(AT, vX)), 1.); }\n",
+                             "void main() { if (vX < AT) discard; fColor = vec4(1.); }\n",
+                             "void main() { fColor = vX < AT ? vec4(0., 0., 0., 1.) : vec4(1.); }\n",
+                             "void main() { fColor = vec4(vec3(1e4 * (vX - AT)), 1.); }\n",
+                             "void main() { fColor = vec4(vec3(floor(vX - AT + 1.)), 1.); }\n"})
+        for (const char* at : {"50.05", "50.3", "50.4", "50.6", "50.95"}) {
+            std::string text = main;
+            text.replace(text.find("AT"), 2, at);
+            const Result<Picture> seen = painted(text, "", stripOptions(.25));
+            ASSERT_TRUE(seen) << test::text(seen.diagnostics);
+            EXPECT_FALSE(has(seen.diagnostics, "draw-W07"));
+            EXPECT_NEAR(edgeOf(*seen), std::stod(at), .26) << text;
+        }
+    // With one sample per pixel half a pixel is all that is promised.
+    const Result<Picture> coarse =
+        painted("void main() { if (vX < 50.4) discard; fColor = vec4(1.); }\n", "", stripOptions(.5));
+    EXPECT_NEAR(edgeOf(*coarse), 50.4, .5);
+    EXPECT_EQ(edgeOf(*coarse), 50);
+}
+
+TEST(Budget, SaysWhereAFragmentStageRunsOncePerPixel) {
+    if (!sharedContext().capabilities().compute) GTEST_SKIP() << "no storage blocks";
+    const std::string main =
+        "layout(std430) buffer Count { uint uCount; };\n"
+        "void main() { atomicAdd(uCount, 1u); if (vX < 50.4) discard; fColor = vec4(1.); }\n";
+    const Result<Picture> seen = painted(main, "Buffer Count 1\n", stripOptions(.25));
+    ASSERT_TRUE(seen) << text(seen.diagnostics);
+    EXPECT_TRUE(has(seen.diagnostics, "draw-W07")) << text(seen.diagnostics);
+    EXPECT_FALSE(has(painted(main, "Buffer Count 1\n", stripOptions(.5)).diagnostics, "draw-W07"));
+}
+
+TEST(Budget, StraightLinesTakeOneCellWhereNothingElseIsComputedOnThem) {
+    const std::string program =
+        "Ortho -2 2 -2 2\nLookAt 1 2 4 0 0 0 0 1 0\nVertex a.vert\nFragment a.frag\nProgram P\n";
+    const auto chosen = [&](const std::string& shape, const std::string& color) {
+        const SceneFolder folder(
+            program + shape,
+            {{"a.vert", "#version 330 core\nout vec3 vC;\nvoid main() {\n    vC = " + color +
+                            ";\n    gl_Position = uModelViewProjectionMatrix * aVertex;\n}\n"},
+             {"a.frag",
+              "#version 330 core\nin vec3 vC;\nout vec4 fColor;\nvoid main() { fColor = vec4(vC, 1.); }\n"}});
+        RenderOptions options = bounded(.25);
+        render::Stats stats;
+        const Result<render::SceneRenderer> made =
+            render::SceneRenderer::load(sharedContext(), folder / "scene.glib", options, stats);
+        for (const budget::Decision& each : stats.decisions)
+            if (shape.starts_with(each.what)) return each.why;
+        return std::string();
+    };
+    for (const auto& [shape, one] :
+         {std::pair("Cylinder", ", 1 stacks"), {"Cone", ", 1 stacks"}, {"DiskXY", ", 1 rings"}}) {
+        const std::string plain = chosen(std::string(shape) + "\n", "vec3(1.)");
+        EXPECT_NE(plain.find(one), std::string::npos) << shape << ": " << plain;
+        // Stripes along them: with one cell they would be gone, although each half of it agrees.
+        const std::string striped =
+            chosen(std::string(shape) + "\n", "vec3(.5 + .5 * cos(40. * length(aVertex.xyz)))");
+        EXPECT_EQ(striped.find(one), std::string::npos) << shape << ": " << striped;
+    }
 }
 
 /// Stripes that noise distorts.

@@ -28,11 +28,12 @@ TEST(PatchProbe, GivesEachPatchItsNumberWithinTheWholeDraw) {
           "  gl_Position = vec4(gl_PrimitiveID + gl_TessCoord.x, gl_TessCoord.y, 0., 256.);\n}\n"},
          {"f.frag", "#version 400 core\nout vec4 c;\nvoid main() { c = vec4(1.); }\n"}});
     render::Stats stats;
-    const Result<render::InterpretedScene> interpreted =
-        render::interpretFile(folder / "scene.glib", {}, stats);
+    Result<render::InterpretedScene> interpreted = render::interpretFile(folder / "scene.glib", {}, stats);
     ASSERT_TRUE(interpreted) << test::text(interpreted.diagnostics);
-    const scene::Scene* scene = &interpreted->scene;
-    render::PatchProbe probe(sharedContext(), *scene, {}, 64, 64);
+    const auto state = render::SceneState::of(sharedContext(), std::move(*interpreted), {}, stats, nullptr);
+    ASSERT_TRUE(state) << test::text(state.diagnostics);
+    const scene::Scene* scene = &(*state)->scene;
+    render::PatchProbe probe(**state, {0.});
     for (std::size_t pass = 0; pass < scene->frame.passes.size(); ++pass)
         for (std::size_t step = 0; step < scene->frame.passes[pass].steps.size(); ++step) {
             if (!std::holds_alternative<scene::Draw>(scene->frame.passes[pass].steps[step])) continue;

@@ -1,5 +1,6 @@
 #include "bench/core/apart.h"
 
+#include <fmt/format.h>
 #include <link.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -8,12 +9,14 @@
 #include <cerrno>
 #include <csignal>
 #include <cstddef>
+#include <cstring>
 #include <exception>
 #include <filesystem>
 #include <iterator>
 #include <span>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "base/descriptor.h"
 
@@ -23,7 +26,7 @@ namespace {
 /// Precedes each text. Functions have the same addresses in a forked process.
 struct Head {
     Apart::Work work = nullptr;  ///< requests only; null ends the process
-    bool isAnswered = false;     ///< answers only
+    bool isAnswered = false;     ///< answers only; otherwise the text says why there is none
     std::size_t size = 0;
 };
 
@@ -50,11 +53,17 @@ void answerOnce(int answers, const Head& request, const std::string& text) {
         _exit(0);
     }
     int status = 0;
-    if (child > 0)
-        while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-        }
-    const bool isAnswered = child > 0 && WIFEXITED(status) && WEXITSTATUS(status) == 0;
-    if (!isAnswered) send(answers, {}, {});
+    if (child < 0) {
+        send(answers, {}, std::string("cannot be started: ") + std::strerror(errno));
+        return;
+    }
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
+    if (WIFSIGNALED(status))
+        send(answers, {},
+             fmt::format("ended by signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status))));
+    else if (WEXITSTATUS(status) != 0)
+        send(answers, {}, fmt::format("ended with status {}", WEXITSTATUS(status)));
 }
 
 bool isDriverLoaded() {
@@ -123,9 +132,12 @@ std::optional<std::string> Apart::run(Work work, const std::string& request) {
     if (process_ <= 0) return std::nullopt;
     Head answer;
     std::string text;
-    if (!send(requests_, {.work = work}, request) || !receive(answers_, answer, text)) return std::nullopt;
-    if (!answer.isAnswered) return std::nullopt;
-    return text;
+    if (!send(requests_, {.work = work}, request) || !receive(answers_, answer, text)) {
+        failure_ = "gave no answer";
+        return std::nullopt;
+    }
+    failure_ = answer.isAnswered ? std::string() : text;
+    return answer.isAnswered ? std::optional(std::move(text)) : std::nullopt;
 }
 
 }  // namespace glibra::bench

@@ -21,10 +21,16 @@ class Apart {
     /// The answer of `work` to the request; each request gets a new process. Empty if that process crashed or
     /// could not be started.
     std::optional<std::string> run(Work work, const std::string& request);
+    /// Why the last run() gave no answer: "ended by signal 11 (Segmentation fault)", "ended with status 1";
+    /// empty if it gave one or if there is no process.
+    [[nodiscard]] const std::string& failure() const { return failure_; }
+    /// False if run() never gives an answer.
+    [[nodiscard]] bool isThere() const { return process_ > 0; }
 
   private:
     int requests_ = -1, answers_ = -1;  ///< ends of two pipes; -1: there is no process
     int process_ = -1;
+    std::string failure_;
 };
 
 }  // namespace glibra::bench

@@ -36,6 +36,7 @@ struct Curve {
     std::vector<Point> points{};
     /// Index of the curve whose theory this is. A theory is not measured and is on no front.
     std::optional<std::size_t> theoryOf{};
+    bool isForScenes = true;  ///< false: shown, but nothing that a scene can use
 };
 
 /// Which points of a figure can replace each other. A Pareto front consists of alternatives.
@@ -43,7 +44,7 @@ enum class Alternatives {
     figure,   ///< all points: settings buy accuracy on every curve
     curve,    ///< points of one curve: the curves do different jobs
     setting,  ///< points of one setting: a setting is a difficulty, such as a distance, and not a cost
-    none      ///< no points: the setting is what the figure looks for
+    none      ///< no points: the setting is what the figure looks for, or the curves do different jobs
 };
 
 /// One diagram. Its curves share an error measure and a reference.
@@ -58,6 +59,7 @@ struct Figure {
     std::vector<std::string>
         findings{};  ///< sentences computed from the figures: "error falls as slices^-2.00"
     Alternatives alternatives = Alternatives::figure;
+    bool countsWrong = false;  ///< the error is the share of rays, pixels ... that are wrong
 };
 
 /// The curve of that name, which is added if there is none.

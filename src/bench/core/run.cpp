@@ -63,20 +63,18 @@ void nameDriver(Machine& machine, Bench& bench) {
     machine.version = capabilities.version;
 }
 
-/// A report without subjects.
-Report begin(Bench& bench, const BenchOptions& options) {
+}  // namespace
+
+Report runOne(const std::string& name, const std::string& title,
+              const std::function<Result<std::vector<Figure>>(Bench&)>& measure,
+              const BenchOptions& options) {
+    using Steady = std::chrono::steady_clock;
+    Bench bench(options);
     Report report;
     report.quick = options.quick;
     report.date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
     report.machine = describeMachine();
     nameDriver(report.machine, bench);
-    return report;
-}
-
-template <class Measure>
-void add(Report& report, Bench& bench, std::string_view name, std::string_view title,
-         const Measure& measure) {
-    using Steady = std::chrono::steady_clock;
     const Steady::time_point start = Steady::now();
     Result<std::vector<Figure>> measured = measure(bench);
     SubjectRun& done = report.subjects.emplace_back();
@@ -90,26 +88,6 @@ void add(Report& report, Bench& bench, std::string_view name, std::string_view t
         if (std::string advice = recommendation(figure); !advice.empty())
             figure.findings.push_back(std::move(advice));
     }
-}
-
-}  // namespace
-
-Report run(std::span<const Subject* const> chosen, const BenchOptions& options, const Progress& progress) {
-    Bench bench(options);
-    Report report = begin(bench, options);
-    for (std::size_t i = 0; i < chosen.size(); ++i) {
-        progress(*chosen[i], i, chosen.size());
-        add(report, bench, chosen[i]->name, chosen[i]->title, chosen[i]->measure);
-    }
-    return report;
-}
-
-Report runOne(const std::string& name, const std::string& title,
-              const std::function<Result<std::vector<Figure>>(Bench&)>& measure,
-              const BenchOptions& options) {
-    Bench bench(options);
-    Report report = begin(bench, options);
-    add(report, bench, name, title, measure);
     return report;
 }
 

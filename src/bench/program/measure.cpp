@@ -19,6 +19,7 @@
 #include "bench/report/csv_report.h"
 #include "bench/report/html_report.h"
 #include "bench/report/json_report.h"
+#include "bench/report/separate_run.h"
 #include "bench/report/text_report.h"
 #include "bench/subjects/scene_sweep.h"
 #include "bench/subjects/subjects.h"
@@ -61,17 +62,6 @@ Result<Report> readEarlier(const std::string& path) {
     return readJsonReport(text, path);
 }
 
-Report measureAll(std::span<const Subject* const> chosen, const BenchOptions& options) {
-    const bool isTerminal = ::isatty(STDERR_FILENO) == 1;
-    Report report = run(chosen, options, [&](const Subject& subject, std::size_t index, std::size_t count) {
-        fmt::print(stderr, "{}[{}/{}] {}{}", isTerminal ? "\r\033[K" : "", index + 1, count, subject.title,
-                   isTerminal ? "" : "\n");
-    });
-    if (isTerminal) fmt::print(stderr, "\r\033[K");
-    report.glibra = GLIBRA_VERSION;
-    return report;
-}
-
 Diagnostics writeText(const std::filesystem::path& file, const std::string& text, image::NamedBy named) {
     return image::writeFileAtomically(file, std::as_bytes(std::span(text)), named);
 }
@@ -91,19 +81,27 @@ Diagnostics overwritten(const MeasureArguments& arguments) {
     return problems;
 }
 
-/// Writes the files of --csv, --json and --html, and the three files of -o.
+/// file-E10 if the folder of -o cannot be made, which is known before anything is measured.
+Diagnostics makeFolder(const std::string& folder) {
+    std::error_code failure;
+    if (!folder.empty()) std::filesystem::create_directories(folder, failure);
+    if (!failure) return {};
+    return {diagnose("file-E10", fmt::format("cannot make the folder '{}': {}", folder, failure.message()))};
+}
+
+/// True if writing the file again would add to what is there, as in a pipe.
+bool isStream(const std::string& file) {
+    std::error_code failure;
+    return std::filesystem::exists(file, failure) && !std::filesystem::is_regular_file(file, failure);
+}
+
+/// Writes the files of --csv, --json and --html, and the three files of -o; streams only at the end.
 Diagnostics writeFiles(const MeasureArguments& arguments, const Report& report,
-                       const RunComparison* comparison) {
+                       const RunComparison* comparison, bool isEnd) {
     Diagnostics problems;
     const std::filesystem::path folder = arguments.folder;
-    if (!folder.empty()) {
-        std::error_code failure;
-        std::filesystem::create_directories(folder, failure);
-        if (failure)
-            return {diagnose("file-E10", fmt::format("cannot make the folder '{}': {}", folder.string(),
-                                                     failure.message()))};
-    }
-    const auto write = [&](const std::string& named, const char* inFolder, const auto& text) {
+    const auto write = [&](std::string named, const char* inFolder, const auto& text) {
+        if (!isEnd && isStream(named)) named.clear();
         if (named.empty() && folder.empty()) return;
         const std::string content = text();
         if (!named.empty()) append(problems, writeText(named, content, image::NamedBy::user));
@@ -113,6 +111,35 @@ Diagnostics writeFiles(const MeasureArguments& arguments, const Report& report,
     write(arguments.json, "bench.json", [&] { return jsonReport(report); });
     write(arguments.html, "bench.html", [&] { return htmlReport(report, comparison); });
     return problems;
+}
+
+/// Prints the last subject of a report, after a line about the machine if it is the first.
+void printLast(const Report& report) {
+    if (report.subjects.size() == 1)
+        fmt::print("glibra {} on {}\n", GLIBRA_VERSION, machineLine(report.machine));
+    fmt::print("\n{}", textReport(report.subjects.back()));
+    std::fflush(stdout);
+    cli::print(report.subjects.back().diagnostics);
+}
+
+/// Measures the subjects, and prints and writes what is known after each of them: minutes of work must not
+/// be lost with what comes later.
+Report measureAll(std::span<const Subject* const> chosen, const MeasureArguments& arguments) {
+    const bool isTerminal = ::isatty(STDERR_FILENO) == 1;
+    const auto begins = [&](const Subject& subject, std::size_t index, std::size_t count) {
+        fmt::print(stderr, "{}[{}/{}] {}{}", isTerminal ? "\r\033[K" : "", index + 1, count, subject.title,
+                   isTerminal ? "" : "\n");
+    };
+    const auto measured = [&](const Report& soFar) {
+        if (isTerminal) fmt::print(stderr, "\r\033[K");
+        printLast(soFar);
+        Report named = soFar;
+        named.glibra = GLIBRA_VERSION;
+        (void)writeFiles(arguments, named, nullptr, false);  // the last time reports what cannot be written
+    };
+    Report report = run(chosen, arguments.options, {begins, measured});
+    report.glibra = GLIBRA_VERSION;
+    return report;
 }
 
 /// Reads NAME=[a, b, ...]. bench-E03.
@@ -148,7 +175,7 @@ Result<Report> measured(const MeasureArguments& arguments) {
     if (arguments.scene.empty() && arguments.sweep.empty()) {
         const Result<std::vector<const Subject*>> chosen = choose(arguments.subjects);
         if (!chosen) return chosen.diagnostics;
-        return measureAll(*chosen, arguments.options);
+        return measureAll(*chosen, arguments);
     }
     if (arguments.scene.empty() || arguments.sweep.empty() || !arguments.subjects.empty())
         return diagnose("bench-E03",
@@ -159,6 +186,7 @@ Result<Report> measured(const MeasureArguments& arguments) {
         "scene", fmt::format("{}: {}", arguments.scene, arguments.sweep),
         [&](Bench& bench) { return measureSweep(bench, *sweep); }, arguments.options);
     report.glibra = GLIBRA_VERSION;
+    printLast(report);
     return report;
 }
 
@@ -169,8 +197,10 @@ int measure(const MeasureArguments& arguments) {
         printSubjects();
         return cli::kDone;
     }
-    if (const Diagnostics problems = overwritten(arguments); !problems.empty()) {
-        cli::print(problems);
+    Diagnostics refused = overwritten(arguments);
+    if (refused.empty()) refused = makeFolder(arguments.folder);
+    if (!refused.empty()) {
+        cli::print(refused);
         return cli::kSceneIsWrong;
     }
     std::optional<Report> earlier;
@@ -187,21 +217,16 @@ int measure(const MeasureArguments& arguments) {
         return cli::kWrongUsage;
     }
     const Report& report = *made;
-    fmt::print("glibra {} on {}\n", report.glibra, machineLine(report.machine));
-    Diagnostics problems;
-    for (const SubjectRun& each : report.subjects) {
-        fmt::print("\n{}", textReport(each));
-        append(problems, each.diagnostics);
-    }
     std::optional<RunComparison> comparison;
     if (earlier) {
         comparison = compare(*earlier, report, arguments.comparison);
         fmt::print("\nagainst {}\n{}", arguments.against, comparisonText(*comparison));
     }
     std::fflush(stdout);
-    append(problems, writeFiles(arguments, report, comparison ? &*comparison : nullptr));
+    Diagnostics problems = writeFiles(arguments, report, comparison ? &*comparison : nullptr, true);
     cli::print(problems);
     if (lacksDriver(report)) return cli::kNoDriver;
+    for (const SubjectRun& each : report.subjects) append(problems, each.diagnostics);
     if (hasError(problems)) return cli::kSceneIsWrong;
     return comparison && isWorse(*comparison) ? cli::kDiffers : cli::kDone;
 }

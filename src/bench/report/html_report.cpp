@@ -114,7 +114,7 @@ std::string table(const Figure& figure) {
 constexpr std::string_view kFrontNotes[] = {
     "", " Each curve has a front of its own.",
     " Each setting has a front of its own: it is a difficulty, not a cost.",
-    " There is no front, because all settings cost the same."};
+    " There is no front, because nothing of it is to be chosen."};
 
 std::string section(const Figure& figure, const std::string& subject) {
     std::string html = fmt::format("<article id=\"{0}.{1}\"><h3>{2}</h3>\n", base::escapeXml(subject),

@@ -68,7 +68,10 @@ Json written(const Figure& figure) {
 }
 
 Json written(const Diagnostic& each) {
-    return {{"severity", name(each.severity)}, {"id", each.id}, {"text", each.text}};
+    Json json = {{"severity", name(each.severity)}, {"id", each.id}, {"text", each.text}};
+    if (!each.place.file.empty())
+        json["place"] = {{"file", each.place.file}, {"line", each.place.line}, {"column", each.place.column}};
+    return json;
 }
 
 Json written(const SubjectRun& subject) {
@@ -142,12 +145,18 @@ Figure readFigure(const Json& json) {
 
 Diagnostic readDiagnostic(const Json& json) {
     const auto severity = json.at("severity").get<std::string>();
-    return {severity == "error"     ? Severity::error
-            : severity == "warning" ? Severity::warning
-                                    : Severity::note,
-            json.at("id").get<std::string>(),
-            json.at("text").get<std::string>(),
-            {}};
+    Diagnostic diagnostic{severity == "error"     ? Severity::error
+                          : severity == "warning" ? Severity::warning
+                                                  : Severity::note,
+                          json.at("id").get<std::string>(),
+                          json.at("text").get<std::string>(),
+                          {}};
+    if (const auto place = json.find("place"); place != json.end()) {
+        readMember(*place, "file", diagnostic.place.file);
+        readMember(*place, "line", diagnostic.place.line);
+        readMember(*place, "column", diagnostic.place.column);
+    }
+    return diagnostic;
 }
 
 SubjectRun readSubject(const Json& json) {

@@ -83,7 +83,7 @@ Result<std::vector<Figure>> measureBounds(Bench& bench) {
              .reference =
                  "the picture of full size with the finest values; what chooses sees small pictures only",
              .curves = {{"--max-error"}, {"values of the scene"}, {"finest values"}},
-             .alternatives = Alternatives::setting});
+             .alternatives = Alternatives::none});
     }
     std::vector<double> worst(figures.size());
     std::vector<std::string> worstScene(figures.size(), "none"), unknown(figures.size());

@@ -140,7 +140,7 @@ Result<std::vector<Figure>> measureBuiltins(Bench& bench) {
                       .errorName = "largest error",
                       .errorUnit = "units in the last place",
                       .reference = "the same function of the same floats in long double on the CPU",
-                      .alternatives = Alternatives::setting};
+                      .alternatives = Alternatives::none};
         std::vector<MeasuredSweep> all;
         for (const BuiltinFunction& function : builtinFunctions()) {
             if (function.group != group.name) continue;

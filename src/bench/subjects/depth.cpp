@@ -82,7 +82,8 @@ Diagnostics sweep(Figure& figure, const Bench& bench, const gpu::Capabilities& c
     for (const DepthKind& kind : usableKinds(capabilities)) {
         Result<DepthTarget> target = DepthTarget::create(capabilities, kind.format, kBufferSide);
         if (!target) return std::move(target.diagnostics);
-        Curve curve{.name = std::string(kind.name)};
+        // A scene has no statement that turns depth round.
+        Curve curve{.name = std::string(kind.name), .isForScenes = !kind.isReversed};
         Curve theory{.name = fmt::format("theory: {}", kind.name), .theoryOf = figure.curves.size()};
         for (const GapPlace& place : places) {
             Result<double> gap = smallestGap(*target, kind, place.far, place.z, bench.isQuick());
@@ -182,7 +183,8 @@ Result<Figure> fightingByGap(const Bench& bench, const gpu::Capabilities& capabi
                   .settingName = "steps of the buffer between them",
                   .errorName = "pixels in which the farther one wins",
                   .errorUnit = "",
-                  .reference = "the nearer plane, which must be visible in every pixel"};
+                  .reference = "the nearer plane, which must be visible in every pixel",
+                  .alternatives = Alternatives::none};
     for (const DepthKind& kind : usableKinds(capabilities)) {
         Result<DepthTarget> target = DepthTarget::create(capabilities, kind.format, kBufferSide);
         if (!target) return std::move(target.diagnostics);

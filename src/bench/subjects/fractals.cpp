@@ -251,6 +251,7 @@ Result<std::vector<Figure>> measureFractals(Bench& bench) {
     figure.errorName = "share of wrong pixels";
     figure.reference = "the number of iterations with 113 bits of mantissa (Boost.Multiprecision)";
     figure.alternatives = Alternatives::setting;
+    figure.countsWrong = true;
     std::vector<Case> cases;
     const int side = bench.isQuick() ? 32 : 64;
     figure.title = "The Mandelbrot set around a Misiurewicz point";
@@ -261,7 +262,7 @@ Result<std::vector<Figure>> measureFractals(Bench& bench) {
     Diagnostics problems;
     Counts counts;
     for (const FractalMethod& method : kFractalMethods) {
-        Curve& curve = figure.curves.emplace_back(Curve{method.name, {}});
+        Curve& curve = figure.curves.emplace_back(Curve{.name = method.name, .isForScenes = false});
         for (const Case& each : cases) {
             const Timing time = bench.time([&] { method.draw(each.view, counts); });
             const std::size_t orbit = method.hasOrbit ? kMostIterations * sizeof(glm::vec2) : 0;

@@ -210,7 +210,8 @@ Result<Figure> plane(Bench& bench, const gpu::Context& context) {
         curveNamed(figure, filter.curve).points.push_back(std::move(*point));
     }
     if (std::optional<std::vector<Point>> bytes = withByteFilter<planeInBytes>(bench, context))
-        figure.curves.push_back({.name = "filtered in bytes", .points = std::move(*bytes)});
+        figure.curves.push_back(
+            {.name = "filtered in bytes", .points = std::move(*bytes), .isForScenes = false});
 
     const Point& nearest = curveNamed(figure, "nearest").points.back();
     for (const char* name : {"linear", "mipmaps, bilinear", "mipmaps, trilinear", "anisotropic"}) {

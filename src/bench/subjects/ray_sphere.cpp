@@ -205,8 +205,10 @@ Result<Curve> shaderRayCurve(Bench& bench, const RayShader& method, std::span<co
 
 void addCurves(Figure& figure, Bench& bench, std::span<const Setting> settings, Choice choice,
                Diagnostics& problems) {
-    for (const RayMethod& method : kRayMethods)
+    for (const RayMethod& method : kRayMethods) {
         figure.curves.push_back(cpuRayCurve(bench, method, settings, choice));
+        figure.curves.back().isForScenes = false;
+    }
     for (const RayShader& method : kRayShaders) {
         Result<Curve> curve = shaderRayCurve(bench, method, settings, choice);
         if (!hasError(problems)) append(problems, std::move(curve.diagnostics));
@@ -253,6 +255,7 @@ Figure decisionFigure(Bench& bench, Diagnostics& problems) {
         "the sign of the exact discriminant with 100 digits; 2048 rays that pass the centre at .99 to 1.01 "
         "radii";
     figure.alternatives = Alternatives::setting;
+    figure.countsWrong = true;
     addCurves(figure, bench, byDistance(bench, .99, 1.01), &Outcome::wrong, problems);
     const Point &bad = figure.curves[0].points.back(), &good = figure.curves[2].points.back();
     for (const Curve& curve : {figure.curves[0], figure.curves[2]}) {

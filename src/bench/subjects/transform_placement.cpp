@@ -227,8 +227,10 @@ Figure placementFigure(Bench& bench, bool byDistance, Diagnostics& problems) {
     const PlacementOf placementOf = [&](double setting) {
         return byDistance ? Placement(setting, 1) : Placement(1, setting);
     };
-    for (const PlacementMethod& method : kPlacementMethods)
+    for (const PlacementMethod& method : kPlacementMethods) {
         figure.curves.push_back(cpuPlacementCurve(bench, method, settings, placementOf));
+        figure.curves.back().isForScenes = false;
+    }
     for (const PlacementShader& method : kPlacementShaders) {
         Result<Curve> curve = shaderPlacementCurve(bench, method, settings, placementOf);
         append(problems, std::move(curve.diagnostics));

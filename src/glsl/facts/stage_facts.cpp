@@ -38,6 +38,15 @@ bool callsFunctions(const Unit& unit) {
     return !unit.mainEnd.empty();  // the translator's own statements, which may clamp colours
 }
 
+/// True if a small change of an input may become a large one, by a decision or a factor.
+bool magnifiesOrDecides(const Unit& unit) {
+    static constexpr std::array<std::string_view, 16> kWords = {
+        "if", "switch", "while", "?", "<", ">", "<=", ">=", "==", "!=", "*", "/", "*=", "/=", "%", "discard"};
+    return std::ranges::any_of(unit.view, [](const ViewToken& each) {
+        return std::ranges::find(kWords, each.text) != kWords.end();
+    });
+}
+
 /// True for a flat variable or block member. Redeclarations of built-in varyings count although the rules
 /// remove them, because the built-in block takes their interpolation.
 bool hasFlatVariable(const Unit& unit) {
@@ -70,6 +79,7 @@ StageFacts factsOf(const Unit& unit) {
                             (words.contains("dFdx") && words.contains("cross"));
     // A highlight is a reflection too, but the light that it shows changes slowly.
     facts.magnifiesNormals = words.contains("refract") || (words.contains("reflect") && hasCubeMap(unit));
+    facts.mayPaintEdges = unit.stage == Stage::fragment && (facts.callsFunctions || magnifiesOrDecides(unit));
     facts.mayWriteDepth = words.contains("gl_FragDepth");
     facts.mayLeaveFragments = words.contains("discard") || words.contains("gl_SampleMask") ||
                               words.contains("demote") || words.contains("terminateInvocation");

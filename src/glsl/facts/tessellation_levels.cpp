@@ -59,8 +59,24 @@ class Flow {
     }
     [[nodiscard]] bool isReached(const Tokens& tokens) const { return hasOneOf(tokens, reached_); }
 
+    /// The token after the parenthesis that closes the one at `open`.
+    static Tokens::const_iterator endOfParentheses(Tokens::const_iterator open, Tokens::const_iterator end) {
+        int depth = 0;
+        for (; open != end; ++open) {
+            depth += *open == "(" ? 1 : *open == ")" ? -1 : 0;
+            if (depth == 0) return open + 1;
+        }
+        return end;
+    }
+
     bool understandsAll(const Tokens& tokens) {
         for (auto begin = tokens.begin(); begin != tokens.end();) {
+            if (*begin == "for") {  // what it repeats is read like any statement
+                const auto end = endOfParentheses(begin + 1, tokens.end());
+                if (isReached(Tokens(begin, end))) return false;
+                begin = end;
+                continue;
+            }
             const auto end = std::find_if(begin, tokens.end(), [](std::string_view token) {
                 return token == ";" || token == "{" || token == "}";
             });
@@ -81,16 +97,10 @@ class Flow {
     /// Removes `else` and `if (...)` from the front; false if a condition depends on what is reached.
     bool dropHeads(Tokens& statement) const {
         while (!statement.empty() && (statement.front() == "if" || statement.front() == "else")) {
-            auto end = statement.begin();
-            if (statement.front() == "if") {
-                ++end;
-                for (int depth = 0; end != statement.end(); ++end) {
-                    depth += *end == "(" ? 1 : *end == ")" ? -1 : 0;
-                    if (depth == 0) break;
-                }
-                if (end == statement.end() || isReached(Tokens(statement.begin(), end))) return false;
-            }
-            statement.erase(statement.begin(), end + 1);
+            auto end = statement.cbegin() + 1;
+            if (statement.front() == "if") end = endOfParentheses(end, statement.cend());
+            if (isReached(Tokens(statement.cbegin(), end))) return false;
+            statement.erase(statement.cbegin(), end);
         }
         return true;
     }

@@ -60,6 +60,9 @@ struct StageFacts {
     bool writesMemory = false;
     /// May leave a fragment as it is: names discard, gl_SampleMask, or what extensions call it.
     bool mayLeaveFragments = false;
+    /// Of a fragment stage: it may show edges between vertices, because it does more with its inputs than to
+    /// add them up: it calls functions other than constructors and normalize(), multiplies, or decides.
+    bool mayPaintEdges = false;
     /// Names texelFetch or texelFetchOffset, which may read any level, whatever the sampler says.
     bool fetchesTexels = false;
 };

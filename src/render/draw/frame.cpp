@@ -98,6 +98,13 @@ void FrameDrawer::close() {
     raster_.apply({});
     raster_.limitTo(limit_);
     setTessellationLevels(kOneLevel);
+    runPerSample(false);
+}
+
+void FrameDrawer::runPerSample(bool on) {
+    if (std::exchange(runsPerSample_, on) == on) return;
+    glMinSampleShading(1);
+    on ? glEnable(GL_SAMPLE_SHADING) : glDisable(GL_SAMPLE_SHADING);
 }
 
 void FrameDrawer::encodeSrgb(bool on) {

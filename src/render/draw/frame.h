@@ -96,6 +96,8 @@ class FrameDrawer {
     /// Turns blending off for programs that always write 1 for alpha. The window's colours must be bytes:
     /// floats would keep the sign of a zero that blending loses.
     void skipOpaqueBlending();
+    /// Runs fragment stages that may paint edges for each sample of the window, unless they write memory.
+    void shadeSamples() { shadesSamples_ = true; }
     /// Draws that may take longer than this many seconds are cut into parts, for the same pixels; 0: none is.
     /// At first it is kTimeShare, and 0 where the processor draws. Vertex stages then run once per part.
     void setTimeShare(double seconds) { timeShare_ = seconds; }
@@ -112,6 +114,16 @@ class FrameDrawer {
     /// For hooks: issues the GL calls of that draw alone, with whatever program and vertex array are bound.
     /// `withPoints`: also the points of a mesh of lines.
     void submit(const plan::PlannedDraw& planned, bool withPoints = false) const;
+    /// The vertices of a draw: by indices in the buffer that is bound for them, or in order.
+    struct Elements {
+        bool areIndexed = false;
+        std::uint64_t offset = 0;  ///< bytes before the first index
+        int count = 0;
+        int points = 0;  ///< the last ones, which are points, whatever the draw's primitives are
+        int instances = 1;
+    };
+    /// For hooks: what the draw submits, with the counts that buffers hold; then it waits for the device.
+    [[nodiscard]] Elements submittedBy(const plan::PlannedDraw& planned) const;
     /// The program that the draw uses, which may be the fallback; null if nothing is drawn.
     [[nodiscard]] const BuiltProgram* programOf(const plan::PlannedDraw& planned) const;
 
@@ -171,15 +183,9 @@ class FrameDrawer {
                            const glm::dvec4& color) const;
     void bindTextures(const std::vector<plan::TextureUse>& textures, const BuiltProgram& built);
     void bindBlocks(plan::PlannedProgramIndex program, const BuiltProgram& built);
+    void runPerSample(bool on);
     void setTessellationLevels(const std::array<float, 6>& levels);
-    /// The vertices of a draw: by indices in the buffer that is bound for them, or in order.
-    struct Elements {
-        bool areIndexed = false;
-        std::uint64_t offset = 0;  ///< bytes before the first index
-        int count = 0;
-        int points = 0;  ///< the last ones, which are points, whatever the draw's primitives are
-    };
-    /// The mesh of the draw must be on the device.
+    /// The same without the counts that buffers hold. The mesh of the draw must be on the device.
     [[nodiscard]] Elements elementsOf(const plan::PlannedDraw& planned) const;
     /// Draws elements of one kind.
     void submitPart(const plan::PlannedDraw& planned, const Elements& elements, GLenum mode) const;
@@ -243,8 +249,10 @@ class FrameDrawer {
     Tile texture_;                           ///< the whole target of the current pass into a texture
     glm::dvec2 textureShift_{0.0};           ///< of that pass
     bool encodesSrgb_ = false;               ///< as set
-    bool isAsWindow_ = true;                 ///< the current pass is seen as the window is
-    ViewMatrices passView_;                  ///< for the other passes
+    bool shadesSamples_ = false;
+    bool runsPerSample_ = false;  ///< as set
+    bool isAsWindow_ = true;      ///< the current pass is seen as the window is
+    ViewMatrices passView_;       ///< for the other passes
     gpu::RasterTracker raster_;
     gpu::BindingTracker bindings_;
     std::set<const gpu::Target*> seenTargets_;

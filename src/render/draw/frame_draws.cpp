@@ -146,10 +146,19 @@ const BuiltProgram* FrameDrawer::programOf(const plan::PlannedDraw& planned) con
 FrameDrawer::Elements FrameDrawer::elementsOf(const plan::PlannedDraw& planned) const {
     const scene::Draw& draw = plan_.drawOf(planned);
     const DeviceMesh& mesh = *device_.meshes().onDevice(plan_, planned.mesh);
-    if (!draw.indices.buffer) return {bool(mesh.indices), 0, mesh.indexCount, mesh.pointCount};
+    const int instances = std::max(0, draw.instances);
+    if (!draw.indices.buffer) return {bool(mesh.indices), 0, mesh.indexCount, mesh.pointCount, instances};
     const auto own = device_.indicesOf(draw).value_or(DeviceScene::Indices{});
     const int wanted = draw.drawsAllIndices ? own.count : std::min(own.count, mesh.indexCount);
-    return {true, own.offset, wanted};
+    return {true, own.offset, wanted, 0, instances};
+}
+
+FrameDrawer::Elements FrameDrawer::submittedBy(const plan::PlannedDraw& planned) const {
+    const scene::Draw& draw = plan_.drawOf(planned);
+    Elements elements = elementsOf(planned);
+    if (draw.verticesFrom) elements.count = static_cast<int>(countIn(draw.verticesFrom));
+    if (draw.instancesFrom) elements.instances = static_cast<int>(countIn(draw.instancesFrom));
+    return elements;
 }
 
 std::uint32_t FrameDrawer::countIn(const scene::CountFrom& from, std::uint64_t after) const {
@@ -243,7 +252,7 @@ void FrameDrawer::submitDirect(const plan::PlannedDraw& planned, const Elements&
 void FrameDrawer::submitIndirect(const scene::Draw& draw, const Elements& elements, GLenum mode) const {
     // count, instances, first index or vertex, base vertex, base instance (OpenGL 4.6 Core, 10.4)
     const std::array<GLuint, 5> command{static_cast<GLuint>(elements.count),
-                                        static_cast<GLuint>(std::max(0, draw.instances)),
+                                        static_cast<GLuint>(elements.instances),
                                         static_cast<GLuint>(elements.offset / sizeof(GLuint)), 0, 0};
     const std::span<const std::byte> bytes = std::as_bytes(std::span(command));
     if (!command_) {
@@ -314,6 +323,9 @@ Diagnostics FrameDrawer::drawOne(const plan::PlannedDraw& planned, const gpu::Ta
     setConstantInputs(planned, built, facts.color);
     bindTextures(planned.textures, built);
     setRaster(planned, built, isWindow, diagnostics);
+    runPerSample(shadesSamples_ && isWindow && isUsable &&
+                 plan::paintedEdges(plan_.programs[planned.program], planned.textures) ==
+                     plan::PaintedEdges::shown);
     bindings_.bind(device_.vertexArray(plan_, planned, built));
     if (hook_) hook_(planned, isWindow, true);
     submitInShares(planned, built);

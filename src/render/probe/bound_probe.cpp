@@ -35,10 +35,7 @@ class BoundPictures {
           probe_(std::move(probe)) {
         inputs_.width = probe_.options.width;
         inputs_.height = probe_.options.height;
-        const RenderOptions& options = probe_.options;
-        moments_ = {options.time};
-        if (options.lastTime > options.time)
-            moments_ = {options.time, (options.time + options.lastTime) / 2, options.lastTime};
+        moments_ = momentsOf(probe_.options);
         for (const budget::BoundVariable& each : variables) names_.push_back(each.name);
     }
 

@@ -4,14 +4,13 @@
 #include <glibra/render.h>
 
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <optional>
-#include <span>
 #include <utility>
 #include <vector>
 
 #include "budget/budget.h"
-#include "gpu/context/context.h"
 #include "gpu/object/buffer.h"
 #include "gpu/object/program.h"
 #include "render/load/programs.h"
@@ -25,34 +24,46 @@ namespace glibra::render {
 /// Draws one draw of a scene in small pictures and captures the output of the evaluation stage.
 class PatchProbe {
   public:
-    /// Prepares the probe for a picture of `width` x `height` pixels. The context and the scene must outlive
-    /// it.
-    PatchProbe(gpu::Context& context, const scene::Scene& scene, const RenderOptions& options, int width,
-               int height);
+    /// Prepares the probe for the scene and the picture of a state, which must outlive it, seen at these
+    /// moments (seconds; at least one).
+    PatchProbe(const SceneState& state, std::vector<double> moments);
     PatchProbe(const PatchProbe&) = delete;
     PatchProbe& operator=(const PatchProbe&) = delete;
 
-    /// The patches of the draw at Scene::passes[pass].steps[step], with these values in place of the scene's.
-    /// If there are more than 64 patches, only every second, third ... is captured. Nothing if drawing or
-    /// capturing fails.
+    /// The patches of the draw at Scene::passes[pass].steps[step] at all moments, in whatever form it states
+    /// them: a list, a shape, vertices in order or by indices, instances. If there are more than 64, the 64
+    /// that low levels show worst are captured; of more than 1024, every second, third ... is looked at.
+    /// Nothing if drawing or capturing fails.
     std::optional<std::vector<budget::Patch>> patches(std::size_t pass, std::size_t step,
-                                                      std::span<const budget::LevelValue> values);
+                                                      const budget::Levels& levels);
 
   private:
+    /// A patch of a draw, in one of its instances.
+    struct Place {
+        int patch = 0, instance = 0;
+    };
+    using Captured = std::optional<std::vector<budget::Patch>>;
+
     /// Loads the scene at the first call. False if that fails.
     bool prepare();
     const gpu::Program* capturingFor(const BuiltProgram& built);
-    std::optional<std::vector<budget::Patch>> capture(const plan::PlannedDraw& draw,
-                                                      std::span<const budget::LevelValue> values);
+    /// Chooses the places at the first call for a draw.
+    Captured captureChosen(const plan::PlannedDraw& draw, const budget::Levels& levels);
+    Captured capture(const plan::PlannedDraw& draw, const budget::Levels& levels,
+                     const FrameDrawer::Elements& elements, const std::vector<Place>& places);
+    /// The most that are captured of many places.
+    Captured worst(const plan::PlannedDraw& draw, const FrameDrawer::Elements& elements,
+                   std::vector<Place>& places);
 
-    gpu::Context& context_;
-    const scene::Scene& scene_;
+    const SceneState& state_;
     RenderOptions options_;
+    std::vector<double> moments_;
     Stats stats_;
     SharedParts parts_;
     std::unique_ptr<SceneState> loaded_;
     std::vector<std::pair<const BuiltProgram*, gpu::Program>> programs_;
     std::optional<gpu::Buffer> buffer_;
+    std::map<scene::StepIndex, std::vector<Place>> places_;
 };
 
 }  // namespace glibra::render

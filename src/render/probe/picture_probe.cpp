@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "render/probe/probe_options.h"
-#include "render/scene_state.h"
 
 namespace glibra::render {
 namespace {
@@ -22,26 +21,34 @@ int largestSide(const budget::Choice& choice, const RenderOptions& options, int 
 
 std::optional<budget::ContourShifts> PictureProbe::shift(const budget::Choice& from,
                                                          const budget::Choice& to) const {
-    ProbeOptions probe =
-        probeOptions(options, width, height, largestSide(from, options, std::max(width, height)));
+    const int side = largestSide(from, state.options, std::max(state.width, state.height));
+    ProbeOptions probe = probeOptions(state.options, state.width, state.height, side);
     // Noise changes values by less than a byte can show. Meshes use bytes, so that the driver runs the same
     // code as for the picture.
     probe.options.floatPixels = !from.noise.empty();
     probe.options.alpha = false;
     Stats stats;
-    const auto picture = [&](const budget::Choice& choice) -> Result<image::Image> {
-        scene::Scene chosen = scene;
+    const auto picturesOf = [&](const budget::Choice& choice) -> std::optional<std::vector<image::Image>> {
+        scene::Scene chosen = state.scene;
         budget::apply(choice, chosen);
         probe.options.samples = choice.samples;
-        auto loaded =
-            SceneState::load(context, {std::move(chosen), nullptr, {}}, probe.options, stats, parts);
-        if (!loaded) return std::move(loaded.diagnostics);
-        (*loaded)->view = view;
-        return (*loaded)->draw(options.time, stats);
+        auto loaded = SceneState::load(state.context, {std::move(chosen), state.source, state.inputs},
+                                       probe.options, stats, state.parts);
+        if (!loaded) return std::nullopt;
+        (*loaded)->view = state.view;
+        std::vector<image::Image> pictures;
+        for (const double each : moments) {
+            Result<image::Image> picture = (*loaded)->draw(each, stats);
+            if (!picture) return std::nullopt;
+            pictures.push_back(std::move(*picture));
+        }
+        return pictures;
     };
-    const Result<image::Image> before = picture(from), after = picture(to);
+    const auto before = picturesOf(from), after = picturesOf(to);
     if (!before || !after) return std::nullopt;
-    return budget::ContourShifts(*before, *after, probe.shrink);
+    budget::ContourShifts shifts(before->front(), after->front(), probe.shrink);
+    for (std::size_t i = 1; i < moments.size(); ++i) shifts.add((*before)[i], (*after)[i]);
+    return shifts;
 }
 
 }  // namespace glibra::render

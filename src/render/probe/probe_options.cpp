@@ -19,4 +19,9 @@ ProbeOptions probeOptions(const RenderOptions& options, int width, int height, i
     return probe;
 }
 
+std::vector<double> momentsOf(const RenderOptions& options) {
+    if (options.lastTime <= options.time) return {options.time};
+    return {options.time, (options.time + options.lastTime) / 2, options.lastTime};
+}
+
 }  // namespace glibra::render

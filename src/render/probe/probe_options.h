@@ -2,6 +2,8 @@
 
 #include <glibra/render.h>
 
+#include <vector>
+
 namespace glibra::render {
 
 struct ProbeOptions {
@@ -12,5 +14,9 @@ struct ProbeOptions {
 /// Options for a small picture that is measured and not shown: of the same aspect, at most `largestSide`
 /// pixels per side, with one sample, without error bound, tiles, axes and warnings.
 ProbeOptions probeOptions(const RenderOptions& options, int width, int height, int largestSide);
+
+/// The moments (seconds) at which a scene is measured: that of the picture, or the beginning, the middle and
+/// the end of an animation.
+std::vector<double> momentsOf(const RenderOptions& options);
 
 }  // namespace glibra::render
