@@ -177,6 +177,23 @@ TEST_F(Noisy, APictureOfWhichNothingIsComparedFails) {
     expectNothing("a mask and a rectangle");
 }
 
+/// Black in a browser, and white for the comparison: who has looked at it has not seen what it hides.
+TEST_F(Noisy, AMaskIsWhatIsShown) {
+    ASSERT_EQ(accept(gradient()).verdict, Verdict::updated);
+    shot.mask = folder / "mask.png";
+    std::vector<std::byte> animated =
+        image::encodePng(picture(32, 32, [](int, int y, int) { return y < 9 ? 255 : 0; }));
+    animated.resize(animated.size() - 12);  // without its end
+    image::putPngChunk(animated, "acTL", std::vector<std::byte>(8));
+    image::putPngChunk(animated, "IEND", {});
+    writeText(shot.mask, {reinterpret_cast<const char*>(animated.data()), animated.size()});
+    const ShotResult result = decide(gradient());
+    EXPECT_EQ(result.verdict, Verdict::failed);
+    ASSERT_FALSE(result.diagnostics.empty());
+    EXPECT_EQ(result.diagnostics.back().id, "suite-E32");
+    EXPECT_NE(result.reason.find("the mask 'mask.png'"), std::string::npos) << result.reason;
+}
+
 TEST_F(Noisy, ResultsSayHowMuchIsCompared) {
     ASSERT_EQ(accept(gradient()).verdict, Verdict::updated);
     EXPECT_EQ(decide(gradient()).compared, 1);

@@ -13,10 +13,10 @@
 #include "image/convert.h"
 #include "image/file.h"
 #include "image/format.h"
-#include "image/png/png_appearance.h"
 #include "image/read.h"
 #include "image/write.h"
 #include "suite/file/shot_name.h"
+#include "suite/golden/appearance.h"
 #include "suite/golden/hash_key.h"
 #include "suite/golden/ignored.h"
 #include "suite/write_below.h"
@@ -49,14 +49,6 @@ Diagnostics refuseAs(Diagnostics problems, const fs::path& written, const fs::pa
         if (const std::size_t at = each.text.find(written.string()); at != std::string::npos)
             each.text.replace(at, written.string().size(), meant.string());
     return problems;
-}
-
-/// Why a browser may show another picture of the golden than the one that is decoded; empty if it does not.
-std::string shownOtherwise(const Golden& golden) {
-    const image::Format format = image::formatOf(golden.bytes);
-    if (format != image::formatOfSuffix(golden.file))
-        return fmt::format("by its content it is {}", image::describe(format));
-    return format == image::Format::png ? image::shownOtherwise(golden.bytes) : std::string();
 }
 
 /// The path with all links resolved, as far as it exists.
@@ -288,12 +280,9 @@ std::string GoldenStore::whyNotWritten(const fs::path& path) const {
 Result<image::Image> decode(const Golden& golden) {
     const Place place{golden.file.string(), 1, 1};
     Result<image::Image> picture = image::decodeImage(golden.bytes, golden.file, place);
-    if (const std::string why = picture ? shownOtherwise(golden) : std::string(); !why.empty())
-        picture = diagnose("suite-E32",
-                           fmt::format("the golden '{}' may be shown as another picture than the one that is "
-                                       "compared: {}",
-                                       golden.file.filename().string(), why),
-                           place);
+    if (picture)
+        if (std::optional<Diagnostic> why = shownOtherwise("golden", golden.file, golden.bytes, place))
+            picture = *std::move(why);
     if (!picture && image::placeholderOf(golden.bytes).empty())
         for (Diagnostic& each : picture.diagnostics)
             each.text +=

@@ -7,8 +7,10 @@
 #include <optional>
 
 #include "image/convert.h"
+#include "image/file.h"
 #include "image/read.h"
 #include "suite/day.h"
+#include "suite/golden/appearance.h"
 #include "suite/golden/hash.h"
 
 namespace glibra::suite {
@@ -38,7 +40,12 @@ std::optional<Diagnostic> reachesOut(const IgnoredRegion& region, int width, int
 }
 
 Result<image::Image> readMask(const Shot& shot, int width, int height) {
-    Result<image::Image> mask = image::readImage(shot.mask, shot.maskPlace);
+    const auto bytes = image::readFile(shot.mask, {shot.mask.filename().string(), shot.maskPlace});
+    if (!bytes) return bytes.diagnostics;
+    Result<image::Image> mask = image::decodeImage(*bytes, shot.mask, shot.maskPlace);
+    if (mask)
+        if (std::optional<Diagnostic> why = shownOtherwise("mask", shot.mask, *bytes, shot.maskPlace))
+            return *std::move(why);
     if (mask && (mask->width != width || mask->height != height))
         return diagnose("suite-E29",
                         fmt::format("mask: '{}' has {} x {} pixels, the picture {} x {}", shot.mask.string(),

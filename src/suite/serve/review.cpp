@@ -163,12 +163,15 @@ std::vector<ReviewGroup> Review::findGroups() const {
     std::vector<std::set<std::string>> candidates(shots_.size());
     std::map<std::string, std::set<fs::path>> scenesOf;
     ChangedFiles changed;
+    std::map<const Suite*, GoldenStore> stores;
     for (std::size_t i = 0; i < shots_.size(); ++i) {
         const Known known = find(shots_[i]);
         if (!known.shot) continue;
-        const GoldenStore store = *GoldenStore::open(*known.suite, options_.goldens, options_.allowOutside);
-        for (const fs::path& each :
-             changed.since(store.file(*known.shot, shots_[i].goldenVariant), shots_[i].reads))
+        if (!stores.contains(known.suite))
+            stores.emplace(known.suite,
+                           *GoldenStore::open(*known.suite, options_.goldens, options_.allowOutside));
+        const fs::path golden = stores.at(known.suite).file(*known.shot, shots_[i].goldenVariant);
+        for (const fs::path& each : changed.since(golden, shots_[i].reads))
             candidates[i].insert(each.string());
         if (candidates[i].empty()) {
             const auto [at, isNew] = shaders.try_emplace(known.shot->script);

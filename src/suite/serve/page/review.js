@@ -57,7 +57,7 @@ function tile(shot) {
     for (const image of pictures.children)
         Object.assign(image.style, {width: `${size[0] * scale}px`, height: `${size[1] * scale}px`});
     const made = element("figure", {title: name}, pictures, element("figcaption", {textContent: name}));
-    made.dataset.state = decided;
+    Object.assign(made.dataset, {shot, state: decided});
     made.addEventListener("click", () => choose(shot));
     return made;
 }
@@ -65,10 +65,14 @@ function tile(shot) {
 // The shots of a group that differ alike, with a button for all of them.
 function alike(part) {
     const shots = part.shots.filter((shot) => data.shots[shot].got);
-    const accept = element("button", {type: "button", className: "accept", textContent: `Accept these ${openOf(shots).length}`});
+    const accept = element("button", {type: "button", className: "accept"});
     accept.addEventListener("click", () => decide("accept", openOf(shots)));
-    accept.hidden = !openOf(shots).length;
-    return element("section", {}, element("h2", {}, `${shots.length} × ${part.difference || "no golden"} `, accept),
+    accept.count = () => {
+        accept.textContent = `Accept these ${openOf(shots).length}`;
+        accept.hidden = !openOf(shots).length;
+    };
+    accept.count();
+    return element("section", {}, element("h2", {}, `${part.shots.length} × ${part.difference || data.shots[part.shots[0]].reason} `, accept),
         element("div", {className: "tiles"}, ...shots.map(tile)));
 }
 
@@ -144,6 +148,13 @@ async function send(what, body) {
     return reply.json();
 }
 
+// Shows what has been decided about the shots of the group that is shown, whose pictures stay.
+function markDecided() {
+    for (const each of document.querySelectorAll("#pictures figure")) each.dataset.state = data.shots[each.dataset.shot].decided;
+    for (const each of document.querySelectorAll("#pictures h2 button")) each.count();
+    watch();
+}
+
 // One line for each reason, however many shots have it.
 function sayWhy(refused) {
     const names = new Map();
@@ -169,10 +180,9 @@ async function decide(what, shots, more = {}) {
     const next = order().find((shot) => !data.shots[shot].decided && (refused.length === 0 || shot !== current));
     if (mode === "group") {
         // The group stays until all of it is decided; then comes the next one.
-        if (!refused.length && !openOf(groupOf(current).shots).length && next !== undefined) {
-            current = next;
-            document.querySelector("main").scrollTop = 0;
-        }
+        if (refused.length || openOf(groupOf(current).shots).length || next === undefined) return markDecided();
+        current = next;
+        document.querySelector("main").scrollTop = 0;
         show();
     } else if (!refused.length && next !== undefined) choose(next);
     else show();
