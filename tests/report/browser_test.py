@@ -234,9 +234,9 @@ class Report(unittest.TestCase):
         self.assertGreater(place, .05, "what differs is in it")
         zoom = "return Number.parseFloat(document.querySelector('#zoomText').textContent)"
         before = self.browser.run(zoom)
-        self.browser.key("z")
+        self.browser.press("z")
         self.assertGreater(self.browser.run(zoom), before)
-        self.browser.key("f")
+        self.browser.press("f")
         self.assertEqual(self.browser.run(zoom), before)
         self.go("sample/missing")
         self.assertEqual(self.browser.run(shown), [False] * 3, "nothing differs where one picture is missing")

@@ -62,7 +62,7 @@ std::string toText(const DifferenceSign& sign) {
     const char* way = std::abs(mean) < kMostly * sign.size ? "other colours"
                       : mean > 0                           ? "lighter"
                                                            : "darker";
-    return fmt::format("{:.2g} of 255 {} in {:.2g} % of the pixels", sign.size, way, 100 * sign.share);
+    return fmt::format("{:.3g} of 255 {} in {:.3g} % of the pixels", sign.size, way, 100 * sign.share);
 }
 
 }  // namespace glibra::suite

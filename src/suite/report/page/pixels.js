@@ -120,15 +120,22 @@ function placeOfDifference(a, b) {
             }
             sums[(y + 1) * across + x + 1] = sums[y * across + x + 1] + row;
         }
+    const sumOf = (left, top, wide, high) => sums[(top + high) * across + left + wide] - sums[top * across + left + wide] -
+        sums[(top + high) * across + left] + sums[top * across + left];
     const wide = Math.min(side, width), high = Math.min(side, height), step = Math.max(1, side >> 3);
     let best = null, most = 0;
     for (let top = 0; top <= height - high; top += step)
         for (let left = 0; left <= width - wide; left += step) {
-            const sum = sums[(top + high) * across + left + wide] - sums[top * across + left + wide] -
-                sums[(top + high) * across + left] + sums[top * across + left];
-            if (sum > most * (1 + 1e-9)) [best, most] = [{left, top, side}, sum];
+            const sum = sumOf(left, top, wide, high);
+            if (sum > most * (1 + 1e-9)) [best, most] = [{left, top}, sum];
         }
-    return best;
+    if (!best) return null;
+    // What differs is in its middle.
+    let x = 0, y = 0;
+    for (let i = 0; i < wide; ++i) x += (best.left + i + .5) * sumOf(best.left + i, best.top, 1, high);
+    for (let i = 0; i < high; ++i) y += (best.top + i + .5) * sumOf(best.left, best.top + i, wide, 1);
+    const clamped = (middle, part, whole) => Math.max(0, Math.min(whole - part, Math.round(middle / most - part / 2)));
+    return {left: clamped(x, wide, width), top: clamped(y, high, height), side};
 }
 
 // The values of a pixel as in the file: 0..255, 0..65535 or floats; null outside of the picture.
