@@ -104,7 +104,7 @@ function differenceCanvas(a, b, factor) {
 }
 
 // The square in which two pictures of one size differ most: a sixth of their longer side, but at least 24 pixels. Null if
-// they do not differ, or if the square is most of them.
+// they do not differ, if they differ everywhere alike, or if the square is most of them.
 function placeOfDifference(a, b) {
     const {width, height} = a;
     const side = Math.max(24, Math.ceil(Math.max(width, height) / 6)), mostPixels = 2 ** 22;
@@ -129,7 +129,7 @@ function placeOfDifference(a, b) {
             const sum = sumOf(left, top, wide, high);
             if (sum > most * (1 + 1e-9)) [best, most] = [{left, top}, sum];
         }
-    if (!best) return null;
+    if (!best || most < 2 * sumOf(0, 0, width, height) * wide * high / (width * height)) return null;
     // What differs is in its middle.
     let x = 0, y = 0;
     for (let i = 0; i < wide; ++i) x += (best.left + i + .5) * sumOf(best.left + i, best.top, 1, high);
